@@ -1,0 +1,115 @@
+/// Writes what the server sends into the signals of src/state. Of each kind the newest version
+/// wins: an answer about older texts than the last one shown is dropped.
+import { batch } from '@preact/signals';
+import type { BinaryToPage, ToPage } from '../protocol';
+import { kBinaryTypes } from '../protocol';
+import {
+    cameraFrames, files, meshes, problems, shot, start, textVersion, timeline, welcome, work,
+} from '../state/state';
+import { asFloat64, decodeBinary } from './decode';
+
+type Listener<Name extends keyof ToPage> = (message: ToPage[Name]) => void;
+type Handlers<Map> = { [Name in keyof Map]?: (message: Map[Name], payload: ArrayBuffer) => void };
+
+const listeners = new Map<keyof ToPage, Set<Listener<never>>>();
+
+/// Calls `listener` for every later message of this name, after the signals were written. Returns a
+/// function that ends this.
+export function onMessage<Name extends keyof ToPage>(
+    name: Name, listener: Listener<Name>,
+): () => void {
+    const all = listeners.get(name) ?? new Set();
+    listeners.set(name, all);
+    all.add(listener as Listener<never>);
+    return () => all.delete(listener as Listener<never>);
+}
+
+/// Whether a message of version `v` is at least as new as what is shown.
+function isNewer(v: number, shown: number | undefined): boolean {
+    return shown === undefined || v >= shown;
+}
+
+const texts: Handlers<ToPage> = {
+    welcome: (message) => {
+        welcome.value = message;
+        textVersion.value = Math.max(textVersion.value, message.v);
+    },
+    start: (message) => {
+        start.value = message;
+    },
+    files: (message) => {
+        start.value = null;
+        files.value = message.files;
+        textVersion.value = Math.max(textVersion.value, message.v);
+    },
+    text_changed: (message) => {
+        textVersion.value = Math.max(textVersion.value, message.v);
+    },
+    problems: (message) => {
+        if (isNewer(message.v, problems.value?.v)) {
+            problems.value = message;
+        }
+    },
+    shot: (message) => {
+        if (isNewer(message.v, shot.value?.v)) {
+            shot.value = message;
+        }
+    },
+    scene: (message) => {
+        meshes.value = message.hash;
+    },
+    work: (message) => {
+        work.value = message;
+    },
+};
+
+const binaries: Handlers<BinaryToPage> = {
+    timeline: (head, payload) => {
+        if (isNewer(head.v, timeline.value?.head.v)) {
+            timeline.value = { head, numbers: asFloat64(payload) };
+        }
+    },
+    cameras: (head, payload) => {
+        if (isNewer(head.v, cameraFrames.value?.head.v)) {
+            cameraFrames.value = { head, numbers: asFloat64(payload) };
+        }
+    },
+};
+
+function receiveText(text: string): void {
+    const { t, ...fields } = JSON.parse(text) as { t: keyof ToPage };
+    const message = fields as never;
+    batch(() => texts[t]?.(message, new ArrayBuffer(0)));
+    for (const listener of listeners.get(t) ?? []) {
+        listener(message);
+    }
+}
+
+function receiveBinary(data: ArrayBuffer): void {
+    const { type, head, payload } = decodeBinary(data);
+    const name = kBinaryTypes[type];
+    if (name) {
+        batch(() => binaries[name]?.(head as never, payload));
+    }
+}
+
+/// Takes one message of the socket. Throws if it is not well formed.
+export function receive(data: string | ArrayBuffer): void {
+    if (typeof data === 'string') {
+        receiveText(data);
+    } else {
+        receiveBinary(data);
+    }
+}
+
+/// Forgets what was told about the shot, because a new connection tells it again with versions that
+/// may begin anew.
+export function forgetVersions(): void {
+    batch(() => {
+        problems.value = null;
+        shot.value = null;
+        timeline.value = null;
+        cameraFrames.value = null;
+        work.value = null;
+    });
+}

@@ -1,0 +1,329 @@
+/// The messages between the page and carom's studio: pipeline/studio/messages.h. Lengths are in
+/// metres, times in seconds, angles in radians; world axes have Z up.
+
+export const kProtocol = 'carom-studio/1';
+export const kTimelineType = 1;
+export const kCamerasType = 2;
+export const kTimelineNumbersPerKey = 20;
+export const kCamerasNumbersPerFrame = 21;
+
+export type Triple = [number, number, number];
+/// Unit quaternion, w first.
+export type Turn = [number, number, number, number];
+export type KeyPath = string[];
+
+export interface TextRange {
+    file: string;
+    line: number;
+    column: number;
+    length: number;
+}
+
+// ---- from the page ------------------------------------------------------------------------------
+
+export interface Hello {
+    protocol: string;
+}
+
+export interface TextChange {
+    v: number;
+    file: string;
+    text: string;
+}
+
+export interface Save {
+    file: string;
+    text: string;
+    base_hash: string;
+    force: boolean;
+}
+
+export interface Revert {
+    v: number;
+    file: string;
+}
+
+export interface Open {
+    file: string;
+    from: string;
+}
+
+export interface Dragging {
+    on: boolean;
+}
+
+// ---- from the server ----------------------------------------------------------------------------
+
+export interface Welcome {
+    protocol: string;
+    version: string;
+    v: number;
+    shot: string;
+    root: string;
+}
+
+export interface StartFile {
+    file: string;
+    name: string;
+    about: string;
+    still: string;
+}
+
+export interface Start {
+    templates: StartFile[];
+    examples: StartFile[];
+    recent: StartFile[];
+}
+
+export interface OpenFile {
+    file: string;
+    name: string;
+    text: string;
+    hash: string;
+    writable: boolean;
+    changed: boolean;
+}
+
+export interface Files {
+    v: number;
+    files: OpenFile[];
+}
+
+export interface TextChanged {
+    v: number;
+    file: string;
+    text: string;
+}
+
+export interface Saved {
+    file: string;
+    hash: string;
+}
+
+export interface DiskChanged {
+    file: string;
+    text: string;
+    hash: string;
+    refused: boolean;
+}
+
+export interface Failed {
+    what: string;
+    v: number;
+    message: string;
+}
+
+export interface Problem {
+    severity: string;
+    place: TextRange;
+    key_path: string;
+    message: string;
+    suggestion: string;
+    included_by: TextRange[];
+}
+
+export interface Problems {
+    v: number;
+    complete: boolean;
+    list: Problem[];
+}
+
+export interface ValuePlace {
+    path: KeyPath;
+    key: TextRange;
+    value: TextRange;
+    origin: string;
+}
+
+export interface SceneObject {
+    name: string;
+    kind: string;
+    path: KeyPath;
+    shape: string;
+    moves: boolean;
+    position: Triple;
+    orientation: Turn;
+    radius: number;
+    number?: number;
+    colour: Triple;
+    material: string;
+}
+
+export interface SceneLight {
+    name: string;
+    kind: string;
+    path: KeyPath;
+    position: Triple;
+    facing: Triple;
+    colour: Triple;
+    size: number[];
+}
+
+export interface PathPoint {
+    path: KeyPath;
+    position: Triple;
+    of: string;
+    at: number;
+    offset: Triple;
+}
+
+export interface PathShape {
+    kind: string;
+    points: PathPoint[];
+    curve: number[];
+}
+
+export interface SpeedPoint {
+    path: KeyPath;
+    video_time: number;
+    speed: number;
+}
+
+export interface Camera {
+    name: string;
+    path: KeyPath;
+    video_start: number;
+    video_end: number;
+    fade: number;
+    scene_start: number;
+    scene_end: number;
+    speeds: SpeedPoint[];
+    smooth: boolean;
+    position: PathShape;
+    target: PathShape;
+    sensor_height: number;
+}
+
+export interface ShotEvent {
+    path: KeyPath;
+    kind: string;
+    object: string;
+    time: number;
+    triggered: boolean;
+    duration?: number;
+    vector: Triple;
+    speed: number;
+    ball_speed: boolean;
+    elevation: number;
+    tip: [number, number];
+    direction: number;
+    toward: string;
+}
+
+export interface Table {
+    length: number;
+    width: number;
+    cushion_height: number;
+    ball_radius: number;
+}
+
+export interface Film {
+    width: number;
+    height: number;
+    fps: number;
+    frames: number;
+    duration: number;
+    samples: number;
+}
+
+export interface Names {
+    balls: string[];
+    objects: string[];
+    materials: string[];
+    lights: string[];
+    cameras: string[];
+    surfaces: string[];
+}
+
+export interface ShotState {
+    v: number;
+    name: string;
+    film: Film;
+    table?: Table;
+    objects: SceneObject[];
+    lights: SceneLight[];
+    cameras: Camera[];
+    events: ShotEvent[];
+    names: Names;
+    places: ValuePlace[];
+}
+
+export interface SceneMeshes {
+    v: number;
+    hash: string;
+}
+
+export interface TrackHead {
+    name: string;
+    first: number;
+    keys: number;
+}
+
+export interface TimelineEvent {
+    kind: string;
+    time: number;
+    end_time: number;
+    a: string;
+    b: string;
+    place: Triple;
+    impulse: number;
+    text: string;
+}
+
+export interface TimelineHead {
+    v: number;
+    kept: boolean;
+    start: number;
+    end: number;
+    tracks: TrackHead[];
+    events: TimelineEvent[];
+    energy: number[];
+    milliseconds: number;
+}
+
+export interface CamerasHead {
+    v: number;
+    entries: number;
+}
+
+export interface Work {
+    what: string;
+    v: number;
+    fraction: number;
+}
+
+/// The messages by their member "t".
+export interface ToServer {
+    hello: Hello;
+    text: TextChange;
+    save: Save;
+    revert: Revert;
+    open: Open;
+    dragging: Dragging;
+}
+
+export interface ToPage {
+    welcome: Welcome;
+    start: Start;
+    files: Files;
+    text_changed: TextChanged;
+    saved: Saved;
+    disk_changed: DiskChanged;
+    failed: Failed;
+    problems: Problems;
+    shot: ShotState;
+    scene: SceneMeshes;
+    work: Work;
+}
+
+/// The heads of binary messages.
+export interface BinaryToPage {
+    timeline: TimelineHead;
+    cameras: CamerasHead;
+}
+
+/// The binary messages' names by their type.
+export const kBinaryTypes: Record<number, keyof BinaryToPage> = {
+    [kTimelineType]: 'timeline',
+    [kCamerasType]: 'cameras',
+};

@@ -1,0 +1,84 @@
+/// What the page knows, as signals. Nothing else holds state: the view, the strip, the outline and
+/// the inspector read these and write through src/edit.
+import { computed, signal } from '@preact/signals';
+import type {
+    CamerasHead, KeyPath, OpenFile, Problems, ShotState, Start, TimelineHead, Welcome, Work,
+} from '../protocol';
+
+/// The motion of one version: `head` says where each track's numbers begin.
+export interface Timeline {
+    head: TimelineHead;
+    numbers: Float64Array;
+}
+
+/// The cameras of all frames of the film: kCamerasNumbersPerFrame numbers for each entry.
+export interface CameraFrames {
+    head: CamerasHead;
+    numbers: Float64Array;
+}
+
+export type ConnectionState = 'connecting' | 'open' | 'lost';
+export type Theme = 'dark' | 'light' | 'system';
+
+export const connection = signal<ConnectionState>('connecting');
+export const welcome = signal<Welcome | null>(null);
+/// What the start page offers; null while a shot is open.
+export const start = signal<Start | null>(null);
+/// The shot's file, first, and those that it includes, as the server last told.
+export const files = signal<OpenFile[]>([]);
+/// The newest version of the texts.
+export const textVersion = signal(0);
+/// Of the newest version without errors.
+export const shot = signal<ShotState | null>(null);
+export const timeline = signal<Timeline | null>(null);
+export const cameraFrames = signal<CameraFrames | null>(null);
+export const problems = signal<Problems | null>(null);
+/// The hash of /scene/HASH.glb, the meshes of the newest version.
+export const meshes = signal<string | null>(null);
+export const work = signal<Work | null>(null);
+
+/// Whether the newest texts have an error, as far as the server has answered.
+export const hasErrors = computed(
+    () => problems.value?.list.some((problem) => problem.severity === 'error') ?? false,
+);
+
+/// Whether the motion belongs to older texts: it is drawn greyed.
+export const isStale = computed(
+    () => hasErrors.value || (timeline.value?.head.v ?? 0) < textVersion.value,
+);
+
+/// The key path of what is selected: ["balls", "cue"], ["cameras", "0", "position", "bezier", "1"].
+export const selection = signal<KeyPath | null>(null);
+export const hovered = signal<KeyPath | null>(null);
+
+/// The play head, in seconds. Both clocks always agree: src/motion has the map between them.
+export const filmTime = signal(0);
+export const sceneTime = signal(0);
+export const playing = signal(false);
+/// The name of the camera that the view looks through; null: the free view.
+export const lookThrough = signal<string | null>(null);
+
+export const theme = signal<Theme>('system');
+/// The open side panel.
+export const panel = signal<string | null>(null);
+
+/// Whether a text is under way to the server, or a newer one waits to be sent.
+export const textUnderWay = signal(false);
+/// Whether a picture was asked for and its last round has not come.
+export const pictureAsked = signal(false);
+/// A sentence about what just happened, for the status line; replaced by the next one.
+export const notice = signal<Notice | null>(null);
+
+export interface Notice {
+    kind: 'info' | 'error';
+    text: string;
+}
+
+/// Whether everything that was asked of the server is answered for the newest texts.
+export const isIdle = computed(() => {
+    if (textUnderWay.value || pictureAsked.value || !problems.value?.complete) {
+        return false;
+    }
+    const answered = problems.value.v >= textVersion.value;
+    return answered && (hasErrors.value || (timeline.value?.head.v ?? -1) >= textVersion.value);
+});
