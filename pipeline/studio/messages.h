@@ -2,8 +2,8 @@
 //
 // Texts are JSON objects whose member "t" is the message's kName and whose other members are the
 // fields of the struct. A binary message is a 32-bit type, the 32-bit length of its head, the head
-// (JSON like the texts, padded with spaces to a multiple of 4 bytes together with these 8), and a
-// payload of little-endian numbers that the head describes. Lengths are in metres, times in
+// (JSON like the texts, padded with spaces to a multiple of 8 bytes, which its length counts), and
+// a payload of little-endian numbers that the head describes. Lengths are in metres, times in
 // seconds, angles in radians; world axes have Z up. Numbers that count versions start at 1.
 //
 // The page's types are generated from message_fields.h: `studio/src/protocol.ts`.
@@ -81,39 +81,51 @@ struct Dragging {
     bool on = false;
 };
 
+/// The answer to Recovered: whether the texts are to be used. Otherwise they are forgotten.
+struct Recover {
+    static constexpr const char* kName = "recover";
+    bool use = false;
+};
+
+/// Simulates the newest texts without the limits of a live bake. The answer to Deferred.
+struct Simulate {
+    static constexpr const char* kName = "simulate";
+    std::int64_t v = 0;  // the version that the user saw
+};
+
 // ---- from the server ----------------------------------------------------------------------------
 
 /// The answer to Hello.
 struct Welcome {
     static constexpr const char* kName = "welcome";
-    std::string protocol;
-    std::string version;  // of carom
-    std::int64_t v = 0;   // the version of the texts
-    std::string shot;     // the path of the shot's file; empty: the start page
-    std::string root;     // the folder below which files may be written
+    std::string protocol{};
+    std::string version{};  // of carom
+    std::int64_t v = 0;     // the version of the texts
+    std::string shot{};     // the path of the shot's file; empty: the start page
+    std::string root{};     // the folder below which files may be written
 };
 
 /// A file to start from.
 struct StartFile {
-    std::string file;
-    std::string name;   // "nine_ball_break"
-    std::string about;  // its first comment
-    std::string still;  // the address of a picture, or empty
+    std::string file{};
+    std::string name{};   // "nine_ball_break"
+    std::string about{};  // its first comment
+    std::string still{};  // the address of a picture, or empty
 };
 
 /// What the start page offers.
 struct Start {
     static constexpr const char* kName = "start";
-    std::vector<StartFile> templates;
-    std::vector<StartFile> examples;
-    std::vector<StartFile> recent;
+    std::vector<StartFile> templates{};
+    std::vector<StartFile> examples{};
+    std::vector<StartFile> recent{};
 };
 
 struct OpenFile {
-    std::string file;       // absolute path
-    std::string name;       // as the shot names it, for a tab: "nine_ball_break.yaml"
-    std::string text;       // as it stands now: the page's text if it has one, else the disk's
-    std::string hash;       // of the file on disk
+    std::string file{};     // absolute path
+    std::string name{};     // as the shot names it, for a tab: "nine_ball_break.yaml"
+    std::string text{};     // as it stands now: the page's text if it has one, else the disk's
+    std::string hash{};     // of the file on disk
     bool writable = false;  // a file of carom's configs or outside of the root is not
     bool changed = false;   // `text` differs from the file on disk
 };
@@ -123,48 +135,63 @@ struct OpenFile {
 struct Files {
     static constexpr const char* kName = "files";
     std::int64_t v = 0;
-    std::vector<OpenFile> files;
+    std::vector<OpenFile> files{};
 };
 
 /// Another page changed a text.
 struct TextChanged {
     static constexpr const char* kName = "text_changed";
     std::int64_t v = 0;
-    std::string file;
-    std::string text;
+    std::string file{};
+    std::string text{};
 };
 
 struct Saved {
     static constexpr const char* kName = "saved";
-    std::string file;
-    std::string hash;
+    std::string file{};
+    std::string hash{};
 };
 
 /// A file on disk is no longer what it was when it was last read or saved. Also the answer to a
 /// Save that is refused for this reason.
 struct DiskChanged {
     static constexpr const char* kName = "disk_changed";
-    std::string file;
-    std::string text;  // the new one on disk
-    std::string hash;
+    std::string file{};
+    std::string text{};  // the new one on disk
+    std::string hash{};
     bool refused = false;  // a Save
+};
+
+/// A text that was not saved before the studio ended unexpectedly.
+struct RecoveredText {
+    std::string file{};
+    std::string text{};
+    std::string base_hash{};  // of the file on disk from which it was made
+    std::string hash{};       // of the file on disk now; empty: it does not exist
+};
+
+/// Texts of the shot's files that were not saved when the studio ended unexpectedly. Sent after
+/// Files; nothing changes until the page answers with Recover.
+struct Recovered {
+    static constexpr const char* kName = "recovered";
+    std::vector<RecoveredText> files{};
 };
 
 /// Something that was asked for failed; a sentence for the user.
 struct Failed {
     static constexpr const char* kName = "failed";
-    std::string what;  // the kName of the request, or "bake", "picture"
+    std::string what{};  // the kName of the request, or "bake", "picture"
     std::int64_t v = 0;
-    std::string message;
+    std::string message{};
 };
 
 struct Problem {
-    std::string severity;  // "error" or "warning"
-    TextRange place;
-    std::string key_path;
-    std::string message;
-    std::string suggestion;  // what was probably meant in the place's stead, or empty
-    std::vector<TextRange> included_by;
+    std::string severity{};  // "error" or "warning"
+    TextRange place{};
+    std::string key_path{};
+    std::string message{};
+    std::string suggestion{};  // what was probably meant in the place's stead, or empty
+    std::vector<TextRange> included_by{};
 };
 
 /// All problems of a version, sorted as `carom check` sorts them. Those of the motion follow after
@@ -173,37 +200,37 @@ struct Problems {
     static constexpr const char* kName = "problems";
     std::int64_t v = 0;
     bool complete = false;
-    std::vector<Problem> list;
+    std::vector<Problem> list{};
 };
 
 /// Where a value comes from.
 struct ValuePlace {
-    KeyPath path;
-    TextRange key;       // of its key; line 0 in lists
-    TextRange value;     // of the value; of a map or list its first character
-    std::string origin;  // "shot", "include" (a writable file), "config" (a file of carom's), "set"
-                         // (an option)
+    KeyPath path{};
+    TextRange key{};       // of its key; line 0 in lists
+    TextRange value{};     // of the value; of a map or list its first character
+    std::string origin{};  // "shot", "include" (a writable file), "config" (a file of carom's),
+                           // "set" (an option)
 };
 
 /// A ball or an object of the scene.
 struct SceneObject {
-    std::string name;
-    std::string kind;    // "ball", "object", "table"
-    KeyPath path;        // where it is, or would be, in the shot: ["balls", "nine"]
-    std::string shape;   // "sphere", "box" ...
-    bool moves = false;  // has a track in the timeline; else it rests at this pose
-    Triple position{};   // at the start, of the origin of its axes
+    std::string name{};
+    std::string kind{};   // "ball", "object", "table"
+    KeyPath path{};       // where it is, or would be, in the shot: ["balls", "nine"]
+    std::string shape{};  // "sphere", "box" ...
+    bool moves = false;   // has a track in the timeline; else it rests at this pose
+    Triple position{};    // at the start, of the origin of its axes
     Turn orientation{1, 0, 0, 0};
-    double radius = 0;          // of a ball
-    std::optional<int> number;  // on a ball
-    Triple colour{};            // linear, of its material, for outlines and trails
-    std::string material;
+    double radius = 0;            // of a ball
+    std::optional<int> number{};  // on a ball
+    Triple colour{};              // linear, of its material, for outlines and trails
+    std::string material{};
 };
 
 struct SceneLight {
-    std::string name;
-    std::string kind;  // "point", "spot", "directional", "rectangle", "sphere", "environment"
-    KeyPath path;
+    std::string name{};
+    std::string kind{};  // "point", "spot", "directional", "rectangle", "sphere", "environment"
+    KeyPath path{};
     Triple position{};
     Triple facing{};
     Triple colour{};  // linear, its largest component 1
@@ -213,56 +240,56 @@ struct SceneLight {
 
 /// One point of a path, as a handle to drag.
 struct PathPoint {
-    KeyPath path;       // of the point in the shot
+    KeyPath path{};     // of the point in the shot
     Triple position{};  // in the world
-    std::string of;     // an object to which the point is relative, or empty
+    std::string of{};   // an object to which the point is relative, or empty
     double at = 0;      // the scene time of that object
     Triple offset{};    // from it
 };
 
 struct PathShape {
-    std::string kind;  // "bezier", "spline", "along", "follow", "orbit"
-    std::vector<PathPoint> points;
-    std::vector<double> curve;  // x, y, z of points along it, for a polyline
+    std::string kind{};  // "bezier", "spline", "along", "follow", "orbit"
+    std::vector<PathPoint> points{};
+    std::vector<double> curve{};  // x, y, z of points along it, for a polyline
 };
 
 struct SpeedPoint {
-    KeyPath path;
+    KeyPath path{};
     double video_time = 0;
     double speed = 1;
 };
 
 struct Camera {
-    std::string name;
-    KeyPath path;
+    std::string name{};
+    KeyPath path{};
     double video_start = 0;
     double video_end = 0;
     double fade = 0;
     double scene_start = 0;
     double scene_end = 0;
-    std::vector<SpeedPoint> speeds;  // empty: a linear map from scene_start to scene_end
+    std::vector<SpeedPoint> speeds{};  // empty: a linear map from scene_start to scene_end
     bool smooth = false;
-    PathShape position;
-    PathShape target;
+    PathShape position{};
+    PathShape target{};
     double sensor_height = 0.024;
 };
 
 /// An event as the shot describes it.
 struct ShotEvent {
-    KeyPath path;
-    std::string kind;  // "strike", "force", "torque", "impulse", "velocity"
-    std::string object;
+    KeyPath path{};
+    std::string kind{};  // "strike", "force", "torque", "impulse", "velocity"
+    std::string object{};
     double time =
         0;  // scene time of its entry; of its start if a trigger starts it (then from the bake)
     bool triggered = false;
-    std::optional<double> duration;
+    std::optional<double> duration{};
     Triple vector{};          // force ...; of a strike the horizontal aim, a unit vector
     double speed = 0;         // of a strike, m/s
     bool ball_speed = false;  // `speed` is the ball's instead of the stick's
     double elevation = 0;
     std::array<double, 2> tip{};  // offset to the right and up, in radii
     double direction = 0;         // of a strike, counter-clockwise from +x
-    std::string toward;           // of a strike: an object, or empty
+    std::string toward{};         // of a strike: an object, or empty
 };
 
 /// A table, for drawing aids: the ghost ball, the first rebound.
@@ -284,22 +311,22 @@ struct Film {
 
 /// Names to choose from.
 struct Names {
-    std::vector<std::string> balls, objects, materials, lights, cameras, surfaces;
+    std::vector<std::string> balls{}, objects{}, materials{}, lights{}, cameras{}, surfaces{};
 };
 
 /// What the page draws and edits, of one version. Of a version with errors there is none.
 struct ShotState {
     static constexpr const char* kName = "shot";
     std::int64_t v = 0;
-    std::string name;
-    Film film;
-    std::optional<Table> table;
-    std::vector<SceneObject> objects;
-    std::vector<SceneLight> lights;
-    std::vector<Camera> cameras;
-    std::vector<ShotEvent> events;
-    Names names;
-    std::vector<ValuePlace> places;
+    std::string name{};
+    Film film{};
+    std::optional<Table> table{};
+    std::vector<SceneObject> objects{};
+    std::vector<SceneLight> lights{};
+    std::vector<Camera> cameras{};
+    std::vector<ShotEvent> events{};
+    Names names{};
+    std::vector<ValuePlace> places{};
 };
 
 /// The meshes of a version: GET /scene/HASH.glb. Sent when the hash changes. Nodes are named as in
@@ -307,24 +334,24 @@ struct ShotState {
 struct SceneMeshes {
     static constexpr const char* kName = "scene";
     std::int64_t v = 0;
-    std::string hash;
+    std::string hash{};
 };
 
 struct TrackHead {
-    std::string name;
+    std::string name{};
     std::int64_t first = 0;  // index of the first of its numbers in the payload
     std::int64_t keys = 0;
 };
 
 struct TimelineEvent {
-    std::string kind;  // "impact", "rolling", "potted" ... (sim/timeline/event.h)
+    std::string kind{};  // "impact", "rolling", "potted" ... (sim/timeline/event.h)
     double time = 0;
     double end_time = 0;
-    std::string a;
-    std::string b;
+    std::string a{};
+    std::string b{};
     Triple place{};
     double impulse = 0;  // N s, of an impact
-    std::string text;    // a phrase for people: "cue hits one"
+    std::string text{};  // a phrase for people: "cue hits one"
 };
 
 /// Binary, type 1. Payload: 64-bit floats, kNumbersPerKey for each key: time; position; orientation
@@ -338,10 +365,11 @@ struct TimelineHead {
     bool kept = false;  // the same motion as that of the version before (no bake was needed)
     double start = 0;
     double end = 0;
-    std::vector<TrackHead> tracks;
-    std::vector<TimelineEvent> events;
-    std::vector<double> energy;  // time, kinetic, potential of each sample; thinned to at most 500
-    double milliseconds = 0;     // CPU time from the text to this message
+    std::vector<TrackHead> tracks{};
+    std::vector<TimelineEvent> events{};
+    std::vector<double>
+        energy{};             // time, kinetic, potential of each sample; thinned to at most 500
+    double milliseconds = 0;  // CPU time from the text to this message
 };
 
 /// Binary, type 2. Payload: 64-bit floats, kNumbersPerFrame for each entry: frame; camera (index in
@@ -356,10 +384,19 @@ struct CamerasHead {
     std::int64_t entries = 0;
 };
 
+/// The motion of this version is not simulated yet.
+struct Deferred {
+    static constexpr const char* kName = "deferred";
+    std::int64_t v = 0;
+    std::string reason{};   // "dragging": it follows when the drag ends, because simulating this
+                            // shot takes long; "limit": only after Simulate
+    std::string message{};  // a sentence for the user
+};
+
 /// What the server works on, for the status line.
 struct Work {
     static constexpr const char* kName = "work";
-    std::string what;  // "bake", or empty: nothing
+    std::string what{};  // "bake", or empty: nothing
     std::int64_t v = 0;
     double fraction = 0;  // [0, 1]
 };

@@ -1,0 +1,22 @@
+// The closed sets of messages. A message that is not listed here cannot be sent.
+#pragma once
+
+#include <variant>
+
+#include "pipeline/studio/messages.h"
+
+namespace carom::studio {
+
+/// What a page may send.
+using PageMessage =
+    std::variant<Hello, TextChange, Save, Revert, Open, Dragging, Recover, Simulate>;
+
+/// The texts that the server may send.
+using ServerMessage =
+    std::variant<Welcome, Start, Files, TextChanged, Saved, DiskChanged, Recovered, Failed,
+                 Problems, ShotState, SceneMeshes, Work, Deferred>;
+
+/// The heads of its binary messages.
+using BinaryHead = std::variant<TimelineHead, CamerasHead>;
+
+}  // namespace carom::studio
