@@ -1,25 +1,14 @@
-/// The messages between the page and carom's studio: pipeline/studio/messages.h. Lengths are in
-/// metres, times in seconds, angles in radians; world axes have Z up.
+/// The messages between the studio and its page. Lengths are in metres, times in seconds, angles in
+/// radians; world axes have Z up. pipeline/studio/messages.h says what the fields mean. Generated
+/// from pipeline/studio/message_fields.h by write_protocol.
 
 export const kProtocol = 'carom-studio/1';
-export const kTimelineType = 1;
-export const kCamerasType = 2;
-export const kTimelineNumbersPerKey = 20;
-export const kCamerasNumbersPerFrame = 21;
 
 export type Triple = [number, number, number];
-/// Unit quaternion, w first.
+/// A unit quaternion, w first.
 export type Turn = [number, number, number, number];
+/// Keys from the top of the shot to a value; elements of lists by their index.
 export type KeyPath = string[];
-
-export interface TextRange {
-    file: string;
-    line: number;
-    column: number;
-    length: number;
-}
-
-// ---- from the page ------------------------------------------------------------------------------
 
 export interface Hello {
     protocol: string;
@@ -52,7 +41,25 @@ export interface Dragging {
     on: boolean;
 }
 
-// ---- from the server ----------------------------------------------------------------------------
+export interface Recover {
+    use: boolean;
+}
+
+export interface Simulate {
+    v: number;
+}
+
+/// What the page sends, by the member "t".
+export interface ToServer {
+    hello: Hello;
+    text: TextChange;
+    save: Save;
+    revert: Revert;
+    open: Open;
+    dragging: Dragging;
+    recover: Recover;
+    simulate: Simulate;
+}
 
 export interface Welcome {
     protocol: string;
@@ -107,10 +114,28 @@ export interface DiskChanged {
     refused: boolean;
 }
 
+export interface RecoveredText {
+    file: string;
+    text: string;
+    base_hash: string;
+    hash: string;
+}
+
+export interface Recovered {
+    files: RecoveredText[];
+}
+
 export interface Failed {
     what: string;
     v: number;
     message: string;
+}
+
+export interface TextRange {
+    file: string;
+    line: number;
+    column: number;
+    length: number;
 }
 
 export interface Problem {
@@ -128,11 +153,20 @@ export interface Problems {
     list: Problem[];
 }
 
-export interface ValuePlace {
-    path: KeyPath;
-    key: TextRange;
-    value: TextRange;
-    origin: string;
+export interface Film {
+    width: number;
+    height: number;
+    fps: number;
+    frames: number;
+    duration: number;
+    samples: number;
+}
+
+export interface Table {
+    length: number;
+    width: number;
+    cushion_height: number;
+    ball_radius: number;
 }
 
 export interface SceneObject {
@@ -159,6 +193,12 @@ export interface SceneLight {
     size: number[];
 }
 
+export interface SpeedPoint {
+    path: KeyPath;
+    video_time: number;
+    speed: number;
+}
+
 export interface PathPoint {
     path: KeyPath;
     position: Triple;
@@ -171,12 +211,6 @@ export interface PathShape {
     kind: string;
     points: PathPoint[];
     curve: number[];
-}
-
-export interface SpeedPoint {
-    path: KeyPath;
-    video_time: number;
-    speed: number;
 }
 
 export interface Camera {
@@ -210,22 +244,6 @@ export interface ShotEvent {
     toward: string;
 }
 
-export interface Table {
-    length: number;
-    width: number;
-    cushion_height: number;
-    ball_radius: number;
-}
-
-export interface Film {
-    width: number;
-    height: number;
-    fps: number;
-    frames: number;
-    duration: number;
-    samples: number;
-}
-
 export interface Names {
     balls: string[];
     objects: string[];
@@ -233,6 +251,13 @@ export interface Names {
     lights: string[];
     cameras: string[];
     surfaces: string[];
+}
+
+export interface ValuePlace {
+    path: KeyPath;
+    key: TextRange;
+    value: TextRange;
+    origin: string;
 }
 
 export interface ShotState {
@@ -251,6 +276,35 @@ export interface ShotState {
 export interface SceneMeshes {
     v: number;
     hash: string;
+}
+
+export interface Work {
+    what: string;
+    v: number;
+    fraction: number;
+}
+
+export interface Deferred {
+    v: number;
+    reason: string;
+    message: string;
+}
+
+/// The texts that the server sends, by the member "t".
+export interface ToPage {
+    welcome: Welcome;
+    start: Start;
+    files: Files;
+    text_changed: TextChanged;
+    saved: Saved;
+    disk_changed: DiskChanged;
+    recovered: Recovered;
+    failed: Failed;
+    problems: Problems;
+    shot: ShotState;
+    scene: SceneMeshes;
+    work: Work;
+    deferred: Deferred;
 }
 
 export interface TrackHead {
@@ -280,49 +334,23 @@ export interface TimelineHead {
     energy: number[];
     milliseconds: number;
 }
+export const kTimelineType = 1;
+export const kTimelineNumbersPerKey = 20;
 
 export interface CamerasHead {
     v: number;
     entries: number;
 }
+export const kCamerasType = 2;
+export const kCamerasNumbersPerFrame = 21;
 
-export interface Work {
-    what: string;
-    v: number;
-    fraction: number;
-}
-
-/// The messages by their member "t".
-export interface ToServer {
-    hello: Hello;
-    text: TextChange;
-    save: Save;
-    revert: Revert;
-    open: Open;
-    dragging: Dragging;
-}
-
-export interface ToPage {
-    welcome: Welcome;
-    start: Start;
-    files: Files;
-    text_changed: TextChanged;
-    saved: Saved;
-    disk_changed: DiskChanged;
-    failed: Failed;
-    problems: Problems;
-    shot: ShotState;
-    scene: SceneMeshes;
-    work: Work;
-}
-
-/// The heads of binary messages.
+/// The heads of the binary messages.
 export interface BinaryToPage {
     timeline: TimelineHead;
     cameras: CamerasHead;
 }
 
-/// The binary messages' names by their type.
+/// The names of the binary messages by their type.
 export const kBinaryTypes: Record<number, keyof BinaryToPage> = {
     [kTimelineType]: 'timeline',
     [kCamerasType]: 'cameras',
