@@ -22,13 +22,14 @@ struct PixelSums {
     double coverage = 0;
     double luminance = 0;
     double luminance2 = 0;
+    int samples = 0;  // that were added
     /// Sums of luminance over each quarter of the first samples; their differences estimate the
     /// noise.
     std::array<float, kGroups> groups{};
     /// How many samples hit which object; empty unless objects are counted.
     std::vector<ObjectCount> objects;
 
-    /// `group`: the quarter that the sample belongs to, or -1.
+    /// Adds the sample with the index `samples`. `group`: the quarter that it belongs to, or -1.
     void add(const RadianceSample& sample, int group = -1) {
         CAROM_VALIDATE(is_light(sample.radiance) && is_finite(sample.normal) &&
                        is_light(sample.albedo));
@@ -39,6 +40,7 @@ struct PixelSums {
         const double y = static_cast<double>(carom::luminance(sample.radiance));
         luminance += y;
         luminance2 += y * y;
+        samples += 1;
         if (group >= 0) {
             groups[static_cast<std::size_t>(group)] += static_cast<float>(y);
         }
@@ -55,16 +57,17 @@ struct PixelSums {
         }
     }
 
-    [[nodiscard]] PixelMeans means(int count) const {
+    /// Needs at least one sample.
+    [[nodiscard]] PixelMeans means() const {
         PixelMeans result;
         result.objects = objects;
-        result.samples = count;
-        result.normal = V3f(normal / count);
-        result.albedo = V3f(albedo / count);
-        const double mean = luminance / count;
-        if (count > 1) {
-            result.variance =
-                static_cast<float>(std::max(0.0, luminance2 / count - mean * mean) / (count - 1));
+        result.samples = samples;
+        result.normal = V3f(normal / samples);
+        result.albedo = V3f(albedo / samples);
+        const double mean = luminance / samples;
+        if (samples > 1) {
+            result.variance = static_cast<float>(std::max(0.0, luminance2 / samples - mean * mean) /
+                                                 (samples - 1));
         }
         return result;
     }

@@ -34,9 +34,9 @@ void SampleQueue::add(const SampleStream& stream, const SampleIndex& index, Pixe
     }
 }
 
-bool SampleQueue::trace() {
+std::size_t SampleQueue::trace() {
     if (stop_.stop_requested()) {
-        return false;
+        return 0;
     }
     batch_->count = static_cast<int>(tasks_.size());
     make_rays(setting_.camera, setting_.fixings, *batch_);
@@ -45,23 +45,22 @@ bool SampleQueue::trace() {
     }
     for (std::size_t from = 0; from < tasks_.size(); from += setting_.traced_at_once) {
         if (stop_.stop_requested()) {
-            return false;
+            return from;
         }
         const std::size_t size = std::min(setting_.traced_at_once, tasks_.size() - from);
         setting_.integrator.samples(std::span(tasks_).subspan(from, size), setting_.pixel_spread,
                                     std::span(results_).subspan(from, size), workspace_.get(),
                                     count_);
     }
-    return true;
+    return tasks_.size();
 }
 
 void SampleQueue::flush() {
-    if (trace()) {
-        for (std::size_t i = 0; i < tasks_.size(); ++i) {
-            pixels_[i].sums->add(results_[i], pixels_[i].group);
-            if (setting_.counts_objects) {
-                pixels_[i].sums->count_object(results_[i].object);
-            }
+    const std::size_t traced = trace();
+    for (std::size_t i = 0; i < traced; ++i) {
+        pixels_[i].sums->add(results_[i], pixels_[i].group);
+        if (setting_.counts_objects) {
+            pixels_[i].sums->count_object(results_[i].object);
         }
     }
     tasks_.clear();

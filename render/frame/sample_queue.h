@@ -11,7 +11,8 @@
 
 namespace carom::render {
 
-/// For one thread. Samples are added to their pixel's sums in the order of the requests.
+/// For one thread. Samples are added to their pixel's sums in the order of the requests, and only
+/// the rays of added samples are counted.
 class SampleQueue {
   public:
     /// Everything is borrowed.
@@ -28,8 +29,8 @@ class SampleQueue {
     /// `sums` must stay in place until `flush`; `group`: of the pixel's sums, or -1.
     void add(const SampleStream& stream, const SampleIndex& index, PixelSums& sums, int group = -1);
 
-    /// Returns when all samples are done, or at once if a stop is requested; sums are then
-    /// incomplete.
+    /// Returns when all samples are added. Once a stop is requested, it returns soon, and the
+    /// remaining samples are forgotten.
     void flush();
 
   private:
@@ -37,8 +38,8 @@ class SampleQueue {
     /// takes one at a time, because vector code takes as long for one ray as for a full vector.
     static constexpr std::size_t kSize = CameraBatch::kMost;
 
-    /// Returns whether all of `results_` was computed before a stop was requested.
-    [[nodiscard]] bool trace();
+    /// Returns how many of `results_` were computed before a stop was requested.
+    [[nodiscard]] std::size_t trace();
 
     struct Pixel {
         PixelSums* sums;

@@ -56,7 +56,7 @@ int tiles_along(int pixels) {
 }  // namespace
 
 TileRenderer::TileRenderer(const RenderSettings& settings, const FrameInput& frame,
-                           const TransportScene& scene, Film& film, AovPlanes& aovs)
+                           const TransportScene& scene)
     : settings_(settings),
       seed_(frame.seed),
       camera_(as_seen(frame.camera_open, settings), as_seen(frame.camera_close, settings),
@@ -73,51 +73,89 @@ TileRenderer::TileRenderer(const RenderSettings& settings, const FrameInput& fra
       samples_at_once_(settings.integrator == IntegratorKind::distributed ? 1 : kPathSamplesAtOnce),
       fixings_{is_off(settings, &DistributedSettings::pixel_samples),
                is_off(settings, &DistributedSettings::blur_samples)},
-      film_(film),
-      aovs_(aovs),
+      counts_objects_(std::any_of(settings.aovs.begin(), settings.aovs.end(), is_matte)),
       tiles_x_(tiles_along(settings.width)),
       tiles_y_(tiles_along(settings.height)) {}
 
 template <class Pixel>
-void TileRenderer::for_each_pixel(int tile, const std::stop_token& stop, const Pixel& pixel) const {
-    const int x0 = tile % tiles_x_ * kTileSize;
-    const int y0 = tile / tiles_x_ * kTileSize;
+void TileRenderer::for_each_pixel(int tile, const Pixel& pixel) const {
+    const int x0 = tile_left(tile);
+    const int y0 = tile_top(tile);
     for (int y = y0; y < std::min(y0 + kTileSize, settings_.height); ++y) {
         for (int x = x0; x < std::min(x0 + kTileSize, settings_.width); ++x) {
-            if (stop.stop_requested()) {
-                return;
-            }
             pixel(x, y);
         }
     }
 }
 
-RenderStatistics TileRenderer::render(int tile, const std::stop_token& stop) {
-    RenderStatistics count;
-    SampleQueue queue = make_queue(stop, count);
-    std::vector<PixelSums> sums(std::size_t{kTileSize} * kTileSize);
-    std::size_t next = 0;
-    for_each_pixel(tile, stop,
-                   [&](int x, int y) { request(x, y, 0, samples_, sums[next++], queue); });
-    queue.flush();
-    next = 0;
-    for_each_pixel(tile, stop, [&](int x, int y) { write(x, y, sums[next++], samples_); });
-    return count;
+TileSums TileRenderer::sums_of(int tile, std::vector<PixelSums>& picture) const {
+    return {&picture[index(tile_left(tile), tile_top(tile))],
+            static_cast<std::size_t>(settings_.width)};
 }
 
-RenderStatistics TileRenderer::begin(int tile, std::vector<PixelSums>& pilot,
-                                     const std::stop_token& stop) {
+bool TileRenderer::is_done(int tile, const TileSums& sums, const SampleLimit& limit) const {
+    bool done = true;
+    for_each_pixel(tile, [&](int x, int y) {
+        done = done && at(tile, sums, x, y).samples >= limit.at(index(x, y));
+    });
+    return done;
+}
+
+RenderStatistics TileRenderer::add_samples(int tile, const TileSums& sums, const SampleLimit& limit,
+                                           const std::stop_token& stop) const {
     RenderStatistics count;
-    SampleQueue queue = make_queue(stop, count);
-    const int group_samples = settings_.samples / PixelSums::kGroups;
-    for_each_pixel(tile, stop, [&](int x, int y) {
-        for (int group = 0; group < PixelSums::kGroups; ++group) {
-            request(x, y, group * group_samples, (group + 1) * group_samples, pilot[index(x, y)],
-                    queue, group);
+    if (is_done(tile, sums, limit)) {
+        return count;
+    }
+    SampleQueue queue(
+        {*integrator_, camera_, fixings_, pixel_spread_, samples_at_once_, counts_objects_}, stop,
+        count);
+    for_each_pixel(tile, [&](int x, int y) {
+        if (!stop.stop_requested()) {
+            request(x, y, limit.at(index(x, y)), at(tile, sums, x, y), queue);
         }
     });
     queue.flush();
     return count;
+}
+
+/// Requests the samples that a pixel lacks.
+void TileRenderer::request(int x, int y, int samples, PixelSums& sums, SampleQueue& queue) const {
+    const SampleStream first(seed_, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
+                             0);
+    const int group_samples = is_adaptive() ? settings_.samples / PixelSums::kGroups : 0;
+    for (int sample = sums.samples; sample < samples; ++sample) {
+        const int group = sample < PixelSums::kGroups * group_samples ? sample / group_samples : -1;
+        queue.add(first.of_sample(static_cast<std::uint32_t>(sample)), {x, y, sample}, sums, group);
+    }
+}
+
+void TileRenderer::write(int tile, const TileSums& sums, Film& film) const {
+    for_each_pixel(tile, [&](int x, int y) {
+        const PixelSums& pixel = at(tile, sums, x, y);
+        float* rgba = &film.rgba[4 * index(x, y)];
+        if (pixel.samples == 0) {
+            std::fill(rgba, rgba + 4, 0.0f);
+            return;
+        }
+        const double scale = 1.0 / pixel.samples;
+        for (int channel = 0; channel < 3; ++channel) {
+            rgba[channel] = static_cast<float>(pixel.radiance[channel] * scale);
+        }
+        rgba[3] = static_cast<float>(pixel.coverage * scale);
+    });
+}
+
+void TileRenderer::write(int tile, const TileSums& sums, AovPlanes& aovs) const {
+    if (aovs.empty()) {
+        return;
+    }
+    for_each_pixel(tile, [&](int x, int y) {
+        const PixelSums& pixel = at(tile, sums, x, y);
+        if (pixel.samples > 0) {
+            aovs.write(x, y, pixel.means());
+        }
+    });
 }
 
 std::vector<double> TileRenderer::deviations(int tile, const std::vector<PixelSums>& pilot) const {
@@ -125,7 +163,7 @@ std::vector<double> TileRenderer::deviations(int tile, const std::vector<PixelSu
     constexpr int kBlocks = kTileSize / kBlock;
     std::vector<double> variances(std::size_t{kBlocks} * kBlocks);
     std::vector<int> pixels(variances.size());
-    for_each_pixel(tile, {}, [&](int x, int y) {
+    for_each_pixel(tile, [&](int x, int y) {
         const auto block =
             static_cast<std::size_t>(y % kTileSize / kBlock * kBlocks + x % kTileSize / kBlock);
         variances[block] += relative_variance(pilot[index(x, y)], settings_.samples);
@@ -145,46 +183,13 @@ std::vector<double> TileRenderer::further_samples(const std::vector<int>& plan) 
     for (int tile = 0; tile < tile_count(); ++tile) {
         double planned = 0;
         int pixels = 0;
-        for_each_pixel(tile, {}, [&](int x, int y) {
+        for_each_pixel(tile, [&](int x, int y) {
             planned += plan[index(x, y)];
             pixels += 1;
         });
         further.push_back(planned / pixels / settings_.samples - 1);
     }
     return further;
-}
-
-RenderStatistics TileRenderer::finish(int tile, const std::vector<PixelSums>& pilot,
-                                      const std::vector<int>& plan, const std::stop_token& stop) {
-    RenderStatistics count;
-    SampleQueue queue = make_queue(stop, count);
-    std::vector<PixelSums> sums(std::size_t{kTileSize} * kTileSize);
-    std::size_t next = 0;
-    for_each_pixel(tile, stop, [&](int x, int y) {
-        sums[next] = pilot[index(x, y)];
-        request(x, y, settings_.samples, plan[index(x, y)], sums[next++], queue);
-    });
-    queue.flush();
-    next = 0;
-    for_each_pixel(tile, stop, [&](int x, int y) { write(x, y, sums[next++], plan[index(x, y)]); });
-    return count;
-}
-
-SampleQueue TileRenderer::make_queue(const std::stop_token& stop, RenderStatistics& count) const {
-    return {
-        {*integrator_, camera_, fixings_, pixel_spread_, samples_at_once_, aovs_.needs_objects()},
-        stop,
-        count};
-}
-
-// Requests samples `from` to `to` of a pixel.
-void TileRenderer::request(int x, int y, int from, int to, PixelSums& sums, SampleQueue& queue,
-                           int group) const {
-    const SampleStream first(seed_, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
-                             0);
-    for (int sample = from; sample < to; ++sample) {
-        queue.add(first.of_sample(static_cast<std::uint32_t>(sample)), {x, y, sample}, sums, group);
-    }
 }
 
 std::size_t TileRenderer::reflection_count() const {
@@ -196,7 +201,7 @@ std::vector<Splat> TileRenderer::reflection(std::size_t index, double samples,
     return light_tracer_->splats(index, samples, seed_, count);
 }
 
-void TileRenderer::add(const std::vector<Splat>& splats) {
+void TileRenderer::add(const std::vector<Splat>& splats, Film& film) const {
     const PixelFilterSampler& filter = camera_.filter();
     const auto filter_radius = static_cast<float>(0.5 * filter.width());
     const auto first = [&](float place) {
@@ -215,23 +220,11 @@ void TileRenderer::add(const std::vector<Splat>& splats) {
                  ++x) {
                 const auto weight = static_cast<float>(across * density(splat.position.x, x));
                 for (int channel = 0; channel < 3; ++channel) {
-                    film_.rgba[4 * index(x, y) + static_cast<std::size_t>(channel)] +=
+                    film.rgba[4 * index(x, y) + static_cast<std::size_t>(channel)] +=
                         weight * splat.flux[channel];
                 }
             }
         }
-    }
-}
-
-void TileRenderer::write(int x, int y, const PixelSums& sums, int samples) {
-    const double scale = 1.0 / samples;
-    float* rgba = &film_.rgba[4 * index(x, y)];
-    for (int channel = 0; channel < 3; ++channel) {
-        rgba[channel] = static_cast<float>(sums.radiance[channel] * scale);
-    }
-    rgba[3] = static_cast<float>(sums.coverage * scale);
-    if (!aovs_.empty()) {
-        aovs_.write(x, y, sums.means(samples));
     }
 }
 

@@ -1,7 +1,9 @@
 // Renders the pixels of one frame, tile by tile.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <stop_token>
 #include <vector>
@@ -18,37 +20,61 @@
 
 namespace carom::render {
 
-/// Renders any tile into its own pixels of the film; tiles may be rendered concurrently. A pixel's
-/// value depends only on its position; its samples are added in order.
+/// The sums of a tile's pixels, alone or among those of the whole picture. Borrowed.
+struct TileSums {
+    PixelSums* first = nullptr;  // of the pixel at the top left
+    std::size_t row = 0;         // from a pixel to the one below it
+};
+
+/// How many samples each pixel gets: `most`, and not more than `plan` says if there is one.
+struct SampleLimit {
+    int most = 0;
+    const std::vector<int>* plan = nullptr;  // row by row; borrowed
+
+    /// As many as the plan says.
+    [[nodiscard]] static SampleLimit planned(const std::vector<int>& plan) {
+        return {std::numeric_limits<int>::max(), &plan};
+    }
+    [[nodiscard]] int at(std::size_t pixel) const {
+        return plan != nullptr ? std::min(most, (*plan)[pixel]) : most;
+    }
+};
+
+/// Renders any tile; different tiles may be rendered concurrently. A pixel's value depends only on
+/// its position and its number of samples, which are added in order.
 class TileRenderer {
   public:
     static constexpr int kTileSize = 16;  // pixels
 
     TileRenderer(const RenderSettings& settings, const FrameInput& frame,
-                 const TransportScene& scene, Film& film, AovPlanes& aovs);
+                 const TransportScene& scene);
 
     [[nodiscard]] int tile_count() const { return tiles_x_ * tiles_y_; }
-
-    /// Returns early, leaving pixels unwritten, once `stop` is requested; so do the other
-    /// functions.
-    [[nodiscard]] RenderStatistics render(int tile, const std::stop_token& stop);
-
+    /// Samples of every pixel; with adaptive sampling, the first ones of every pixel.
+    [[nodiscard]] int samples() const { return samples_; }
     [[nodiscard]] bool is_adaptive() const {
         return settings_.integrator == IntegratorKind::path && settings_.noise > 0;
     }
-    /// For adaptive sampling: takes the first samples of each pixel into `pilot`.
-    [[nodiscard]] RenderStatistics begin(int tile, std::vector<PixelSums>& pilot,
-                                         const std::stop_token& stop);
+
+    /// The sums of a tile in those of the whole picture, which are stored row by row.
+    [[nodiscard]] TileSums sums_of(int tile, std::vector<PixelSums>& picture) const;
+
+    /// Adds samples to each pixel of the tile until it has as many as `limit` says. Returns early
+    /// once `stop` is requested; what is added by then is counted and stays valid.
+    [[nodiscard]] RenderStatistics add_samples(int tile, const TileSums& sums,
+                                               const SampleLimit& limit,
+                                               const std::stop_token& stop) const;
+
+    /// Writes the mean colours of the tile's pixels. Pixels without a sample are black.
+    void write(int tile, const TileSums& sums, Film& film) const;
+    /// Writes the tile's pixels of other channels, except pixels without a sample.
+    void write(int tile, const TileSums& sums, AovPlanes& aovs) const;
+
     /// Standard deviations of the samples of some of the tile's pixels, means over blocks of 4x4.
     [[nodiscard]] std::vector<double> deviations(int tile,
                                                  const std::vector<PixelSums>& pilot) const;
     /// By tile, the number of samples that `plan` adds to the first ones, as a multiple of these.
     [[nodiscard]] std::vector<double> further_samples(const std::vector<int>& plan) const;
-    /// Takes the remaining samples up to the number in `plan` and writes the film. Both arguments
-    /// row by row.
-    [[nodiscard]] RenderStatistics finish(int tile, const std::vector<PixelSums>& pilot,
-                                          const std::vector<int>& plan,
-                                          const std::stop_token& stop);
 
     /// The light that pixels do not sample themselves: `reflection_count` images of lights
     /// (light_tracer.h), each of which adds to any pixels. They may be computed concurrently but
@@ -56,16 +82,19 @@ class TileRenderer {
     [[nodiscard]] std::size_t reflection_count() const;
     [[nodiscard]] std::vector<Splat> reflection(std::size_t index, double samples,
                                                 RenderStatistics& count) const;
-    void add(const std::vector<Splat>& splats);
+    void add(const std::vector<Splat>& splats, Film& film) const;
 
   private:
     template <class Pixel>
-    void for_each_pixel(int tile, const std::stop_token& stop, const Pixel& pixel) const;
-    [[nodiscard]] SampleQueue make_queue(const std::stop_token& stop,
-                                         RenderStatistics& count) const;
-    void request(int x, int y, int from, int to, PixelSums& sums, SampleQueue& queue,
-                 int group = -1) const;
-    void write(int x, int y, const PixelSums& sums, int samples);
+    void for_each_pixel(int tile, const Pixel& pixel) const;
+    [[nodiscard]] bool is_done(int tile, const TileSums& sums, const SampleLimit& limit) const;
+    [[nodiscard]] PixelSums& at(int tile, const TileSums& sums, int x, int y) const {
+        return sums.first[static_cast<std::size_t>(y - tile_top(tile)) * sums.row +
+                          static_cast<std::size_t>(x - tile_left(tile))];
+    }
+    void request(int x, int y, int samples, PixelSums& sums, SampleQueue& queue) const;
+    [[nodiscard]] int tile_left(int tile) const { return tile % tiles_x_ * kTileSize; }
+    [[nodiscard]] int tile_top(int tile) const { return tile / tiles_x_ * kTileSize; }
     [[nodiscard]] std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(settings_.width) +
                static_cast<std::size_t>(x);
@@ -80,8 +109,7 @@ class TileRenderer {
     int samples_;  // per pixel
     std::size_t samples_at_once_;
     CameraFixings fixings_;
-    Film& film_;
-    AovPlanes& aovs_;
+    bool counts_objects_;
     int tiles_x_;
     int tiles_y_;
 };

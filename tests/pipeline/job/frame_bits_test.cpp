@@ -6,8 +6,7 @@
 #include <hwy/targets.h>
 
 #include "render/frame/frame.h"
-#include "render/frame/prepared_scene.h"
-#include "render/frame/tile_renderer.h"
+#include "render/frame/progressive_frame.h"
 #include "tests/pipeline/job/example_frames.h"
 #include "tests/pipeline/video/scratch_folder.h"
 
@@ -45,35 +44,6 @@ int differing_pixels(const std::vector<float>& a, const std::vector<float>& b) {
     return count;
 }
 
-/// The pixels of a frame that is rendered in two parts: `first` samples, then the others up to
-/// `all`.
-std::vector<float> rendered_in_two(const ExampleFilm& film, std::int64_t frame, int first,
-                                   int all) {
-    const FrameInputs inputs = film.inputs(frame);
-    render::RenderSettings settings = film.shot.render;
-    settings.samples = first;
-    const render::PreparedScene prepared(film.shot.scene, settings);
-    const render::PreparedScene::Data& data = prepared.data();
-    const render::FrameScene scene(data.geometry, inputs.tracks, inputs.frame.scene_open,
-                                   inputs.frame.scene_close, {});
-    const render::TransportScene transport{scene, data.materials, data.lights, data.object_count};
-    render::Film result;
-    result.width = settings.width;
-    result.height = settings.height;
-    const std::size_t pixels =
-        static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
-    result.rgba.resize(4 * pixels);
-    render::AovPlanes aovs(settings, inputs.frame, scene, data.names);
-    render::TileRenderer renderer(settings, inputs.frame, transport, result, aovs);
-    std::vector<render::PixelSums> sums(pixels);
-    const std::vector<int> plan(pixels, all);
-    for (int tile = 0; tile < renderer.tile_count(); ++tile) {
-        (void)renderer.begin(tile, sums, {});
-        (void)renderer.finish(tile, sums, plan, {});
-    }
-    return result.rgba;
-}
-
 // The key of a frame does not contain the width of the vectors, so the width must not matter.
 void expect_same_bits_in_wider_vectors(const ExampleFilm& film, std::int64_t frame) {
     if ((hwy::SupportedTargets() & NarrowVectors::kWider) == 0) {
@@ -86,21 +56,26 @@ void expect_same_bits_in_wider_vectors(const ExampleFilm& film, std::int64_t fra
 }
 
 // The samples of a pixel do not depend on when they are traced and with which other samples.
-void expect_same_bits_in_two_parts(const ExampleFilm& film, std::int64_t frame) {
-    if (film.shot.render.integrator != render::IntegratorKind::path) {
-        return;  // only the path integrator renders in two parts
+void expect_same_bits_in_rounds(const ExampleFilm& film, std::int64_t frame) {
+    const FrameInputs inputs = film.inputs(frame);
+    render::RenderSettings settings = film.shot.render;
+    settings.samples = 8;
+    const render::PreparedScene scene(film.shot.scene, settings);
+    const render::Film at_once = render::render_frame(scene, inputs.tracks, inputs.frame, settings);
+    render::ProgressiveFrame progressive(scene, inputs.tracks, inputs.frame, settings);
+    for (int samples = 1; !progressive.finished(); samples *= 2) {
+        progressive.refine(samples);
     }
-    EXPECT_EQ(
-        differing_pixels(rendered_in_two(film, frame, 4, 8), rendered_in_two(film, frame, 8, 8)), 0)
-        << "four samples and four more, frame " << frame;
+    EXPECT_EQ(differing_pixels(progressive.film().rgba, at_once.rgba), 0)
+        << "rounds of 1, 1, 2 and 4 samples, frame " << frame;
 }
 
-TEST_P(ExampleBits, WiderVectorsAndSamplesInTwoParts_GiveTheSameBits) {
+TEST_P(ExampleBits, WiderVectorsAndSamplesInRounds_GiveTheSameBits) {
     const ScratchFolder bakes;
     const ExampleFilm film(GetParam(), bakes.path());
     for (const std::int64_t frame : frames_of(film, GetParam())) {
         expect_same_bits_in_wider_vectors(film, frame);
-        expect_same_bits_in_two_parts(film, frame);
+        expect_same_bits_in_rounds(film, frame);
     }
 }
 

@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "render/frame/check_settings.h"
 #include "render/threads/thread_arena.h"
-#include "tests/render/scene_builder.h"
+#include "tests/render/frame/table_scene.h"
 
 namespace carom::render {
 namespace {
@@ -16,37 +16,9 @@ using test::camera;
 using test::SceneBuilder;
 using test::small_settings;
 using test::static_frame;
-
-/// Some of everything: moving coated balls, cloth, lamp, bulb, sky.
-SceneBuilder table() {
-    SceneBuilder builder;
-    StandardMaterial cloth;
-    cloth.base = ClothTexture{};
-    cloth.sheen = 0.3;
-    StandardMaterial ball;
-    ball.base = BallTexture{.colour = Vec3(0.8, 0.1, 0.1), .striped = true, .number = 11};
-    ball.coat.weight = 1;
-    builder.material("cloth", cloth).material("ball", ball);
-    builder.object("bed", PlaneShape{}, Vec3(0, 0, 0), "cloth");
-    builder.sphere("a", 0.03, Vec3(0, 0, 0), "ball", "a")
-        .sphere("b", 0.03, Vec3(0, 0, 0), "ball", "b");
-    builder.lamp(Vec3(0, 0, 1), 0.4, 0.2, 20).bulb(Vec3(0.5, 0.5, 0.6), 0.05, 30).environment(0.1);
-    return builder;
-}
-
-std::vector<sim::Track> table_tracks() {
-    return {test::straight_track("a", Vec3(-0.05, 0, 0.03), Vec3(0.02, 0, 0.03), 0, 0.02),
-            test::resting_track("b", Vec3(0.06, 0.05, 0.03))};
-}
-
-FrameInput table_frame() {
-    CameraState state = camera(Vec3(-0.1, -0.4, 0.2), Vec3(0, 0, 0.02), 0.6);
-    state.lens_radius = 0.004;
-    FrameInput frame = static_frame(state);
-    frame.scene_close = 0.02;
-    frame.switch_ratio = 0.2;
-    return frame;
-}
+using test::table;
+using test::table_frame;
+using test::table_tracks;
 
 std::string message_of(const std::function<void()>& action) {
     try {

@@ -32,15 +32,14 @@ class CountingIntegrator final : public Integrator {
     std::size_t stop_after = 0;
 };
 
-/// The requests to the integrator for `samples` samples, at most `at_once` at a time.
-std::vector<std::size_t> asked_for(int samples, std::size_t at_once,
-                                   CountingIntegrator& integrator) {
+/// The requests to the integrator for `samples` samples of one pixel, at most `at_once` at a time.
+std::vector<std::size_t> asked_for(int samples, std::size_t at_once, CountingIntegrator& integrator,
+                                   PixelSums& sums) {
     const CameraState state = test::camera(Vec3(0, -2, 1), Vec3(0, 0, 0), 0.6);
     const ThinLensCamera camera(state, state, 16, 16, 0, PixelFilter::box, 1);
     RenderStatistics count;
     SampleQueue queue({integrator, camera, {}, 0.001f, at_once, false}, integrator.stop.get_token(),
                       count);
-    PixelSums sums;
     for (int i = 0; i < samples; ++i) {
         queue.add(SampleStream(1, 3, 4, static_cast<std::uint32_t>(i)), {3, 4, i}, sums);
     }
@@ -48,20 +47,24 @@ std::vector<std::size_t> asked_for(int samples, std::size_t at_once,
 }
 
 TEST(SampleQueue, RaysOfManySamples_AreMadeTogetherAndTracedAFewAtATime) {
+    PixelSums sums;
     CountingIntegrator waiting;
-    EXPECT_TRUE(asked_for(CameraBatch::kMost - 1, 1, waiting).empty());
+    EXPECT_TRUE(asked_for(CameraBatch::kMost - 1, 1, waiting, sums).empty());
     CountingIntegrator one;
-    EXPECT_EQ(asked_for(CameraBatch::kMost, 1, one),
+    EXPECT_EQ(asked_for(CameraBatch::kMost, 1, one, sums),
               std::vector<std::size_t>(CameraBatch::kMost, 1));
     CountingIntegrator all;
-    EXPECT_EQ(asked_for(CameraBatch::kMost, CameraBatch::kMost, all),
+    EXPECT_EQ(asked_for(CameraBatch::kMost, CameraBatch::kMost, all, sums),
               std::vector<std::size_t>{CameraBatch::kMost});
 }
 
 TEST(SampleQueue, StopBetweenSamples_LeavesTheOthersOut) {
     CountingIntegrator integrator;
     integrator.stop_after = 3;
-    EXPECT_EQ(asked_for(2 * CameraBatch::kMost, 1, integrator), std::vector<std::size_t>(3, 1));
+    PixelSums sums;
+    EXPECT_EQ(asked_for(2 * CameraBatch::kMost, 1, integrator, sums),
+              std::vector<std::size_t>(3, 1));
+    EXPECT_EQ(sums.samples, 3) << "what was traced before the stop is added";
 }
 
 }  // namespace

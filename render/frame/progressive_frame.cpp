@@ -1,0 +1,158 @@
+#include "render/frame/progressive_frame.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/assert.h"
+#include "core/error.h"
+#include "render/acceleration/flush_denormals.h"
+#include "render/frame/frame_work.h"
+#include "render/frame/sample_plan.h"
+#include "render/frame/tile_loop.h"
+
+namespace carom::render {
+namespace {
+
+/// A part of a progress callback's range.
+WorkContext part_of(const WorkContext& context, double from, double to) {
+    WorkContext part{{}, context.stop};
+    if (context.progress) {
+        part.progress = [&context, from, to](double fraction) {
+            context.progress(from + fraction * (to - from));
+        };
+    }
+    return part;
+}
+
+}  // namespace
+
+struct ProgressiveFrame::Data {
+    Data(const PreparedScene& scene, std::span<const sim::Track> tracks, const FrameInput& frame,
+         const RenderSettings& settings)
+        : work(scene, tracks, frame, settings), sums(work.pixel_count()) {}
+
+    FrameWork work;
+    std::vector<PixelSums> sums;  // row by row
+    std::vector<int> plan;        // with adaptive sampling, once the first samples are taken
+    int samples = 0;              // that all pixels have, unless they have all of their own
+    RenderStatistics statistics;
+
+    [[nodiscard]] const TileRenderer& tiles() const { return work.tiles(); }
+    [[nodiscard]] bool lacks_plan() const { return tiles().is_adaptive() && plan.empty(); }
+    [[nodiscard]] int most_samples() const {
+        if (!tiles().is_adaptive()) {
+            return tiles().samples();
+        }
+        const RenderSettings& settings = work.settings();
+        return lacks_plan() ? std::max(settings.samples, settings.max_samples)
+                            : *std::max_element(plan.begin(), plan.end());
+    }
+
+    void add_samples(int up_to, const WorkContext& context);
+    template <class Write>
+    void write_tiles(const WorkContext& context, const Write& write);
+};
+
+void ProgressiveFrame::Data::add_samples(int up_to, const WorkContext& context) {
+    if (up_to <= samples) {
+        return;
+    }
+    const SampleLimit limit{up_to, plan.empty() ? nullptr : &plan};
+    TileProgress progress(context.progress, tiles().tile_count());
+    for_all_tiles(
+        tiles().tile_count(), context, statistics,
+        [&](int tile) {
+            return tiles().add_samples(tile, tiles().sums_of(tile, sums), limit, context.stop);
+        },
+        [&](int) { progress.finish_tile(); });
+    samples = up_to;
+}
+
+template <class Write>
+void ProgressiveFrame::Data::write_tiles(const WorkContext& context, const Write& write) {
+    RenderStatistics none;
+    for_all_tiles(
+        tiles().tile_count(), context, none,
+        [&](int tile) {
+            write(tile, tiles().sums_of(tile, sums));
+            return RenderStatistics{};
+        },
+        [](int) {});
+}
+
+ProgressiveFrame::ProgressiveFrame(const PreparedScene& scene, std::span<const sim::Track> tracks,
+                                   const FrameInput& frame, const RenderSettings& settings) {
+    const FlushDenormals flush;  // while Embree builds
+    data_ = std::make_unique<Data>(scene, tracks, frame, settings);
+}
+
+ProgressiveFrame::~ProgressiveFrame() = default;
+ProgressiveFrame::ProgressiveFrame(ProgressiveFrame&&) noexcept = default;
+ProgressiveFrame& ProgressiveFrame::operator=(ProgressiveFrame&&) noexcept = default;
+
+void ProgressiveFrame::refine(int up_to_samples, const WorkContext& context) {
+    const int first = data_->tiles().samples();
+    double done = 0;
+    if (data_->lacks_plan()) {
+        done = up_to_samples > first ? 0.5 : 1;
+        data_->add_samples(std::min(up_to_samples, first), part_of(context, 0, done));
+        if (data_->samples == first) {
+            data_->plan = plan_samples(data_->sums, data_->work.settings());
+        }
+    }
+    if (!data_->lacks_plan()) {
+        data_->add_samples(std::min(up_to_samples, data_->most_samples()),
+                           part_of(context, done, 1));
+    }
+}
+
+int ProgressiveFrame::samples() const {
+    return data_->samples;
+}
+
+int ProgressiveFrame::most_samples() const {
+    return data_->most_samples();
+}
+
+bool ProgressiveFrame::finished() const {
+    return !data_->lacks_plan() && data_->samples == data_->most_samples();
+}
+
+const RenderStatistics& ProgressiveFrame::statistics() const {
+    return data_->statistics;
+}
+
+Film ProgressiveFrame::picture(const WorkContext& context) const {
+    Film film = data_->work.empty_film();
+    data_->write_tiles(
+        context, [&](int tile, const TileSums& sums) { data_->tiles().write(tile, sums, film); });
+    film.statistics = data_->statistics;
+    data_->work.add_reflections(film, context);
+    return film;
+}
+
+std::vector<Channel> ProgressiveFrame::channels(const std::string& aov,
+                                                const WorkContext& context) const {
+    if (!is_aov(aov)) {
+        throw Error("there is no AOV '" + aov + "'");
+    }
+    AovPlanes planes = data_->work.make_aovs({aov});
+    data_->write_tiles(
+        context, [&](int tile, const TileSums& sums) { data_->tiles().write(tile, sums, planes); });
+    return planes.take();
+}
+
+Film ProgressiveFrame::film(const WorkContext& context) const {
+    Film film = picture(context);
+    AovPlanes planes = data_->work.make_aovs(data_->work.settings().aovs);
+    if (!planes.empty()) {
+        data_->write_tiles(context, [&](int tile, const TileSums& sums) {
+            data_->tiles().write(tile, sums, planes);
+        });
+    }
+    film.aovs = planes.take();
+    film.notes = planes.take_notes();
+    return film;
+}
+
+}  // namespace carom::render
