@@ -1,0 +1,145 @@
+/// The keys of the page: one table, which the keys page shows, and one listener on the window. Parts
+/// of the page say with `onCommand` what a command does.
+
+/// One command and the keys that give it. A key is written as "ctrl+shift+z": modifiers in the order
+/// ctrl, alt, shift, then KeyboardEvent.key in lower case ("space" for the space bar). The command
+/// key of a Mac counts as ctrl. For signs such as "?" shift is not written.
+export interface KeyBinding {
+    command: string;
+    keys: readonly string[];
+    group: 'Time' | 'View' | 'Selection' | 'Text' | 'Page';
+    about: string;
+    /// Works while a text field has the focus, too.
+    everywhere?: boolean;
+}
+
+export const kKeyBindings = [
+    { command: 'play', keys: ['space'], group: 'Time', about: 'Play or pause' },
+    { command: 'returnToStart', keys: ['enter'], group: 'Time',
+        about: 'Go back to where playing began' },
+    { command: 'toStart', keys: ['home'], group: 'Time', about: 'Go to the start of the film' },
+    { command: 'toEnd', keys: ['end'], group: 'Time', about: 'Go to the end of the film' },
+    { command: 'frameBack', keys: ['arrowleft'], group: 'Time', about: 'One frame back' },
+    { command: 'frameForward', keys: ['arrowright'], group: 'Time', about: 'One frame on' },
+    { command: 'tenBack', keys: ['shift+arrowleft'], group: 'Time', about: 'Ten frames back' },
+    { command: 'tenForward', keys: ['shift+arrowright'], group: 'Time', about: 'Ten frames on' },
+    { command: 'tenthBack', keys: [','], group: 'Time', about: 'A tenth of a scene second back' },
+    { command: 'tenthForward', keys: ['.'], group: 'Time', about: 'A tenth of a scene second on' },
+    { command: 'eventBack', keys: ['['], group: 'Time', about: 'Previous event' },
+    { command: 'eventForward', keys: [']'], group: 'Time', about: 'Next event' },
+    { command: 'loop', keys: ['l'], group: 'Time', about: 'Repeat the film, or not' },
+    { command: 'slower', keys: ['-'], group: 'Time', about: 'Play slower' },
+    { command: 'faster', keys: ['+', '='], group: 'Time', about: 'Play faster' },
+    { command: 'fitStrip', keys: ['shift+f'], group: 'Time', about: 'Show all times on the strip' },
+
+    { command: 'frameSelection', keys: ['f'], group: 'View', about: 'Frame the selection' },
+    { command: 'refine', keys: ['r'], group: 'View', about: 'Show the path-traced picture' },
+    { command: 'lookThrough', keys: ['c'], group: 'View', about: 'Look through the camera' },
+    { command: 'viewTop', keys: ['1'], group: 'View', about: 'View from above' },
+    { command: 'viewSide', keys: ['2'], group: 'View', about: 'View from the side' },
+    { command: 'viewFree', keys: ['3'], group: 'View', about: 'Free view' },
+    { command: 'wireframe', keys: ['w'], group: 'View', about: 'Edges only' },
+    { command: 'pinGhost', keys: ['g'], group: 'View', about: 'Pin the paths to compare with' },
+
+    { command: 'delete', keys: ['delete'], group: 'Selection', about: 'Delete what is selected' },
+    { command: 'duplicate', keys: ['ctrl+d'], group: 'Selection',
+        about: 'Duplicate what is selected' },
+    { command: 'showInText', keys: ['t'], group: 'Selection', about: 'Show it in the text' },
+    { command: 'cancel', keys: ['escape'], group: 'Selection',
+        about: 'Cancel a drag; select nothing' },
+
+    { command: 'save', keys: ['ctrl+s'], group: 'Text', about: 'Save', everywhere: true },
+    { command: 'undo', keys: ['ctrl+z'], group: 'Text', about: 'Undo' },
+    { command: 'redo', keys: ['ctrl+y', 'ctrl+shift+z'], group: 'Text', about: 'Redo' },
+
+    { command: 'keys', keys: ['?'], group: 'Page', about: 'Show this page of keys' },
+    { command: 'problems', keys: ['ctrl+shift+m'], group: 'Page', about: 'Show the problems',
+        everywhere: true },
+    { command: 'search', keys: ['/'], group: 'Page', about: 'Search the outline' },
+] as const satisfies readonly KeyBinding[];
+
+export type Command = (typeof kKeyBindings)[number]['command'];
+
+const actions = new Map<Command, (() => void)[]>();
+
+/// Says what a command does. The latest one counts. Returns a function that takes it back.
+export function onCommand(command: Command, action: () => void): () => void {
+    const all = actions.get(command) ?? [];
+    actions.set(command, all);
+    all.push(action);
+    return () => {
+        const at = all.lastIndexOf(action);
+        if (at >= 0) {
+            all.splice(at, 1);
+        }
+    };
+}
+
+/// Does what a command is bound to. Returns false if nothing is.
+export function runCommand(command: Command): boolean {
+    const action = actions.get(command)?.at(-1);
+    action?.();
+    return action !== undefined;
+}
+
+/// The key of an event as the table writes it.
+export function keyName(event: Pick<KeyboardEvent,
+    'key' | 'ctrlKey' | 'metaKey' | 'altKey' | 'shiftKey'>): string {
+    const key = event.key === ' ' ? 'space' : event.key.toLowerCase();
+    const isSign = key.length === 1 && !/[a-z]/.test(key);
+    const words = [
+        event.ctrlKey || event.metaKey ? 'ctrl' : '',
+        event.altKey ? 'alt' : '',
+        event.shiftKey && !isSign ? 'shift' : '',
+        key,
+    ];
+    return words.filter((word) => word !== '').join('+');
+}
+
+const byKey = new Map<string, KeyBinding>(
+    kKeyBindings.flatMap((binding: KeyBinding) => binding.keys.map((key) => [key, binding])),
+);
+
+/// The binding of a key as the table writes it.
+export function bindingOf(key: string): KeyBinding | undefined {
+    return byKey.get(key);
+}
+
+/// Elements that need the keys themselves: text fields, and lists that the arrow keys walk through.
+const kTypes = 'input:not([type=checkbox]):not([type=range]), textarea, select, [contenteditable]';
+const kUsesArrows = '[role=tree], [role=listbox], [role=menu], [role=tablist], [role=slider], '
+    + '[role=spinbutton], input[type=range]';
+const kUsesEnter = 'button, a[href], summary, [role=button], [role=menuitem], input[type=checkbox]';
+
+/// Whether the element with the focus uses the key itself.
+function isTaken(target: EventTarget | null, key: string, everywhere: boolean): boolean {
+    if (everywhere || !(target instanceof Element)) {
+        return false;
+    }
+    if (target.closest(kTypes)) {
+        return true;
+    }
+    if (/arrow|home|end$/.test(key)) {
+        return target.closest(kUsesArrows) !== null;
+    }
+    return (key === 'enter' || key === 'space')
+        && target.closest(`${kUsesEnter}, [role=treeitem]`) !== null;
+}
+
+function onKeyDown(event: KeyboardEvent): void {
+    const key = keyName(event);
+    const binding = byKey.get(key);
+    if (!binding || event.defaultPrevented || event.isComposing
+        || isTaken(event.target, key, binding.everywhere ?? false)) {
+        return;
+    }
+    if (runCommand(binding.command as Command)) {
+        event.preventDefault();
+    }
+}
+
+/// Listens to the keys of the whole page. Returns a function that ends this.
+export function listenToKeys(): () => void {
+    window.addEventListener('keydown', onKeyDown);
+    return () => window.removeEventListener('keydown', onKeyDown);
+}
