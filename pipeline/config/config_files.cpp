@@ -165,6 +165,20 @@ bool is_allowed(const fs::path& path, const ConfigFolders& folders) {
 
 }  // namespace
 
+namespace {
+
+/// The path of the open text that is meant by `path`; empty if there is none.
+std::string open_text_of(const fs::path& path, const ConfigFolders& folders) {
+    if (folders.texts == nullptr || folders.texts->empty()) {
+        return {};
+    }
+    std::error_code code;
+    const fs::path whole = fs::weakly_canonical(path, code);
+    return !code && folders.texts->contains(whole.string()) ? whole.string() : std::string();
+}
+
+}  // namespace
+
 FoundFile find_config_file(std::string_view name, const std::string& folder,
                            const ConfigFolders& folders) {
     if (name.empty() || name.size() > kLongestPathBytes ||
@@ -173,10 +187,12 @@ FoundFile find_config_file(std::string_view name, const std::string& folder,
     }
     std::string first_problem;
     for (const fs::path& path : candidates(fs::path(name), folder, folders)) {
-        const std::string problem = problem_with(path);
+        const std::string open_text = open_text_of(path, folders);
+        const std::string problem = open_text.empty() ? problem_with(path) : "";
         if (problem.empty()) {
             std::error_code code;
-            const fs::path canonical = fs::canonical(path, code);
+            const fs::path canonical =
+                open_text.empty() ? fs::canonical(path, code) : fs::path(open_text);
             const std::string found = code ? fs::absolute(path, code).string() : canonical.string();
             if (!is_allowed(found, folders)) {
                 return {{},
@@ -209,6 +225,20 @@ std::vector<std::string> preset_names(const ConfigFolders& folders) {
     std::sort(names.begin(), names.end());
     names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;
+}
+
+bool read_config_text(const std::string& path, std::size_t max_bytes, const ConfigFolders& folders,
+                      std::string& text) {
+    const std::string open_text = open_text_of(path, folders);
+    if (open_text.empty()) {
+        return read_text_file(path, max_bytes, text);
+    }
+    text = folders.texts->at(open_text);
+    if (text.size() > max_bytes) {
+        text = fmt::format("has more than {} bytes{}", max_bytes, how_to_raise_limits());
+        return false;
+    }
+    return true;
 }
 
 bool read_text_file(const std::string& path, std::size_t max_bytes, std::string& text) {

@@ -1,6 +1,7 @@
 // Finds the files to which a shot refers.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,12 +10,17 @@
 
 namespace carom::pipeline::config {
 
+/// Texts by the absolute paths of their files, without links, "." and "..".
+using OpenTexts = std::map<std::string, std::string>;
+
 /// Folders with tables, ball sets, looks and quality presets, in the order of the search.
 struct ConfigFolders {
     std::vector<std::string> folders;
     /// A shot may use only files inside this folder (or the config folders), with links resolved;
     /// empty: any files.
     std::string root = {};
+    /// Texts that are read instead of these files, which need not exist. nullptr: none.
+    const OpenTexts* texts = nullptr;
 };
 
 /// Those of these folders that exist: $CAROM_CONFIGS, share/carom/configs beside the program's own
@@ -31,6 +37,10 @@ struct FoundFile {
 /// the part of the name after its last "configs/". Only regular files are found.
 [[nodiscard]] FoundFile find_config_file(std::string_view name, const std::string& folder,
                                          const ConfigFolders& folders);
+
+/// As read_text_file, for a file that find_config_file found.
+[[nodiscard]] bool read_config_text(const std::string& path, std::size_t max_bytes,
+                                    const ConfigFolders& folders, std::string& text);
 
 /// The names of the quality presets.
 [[nodiscard]] std::vector<std::string> preset_names(const ConfigFolders& folders);

@@ -235,12 +235,12 @@ std::optional<Node> Gatherer::read_file(const std::string& path, std::string sho
         return std::nullopt;
     }
     std::string text;
-    if (!read_text_file(path, YamlLimits{}.bytes, text)) {
+    if (!read_config_text(path, YamlLimits{}.bytes, folders_, text)) {
         problems_.error(named_at, "file " + quote(shown_name) + " " + text);
         return std::nullopt;
     }
     const std::string folder = fs::path(path).parent_path().string();
-    const int source = sources_.add({shown_name, folder, std::move(text), named_at});
+    const int source = sources_.add({shown_name, folder, std::move(text), named_at, path});
     open_files.push_back({path, std::move(shown_name)});
     std::optional<Node> tree = read(source, open_files, false);
     open_files.pop_back();

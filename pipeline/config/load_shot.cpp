@@ -37,6 +37,26 @@ std::vector<sim::Asset> hash_assets(const std::vector<std::string>& files, const
     return assets;
 }
 
+/// The absolute path of the file with the shot's text, which need not exist.
+std::string absolute_path(const std::string& origin) {
+    std::error_code code;
+    const fs::path path = fs::weakly_canonical(origin, code);
+    return code ? std::string() : path.string();
+}
+
+/// The files among the texts, each once.
+std::vector<ReadFile> files_of(const SourceSet& sources) {
+    std::vector<ReadFile> files;
+    for (int i = 0; i < sources.size(); ++i) {
+        const SourceText& source = sources.at(i);
+        const auto is_same = [&](const ReadFile& file) { return file.path == source.path; };
+        if (!source.path.empty() && std::ranges::none_of(files, is_same)) {
+            files.push_back({source.path, source.name});
+        }
+    }
+    return files;
+}
+
 std::string absolute_folder(const std::string& origin) {
     std::error_code code;
     const fs::path absolute = fs::absolute(origin, code);
@@ -75,7 +95,9 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
     LoadResult result;
     ConfigFolders folders = standard_config_folders();
     folders.root = options.root;
-    const int source = sources.add({origin, absolute_folder(origin), text});
+    folders.texts = options.texts;
+    const int source =
+        sources.add({origin, absolute_folder(origin), text, {}, absolute_path(origin)});
     Gathered gathered = gather(sources, source, folders,
                                {options.overrides, options.quality, options.camera_file}, problems);
     std::map<const Node*, std::string> files;
@@ -89,6 +111,7 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
         result.shot.reset();
     }
     result.problems = problems.take();
+    result.files = files_of(sources);
     if (result.shot) {
         result.source = std::make_shared<ShotSource>(std::move(sources), std::move(*gathered.root),
                                                      std::move(files));
@@ -117,13 +140,15 @@ std::string folder_problem(const std::string& path) {
 
 LoadResult load_shot(const std::string& path, const LoadOptions& options) {
     std::string text;
-    if (!read_text_file(path, YamlLimits{}.bytes, text)) {
+    ConfigFolders folders;
+    folders.texts = options.texts;
+    if (!read_config_text(path, YamlLimits{}.bytes, folders, text)) {
         Problem problem;
         problem.place.file = path;
         std::error_code ignored;
         problem.message =
             fs::is_directory(path, ignored) ? folder_problem(path) : "the file " + text;
-        return {std::nullopt, {problem}, nullptr};
+        return {std::nullopt, {problem}, nullptr, {}};
     }
     return load_shot_text(text, path, options);
 }

@@ -1,6 +1,7 @@
 // Reads a Shot from YAML and reports all of its problems together.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,10 +14,19 @@ namespace carom::pipeline {
 
 class ShotSource;  // pipeline/config/shot_source.h
 
+/// A file that was read: the shot, a file that it includes, or a preset.
+struct ReadFile {
+    std::string path;  // absolute
+    std::string name;  // as problems name it
+
+    bool operator==(const ReadFile&) const = default;
+};
+
 struct LoadResult {
     std::optional<Shot> shot;                  // empty if a problem is an error
     std::vector<Problem> problems;             // errors and warnings, sorted by file and place
     std::shared_ptr<const ShotSource> source;  // null if there is no shot
+    std::vector<ReadFile> files{};             // in the order of reading, also if there is no shot
 };
 
 /// What changes a shot while it is loaded, and what it may read.
@@ -30,6 +40,9 @@ struct LoadOptions {
     std::string camera_file{};
     /// The folder that must hold all files that the shot names (config_files.h). Empty: any.
     std::string root{};
+    /// Texts that are read instead of the files of these absolute paths (config_files.h). nullptr:
+    /// none.
+    const std::map<std::string, std::string>* texts = nullptr;
 };
 
 /// A file that cannot be read is a problem, not an exception. Nothing is simulated, so that loading

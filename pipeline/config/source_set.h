@@ -27,6 +27,7 @@ struct SourceText {
     std::string folder;   // relative paths in the text refer to this folder
     std::string text;     // valid UTF-8
     Place included_at{};  // place of the include in another text; else empty
+    std::string path{};   // of the file, absolute; empty: the text is not that of a file
 };
 
 class SourceSet {
