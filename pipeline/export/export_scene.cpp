@@ -13,6 +13,7 @@
 #include "pipeline/camera/rig_state.h"
 #include "pipeline/camera/time_map.h"
 #include "pipeline/export/export_material.h"
+#include "pipeline/export/object_pose.h"
 #include "pipeline/export/painted_sphere.h"
 #include "pipeline/export/shape_mesh.h"
 #include "render/geometry/smooth_normals.h"
@@ -23,17 +24,15 @@ namespace {
 
 class SceneBuilder {
   public:
-    SceneBuilder(const Shot& shot, const sim::Timeline& timeline)
+    /// `timeline`: nullptr for meshes without poses.
+    SceneBuilder(const Shot& shot, const sim::Timeline* timeline)
         : shot_(shot), timeline_(timeline) {}
 
     ExportScene run() {
         scene_.name = shot_.name;
-        scene_.start_time = timeline_.start_time;
-        scene_.end_time = timeline_.end_time;
-        scene_.fps = shot_.timing.fps.to_double();
-        scene_.aspect =
-            static_cast<double>(shot_.render.width) / static_cast<double>(shot_.render.height);
-        scene_.lights = shot_.scene.lights;
+        if (timeline_ != nullptr) {
+            add_film();
+        }
         for (const render::MaterialDescription& material : shot_.scene.materials) {
             descriptions_[material.name] = &material;
         }
@@ -43,13 +42,22 @@ class SceneBuilder {
         for (const render::LightDescription& light : shot_.scene.lights) {
             add_lamp(light);
         }
-        for (const CameraRig& rig : with_fitted_paths(shot_.cameras, timeline_)) {
-            add_camera(rig);
-        }
         return std::move(scene_);
     }
 
   private:
+    void add_film() {
+        scene_.start_time = timeline_->start_time;
+        scene_.end_time = timeline_->end_time;
+        scene_.fps = shot_.timing.fps.to_double();
+        scene_.aspect =
+            static_cast<double>(shot_.render.width) / static_cast<double>(shot_.render.height);
+        scene_.lights = shot_.scene.lights;
+        for (const CameraRig& rig : with_fitted_paths(shot_.cameras, *timeline_)) {
+            add_camera(rig);
+        }
+    }
+
     /// The index of the material in the list; each material is added once.
     std::size_t material(const ExportMaterial& material) {
         const auto [known, is_new] = materials_.try_emplace(material.name, scene_.materials.size());
@@ -66,11 +74,16 @@ class SceneBuilder {
         ExportPart part;
         part.name = object.name;
         Mat44 body_from_object = object.world_from_object;
-        if (object.track.empty()) {
+        if (timeline_ == nullptr) {
+            part.keys.add(0, Vec3(0, 0, 0), Quat());
+            if (object.track.empty()) {
+                body_from_object = split_pose(object.world_from_object).remainder;
+            }
+        } else if (object.track.empty()) {
             // The node has the position; rotation and scale are applied to the mesh.
-            part.keys.add(timeline_.start_time, object.world_from_object.translation(), Quat());
+            part.keys.add(scene_.start_time, object.world_from_object.translation(), Quat());
             body_from_object[3][0] = body_from_object[3][1] = body_from_object[3][2] = 0;
-        } else if (const sim::Track* track = timeline_.find(object.track)) {
+        } else if (const sim::Track* track = timeline_->find(object.track)) {
             part.keys = linear_keys(*track, kMostExportKeys);
         } else {
             throw Error("object '" + object.name + "' is not in the timeline");
@@ -127,17 +140,21 @@ class SceneBuilder {
             const bool is_right_handed = u.cross(rectangle->edge_v).dot(rectangle->normal) > 0;
             const Vec3 v = is_right_handed ? rectangle->edge_v : -rectangle->edge_v;
             add_mesh(part, shape_mesh(render::ParallelogramShape{-u - v, 2.0 * u, 2.0 * v}), {});
-            part.keys.add(timeline_.start_time, rectangle->centre, Quat());
+            part.keys.add(scene_.start_time, place_of(rectangle->centre), Quat());
             glow.emission = rectangle->radiance;
         } else if (const auto* sphere = std::get_if<render::SphereLight>(&light.light)) {
             add_mesh(part, shape_mesh(render::SphereShape{sphere->radius}), {});
-            part.keys.add(timeline_.start_time, sphere->centre, Quat());
+            part.keys.add(scene_.start_time, place_of(sphere->centre), Quat());
             glow.emission = sphere->radiance;
         } else {
             return;
         }
         part.patches = {{0, part.mesh.triangles.size(), material(glow)}};
         scene_.lamps.push_back(std::move(part));
+    }
+
+    [[nodiscard]] Vec3 place_of(const Vec3& centre) const {
+        return timeline_ == nullptr ? Vec3(0, 0, 0) : centre;
     }
 
     /// Adds a camera with one key per frame and one for its last instant.
@@ -160,7 +177,7 @@ class SceneBuilder {
             key.video_time = start + elapsed;
             key.scene_time = scene_time_at(rig, time).to_double();
             try {
-                key.state = camera_state(rig, {progress_at(rig, time), key.scene_time}, timeline_);
+                key.state = camera_state(rig, {progress_at(rig, time), key.scene_time}, *timeline_);
             } catch (const Error& error) {
                 throw Error("camera '" + rig.name + "': " + error.what());
             }
@@ -170,7 +187,7 @@ class SceneBuilder {
     }
 
     const Shot& shot_;
-    const sim::Timeline& timeline_;
+    const sim::Timeline* timeline_;
     ExportScene scene_;
     std::map<std::string, const render::MaterialDescription*> descriptions_;
     std::map<std::string, std::size_t> materials_;
@@ -203,7 +220,11 @@ CameraAxes camera_axes(const render::CameraState& state) {
 }
 
 ExportScene export_scene(const Shot& shot, const sim::Timeline& timeline) {
-    return SceneBuilder(shot, timeline).run();
+    return SceneBuilder(shot, &timeline).run();
+}
+
+ExportScene export_meshes(const Shot& shot) {
+    return SceneBuilder(shot, nullptr).run();
 }
 
 }  // namespace carom::pipeline

@@ -79,6 +79,11 @@ struct CameraAxes {
 };
 [[nodiscard]] CameraAxes camera_axes(const render::CameraState& state);
 
+/// The meshes of the shot without poses, motion, cameras and lights that have no surface, for a
+/// viewer that moves them itself: every part is at the origin, unrotated. They stay the same when
+/// objects are moved. Throws Error if a mesh file cannot be read.
+[[nodiscard]] ExportScene export_meshes(const Shot& shot);
+
 /// Throws Error if a mesh file cannot be read, a camera is invalid, or an object needs more than
 /// kMostExportKeys keys.
 [[nodiscard]] ExportScene export_scene(const Shot& shot, const sim::Timeline& timeline);

@@ -150,8 +150,14 @@ constexpr auto fields_of(Describes<PathPoint>) {
                              field("at", &PathPoint::at), field("offset", &PathPoint::offset));
 }
 
+constexpr auto fields_of(Describes<Orbit>) {
+    return fields<Orbit>(field("radii", &Orbit::radii), field("angles", &Orbit::angles),
+                         field("turn", &Orbit::turn));
+}
+
 constexpr auto fields_of(Describes<PathShape>) {
-    return fields<PathShape>(field("kind", &PathShape::kind), field("points", &PathShape::points),
+    return fields<PathShape>(field("kind", &PathShape::kind), field("orbit", &PathShape::orbit),
+                             field("points", &PathShape::points),
                              field("curve", &PathShape::curve));
 }
 

@@ -203,7 +203,8 @@ struct Problems {
     std::vector<Problem> list{};
 };
 
-/// Where a value comes from.
+/// Where a value comes from. The plain values in a list have no place of their own: they come from
+/// where the list does.
 struct ValuePlace {
     KeyPath path{};
     TextRange key{};       // of its key; line 0 in lists
@@ -247,8 +248,16 @@ struct PathPoint {
     Triple offset{};    // from it
 };
 
+/// The ellipse of an orbit around its one point.
+struct Orbit {
+    std::array<double, 2> radii{};   // along x and y
+    std::array<double, 2> angles{};  // at its start and end, from x towards y
+    Turn turn{1, 0, 0, 0};           // of its plane
+};
+
 struct PathShape {
-    std::string kind{};  // "bezier", "spline", "along", "follow", "orbit"
+    std::string kind{};  // "bezier" (also a fixed point), "spline", "along", "follow", "orbit"
+    std::optional<Orbit> orbit{};
     std::vector<PathPoint> points{};
     std::vector<double> curve{};  // x, y, z of points along it, for a polyline
 };
@@ -375,7 +384,9 @@ struct TimelineHead {
 /// Binary, type 2. Payload: 64-bit floats, kNumbersPerFrame for each entry: frame; camera (index in
 /// ShotState); weight; video time; scene time; shutter opens; shutter closes (scene times); speed;
 /// position; target; up; roll; vertical field of view; distance of focus; lens radius. Poses are
-/// those in the middle of the shutter. A frame of a cross-fade has two entries.
+/// those in the middle of the shutter. A frame of a cross-fade has two entries. Frames without a
+/// valid view have none, and of a film of more than 20,000 frames only every second, third ...
+/// frame has one.
 struct CamerasHead {
     static constexpr const char* kName = "cameras";
     static constexpr std::uint32_t kType = 2;

@@ -1,0 +1,180 @@
+#include "pipeline/studio/camera_paths.h"
+
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "core/error.h"
+#include "pipeline/camera/camera_path.h"
+#include "pipeline/camera/exposure.h"
+#include "pipeline/camera/path_fit.h"
+#include "pipeline/camera/time_map.h"
+
+namespace carom::studio {
+
+namespace {
+
+using pipeline::config::Entry;
+using pipeline::config::Node;
+
+constexpr int kCurvePieces = 64;
+
+Triple triple(const Vec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+KeyPath below(KeyPath path, const std::string& key) {
+    path.push_back(key);
+    return path;
+}
+
+/// A path of one camera with its place in the shot.
+struct ShapeMaker {
+    const pipeline::CameraRig& rig;
+    const sim::Timeline& timeline;
+    KeyPath path;           // ["cameras", "0", "position"]
+    bool is_point = false;  // written as a point, not as a map
+
+    [[nodiscard]] Vec3 object_at(const std::string& name, double time) const {
+        const sim::Track* track = timeline.find(name);
+        return track == nullptr ? Vec3(0, 0, 0) : track->sample(time).position;
+    }
+
+    [[nodiscard]] PathPoint point(const pipeline::ControlPoint& control, KeyPath key) const {
+        const Vec3 base = control.of.empty() ? Vec3(0, 0, 0) : object_at(control.of, control.at);
+        return {std::move(key), triple(base + control.offset), control.of, control.at,
+                triple(control.offset)};
+    }
+
+    /// The point of a path that belongs to an object: its offset at `time`.
+    [[nodiscard]] PathPoint offset_point(const std::string& object, const Vec3& offset,
+                                         double time) const {
+        return {below(path, "offset"), triple(object_at(object, time) + offset), object, time,
+                triple(offset)};
+    }
+
+    [[nodiscard]] PathShape points(const std::vector<pipeline::ControlPoint>& controls,
+                                   const std::string& kind) const {
+        PathShape shape;
+        shape.kind = kind;
+        for (std::size_t i = 0; i < controls.size(); ++i) {
+            shape.points.push_back(
+                point(controls[i], is_point ? path : below(below(path, kind), std::to_string(i))));
+        }
+        return shape;
+    }
+
+    PathShape operator()(const pipeline::BezierPath& bezier) const {
+        return points(bezier.points, "bezier");
+    }
+    PathShape operator()(const pipeline::SplinePath& spline) const {
+        return points(spline.points, "spline");
+    }
+    PathShape operator()(const pipeline::AlongPath& along) const {
+        return {"along", {}, {offset_point(along.object, along.offset, along.from)}, {}};
+    }
+    PathShape operator()(const pipeline::FollowPath& follow) const {
+        const double start = rig.time_map.scene_start.to_double() + follow.look_ahead;
+        return {"follow", {}, {offset_point(follow.object, follow.offset, start)}, {}};
+    }
+    PathShape operator()(const pipeline::OrbitPath& orbit) const {
+        PathShape shape;
+        shape.kind = "orbit";
+        shape.orbit = Orbit{{orbit.radii.x, orbit.radii.y},
+                            {orbit.start_angle, orbit.end_angle},
+                            {orbit.turn.r, orbit.turn.v.x, orbit.turn.v.y, orbit.turn.v.z}};
+        if (const auto* fixed = std::get_if<pipeline::ControlPoint>(&orbit.around)) {
+            shape.points.push_back(point(*fixed, below(path, "orbit")));
+        } else {
+            const auto& follow = std::get<pipeline::FollowPath>(orbit.around);
+            const double start = rig.time_map.scene_start.to_double() + follow.look_ahead;
+            shape.points.push_back(offset_point(follow.object, follow.offset, start));
+        }
+        return shape;
+    }
+};
+
+/// Points along the path during the camera's interval; empty if an object is not in the timeline.
+std::vector<double> curve_of(const pipeline::CameraPath& path, const pipeline::CameraRig& rig,
+                             const sim::Timeline& timeline) {
+    std::vector<double> curve;
+    const double start = rig.video_start.to_double();
+    const double length = rig.video_end.to_double() - start;
+    try {
+        for (int i = 0; i <= kCurvePieces; ++i) {
+            const pipeline::WideRational time(
+                pipeline::Rational::nearest(start + length * i / kCurvePieces));
+            const double scene_time = pipeline::scene_time_at(rig, time).to_double();
+            const Vec3 p = pipeline::path_position(
+                path, {pipeline::progress_at(rig, time), scene_time}, timeline);
+            curve.insert(curve.end(), {p.x, p.y, p.z});
+        }
+    } catch (const Error&) {
+        curve.clear();
+    }
+    return curve;
+}
+
+/// The rig with its paths fitted, or as it is if that fails.
+pipeline::CameraRig fitted(const pipeline::CameraRig& rig, const sim::Timeline& timeline) {
+    try {
+        return pipeline::with_fitted_paths(std::span(&rig, 1), timeline).front();
+    } catch (const Error&) {
+        return rig;
+    }
+}
+
+bool is_written_as_point(const Node& camera, const std::string& key) {
+    const Entry* entry = camera.find(key);
+    return entry != nullptr && entry->value.is_sequence();
+}
+
+Camera camera_message(const pipeline::CameraRig& rig, const Node& node, const KeyPath& path,
+                      const sim::Timeline& timeline) {
+    Camera message;
+    message.name = rig.name;
+    message.path = path;
+    message.video_start = rig.video_start.to_double();
+    message.video_end = rig.video_end.to_double();
+    message.fade = rig.fade.to_double();
+    message.scene_start = rig.time_map.scene_start.to_double();
+    message.scene_end =
+        pipeline::scene_time_at(rig, pipeline::WideRational(rig.video_end)).to_double();
+    message.smooth = rig.time_map.is_smooth;
+    message.sensor_height = rig.sensor_height;
+    for (std::size_t i = 0; i < rig.time_map.speeds.size(); ++i) {
+        const pipeline::SpeedKey& speed = rig.time_map.speeds[i];
+        message.speeds.push_back({below(below(below(path, "scene"), "speeds"), std::to_string(i)),
+                                  speed.video_time.to_double(), speed.speed.to_double()});
+    }
+    const pipeline::CameraRig drawn = fitted(rig, timeline);
+    const auto shape = [&](const char* key, const pipeline::CameraPath& own,
+                           const pipeline::CameraPath& curve) {
+        PathShape result = std::visit(
+            ShapeMaker{rig, timeline, below(path, key), is_written_as_point(node, key)}, own);
+        if (result.kind != "bezier" || result.points.size() > 1) {
+            result.curve = curve_of(curve, drawn, timeline);
+        }
+        return result;
+    };
+    message.position = shape("position", rig.position, drawn.position);
+    message.target = shape("target", rig.target, drawn.target);
+    return message;
+}
+
+}  // namespace
+
+std::vector<Camera> camera_messages(const pipeline::Shot& shot, const pipeline::ShotSource& source,
+                                    const sim::Timeline& timeline) {
+    const Entry* cameras = source.root().find("cameras");
+    std::vector<Camera> messages;
+    for (std::size_t i = 0; i < shot.cameras.size(); ++i) {
+        const bool is_known = cameras != nullptr && i < cameras->value.items.size();
+        messages.push_back(camera_message(shot.cameras[i],
+                                          is_known ? cameras->value.items[i] : Node{},
+                                          {"cameras", std::to_string(i)}, timeline));
+    }
+    return messages;
+}
+
+}  // namespace carom::studio

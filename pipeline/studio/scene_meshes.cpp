@@ -1,0 +1,87 @@
+#include "pipeline/studio/scene_meshes.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <variant>
+
+#include "core/field_hasher.h"
+#include "pipeline/export/export_material.h"
+#include "pipeline/export/object_pose.h"
+#include "pipeline/export/scene_glb.h"
+#include "render/scene/material_fields.h"
+#include "render/scene/scene_fields.h"
+
+namespace carom::studio {
+
+namespace {
+
+constexpr std::size_t kMostFiles = 4;
+
+void add_material(FieldHasher& hasher, const render::MaterialDescription& material) {
+    const pipeline::ExportMaterial plain = pipeline::plain_material(material);
+    hasher.add(material.name);
+    hasher.add(plain.base).add(plain.metal).add(plain.roughness).add(plain.transmission);
+    hasher.add(plain.ior).add(plain.coat).add(plain.coat_roughness).add(plain.emission);
+    const render::BallTexture* paint = pipeline::ball_paint(material);
+    hasher.add(paint != nullptr);
+    if (paint != nullptr) {
+        hasher.add_value(*paint);
+    }
+}
+
+void add_light(FieldHasher& hasher, const render::LightDescription& light) {
+    if (const auto* rectangle = std::get_if<render::RectangleLight>(&light.light)) {
+        hasher.add(light.name).add(rectangle->edge_u).add(rectangle->edge_v);
+        hasher.add(rectangle->normal).add(rectangle->radiance);
+    } else if (const auto* sphere = std::get_if<render::SphereLight>(&light.light)) {
+        hasher.add(light.name).add(sphere->radius).add(sphere->radiance);
+    }
+}
+
+}  // namespace
+
+Hash128 hash_meshes(const pipeline::Shot& shot) {
+    FieldHasher hasher;
+    for (const render::ObjectDescription& object : shot.scene.objects) {
+        hasher.add(object.name).add(object.material);
+        hasher.add_value(object.shape);
+        hasher.add(object.track.empty() ? pipeline::split_pose(object.world_from_object).remainder
+                                        : object.world_from_object);
+    }
+    for (const render::MaterialDescription& material : shot.scene.materials) {
+        add_material(hasher, material);
+    }
+    for (const render::LightDescription& light : shot.scene.lights) {
+        add_light(hasher, light);
+    }
+    return hasher.finish();
+}
+
+std::string MeshFiles::add(const pipeline::Shot& shot) {
+    std::string hash = hash_meshes(shot).to_string();
+    {
+        const std::lock_guard lock(mutex_);
+        const auto found = std::ranges::find(files_, hash, &File::hash);
+        if (found != files_.end()) {
+            std::rotate(found, found + 1, files_.end());
+            return hash;
+        }
+    }
+    auto bytes =
+        std::make_shared<const std::string>(pipeline::scene_to_glb(pipeline::export_meshes(shot)));
+    const std::lock_guard lock(mutex_);
+    files_.push_back({hash, std::move(bytes)});
+    if (files_.size() > kMostFiles) {
+        files_.pop_front();
+    }
+    return hash;
+}
+
+std::shared_ptr<const std::string> MeshFiles::find(std::string_view hash) const {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::ranges::find(files_, hash, &File::hash);
+    return found == files_.end() ? nullptr : found->bytes;
+}
+
+}  // namespace carom::studio

@@ -1,0 +1,38 @@
+// The meshes of shots for the view, by the hash of what they show.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/hash.h"
+#include "pipeline/shot/shot.h"
+
+namespace carom::studio {
+
+/// Of the shapes, materials and colours, but not of poses and motion.
+[[nodiscard]] Hash128 hash_meshes(const pipeline::Shot& shot);
+
+/// Keeps the last few files. All functions may be called from any thread.
+class MeshFiles {
+  public:
+    /// Makes the .glb of the shot if it is not kept. Returns its hash. Throws Error if a mesh file
+    /// cannot be read.
+    std::string add(const pipeline::Shot& shot);
+
+    /// The .glb of that hash, or null.
+    [[nodiscard]] std::shared_ptr<const std::string> find(std::string_view hash) const;
+
+  private:
+    struct File {
+        std::string hash;
+        std::shared_ptr<const std::string> bytes;
+    };
+    mutable std::mutex mutex_;
+    std::deque<File> files_;  // the last used ones at the end
+};
+
+}  // namespace carom::studio

@@ -1,0 +1,135 @@
+#include "pipeline/studio/shot_state.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "pipeline/camera/frame_plan.h"
+#include "pipeline/config/build/builder.h"
+#include "pipeline/studio/camera_paths.h"
+#include "pipeline/studio/value_places.h"
+
+namespace carom::studio {
+
+namespace {
+
+Film film_message(const pipeline::Shot& shot) {
+    Film film;
+    film.width = shot.render.width;
+    film.height = shot.render.height;
+    film.fps = shot.timing.fps.to_double();
+    film.frames = pipeline::frame_count(shot.cameras, shot.timing);
+    film.duration = static_cast<double>(film.frames) / film.fps;
+    film.samples = shot.render.samples;
+    return film;
+}
+
+std::optional<Table> table_message(const pipeline::Shot& shot,
+                                   const std::vector<SceneObject>& objects) {
+    const auto& table = shot.world.table;
+    if (!table || !table->has_cushions) {
+        return std::nullopt;
+    }
+    const auto ball = std::ranges::find(objects, "ball", &SceneObject::kind);
+    return Table{table->length, table->width, table->nose_height,
+                 ball == objects.end() ? sim::Sphere{}.radius : ball->radius};
+}
+
+Names names_of(const pipeline::Shot& shot, const std::vector<SceneObject>& objects) {
+    Names names;
+    for (const SceneObject& object : objects) {
+        if (object.kind != "table") {
+            (object.kind == "ball" ? names.balls : names.objects).push_back(object.name);
+        }
+    }
+    for (const render::MaterialDescription& material : shot.scene.materials) {
+        names.materials.push_back(material.name);
+    }
+    for (const render::LightDescription& light : shot.scene.lights) {
+        names.lights.push_back(light.name);
+    }
+    for (const pipeline::CameraRig& camera : shot.cameras) {
+        names.cameras.push_back(camera.name);
+    }
+    names.surfaces = pipeline::config::surface_names();
+    return names;
+}
+
+Triple triple(const Vec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+/// The colour with its largest component 1.
+Triple hue_of(const Vec3& colour) {
+    const double largest = std::max({colour.x, colour.y, colour.z});
+    return largest > 0 ? triple(colour / largest) : Triple{0, 0, 0};
+}
+
+struct FillLight {
+    SceneLight& message;
+
+    void operator()(const render::RectangleLight& light) const {
+        message.kind = "rectangle";
+        message.position = triple(light.centre);
+        message.facing = triple(light.normal);
+        message.colour = hue_of(light.radiance);
+        message.size = {2 * light.edge_u.length(), 2 * light.edge_v.length()};
+    }
+    void operator()(const render::SphereLight& light) const {
+        message.kind = "sphere";
+        message.position = triple(light.centre);
+        message.colour = hue_of(light.radiance);
+        message.size = {light.radius};
+    }
+    void operator()(const render::EnvironmentLight& light) const {
+        message.kind = "environment";
+        message.colour = hue_of(light.radiance);
+    }
+    void operator()(const render::PointLight& light) const {
+        message.kind = "point";
+        message.position = triple(light.position);
+        message.colour = hue_of(light.intensity);
+    }
+    void operator()(const render::SpotLight& light) const {
+        message.kind = "spot";
+        message.position = triple(light.position);
+        message.facing = triple(light.direction.normalized());
+        message.colour = hue_of(light.intensity);
+        message.size = {light.inner_angle, light.outer_angle};
+    }
+    void operator()(const render::DirectionalLight& light) const {
+        message.kind = "directional";
+        message.facing = triple(light.direction.normalized());
+        message.colour = hue_of(light.irradiance);
+    }
+};
+
+}  // namespace
+
+std::vector<SceneLight> light_messages(const pipeline::Shot& shot) {
+    std::vector<SceneLight> messages;
+    for (const render::LightDescription& light : shot.scene.lights) {
+        SceneLight message;
+        message.name = light.name;
+        message.path = {"lights", light.name};
+        std::visit(FillLight{message}, light.light);
+        messages.push_back(std::move(message));
+    }
+    return messages;
+}
+
+ShotState shot_state(const pipeline::Shot& shot, const pipeline::ShotSource& source,
+                     const sim::Timeline& timeline, const std::string& root) {
+    ShotState state;
+    state.name = shot.name;
+    state.film = film_message(shot);
+    state.objects = object_messages(shot, source, timeline);
+    state.table = table_message(shot, state.objects);
+    state.lights = light_messages(shot);
+    state.cameras = camera_messages(shot, source, timeline);
+    state.events = event_messages(shot, timeline);
+    state.names = names_of(shot, state.objects);
+    state.places = value_places(source, root);
+    return state;
+}
+
+}  // namespace carom::studio
