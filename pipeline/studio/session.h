@@ -32,13 +32,13 @@ struct Download {
 };
 
 struct SessionOptions {
-    std::string shot;                    // the path of its file; empty: the start page
-    std::vector<std::string> overrides;  // as given to --set
-    std::string quality;                 // a preset, or empty
-    std::string root;                    // the folder below which files are written; empty: that of
-                                         // the shot
-    std::string output;                  // the folder of films; empty: that of the shot
-    std::string cache_folder;            // empty: the usual one
+    std::string shot{};                    // the path of its file; empty: the start page
+    std::vector<std::string> overrides{};  // as given to --set
+    std::string quality{};                 // a preset, or empty
+    std::string root{};          // the folder below which files are written; empty: that of
+                                 // the shot
+    std::string output{};        // the folder of films; empty: that of the shot
+    std::string cache_folder{};  // empty: the usual one
 };
 
 /// All functions may be called from any thread, and return without waiting for work.

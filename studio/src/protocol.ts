@@ -199,6 +199,12 @@ export interface SpeedPoint {
     speed: number;
 }
 
+export interface Orbit {
+    radii: [number, number];
+    angles: [number, number];
+    turn: Turn;
+}
+
 export interface PathPoint {
     path: KeyPath;
     position: Triple;
@@ -209,6 +215,7 @@ export interface PathPoint {
 
 export interface PathShape {
     kind: string;
+    orbit?: Orbit;
     points: PathPoint[];
     curve: number[];
 }

@@ -1,0 +1,264 @@
+#include "pipeline/studio/session.h"
+
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <set>
+#include <span>
+#include <utility>
+#include <variant>
+
+#include "core/error.h"
+#include "pipeline/config/schema.h"
+#include "pipeline/studio/live_shot.h"
+#include "pipeline/studio/message_json.h"
+#include "pipeline/studio/scene_meshes.h"
+#include "pipeline/studio/workspace.h"
+
+namespace carom::studio {
+
+class Session::State {
+  public:
+    State(SessionOptions options, Send send)
+        : options_(std::move(options)), send_(std::move(send)) {
+        if (!options_.shot.empty()) {
+            open_shot(options_.shot);
+        }
+    }
+
+    ~State() { live_.reset(); }
+
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+    State(State&&) = delete;
+    State& operator=(State&&) = delete;
+
+    void opened(PageId page) {
+        const std::lock_guard lock(mutex_);
+        pages_.insert(page);
+    }
+
+    void closed(PageId page) {
+        const std::lock_guard lock(mutex_);
+        pages_.erase(page);
+        set_dragging(page, false);
+    }
+
+    void received(PageId page, const std::string& text) {
+        PageMessage message;
+        try {
+            message = read_page_message(text);
+        } catch (const Error& error) {
+            send(page, Failed{"message", 0, error.what()});
+            return;
+        }
+        std::unique_ptr<LiveShot> ended;  // its thread may need the mutex to end
+        const std::lock_guard lock(mutex_);
+        std::visit(
+            [&](const auto& one) {
+                try {
+                    receive(page, one);
+                } catch (const Error& error) {
+                    send(page, Failed{one.kName, version(), error.what()});
+                }
+            },
+            message);
+        ended = std::move(ended_);
+    }
+
+    std::optional<Download> find(std::string_view path) {
+        if (path == "/schema.json") {
+            static const auto schema = std::make_shared<const std::string>(pipeline::schema_json());
+            return Download{"application/json", schema, {}};
+        }
+        constexpr std::string_view kScene = "/scene/";
+        constexpr std::string_view kGlb = ".glb";
+        if (path.starts_with(kScene) && path.ends_with(kGlb)) {
+            path.remove_prefix(kScene.size());
+            path.remove_suffix(kGlb.size());
+            if (auto bytes = meshes_.find(path)) {
+                return Download{"model/gltf-binary", std::move(bytes), {}};
+            }
+        }
+        return std::nullopt;
+    }
+
+  private:
+    void receive(PageId page, const Hello& hello) {
+        if (hello.protocol != kProtocol) {
+            throw Error("this page speaks another protocol; load it again");
+        }
+        send(page,
+             Welcome{kProtocol, CAROM_VERSION, version(), workspace_ ? workspace_->shot() : "",
+                     workspace_ ? workspace_->root() : ""});
+        if (!workspace_) {
+            send(page, Start{});
+            return;
+        }
+        send(page, workspace_->files());
+        const std::lock_guard lock(send_mutex_);
+        for (auto& [slot, message] : newest_) {
+            Outgoing copy = message;
+            copy.to = page;
+            send_(std::move(copy));
+        }
+    }
+
+    void receive(PageId page, const TextChange& change) {
+        const std::int64_t v = require_workspace().set_text(change.v, change.file, change.text);
+        offer();
+        for (const PageId other : pages_) {
+            if (other != page || v != change.v) {
+                send(other, TextChanged{v, change.file, change.text});
+            }
+        }
+    }
+
+    void receive(PageId page, const Save& request) {
+        auto result = require_workspace().save(request);
+        if (const auto* saved = std::get_if<Saved>(&result)) {
+            send(0, *saved);
+        } else {
+            send(page, std::get<DiskChanged>(std::move(result)));
+        }
+    }
+
+    void receive(PageId /*page*/, const Revert& request) {
+        require_workspace().revert(request.v, request.file);
+        send(0, workspace_->files());
+        offer();
+    }
+
+    void receive(PageId /*page*/, const Open& request) {
+        if (!request.from.empty()) {
+            throw Error("a shot from a template cannot be made yet");
+        }
+        open_shot(request.file);
+        send(0,
+             Welcome{kProtocol, CAROM_VERSION, version(), workspace_->shot(), workspace_->root()});
+        send(0, workspace_->files());
+    }
+
+    void receive(PageId page, const Dragging& dragging) { set_dragging(page, dragging.on); }
+
+    void receive(PageId /*page*/, const Recover& /*message*/) {}
+
+    void receive(PageId /*page*/, const Simulate& /*message*/) {
+        if (live_) {
+            live_->simulate();
+        }
+    }
+
+    void set_dragging(PageId page, bool on) {
+        on ? static_cast<void>(dragging_.insert(page)) : static_cast<void>(dragging_.erase(page));
+        if (live_) {
+            live_->set_dragging(!dragging_.empty());
+        }
+    }
+
+    Workspace& require_workspace() {
+        if (!workspace_) {
+            throw Error("no shot is open");
+        }
+        return *workspace_;
+    }
+
+    [[nodiscard]] std::int64_t version() const { return workspace_ ? workspace_->version() : 0; }
+
+    void open_shot(const std::string& path) {
+        auto workspace = std::make_unique<Workspace>(path, options_.root);
+        ended_ = std::move(live_);
+        const int opening = [&] {
+            const std::lock_guard lock(send_mutex_);
+            newest_.clear();
+            return ++opening_;
+        }();
+        workspace_ = std::move(workspace);
+        LiveOutput output;
+        output.text = [this, opening](const ServerMessage& message) {
+            send_newest(opening, message);
+        };
+        output.binary = [this, opening](const BinaryHead& head,
+                                        const std::vector<double>& numbers) {
+            keep_and_send(opening, {0, true, pack(head, std::as_bytes(std::span(numbers))),
+                                    std::string(name_of(head))});
+        };
+        output.files = [this, opening](std::int64_t /*v*/,
+                                       const std::vector<pipeline::ReadFile>& files) {
+            const std::lock_guard lock(mutex_);
+            if (opening == opening_ && workspace_->set_files(files)) {
+                send(0, workspace_->files());
+            }
+        };
+        output.answer = [this, opening](const LiveAnswer& answer) {
+            const std::string hash = meshes_.add(*answer.shot);
+            send_newest(opening, SceneMeshes{answer.v, hash});
+        };
+        live_ = std::make_unique<LiveShot>(LiveOptions{.overrides = options_.overrides,
+                                                       .quality = options_.quality,
+                                                       .root = workspace_->root()},
+                                           std::move(output));
+        offer();
+    }
+
+    void offer() { live_->offer({workspace_->version(), workspace_->shot(), workspace_->texts()}); }
+
+    void send(PageId page, const ServerMessage& message) {
+        const std::lock_guard lock(send_mutex_);
+        send_({page, false, to_json(message), {}});
+    }
+
+    /// Sends a message of which only the newest counts, and keeps it for pages that come later.
+    void send_newest(int opening, const ServerMessage& message) {
+        keep_and_send(opening, {0, false, to_json(message), std::string(name_of(message))});
+    }
+
+    /// Drops what belongs to a shot that is no longer open.
+    void keep_and_send(int opening, Outgoing message) {
+        const std::lock_guard lock(send_mutex_);
+        if (opening == opening_) {
+            newest_[message.slot] = message;
+            send_(std::move(message));
+        }
+    }
+
+    SessionOptions options_;
+    Send send_;
+    MeshFiles meshes_;
+
+    std::mutex mutex_;  // of the workspace and the pages
+    std::unique_ptr<Workspace> workspace_;
+    std::set<PageId> pages_;
+    std::set<PageId> dragging_;
+
+    std::mutex send_mutex_;                   // taken after `mutex_`
+    std::map<std::string, Outgoing> newest_;  // by their slots
+
+    int opening_ = 0;  // counts the shots that were opened; changed under both mutexes
+
+    std::unique_ptr<LiveShot> ended_;  // of the shot before
+    std::unique_ptr<LiveShot> live_;   // ends first
+};
+
+Session::Session(SessionOptions options, Send send)
+    : state_(std::make_unique<State>(std::move(options), std::move(send))) {}
+
+Session::~Session() = default;
+
+void Session::opened(PageId page) {
+    state_->opened(page);
+}
+
+void Session::closed(PageId page) {
+    state_->closed(page);
+}
+
+void Session::received(PageId page, const std::string& text) {
+    state_->received(page, text);
+}
+
+std::optional<Download> Session::find(std::string_view path) {
+    return state_->find(path);
+}
+
+}  // namespace carom::studio

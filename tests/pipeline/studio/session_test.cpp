@@ -1,0 +1,149 @@
+// A whole session, from the texts of a page to the messages that it gets.
+#include "pipeline/studio/session.h"
+
+#include <condition_variable>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <set>
+
+#include <gmock/gmock.h>
+
+#include "pipeline/studio/message_json.h"
+
+namespace carom::studio {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A shot in a folder of its own, a session and what it sent.
+class StudioSession : public testing::Test {
+  protected:
+    StudioSession()
+        : folder_(fs::canonical(fs::temp_directory_path()) /
+                  ("carom_session_" + std::to_string(getpid()))) {
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+        fs::copy_file(CAROM_SOURCE_DIR "/examples/bank_shot.yaml", path("shot.yaml"));
+    }
+    ~StudioSession() override {
+        session_.reset();
+        fs::remove_all(folder_);
+    }
+
+    [[nodiscard]] std::string path(const std::string& name) const {
+        return (folder_ / name).string();
+    }
+
+    void start() {
+        session_ = std::make_unique<Session>(SessionOptions{.shot = path("shot.yaml")},
+                                             [this](Outgoing message) {
+                                                 const std::lock_guard lock(mutex_);
+                                                 sent_.push_back(std::move(message));
+                                                 wake_.notify_all();
+                                             });
+        session_->opened(1);
+        say(Hello{kProtocol});
+    }
+
+    void say(const PageMessage& message) { session_->received(1, to_json(message)); }
+
+    /// Waits for a text of that type for which `matches` holds, and returns it.
+    template <class Message, class Matches>
+    Message wait_for(Matches matches) {
+        std::unique_lock lock(mutex_);
+        std::optional<Message> found;
+        wake_.wait(lock, [&] {
+            for (const Outgoing& message : sent_) {
+                if (!message.binary) {
+                    ServerMessage text = read_server_message(message.data);
+                    if (auto* one = std::get_if<Message>(&text); one && matches(*one)) {
+                        found = std::move(*one);
+                        return true;
+                    }
+                }
+            }
+            return false;
+        });
+        return std::move(*found);
+    }
+
+    fs::path folder_;
+    std::mutex mutex_;
+    std::condition_variable wake_;
+    std::vector<Outgoing> sent_;
+    std::unique_ptr<Session> session_;
+};
+
+TEST_F(StudioSession, Hello_IsAnsweredWithTheWholeShot) {
+    start();
+    const auto welcome = wait_for<Welcome>([](const Welcome&) { return true; });
+    EXPECT_EQ(welcome.shot, path("shot.yaml"));
+    const auto files = wait_for<Files>([](const Files&) { return true; });
+    EXPECT_EQ(files.files.front().name, "shot.yaml");
+    EXPECT_TRUE(files.files.front().writable);
+    const auto shot = wait_for<ShotState>([](const ShotState& state) { return state.v == 1; });
+    EXPECT_FALSE(shot.objects.empty());
+    EXPECT_FALSE(shot.cameras.empty());
+    EXPECT_FALSE(shot.places.empty());
+    const auto problems = wait_for<Problems>([](const Problems& all) { return all.complete; });
+    EXPECT_TRUE(problems.list.empty());
+    const auto scene = wait_for<SceneMeshes>([](const SceneMeshes&) { return true; });
+    EXPECT_TRUE(session_->find("/scene/" + scene.hash + ".glb"));
+    EXPECT_FALSE(session_->find("/scene/none.glb"));
+    EXPECT_TRUE(session_->find("/schema.json"));
+    const std::lock_guard lock(mutex_);
+    std::set<std::string> slots;
+    for (const Outgoing& message : sent_) {
+        if (message.binary) {
+            slots.insert(message.slot);
+        }
+    }
+    EXPECT_THAT(slots, testing::ElementsAre("cameras", "timeline"));
+}
+
+TEST_F(StudioSession, TextWithErrors_IsAnsweredWithItsProblems) {
+    start();
+    const std::string file = path("shot.yaml");
+    say(TextChange{7, file, "carom: 1\nnonsense: 1\n"});
+    const auto problems = wait_for<Problems>([](const Problems& all) { return all.v == 7; });
+    ASSERT_EQ(problems.list.size(), 1U);
+    EXPECT_EQ(problems.list.front().place.file, file);
+    EXPECT_EQ(problems.list.front().place.line, 2);
+}
+
+TEST_F(StudioSession, OnlyFilesOfTheShot_AreWritten) {
+    start();
+    say(TextChange{2, "/etc/passwd", ""});
+    EXPECT_EQ(wait_for<Failed>([](const Failed&) { return true; }).what, "text");
+    say(Save{"/etc/new.yaml", "", ""});
+    wait_for<Failed>([](const Failed& failed) { return failed.what == "save"; });
+    session_->received(1, "nonsense");
+    wait_for<Failed>([](const Failed& failed) { return failed.what == "message"; });
+}
+
+TEST_F(StudioSession, SaveOverAnotherText_IsRefused) {
+    start();
+    const std::string file = path("shot.yaml");
+    const auto files = wait_for<Files>([](const Files&) { return true; });
+    std::ofstream(file) << "other: 1\n";
+    say(Save{file, "carom: 1\n", files.files.front().hash});
+    const auto refused = wait_for<DiskChanged>([](const DiskChanged&) { return true; });
+    EXPECT_TRUE(refused.refused);
+    EXPECT_EQ(refused.text, "other: 1\n");
+    say(Save{file, "carom: 1\n", refused.hash});
+    wait_for<Saved>([](const Saved&) { return true; });
+    std::string text;
+    std::getline(std::ifstream(file), text);
+    EXPECT_EQ(text, "carom: 1");
+}
+
+TEST_F(StudioSession, AnotherShot_IsOpened) {
+    start();
+    fs::copy_file(CAROM_SOURCE_DIR "/examples/nine_ball_break.yaml", path("break.yaml"));
+    say(Open{path("break.yaml"), ""});
+    wait_for<ShotState>([](const ShotState& state) { return state.name == "break"; });
+}
+
+}  // namespace
+}  // namespace carom::studio
