@@ -1,0 +1,187 @@
+// Which texts are answered, which simulations are stopped, and which are not needed at all.
+#include "pipeline/studio/live_shot.h"
+
+#include <condition_variable>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "sim/bake.h"
+
+namespace carom::studio {
+namespace {
+
+const std::string kShot = CAROM_SOURCE_DIR "/examples/bank_shot.yaml";
+
+std::string read(const std::string& path) {
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    return text.str();
+}
+
+/// A live shot whose clock and simulation belong to the test.
+class LiveShotTest : public testing::Test {
+  protected:
+    LiveShotTest() {
+        LiveOptions options;
+        options.root = CAROM_SOURCE_DIR;
+        options.clock = [this] {
+            const std::lock_guard lock(mutex_);
+            return now_;
+        };
+        options.bake = [this](std::uint64_t most, const sim::WorldDescription& world,
+                              const WorkContext& context) { return bake(most, world, context); };
+        LiveOutput output;
+        output.text = [this](const ServerMessage& message) {
+            const std::lock_guard lock(mutex_);
+            if (const auto* problems = std::get_if<Problems>(&message)) {
+                (problems->complete ? complete_ : seen_) = problems->v;
+            } else if (const auto* deferred = std::get_if<Deferred>(&message)) {
+                deferred_ = deferred->reason;
+            }
+            wake_.notify_all();
+        };
+        output.binary = [](const BinaryHead&, const std::vector<double>&) {};
+        output.files = [](std::int64_t, const std::vector<pipeline::ReadFile>&) {};
+        output.answer = [this](const LiveAnswer& answer) {
+            const std::lock_guard lock(mutex_);
+            answered_.push_back(answer.v);
+            wake_.notify_all();
+        };
+        live_ = std::make_unique<LiveShot>(std::move(options), std::move(output));
+    }
+
+    std::optional<sim::Timeline> bake(std::uint64_t most, const sim::WorldDescription& world,
+                                      const WorkContext& context) {
+        const std::stop_callback stopping(context.stop, [this] {
+            const std::lock_guard lock(mutex_);
+            wake_.notify_all();
+        });
+        {
+            std::unique_lock lock(mutex_);
+            ++begun_;
+            wake_.notify_all();
+            wake_.wait(lock, [&] { return !holds_ || context.stop.stop_requested(); });
+            if (context.stop.stop_requested()) {
+                ++stopped_;
+                wake_.notify_all();
+                throw Stopped();
+            }
+            now_ += takes_;
+        }
+        return is_limited_ ? std::optional<sim::Timeline>() : sim::bake_within(most, world);
+    }
+
+    /// The text with another position of the cue ball, which changes the physics.
+    void offer(std::int64_t v, double x, int crf = 18) {
+        auto texts = std::make_shared<pipeline::config::OpenTexts>();
+        std::string& text = (*texts)[kShot] = read(kShot);
+        text.replace(text.find("crf: 18"), 7, "crf: " + std::to_string(crf));
+        text += "\nphysics: {gravity: [0, 0, " + std::to_string(-9.81 - x / 1000) + "]}\n";
+        live_->offer({v, kShot, texts});
+    }
+
+    void wait(const std::function<bool()>& condition) {
+        std::unique_lock lock(mutex_);
+        wake_.wait(lock, condition);
+    }
+
+    void set(const std::function<void()>& change) {
+        const std::lock_guard lock(mutex_);
+        change();
+        wake_.notify_all();
+    }
+
+    std::mutex mutex_;
+    std::condition_variable wake_;
+    double now_ = 0;
+    double takes_ = 0;
+    bool holds_ = false;
+    bool is_limited_ = false;
+    int begun_ = 0;
+    int stopped_ = 0;
+    std::int64_t seen_ = 0;
+    std::int64_t complete_ = 0;
+    std::string deferred_;
+    std::vector<std::int64_t> answered_;
+    std::unique_ptr<LiveShot> live_;
+};
+
+TEST_F(LiveShotTest, LastOfManyTexts_IsAnswered) {
+    for (int v = 1; v <= 200; ++v) {
+        offer(v, v);
+    }
+    wait([&] { return complete_ == 200; });
+    EXPECT_EQ(answered_.back(), 200);
+    EXPECT_TRUE(std::ranges::is_sorted(answered_));
+}
+
+TEST_F(LiveShotTest, EditOfTheLook_IsNotSimulated) {
+    offer(1, 0);
+    wait([&] { return complete_ == 1; });
+    offer(2, 0, 20);
+    wait([&] { return complete_ == 2; });
+    EXPECT_EQ(begun_, 1);
+    EXPECT_EQ(answered_, (std::vector<std::int64_t>{1, 2}));
+}
+
+TEST_F(LiveShotTest, SimulationIsStoppedOnce_ThenTheNextOneEnds) {
+    holds_ = true;
+    offer(1, 1);
+    wait([&] { return begun_ == 1; });
+    offer(2, 2);  // the simulation has not run for 0.1 s
+    EXPECT_EQ(stopped_, 0);
+    set([&] { now_ += 0.2; });
+    offer(3, 3);
+    wait([&] { return stopped_ == 1 && begun_ == 2; });
+    set([&] { now_ += 0.2; });
+    offer(4, 4);
+    offer(5, 5);
+    set([&] { holds_ = false; });
+    wait([&] { return complete_ == 5; });
+    EXPECT_EQ(stopped_, 1);
+    EXPECT_EQ(answered_, (std::vector<std::int64_t>{3, 5}));
+}
+
+TEST_F(LiveShotTest, SlowShot_WaitsForTheEndOfTheDrag) {
+    takes_ = 1;
+    offer(1, 1);
+    wait([&] { return complete_ == 1; });
+    live_->set_dragging(true);
+    offer(2, 2);
+    wait([&] { return deferred_ == "dragging"; });
+    EXPECT_EQ(begun_, 1);
+    live_->set_dragging(false);
+    wait([&] { return complete_ == 2; });
+    EXPECT_EQ(begun_, 2);
+}
+
+TEST_F(LiveShotTest, TooLongShot_WaitsForTheButton) {
+    is_limited_ = true;
+    offer(1, 1);
+    wait([&] { return complete_ == 1; });
+    EXPECT_EQ(deferred_, "limit");
+    offer(2, 1);
+    wait([&] { return complete_ == 2; });
+    EXPECT_EQ(begun_, 1);
+    set([&] { is_limited_ = false; });
+    live_->simulate();
+    wait([&] { return !answered_.empty(); });
+    EXPECT_EQ(answered_.front(), 2);
+}
+
+TEST_F(LiveShotTest, End_StopsTheSimulation) {
+    holds_ = true;
+    offer(1, 1);
+    wait([&] { return begun_ == 1; });
+    live_.reset();
+    EXPECT_EQ(stopped_, 1);
+    EXPECT_TRUE(answered_.empty());
+}
+
+}  // namespace
+}  // namespace carom::studio
