@@ -3,11 +3,14 @@
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readdirSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
+import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { build } from 'esbuild';
 
-const here = join(dirname(fileURLToPath(import.meta.url)), 'unit');
+const unit = dirname(fileURLToPath(import.meta.url));
+const packages = process.env.CAROM_NODE_MODULES || join(unit, '../node_modules');
+const { build } = createRequire(join(packages, 'x.js'))('esbuild');
+const here = join(unit, 'unit');
 const words = process.argv.slice(2);
 const tests = readdirSync(here)
     .filter((name) => name.endsWith('.test.ts') || name.endsWith('.test.tsx'))
@@ -18,6 +21,7 @@ try {
         entryPoints: tests.map((name) => join(here, name)),
         outdir: out,
         outExtension: { '.js': '.mjs' },
+        nodePaths: [packages],
         bundle: true,
         platform: 'node',
         format: 'esm',
