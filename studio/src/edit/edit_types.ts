@@ -1,0 +1,48 @@
+import type { KeyPath } from '../protocol';
+
+/// Values as carom's YAML has them: numbers in SI units (m, s, rad), texts, booleans, lists.
+export type Value = number | string | boolean | Value[];
+
+export interface Change {
+    path: KeyPath;
+    value: Value;
+    /// The step that the view resolves, in SI units: a number is not written finer than this.
+    precision?: number;
+}
+
+/// Something that the user can choose when an edit could mean several things.
+export interface Choice {
+    label: string;
+    apply(): void;
+}
+
+/// Where an edit went, or why it is not possible.
+export interface EditResult {
+    ok: boolean;
+    /// The file that was edited; empty if none was.
+    file: string;
+    /// A sentence to show: why the edit is not possible.
+    message: string;
+    /// What the user has been asked, if the edit could mean several things.
+    choices: Choice[];
+}
+
+/// A drag in progress. `update` types into the text outside of the history; `commit` turns all of
+/// it into one undo step; `cancel` restores the text as it was.
+export interface Gesture {
+    update(changes: Change[]): EditResult;
+    commit(label: string): void;
+    cancel(): void;
+}
+
+/// Where a value comes from: the shot's own file, a writable file that it includes, a file of
+/// carom's, an option of the command, or nowhere.
+export type Origin = 'shot' | 'include' | 'config' | 'set' | 'absent';
+
+/// One of the texts that a shot is made of.
+export interface SourceFile {
+    file: string;
+    name: string;
+    text: string;
+    writable: boolean;
+}
