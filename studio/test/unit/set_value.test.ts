@@ -37,6 +37,10 @@ test('SetNode_EachNumberOfEachFile_ChangesOnlyItsBytesAndReadsBack', () => {
             continue;
         }
         for (const { path, text: written } of numbersOf(tree.document.contents as Node | null)) {
+            const here = walk(tree, path).steps.at(-1)?.node;
+            if (!isScalar(here) || scalarText(here) !== written) {
+                continue;  // the second of two equal keys, which carom refuses
+            }
             const old = parseQuantity(written);
             assert.ok(old);
             const value = (old.value === 0 ? 1 : old.value * 1.37) + 0.125 * old.scale;
