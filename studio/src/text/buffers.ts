@@ -1,0 +1,189 @@
+/// The texts of the shot's files as they stand in the page, each with its own history, and one
+/// stack of undo steps over all of them.
+import { history, isolateHistory, redo, undo, undoDepth } from '@codemirror/commands';
+import { EditorState, Transaction, type ChangeSpec, type Extension } from '@codemirror/state';
+import type { EditorView } from '@codemirror/view';
+import { signal } from '@preact/signals';
+import type { OpenFile } from '../protocol';
+
+export interface Buffer {
+    file: string;
+    name: string;
+    writable: boolean;
+    /// Of the file on disk, when it was last read or saved.
+    hash: string;
+    savedText: string;
+    state: EditorState;
+}
+
+/// The open files, the shot first; a new array whenever a text or a file changes.
+export const buffers = signal<Buffer[]>([]);
+export const activeFile = signal('');
+
+type Listener = (file: string) => void;
+let view: EditorView | null = null;
+let extensions: (writable: boolean) => Extension = () => [];
+let onChange: Listener = () => undefined;
+/// The files that each step changed, the oldest first.
+const undoable: string[][] = [];
+const redoable: string[][] = [];
+let isTravelling = false;  // while a step is undone or redone
+let grouped: string[] | null = null;  // files of a step that changes several
+
+/// The extensions that every buffer has beside its history.
+export function setExtensions(make: (writable: boolean) => Extension): void {
+    extensions = make;
+}
+
+/// What is called with the file whenever a text changed.
+export function setChangeListener(listener: Listener): void {
+    onChange = listener;
+}
+
+/// The view that shows the active file; null: none does.
+export function attachView(shown: EditorView | null): void {
+    view = shown;
+}
+
+/// CRLF is kept if the whole file has it; a mixed file keeps its carriage returns as characters.
+function lineBreak(text: string): string {
+    return /\r\n/.test(text) && !/(^|[^\r])\n/.test(text) ? '\r\n' : '\n';
+}
+
+export function makeState(text: string, writable: boolean): EditorState {
+    return EditorState.create({
+        doc: text,
+        extensions: [
+            EditorState.lineSeparator.of(lineBreak(text)),
+            EditorState.readOnly.of(!writable),
+            history(),
+            extensions(writable),
+        ],
+    });
+}
+
+export function bufferOf(file: string): Buffer | undefined {
+    return buffers.value.find((buffer) => buffer.file === file);
+}
+
+/// The text of a buffer with the line breaks of its file.
+export function textOf(buffer: Buffer): string {
+    return buffer.state.sliceDoc();
+}
+
+export function isChanged(buffer: Buffer): boolean {
+    return textOf(buffer) !== buffer.savedText;
+}
+
+function remember(file: string): void {
+    redoable.length = 0;
+    if (!grouped) {
+        undoable.push([file]);
+    } else if (!grouped.includes(file)) {
+        grouped.push(file);
+    }
+}
+
+/// Takes note of a transaction that `file` has had.
+export function afterTransaction(file: string, transaction: Transaction): void {
+    const buffer = bufferOf(file);
+    if (!buffer) {
+        return;
+    }
+    buffer.state = transaction.state;
+    if (!transaction.docChanged) {
+        return;
+    }
+    if (!isTravelling && undoDepth(transaction.state) > undoDepth(transaction.startState)) {
+        remember(file);
+    }
+    buffers.value = [...buffers.value];
+    onChange(file);
+}
+
+/// Changes a text, whether it is shown or not.
+function dispatch(file: string, change: (state: EditorState) => Transaction): void {
+    const buffer = bufferOf(file);
+    if (!buffer) {
+        return;
+    }
+    if (view && activeFile.value === file) {
+        view.dispatch(change(view.state));
+    } else {
+        afterTransaction(file, change(buffer.state));
+    }
+}
+
+/// Types into a text outside of the history.
+export function typeOutside(file: string, changes: ChangeSpec): void {
+    dispatch(file, (state) => state.update({
+        changes, annotations: Transaction.addToHistory.of(false), userEvent: 'move.drag',
+    }));
+}
+
+/// Changes texts as one step of undo.
+export function typeStep(changes: { file: string; changes: ChangeSpec }[]): void {
+    grouped = [];
+    for (const one of changes) {
+        dispatch(one.file, (state) => state.update({
+            changes: one.changes, annotations: isolateHistory.of('full'), userEvent: 'input',
+            scrollIntoView: false,
+        }));
+    }
+    if (grouped.length > 0) {
+        undoable.push(grouped);
+    }
+    grouped = null;
+}
+
+/// Undoes (or redoes) the last step of any file. Returns whether there was one.
+export function travel(back: boolean): boolean {
+    const files = (back ? undoable : redoable).pop();
+    if (!files) {
+        return false;
+    }
+    isTravelling = true;
+    try {
+        for (const file of files) {
+            const buffer = bufferOf(file);
+            const shown = view && activeFile.value === file ? view : null;
+            const state = shown?.state ?? buffer?.state;
+            if (state) {
+                (back ? undo : redo)({
+                    state,
+                    dispatch: (transaction) => shown
+                        ? shown.dispatch(transaction) : afterTransaction(file, transaction),
+                });
+            }
+        }
+    } finally {
+        isTravelling = false;
+    }
+    (back ? redoable : undoable).push(files);
+    return true;
+}
+
+/// Takes over what the server told: new files get a buffer, files that the page has not changed
+/// take the server's text, and changed ones keep theirs. Returns the files that keep theirs.
+export function takeFiles(files: readonly OpenFile[]): string[] {
+    const kept: string[] = [];
+    buffers.value = files.map((file) => {
+        const known = bufferOf(file.file);
+        if (known && isChanged(known) && textOf(known) !== file.text) {
+            kept.push(file.file);
+            return known;
+        }
+        if (known && textOf(known) === file.text) {
+            known.hash = file.hash;
+            return known;
+        }
+        const savedText = file.changed ? '' : file.text;
+        const state = makeState(file.text, file.writable);
+        return { file: file.file, name: file.name, writable: file.writable, hash: file.hash,
+            savedText, state };
+    });
+    if (!bufferOf(activeFile.value)) {
+        activeFile.value = files[0]?.file ?? '';
+    }
+    return kept;
+}
