@@ -1,0 +1,78 @@
+import {
+    CircleHelp, Clapperboard, Moon, PanelLeft, PanelRight, Redo2, Save, Sun, TriangleAlert, Undo2,
+    type LucideIcon,
+} from 'lucide-preact';
+import { lookThrough, panel, problems, shot, theme, welcome } from '../state/state';
+import { buffers, isChanged, travel } from '../text/buffers';
+import { saveAll } from '../text/saving';
+import { outlineArea, textArea, toggle } from './layout';
+import { switchTheme } from './theme';
+
+interface ToolProperties {
+    icon: LucideIcon;
+    label: string;
+    onClick(): void;
+    isPressed?: boolean;
+    isDisabled?: boolean;
+    text?: string;
+}
+
+function Tool({ icon: Icon, label, onClick, isPressed, isDisabled, text }: ToolProperties) {
+    return (
+        <button class="tool" title={label} aria-label={label} aria-pressed={isPressed}
+            disabled={isDisabled} onClick={onClick}>
+            <Icon size={17} strokeWidth={1.75} aria-hidden="true" />
+            {text ? <span>{text}</span> : null}
+        </button>
+    );
+}
+
+function togglePanel(name: string): void {
+    panel.value = panel.value === name ? null : name;
+}
+
+function CameraChoice() {
+    const cameras = shot.value?.cameras ?? [];
+    return (
+        <select class="choice" aria-label="View" value={lookThrough.value ?? ''}
+            onChange={(event) => { lookThrough.value = event.currentTarget.value || null; }}>
+            <option value="">Free view</option>
+            {cameras.map(({ name }) => <option key={name} value={name}>Camera {name}</option>)}
+        </select>
+    );
+}
+
+/// The line of tools above everything.
+export function Toolbar() {
+    const name = shot.value?.name ?? buffers.value[0]?.name ?? 'carom studio';
+    const isDirty = buffers.value.some((buffer) => buffer.writable && isChanged(buffer));
+    const count = problems.value?.list.length ?? 0;
+    const isDark = theme.value !== 'light';
+    return (
+        <header class="toolbar">
+            <Tool icon={PanelLeft} label="Outline" isPressed={outlineArea.size.value > 0}
+                onClick={() => toggle(outlineArea)} />
+            <h1 title={welcome.value?.shot}>{name}</h1>
+            {isDirty ? <span class="dirty" title="There are unsaved changes" /> : null}
+            <div class="group">
+                <Tool icon={Undo2} label="Undo (Ctrl+Z)" onClick={() => travel(true)} />
+                <Tool icon={Redo2} label="Redo (Ctrl+Y)" onClick={() => travel(false)} />
+                <Tool icon={Save} label="Save (Ctrl+S)" isDisabled={!isDirty} onClick={saveAll} />
+            </div>
+            <div class="spring" />
+            <CameraChoice />
+            <div class="spring" />
+            <div class="group">
+                <Tool icon={TriangleAlert} label="Problems" text={count > 0 ? String(count) : ''}
+                    isPressed={panel.value === 'problems'} onClick={() => togglePanel('problems')} />
+                <Tool icon={Clapperboard} label="Films" text="Render"
+                    isPressed={panel.value === 'films'} onClick={() => togglePanel('films')} />
+                <Tool icon={isDark ? Sun : Moon} label="Dark or light" onClick={switchTheme} />
+                <Tool icon={CircleHelp} label="Keys (?)" isPressed={panel.value === 'keys'}
+                    onClick={() => togglePanel('keys')} />
+                <Tool icon={PanelRight} label="Text" isPressed={textArea.size.value > 0}
+                    onClick={() => toggle(textArea)} />
+            </div>
+        </header>
+    );
+}

@@ -1,0 +1,35 @@
+/// Sizes of the page's areas in pixels, remembered by the browser; 0: folded away.
+import { signal, type Signal } from '@preact/signals';
+
+interface Area {
+    name: string;
+    least: number;
+    most: number;
+    size: Signal<number>;
+    /// The size before it was folded away.
+    usual: number;
+}
+
+function makeArea(name: string, usual: number, least: number, most: number): Area {
+    const stored = Number(localStorage.getItem(`carom.size.${name}`) ?? NaN);
+    const size = signal(Number.isFinite(stored) ? stored : usual);
+    size.subscribe((value) => localStorage.setItem(`carom.size.${name}`, String(value)));
+    return { name, least, most, size, usual };
+}
+
+export type { Area };
+export const outlineArea = makeArea('outline', 220, 150, 420);
+export const textArea = makeArea('text', Math.min(540, Math.round(innerWidth * 0.34)), 260, 1000);
+export const stripArea = makeArea('strip', 190, 110, 480);
+export const inspectorArea = makeArea('inspector', 280, 120, 700);
+
+/// Gives an area a size; below half of its least size it is folded away.
+export function resize(area: Area, size: number): void {
+    area.size.value = size < area.least / 2
+        ? 0 : Math.max(area.least, Math.min(area.most, Math.round(size)));
+}
+
+/// Folds an area away, or unfolds it.
+export function toggle(area: Area): void {
+    area.size.value = area.size.value === 0 ? area.usual : 0;
+}

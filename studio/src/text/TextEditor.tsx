@@ -1,0 +1,115 @@
+/// The text editor: one tab for each file of the shot.
+import { autocompletion } from '@codemirror/autocomplete';
+import { defaultKeymap, indentWithTab } from '@codemirror/commands';
+import { yaml } from '@codemirror/lang-yaml';
+import { bracketMatching, indentOnInput } from '@codemirror/language';
+import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
+import { highlightSelectionMatches, searchKeymap } from '@codemirror/search';
+import {
+    drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers,
+} from '@codemirror/view';
+import { effect } from '@preact/signals';
+import { Lock } from 'lucide-preact';
+import { useEffect, useRef } from 'preact/hooks';
+import { problems } from '../state/state';
+import {
+    activeFile, afterTransaction, attachView, buffers, isChanged, setChangeListener,
+    setExtensions, travel, type Buffer,
+} from './buffers';
+import { yamlLook } from './highlight';
+import { marksOf } from './problem_marks';
+import { saveAll } from './saving';
+import { sendSoon } from './sending';
+import { setShownView } from './show';
+import './text.css';
+
+const nonce = () =>
+    document.querySelector('meta[name="csp-nonce"]')?.getAttribute('content') ?? '';
+
+const keys = keymap.of([
+    { key: 'Mod-z', run: () => travel(true), preventDefault: true },
+    { key: 'Mod-y', run: () => travel(false), preventDefault: true },
+    { key: 'Mod-Shift-z', run: () => travel(false), preventDefault: true },
+    { key: 'Mod-s', run: () => (saveAll(), true), preventDefault: true },
+    ...searchKeymap, ...lintKeymap, ...defaultKeymap, indentWithTab,
+]);
+
+setExtensions(() => [
+    EditorView.cspNonce.of(nonce()),
+    lineNumbers(), highlightActiveLine(), highlightActiveLineGutter(), drawSelection(),
+    highlightSelectionMatches(), bracketMatching(), indentOnInput(), lintGutter(),
+    autocompletion(), yaml(), yamlLook, keys,
+    EditorView.contentAttributes.of({ 'aria-label': 'Text of the shot' }),
+]);
+setChangeListener(sendSoon);
+
+/// Makes the view, and keeps it at the active file and its problems. Returns what ends this.
+function openView(parent: HTMLElement): () => void {
+    const view = new EditorView({
+        parent,
+        dispatchTransactions: (transactions, shown) => {
+            shown.update(transactions);
+            for (const transaction of transactions) {
+                afterTransaction(activeFile.value, transaction);
+            }
+        },
+    });
+    attachView(view);
+    setShownView(view);
+    let shown: Buffer | undefined;
+    const stopFile = effect(() => {
+        const buffer = buffers.value.find(({ file }) => file === activeFile.value);
+        if (buffer && buffer !== shown) {
+            shown = buffer;
+            view.setState(buffer.state);
+        }
+    });
+    const stopProblems = effect(() => {
+        const list = problems.value?.list ?? [];
+        const active = activeFile.value;
+        const buffer = buffers.peek().find(({ file }) => file === active);
+        if (buffer) {
+            view.dispatch(setDiagnostics(view.state, marksOf(view.state.doc, buffer.file, list)));
+        }
+    });
+    return () => {
+        stopFile();
+        stopProblems();
+        attachView(null);
+        setShownView(null);
+        view.destroy();
+    };
+}
+
+function Tabs() {
+    return (
+        <div class="tabs" role="tablist" aria-label="Files of the shot">
+            {buffers.value.map((buffer) => (
+                <button
+                    key={buffer.file}
+                    role="tab"
+                    class="tab"
+                    aria-selected={buffer.file === activeFile.value}
+                    title={buffer.writable ? buffer.file : `${buffer.file} (read-only)`}
+                    onClick={() => { activeFile.value = buffer.file; }}
+                >
+                    {buffer.writable ? null : <Lock size={12} aria-label="read-only" />}
+                    {buffer.name.slice(buffer.name.lastIndexOf('/') + 1)}
+                    {buffer.writable && isChanged(buffer) ? <span class="dot" title="not saved" /> : null}
+                </button>
+            ))}
+        </div>
+    );
+}
+
+/// The editor with its tabs; fills its parent.
+export function TextEditor() {
+    const parent = useRef<HTMLDivElement>(null);
+    useEffect(() => (parent.current ? openView(parent.current) : undefined), []);
+    return (
+        <section class="text" aria-label="Text">
+            <Tabs />
+            <div class="text-view" ref={parent} />
+        </section>
+    );
+}

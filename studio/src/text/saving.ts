@@ -1,0 +1,50 @@
+/// Saves the changed files. The server refuses a file that changed on disk meanwhile.
+import { onMessage } from '../connection/receive';
+import { send } from '../connection/socket';
+import { files, notice } from '../state/state';
+import { bufferOf, buffers, isChanged, takeFiles, textOf } from './buffers';
+import { sendSoon } from './sending';
+
+/// The texts that are being written, by file.
+const underWay = new Map<string, string>();
+
+/// Asks the server to write every changed file.
+export function saveAll(): void {
+    for (const buffer of buffers.value.filter((one) => one.writable && isChanged(one))) {
+        const text = textOf(buffer);
+        const asked = send('save',
+            { file: buffer.file, text, base_hash: buffer.hash, force: false });
+        if (asked) {
+            underWay.set(buffer.file, text);
+        } else {
+            notice.value = { kind: 'error', text: 'There is no connection: nothing was saved.' };
+        }
+    }
+}
+
+/// Takes over what the server says about files; to be called once.
+export function watchFiles(): void {
+    files.subscribe((list) => {
+        for (const file of takeFiles(list)) {
+            sendSoon(file);
+        }
+    });
+    onMessage('saved', ({ file, hash }) => {
+        const buffer = bufferOf(file);
+        if (buffer) {
+            buffer.hash = hash;
+            buffer.savedText = underWay.get(file) ?? buffer.savedText;
+            buffers.value = [...buffers.value];
+            notice.value = { kind: 'info', text: `${buffer.name} is saved.` };
+        }
+    });
+    onMessage('disk_changed', ({ file }) => {
+        const name = bufferOf(file)?.name ?? file;
+        notice.value = {
+            kind: 'error', text: `${name} changed on disk. It was not written over.`,
+        };
+    });
+    onMessage('failed', ({ message }) => {
+        notice.value = { kind: 'error', text: message };
+    });
+}
