@@ -1,18 +1,29 @@
 import { render } from 'preact';
 import { connect } from './connection/socket';
-import { cancelGesture } from './edit/edit';
+import * as edit from './edit/edit';
 import { Shell } from './shell/Shell';
 import { watchTheme } from './shell/theme';
 import { listenToKeys, onCommand } from './state/keys';
 import { exposeStudio } from './state/studio';
-import { travel } from './text/buffers';
+import { activeFile, bufferOf, textOf, travel, typeStep } from './text/buffers';
 import { saveAll, watchFiles } from './text/saving';
 import { watchAnswers } from './text/sending';
 import './style/main.css';
 
+/// The text of the shown tab, for tests.
+function activeText(): string {
+    const buffer = bufferOf(activeFile.value);
+    return buffer ? textOf(buffer) : '';
+}
+
 const app = document.getElementById('app');
 if (app) {
     exposeStudio();
+    window.studio['edit'] = {
+        ...edit, travel, text: activeText,
+        type: (from: number, to: number, insert: string) =>
+            typeStep([{ file: activeFile.value, changes: { from, to, insert } }]),
+    };
     watchTheme();
     watchFiles();
     watchAnswers();
@@ -20,7 +31,7 @@ if (app) {
     onCommand('save', saveAll);
     onCommand('undo', () => { travel(true); });
     onCommand('redo', () => { travel(false); });
-    onCommand('cancel', () => { cancelGesture(); });
+    onCommand('cancel', () => { edit.cancelGesture(); });
     render(<Shell />, app);
     connect();
 }

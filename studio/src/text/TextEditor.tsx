@@ -13,7 +13,7 @@ import { Lock } from 'lucide-preact';
 import { useEffect, useRef } from 'preact/hooks';
 import { problems } from '../state/state';
 import {
-    activeFile, afterTransaction, attachView, buffers, isChanged, setChangeListener,
+    activeFile, afterTransaction, attachView, buffers, isChanged, makeState, setChangeListener,
     setExtensions, travel, type Buffer,
 } from './buffers';
 import { yamlLook } from './highlight';
@@ -45,33 +45,35 @@ setChangeListener(sendSoon);
 
 /// Makes the view, and keeps it at the active file and its problems. Returns what ends this.
 function openView(parent: HTMLElement): () => void {
+    let shown: Buffer | undefined;
     const view = new EditorView({
         parent,
-        dispatchTransactions: (transactions, shown) => {
-            shown.update(transactions);
+        state: makeState('', false),  // with the nonce from the start
+        dispatchTransactions: (transactions, target) => {
+            target.update(transactions);
             for (const transaction of transactions) {
-                afterTransaction(activeFile.value, transaction);
+                afterTransaction(shown?.file ?? '', transaction);
             }
         },
     });
     attachView(view);
     setShownView(view);
-    let shown: Buffer | undefined;
+    const mark = () => {
+        const list = problems.peek()?.list ?? [];
+        if (shown) {
+            const marks = marksOf(view.state.doc, shown.file, list);
+            view.dispatch(setDiagnostics(view.state, marks));
+        }
+    };
     const stopFile = effect(() => {
         const buffer = buffers.value.find(({ file }) => file === activeFile.value);
         if (buffer && buffer !== shown) {
             shown = buffer;
             view.setState(buffer.state);
+            mark();
         }
     });
-    const stopProblems = effect(() => {
-        const list = problems.value?.list ?? [];
-        const active = activeFile.value;
-        const buffer = buffers.peek().find(({ file }) => file === active);
-        if (buffer) {
-            view.dispatch(setDiagnostics(view.state, marksOf(view.state.doc, buffer.file, list)));
-        }
-    });
+    const stopProblems = problems.subscribe(mark);
     return () => {
         stopFile();
         stopProblems();

@@ -107,7 +107,7 @@ function dispatch(file: string, change: (state: EditorState) => Transaction): vo
     if (!buffer) {
         return;
     }
-    if (view && activeFile.value === file) {
+    if (view && view.state === buffer.state) {
         view.dispatch(change(view.state));
     } else {
         afterTransaction(file, change(buffer.state));
@@ -146,7 +146,7 @@ export function travel(back: boolean): boolean {
     try {
         for (const file of files) {
             const buffer = bufferOf(file);
-            const shown = view && activeFile.value === file ? view : null;
+            const shown = view && view.state === buffer?.state ? view : null;
             const state = shown?.state ?? buffer?.state;
             if (state) {
                 (back ? undo : redo)({
