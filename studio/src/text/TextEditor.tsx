@@ -70,6 +70,7 @@ function openView(parent: HTMLElement): () => void {
         if (buffer && buffer !== shown) {
             shown = buffer;
             view.setState(buffer.state);
+            view.scrollDOM.scrollTo(0, 0);
             mark();
         }
     });

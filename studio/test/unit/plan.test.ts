@@ -1,0 +1,81 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import type { SourceFile, Value } from '../../src/edit/edit_types';
+import {
+    planEntry, planInsert, planRemove, planSet, Undecided, type Decisions, type FileEdits,
+} from '../../src/edit/plan';
+import { applyEdits } from '../../src/edit/text_edit';
+
+function files(shot: string, config = '', writable = false): SourceFile[] {
+    return [
+        { file: '/shots/a.yaml', name: 'a.yaml', text: shot, writable: true },
+        { file: '/carom/configs/x.yaml', name: 'x.yaml', text: config, writable },
+    ];
+}
+
+function made({ file, edits }: FileEdits): string {
+    return `${file.name}\n${applyEdits(file.text, edits)}`;
+}
+
+function set(all: SourceFile[], path: string, value: Value, decisions: Decisions = {}): string {
+    return made(planSet(all, path.split('.'), value, { unit: '' }, decisions));
+}
+
+test('PlanSet_AbsentKeys_AreTheSmallestAddition', () => {
+    assert.equal(set(files('balls:\n  cue: {at: [0, 1]}  # c\n'), 'balls.cue.spin', 2),
+        'a.yaml\nballs:\n  cue: {at: [0, 1], spin: 2}  # c\n');
+    assert.equal(set(files('balls:\n  cue: {at: [0, 1]}  # c\n'), 'balls.nine.at', [1, 2]),
+        'a.yaml\nballs:\n  cue: {at: [0, 1]}  # c\n  nine: {at: [1, 2]}\n');
+    assert.equal(set(files('carom: 1\n\nrack: {}\n\ncameras: []\n'), 'balls.nine.at', [1, 2]),
+        'a.yaml\ncarom: 1\n\nrack: {}\n\nballs:\n  nine: {at: [1, 2]}\n\ncameras: []\n');
+    assert.equal(set(files('balls:\nrender: {}\n'), 'balls.nine.at', [1, 2]),
+        'a.yaml\nballs:\n  nine: {at: [1, 2]}\nrender: {}\n');
+    assert.equal(set(files('render: {}\n'), 'render.fps', 24), 'a.yaml\nrender: {fps: 24}\n');
+});
+
+test('PlanSet_ValueOfAnInclude_IsLaidOverInTheShot', () => {
+    const all = files('include: x.yaml\n', 'rack: {gap: 1 mm}\nlist: [{a: 1}, {a: 2}]\n');
+    assert.equal(set(all, 'rack.gap', 2), 'a.yaml\ninclude: x.yaml\nrack: {gap: 2}\n');
+    assert.throws(() => set(all, 'list.1.a', 3), Undecided);
+    assert.equal(set(all, 'list.1.a', 3, { takenLists: new Set(['list']) }),
+        'a.yaml\ninclude: x.yaml\nlist: [{a: 1}, {a: 3}]\n');
+    const own = files('include: x.yaml\n', 'list: [{a: 1}, {a: 2}]\n', true);
+    assert.equal(set(own, 'list.1.a', 3), 'x.yaml\nlist: [{a: 1}, {a: 3}]\n');
+});
+
+test('PlanSet_Rig_IsChangedBesideItsInclude', () => {
+    const all = files('cameras:\n  - {include: x.yaml, video: [0, 1]}\n',
+        'cameras:\n  - name: o\n    fov: 46 deg\n');
+    assert.equal(set(all, 'cameras.0.fov', 1),
+        'a.yaml\ncameras:\n  - {include: x.yaml, video: [0, 1], fov: 1}\n');
+});
+
+test('PlanSet_Alias_AsksThenChangesTheAnchorOrCopies', () => {
+    const all = files('a: &n {b: 1, c: 2}\nd: *n\n');
+    assert.throws(() => set(all, 'd.b', 3), Undecided);
+    assert.equal(set(all, 'd.b', 3, { aliases: new Map([['n', 'anchor']]) }),
+        'a.yaml\na: &n {b: 3, c: 2}\nd: *n\n');
+    assert.equal(set(all, 'd.b', 3, { aliases: new Map([['n', 'copy']]) }),
+        'a.yaml\na: &n {b: 1, c: 2}\nd: {b: 3, c: 2}\n');
+});
+
+test('PlanRemove_Entries_TakesTheirLinesOrComma', () => {
+    const text = 'balls:\n  cue: {at: [0, 1], spin: 2}  # c\n  one: {at: [1, 1]}\nrender: {}\n';
+    const remove = (path: string) => made(planRemove(files(text), path.split('.')));
+    assert.equal(remove('balls.one'),
+        'a.yaml\nballs:\n  cue: {at: [0, 1], spin: 2}  # c\nrender: {}\n');
+    assert.equal(remove('balls.cue.spin'), `a.yaml\n${text.replace(', spin: 2', '')}`);
+    assert.equal(remove('balls.cue.at'), `a.yaml\n${text.replace('at: [0, 1], ', '')}`);
+});
+
+test('PlanInsert_Items_KeepTheIndent', () => {
+    const text = 'events:\n  - strike: {ball: cue}\n  - force: {}\n';
+    const insert = (index: number) =>
+        made(planInsert(files(text), ['events'], index, 'impulse:\n  on: one'));
+    const item = '  - impulse:\n      on: one\n';
+    assert.equal(insert(0), `a.yaml\nevents:\n${item}  - strike: {ball: cue}\n  - force: {}\n`);
+    assert.equal(insert(1), `a.yaml\nevents:\n  - strike: {ball: cue}\n${item}  - force: {}\n`);
+    assert.equal(insert(2), `a.yaml\n${text}${item}`);
+    assert.equal(made(planEntry(files('balls:\n  a: {}\n'), ['balls'], 'b', '{at: [0, 0]}')),
+        'a.yaml\nballs:\n  a: {}\n  b: {at: [0, 0]}\n');
+});
