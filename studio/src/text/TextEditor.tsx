@@ -16,6 +16,7 @@ import {
     activeFile, afterTransaction, attachView, buffers, isChanged, makeState, setChangeListener,
     setExtensions, travel, type Buffer,
 } from './buffers';
+import { selectAtCursor, showSelection } from './follow_selection';
 import { yamlLook } from './highlight';
 import { marksOf } from './problem_marks';
 import { saveAll } from './saving';
@@ -38,7 +39,7 @@ setExtensions(() => [
     EditorView.cspNonce.of(nonce()),
     lineNumbers(), highlightActiveLine(), highlightActiveLineGutter(), drawSelection(),
     highlightSelectionMatches(), bracketMatching(), indentOnInput(), lintGutter(),
-    autocompletion(), yaml(), yamlLook, keys,
+    autocompletion(), yaml(), yamlLook, keys, selectAtCursor,
     EditorView.contentAttributes.of({ 'aria-label': 'Text of the shot' }),
 ]);
 setChangeListener(sendSoon);
@@ -75,8 +76,10 @@ function openView(parent: HTMLElement): () => void {
         }
     });
     const stopProblems = problems.subscribe(mark);
+    const stopSelection = showSelection(view);
     return () => {
         stopFile();
+        stopSelection();
         stopProblems();
         attachView(null);
         setShownView(null);
