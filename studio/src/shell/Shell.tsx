@@ -2,6 +2,7 @@ import { Inspector } from '../inspector/Inspector';
 import { Outline } from '../outline/Outline';
 import { connection, notice } from '../state/state';
 import { TimeStrip } from '../strip/TimeStrip';
+import { activeFile, bufferOf, textOf } from '../text/buffers';
 import { TextEditor } from '../text/TextEditor';
 import { View } from '../view/View';
 import { inspectorArea, outlineArea, stripArea, textArea } from './layout';
@@ -11,10 +12,22 @@ import './shell.css';
 
 const kConnection = { connecting: 'connecting', open: 'connected', lost: 'connection lost' };
 
+/// Puts the shown text on the clipboard, for when the server is gone.
+function copyText(): void {
+    const buffer = bufferOf(activeFile.value);
+    if (buffer) {
+        void navigator.clipboard.writeText(textOf(buffer)).then(() => {
+            notice.value = { kind: 'info', text: `The text of ${buffer.name} is copied.` };
+        });
+    }
+}
+
 function Status() {
     return (
         <footer class="status" role="status">
             <span class={notice.value?.kind === 'error' ? 'error' : ''}>{notice.value?.text}</span>
+            {connection.value === 'lost'
+                ? <button class="link" onClick={copyText}>Copy text</button> : null}
             <span class={connection.value}>{kConnection[connection.value]}</span>
         </footer>
     );
