@@ -1,0 +1,96 @@
+/// The meshes of the shot: the .glb of the server, whose nodes are posed by ShotState and timeline.
+import {
+    Group, Light, Mesh, MeshLambertMaterial, MeshStandardMaterial,
+} from 'three';
+import type { Material, Object3D } from 'three';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import type { Track } from '../motion/track';
+import type { ShotState, Triple, Turn } from '../protocol';
+
+/// The same colour without reflections, for pictures that the processor draws.
+function simpler(material: Material): Material {
+    if (!(material instanceof MeshStandardMaterial)) {
+        return material;
+    }
+    const { color, emissive, emissiveIntensity, side } = material;
+    return new MeshLambertMaterial({ color, emissive, emissiveIntensity, side });
+}
+
+/// Releases what the graphics card holds of it.
+function release(object: Object3D): void {
+    object.traverse((part) => {
+        if (part instanceof Mesh) {
+            part.geometry.dispose();
+            for (const material of [part.material].flat()) {
+                material.dispose();
+            }
+        }
+    });
+}
+
+export class SceneMeshes {
+    /// In world axes: the file's Y axis points up, the world's Z axis.
+    readonly group = new Group();
+    private readonly nodes = new Map<string, Object3D>();
+    private hash: string | null = null;
+
+    constructor(private readonly isFast: boolean) {
+        this.group.rotation.x = Math.PI / 2;
+    }
+
+    /// Loads the meshes of that name in place of those shown. Resolves to whether they are shown: a
+    /// later call wins. Rejects if the file cannot be read.
+    async load(hash: string): Promise<boolean> {
+        this.hash = hash;
+        const { scene } = await new GLTFLoader().loadAsync(`/scene/${hash}.glb`);
+        if (this.hash !== hash) {
+            release(scene);
+            return false;
+        }
+        release(this.group);
+        this.group.clear();
+        this.nodes.clear();
+        for (const node of [...scene.children]) {
+            this.adopt(node);
+        }
+        return true;
+    }
+
+    /// The object of that name, or undefined.
+    node(name: string): Object3D | undefined {
+        return this.nodes.get(name);
+    }
+
+    /// Puts every object where it is at a scene time.
+    pose(shot: ShotState, tracks: ReadonlyMap<string, Track>, time: number): void {
+        for (const object of shot.objects) {
+            const node = this.nodes.get(object.name);
+            const track = object.moves ? tracks.get(object.name) : undefined;
+            if (node) {
+                place(node, track?.position(time) ?? object.position,
+                    track?.orientation(time) ?? object.orientation);
+            }
+        }
+    }
+
+    private adopt(node: Object3D): void {
+        // The loader changes names that it cannot use in paths, and keeps the file's in userData.
+        const name: unknown = node.userData['name'];
+        this.nodes.set(typeof name === 'string' ? name : node.name, node);
+        node.traverse((part) => {
+            if (part instanceof Light) {
+                part.visible = false; // its watts are meant for the renderer
+            } else if (part instanceof Mesh && this.isFast) {
+                part.material = Array.isArray(part.material)
+                    ? part.material.map(simpler) : simpler(part.material as Material);
+            }
+        });
+        this.group.add(node);
+    }
+}
+
+/// From the world's axes to the file's: (x, y, z) is (x, z, -y) there.
+function place(node: Object3D, position: Triple, orientation: Turn): void {
+    node.position.set(position[0], position[2], -position[1]);
+    node.quaternion.set(orientation[1], orientation[3], -orientation[2], orientation[0]);
+}

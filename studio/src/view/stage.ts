@@ -1,0 +1,168 @@
+/// What the view draws, and from where: follows the signals of src/state.
+import { effect } from '@preact/signals';
+import {
+    Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Raycaster, Scene, Vector2,
+} from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { cameraAxes } from '../motion/camera';
+import { framesOfCameras, tracks } from '../motion/clock';
+import {
+    filmTime, isStale, lookThrough, meshes, sceneTime, selection, shot,
+} from '../state/state';
+import { Drawing } from './drawing';
+import { SceneMeshes } from './scene_meshes';
+import { Trails } from './trails';
+
+const kClickDistance = 4; // CSS pixels; a longer way is a drag
+
+/// Everything drawn on one canvas.
+export class Stage {
+    /// Null if the browser has no WebGL.
+    static on(canvas: HTMLCanvasElement): Stage | null {
+        const scene = new Scene();
+        const camera = new PerspectiveCamera(40, 1, 0.01, 200);
+        const drawing = Drawing.on(canvas, scene, camera);
+        return drawing && new Stage(canvas, drawing, scene, camera);
+    }
+
+    private readonly free = new PerspectiveCamera(40, 1, 0.01, 200);
+    private readonly trails = new Trails();
+    private readonly meshes: SceneMeshes;
+    private readonly orbit: OrbitControls;
+    private readonly ends: (() => void)[] = [];
+    private height = 1;
+
+    private constructor(
+        private readonly canvas: HTMLCanvasElement, readonly drawing: Drawing,
+        private readonly scene: Scene, private readonly camera: PerspectiveCamera,
+    ) {
+        this.meshes = new SceneMeshes(drawing.isFast);
+        this.free.up.set(0, 0, 1);
+        this.free.position.set(-0.6, -2.6, 1.7);
+        this.orbit = new OrbitControls(this.free, canvas);
+        this.orbit.zoomToCursor = true;
+        this.orbit.addEventListener('change', () => this.aim());
+        const lamp = new DirectionalLight(0xffffff, 1.6);
+        lamp.position.set(0.4, -0.8, 2);
+        scene.add(new HemisphereLight(0xffffff, 0x404840, 1.8), lamp);
+        scene.add(this.meshes.group, this.trails.lines);
+        this.follow();
+        this.listen();
+    }
+
+    /// Sizes in CSS pixels.
+    resize(width: number, height: number): void {
+        this.height = Math.max(1, height);
+        this.free.aspect = Math.max(1, width) / this.height;
+        this.drawing.resize(width, this.height);
+        this.aim();
+    }
+
+    dispose(): void {
+        this.ends.forEach((end) => end());
+        this.orbit.dispose();
+        this.drawing.dispose();
+    }
+
+    private follow(): void {
+        this.ends.push(
+            effect(() => this.load(meshes.value)),
+            effect(() => {
+                this.trails.update(shot.value?.objects ?? [], tracks.value);
+                this.drawing.ask();
+            }),
+            effect(() => {
+                this.trails.setStale(isStale.value);
+                this.drawing.ask();
+            }),
+            effect(() => {
+                if (shot.value) {
+                    this.meshes.pose(shot.value, tracks.value, sceneTime.value);
+                }
+                this.drawing.ask();
+            }),
+            effect(() => {
+                void [filmTime.value, lookThrough.value, framesOfCameras.value];
+                this.aim();
+            }),
+        );
+    }
+
+    private load(hash: string | null): void {
+        if (hash === null) {
+            return;
+        }
+        this.meshes.load(hash).then((isShown) => {
+            const state = shot.peek();
+            if (isShown && state) {
+                this.meshes.pose(state, tracks.peek(), sceneTime.peek());
+            }
+            this.drawing.ask();
+        }, (error: unknown) => console.error(error));
+    }
+
+    /// Looks from where the free view or the chosen camera is.
+    private aim(): void {
+        const name = lookThrough.peek();
+        const index = shot.peek()?.cameras.findIndex((camera) => camera.name === name) ?? -1;
+        const pose = framesOfCameras.peek()[index]?.poseAt(filmTime.peek());
+        this.orbit.enabled = !pose;
+        if (pose) {
+            const { right, up, back } = cameraAxes(pose);
+            this.camera.matrix.set(
+                right[0], up[0], back[0], 0, right[1], up[1], back[1], 0,
+                right[2], up[2], back[2], 0, 0, 0, 0, 1);
+            this.camera.quaternion.setFromRotationMatrix(this.camera.matrix);
+            this.camera.position.set(...pose.position);
+            this.camera.fov = (pose.verticalFov * 180) / Math.PI;
+        } else {
+            this.camera.position.copy(this.free.position);
+            this.camera.quaternion.copy(this.free.quaternion);
+            this.camera.fov = this.free.fov;
+        }
+        this.camera.aspect = this.free.aspect;
+        this.camera.updateProjectionMatrix();
+        this.drawing.ask();
+    }
+
+    private listen(): void {
+        let start: [number, number] | null = null;
+        const down = (event: PointerEvent) => {
+            start = event.button === 0 ? [event.clientX, event.clientY] : null;
+        };
+        const up = (event: PointerEvent) => {
+            const way = start ? Math.hypot(event.clientX - start[0], event.clientY - start[1])
+                : Infinity;
+            if (way < kClickDistance) {
+                this.select(event);
+            }
+        };
+        this.canvas.addEventListener('pointerdown', down);
+        this.canvas.addEventListener('pointerup', up);
+        this.ends.push(() => {
+            this.canvas.removeEventListener('pointerdown', down);
+            this.canvas.removeEventListener('pointerup', up);
+        });
+        this.scene.background = new Color(0x202428);
+    }
+
+    /// Selects the object at the pointer, or nothing.
+    private select(event: PointerEvent): void {
+        const box = this.canvas.getBoundingClientRect();
+        const ray = new Raycaster();
+        ray.setFromCamera(new Vector2(
+            ((event.clientX - box.left) / box.width) * 2 - 1,
+            1 - ((event.clientY - box.top) / box.height) * 2), this.camera);
+        let nearest = Infinity;
+        let found: string[] | null = null;
+        for (const object of shot.peek()?.objects ?? []) {
+            const node = this.meshes.node(object.name);
+            const hit = node && ray.intersectObject(node, true)[0];
+            if (hit && hit.distance < nearest) {
+                nearest = hit.distance;
+                found = object.kind === 'table' ? null : object.path;
+            }
+        }
+        selection.value = found;
+    }
+}
