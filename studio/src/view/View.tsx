@@ -25,7 +25,10 @@ export function View() {
         };
     }, []);
     return (
-        <div class="view" style={{ width: '100%', height: '100%', overflow: 'hidden' }}>
+        <div
+            class="view"
+            style={{ position: 'relative', width: '100%', height: '100%', overflow: 'hidden' }}
+        >
             <canvas
                 ref={canvas} tabIndex={0} role="img" aria-label="The scene"
                 style={{ display: isPossible ? 'block' : 'none', width: '100%', height: '100%' }}

@@ -5,11 +5,13 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { cameraAxes } from '../motion/camera';
-import { framesOfCameras, tracks } from '../motion/clock';
+import { filmCamera, framesOfCameras, tracks } from '../motion/clock';
 import {
     filmTime, isStale, lookThrough, meshes, sceneTime, selection, shot,
 } from '../state/state';
+import { onCommand } from '../state/keys';
 import { Drawing } from './drawing';
+import { fovOfView, letterbox } from './letterbox';
 import { SceneMeshes } from './scene_meshes';
 import { Trails } from './trails';
 
@@ -30,7 +32,8 @@ export class Stage {
     private readonly meshes: SceneMeshes;
     private readonly orbit: OrbitControls;
     private readonly ends: (() => void)[] = [];
-    private height = 1;
+    private size = { width: 1, height: 1 };
+    private readonly mask = document.createElement('div');
 
     private constructor(
         private readonly canvas: HTMLCanvasElement, readonly drawing: Drawing,
@@ -46,20 +49,26 @@ export class Stage {
         lamp.position.set(0.4, -0.8, 2);
         scene.add(new HemisphereLight(0xffffff, 0x404840, 1.8), lamp);
         scene.add(this.meshes.group, this.trails.lines);
+        Object.assign(this.mask.style, {
+            position: 'absolute', pointerEvents: 'none', boxShadow: '0 0 0 9999px rgb(0 0 0 / 55%)',
+        });
+        canvas.parentElement?.append(this.mask);
         this.follow();
         this.listen();
+        this.answerKeys();
     }
 
     /// Sizes in CSS pixels.
     resize(width: number, height: number): void {
-        this.height = Math.max(1, height);
-        this.free.aspect = Math.max(1, width) / this.height;
-        this.drawing.resize(width, this.height);
+        this.size = { width: Math.max(1, width), height: Math.max(1, height) };
+        this.free.aspect = this.size.width / this.size.height;
+        this.drawing.resize(this.size.width, this.size.height);
         this.aim();
     }
 
     dispose(): void {
         this.ends.forEach((end) => end());
+        this.mask.remove();
         this.orbit.dispose();
         this.drawing.dispose();
     }
@@ -107,6 +116,7 @@ export class Stage {
         const index = shot.peek()?.cameras.findIndex((camera) => camera.name === name) ?? -1;
         const pose = framesOfCameras.peek()[index]?.poseAt(filmTime.peek());
         this.orbit.enabled = !pose;
+        this.mask.hidden = !pose;
         if (pose) {
             const { right, up, back } = cameraAxes(pose);
             this.camera.matrix.set(
@@ -114,7 +124,7 @@ export class Stage {
                 right[2], up[2], back[2], 0, 0, 0, 0, 1);
             this.camera.quaternion.setFromRotationMatrix(this.camera.matrix);
             this.camera.position.set(...pose.position);
-            this.camera.fov = (pose.verticalFov * 180) / Math.PI;
+            this.camera.fov = this.letterbox(pose.verticalFov);
         } else {
             this.camera.position.copy(this.free.position);
             this.camera.quaternion.copy(this.free.quaternion);
@@ -123,6 +133,36 @@ export class Stage {
         this.camera.aspect = this.free.aspect;
         this.camera.updateProjectionMatrix();
         this.drawing.ask();
+    }
+
+    /// Darkens what the film does not show. Returns the field of view of the whole view, degrees.
+    private letterbox(filmFov: number): number {
+        const film = shot.peek()?.film;
+        const aspect = film && film.height > 0 ? film.width / film.height : 16 / 9;
+        const box = letterbox(this.size, aspect);
+        for (const side of ['left', 'top', 'width', 'height'] as const) {
+            this.mask.style[side] = `${box[side]}px`;
+        }
+        return (fovOfView(filmFov, this.size.height, box) * 180) / Math.PI;
+    }
+
+    private answerKeys(): void {
+        const look = (x: number, y: number, z: number) => () => {
+            lookThrough.value = null;
+            this.free.position.set(x, y, z);
+            this.orbit.target.set(0, 0, 0);
+            this.orbit.update();
+            this.aim();
+        };
+        this.ends.push(
+            onCommand('viewTop', look(0, -0.001, 3.6)),
+            onCommand('viewSide', look(0, -3.6, 0.3)),
+            onCommand('viewFree', look(-0.6, -2.6, 1.7)),
+            onCommand('lookThrough', () => {
+                const camera = shot.peek()?.cameras[filmCamera.peek()];
+                lookThrough.value = lookThrough.peek() === null ? camera?.name ?? null : null;
+            }),
+        );
     }
 
     private listen(): void {
