@@ -1,0 +1,93 @@
+import {
+    ChevronLeft, ChevronRight, ChevronsLeft, ChevronsRight, Maximize2, Pause, Play, Repeat,
+    SkipBack, type LucideIcon,
+} from 'lucide-preact';
+import { filmCamera } from '../motion/clock';
+import { runCommand, type Command } from '../state/keys';
+import { filmTime, playing, sceneTime, shot } from '../state/state';
+import { filmClock, sceneClock, speedText } from './clock_text';
+import { kCurves } from './curves';
+import { currentFrame, kSpeeds, loops, speed } from './playback';
+import { curveName, kEventGroups, shownGroups, type CurveName, type EventGroup }
+    from './strip_state';
+
+interface StepProperties {
+    icon: LucideIcon;
+    label: string;
+    command: Command;
+    isPressed?: boolean;
+}
+
+function Step({ icon: Icon, label, command, isPressed }: StepProperties) {
+    return (
+        <button type="button" title={label} aria-label={label} aria-pressed={isPressed}
+            onClick={() => runCommand(command)}>
+            <Icon size={15} strokeWidth={1.75} aria-hidden="true" />
+        </button>
+    );
+}
+
+/// Both clocks: the film's time and frame, the scene's time, and the camera that films it.
+function Clocks() {
+    const camera = shot.value?.cameras[filmCamera.value]?.name;
+    return (
+        <div class="clocks">
+            <span>film <b>{filmClock(filmTime.value)}</b> frame <b>{currentFrame()}</b></span>
+            <span>scene <b>{sceneClock(sceneTime.value)}</b></span>
+            {camera ? <span>camera <b>{camera}</b></span> : null}
+        </div>
+    );
+}
+
+function toggleGroup(group: EventGroup): void {
+    const next = new Set(shownGroups.value);
+    if (!next.delete(group)) {
+        next.add(group);
+    }
+    shownGroups.value = next;
+}
+
+function EventFilter() {
+    return (
+        <div class="filter" role="group" aria-label="Events on the strip">
+            {kEventGroups.map(({ group, label, about }) => (
+                <button type="button" key={group} title={about}
+                    aria-pressed={shownGroups.value.has(group)} onClick={() => toggleGroup(group)}>
+                    {label}
+                </button>
+            ))}
+        </div>
+    );
+}
+
+/// The buttons of time, the clocks, and what the strip shows.
+export function Transport() {
+    return (
+        <div class="transport" role="toolbar" aria-label="Time">
+            <Step icon={SkipBack} label="To the start (Home)" command="toStart" />
+            <Step icon={ChevronsLeft} label="Previous event ([)" command="eventBack" />
+            <Step icon={ChevronLeft} label="One frame back (←)" command="frameBack" />
+            <Step icon={playing.value ? Pause : Play} command="play"
+                label={playing.value ? 'Pause (space)' : 'Play (space)'} />
+            <Step icon={ChevronRight} label="One frame on (→)" command="frameForward" />
+            <Step icon={ChevronsRight} label="Next event (])" command="eventForward" />
+            <Step icon={Repeat} label="Repeat (L)" command="loop" isPressed={loops.value} />
+            <select aria-label="Speed of playing" value={String(speed.value)}
+                onChange={(event) => { speed.value = Number(event.currentTarget.value); }}>
+                {kSpeeds.map((choice) => (
+                    <option key={choice} value={String(choice)}>{speedText(choice)}</option>
+                ))}
+            </select>
+            <Clocks />
+            <div class="spring" />
+            <EventFilter />
+            <select aria-label="Curve of the cameras" value={curveName.value}
+                onChange={(event) => {
+                    curveName.value = event.currentTarget.value as CurveName;
+                }}>
+                {kCurves.map(({ name, label }) => <option key={name} value={name}>{label}</option>)}
+            </select>
+            <Step icon={Maximize2} label="Show all times (Shift+F)" command="fitStrip" />
+        </div>
+    );
+}
