@@ -1,0 +1,43 @@
+// What the connections and pages of a server share. Part of server.cpp.
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "pipeline/server/boost.h"
+#include "pipeline/server/outbox.h"
+#include "pipeline/server/responder.h"
+#include "pipeline/server/server.h"
+
+namespace carom::server {
+
+class Connection;
+class Page;
+
+/// All but touch() is for the thread of run().
+struct Hub {
+    Hub(ServerOptions server_options, Site& served_site)
+        : options(std::move(server_options)),
+          limits(options.limits),
+          site(served_site),
+          outbox(limits.waiting_messages, limits.waiting_bytes) {}
+
+    void touch() { last_activity.store(Clock::now().time_since_epoch().count()); }
+
+    ServerOptions options;
+    const Limits& limits;
+    Site& site;
+    Outbox outbox;
+    std::unique_ptr<Responder> responder;
+    std::set<Connection*> connections;
+    std::map<SocketId, Page*> pages;
+    SocketId last_id = 0;
+    std::atomic<Clock::rep> last_activity = 0;
+    // After all that its handlers refer to, because its destructor destroys the waiting ones.
+    asio::io_context io{1};
+};
+
+}  // namespace carom::server
