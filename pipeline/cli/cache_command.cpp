@@ -7,6 +7,7 @@
 
 #include "core/json_text.h"
 #include "core/text.h"
+#include "pipeline/cli/duration_text.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/store/cache_folder.h"
 #include "pipeline/store/cache_maintenance.h"
@@ -38,26 +39,6 @@ std::string date_text(Clock::time_point time) {
     std::array<char, 32> text{};
     std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &local);
     return text.data();
-}
-
-/// "30d", "12 h", "90 min", "20 s".
-Clock::duration parse_age(const std::string& text) {
-    char* end = nullptr;
-    const bool has_number = !text.empty() && text.front() >= '0' && text.front() <= '9';
-    const double value = has_number ? std::strtod(text.c_str(), &end) : 0;
-    std::string unit = has_number ? end : "";
-    unit.erase(0, unit.find_first_not_of(' ') == std::string::npos ? unit.size()
-                                                                   : unit.find_first_not_of(' '));
-    const double seconds = unit == "d"     ? 86400
-                           : unit == "h"   ? 3600
-                           : unit == "min" ? 60
-                           : unit == "s"   ? 1
-                                           : 0;
-    if (seconds == 0 || value * seconds > 1e9) {
-        throw InputError("'" + text + "' is not a time; write it as 30d, 12h, 90min or 20s");
-    }
-    return std::chrono::duration_cast<Clock::duration>(
-        std::chrono::duration<double>(value * seconds));
 }
 
 struct Total {
@@ -123,7 +104,8 @@ void prune(const CacheCommand& command, CommandContext& context) {
     pipeline::PruneOptions options;
     options.limit = command.all ? 0 : limit_of(command.cache);
     if (!command.unused_for.empty()) {
-        options.remove_before = Clock::now() - parse_age(command.unused_for);
+        options.remove_before = Clock::now() - std::chrono::duration_cast<Clock::duration>(
+                                                   parse_duration(command.unused_for));
     }
     options.dry_run = command.dry_run;
     const std::string folder = folder_of(command.cache);

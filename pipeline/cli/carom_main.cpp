@@ -45,7 +45,10 @@ int exec_other_program(Program program, char** arguments) {
         return kFailed;
     }
     try {
-        exec_program(program == Program::film ? "carom-film" : "carom-lab", arguments);
+        exec_program(program == Program::film  ? "carom-film"
+                     : program == Program::lab ? "carom-lab"
+                                               : "carom-studio",
+                     arguments);
     } catch (const carom::Error& error) {
         return report(error);
     }

@@ -211,6 +211,17 @@ struct ImportTrackCommand {
 void describe(ImportTrackCommand& command, CommandDescription& description);
 void run(const ImportTrackCommand& command, CommandContext& context);
 
+/// Shows a shot in a browser while it is edited.
+struct StudioCommand {
+    InputOptions input;  // of a shot
+    CacheOptions cache;
+    int port = 0;              // 0: any free port
+    bool no_browser = false;   // only print the address
+    std::string idle = "12h";  // the server ends when nothing happened for so long
+};
+void describe(StudioCommand& command, CommandDescription& description);
+void run(const StudioCommand& command, CommandContext& context);
+
 /// Prints a shell completion script.
 struct CompletionCommand {
     std::string shell;   // "bash", "zsh", "fish"
@@ -245,9 +256,9 @@ void run(const CompareCommand& command, CommandContext& context);
 /// The headings of the help.
 enum class Group { make, look, film, keep, tools };
 
-/// The program that runs a command: bin/carom itself, or libexec/carom/carom-film or carom-lab,
-/// which it executes.
-enum class Program { carom, film, lab };
+/// The program that runs a command: bin/carom itself, or one in libexec/carom, which it executes:
+/// carom-film, carom-lab or carom-studio.
+enum class Program { carom, film, lab, studio };
 
 template <class T>
 struct CommandRow {
@@ -267,6 +278,8 @@ inline constexpr std::tuple kCommandTable{
                               "Convert a scene of the older text format to a shot."},
     CommandRow<ImportTrackCommand>{"import-track", Group::make, Program::carom,
                                    "Convert a CSV table of motion to a keyed object."},
+    CommandRow<StudioCommand>{"studio", Group::make, Program::studio,
+                              "Edit a shot in a browser and see at once how it runs."},
     CommandRow<PlanCommand>{"plan", Group::look, Program::carom,
                             "Draw the table from above, with all paths and events."},
     CommandRow<FrameCommand>{"frame", Group::look, Program::film, "Render a single frame."},

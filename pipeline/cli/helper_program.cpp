@@ -114,11 +114,17 @@ std::string helper_path(const std::string& name) {
 void exec_program(const std::string& name, char** arguments) {
     const std::string path = helper_path(name);
     ::execv(path.c_str(), arguments);
-    const bool is_laboratory = name == "carom-lab";
-    throw Error(cannot_start(
-        is_laboratory ? "the laboratory" : "the renderer", path, errno,
-        is_laboratory ? "it is built by the target carom-lab and installed by the package carom-lab"
-                      : "is carom installed completely?"));
+    const int reason = errno;
+    if (name == "carom-lab") {
+        throw Error(cannot_start("the laboratory", path, reason,
+                                 "it is built by the target carom-lab and installed by the package "
+                                 "carom-lab"));
+    }
+    if (name == "carom-studio") {
+        throw Error(cannot_start("the studio", path, reason,
+                                 "in carom's source tree 'scripts/run studio' builds it"));
+    }
+    throw Error(cannot_start("the renderer", path, reason, "is carom installed completely?"));
 }
 
 std::vector<std::byte> run_helper(const std::string& name, const std::string& what,

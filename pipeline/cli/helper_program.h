@@ -24,7 +24,8 @@ class NeedsProgram {
     std::string name_;
 };
 
-/// Replaces the running program by "carom-film" or "carom-lab" with these arguments (execv). Throws
+/// Replaces the running program by "carom-film", "carom-lab" or "carom-studio" with these arguments
+/// (execv). Throws
 /// Error if that fails.
 [[noreturn]] void exec_program(const std::string& name, char** arguments);
 

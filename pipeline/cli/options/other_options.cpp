@@ -17,6 +17,31 @@ void describe(NewCommand& command, CommandDescription& description) {
                             {"carom new shot.yaml --template jump", "A jump shot."}};
 }
 
+void describe(StudioCommand& command, CommandDescription& description) {
+    description.details = {
+        "Starts a server that only this machine can reach, prints its address and opens it in a "
+        "browser: the shot's text beside a view of the table. Every change of the text is "
+        "simulated at once, and every change in the view is written to the text. Files change "
+        "only when they are saved in the page.",
+        "On a machine without a display, use --no-browser and pass the port on: ssh -L "
+        "8080:127.0.0.1:8080 HOST, with --port 8080 on that machine. Ctrl-C ends the server."};
+    description.argument("SHOT", command.input.path, "The shot to edit.")
+        .offers(Offer::files, {"yaml", "yml"});
+    description
+        .option("--port", &command.port, "N",
+                "The port of the address. 0, the default, means any free port.")
+        .between(0, 65535);
+    description.flag("--no-browser", command.no_browser, "Only print the address.");
+    description.option("--idle", &command.idle, "TIME",
+                       "End the server when for so long nothing was asked: 12h (the default), "
+                       "90min.");
+    add_changes(description, command.input);
+    add_cache(description, command.cache);
+    description.examples = {
+        {"carom studio shot.yaml", "Edit a shot in the browser."},
+        {"carom studio shot.yaml --port 8080 --no-browser", "The same from another machine."}};
+}
+
 void describe(SchemaCommand& command, CommandDescription& description) {
     description.details = {
         "The schema uses draft 7 of JSON Schema. An editor with a YAML language server completes "

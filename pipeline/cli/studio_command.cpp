@@ -1,0 +1,104 @@
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "pipeline/cli/duration_text.h"
+#include "pipeline/cli/run_program.h"
+#include "pipeline/cli/studio_site.h"
+#include "pipeline/server/page_files.h"
+#include "pipeline/server/private_page.h"
+#include "pipeline/server/server.h"
+
+namespace carom::cli {
+
+namespace {
+
+/// share/carom/studio beside libexec/carom, in the build tree as in an installation.
+std::string page_folder() {
+    std::error_code ignored;
+    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", ignored);
+    return (self.parent_path() / "../../share/carom/studio").lexically_normal().string();
+}
+
+std::map<std::string, server::Resource> read_page() {
+    const std::string folder = page_folder();
+    if (!std::filesystem::exists(folder + "/index.html")) {
+        throw Error("the studio's page is missing in '" + folder +
+                    "'; in carom's source tree 'scripts/run studio' builds it");
+    }
+    return server::read_page_files(folder);
+}
+
+studio::SessionOptions session_options(const StudioCommand& command) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(command.input.path, ignored)) {
+        throw InputError("there is no file '" + command.input.path +
+                         "'; 'carom new' writes a shot to start from");
+    }
+    studio::SessionOptions options;
+    options.shot = command.input.path;
+    options.overrides = command.input.overrides;
+    options.quality = command.input.quality;
+    options.root = command.input.root;
+    options.cache_folder = command.cache.folder;
+    return options;
+}
+
+/// Opens a file in the user's browser. Returns false if no program for that was found.
+bool open_in_browser(std::string path) {
+    const char* chosen = std::getenv("BROWSER");
+    std::string program = chosen != nullptr && *chosen != '\0' ? chosen : "xdg-open";
+    const std::array<char*, 3> arguments{program.data(), path.data(), nullptr};
+    pid_t process = 0;
+    if (::posix_spawnp(&process, program.c_str(), nullptr, nullptr, arguments.data(), environ) !=
+        0) {
+        return false;
+    }
+    // Browsers that are not running yet stay in the foreground: they are not waited for. A program
+    // that fails at once is one that found no browser.
+    int status = 0;
+    for (int tenths = 0; tenths < 5; ++tenths) {
+        if (::waitpid(process, &status, WNOHANG) == process) {
+            return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+        }
+        ::usleep(100'000);
+    }
+    return true;
+}
+
+}  // namespace
+
+void run(const StudioCommand& command, CommandContext& context) {
+    server::ServerOptions options;
+    options.port = static_cast<std::uint16_t>(command.port);
+    options.files = read_page();
+    options.idle =
+        std::chrono::duration_cast<std::chrono::milliseconds>(parse_duration(command.idle));
+
+    StudioSite site;
+    server::Server server(std::move(options), site);
+    studio::Session session(session_options(command), [&](studio::Outgoing message) {
+        server.send(message.to, {message.binary, std::move(message.data), std::move(message.slot)});
+    });
+    site.use(session);
+
+    print_text("carom studio: " + server.address() + "\n");
+    std::optional<server::PrivatePage> page;
+    if (!command.no_browser) {
+        page.emplace(server.address());
+        if (!open_in_browser(page->path())) {
+            context.console.info("no browser was found; open the address above in one");
+        }
+    }
+    server.run(context.stop);
+}
+
+}  // namespace carom::cli
