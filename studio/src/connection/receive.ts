@@ -4,7 +4,7 @@ import { batch } from '@preact/signals';
 import type { BinaryToPage, ToPage } from '../protocol';
 import { kBinaryTypes } from '../protocol';
 import {
-    cameraFrames, files, meshes, problems, shot, start, textVersion, timeline, welcome, work,
+    cameraFrames, deferred, files, meshes, problems, shot, start, textVersion, timeline, welcome, work,
 } from '../state/state';
 import { asFloat64, decodeBinary } from './decode';
 
@@ -31,8 +31,9 @@ function isNewer(v: number, shown: number | undefined): boolean {
 
 const texts: Handlers<ToPage> = {
     welcome: (message) => {
+        forgetVersions();
         welcome.value = message;
-        textVersion.value = Math.max(textVersion.value, message.v);
+        textVersion.value = message.v;
     },
     start: (message) => {
         start.value = message;
@@ -60,6 +61,9 @@ const texts: Handlers<ToPage> = {
     },
     work: (message) => {
         work.value = message;
+    },
+    deferred: (message) => {
+        deferred.value = message;
     },
 };
 
@@ -111,5 +115,6 @@ export function forgetVersions(): void {
         timeline.value = null;
         cameraFrames.value = null;
         work.value = null;
+        deferred.value = null;
     });
 }

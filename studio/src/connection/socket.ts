@@ -17,7 +17,7 @@ function address(): string {
 
 /// Sends one message. Returns false, and sends nothing, while there is no connection.
 export function send<Name extends keyof ToServer>(name: Name, message: ToServer[Name]): boolean {
-    if (socket?.readyState !== WebSocket.OPEN) {
+    if (!socket || socket.readyState !== WebSocket.OPEN) {
         return false;
     }
     socket.send(JSON.stringify({ t: name, ...message }));

@@ -1,6 +1,7 @@
 /// Edits of the shot by key path. Nothing but the text is changed, and of it only the bytes of the
 /// value; what the page draws follows from the server's answer.
 import { isMap, isSeq } from 'yaml';
+import { send } from '../connection/socket';
 import type { KeyPath } from '../protocol';
 import { notice, shot } from '../state/state';
 import { bufferOf, buffers, typeOutside, typeStep } from '../text/buffers';
@@ -102,6 +103,7 @@ export function beginGesture(): Gesture {
     current?.commit('');
     const before = currentFiles();
     let last = before;
+    send('dragging', { on: true });
     const gesture: Gesture = {
         update: (changes) => {
             try {
@@ -115,6 +117,7 @@ export function beginGesture(): Gesture {
         commit: () => {
             if (current === gesture) {
                 current = null;
+                send('dragging', { on: false });
                 showTexts(before);
                 typeStep(stepTo(last));
             }
@@ -122,6 +125,7 @@ export function beginGesture(): Gesture {
         cancel: () => {
             if (current === gesture) {
                 current = null;
+                send('dragging', { on: false });
                 showTexts(before);
             }
         },

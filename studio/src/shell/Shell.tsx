@@ -1,6 +1,9 @@
 import { Inspector } from '../inspector/Inspector';
 import { Outline } from '../outline/Outline';
-import { connection, notice } from '../state/state';
+import { send } from '../connection/socket';
+import {
+    connection, deferred, hasErrors, isDeferred, isStale, notice, problems, timeline, work,
+} from '../state/state';
 import { TimeStrip } from '../strip/TimeStrip';
 import { activeFile, bufferOf, textOf } from '../text/buffers';
 import { TextEditor } from '../text/TextEditor';
@@ -22,12 +25,44 @@ function copyText(): void {
     }
 }
 
+/// How many problems there are, in words; empty if there are none.
+function problemCount(): string {
+    const list = problems.value?.list ?? [];
+    const errors = list.filter((problem) => problem.severity === 'error').length;
+    const words = (count: number, one: string) =>
+        count === 0 ? [] : [`${count} ${one}${count === 1 ? '' : 's'}`];
+    return [...words(errors, 'error'), ...words(list.length - errors, 'warning')].join(', ');
+}
+
+/// What the server works on, or waits for.
+function Simulation() {
+    const waits = deferred.value;
+    if (waits && isDeferred.value && waits.reason === 'limit') {
+        return (
+            <span>
+                {waits.message}{' '}
+                <button class="link" onClick={() => send('simulate', { v: waits.v })}>Simulate</button>
+            </span>
+        );
+    }
+    if (work.value?.what) {
+        return <span>simulating: {Math.round(100 * work.value.fraction)} %</span>;
+    }
+    const head = timeline.value?.head;
+    return head && !isStale.value
+        ? <span>{head.kept ? 'motion kept' : `simulated in ${Math.round(head.milliseconds)} ms`}</span>
+        : null;
+}
+
 function Status() {
     return (
         <footer class="status" role="status">
             <span class={notice.value?.kind === 'error' ? 'error' : ''}>{notice.value?.text}</span>
             {connection.value === 'lost'
                 ? <button class="link" onClick={copyText}>Copy text</button> : null}
+            <span class="spring" />
+            <span class={hasErrors.value ? 'error' : ''}>{problemCount()}</span>
+            <Simulation />
             <span class={connection.value}>{kConnection[connection.value]}</span>
         </footer>
     );

@@ -2,7 +2,7 @@
 /// the inspector read these and write through src/edit.
 import { computed, signal } from '@preact/signals';
 import type {
-    CamerasHead, KeyPath, OpenFile, Problems, ShotState, Start, TimelineHead, Welcome, Work,
+    CamerasHead, Deferred, KeyPath, OpenFile, Problems, ShotState, Start, TimelineHead, Welcome, Work,
 } from '../protocol';
 
 /// The motion of one version: `head` says where each track's numbers begin.
@@ -36,6 +36,11 @@ export const problems = signal<Problems | null>(null);
 /// The hash of /scene/HASH.glb, the meshes of the newest version.
 export const meshes = signal<string | null>(null);
 export const work = signal<Work | null>(null);
+/// The newest version that is not simulated, because it takes too long for every change.
+export const deferred = signal<Deferred | null>(null);
+
+/// Whether the newest texts wait to be simulated, by the end of a drag or by the user.
+export const isDeferred = computed(() => (deferred.value?.v ?? -1) >= textVersion.value);
 
 /// Whether the newest texts have an error, as far as the server has answered.
 export const hasErrors = computed(
@@ -76,6 +81,9 @@ export interface Notice {
 
 /// Whether everything that was asked of the server is answered for the newest texts.
 export const isIdle = computed(() => {
+    if (isDeferred.value && !pictureAsked.value) {
+        return true;
+    }
     if (textUnderWay.value || pictureAsked.value || !problems.value?.complete) {
         return false;
     }

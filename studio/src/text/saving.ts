@@ -2,7 +2,8 @@
 import { onMessage } from '../connection/receive';
 import { send } from '../connection/socket';
 import { files, notice } from '../state/state';
-import { bufferOf, buffers, isChanged, takeFiles, textOf } from './buffers';
+import { difference } from '../edit/text_edit';
+import { bufferOf, buffers, isChanged, takeFiles, textOf, typeOutside } from './buffers';
 import { sendSoon } from './sending';
 
 /// The texts that are being written, by file.
@@ -27,6 +28,13 @@ export function watchFiles(): void {
     files.subscribe((list) => {
         for (const file of takeFiles(list)) {
             sendSoon(file);
+        }
+    });
+    onMessage('text_changed', ({ file, text }) => {
+        const buffer = bufferOf(file);
+        const change = buffer && difference(textOf(buffer), text);
+        if (change) {
+            typeOutside(file, change);
         }
     });
     onMessage('saved', ({ file, hash }) => {

@@ -1,5 +1,5 @@
 /// Sends changed texts to the server: one is under way, and of each file the newest waits.
-import { connection, problems, textUnderWay, textVersion } from '../state/state';
+import { connection, deferred, problems, textUnderWay, textVersion } from '../state/state';
 import { send } from '../connection/socket';
 import { bufferOf, textOf } from './buffers';
 
@@ -32,18 +32,29 @@ export function sendSoon(file: string): void {
     queueMicrotask(sendNext);
 }
 
+function answered(): void {
+    asked = 0;
+    textUnderWay.value = waiting.size > 0;
+    sendNext();
+}
+
 /// Takes note of the server's answers; to be called once.
 export function watchAnswers(): void {
     problems.subscribe((list) => {
         if (list && asked !== 0 && list.v >= asked) {
-            asked = 0;
-            textUnderWay.value = waiting.size > 0;
-            sendNext();
+            answered();
         }
     });
+    deferred.subscribe((one) => {
+        if (one && asked !== 0 && one.v >= asked) {
+            answered();
+        }
+    });
+    // After a connection was lost, the files that the server tells anew show which texts it lacks.
     connection.subscribe((state) => {
         if (state !== 'open') {
             asked = 0;
+            textUnderWay.value = waiting.size > 0;
         }
     });
 }

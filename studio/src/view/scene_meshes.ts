@@ -61,8 +61,15 @@ export class SceneMeshes {
         return this.nodes.get(name);
     }
 
-    /// Puts every object where it is at a scene time.
+    /// Puts every object where it is at a scene time, and hides the lamps.
     pose(shot: ShotState, tracks: ReadonlyMap<string, Track>, time: number): void {
+        // The file has lamps at the origin. Their places depend on more than the page is told.
+        for (const light of shot.lights) {
+            const node = this.nodes.get(light.name);
+            if (node) {
+                node.visible = false;
+            }
+        }
         for (const object of shot.objects) {
             const node = this.nodes.get(object.name);
             const track = object.moves ? tracks.get(object.name) : undefined;
