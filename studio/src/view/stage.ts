@@ -1,7 +1,7 @@
 /// What the view draws, and from where: follows the signals of src/state.
 import { effect } from '@preact/signals';
 import {
-    Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Raycaster, Scene, Vector2,
+    Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Scene,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { cameraAxes } from '../motion/camera';
@@ -9,9 +9,12 @@ import { filmCamera, framesOfCameras, tracks } from '../motion/clock';
 import {
     filmTime, isStale, lookThrough, meshes, sceneTime, selection, shot,
 } from '../state/state';
+import type { SceneObject } from '../protocol';
 import { onCommand } from '../state/keys';
+import { dragBalls } from './ball_drag';
 import { Drawing } from './drawing';
 import { fovOfView, letterbox } from './letterbox';
+import { pick, rayAt } from './picking';
 import { SceneMeshes } from './scene_meshes';
 import { Trails } from './trails';
 
@@ -174,35 +177,24 @@ export class Stage {
             const way = start ? Math.hypot(event.clientX - start[0], event.clientY - start[1])
                 : Infinity;
             if (way < kClickDistance) {
-                this.select(event);
+                const object = this.objectAt(event);
+                selection.value = !object || object.kind === 'table' ? null : object.path;
             }
         };
         this.canvas.addEventListener('pointerdown', down);
         this.canvas.addEventListener('pointerup', up);
-        this.ends.push(() => {
+        this.ends.push(dragBalls(this.canvas, {
+            rayAt: (event) => rayAt(event, this.canvas, this.camera),
+            objectAt: (event) => this.objectAt(event),
+        }), () => {
             this.canvas.removeEventListener('pointerdown', down);
             this.canvas.removeEventListener('pointerup', up);
         });
         this.scene.background = new Color(0x202428);
     }
 
-    /// Selects the object at the pointer, or nothing.
-    private select(event: PointerEvent): void {
-        const box = this.canvas.getBoundingClientRect();
-        const ray = new Raycaster();
-        ray.setFromCamera(new Vector2(
-            ((event.clientX - box.left) / box.width) * 2 - 1,
-            1 - ((event.clientY - box.top) / box.height) * 2), this.camera);
-        let nearest = Infinity;
-        let found: string[] | null = null;
-        for (const object of shot.peek()?.objects ?? []) {
-            const node = this.meshes.node(object.name);
-            const hit = node && ray.intersectObject(node, true)[0];
-            if (hit && hit.distance < nearest) {
-                nearest = hit.distance;
-                found = object.kind === 'table' ? null : object.path;
-            }
-        }
-        selection.value = found;
+    private objectAt(event: PointerEvent): SceneObject | null {
+        return pick(rayAt(event, this.canvas, this.camera), shot.peek()?.objects ?? [],
+            (name) => this.meshes.node(name));
     }
 }
