@@ -49,6 +49,40 @@ constexpr auto fields_of(Describes<Simulate>) {
     return fields<Simulate>(field("v", &Simulate::v));
 }
 
+constexpr auto fields_of(Describes<FreeView>) {
+    return fields<FreeView>(field("scene_time", &FreeView::scene_time),
+                            field("position", &FreeView::position),
+                            field("target", &FreeView::target), field("up", &FreeView::up),
+                            field("fov", &FreeView::fov), field("focus", &FreeView::focus),
+                            field("lens_radius", &FreeView::lens_radius));
+}
+
+constexpr auto fields_of(Describes<See>) {
+    return fields<See>(field("q", &See::q), field("v", &See::v), field("frame", &See::frame),
+                       field("view", &See::view), field("width", &See::width),
+                       field("height", &See::height), field("samples", &See::samples),
+                       field("channel", &See::channel));
+}
+
+constexpr auto fields_of(Describes<Unsee>) {
+    return fields<Unsee>();
+}
+
+constexpr auto fields_of(Describes<StartFilm>) {
+    return fields<StartFilm>(
+        field("output", &StartFilm::output), field("quality", &StartFilm::quality),
+        field("frames", &StartFilm::frames), field("overwrite", &StartFilm::overwrite));
+}
+
+constexpr auto fields_of(Describes<StopFilm>) {
+    return fields<StopFilm>();
+}
+
+constexpr auto fields_of(Describes<Make>) {
+    return fields<Make>(field("q", &Make::q), field("what", &Make::what),
+                        field("output", &Make::output), field("overwrite", &Make::overwrite));
+}
+
 // ---- from the server ----------------------------------------------------------------------------
 
 constexpr auto fields_of(Describes<Welcome>) {
@@ -243,6 +277,35 @@ constexpr auto fields_of(Describes<TimelineHead>) {
 constexpr auto fields_of(Describes<CamerasHead>) {
     return fields<CamerasHead>(field("v", &CamerasHead::v),
                                field("entries", &CamerasHead::entries));
+}
+
+constexpr auto fields_of(Describes<PictureHead>) {
+    return fields<PictureHead>(
+        field("q", &PictureHead::q), field("v", &PictureHead::v),
+        field("width", &PictureHead::width), field("height", &PictureHead::height),
+        field("samples", &PictureHead::samples), field("of_samples", &PictureHead::of_samples),
+        field("complete", &PictureHead::complete), field("stored", &PictureHead::stored),
+        field("channel", &PictureHead::channel));
+}
+
+constexpr auto fields_of(Describes<FilmState>) {
+    return fields<FilmState>(
+        field("state", &FilmState::state), field("output", &FilmState::output),
+        field("stage", &FilmState::stage), field("fraction", &FilmState::fraction),
+        field("frames", &FilmState::frames), field("finished", &FilmState::finished),
+        field("reused", &FilmState::reused), field("seconds", &FilmState::seconds),
+        field("left", &FilmState::left), field("message", &FilmState::message),
+        field("address", &FilmState::address));
+}
+
+constexpr auto fields_of(Describes<FilmFrame>) {
+    return fields<FilmFrame>(field("frame", &FilmFrame::frame), field("reused", &FilmFrame::reused),
+                             field("seconds", &FilmFrame::seconds));
+}
+
+constexpr auto fields_of(Describes<Made>) {
+    return fields<Made>(field("q", &Made::q), field("what", &Made::what),
+                        field("address", &Made::address), field("file", &Made::file));
 }
 
 constexpr auto fields_of(Describes<Work>) {

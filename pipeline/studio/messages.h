@@ -93,6 +93,61 @@ struct Simulate {
     std::int64_t v = 0;  // the version that the user saw
 };
 
+/// A camera of the page's own.
+struct FreeView {
+    double scene_time = 0;  // in the middle of the exposure, which is that of the film at speed 1
+    Triple position{};
+    Triple target{};
+    Triple up{0, 0, 1};
+    double fov = 0.7;        // vertical, rad
+    double focus = 2;        // distance of focus along the optical axis, m
+    double lens_radius = 0;  // m; 0: a pinhole, all is sharp
+};
+
+/// Asks for the path-traced picture of a frame of the film or of a view of the page's own. The
+/// answers are PictureHeads. The newest question is the only one: it ends the one before.
+struct See {
+    static constexpr const char* kName = "see";
+    std::int64_t q = 0;                 // number of the question; larger than any before
+    std::int64_t v = 0;                 // version of the texts that the page shows
+    std::optional<std::int64_t> frame;  // of the film ...
+    std::optional<FreeView> view;       // ... or this
+    int width = 0;                      // largest size of the picture, pixels; 0: the film's
+    int height = 0;
+    int samples = 0;      // most samples per pixel; 0: as many as the film has
+    std::string channel;  // "" or "colour"; "depth", "normal", "albedo", "object_id", "noise"
+};
+
+/// Ends the question.
+struct Unsee {
+    static constexpr const char* kName = "unsee";
+};
+
+/// Starts to make a film of the shot's files as they are on disk: the page saves first. If a file
+/// of the output's name exists that carom did not make, it is refused with Failed, unless
+/// `overwrite`.
+struct StartFilm {
+    static constexpr const char* kName = "film";
+    std::string output;   // path or name; empty: beside the shot, named after it
+    std::string quality;  // a preset, or empty
+    std::string frames;   // ranges such as "0-47x2,60", or empty
+    bool overwrite = false;
+};
+
+struct StopFilm {
+    static constexpr const char* kName = "stop_film";
+};
+
+/// Makes something else of the shot as it stands in the page. Answered with Made, or with Failed.
+struct Make {
+    static constexpr const char* kName = "make";
+    std::int64_t q = 0;
+    std::string what;    // "plan", "report", "contact_sheet", or an export: "csv", "json", "glb",
+                         // "usda"
+    std::string output;  // path or name of a file to write; empty: only to look at
+    bool overwrite = false;
+};
+
 // ---- from the server ----------------------------------------------------------------------------
 
 /// The answer to Hello.
@@ -402,6 +457,56 @@ struct Deferred {
     std::string reason{};   // "dragging": it follows when the drag ends, because simulating this
                             // shot takes long; "limit": only after Simulate
     std::string message{};  // a sentence for the user
+};
+
+/// Binary, type 3. Payload: RGBA, 8 bits each, row by row from the top left. Each question gets
+/// pictures of growing size and then of growing number of samples, until one is `complete`.
+struct PictureHead {
+    static constexpr const char* kName = "picture";
+    static constexpr std::uint32_t kType = 3;
+    std::int64_t q = 0;
+    std::int64_t v = 0;  // of the texts that it shows
+    int width = 0;
+    int height = 0;
+    int samples = 0;        // per pixel, that it consists of
+    int of_samples = 0;     // that the last one will have
+    bool complete = false;  // nothing more will come
+    bool stored = false;    // the film's own frame, which is in the cache: `carom render` uses it
+    std::string channel;
+};
+
+/// A film that is being made, or the last one. Sent when it starts, with each frame, and at its
+/// end.
+struct FilmState {
+    static constexpr const char* kName = "film_state";
+    std::string state;          // "running", "stopping", "done", "stopped", "failed"
+    std::string output;         // its path
+    std::string stage;          // "bake", "render", "encode"
+    double fraction = 0;        // of the stage
+    std::int64_t frames = 0;    // of the film
+    std::int64_t finished = 0;  // of them
+    std::int64_t reused = 0;    // of those, from the cache
+    double seconds = 0;         // since it started
+    double left = 0;            // estimate, s; negative: not known
+    std::string message;        // why it failed
+    std::string address;        // GET it here once it is done
+};
+
+/// A frame of the film that is being made is finished.
+struct FilmFrame {
+    static constexpr const char* kName = "film_frame";
+    std::int64_t frame = 0;
+    bool reused = false;  // from the cache
+    double seconds = 0;
+};
+
+/// The answer to Make.
+struct Made {
+    static constexpr const char* kName = "made";
+    std::int64_t q = 0;
+    std::string what;
+    std::string address;  // GET it here
+    std::string file;     // that was written, or empty
 };
 
 /// What the server works on, for the status line.

@@ -49,6 +49,47 @@ export interface Simulate {
     v: number;
 }
 
+export interface FreeView {
+    scene_time: number;
+    position: Triple;
+    target: Triple;
+    up: Triple;
+    fov: number;
+    focus: number;
+    lens_radius: number;
+}
+
+export interface See {
+    q: number;
+    v: number;
+    frame?: number;
+    view?: FreeView;
+    width: number;
+    height: number;
+    samples: number;
+    channel: string;
+}
+
+export interface Unsee {
+}
+
+export interface StartFilm {
+    output: string;
+    quality: string;
+    frames: string;
+    overwrite: boolean;
+}
+
+export interface StopFilm {
+}
+
+export interface Make {
+    q: number;
+    what: string;
+    output: string;
+    overwrite: boolean;
+}
+
 /// What the page sends, by the member "t".
 export interface ToServer {
     hello: Hello;
@@ -59,6 +100,11 @@ export interface ToServer {
     dragging: Dragging;
     recover: Recover;
     simulate: Simulate;
+    see: See;
+    unsee: Unsee;
+    film: StartFilm;
+    stop_film: StopFilm;
+    make: Make;
 }
 
 export interface Welcome {
@@ -297,6 +343,33 @@ export interface Deferred {
     message: string;
 }
 
+export interface FilmState {
+    state: string;
+    output: string;
+    stage: string;
+    fraction: number;
+    frames: number;
+    finished: number;
+    reused: number;
+    seconds: number;
+    left: number;
+    message: string;
+    address: string;
+}
+
+export interface FilmFrame {
+    frame: number;
+    reused: boolean;
+    seconds: number;
+}
+
+export interface Made {
+    q: number;
+    what: string;
+    address: string;
+    file: string;
+}
+
 /// The texts that the server sends, by the member "t".
 export interface ToPage {
     welcome: Welcome;
@@ -312,6 +385,9 @@ export interface ToPage {
     scene: SceneMeshes;
     work: Work;
     deferred: Deferred;
+    film_state: FilmState;
+    film_frame: FilmFrame;
+    made: Made;
 }
 
 export interface TrackHead {
@@ -351,14 +427,29 @@ export interface CamerasHead {
 export const kCamerasType = 2;
 export const kCamerasNumbersPerFrame = 21;
 
+export interface PictureHead {
+    q: number;
+    v: number;
+    width: number;
+    height: number;
+    samples: number;
+    of_samples: number;
+    complete: boolean;
+    stored: boolean;
+    channel: string;
+}
+export const kPictureType = 3;
+
 /// The heads of the binary messages.
 export interface BinaryToPage {
     timeline: TimelineHead;
     cameras: CamerasHead;
+    picture: PictureHead;
 }
 
 /// The names of the binary messages by their type.
 export const kBinaryTypes: Record<number, keyof BinaryToPage> = {
     [kTimelineType]: 'timeline',
     [kCamerasType]: 'cameras',
+    [kPictureType]: 'picture',
 };
