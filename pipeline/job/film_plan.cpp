@@ -21,7 +21,11 @@ FrameInputs FilmSource::inputs(const PlannedFrame& layer) const {
 }
 
 Hash128 FilmSource::key(const FrameInputs& inputs) const {
-    return frame_key(inputs, shot_.scene, scene_hash_, shot_.render);
+    return key(inputs, shot_.render);
+}
+
+Hash128 FilmSource::key(const FrameInputs& inputs, const render::RenderSettings& settings) const {
+    return frame_key(inputs, shot_.scene, scene_hash_, settings);
 }
 
 FilmPlan plan_film(const FilmSource& source, const std::vector<std::int64_t>& frames,

@@ -31,6 +31,11 @@ class FilmSource {
         return inputs(layers(frame).front());
     }
     [[nodiscard]] Hash128 key(const FrameInputs& inputs) const;
+    /// The key with other settings than the shot's.
+    [[nodiscard]] Hash128 key(const FrameInputs& inputs,
+                              const render::RenderSettings& settings) const;
+    /// hash_scene() of the shot.
+    [[nodiscard]] const Hash128& scene_hash() const { return scene_hash_; }
 
   private:
     const Shot& shot_;

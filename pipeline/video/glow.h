@@ -1,6 +1,10 @@
 // Glow: the light that the lens and the eye scatter around bright points.
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
+#include "pipeline/video/gaussian_blur.h"
 #include "pipeline/video/output_settings.h"
 #include "render/film/film.h"
 
@@ -14,5 +18,22 @@ namespace carom::pipeline {
 /// mirrored at its border, so that its sum is preserved and a constant picture stays constant.
 /// Alpha does not change. Values that are not finite count as 0.
 [[nodiscard]] render::Film with_glow(const render::Film& film, const GlowSettings& settings);
+
+/// The filter of with_glow for films of one size. For any number of threads.
+class GlowFilter {
+  public:
+    /// `settings.strength` > 0.
+    GlowFilter(const GlowSettings& settings, int width, int height);
+
+    /// Sets one colour channel (0 to 2) of `result`, which has the size of `film`, and leaves the
+    /// others.
+    void apply(const render::Film& film, std::size_t channel, render::Film& result) const;
+
+  private:
+    GlowSettings settings_;
+    std::size_t width_;
+    std::size_t height_;
+    std::vector<GaussianBlur> blurs_;
+};
 
 }  // namespace carom::pipeline

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <span>
 #include <string>
 
 #include "core/assert.h"
@@ -100,27 +101,34 @@ float unencoded(float value) {
     return std::min(value, 1.0F);
 }
 
+/// Some rows of a film.
+struct Rows {
+    std::span<const float> rgba;
+    int width = 0;
+    int height = 0;
+};
+
 template <class View, class Encoding>
-void transform(const render::Film& film, float gain, const View& view, const Encoding& encode,
+void transform(const Rows& rows, float gain, const View& view, const Encoding& encode,
                std::vector<std::uint16_t>& display) {
-    const std::size_t pixels = film.rgba.size() / 4;
+    const std::size_t pixels = rows.rgba.size() / 4;
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
-        const Colour colour = view(exposed(&film.rgba[4 * pixel], gain));
+        const Colour colour = view(exposed(&rows.rgba[4 * pixel], gain));
         for (std::size_t i = 0; i < 3; ++i) {
             display[3 * pixel + i] = nearest_code(encode(colour[i]) * 65535.0F);
         }
     }
 }
 
-void transform_by(const render::OcioView& ocio, const render::Film& film, float gain,
+void transform_by(const render::OcioView& ocio, const Rows& rows, float gain,
                   std::vector<std::uint16_t>& display) {
     std::vector<float> rgb;
     rgb.reserve(display.size());
-    for (std::size_t i = 0; i < film.rgba.size(); i += 4) {
-        const Colour colour = exposed(&film.rgba[i], gain);
+    for (std::size_t i = 0; i < rows.rgba.size(); i += 4) {
+        const Colour colour = exposed(&rows.rgba[i], gain);
         rgb.insert(rgb.end(), colour.begin(), colour.end());
     }
-    ocio.apply(rgb, film.width, film.height);
+    ocio.apply(rgb, rows.width, rows.height);
     for (std::size_t i = 0; i < rgb.size(); ++i) {
         const float signal = rgb[i] > 0 ? std::min(rgb[i], 1.0F) : 0.0F;
         display[i] = nearest_code(signal * 65535.0F);
@@ -146,51 +154,71 @@ DisplayView::DisplayView(const OutputSettings& output) : output_(output) {
     }
 }
 
-std::vector<std::uint16_t> DisplayView::to_16(const render::Film& source) const {
-    const std::size_t pixels =
-        static_cast<std::size_t>(source.width) * static_cast<std::size_t>(source.height);
-    CAROM_ASSERT(source.rgba.size() == 4 * pixels);
-    std::optional<render::Film> glowing;
-    if (output_.glow.strength > 0) {
-        glowing = with_glow(source, output_.glow);
-    }
-    const render::Film& film = glowing ? *glowing : source;
+std::vector<std::uint16_t> DisplayView::to_16(const render::Film& film) const {
+    return output_.glow.strength > 0 ? rows_to_16(with_glow(film, output_.glow), 0, film.height)
+                                     : rows_to_16(film, 0, film.height);
+}
+
+std::vector<std::uint16_t> DisplayView::rows_to_16(const render::Film& glowing, int first,
+                                                   int end) const {
+    CAROM_ASSERT(0 <= first && first <= end && end <= glowing.height);
+    const auto width = static_cast<std::size_t>(glowing.width);
+    const std::size_t pixels = width * static_cast<std::size_t>(end - first);
+    CAROM_ASSERT(glowing.rgba.size() == 4 * width * static_cast<std::size_t>(glowing.height));
+    const Rows rows{
+        std::span(glowing.rgba).subspan(4 * width * static_cast<std::size_t>(first), 4 * pixels),
+        glowing.width, end - first};
     const auto gain = static_cast<float>(std::exp2(output_.exposure));
     std::vector<std::uint16_t> display(3 * pixels);
     const ToneCurve encode(srgb_encode, 1.0);
     switch (output_.view) {
         case ViewTransform::srgb:
-            transform(film, gain, PlainView{}, encode, display);
+            transform(rows, gain, PlainView{}, encode, display);
             break;
         case ViewTransform::filmic:
-            transform(film, gain, FilmicView{}, encode, display);
+            transform(rows, gain, FilmicView{}, encode, display);
             break;
         case ViewTransform::raw:
-            transform(film, gain, PlainView{}, unencoded, display);
+            transform(rows, gain, PlainView{}, unencoded, display);
             break;
         case ViewTransform::agx:
-            transform(film, gain, AgxView{}, encode, display);
+            transform(rows, gain, AgxView{}, encode, display);
             break;
         case ViewTransform::ocio:
-            transform_by(*ocio_, film, gain, display);
+            transform_by(*ocio_, rows, gain, display);
             break;
     }
     return display;
 }
 
-std::vector<std::uint8_t> DisplayView::to_8(const render::Film& film) const {
-    const std::vector<std::uint16_t> fine = to_16(film);
-    const auto width = static_cast<std::size_t>(film.width);
+namespace {
+
+/// `first`: the row of the picture at which `fine` begins.
+std::vector<std::uint8_t> dithered(const std::vector<std::uint16_t>& fine, int picture_width,
+                                   int first) {
+    const auto width = static_cast<std::size_t>(picture_width);
     std::vector<std::uint8_t> display(fine.size());
     for (std::size_t i = 0; i < fine.size(); ++i) {
         const auto x = static_cast<std::uint32_t>(i / 3 % width);
-        const auto y = static_cast<std::uint32_t>(i / 3 / width);
+        const auto y =
+            static_cast<std::uint32_t>(i / 3 / width) + static_cast<std::uint32_t>(first);
         // 257 sixteen-bit steps are one eight-bit step. All channels use the same threshold, so
         // that greys stay grey.
         const std::uint32_t threshold = dither_threshold(x, y) * 257U >> 16U;
         display[i] = static_cast<std::uint8_t>((fine[i] + threshold) / 257U);
     }
     return display;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> DisplayView::to_8(const render::Film& film) const {
+    return dithered(to_16(film), film.width, 0);
+}
+
+std::vector<std::uint8_t> DisplayView::rows_to_8(const render::Film& glowing, int first,
+                                                 int end) const {
+    return dithered(rows_to_16(glowing, first, end), glowing.width, first);
 }
 
 }  // namespace carom::pipeline

@@ -27,7 +27,15 @@ class DisplayView {
     /// 16-bit values that represent 8-bit values exactly (v * 257) are not dithered.
     [[nodiscard]] std::vector<std::uint8_t> to_8(const render::Film& film) const;
 
+    /// The same in parts, which threads may share: rows `first` to `end` - 1 of to_8(film), where
+    /// `glowing` is `film` with the glow of the settings (glow.h).
+    [[nodiscard]] std::vector<std::uint8_t> rows_to_8(const render::Film& glowing, int first,
+                                                      int end) const;
+
   private:
+    [[nodiscard]] std::vector<std::uint16_t> rows_to_16(const render::Film& glowing, int first,
+                                                        int end) const;
+
     OutputSettings output_;
     std::optional<render::OcioView> ocio_;
 };

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "pipeline/video/glow.h"
 #include "pipeline/video/tone_curve.h"
 
 namespace carom::pipeline {
@@ -307,6 +308,27 @@ TEST(Display8, SlowGradient_KeepsItsMeanInEveryTile) {
             ASSERT_LT(std::abs(coarse[at] - fine[at] / 257.0), 1.0);
         }
         EXPECT_NEAR(difference / 256, 0, 0.03) << tile;
+    }
+}
+
+TEST(Display8, Rows_AreThoseOfTheWholePicture) {
+    std::vector<std::array<float, 3>> colours;
+    for (int i = 0; i < 7 * 9; ++i) {
+        const auto x = static_cast<float>(i);
+        colours.push_back({0.02F * x, 0.3F - 0.004F * x, i % 5 == 0 ? 4.0F : 0.1F});
+    }
+    const render::Film film = film_of(colours, 7);
+    OutputSettings output;
+    output.glow.strength = 0.2;
+    for (const ViewTransform view :
+         {ViewTransform::srgb, ViewTransform::filmic, ViewTransform::agx, ViewTransform::raw}) {
+        output.view = view;
+        const DisplayView display(output);
+        const render::Film glowing = with_glow(film, output.glow);
+        std::vector<std::uint8_t> rows = display.rows_to_8(glowing, 0, 4);
+        const std::vector<std::uint8_t> others = display.rows_to_8(glowing, 4, 9);
+        rows.insert(rows.end(), others.begin(), others.end());
+        EXPECT_EQ(rows, display.to_8(film));
     }
 }
 
