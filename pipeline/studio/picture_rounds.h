@@ -1,0 +1,89 @@
+// The rounds in which the path-traced picture of a question is made.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/hash.h"
+#include "pipeline/job/film_plan.h"
+#include "pipeline/store/frame_store.h"
+#include "pipeline/studio/messages.h"
+#include "render/frame/progressive_frame.h"
+
+namespace carom::studio {
+
+/// A picture for the page; `rgba` is its payload. If `problem` is not empty, there is none.
+struct Picture {
+    PictureHead head;
+    std::vector<std::uint8_t> rgba;
+    std::string problem;
+};
+
+/// What is shown: a shot and its timeline, with keyed motions.
+struct ShownShot {
+    std::shared_ptr<const pipeline::Shot> shot;
+    std::shared_ptr<const sim::Timeline> timeline;
+    std::int64_t v = 0;
+};
+
+/// What has been done, for tests and benchmarks.
+struct PictureCounts {
+    std::uint64_t camera_rays = 0;
+    std::uint64_t scenes = 0;  // that were prepared
+    std::uint64_t frames_stored = 0;
+};
+
+/// Makes pictures for one thread. It keeps the prepared scene while only balls and cameras move,
+/// and the sums of the last question's samples: they are used again if only the view changed.
+class PictureRounds {
+  public:
+    explicit PictureRounds(const std::string& cache_folder) : store_(cache_folder + "/frames") {}
+
+    /// Calls `show` with pictures of growing size and then with growing numbers of samples, at most
+    /// `most_samples` (0: no limit). A frame of the film at its own size with all samples goes into
+    /// the cache; one that is there is shown at once. Throws Error, Stopped; another call goes on
+    /// with the samples that there are.
+    void run(const ShownShot& shown, const See& question, int most_samples,
+             const std::stop_token& stop, const std::function<void(Picture)>& show);
+
+    [[nodiscard]] PictureCounts counts() const { return counts_; }
+
+  private:
+    struct Kept {
+        std::shared_ptr<const render::PreparedScene> scene;  // outlives the frame
+        std::optional<render::ProgressiveFrame> frame;
+        std::optional<render::Film> stored;
+    };
+    struct Layer {
+        pipeline::FrameInputs inputs;
+        double weight = 1;
+    };
+    struct Size {
+        int width = 0;
+        int height = 0;
+    };
+    struct Work;
+
+    void use(const ShownShot& shown);
+    [[nodiscard]] std::shared_ptr<const render::PreparedScene> scene_of(const pipeline::Shot& shot);
+    void refine(Work& work, std::size_t level, int up_to);
+    [[nodiscard]] Picture picture_of(Work& work, std::size_t level);
+    [[nodiscard]] bool read_stored(Work& work);
+    void store(Work& work);
+
+    pipeline::FrameStore store_;
+    ShownShot shown_;
+    std::optional<pipeline::FilmSource> source_;  // of shown_
+    std::shared_ptr<const render::PreparedScene> scene_;
+    Hash128 scene_key_{};
+    std::map<Hash128, Kept> kept_;  // of the last question
+    PictureCounts counts_;
+};
+
+}  // namespace carom::studio

@@ -1,0 +1,172 @@
+#include "pipeline/studio/picture_view.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "core/error.h"
+#include "render/threads/thread_arena.h"
+
+namespace carom::studio {
+namespace {
+
+constexpr int kSamplesBesideFilm = 16;
+
+}  // namespace
+
+class PictureView::State {
+  public:
+    State(Send send, PictureOptions options)
+        : send_(std::move(send)),
+          options_(std::move(options)),
+          rounds_(options_.cache_folder),
+          all_threads_(options_.threads),
+          one_thread_(1),
+          worker_([this](const std::stop_token& end) { work(end); }) {}
+
+    /// Changes what is asked for: the work on the old state ends, none of its pictures is sent.
+    template <class Change>
+    void change(const Change& change) {
+        const std::lock_guard lock(mutex_);
+        change(*this);
+        generation_ += 1;
+        pending_ = true;
+        not_before_ = std::chrono::steady_clock::now() + options_.restart_delay;
+        stop_.request_stop();
+        wake_.notify_all();
+    }
+
+    void wait_until_idle() {
+        std::unique_lock lock(mutex_);
+        wake_.wait(lock, [&] { return !busy_ && !(pending_ && can_work()); });
+    }
+
+    PictureCounts counts() {
+        const std::lock_guard lock(mutex_);
+        return counts_;
+    }
+
+    std::optional<See> question;
+    ShownShot shown;
+    bool held = false;
+    bool film_running = false;
+
+  private:
+    [[nodiscard]] bool can_work() const { return question && shown.shot && !held; }
+
+    void work(const std::stop_token& end) {
+        const std::stop_callback stop_work(end, [this] {
+            const std::lock_guard lock(mutex_);
+            stop_.request_stop();
+        });
+        std::unique_lock lock(mutex_);
+        while (wake_.wait(lock, end, [&] { return pending_ && can_work(); })) {
+            if (end.stop_requested()) {
+                return;
+            }
+            const auto begin = not_before_;
+            if (std::chrono::steady_clock::now() < begin) {
+                wake_.wait_until(lock, end, begin, [&] { return not_before_ != begin; });
+                continue;
+            }
+            pending_ = false;
+            busy_ = true;
+            stop_ = std::stop_source();
+            const Job job{shown, *question, film_running, generation_, stop_.get_token()};
+            lock.unlock();
+            answer(job);
+            lock.lock();
+            busy_ = false;
+            counts_ = rounds_.counts();
+            wake_.notify_all();
+        }
+    }
+
+    struct Job {
+        ShownShot shown;
+        See question;
+        bool beside_film;
+        std::uint64_t generation;
+        std::stop_token stop;
+    };
+
+    void answer(const Job& job) {
+        render::ThreadArena& arena = job.beside_film ? one_thread_ : all_threads_;
+        try {
+            arena.execute([&] {
+                rounds_.run(job.shown, job.question, job.beside_film ? kSamplesBesideFilm : 0,
+                            job.stop, [&](Picture picture) { send(job, std::move(picture)); });
+            });
+        } catch (const Stopped&) {
+            return;  // a change is waiting
+        } catch (const std::exception& error) {
+            Picture none;
+            none.head.q = job.question.q;
+            none.head.v = job.shown.v;
+            none.problem = error.what();
+            send(job, std::move(none));
+        }
+    }
+
+    void send(const Job& job, Picture picture) {
+        const std::lock_guard lock(mutex_);
+        if (generation_ == job.generation) {
+            send_(std::move(picture));
+        }
+    }
+
+    Send send_;
+    PictureOptions options_;
+    PictureRounds rounds_;  // only the worker's
+    render::ThreadArena all_threads_;
+    render::ThreadArena one_thread_;
+    std::mutex mutex_;  // of what follows, and of calls of send_
+    std::condition_variable_any wake_;
+    std::stop_source stop_;
+    std::chrono::steady_clock::time_point not_before_;
+    std::uint64_t generation_ = 0;
+    bool pending_ = false;
+    bool busy_ = false;
+    PictureCounts counts_;
+    std::jthread worker_;  // last: it ends before the rest
+};
+
+PictureView::PictureView(Send send, PictureOptions options)
+    : state_(std::make_unique<State>(std::move(send), std::move(options))) {}
+
+PictureView::~PictureView() = default;
+
+void PictureView::set_shot(std::shared_ptr<const pipeline::Shot> shot,
+                           std::shared_ptr<const sim::Timeline> timeline, std::int64_t version) {
+    state_->change([&](State& state) {
+        state.shown = {std::move(shot), std::move(timeline), version};
+    });
+}
+
+void PictureView::ask(See question) {
+    state_->change([&](State& state) { state.question = std::move(question); });
+}
+
+void PictureView::cancel() {
+    state_->change([](State& state) { state.question.reset(); });
+}
+
+void PictureView::hold(bool held) {
+    state_->change([&](State& state) { state.held = held; });
+}
+
+void PictureView::set_film_running(bool running) {
+    state_->change([&](State& state) { state.film_running = running; });
+}
+
+void PictureView::wait_until_idle() {
+    state_->wait_until_idle();
+}
+
+PictureCounts PictureView::counts() const {
+    return state_->counts();
+}
+
+}  // namespace carom::studio

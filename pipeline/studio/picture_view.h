@@ -1,0 +1,58 @@
+// The path-traced picture in the studio's view: the newest question is answered on a thread of its
+// own.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "pipeline/studio/picture_rounds.h"
+
+namespace carom::studio {
+
+struct PictureOptions {
+    std::string cache_folder;
+    int threads = 0;  // 0: one per processor
+    /// From a change to the work on it, so that a row of changes starts no work in between.
+    std::chrono::milliseconds restart_delay{40};
+};
+
+/// All functions may be called from any thread, and return without waiting for work.
+class PictureView {
+  public:
+    /// Called from the view's thread, one call at a time. It must not call the view.
+    using Send = std::function<void(Picture)>;
+
+    PictureView(Send send, PictureOptions options);
+    ~PictureView();
+    PictureView(const PictureView&) = delete;
+    PictureView& operator=(const PictureView&) = delete;
+    PictureView(PictureView&&) = delete;
+    PictureView& operator=(PictureView&&) = delete;
+
+    /// The newest question is answered again, for this shot; samples are kept if only its view
+    /// differs.
+    void set_shot(std::shared_ptr<const pipeline::Shot> shot,
+                  std::shared_ptr<const sim::Timeline> timeline, std::int64_t version);
+
+    /// Once it returns, no picture of an earlier question is sent any more.
+    void ask(See question);
+    /// Once it returns, no picture is sent until the next question.
+    void cancel();
+
+    /// Pictures wait while it is on: other work, or a pointer that drags.
+    void hold(bool held);
+    /// While a film is made, pictures take one thread and at most 16 samples.
+    void set_film_running(bool running);
+
+    /// Returns when nothing is left to do for the newest question, or it is held.
+    void wait_until_idle();
+    [[nodiscard]] PictureCounts counts() const;
+
+  private:
+    class State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace carom::studio

@@ -1,0 +1,155 @@
+// Counts and states of the path-traced view; no times.
+#include "pipeline/studio/picture_view.h"
+
+#include <mutex>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/job/film_status.h"
+#include "pipeline/video/view_transform.h"
+#include "tests/pipeline/job/tiny_shot.h"
+#include "tests/pipeline/video/scratch_folder.h"
+
+namespace carom::studio {
+namespace {
+
+class View : public ::testing::Test {
+  protected:
+    static std::shared_ptr<pipeline::Shot> make_shot() {
+        auto shot = std::make_shared<pipeline::Shot>(testing::tiny_shot());
+        shot->render.samples = 8;
+        shot->output.glow.strength = 0.1;
+        return shot;
+    }
+
+    void show(std::shared_ptr<const pipeline::Shot> shot, std::int64_t v) {
+        view_.set_shot(std::move(shot), timeline_, v);
+    }
+    static See frame(std::int64_t q, std::int64_t number) {
+        See see;
+        see.q = q;
+        see.frame = number;
+        return see;
+    }
+    std::vector<Picture> pictures() {
+        view_.wait_until_idle();
+        const std::lock_guard lock(mutex_);
+        return pictures_;
+    }
+
+    testing::ScratchFolder cache_;
+    std::shared_ptr<const sim::Timeline> timeline_ =
+        std::make_shared<const sim::Timeline>(testing::tiny_timeline());
+    std::mutex mutex_;
+    std::vector<Picture> pictures_;
+    PictureView view_{[this](Picture picture) {
+                          const std::lock_guard lock(mutex_);
+                          pictures_.push_back(std::move(picture));
+                      },
+                      {cache_.path(), 2, std::chrono::milliseconds(0)}};
+};
+
+TEST_F(View, LastPicture_IsTheFilmsFrameAndIsInTheCache) {
+    const auto shot = make_shot();
+    show(shot, 3);
+    view_.ask(frame(1, 4));
+    const std::vector<Picture> seen = pictures();
+    ASSERT_FALSE(seen.empty());
+    const Picture& last = seen.back();
+    EXPECT_EQ(last.problem, "");
+    EXPECT_TRUE(last.head.complete);
+    EXPECT_TRUE(last.head.stored);
+    EXPECT_EQ(last.head.q, 1);
+    EXPECT_EQ(last.head.v, 3);
+    EXPECT_EQ(last.head.samples, 8);
+    EXPECT_EQ(view_.counts().frames_stored, 1u);
+
+    sim::Bake bake;
+    bake.timeline = *timeline_;
+    pipeline::FilmJobOptions options;
+    options.cache_folder = cache_.path();
+    EXPECT_EQ(pipeline::film_status(*shot, bake, options, {}).stored.front(), 4);
+    pipeline::FilmJobOptions elsewhere;
+    const testing::ScratchFolder other;
+    elsewhere.cache_folder = other.path();
+    const render::Film film = pipeline::make_frame(*shot, bake, 4, elsewhere, {}, {});
+    const std::vector<std::uint8_t> rgb = pipeline::DisplayView(shot->output).to_8(film);
+    ASSERT_EQ(last.rgba.size(), rgb.size() / 3 * 4);
+    for (std::size_t i = 0; i < rgb.size(); ++i) {
+        ASSERT_EQ(last.rgba[i / 3 * 4 + i % 3], rgb[i]) << i;
+    }
+}
+
+TEST_F(View, OtherView_TakesNoNewSample) {
+    auto shot = make_shot();
+    show(shot, 1);
+    See see = frame(1, 2);
+    see.width = 64;  // not the film's own size: nothing comes from the cache
+    see.height = 36;
+    view_.ask(see);
+    const std::vector<std::uint8_t> before = pictures().back().rgba;
+    const PictureCounts counts = view_.counts();
+    EXPECT_EQ(counts.camera_rays, 64u * 36u * 8u);
+    EXPECT_EQ(counts.frames_stored, 0u);
+    auto brighter = std::make_shared<pipeline::Shot>(*shot);
+    brighter->output.exposure += 1;
+    show(brighter, 2);
+    const std::vector<Picture> seen = pictures();
+    EXPECT_EQ(seen.back().head.v, 2);
+    EXPECT_TRUE(seen.back().head.complete);
+    EXPECT_NE(seen.back().rgba, before);
+    EXPECT_EQ(view_.counts().camera_rays, counts.camera_rays);
+    EXPECT_EQ(view_.counts().scenes, 1u);
+}
+
+TEST_F(View, NewestQuestion_IsTheOneThatIsAnsweredLast) {
+    show(make_shot(), 1);
+    for (std::int64_t q = 1; q <= 20; ++q) {
+        view_.ask(frame(q, q % 12));
+    }
+    const std::vector<Picture> seen = pictures();
+    ASSERT_FALSE(seen.empty());
+    EXPECT_EQ(seen.back().head.q, 20);
+    EXPECT_TRUE(seen.back().head.complete);
+    for (std::size_t i = 1; i < seen.size(); ++i) {
+        EXPECT_GE(seen[i].head.q, seen[i - 1].head.q);
+    }
+}
+
+TEST_F(View, CancelledOrHeld_LeavesNoPictureAfterwards) {
+    auto shot = make_shot();
+    shot->render.samples = 65536;
+    show(shot, 1);
+    view_.ask(frame(1, 3));
+    view_.hold(true);
+    const std::size_t held = pictures().size();
+    EXPECT_EQ(pictures().size(), held);
+    view_.hold(false);
+    view_.cancel();
+    const std::size_t count = pictures().size();
+    EXPECT_EQ(pictures().size(), count);
+}
+
+TEST_F(View, FrameBeyondTheFilm_IsAProblem) {
+    show(make_shot(), 1);
+    view_.ask(frame(1, 999));
+    const std::vector<Picture> seen = pictures();
+    ASSERT_EQ(seen.size(), 1u);
+    EXPECT_EQ(seen[0].problem, "the film has no frame 999");
+}
+
+TEST_F(View, BesideAFilm_PicturesEndAtSixteenSamples) {
+    auto shot = make_shot();
+    shot->render.samples = 64;
+    view_.set_film_running(true);
+    show(shot, 1);
+    view_.ask(frame(1, 3));
+    EXPECT_EQ(pictures().back().head.samples, 16);
+    EXPECT_TRUE(pictures().back().head.complete);
+    view_.set_film_running(false);
+    EXPECT_EQ(pictures().back().head.samples, 64);
+    EXPECT_EQ(view_.counts().camera_rays, 32u * 18u * 64u) << "the first sixteen are kept";
+}
+
+}  // namespace
+}  // namespace carom::studio
