@@ -1,0 +1,98 @@
+// Runs the real program, the real page and a real browser for the checks beside this file.
+import { spawn } from 'node:child_process';
+import { cpSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const root = join(here, '../../..');
+const packages = process.env.CAROM_NODE_MODULES || join(here, '../../node_modules');
+const { chromium } = createRequire(join(packages, 'x.js'))('playwright-core');
+
+/// Starts a browser that draws with the processor. A launch that fails is tried once more.
+export async function launch() {
+    const options = {
+        executablePath: process.env.CAROM_CHROMIUM || '/usr/bin/chromium',
+        args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+            '--disable-background-networking', '--disable-component-update', '--disable-sync'],
+    };
+    return chromium.launch(options).catch(() => chromium.launch(options));
+}
+
+/// A new folder with copies of the examples and configurations, so that includes are found and
+/// nothing of the repository can change. Returns its path.
+export function copyShots() {
+    const folder = mkdtempSync(join(tmpdir(), 'carom-studio-'));
+    for (const name of ['examples', 'configs']) {
+        mkdirSync(join(folder, name));
+        cpSync(join(root, name), join(folder, name), { recursive: true });
+    }
+    return folder;
+}
+
+/// Starts `carom studio` and resolves to its address and a function that ends it.
+export async function serve(carom, shot, folder) {
+    const cache = join(folder, 'cache');
+    const words = ['studio', shot, '--no-browser', '--root', folder, '--cache', cache];
+    const server = spawn(carom, words, { stdio: ['ignore', 'pipe', 'pipe'] });
+    let errors = '';
+    server.stderr.on('data', (data) => { errors += data; });
+    const address = await new Promise((resolve, reject) => {
+        let text = '';
+        server.stdout.on('data', (data) => {
+            text += data;
+            const found = /http:\/\/\S+\n/.exec(text);
+            if (found) {
+                resolve(found[0].trim());
+            }
+        });
+        server.on('error', reject);
+        server.on('exit', (code) => reject(new Error(`carom ended with ${code}: ${errors}`)));
+    });
+    const end = () => new Promise((resolve) => {
+        server.on('exit', resolve);
+        server.kill('SIGTERM');
+    });
+    return { address, end };
+}
+
+/// Opens the page and waits until it shows the shot. `complaints` of the result are what the page
+/// wrote to the console as errors.
+export async function open(browser, address, size = { width: 1280, height: 720 }) {
+    const page = await browser.newPage({ viewport: size, deviceScaleFactor: 1 });
+    const complaints = [];
+    page.on('console', (message) => {
+        if (message.type() === 'error') {
+            complaints.push(`${message.text()} ${message.location().url}`);
+        }
+    });
+    page.on('pageerror', (error) => complaints.push(error.message));
+    await page.goto(address);
+    await page.waitForFunction(() => window.studio?.state.problems.value?.complete);
+    await settle(page);
+    return { page, complaints };
+}
+
+/// Resolves when the newest texts are answered.
+export function settle(page) {
+    return page.evaluate(() => window.studio.idle());
+}
+
+/// The text of the shot as it stands in the page.
+export function textOf(page) {
+    return page.evaluate(() => window.studio.edit.text());
+}
+
+/// Throws with the message unless both are equal.
+export function equal(actual, expected, message) {
+    const [a, b] = [JSON.stringify(actual), JSON.stringify(expected)];
+    if (a !== b) {
+        throw new Error(`${message}: ${a} instead of ${b}`);
+    }
+}
+
+export function remove(folder) {
+    rmSync(folder, { recursive: true, force: true });
+}

@@ -1,0 +1,57 @@
+// Runs the checks NN_name.mjs of this folder in a real browser: `node run.mjs CAROM [WORD...]`, with
+// the path of the program carom and words of which one must be in a check's name. Prints a line for
+// each, and ends with 1 if one failed. With CAROM_STUDIO_SHOTS=FOLDER, pictures are kept there.
+import { readdirSync } from 'node:fs';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { copyShots, launch, open, remove, serve } from './harness.mjs';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const [carom, ...words] = process.argv.slice(2);
+if (!carom) {
+    console.error('usage: node run.mjs CAROM [WORD...]');
+    process.exit(2);
+}
+const names = readdirSync(here).filter((name) => /^\d\d_.*\.mjs$/.test(name))
+    .filter((name) => words.length === 0 || words.some((word) => name.includes(word)));
+
+/// Runs one check on a server and a page of its own. Returns the line to print.
+async function run(browser, name) {
+    const { check, shot = 'nine_ball_break.yaml' } = await import(join(here, name));
+    const folder = copyShots();
+    const path = join(folder, 'examples', shot);
+    const { address, end } = await serve(resolve(carom), path, folder);
+    try {
+        const opened = await open(browser, address);
+        const result = await check({ ...opened, browser, address, folder, path, carom });
+        if (process.env.CAROM_STUDIO_SHOTS) {
+            await opened.page.screenshot({
+                path: join(process.env.CAROM_STUDIO_SHOTS, name.replace('.mjs', '.png')),
+            });
+        }
+        if (opened.complaints.length > 0) {
+            throw new Error(`the console says: ${opened.complaints.join('; ')}`);
+        }
+        await opened.page.close();
+        return `ok      ${name.replace('.mjs', '')}: ${result}`;
+    } finally {
+        await end();
+        remove(folder);
+    }
+}
+
+const browser = await launch();
+let failures = 0;
+try {
+    for (const name of names) {
+        try {
+            console.log(await run(browser, name));
+        } catch (error) {
+            failures += 1;
+            console.log(`FAILED  ${name.replace('.mjs', '')}: ${error.message}`);
+        }
+    }
+} finally {
+    await browser.close();
+}
+process.exit(failures > 0 || names.length === 0 ? 1 : 0);
