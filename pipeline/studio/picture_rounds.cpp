@@ -9,6 +9,7 @@
 #include "pipeline/job/job_metadata.h"
 #include "pipeline/job/mixed_film.h"
 #include "pipeline/job/overlay.h"
+#include "pipeline/store/cache_folder.h"
 #include "pipeline/studio/display_picture.h"
 
 namespace carom::studio {
@@ -96,6 +97,10 @@ void PictureRounds::run(const ShownShot& shown, const See& question, int most_sa
                         const std::stop_token& stop, const std::function<void(Picture)>& show) {
     if (!question.channel.empty() && question.channel != "colour") {
         throw Error("the view cannot show the channel '" + question.channel + "'");
+    }
+    if (!store_) {
+        store_.emplace((cache_folder_.empty() ? pipeline::default_cache_folder() : cache_folder_) +
+                       "/frames");
     }
     use(shown);
     const pipeline::Shot& shot = *shown_.shot;
@@ -249,10 +254,10 @@ bool PictureRounds::read_stored(Work& work) {
         if (found != kept_.end() && found->second.stored) {
             continue;
         }
-        std::optional<render::Film> film = store_.read(key);
+        std::optional<render::Film> film = store_->read(key);
         all = all && film.has_value();
         if (film) {
-            store_.mark_used(key);
+            store_->mark_used(key);
             kept_[key].stored = std::move(film);
             kept_[key].frame.reset();
         }
@@ -273,9 +278,9 @@ void PictureRounds::store(Work& work) {
         render::Film film = kept.frame->film(context);
         const render::ImageMetadata metadata =
             pipeline::stored_frame_metadata(work.shot, film.statistics);
-        if (!store_.contains(key)) {
-            if (const auto claim = store_.claim(key)) {
-                store_.write(key, film, metadata);
+        if (!store_->contains(key)) {
+            if (const auto claim = store_->claim(key)) {
+                store_->write(key, film, metadata);
                 counts_.frames_stored += 1;
             }
         }

@@ -43,7 +43,8 @@ struct PictureCounts {
 /// and the sums of the last question's samples: they are used again if only the view changed.
 class PictureRounds {
   public:
-    explicit PictureRounds(const std::string& cache_folder) : store_(cache_folder + "/frames") {}
+    /// The usual cache if the folder is empty.
+    explicit PictureRounds(std::string cache_folder) : cache_folder_(std::move(cache_folder)) {}
 
     /// Calls `show` with pictures of growing size and then with growing numbers of samples, at most
     /// `most_samples` (0: no limit). A frame of the film at its own size with all samples goes into
@@ -77,7 +78,8 @@ class PictureRounds {
     [[nodiscard]] bool read_stored(Work& work);
     void store(Work& work);
 
-    pipeline::FrameStore store_;
+    std::string cache_folder_;
+    std::optional<pipeline::FrameStore> store_;  // opened by the first question
     ShownShot shown_;
     std::optional<pipeline::FilmSource> source_;  // of shown_
     std::shared_ptr<const render::PreparedScene> scene_;

@@ -12,6 +12,7 @@
 #include "pipeline/config/schema.h"
 #include "pipeline/studio/live_shot.h"
 #include "pipeline/studio/message_json.h"
+#include "pipeline/studio/picture_view.h"
 #include "pipeline/studio/scene_meshes.h"
 #include "pipeline/studio/workspace.h"
 
@@ -21,12 +22,18 @@ class Session::State {
   public:
     State(SessionOptions options, Send send)
         : options_(std::move(options)), send_(std::move(send)) {
+        pictures_ =
+            std::make_unique<PictureView>([this](const Picture& picture) { send_picture(picture); },
+                                          PictureOptions{.cache_folder = options_.cache_folder});
         if (!options_.shot.empty()) {
             open_shot(options_.shot);
         }
     }
 
-    ~State() { live_.reset(); }
+    ~State() {
+        live_.reset();
+        pictures_.reset();
+    }
 
     State(const State&) = delete;
     State& operator=(const State&) = delete;
@@ -149,11 +156,36 @@ class Session::State {
         }
     }
 
+    void receive(PageId /*page*/, const See& question) { pictures_->ask(question); }
+
+    void receive(PageId /*page*/, const Unsee& /*message*/) { pictures_->cancel(); }
+
+    void receive(PageId /*page*/, const StartFilm& /*message*/) {
+        throw Error("films cannot be made here yet; 'carom render' makes them");
+    }
+
+    void receive(PageId /*page*/, const StopFilm& /*message*/) {}
+
+    void receive(PageId /*page*/, const Make& request) {
+        throw Error("'" + request.what + "' cannot be made here yet");
+    }
+
+    void send_picture(const Picture& picture) {
+        if (!picture.problem.empty()) {
+            send(0, Failed{"picture", picture.head.v, picture.problem});
+            return;
+        }
+        const std::lock_guard lock(send_mutex_);
+        send_({0, true, pack(picture.head, std::as_bytes(std::span(picture.rgba))),
+               PictureHead::kName});
+    }
+
     void set_dragging(PageId page, bool on) {
         on ? static_cast<void>(dragging_.insert(page)) : static_cast<void>(dragging_.erase(page));
         if (live_) {
             live_->set_dragging(!dragging_.empty());
         }
+        pictures_->hold(!dragging_.empty());
     }
 
     Workspace& require_workspace() {
@@ -168,6 +200,7 @@ class Session::State {
     void open_shot(const std::string& path) {
         auto workspace = std::make_unique<Workspace>(path, options_.root);
         ended_ = std::move(live_);
+        pictures_->cancel();
         const int opening = [&] {
             const std::lock_guard lock(send_mutex_);
             newest_.clear();
@@ -191,6 +224,7 @@ class Session::State {
             }
         };
         output.answer = [this, opening](const LiveAnswer& answer) {
+            pictures_->set_shot(answer.shot, answer.timeline, answer.v);
             const std::string hash = meshes_.add(*answer.shot);
             send_newest(opening, SceneMeshes{answer.v, hash});
         };
@@ -236,8 +270,9 @@ class Session::State {
 
     int opening_ = 0;  // counts the shots that were opened; changed under both mutexes
 
-    std::unique_ptr<LiveShot> ended_;  // of the shot before
-    std::unique_ptr<LiveShot> live_;   // ends first
+    std::unique_ptr<PictureView> pictures_;  // calls send_ from its own thread
+    std::unique_ptr<LiveShot> ended_;        // of the shot before
+    std::unique_ptr<LiveShot> live_;         // ends first
 };
 
 Session::Session(SessionOptions options, Send send)
