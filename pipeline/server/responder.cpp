@@ -136,7 +136,8 @@ AnswerParts Responder::welcome() const {
     parts.type = "text/html; charset=utf-8";
     parts.fields.emplace_back("Set-Cookie", access_.cookie());
     parts.body = Body(std::make_shared<const std::string>(
-        "<!DOCTYPE html><meta http-equiv=refresh content='0;url=/'>\n"));
+        "<!DOCTYPE html><link rel=icon href='data:,'>"  // else the browser asks for /favicon.ico
+        "<meta http-equiv=refresh content='0;url=/'>\n"));
     parts.keeps_connection = true;
     return parts;
 }

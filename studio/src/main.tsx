@@ -4,6 +4,7 @@ import * as edit from './edit/edit';
 import { Shell } from './shell/Shell';
 import { watchTheme } from './shell/theme';
 import { listenToKeys, onCommand } from './state/keys';
+import { panel } from './state/state';
 import { exposeStudio } from './state/studio';
 import { activeFile, bufferOf, textOf, travel, typeStep } from './text/buffers';
 import { saveAll, watchFiles } from './text/saving';
@@ -29,6 +30,7 @@ if (app) {
     watchAnswers();
     listenToKeys();
     onCommand('save', saveAll);
+    onCommand('keys', () => { panel.value = 'keys'; });
     onCommand('undo', () => { travel(true); });
     onCommand('redo', () => { travel(false); });
     onCommand('cancel', () => { edit.cancelGesture(); });

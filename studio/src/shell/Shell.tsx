@@ -1,8 +1,9 @@
 import { Inspector } from '../inspector/Inspector';
 import { Outline } from '../outline/Outline';
 import { send } from '../connection/socket';
+import { KeysPanel } from '../panels/KeysPanel';
 import {
-    connection, deferred, hasErrors, isDeferred, isStale, notice, problems, timeline, work,
+    connection, deferred, hasErrors, isDeferred, isStale, notice, panel, problems, timeline, work,
 } from '../state/state';
 import { TimeStrip } from '../strip/TimeStrip';
 import { activeFile, bufferOf, textOf } from '../text/buffers';
@@ -95,6 +96,7 @@ export function Shell() {
                 </aside>
             </div>
             <Status />
+            {panel.value === 'keys' ? <KeysPanel /> : null}
         </div>
     );
 }

@@ -1,10 +1,11 @@
 import {
-    CircleHelp, Clapperboard, Moon, PanelLeft, PanelRight, Redo2, Save, Sun, TriangleAlert, Undo2,
+    CircleHelp, Moon, PanelLeft, PanelRight, Redo2, Save, Sun, TriangleAlert, Undo2,
     type LucideIcon,
 } from 'lucide-preact';
 import { lookThrough, panel, problems, shot, theme, welcome } from '../state/state';
 import { buffers, isChanged, travel } from '../text/buffers';
 import { saveAll } from '../text/saving';
+import { showRange } from '../text/show';
 import { outlineArea, textArea, toggle } from './layout';
 import { switchTheme } from './theme';
 
@@ -47,6 +48,7 @@ export function Toolbar() {
     const name = shot.value?.name ?? buffers.value[0]?.name ?? 'carom studio';
     const isDirty = buffers.value.some((buffer) => buffer.writable && isChanged(buffer));
     const count = problems.value?.list.length ?? 0;
+    const first = problems.value?.list[0];
     const isDark = theme.value !== 'light';
     return (
         <header class="toolbar">
@@ -63,10 +65,9 @@ export function Toolbar() {
             <CameraChoice />
             <div class="spring" />
             <div class="group">
-                <Tool icon={TriangleAlert} label="Problems" text={count > 0 ? String(count) : ''}
-                    isPressed={panel.value === 'problems'} onClick={() => togglePanel('problems')} />
-                <Tool icon={Clapperboard} label="Films" text="Render"
-                    isPressed={panel.value === 'films'} onClick={() => togglePanel('films')} />
+                <Tool icon={TriangleAlert} label="Show the first problem" isDisabled={!first}
+                    text={count > 0 ? String(count) : ''}
+                    onClick={() => first && showRange(first.place)} />
                 <Tool icon={isDark ? Sun : Moon} label="Dark or light" onClick={switchTheme} />
                 <Tool icon={CircleHelp} label="Keys (?)" isPressed={panel.value === 'keys'}
                     onClick={() => togglePanel('keys')} />
