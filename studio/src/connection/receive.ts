@@ -4,7 +4,7 @@ import { batch } from '@preact/signals';
 import type { BinaryToPage, ToPage } from '../protocol';
 import { kBinaryTypes } from '../protocol';
 import {
-    cameraFrames, deferred, files, meshes, problems, shot, start, textVersion, timeline, welcome, work,
+    cameraFrames, deferred, files, meshes, picture, pictureAsked, problems, shot, start, textVersion, timeline, welcome, work,
 } from '../state/state';
 import { asFloat64, decodeBinary } from './decode';
 
@@ -62,6 +62,11 @@ const texts: Handlers<ToPage> = {
     work: (message) => {
         work.value = message;
     },
+    failed: (message) => {
+        if (message.what === 'picture') {
+            pictureAsked.value = false;
+        }
+    },
     deferred: (message) => {
         deferred.value = message;
     },
@@ -77,6 +82,9 @@ const binaries: Handlers<BinaryToPage> = {
         if (isNewer(head.v, cameraFrames.value?.head.v)) {
             cameraFrames.value = { head, numbers: asFloat64(payload) };
         }
+    },
+    picture: (head, payload) => {
+        picture.value = { head, pixels: new Uint8ClampedArray(payload) };
     },
 };
 
@@ -116,5 +124,6 @@ export function forgetVersions(): void {
         cameraFrames.value = null;
         work.value = null;
         deferred.value = null;
+        pictureAsked.value = false;
     });
 }

@@ -7,7 +7,7 @@ const kGroups: KeyBinding['group'][] = ['Time', 'View', 'Selection', 'Text', 'Pa
 /// Commands that something answers; the others are not shown.
 const kShown = new Set(['play', 'returnToStart', 'toStart', 'toEnd', 'frameBack', 'frameForward',
     'tenBack', 'tenForward', 'tenthBack', 'tenthForward', 'eventBack', 'eventForward', 'loop',
-    'slower', 'faster', 'fitStrip', 'lookThrough', 'viewTop', 'viewSide', 'viewFree', 'cancel',
+    'slower', 'faster', 'fitStrip', 'lookThrough', 'refine', 'viewTop', 'viewSide', 'viewFree', 'cancel',
     'save', 'undo', 'redo', 'keys']);
 
 /// All keys of the page, as a dialog over it.

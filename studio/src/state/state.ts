@@ -2,7 +2,7 @@
 /// the inspector read these and write through src/edit.
 import { computed, signal } from '@preact/signals';
 import type {
-    CamerasHead, Deferred, KeyPath, OpenFile, Problems, ShotState, Start, TimelineHead, Welcome, Work,
+    CamerasHead, Deferred, KeyPath, OpenFile, PictureHead, Problems, ShotState, Start, TimelineHead, Welcome, Work,
 } from '../protocol';
 
 /// The motion of one version: `head` says where each track's numbers begin.
@@ -15,6 +15,12 @@ export interface Timeline {
 export interface CameraFrames {
     head: CamerasHead;
     numbers: Float64Array;
+}
+
+/// A path-traced picture: red, green, blue and alpha of each pixel, from the upper left corner.
+export interface Picture {
+    head: PictureHead;
+    pixels: Uint8ClampedArray<ArrayBuffer>;
 }
 
 export type ConnectionState = 'connecting' | 'open' | 'lost';
@@ -33,6 +39,8 @@ export const shot = signal<ShotState | null>(null);
 export const timeline = signal<Timeline | null>(null);
 export const cameraFrames = signal<CameraFrames | null>(null);
 export const problems = signal<Problems | null>(null);
+/// The newest round of the picture that was asked for.
+export const picture = signal<Picture | null>(null);
 /// The hash of /scene/HASH.glb, the meshes of the newest version.
 export const meshes = signal<string | null>(null);
 export const work = signal<Work | null>(null);

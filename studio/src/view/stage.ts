@@ -16,6 +16,7 @@ import { Drawing } from './drawing';
 import { fovOfView, letterbox } from './letterbox';
 import { pick, rayAt } from './picking';
 import { SceneMeshes } from './scene_meshes';
+import { showTracedPicture } from './traced_picture';
 import { Trails } from './trails';
 
 const kClickDistance = 4; // CSS pixels; a longer way is a drag
@@ -59,6 +60,7 @@ export class Stage {
         this.follow();
         this.listen();
         this.answerKeys();
+        this.ends.push(showTracedPicture(this.mask));
     }
 
     /// Sizes in CSS pixels.
