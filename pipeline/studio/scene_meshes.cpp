@@ -9,6 +9,7 @@
 #include "pipeline/export/export_material.h"
 #include "pipeline/export/object_pose.h"
 #include "pipeline/export/scene_glb.h"
+#include "pipeline/studio/lighter_meshes.h"
 #include "render/scene/material_fields.h"
 #include "render/scene/scene_fields.h"
 
@@ -68,8 +69,9 @@ std::string MeshFiles::add(const pipeline::Shot& shot) {
             return hash;
         }
     }
-    auto bytes =
-        std::make_shared<const std::string>(pipeline::scene_to_glb(pipeline::export_meshes(shot)));
+    pipeline::ExportScene scene = pipeline::export_meshes(shot);
+    lighten(scene);
+    auto bytes = std::make_shared<const std::string>(pipeline::scene_to_glb(scene));
     const std::lock_guard lock(mutex_);
     files_.push_back({hash, std::move(bytes)});
     if (files_.size() > kMostFiles) {

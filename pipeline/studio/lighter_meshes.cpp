@@ -1,0 +1,104 @@
+#include "pipeline/studio/lighter_meshes.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <meshoptimizer.h>
+
+#include "render/threads/thread_arena.h"
+
+namespace carom::studio {
+namespace {
+
+using pipeline::ExportPart;
+using pipeline::ExportPatch;
+
+constexpr float kFirstError = 0.001F;  // of the part's size
+constexpr float kLastError = 0.05F;
+constexpr float kErrorStep = 2;
+constexpr std::size_t kFewTriangles = 64;  // a part with so few is not worth the work
+
+std::size_t triangles_of(const pipeline::ExportScene& scene) {
+    std::size_t sum = 0;
+    for (const auto* parts : {&scene.parts, &scene.lamps}) {
+        for (const ExportPart& part : *parts) {
+            sum += part.mesh.triangles.size();
+        }
+    }
+    return sum;
+}
+
+/// The triangles of a patch after simplification. `error` is relative to the size of the mesh.
+std::vector<std::array<std::uint32_t, 3>> simplified(const render::TriangleMesh& mesh,
+                                                     const ExportPatch& patch, float error) {
+    const auto* corners = mesh.triangles[patch.first].data();
+    const std::size_t count = 3 * patch.count;
+    std::vector<std::array<std::uint32_t, 3>> result(patch.count);
+    const std::size_t left = meshopt_simplify(
+        result.front().data(), corners, count, &mesh.vertices.front().x, mesh.vertices.size(),
+        sizeof(mesh.vertices.front()), 0, error, meshopt_SimplifyLockBorder, nullptr);
+    result.resize(left / 3);
+    return result;
+}
+
+/// Removes the vertices that no triangle uses.
+void compact(render::TriangleMesh& mesh) {
+    constexpr auto kUnused = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> place(mesh.vertices.size(), kUnused);
+    render::TriangleMesh result;
+    for (std::array<std::uint32_t, 3> triangle : mesh.triangles) {
+        for (std::uint32_t& corner : triangle) {
+            if (place[corner] == kUnused) {
+                place[corner] = static_cast<std::uint32_t>(result.vertices.size());
+                result.vertices.push_back(mesh.vertices[corner]);
+                if (!mesh.normals.empty()) {
+                    result.normals.push_back(mesh.normals[corner]);
+                }
+                if (!mesh.uv.empty()) {
+                    result.uv.push_back(mesh.uv[corner]);
+                }
+            }
+            corner = place[corner];
+        }
+        result.triangles.push_back(triangle);
+    }
+    mesh = std::move(result);
+}
+
+void simplify(ExportPart& part, float error) {
+    if (part.mesh.triangles.size() <= kFewTriangles) {
+        return;
+    }
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for (ExportPatch& patch : part.patches) {
+        const auto fewer = patch.count > 0 ? simplified(part.mesh, patch, error)
+                                           : std::vector<std::array<std::uint32_t, 3>>{};
+        patch.first = triangles.size();
+        patch.count = fewer.size();
+        triangles.insert(triangles.end(), fewer.begin(), fewer.end());
+    }
+    if (triangles.empty()) {
+        return;
+    }
+    part.mesh.triangles = std::move(triangles);
+    std::erase_if(part.patches, [](const ExportPatch& patch) { return patch.count == 0; });
+    compact(part.mesh);
+}
+
+}  // namespace
+
+void lighten(pipeline::ExportScene& scene, std::size_t most) {
+    for (float error = kFirstError; error <= kLastError && triangles_of(scene) > most;
+         error *= kErrorStep) {
+        for (auto* parts : {&scene.parts, &scene.lamps}) {
+            render::parallel_for(parts->size(),
+                                 [&](std::size_t i) { simplify((*parts)[i], error); });
+        }
+    }
+}
+
+}  // namespace carom::studio
