@@ -285,7 +285,7 @@ constexpr auto fields_of(Describes<PictureHead>) {
         field("width", &PictureHead::width), field("height", &PictureHead::height),
         field("samples", &PictureHead::samples), field("of_samples", &PictureHead::of_samples),
         field("complete", &PictureHead::complete), field("stored", &PictureHead::stored),
-        field("channel", &PictureHead::channel));
+        field("channel", &PictureHead::channel), field("legend", &PictureHead::legend));
 }
 
 constexpr auto fields_of(Describes<FilmState>) {

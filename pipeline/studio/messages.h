@@ -115,7 +115,8 @@ struct See {
     int width = 0;                      // largest size of the picture, pixels; 0: the film's
     int height = 0;
     int samples = 0;      // most samples per pixel; 0: as many as the film has
-    std::string channel;  // "" or "colour"; "depth", "normal", "albedo", "object_id", "noise"
+    std::string channel;  // "" or "colour"; "depth", "normal", "albedo", "object_id",
+                          // "material_id", "noise"
 };
 
 /// Ends the question.
@@ -472,7 +473,8 @@ struct PictureHead {
     int of_samples = 0;     // that the last one will have
     bool complete = false;  // nothing more will come
     bool stored = false;    // the film's own frame, which is in the cache: `carom render` uses it
-    std::string channel;
+    std::string channel;    // of the question
+    std::string legend;     // what the shades of a channel mean, a sentence; empty for colours
 };
 
 /// A film that is being made, or the last one. Sent when it starts, with each frame, and at its

@@ -10,6 +10,7 @@
 #include "pipeline/job/mixed_film.h"
 #include "pipeline/job/overlay.h"
 #include "pipeline/store/cache_folder.h"
+#include "pipeline/studio/channel_picture.h"
 #include "pipeline/studio/display_picture.h"
 
 namespace carom::studio {
@@ -51,7 +52,8 @@ struct PictureRounds::Work {
     std::vector<Size> levels;                // growing
     std::vector<std::vector<Hash128>> keys;  // by level, then by layer
     int most = 0;                            // samples
-    bool is_films = false;                   // the film's frame at its own size
+    bool is_films = false;                   // the film's frame at its own size, in colours
+    std::optional<ViewChannel> channel;      // shown instead of colours
 
     [[nodiscard]] render::RenderSettings settings(std::size_t level) const {
         render::RenderSettings result = shot.render;
@@ -95,16 +97,17 @@ std::shared_ptr<const render::PreparedScene> PictureRounds::scene_of(const pipel
 
 void PictureRounds::run(const ShownShot& shown, const See& question, int most_samples,
                         const std::stop_token& stop, const std::function<void(Picture)>& show) {
-    if (!question.channel.empty() && question.channel != "colour") {
-        throw Error("the view cannot show the channel '" + question.channel + "'");
-    }
     if (!store_) {
         store_.emplace((cache_folder_.empty() ? pipeline::default_cache_folder() : cache_folder_) +
                        "/frames");
     }
     use(shown);
     const pipeline::Shot& shot = *shown_.shot;
-    Work work{shot, question, stop, pipeline::DisplayView(shot.output), {}, {}, {}, {}, 0, false};
+    Work work{shot, question, stop, pipeline::DisplayView(shot.output), {}, {}, {}, {},
+              0,    false,    {}};
+    if (!question.channel.empty() && question.channel != "colour") {
+        work.channel = view_channel(question.channel);
+    }
     if (question.frame) {
         const std::int64_t count = pipeline::frame_count(shot.cameras, shot.timing);
         if (*question.frame < 0 || *question.frame >= count) {
@@ -126,8 +129,8 @@ void PictureRounds::run(const ShownShot& shown, const See& question, int most_sa
     const double shrink = std::min(1.0, std::sqrt(kMostPixels / area));
     size = {std::max(1, static_cast<int>(size.width * shrink)),
             std::max(1, static_cast<int>(size.height * shrink))};
-    work.is_films =
-        question.frame && size.width == shot.render.width && size.height == shot.render.height;
+    work.is_films = question.frame && !work.channel && size.width == shot.render.width &&
+                    size.height == shot.render.height;
     work.levels.push_back(size);
     while (size.width > 1 && size.height > 1 && size.width * size.height > kFirstPixels) {
         size = {size.width / 2, size.height / 2};
@@ -148,6 +151,15 @@ void PictureRounds::run(const ShownShot& shown, const See& question, int most_sa
     work.most = most_samples > 0 ? most_samples : std::numeric_limits<int>::max();
     if (question.samples > 0) {
         work.most = std::min(work.most, question.samples);
+    }
+    if (work.channel) {
+        work.layers.resize(1);
+        if (work.channel->samples > 0) {
+            work.most = std::min(work.most, work.channel->samples);
+        }
+        for (auto& [key, one] : kept_) {
+            one.stored.reset();  // it has colours only
+        }
     }
 
     const std::size_t last = work.levels.size() - 1;
@@ -225,7 +237,7 @@ Picture PictureRounds::picture_of(Work& work, std::size_t level) {
         int most = samples;
         if (!kept.stored) {
             samples = kept.frame->samples();
-            most = std::min(kept.frame->most_samples(), work.most);
+            most = std::max(samples, std::min(kept.frame->most_samples(), work.most));
             picture.head.complete =
                 picture.head.complete && (kept.frame->finished() || samples >= work.most);
             picture.head.stored = false;
@@ -243,6 +255,15 @@ Picture PictureRounds::picture_of(Work& work, std::size_t level) {
     picture.head.v = shown_.v;
     picture.head.width = film->width;
     picture.head.height = film->height;
+    picture.head.channel = work.question.channel;
+    if (work.channel) {
+        const render::ProgressiveFrame& frame = *kept_.at(work.keys[level].front()).frame;
+        ChannelPicture shown = channel_picture(work.question.channel,
+                                               frame.channels(work.channel->aov, context), *film);
+        picture.rgba = std::move(shown.rgba);
+        picture.head.legend = std::move(shown.legend);
+        return picture;
+    }
     picture.rgba = display_rgba(*film, work.shot.output, work.view, work.text, work.stop);
     return picture;
 }

@@ -3,6 +3,7 @@
 #include <condition_variable>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <thread>
 #include <utility>
 
@@ -31,11 +32,16 @@ class PictureView::State {
     void change(const Change& change) {
         const std::lock_guard lock(mutex_);
         change(*this);
-        generation_ += 1;
-        pending_ = true;
-        not_before_ = std::chrono::steady_clock::now() + options_.restart_delay;
-        stop_.request_stop();
-        wake_.notify_all();
+        restart();
+    }
+
+    void hold(Hold reason, bool is_on) {
+        const std::lock_guard lock(mutex_);
+        const bool was_held = !holds_.empty();
+        is_on ? static_cast<void>(holds_.insert(reason)) : static_cast<void>(holds_.erase(reason));
+        if (was_held != !holds_.empty()) {
+            restart();
+        }
     }
 
     void wait_until_idle() {
@@ -50,11 +56,19 @@ class PictureView::State {
 
     std::optional<See> question;
     ShownShot shown;
-    bool held = false;
     bool film_running = false;
 
   private:
-    [[nodiscard]] bool can_work() const { return question && shown.shot && !held; }
+    /// Ends the work on the old state. The mutex is held.
+    void restart() {
+        generation_ += 1;
+        pending_ = true;
+        not_before_ = std::chrono::steady_clock::now() + options_.restart_delay;
+        stop_.request_stop();
+        wake_.notify_all();
+    }
+
+    [[nodiscard]] bool can_work() const { return question && shown.shot && holds_.empty(); }
 
     void work(const std::stop_token& end) {
         const std::stop_callback stop_work(end, [this] {
@@ -127,6 +141,7 @@ class PictureView::State {
     std::stop_source stop_;
     std::chrono::steady_clock::time_point not_before_;
     std::uint64_t generation_ = 0;
+    std::set<Hold> holds_;
     bool pending_ = false;
     bool busy_ = false;
     PictureCounts counts_;
@@ -153,8 +168,8 @@ void PictureView::cancel() {
     state_->change([](State& state) { state.question.reset(); });
 }
 
-void PictureView::hold(bool held) {
-    state_->change([&](State& state) { state.held = held; });
+void PictureView::hold(Hold reason, bool holds) {
+    state_->hold(reason, holds);
 }
 
 void PictureView::set_film_running(bool running) {

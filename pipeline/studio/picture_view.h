@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -16,6 +17,12 @@ struct PictureOptions {
     int threads = 0;  // 0: one per processor
     /// From a change to the work on it, so that a row of changes starts no work in between.
     std::chrono::milliseconds restart_delay{40};
+};
+
+/// Why pictures wait.
+enum class Hold : std::uint8_t {
+    dragging,  // a pointer drags something
+    texts,     // newer texts are read and simulated: the answer to them comes first
 };
 
 /// All functions may be called from any thread, and return without waiting for work.
@@ -41,8 +48,8 @@ class PictureView {
     /// Once it returns, no picture is sent until the next question.
     void cancel();
 
-    /// Pictures wait while it is on: other work, or a pointer that drags.
-    void hold(bool held);
+    /// Pictures wait while one of the reasons holds.
+    void hold(Hold reason, bool holds);
     /// While a film is made, pictures take one thread and at most 16 samples.
     void set_film_running(bool running);
 

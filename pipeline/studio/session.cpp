@@ -185,7 +185,7 @@ class Session::State {
         if (live_) {
             live_->set_dragging(!dragging_.empty());
         }
-        pictures_->hold(!dragging_.empty());
+        pictures_->hold(Hold::dragging, !dragging_.empty());
     }
 
     Workspace& require_workspace() {
@@ -209,6 +209,10 @@ class Session::State {
         workspace_ = std::move(workspace);
         LiveOutput output;
         output.text = [this, opening](const ServerMessage& message) {
+            const auto* problems = std::get_if<Problems>(&message);
+            if (problems != nullptr && problems->complete) {
+                pictures_->hold(Hold::texts, false);
+            }
             send_newest(opening, message);
         };
         output.binary = [this, opening](const BinaryHead& head,
@@ -235,7 +239,11 @@ class Session::State {
         offer();
     }
 
-    void offer() { live_->offer({workspace_->version(), workspace_->shot(), workspace_->texts()}); }
+    /// Pictures wait until the newest texts are answered.
+    void offer() {
+        pictures_->hold(Hold::texts, true);
+        live_->offer({workspace_->version(), workspace_->shot(), workspace_->texts()});
+    }
 
     void send(PageId page, const ServerMessage& message) {
         const std::lock_guard lock(send_mutex_);

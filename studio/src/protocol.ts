@@ -437,6 +437,7 @@ export interface PictureHead {
     complete: boolean;
     stored: boolean;
     channel: string;
+    legend: string;
 }
 export const kPictureType = 3;
 

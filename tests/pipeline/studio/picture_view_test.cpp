@@ -121,13 +121,81 @@ TEST_F(View, CancelledOrHeld_LeavesNoPictureAfterwards) {
     shot->render.samples = 65536;
     show(shot, 1);
     view_.ask(frame(1, 3));
-    view_.hold(true);
+    view_.hold(Hold::dragging, true);
     const std::size_t held = pictures().size();
     EXPECT_EQ(pictures().size(), held);
-    view_.hold(false);
+    view_.hold(Hold::dragging, false);
     view_.cancel();
     const std::size_t count = pictures().size();
     EXPECT_EQ(pictures().size(), count);
+}
+
+TEST_F(View, HeldForTwoReasons_WaitsForTheEndOfBoth) {
+    view_.hold(Hold::dragging, true);
+    view_.hold(Hold::texts, true);
+    show(make_shot(), 1);
+    view_.ask(frame(1, 3));
+    view_.hold(Hold::texts, false);
+    EXPECT_TRUE(pictures().empty());
+    view_.hold(Hold::dragging, false);
+    EXPECT_FALSE(pictures().empty());
+}
+
+TEST_F(View, Channels_HaveLegendsAndAreNotStored) {
+    show(make_shot(), 1);
+    std::int64_t q = 0;
+    for (const std::string name :
+         {"depth", "normal", "albedo", "object_id", "material_id", "noise"}) {
+        See see = frame(++q, 4);
+        see.channel = name;
+        view_.ask(see);
+        const Picture last = pictures().back();
+        EXPECT_EQ(last.problem, "");
+        EXPECT_EQ(last.head.channel, name);
+        EXPECT_TRUE(last.head.complete) << name;
+        EXPECT_FALSE(last.head.stored) << name;
+        EXPECT_NE(last.head.legend, "") << name;
+        EXPECT_EQ(last.head.samples, name == "depth" ? 1 : 8) << name << ", of what there is";
+    }
+    EXPECT_EQ(view_.counts().frames_stored, 0u);
+    EXPECT_EQ(view_.counts().camera_rays, 32u * 18u * 8u) << "all share the same samples";
+}
+
+TEST_F(View, ChannelAfterTheStoredFrame_IsTracedAgain) {
+    show(make_shot(), 1);
+    view_.ask(frame(1, 4));
+    ASSERT_TRUE(pictures().back().head.stored);
+    See see = frame(2, 4);
+    see.channel = "object_id";
+    view_.ask(see);
+    EXPECT_EQ(pictures().back().problem, "");
+    EXPECT_EQ(pictures().back().head.q, 2);
+}
+
+TEST_F(View, UnknownChannel_IsAProblem) {
+    show(make_shot(), 1);
+    See see = frame(1, 4);
+    see.channel = "smell";
+    view_.ask(see);
+    EXPECT_EQ(pictures().back().problem, "the view cannot show the channel 'smell'");
+}
+
+TEST_F(View, FreeViewOfManyPixels_IsMadeSmaller) {
+    auto shot = make_shot();
+    shot->render.samples = 1;
+    show(shot, 1);
+    See see;
+    see.q = 1;
+    see.view = FreeView{.scene_time = 0.1, .position = {0, -3, 2}, .target = {0, 0, 0}};
+    see.width = 16384;
+    see.height = 16384;
+    view_.ask(see);
+    const Picture last = pictures().back();
+    EXPECT_EQ(last.problem, "");
+    EXPECT_TRUE(last.head.complete);
+    EXPECT_EQ(last.head.width, 2000);
+    EXPECT_EQ(last.head.height, 2000);
+    EXPECT_FALSE(last.head.stored);
 }
 
 TEST_F(View, FrameBeyondTheFilm_IsAProblem) {
