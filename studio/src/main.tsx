@@ -1,5 +1,6 @@
 import { render } from 'preact';
 import { connect } from './connection/socket';
+import { Dialogs } from './dialogs/Dialogs';
 import * as edit from './edit/edit';
 import { Shell } from './shell/Shell';
 import { watchTheme } from './shell/theme';
@@ -34,6 +35,6 @@ if (app) {
     onCommand('undo', () => { travel(true); });
     onCommand('redo', () => { travel(false); });
     onCommand('cancel', () => { edit.cancelGesture(); });
-    render(<Shell />, app);
+    render(<><Shell /><Dialogs /></>, app);
     connect();
 }
