@@ -70,8 +70,24 @@ std::string plain_number_schema(const TypeInfo& type) {
     return object(number);
 }
 
-std::string text_of(const std::string& pattern) {
-    return object({{"type", json_string("string")}, {"pattern", json_string(pattern)}});
+std::string text_of(const std::string& pattern, const Members& more = {}) {
+    Members members{{"type", json_string("string")}, {"pattern", json_string(pattern)}};
+    members.insert(members.end(), more.begin(), more.end());
+    return object(members);
+}
+
+/// For editors: the unit of displayed values, the usual units, and whether a number needs one.
+Members unit_members(const TypeInfo& type) {
+    const DimensionInfo& dimension = info(type.dimension);
+    if (dimension.units.empty()) {
+        return {};
+    }
+    const std::string unit = type.needed_unit.empty() ? dimension.unit : type.needed_unit;
+    Members members{{"x-unit", json_string(unit)}, {"x-units", json_string(dimension.units)}};
+    if (!type.needed_unit.empty()) {
+        members.emplace_back("x-needs-unit", "true");
+    }
+    return members;
 }
 
 std::string integer_schema(const TypeInfo& type) {
@@ -92,8 +108,12 @@ std::string text_schema(const TypeInfo& type) {
         return text_of(type.pattern);
     }
     // YAML may read a word as a number.
-    const std::string any = object(
-        {{"type", array({json_string("string"), json_string("number"), json_string("boolean")})}});
+    Members word{
+        {"type", array({json_string("string"), json_string("number"), json_string("boolean")})}};
+    if (!type.more_choices.empty()) {
+        word.emplace_back("x-keys-of", json_string(type.more_choices));
+    }
+    const std::string any = object(word);
     return type.choices.empty()
                ? any
                : any_of({object({{"enum", quoted_array(type.choices)}}), any});  // for suggestions
@@ -115,6 +135,8 @@ std::string choice_schema(const TypeInfo& type) {
 
 // ---- the whole ------------------------------------------------------------------------------
 
+/// Members whose names begin with "x-" are for editors; other readers of schemas skip them.
+///
 /// Generates the definitions of maps in the order of their first use. A map that may be merged with
 /// an included one need not be complete. A map in a list is not merged, so it must be.
 class Schema {
@@ -168,9 +190,11 @@ class Schema {
     std::string quantity_schema(const TypeInfo& type) {
         const std::string& noun = info(type.dimension).name;
         std::string text =
-            shared(noun, text_of(dimension_pattern(type.dimension, !type.needed_unit.empty())));
+            shared(noun, text_of(dimension_pattern(type.dimension, !type.needed_unit.empty()),
+                                 unit_members(type)));
         if (type.range.low || type.range.high) {
-            text = object({{"allOf", array({text, shared(noun, text_of(range_pattern(type)))})}});
+            text = object({{"allOf", array({text, shared(noun, text_of(range_pattern(type)))})},
+                           {"x-range", json_string(describe(type.range, type.dimension))}});
         }
         const std::string number = plain_number_schema(type);
         return number.empty() ? text : any_of({number, text});
@@ -208,8 +232,10 @@ class Schema {
             case TypeInfo::Kind::text:
                 return text_schema(type);
             case TypeInfo::Kind::name:
+                return object(
+                    {{"type", json_string("string")}, {"x-name-of", json_string(type.noun)}});
             case TypeInfo::Kind::file:
-                return object({{"type", json_string("string")}});
+                return object({{"type", json_string("string")}, {"x-file", "true"}});
             case TypeInfo::Kind::choice:
                 return choice_schema(type);
             case TypeInfo::Kind::list:
