@@ -32,7 +32,8 @@ export class Drawing {
     private asked = 0;
 
     private constructor(
-        renderer: WebGLRenderer, private readonly scene: Scene, private readonly camera: Camera,
+        renderer: WebGLRenderer, private readonly scene: Scene,
+        private readonly camera: () => Camera,
     ) {
         this.renderer = renderer;
         this.isFast = isSoftware(renderer.getContext());
@@ -41,7 +42,7 @@ export class Drawing {
     }
 
     /// Null if the browser has no WebGL.
-    static on(canvas: HTMLCanvasElement, scene: Scene, camera: Camera): Drawing | null {
+    static on(canvas: HTMLCanvasElement, scene: Scene, camera: () => Camera): Drawing | null {
         const renderer = makeRenderer(canvas);
         return renderer && new Drawing(renderer, scene, camera);
     }
@@ -50,7 +51,7 @@ export class Drawing {
     ask(): void {
         this.asked ||= requestAnimationFrame(() => {
             this.asked = 0;
-            this.renderer.render(this.scene, this.camera);
+            this.renderer.render(this.scene, this.camera());
             this.frames += 1;
         });
     }

@@ -1,10 +1,11 @@
 /// What is at the pointer.
 import { Plane, Raycaster, Vector2, Vector3 } from 'three';
-import type { Camera, Object3D } from 'three';
+import type { Camera, Object3D, Ray } from 'three';
 import type { SceneObject } from '../protocol';
+import type { Pixel } from './parts';
 
 /// The ray through the pointer's place on the canvas.
-export function rayAt(event: PointerEvent, canvas: HTMLElement, camera: Camera): Raycaster {
+export function rayAt(event: Pixel, canvas: HTMLElement, camera: Camera): Raycaster {
     const box = canvas.getBoundingClientRect();
     const ray = new Raycaster();
     ray.setFromCamera(new Vector2(
@@ -31,7 +32,7 @@ export function pick(
 }
 
 /// Where the ray meets the level plane at that height: x and y; null if it does not.
-export function onLevel(ray: Raycaster, height: number): [number, number] | null {
-    const point = ray.ray.intersectPlane(new Plane(new Vector3(0, 0, 1), -height), new Vector3());
+export function onLevel(ray: Ray, height: number): [number, number] | null {
+    const point = ray.intersectPlane(new Plane(new Vector3(0, 0, 1), -height), new Vector3());
     return point && [point.x, point.y];
 }

@@ -1,9 +1,13 @@
 /// The paths of the objects that move, as lines in their colours.
+import { effect } from '@preact/signals';
 import {
     BufferGeometry, Color, Float32BufferAttribute, LineBasicMaterial, LineSegments,
 } from 'three';
+import { tracks } from '../motion/clock';
 import type { Track } from '../motion/track';
 import type { SceneObject, Triple } from '../protocol';
+import { isStale, shot } from '../state/state';
+import { kDrawingPriority, type MakePart } from './parts';
 
 const kMostPieces = 24; // straight pieces between two keys
 const kDeviation = 0.0005; // m, of the drawn line from the curve
@@ -70,3 +74,25 @@ export class Trails {
         material.needsUpdate = true;
     }
 }
+
+export const makeTrails: MakePart = ({ scene, ask }) => {
+    const trails = new Trails();
+    scene.add(trails.lines);
+    const ends = [
+        effect(() => {
+            trails.update(shot.value?.objects ?? [], tracks.value);
+            ask();
+        }),
+        effect(() => {
+            trails.setStale(isStale.value);
+            ask();
+        }),
+    ];
+    return {
+        priority: kDrawingPriority,
+        dispose: () => {
+            ends.forEach((end) => end());
+            trails.lines.removeFromParent();
+        },
+    };
+};

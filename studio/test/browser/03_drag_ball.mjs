@@ -6,7 +6,7 @@ function placeOfCue(page) {
     return page.evaluate(() => {
         const { view, state } = window.studio;
         const { position } = state.shot.value.objects.find((object) => object.name === 'cue');
-        const point = view.free.position.clone().set(...position).project(view.camera);
+        const point = view.camera.position.clone().set(...position).project(view.camera);
         const box = view.canvas.getBoundingClientRect();
         return [box.left + ((point.x + 1) / 2) * box.width, box.top + ((1 - point.y) / 2) * box.height];
     });

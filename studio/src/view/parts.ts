@@ -1,0 +1,65 @@
+/// The parts of the view: trails, gizmos, cameras, lights. Each draws its own things and may offer
+/// drags; src/view/all_parts.ts lists them.
+import type { ReadonlySignal } from '@preact/signals';
+import type {
+    Object3D, OrthographicCamera, PerspectiveCamera, Ray, Raycaster, Scene,
+} from 'three';
+import type { SceneObject, Triple } from '../protocol';
+
+export type ViewCamera = PerspectiveCamera | OrthographicCamera;
+
+/// A place on the page, as pointer events and mouse events have it.
+export interface Pixel {
+    clientX: number;
+    clientY: number;
+}
+
+/// What a part of the view gets.
+export interface ViewContext {
+    readonly canvas: HTMLCanvasElement;
+    readonly scene: Scene;
+    /// Counts the changes of the camera and of the view's size.
+    readonly moved: ReadonlySignal<number>;
+    /// The one that is looked through now.
+    camera(): ViewCamera;
+    /// The ray from the camera through a pixel, in the world.
+    rayAt(pixel: Pixel): Ray;
+    raycasterAt(pixel: Pixel): Raycaster;
+    /// CSS pixels from the canvas's upper left corner; null behind the camera.
+    toScreen(point: Triple): [number, number] | null;
+    /// The length that one CSS pixel shows at that point, m.
+    metresPerPixel(point: Triple): number;
+    /// The meshes of an object of the shot; null until they are loaded.
+    meshNode(name: string): Object3D | null;
+    /// The nearest object of the shot at a pixel, the table too.
+    objectAt(pixel: Pixel): SceneObject | null;
+    /// Draws at the display's next frame.
+    ask(): void;
+}
+
+/// A drag that began: one gesture of src/edit. After `end` or `cancel` nothing more is called.
+export interface Drag {
+    move(event: PointerEvent): void;
+    end(event: PointerEvent): void;
+    cancel(): void;
+}
+
+/// Of all parts, from the largest priority to the smallest, the first that returns a drag gets the
+/// pointer until it is released; the camera stays where it is meanwhile. Escape cancels the drag.
+export interface ViewPart {
+    readonly priority: number;
+    /// For a press of the main button.
+    grab?(event: PointerEvent): Drag | null;
+    /// For a pointer without a pressed button: a CSS cursor if `grab` would return a drag here.
+    hover?(event: PointerEvent): string | null;
+    dispose(): void;
+}
+
+export type MakePart = (context: ViewContext) => ViewPart;
+
+/// The priorities: handles lie before the bodies of the scene, bodies before what only draws.
+export const kHandlePriority = 30;
+export const kGizmoPriority = 20;
+export const kBodyPriority = 10;
+export const kDrawingPriority = 0;
+

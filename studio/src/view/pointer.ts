@@ -1,0 +1,91 @@
+/// Which part of the view gets the pointer.
+import { onCommand } from '../state/keys';
+import type { Drag, ViewPart } from './parts';
+
+/// Gives presses, drags and hovering to the parts, before all other listeners of the canvas. A press
+/// that no part wants is left to them. Returns a function that ends this.
+export function arbitratePointer(
+    canvas: HTMLCanvasElement, parts: readonly ViewPart[],
+): () => void {
+    const inOrder = [...parts].sort((a, b) => b.priority - a.priority);
+    let drag: Drag | null = null;
+    let pointer: number | null = null; // pressed by a part; its drag may have been cancelled
+    let forgetCancel = () => {};
+    let hovering = 0;
+
+    const finish = (how: (drag: Drag) => void) => {
+        const ended = drag;
+        drag = null;
+        forgetCancel();
+        forgetCancel = () => {};
+        if (ended) {
+            how(ended);
+        }
+    };
+    const down = (event: PointerEvent) => {
+        cancelAnimationFrame(hovering);
+        if (pointer !== null) {
+            event.stopImmediatePropagation();
+            return;
+        }
+        for (const part of event.button === 0 ? inOrder : []) {
+            drag = part.grab?.(event) ?? null;
+            if (drag) {
+                break;
+            }
+        }
+        if (drag) {
+            pointer = event.pointerId;
+            event.stopImmediatePropagation();
+            canvas.setPointerCapture(event.pointerId);
+            canvas.focus();
+            forgetCancel = onCommand('cancel', () => finish((one) => one.cancel()));
+        }
+    };
+    const move = (event: PointerEvent) => {
+        if (pointer === event.pointerId) {
+            event.stopImmediatePropagation();
+            drag?.move(event);
+        } else if (event.buttons === 0) {
+            cancelAnimationFrame(hovering);
+            hovering = requestAnimationFrame(() => {
+                canvas.style.cursor = cursorAt(inOrder, event) ?? '';
+            });
+        }
+    };
+    const up = (event: PointerEvent) => {
+        if (pointer === event.pointerId) {
+            event.stopImmediatePropagation();
+            pointer = null;
+            finish((one) => one.end(event));
+        }
+    };
+    const lost = (event: PointerEvent) => {
+        if (pointer === event.pointerId) {
+            pointer = null;
+            finish((one) => one.cancel());
+        }
+    };
+
+    const listeners = [
+        ['pointerdown', down], ['pointermove', move], ['pointerup', up], ['pointercancel', lost],
+    ] as const;
+    listeners.forEach(([name, listener]) =>
+        canvas.addEventListener(name, listener, { capture: true }));
+    return () => {
+        cancelAnimationFrame(hovering);
+        finish((one) => one.cancel());
+        listeners.forEach(([name, listener]) =>
+            canvas.removeEventListener(name, listener, { capture: true }));
+    };
+}
+
+function cursorAt(parts: readonly ViewPart[], event: PointerEvent): string | null {
+    for (const part of parts) {
+        const cursor = part.hover?.(event) ?? null;
+        if (cursor !== null) {
+            return cursor;
+        }
+    }
+    return null;
+}

@@ -1,0 +1,31 @@
+/// A click on the canvas selects what is there.
+import type { KeyPath } from '../protocol';
+import { selection } from '../state/state';
+import type { Pixel } from './parts';
+
+const kClickDistance = 4; // CSS pixels; a longer way is a drag
+
+/// Selects what `at` returns for a click that no part of the view took. Returns a function that ends
+/// this.
+export function selectByClick(
+    canvas: HTMLCanvasElement, at: (pixel: Pixel) => KeyPath | null,
+): () => void {
+    let start: Pixel | null = null;
+    const down = (event: PointerEvent) => {
+        start = event.button === 0 ? { clientX: event.clientX, clientY: event.clientY } : null;
+    };
+    const up = (event: PointerEvent) => {
+        const way = start
+            ? Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY) : Infinity;
+        if (way < kClickDistance) {
+            selection.value = at(event);
+        }
+        start = null;
+    };
+    canvas.addEventListener('pointerdown', down);
+    canvas.addEventListener('pointerup', up);
+    return () => {
+        canvas.removeEventListener('pointerdown', down);
+        canvas.removeEventListener('pointerup', up);
+    };
+}
