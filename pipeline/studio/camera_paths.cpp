@@ -1,5 +1,6 @@
 #include "pipeline/studio/camera_paths.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -9,6 +10,7 @@
 #include "pipeline/camera/exposure.h"
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/camera/time_map.h"
+#include "pipeline/config/quantity.h"
 
 namespace carom::studio {
 
@@ -28,12 +30,29 @@ KeyPath below(KeyPath path, const std::string& key) {
     return path;
 }
 
+/// The vector that is written at a key of a path; nothing if there is none.
+std::optional<Vec3> written_vector(const Node& written, const char* key) {
+    const Entry* entry = written.find(key);
+    if (entry == nullptr || entry->value.items.size() != 3) {
+        return std::nullopt;
+    }
+    Vec3 vector(0, 0, 0);
+    for (int i = 0; i < 3; ++i) {
+        const auto parsed =
+            pipeline::config::parse_quantity(entry->value.items[static_cast<std::size_t>(i)].text);
+        if (const auto* quantity = std::get_if<pipeline::config::Quantity>(&parsed)) {
+            vector[i] = quantity->value;
+        }
+    }
+    return vector;
+}
+
 /// A path of one camera with its place in the shot.
 struct ShapeMaker {
     const pipeline::CameraRig& rig;
     const sim::Timeline& timeline;
-    KeyPath path;           // ["cameras", "0", "position"]
-    bool is_point = false;  // written as a point, not as a map
+    KeyPath path;  // ["cameras", "0", "position"]
+    Node written;  // a point or a map
 
     [[nodiscard]] Vec3 object_at(const std::string& name, double time) const {
         const sim::Track* track = timeline.find(name);
@@ -59,7 +78,8 @@ struct ShapeMaker {
         shape.kind = kind;
         for (std::size_t i = 0; i < controls.size(); ++i) {
             shape.points.push_back(
-                point(controls[i], is_point ? path : below(below(path, kind), std::to_string(i))));
+                point(controls[i],
+                      written.is_sequence() ? path : below(below(path, kind), std::to_string(i))));
         }
         return shape;
     }
@@ -85,6 +105,10 @@ struct ShapeMaker {
                             {orbit.turn.r, orbit.turn.v.x, orbit.turn.v.y, orbit.turn.v.z}};
         if (const auto* fixed = std::get_if<pipeline::ControlPoint>(&orbit.around)) {
             shape.points.push_back(point(*fixed, below(path, "orbit")));
+            if (const std::optional<Vec3> offset = written_vector(written, "offset")) {
+                shape.points.back().path = below(path, "offset");
+                shape.points.back().offset = triple(*offset);
+            }
         } else {
             const auto& follow = std::get<pipeline::FollowPath>(orbit.around);
             const double start = rig.time_map.scene_start.to_double() + follow.look_ahead;
@@ -124,9 +148,9 @@ pipeline::CameraRig fitted(const pipeline::CameraRig& rig, const sim::Timeline& 
     }
 }
 
-bool is_written_as_point(const Node& camera, const std::string& key) {
+Node value_of(const Node& camera, const std::string& key) {
     const Entry* entry = camera.find(key);
-    return entry != nullptr && entry->value.is_sequence();
+    return entry == nullptr ? Node{} : entry->value;
 }
 
 Camera camera_message(const pipeline::CameraRig& rig, const Node& node, const KeyPath& path,
@@ -150,8 +174,8 @@ Camera camera_message(const pipeline::CameraRig& rig, const Node& node, const Ke
     const pipeline::CameraRig drawn = fitted(rig, timeline);
     const auto shape = [&](const char* key, const pipeline::CameraPath& own,
                            const pipeline::CameraPath& curve) {
-        PathShape result = std::visit(
-            ShapeMaker{rig, timeline, below(path, key), is_written_as_point(node, key)}, own);
+        PathShape result =
+            std::visit(ShapeMaker{rig, timeline, below(path, key), value_of(node, key)}, own);
         if (result.kind != "bezier" || result.points.size() > 1) {
             result.curve = curve_of(curve, drawn, timeline);
         }

@@ -174,8 +174,8 @@ constexpr auto fields_of(Describes<SceneLight>) {
     return fields<SceneLight>(
         field("name", &SceneLight::name), field("kind", &SceneLight::kind),
         field("path", &SceneLight::path), field("position", &SceneLight::position),
-        field("facing", &SceneLight::facing), field("colour", &SceneLight::colour),
-        field("size", &SceneLight::size));
+        field("facing", &SceneLight::facing), field("orientation", &SceneLight::orientation),
+        field("colour", &SceneLight::colour), field("size", &SceneLight::size));
 }
 
 constexpr auto fields_of(Describes<PathPoint>) {

@@ -290,18 +290,20 @@ struct SceneLight {
     KeyPath path{};
     Triple position{};
     Triple facing{};
-    Triple colour{};  // linear, its largest component 1
+    Turn orientation{1, 0, 0, 0};  // of a rectangle: its edges along x and y, it shines along z
+    Triple colour{};               // linear, its largest component 1
     std::vector<double>
         size;  // rectangle: width, height; sphere: radius; spot: inner and outer half angle
 };
 
 /// One point of a path, as a handle to drag.
 struct PathPoint {
-    KeyPath path{};     // of the point in the shot
+    KeyPath path{};     // of the point in the shot, or of the offset that moves it
     Triple position{};  // in the world
     std::string of{};   // an object to which the point is relative, or empty
     double at = 0;      // the scene time of that object
-    Triple offset{};    // from it
+    Triple offset{};    // what is written: at `path`, or at its `offset` if the path is that of a
+                        // point relative to an object
 };
 
 /// The ellipse of an orbit around its one point.

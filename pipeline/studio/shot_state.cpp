@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <variant>
 
+#include <Imath/ImathMatrixAlgo.h>
+
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/config/build/builder.h"
 #include "pipeline/studio/camera_paths.h"
@@ -64,6 +66,16 @@ Triple hue_of(const Vec3& colour) {
     return largest > 0 ? triple(colour / largest) : Triple{0, 0, 0};
 }
 
+/// The rotation from the world's axes to the light's.
+Turn orientation_of(const render::RectangleLight& light) {
+    const Vec3 u = light.edge_u.normalized();
+    const Vec3 v = light.normal.cross(u);
+    const Vec3& n = light.normal;
+    const Imath::M44d rows(u.x, u.y, u.z, 0, v.x, v.y, v.z, 0, n.x, n.y, n.z, 0, 0, 0, 0, 1);
+    const Quat turn = Imath::extractQuat(rows).normalized();
+    return {turn.r, turn.v.x, turn.v.y, turn.v.z};
+}
+
 struct FillLight {
     SceneLight& message;
 
@@ -71,6 +83,7 @@ struct FillLight {
         message.kind = "rectangle";
         message.position = triple(light.centre);
         message.facing = triple(light.normal);
+        message.orientation = orientation_of(light);
         message.colour = hue_of(light.radiance);
         message.size = {2 * light.edge_u.length(), 2 * light.edge_v.length()};
     }

@@ -235,6 +235,7 @@ export interface SceneLight {
     path: KeyPath;
     position: Triple;
     facing: Triple;
+    orientation: Turn;
     colour: Triple;
     size: number[];
 }
