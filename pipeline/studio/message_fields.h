@@ -222,6 +222,16 @@ constexpr auto fields_of(Describes<ShotEvent>) {
         field("toward", &ShotEvent::toward));
 }
 
+constexpr auto fields_of(Describes<CushionNose>) {
+    return fields<CushionNose>(field("from", &CushionNose::from), field("to", &CushionNose::to));
+}
+
+constexpr auto fields_of(Describes<TablePocket>) {
+    return fields<TablePocket>(field("name", &TablePocket::name),
+                               field("place", &TablePocket::place),
+                               field("radius", &TablePocket::radius));
+}
+
 constexpr auto fields_of(Describes<Table>) {
     return fields<Table>(field("length", &Table::length), field("width", &Table::width),
                          field("cushion_height", &Table::cushion_height),
@@ -243,7 +253,8 @@ constexpr auto fields_of(Describes<Names>) {
 constexpr auto fields_of(Describes<ShotState>) {
     return fields<ShotState>(
         field("v", &ShotState::v), field("name", &ShotState::name), field("film", &ShotState::film),
-        field("table", &ShotState::table), field("objects", &ShotState::objects),
+        field("table", &ShotState::table), field("noses", &ShotState::noses),
+        field("pockets", &ShotState::pockets), field("objects", &ShotState::objects),
         field("lights", &ShotState::lights), field("cameras", &ShotState::cameras),
         field("events", &ShotState::events), field("names", &ShotState::names),
         field("places", &ShotState::places));

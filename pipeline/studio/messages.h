@@ -359,6 +359,19 @@ struct ShotEvent {
     std::string toward{};         // of a strike: an object, or empty
 };
 
+/// The straight part of a cushion, on the line that the foremost point of a ball touches. The
+/// playing field is on the left of from -> to.
+struct CushionNose {
+    std::array<double, 2> from{};
+    std::array<double, 2> to{};
+};
+
+struct TablePocket {
+    std::string name{};  // "corner_left_front" ...
+    std::array<double, 2> place{};
+    double radius = 0;  // of the hole
+};
+
 /// A table, for drawing aids: the ghost ball, the first rebound.
 struct Table {
     double length = 0;  // between the noses
@@ -388,6 +401,8 @@ struct ShotState {
     std::string name{};
     Film film{};
     std::optional<Table> table{};
+    std::vector<CushionNose> noses{};    // of the table's cushions
+    std::vector<TablePocket> pockets{};  // of the table
     std::vector<SceneObject> objects{};
     std::vector<SceneLight> lights{};
     std::vector<Camera> cameras{};

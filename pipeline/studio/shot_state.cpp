@@ -9,6 +9,7 @@
 #include "pipeline/config/build/builder.h"
 #include "pipeline/studio/camera_paths.h"
 #include "pipeline/studio/value_places.h"
+#include "sim/billiards/layout.h"
 
 namespace carom::studio {
 
@@ -25,6 +26,15 @@ Film film_message(const pipeline::Shot& shot) {
     return film;
 }
 
+std::array<double, 2> pair(const Vec2& v) {
+    return {v.x, v.y};
+}
+
+/// By how much the rounding at a jaw shortens the nose.
+double lip_length(const std::optional<sim::billiards::Jaw>& jaw) {
+    return jaw ? jaw->lip_tangent_length : 0;
+}
+
 std::optional<Table> table_message(const pipeline::Shot& shot,
                                    const std::vector<SceneObject>& objects) {
     const auto& table = shot.world.table;
@@ -34,6 +44,21 @@ std::optional<Table> table_message(const pipeline::Shot& shot,
     const auto ball = std::ranges::find(objects, "ball", &SceneObject::kind);
     return Table{table->length, table->width, table->nose_height,
                  ball == objects.end() ? sim::Sphere{}.radius : ball->radius};
+}
+
+/// The cushions and pockets of the table.
+void add_plan(const sim::billiards::TableMeasures& table, ShotState& state) {
+    const auto layout = sim::billiards::make_layout(table, state.table->ball_radius);
+    for (const sim::billiards::CushionLayout& cushion : layout.cushions) {
+        const double from = cushion.from + lip_length(cushion.jaw_from);
+        const double to = cushion.to - lip_length(cushion.jaw_to);
+        state.noses.push_back({pair(cushion.side.at(from, layout.nose_inset)),
+                               pair(cushion.side.at(to, layout.nose_inset))});
+    }
+    for (const sim::billiards::PocketLayout& pocket : layout.pockets) {
+        state.pockets.push_back(
+            {pocket.pocket.name, pair(pocket.pocket.centre), pocket.pocket.radius});
+    }
 }
 
 Names names_of(const pipeline::Shot& shot, const std::vector<SceneObject>& objects) {
@@ -137,6 +162,9 @@ ShotState shot_state(const pipeline::Shot& shot, const pipeline::ShotSource& sou
     state.film = film_message(shot);
     state.objects = object_messages(shot, source, timeline);
     state.table = table_message(shot, state.objects);
+    if (state.table) {
+        add_plan(*shot.world.table, state);
+    }
     state.lights = light_messages(shot);
     state.cameras = camera_messages(shot, source, timeline);
     state.events = event_messages(shot, timeline);

@@ -215,6 +215,17 @@ export interface Table {
     ball_radius: number;
 }
 
+export interface CushionNose {
+    from: [number, number];
+    to: [number, number];
+}
+
+export interface TablePocket {
+    name: string;
+    place: [number, number];
+    radius: number;
+}
+
 export interface SceneObject {
     name: string;
     kind: string;
@@ -319,6 +330,8 @@ export interface ShotState {
     name: string;
     film: Film;
     table?: Table;
+    noses: CushionNose[];
+    pockets: TablePocket[];
     objects: SceneObject[];
     lights: SceneLight[];
     cameras: Camera[];
