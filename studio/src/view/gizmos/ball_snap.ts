@@ -39,6 +39,7 @@ type Curve =
     | { kind: 'line'; from: Place; to: string; along: Place; length: number; isGuide: boolean };
 
 const kFinest = 1e-6; // m, of places that touch something
+const kAlong = 1e-4; // m, of the coordinate along a line on which the ball may lie anywhere
 
 /// The distance of the centres of two balls that lie on the cloth and touch, seen from above.
 export function contactDistance(a: number, b: number): number {
@@ -160,6 +161,14 @@ function roundedOutwards(place: Place, radius: number, others: readonly OtherBal
     return best ?? place;
 }
 
+/// With the coordinate that the snap leaves free in whole steps.
+function inSteps<T extends Snap & { line: Curve | null }>(snap: T): T {
+    const along = snap.line?.kind === 'line' ? snap.line.along : [0, 0];
+    const place = snap.place.map((value, i) =>
+        Math.abs(along[i] ?? 0) === 1 ? Math.round(value / kAlong) * kAlong : value);
+    return { ...snap, place: place as Place };
+}
+
 function guidesOf(curves: readonly Curve[]): [Place, Place][] {
     return curves.flatMap((curve): [Place, Place][] => curve.kind === 'line' && curve.isGuide
         ? [[curve.from, [curve.from[0] + curve.length * curve.along[0],
@@ -199,9 +208,9 @@ export function snapBall(
     const once = curves.flatMap((curve) => {
         const one = nearest(curve, place);
         return one ? [{ place: one, to: [curve.to], guides: guidesOf([curve]),
-            rank: curve.kind === 'circle' ? 1 : 2 }] : [];
+            rank: curve.kind === 'circle' ? 1 : 2, line: curve }] : [];
     });
-    const found = pick([...spots, ...twice]) ?? pick(once);
+    const found = pick([...spots, ...twice]) ?? pick(once.map(inSteps));
     return found ? { to: found.to, guides: found.guides,
         place: roundedOutwards(found.place, radius, others) } : { place, to: [], guides: [] };
 }
