@@ -1,0 +1,43 @@
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { keyAt, keysAt, typesAt } from '../../src/schema/keys';
+import type { Schema } from '../../src/schema/value_types';
+
+const schema = JSON.parse(
+    readFileSync(join(__REPOSITORY__, 'configs/carom.schema.json'), 'utf8')) as Schema;
+
+const at = (path: string) => typesAt(schema, path.split('.'));
+
+test('TypesAt_Values_SayTheirUnitRangeAndNames', () => {
+    const types = at('cameras.0.fov');
+    const fov = types.find((type) => type.kind === 'number');
+    assert.ok(fov);
+    assert.deepEqual([fov.unit, fov.needsUnit, fov.range],
+        ['deg', true, 'more than 0 deg and less than 180 deg']);
+    assert.deepEqual(types.map(({ kind }) => kind), ['number', 'list', 'map']);
+    assert.deepEqual(at('simulation.duration'), [{ kind: 'number', isInteger: false, unit: 's',
+        units: ['s', 'ms', 'min'], needsUnit: false, low: 0, high: 3600,
+        range: 'more than 0 s and at most 3600 s' }]);
+    assert.ok(at('events.0.strike.toward').some((type) =>
+        type.kind === 'name' && type.of === 'a ball or object'));
+    assert.deepEqual(at('cameras.2.target.follow'), [{ kind: 'name', of: 'a ball or moving object' }]);
+    assert.deepEqual(at('physics.cloth'),
+        [{ kind: 'text', words: ['new', 'worn'], keysOf: 'conditions.cloth', pattern: '' }]);
+    assert.deepEqual(at('cameras.0.easing.nothing'), []);
+});
+
+test('KeysAt_Maps_OfferWhatMayBeAdded', () => {
+    const names = (path: string, present: string[]) =>
+        keysAt(schema, path === '' ? [] : path.split('.'), present).map(({ name }) => name);
+    assert.ok(names('', []).includes('cameras'));
+    assert.ok(!names('', ['cameras']).includes('cameras'));
+    assert.deepEqual(names('events.0', []), ['strike', 'impulse', 'force', 'torque', 'velocity']);
+    assert.deepEqual(names('events.0', ['force']), []);
+    assert.ok(names('balls.cue', ['at']).includes('spin'));
+    const step = keyAt(schema, ['simulation', 'step']);
+    assert.equal(step?.about, 'longest time step between two contacts');
+    assert.equal(step?.usual, '1/240 s');
+    assert.equal(keyAt(schema, ['balls', 'cue']), null);
+});
