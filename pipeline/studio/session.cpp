@@ -1,5 +1,6 @@
 #include "pipeline/studio/session.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <mutex>
@@ -10,6 +11,10 @@
 
 #include "core/error.h"
 #include "pipeline/config/schema.h"
+#include "pipeline/config/shot_source.h"
+#include "pipeline/store/cache_folder.h"
+#include "pipeline/studio/disk_watch.h"
+#include "pipeline/studio/journal.h"
 #include "pipeline/studio/live_shot.h"
 #include "pipeline/studio/message_json.h"
 #include "pipeline/studio/picture_view.h"
@@ -25,12 +30,14 @@ class Session::State {
         pictures_ =
             std::make_unique<PictureView>([this](const Picture& picture) { send_picture(picture); },
                                           PictureOptions{.cache_folder = options_.cache_folder});
+        watch_ = std::make_unique<DiskWatch>([this] { return look_at_disk(); });
         if (!options_.shot.empty()) {
             open_shot(options_.shot);
         }
     }
 
     ~State() {
+        watch_->end();  // it calls the live shot, which calls it
         live_.reset();
         pictures_.reset();
     }
@@ -103,6 +110,9 @@ class Session::State {
             return;
         }
         send(page, workspace_->files());
+        if (!recovered_.empty()) {
+            send(page, Recovered{recovered_});
+        }
         const std::lock_guard lock(send_mutex_);
         for (auto& [slot, message] : newest_) {
             Outgoing copy = message;
@@ -114,6 +124,7 @@ class Session::State {
     void receive(PageId page, const TextChange& change) {
         const std::int64_t v = require_workspace().set_text(change.v, change.file, change.text);
         offer();
+        keep_unsaved();
         for (const PageId other : pages_) {
             if (other != page || v != change.v) {
                 send(other, TextChanged{v, change.file, change.text});
@@ -123,6 +134,7 @@ class Session::State {
 
     void receive(PageId page, const Save& request) {
         auto result = require_workspace().save(request);
+        keep_unsaved();
         if (const auto* saved = std::get_if<Saved>(&result)) {
             send(0, *saved);
         } else {
@@ -134,6 +146,7 @@ class Session::State {
         require_workspace().revert(request.v, request.file);
         send(0, workspace_->files());
         offer();
+        keep_unsaved();
     }
 
     void receive(PageId /*page*/, const Open& request) {
@@ -148,7 +161,14 @@ class Session::State {
 
     void receive(PageId page, const Dragging& dragging) { set_dragging(page, dragging.on); }
 
-    void receive(PageId /*page*/, const Recover& /*message*/) {}
+    void receive(PageId /*page*/, const Recover& answer) {
+        const std::vector<RecoveredText> texts = std::exchange(recovered_, {});
+        if (answer.use && require_workspace().recover(texts)) {
+            send(0, workspace_->files());
+            offer();
+        }
+        keep_unsaved();
+    }
 
     void receive(PageId /*page*/, const Simulate& /*message*/) {
         if (live_) {
@@ -207,6 +227,7 @@ class Session::State {
             return ++opening_;
         }();
         workspace_ = std::move(workspace);
+        open_journal();
         LiveOutput output;
         output.text = [this, opening](const ServerMessage& message) {
             const auto* problems = std::get_if<Problems>(&message);
@@ -225,9 +246,11 @@ class Session::State {
             const std::lock_guard lock(mutex_);
             if (opening == opening_ && workspace_->set_files(files)) {
                 send(0, workspace_->files());
+                watch_->watch(workspace_->watched());
             }
         };
         output.answer = [this, opening](const LiveAnswer& answer) {
+            watch_assets(opening, *answer.source);
             pictures_->set_shot(answer.shot, answer.timeline, answer.v);
             const std::string hash = meshes_.add(*answer.shot);
             send_newest(opening, SceneMeshes{answer.v, hash});
@@ -236,7 +259,62 @@ class Session::State {
                                                        .quality = options_.quality,
                                                        .root = workspace_->root()},
                                            std::move(output));
+        watch_->watch(workspace_->watched());
         offer();
+    }
+
+    /// The texts that a studio left behind are offered to the pages.
+    void open_journal() {
+        journal_.reset();
+        const std::string& own = options_.cache_folder;
+        const std::string cache = own.empty() ? pipeline::default_cache_folder() : own;
+        journal_ = std::make_unique<Journal>(workspace_->shot(),
+                                             JournalOptions{.folder = cache + "/studio"});
+        recovered_ = workspace_->recoverable(journal_->found());
+        keep_unsaved();
+    }
+
+    /// The journal has the texts that are not saved, and those of which it is not known yet whether
+    /// they are to be used.
+    void keep_unsaved() {
+        std::vector<RecoveredText> texts = workspace_->unsaved();
+        for (const RecoveredText& one : recovered_) {
+            if (std::ranges::find(texts, one.file, &RecoveredText::file) == texts.end()) {
+                texts.push_back(one);
+            }
+        }
+        journal_->keep(std::move(texts));
+    }
+
+    void watch_assets(int opening, const pipeline::ShotSource& source) {
+        std::vector<std::string> paths;
+        for (const auto& [node, path] : source.files()) {
+            paths.push_back(path);
+        }
+        const std::lock_guard lock(mutex_);
+        if (opening == opening_ && workspace_->set_assets(std::move(paths))) {
+            watch_->watch(workspace_->watched());
+        }
+    }
+
+    /// Returns whether a file is missing and may come again.
+    bool look_at_disk() {
+        const std::lock_guard lock(mutex_);
+        if (!workspace_) {
+            return false;
+        }
+        const Workspace::DiskChanges changes = workspace_->look_at_disk();
+        if (changes.reloaded) {
+            send(0, workspace_->files());
+        }
+        for (const DiskChanged& one : changes.conflicting) {
+            send(0, one);
+        }
+        if (changes.reloaded || changes.assets) {
+            offer();
+        }
+        keep_unsaved();
+        return changes.missing;
     }
 
     /// Pictures wait until the newest texts are answered.
@@ -270,6 +348,8 @@ class Session::State {
 
     std::mutex mutex_;  // of the workspace and the pages
     std::unique_ptr<Workspace> workspace_;
+    std::unique_ptr<Journal> journal_;      // of the workspace
+    std::vector<RecoveredText> recovered_;  // until a page says whether they are to be used
     std::set<PageId> pages_;
     std::set<PageId> dragging_;
 
@@ -280,7 +360,8 @@ class Session::State {
 
     std::unique_ptr<PictureView> pictures_;  // calls send_ from its own thread
     std::unique_ptr<LiveShot> ended_;        // of the shot before
-    std::unique_ptr<LiveShot> live_;         // ends first
+    std::unique_ptr<LiveShot> live_;         // ends before what it calls
+    std::unique_ptr<DiskWatch> watch_;
 };
 
 Session::Session(SessionOptions options, Send send)

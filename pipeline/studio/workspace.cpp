@@ -120,7 +120,9 @@ void Workspace::change_text(const std::string& file, const std::optional<std::st
 
 std::int64_t Workspace::set_text(std::int64_t v, const std::string& file, const std::string& text) {
     require_writable(file);
-    change_text(file, text);
+    const DiskFile& disk = disk_[file];
+    const bool is_as_on_disk = !disk.hash.empty() && text == disk.text;
+    change_text(file, is_as_on_disk ? std::nullopt : std::optional(text));
     return next_version(v);
 }
 
@@ -156,25 +158,118 @@ std::variant<Saved, DiskChanged> Workspace::save(const Save& request) {
     return Saved{request.file, disk_[request.file].hash};
 }
 
+bool Workspace::set_assets(std::vector<std::string> paths) {
+    Assets assets;
+    for (std::string& path : paths) {
+        const auto known = assets_.find(path);
+        const Stamp stamp = known == assets_.end() ? stamp_of(path) : known->second;
+        assets.emplace(std::move(path), stamp);
+    }
+    const bool is_other = !std::ranges::equal(assets, assets_, {}, &Assets::value_type::first,
+                                              &Assets::value_type::first);
+    assets_ = std::move(assets);
+    return is_other;
+}
+
+std::vector<std::string> Workspace::watched() const {
+    std::vector<std::string> paths;
+    for (const pipeline::ReadFile& file : files_) {
+        paths.push_back(file.path);
+    }
+    for (const auto& [path, stamp] : assets_) {
+        paths.push_back(path);
+    }
+    return paths;
+}
+
+Workspace::Stamp Workspace::stamp_of(const std::string& path) {
+    std::error_code code;
+    const auto time = fs::last_write_time(path, code);
+    const std::uintmax_t size = code ? 0 : fs::file_size(path, code);
+    return code ? Stamp{} : Stamp{time.time_since_epoch().count(), size};
+}
+
 Workspace::DiskChanges Workspace::look_at_disk() {
     DiskChanges changes;
     for (const pipeline::ReadFile& file : files_) {
-        DiskFile now = read(file.path);
-        DiskFile& known = disk_[file.path];
-        if (now.hash == known.hash || now.hash.empty()) {
-            continue;  // an editor may be about to replace it
-        }
-        known = std::move(now);
-        const auto open = texts_->find(file.path);
-        if (open == texts_->end()) {
-            changes.reloaded.push_back({next_version(0), file.path, known.text});
-        } else if (open->second == known.text) {
-            change_text(file.path, std::nullopt);
-        } else {
-            changes.conflicting.push_back({file.path, known.text, known.hash, false});
-        }
+        take_from_disk(file.path, changes);
+    }
+    for (auto& [path, stamp] : assets_) {
+        const Stamp now = stamp_of(path);
+        changes.assets = changes.assets || now != stamp;
+        stamp = now;
+    }
+    if (changes.reloaded) {
+        static_cast<void>(next_version(0));
     }
     return changes;
+}
+
+void Workspace::take_from_disk(const std::string& file, DiskChanges& changes) {
+    DiskFile now = read(file);
+    DiskFile& known = disk_[file];
+    if (now.hash == known.hash) {
+        missing_.erase(file);
+        return;
+    }
+    const auto open = texts_->find(file);
+    if (now.hash.empty()) {
+        if (missing_.insert(file).second) {
+            changes.missing = true;  // an editor may be about to replace it
+            return;
+        }
+        if (open == texts_->end()) {
+            change_text(file, known.text);
+        }
+        known = {};
+        changes.conflicting.push_back({file, "", "", false});
+        return;
+    }
+    missing_.erase(file);
+    known = std::move(now);
+    if (open == texts_->end()) {
+        changes.reloaded = true;
+    } else if (open->second == known.text) {
+        change_text(file, std::nullopt);
+        changes.reloaded = true;
+    } else {
+        changes.conflicting.push_back({file, known.text, known.hash, false});
+    }
+}
+
+std::vector<RecoveredText> Workspace::unsaved() const {
+    std::vector<RecoveredText> texts;
+    for (const auto& [file, text] : *texts_) {
+        const auto known = disk_.find(file);
+        const DiskFile disk = known == disk_.end() ? DiskFile{} : known->second;
+        if (text != disk.text || disk.hash.empty()) {
+            texts.push_back({file, text, disk.hash, disk.hash});
+        }
+    }
+    return texts;
+}
+
+std::vector<RecoveredText> Workspace::recoverable(std::vector<RecoveredText> texts) const {
+    std::erase_if(texts, [&](RecoveredText& one) {
+        const DiskFile disk = read(one.file);
+        one.hash = disk.hash;
+        return !is_writable(one.file, root_) || (one.text == disk.text && !disk.hash.empty());
+    });
+    return texts;
+}
+
+bool Workspace::recover(const std::vector<RecoveredText>& texts) {
+    bool has_one = false;
+    for (const RecoveredText& one : texts) {
+        if (is_writable(one.file, root_)) {
+            change_text(one.file, one.text);
+            has_one = true;
+        }
+    }
+    if (has_one) {
+        static_cast<void>(next_version(0));
+    }
+    return has_one;
 }
 
 }  // namespace carom::studio

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -47,13 +48,32 @@ class Workspace {
     /// Writes the file. Throws Error if it may not be written or that fails.
     [[nodiscard]] std::variant<Saved, DiskChanged> save(const Save& request);
 
-    /// Reads the files again. `reloaded`: those without an open text, which are used as they are
-    /// now; `conflicting`: those with another one.
+    /// The files to which the values of the shot refer: meshes, images. Returns whether they are
+    /// others than before.
+    bool set_assets(std::vector<std::string> paths);
+
+    /// All files that the shot was read from.
+    [[nodiscard]] std::vector<std::string> watched() const;
+
     struct DiskChanges {
-        std::vector<TextChanged> reloaded;
-        std::vector<DiskChanged> conflicting;
+        bool reloaded = false;  // a file without an open text changed, and is used as it is now
+        bool assets = false;    // a mesh or an image changed
+        std::vector<DiskChanged> conflicting{};  // files with another open text
+        bool missing = false;  // a file does not exist: told the next time if that remains true
     };
+
+    /// Reads the files again. The text of a file that was deleted remains as an open text.
     [[nodiscard]] DiskChanges look_at_disk();
+
+    /// The open texts that differ from the files on disk, with the hashes of those.
+    [[nodiscard]] std::vector<RecoveredText> unsaved() const;
+
+    /// Those of the texts that belong to files that may be written and that differ from the files
+    /// as they are now, with the hashes of those.
+    [[nodiscard]] std::vector<RecoveredText> recoverable(std::vector<RecoveredText> texts) const;
+
+    /// Opens texts of files that may be written. Returns whether there was one.
+    bool recover(const std::vector<RecoveredText>& texts);
 
   private:
     struct DiskFile {
@@ -61,7 +81,18 @@ class Workspace {
         std::string hash;  // empty: it does not exist
     };
 
+    /// What tells whether a file that is not a text changed.
+    struct Stamp {
+        std::int64_t time = 0;  // of its last change, ns; 0: it does not exist
+        std::uintmax_t size = 0;
+        bool operator==(const Stamp&) const = default;
+    };
+
+    using Assets = std::map<std::string, Stamp>;  // by their paths
+
     [[nodiscard]] static DiskFile read(const std::string& path);
+    [[nodiscard]] static Stamp stamp_of(const std::string& path);
+    void take_from_disk(const std::string& file, DiskChanges& changes);
     void require_writable(const std::string& file) const;
     [[nodiscard]] bool is_known(const std::string& file) const;
     [[nodiscard]] std::int64_t next_version(std::int64_t v);
@@ -72,6 +103,8 @@ class Workspace {
     std::int64_t version_ = 1;
     std::vector<pipeline::ReadFile> files_;
     std::map<std::string, DiskFile> disk_;  // as they were last read or written
+    std::set<std::string> missing_;         // files that did not exist at the last look
+    Assets assets_;
     std::shared_ptr<const pipeline::config::OpenTexts> texts_;
 };
 

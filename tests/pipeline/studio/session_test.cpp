@@ -1,79 +1,16 @@
 // A whole session, from the texts of a page to the messages that it gets.
 #include "pipeline/studio/session.h"
 
-#include <condition_variable>
 #include <filesystem>
 #include <fstream>
-#include <mutex>
 #include <set>
 
-#include <gmock/gmock.h>
-
-#include "pipeline/studio/message_json.h"
+#include "tests/pipeline/studio/session_fixture.h"
 
 namespace carom::studio {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A shot in a folder of its own, a session and what it sent.
-class StudioSession : public testing::Test {
-  protected:
-    StudioSession()
-        : folder_(fs::canonical(fs::temp_directory_path()) /
-                  ("carom_session_" + std::to_string(getpid()))) {
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-        fs::copy_file(CAROM_SOURCE_DIR "/examples/bank_shot.yaml", path("shot.yaml"));
-    }
-    ~StudioSession() override {
-        session_.reset();
-        fs::remove_all(folder_);
-    }
-
-    [[nodiscard]] std::string path(const std::string& name) const {
-        return (folder_ / name).string();
-    }
-
-    void start() {
-        session_ = std::make_unique<Session>(SessionOptions{.shot = path("shot.yaml")},
-                                             [this](Outgoing message) {
-                                                 const std::lock_guard lock(mutex_);
-                                                 sent_.push_back(std::move(message));
-                                                 wake_.notify_all();
-                                             });
-        session_->opened(1);
-        say(Hello{kProtocol});
-    }
-
-    void say(const PageMessage& message) { session_->received(1, to_json(message)); }
-
-    /// Waits for a text of that type for which `matches` holds, and returns it.
-    template <class Message, class Matches>
-    Message wait_for(Matches matches) {
-        std::unique_lock lock(mutex_);
-        std::optional<Message> found;
-        wake_.wait(lock, [&] {
-            for (const Outgoing& message : sent_) {
-                if (!message.binary) {
-                    ServerMessage text = read_server_message(message.data);
-                    if (auto* one = std::get_if<Message>(&text); one && matches(*one)) {
-                        found = std::move(*one);
-                        return true;
-                    }
-                }
-            }
-            return false;
-        });
-        return std::move(*found);
-    }
-
-    fs::path folder_;
-    std::mutex mutex_;
-    std::condition_variable wake_;
-    std::vector<Outgoing> sent_;
-    std::unique_ptr<Session> session_;
-};
 
 TEST_F(StudioSession, Hello_IsAnsweredWithTheWholeShot) {
     start();

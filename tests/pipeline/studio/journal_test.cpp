@@ -1,0 +1,162 @@
+// Unsaved texts outlive the program.
+#include "pipeline/studio/journal.h"
+
+#include <csignal>
+#include <thread>
+
+#include <sys/wait.h>
+
+#include "tests/pipeline/studio/session_fixture.h"
+
+namespace carom::studio {
+namespace {
+
+namespace fs = std::filesystem;
+
+class StudioJournal : public StudioSession {
+  protected:
+    [[nodiscard]] JournalOptions quick() const {
+        return {.folder = path("journal"), .interval = std::chrono::milliseconds(1)};
+    }
+
+    [[nodiscard]] std::size_t journals(const std::string& folder) const {
+        std::size_t count = 0;
+        for (const auto& entry : fs::directory_iterator(path(folder))) {
+            count += entry.path().extension() == ".json" ? 1 : 0;
+        }
+        return count;
+    }
+
+    static std::vector<RecoveredText> one(const std::string& text) {
+        return {{"/shot.yaml", text, "aa", ""}};
+    }
+};
+
+TEST_F(StudioJournal, KeptText_IsFoundLater) {
+    {
+        Journal journal("/shot.yaml", quick());
+        EXPECT_TRUE(journal.found().empty());
+        journal.keep(one("older"));
+        journal.keep(one("newer"));
+    }
+    const Journal again("/shot.yaml", quick());
+    ASSERT_EQ(again.found().size(), 1U);
+    EXPECT_EQ(again.found().front().text, "newer");
+    EXPECT_EQ(again.found().front().base_hash, "aa");
+    const Journal other("/other.yaml", quick());
+    EXPECT_TRUE(other.found().empty());
+}
+
+TEST_F(StudioJournal, SavedText_IsRemoved) {
+    {
+        Journal journal("/shot.yaml", quick());
+        journal.keep(one("text"));
+        journal.keep({});
+    }
+    EXPECT_EQ(journals("journal"), 0U);
+    EXPECT_TRUE(fs::is_empty(path("journal")));
+}
+
+TEST_F(StudioJournal, SecondStudio_HasAJournalOfItsOwn) {
+    {
+        Journal first("/shot.yaml", quick());
+        Journal second("/shot.yaml", quick());
+        first.keep(one("first"));
+        second.keep(one("second"));
+    }
+    const Journal again("/shot.yaml", quick());
+    ASSERT_EQ(again.found().size(), 1U);
+    const Journal next("/shot.yaml", quick());
+    ASSERT_EQ(next.found().size(), 1U);
+    EXPECT_NE(again.found().front().text, next.found().front().text);
+}
+
+TEST_F(StudioJournal, DamagedFile_IsNoJournal) {
+    { Journal("/shot.yaml", quick()).keep(one("text")); }
+    for (const auto& entry : fs::directory_iterator(path("journal"))) {
+        write_file(entry.path().string(), R"({"t":"recovered","files":[{"file":)");
+    }
+    EXPECT_TRUE(Journal("/shot.yaml", quick()).found().empty());
+}
+
+TEST_F(StudioJournal, FolderThatCannotBeMade_IsNoError) {
+    write_file(path("journal"), "a file");
+    Journal journal("/shot.yaml", quick());
+    journal.keep(one("text"));
+    EXPECT_TRUE(journal.found().empty());
+}
+
+TEST_F(StudioJournal, Session_OffersWhatWasNotSaved) {
+    const std::string file = path("shot.yaml");
+    const std::string unsaved = read_file(file) + "# unsaved\n";
+    start();
+    say(TextChange{2, file, unsaved});
+    session_.reset();
+    forget();
+    EXPECT_EQ(journals("cache/studio"), 1U);
+
+    start();
+    const auto recovered = wait_for<Recovered>();
+    ASSERT_EQ(recovered.files.size(), 1U);
+    EXPECT_EQ(recovered.files.front().text, unsaved);
+    EXPECT_EQ(recovered.files.front().hash, recovered.files.front().base_hash);
+    EXPECT_EQ(wait_for<Files>().files.front().text, read_file(file));
+    say(Recover{true});
+    const auto files =
+        wait_for<Files>([&](const Files& all) { return all.files.front().text == unsaved; });
+    EXPECT_TRUE(files.files.front().changed);
+    wait_for<Problems>([&](const Problems& all) { return all.v == files.v; });
+    say(Save{file, unsaved, files.files.front().hash});
+    wait_for<Saved>();
+    session_.reset();
+    EXPECT_TRUE(fs::is_empty(path("cache/studio")));
+}
+
+TEST_F(StudioJournal, RefusedText_IsForgotten) {
+    const std::string file = path("shot.yaml");
+    start();
+    say(TextChange{2, file, "carom: 1\n"});
+    session_.reset();
+    forget();
+    start();
+    wait_for<Recovered>();
+    say(Recover{false});
+    session_.reset();
+    EXPECT_TRUE(fs::is_empty(path("cache/studio")));
+}
+
+TEST_F(StudioJournal, UndoneChange_IsNotKept) {
+    start();
+    say(TextChange{2, path("shot.yaml"), "carom: 1\n"});
+    say(TextChange{3, path("shot.yaml"), read_file(path("shot.yaml"))});
+    session_.reset();
+    EXPECT_TRUE(fs::is_empty(path("cache/studio")));
+}
+
+TEST_F(StudioJournal, KilledProcess_LeavesTheText) {
+    const std::string file = path("shot.yaml");
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        start();
+        say(TextChange{2, file, "carom: 1\n# unsaved\n"});
+        std::this_thread::sleep_for(std::chrono::minutes(1));
+        _exit(1);
+    }
+    const auto has_journal = [&] {
+        std::error_code code;
+        return fs::exists(path("cache/studio"), code) && journals("cache/studio") == 1;
+    };
+    while (!has_journal()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    ASSERT_EQ(kill(child, SIGKILL), 0);
+    ASSERT_EQ(waitpid(child, nullptr, 0), child);
+    start();
+    const auto recovered = wait_for<Recovered>();
+    ASSERT_EQ(recovered.files.size(), 1U);
+    EXPECT_EQ(recovered.files.front().text, "carom: 1\n# unsaved\n");
+}
+
+}  // namespace
+}  // namespace carom::studio

@@ -1,0 +1,107 @@
+// A shot in a folder of its own, a session and what it sent.
+#pragma once
+
+#include <condition_variable>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include "pipeline/studio/message_json.h"
+#include "pipeline/studio/session.h"
+
+namespace carom::studio {
+
+inline std::string read_file(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+inline void write_file(const std::string& path, const std::string& text) {
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+class StudioSession : public testing::Test {
+  protected:
+    StudioSession()
+        : folder_(std::filesystem::canonical(std::filesystem::temp_directory_path()) /
+                  ("carom_session_" + std::to_string(getpid()))) {
+        std::filesystem::remove_all(folder_);
+        std::filesystem::create_directories(folder_);
+        std::filesystem::copy_file(CAROM_SOURCE_DIR "/examples/bank_shot.yaml", path("shot.yaml"));
+    }
+    ~StudioSession() override {
+        session_.reset();
+        std::filesystem::remove_all(folder_);
+    }
+
+    [[nodiscard]] std::string path(const std::string& name) const {
+        return (folder_ / name).string();
+    }
+
+    [[nodiscard]] SessionOptions options() const {
+        return {.shot = path("shot.yaml"), .root = folder_.string(), .cache_folder = path("cache")};
+    }
+
+    void start() { start(options()); }
+
+    void start(SessionOptions options) {
+        session_ = std::make_unique<Session>(std::move(options), [this](Outgoing message) {
+            const std::lock_guard lock(mutex_);
+            sent_.push_back(std::move(message));
+            wake_.notify_all();
+        });
+        session_->opened(1);
+        say(Hello{kProtocol});
+    }
+
+    void say(const PageMessage& message) { session_->received(1, to_json(message)); }
+
+    /// Forgets what was sent.
+    void forget() {
+        const std::lock_guard lock(mutex_);
+        sent_.clear();
+    }
+
+    /// Waits for a text of that type for which `matches` holds, and returns it.
+    template <class Message, class Matches>
+    Message wait_for(Matches matches) {
+        std::unique_lock lock(mutex_);
+        std::optional<Message> found;
+        std::size_t next = 0;
+        wake_.wait(lock, [&] {
+            for (; next < sent_.size() && !found; ++next) {
+                if (!sent_[next].binary) {
+                    ServerMessage text = read_server_message(sent_[next].data);
+                    if (auto* one = std::get_if<Message>(&text); one && matches(*one)) {
+                        found = std::move(*one);
+                    }
+                }
+            }
+            return found.has_value();
+        });
+        return std::move(*found);
+    }
+
+    template <class Message>
+    Message wait_for() {
+        return wait_for<Message>([](const Message&) { return true; });
+    }
+
+    std::filesystem::path folder_;
+    std::mutex mutex_;
+    std::condition_variable wake_;
+    std::vector<Outgoing> sent_;
+    std::unique_ptr<Session> session_;
+};
+
+}  // namespace carom::studio
