@@ -4,6 +4,7 @@ import { history, isolateHistory, redo, undo, undoDepth } from '@codemirror/comm
 import { EditorState, Transaction, type ChangeSpec, type Extension } from '@codemirror/state';
 import type { EditorView } from '@codemirror/view';
 import { signal } from '@preact/signals';
+import { difference } from '../edit/text_edit';
 import type { OpenFile } from '../protocol';
 
 export interface Buffer {
@@ -167,6 +168,19 @@ export function travel(back: boolean): boolean {
 /// take the server's text, and changed ones keep theirs. Returns the files that keep theirs.
 export function takeFiles(files: readonly OpenFile[]): string[] {
     const kept: string[] = [];
+    if (files[0]?.file !== buffers.value[0]?.file) {  // another shot
+        undoable.length = 0;
+        redoable.length = 0;
+    }
+    for (const file of files) {
+        const known = bufferOf(file.file);
+        const isPlain = !file.text.includes('\r') && !known?.savedText.includes('\r');
+        const change = known && isPlain && !isChanged(known)
+            && difference(textOf(known), file.text);
+        if (change) {
+            typeOutside(file.file, change);  // the history of what was typed remains
+        }
+    }
     buffers.value = files.map((file) => {
         const known = bufferOf(file.file);
         if (known && isChanged(known) && textOf(known) !== file.text) {
@@ -175,6 +189,7 @@ export function takeFiles(files: readonly OpenFile[]): string[] {
         }
         if (known && textOf(known) === file.text) {
             known.hash = file.hash;
+            known.savedText = file.changed ? known.savedText : file.text;
             return known;
         }
         const savedText = file.changed ? '' : file.text;
