@@ -1,5 +1,6 @@
 /// The three-dimensional view. Fills its parent, which needs a size.
 import { useEffect, useRef, useState } from 'preact/hooks';
+import { PictureBar } from './picture/PictureBar';
 import { Stage } from './stage';
 
 export function View() {
@@ -33,6 +34,7 @@ export function View() {
                 ref={canvas} tabIndex={0} role="img" aria-label="The scene"
                 style={{ display: isPossible ? 'block' : 'none', width: '100%', height: '100%' }}
             />
+            {isPossible && <PictureBar />}
             {!isPossible && (
                 <p role="status">This browser has no WebGL, so the scene cannot be drawn here.</p>
             )}

@@ -1,6 +1,6 @@
 /// What the parts of the view get, over its canvas and cameras.
 import type { ReadonlySignal } from '@preact/signals';
-import type { Scene } from 'three';
+import type { Object3D } from 'three';
 import { Vector3 } from 'three';
 import type { Triple } from '../protocol';
 import { shot } from '../state/state';
@@ -11,7 +11,7 @@ import { pick, rayAt } from './picking';
 import type { SceneMeshes } from './scene_meshes';
 
 export function makeContext(
-    canvas: HTMLCanvasElement, scene: Scene, cameras: Cameras, meshes: SceneMeshes,
+    canvas: HTMLCanvasElement, scene: Object3D, cameras: Cameras, meshes: SceneMeshes,
     drawing: Drawing, moved: ReadonlySignal<number>,
 ): ViewContext {
     const raycasterAt = (pixel: Pixel) => rayAt(pixel, canvas, cameras.current);

@@ -2,7 +2,7 @@
 /// drags; src/view/all_parts.ts lists them.
 import type { ReadonlySignal } from '@preact/signals';
 import type {
-    Object3D, OrthographicCamera, PerspectiveCamera, Ray, Raycaster, Scene,
+    Object3D, OrthographicCamera, PerspectiveCamera, Ray, Raycaster,
 } from 'three';
 import type { SceneObject, Triple } from '../protocol';
 
@@ -17,7 +17,7 @@ export interface Pixel {
 /// What a part of the view gets.
 export interface ViewContext {
     readonly canvas: HTMLCanvasElement;
-    readonly scene: Scene;
+    readonly scene: Object3D;
     /// Counts the changes of the camera and of the view's size.
     readonly moved: ReadonlySignal<number>;
     /// The one that is looked through now.

@@ -1,6 +1,6 @@
 /// What the view draws, and from where: follows the signals of src/state.
 import { effect, signal } from '@preact/signals';
-import { Color, DirectionalLight, HemisphereLight, Scene } from 'three';
+import { Color, DirectionalLight, Group, HemisphereLight, Scene } from 'three';
 import { framesOfCameras, tracks } from '../motion/clock';
 import { filmTime, lookThrough, meshes, sceneTime, shot } from '../state/state';
 import { kAllParts } from './all_parts';
@@ -12,7 +12,6 @@ import type { ViewCamera, ViewContext } from './parts';
 import { arbitratePointer } from './pointer';
 import { SceneMeshes } from './scene_meshes';
 import { selectByClick } from './selecting';
-import { showTracedPicture } from './traced_picture';
 import { answerViewKeys } from './view_keys';
 
 /// Everything drawn on one canvas.
@@ -43,11 +42,14 @@ export class Stage {
     ) {
         this.meshes = new SceneMeshes(drawing.isFast);
         this.mask = new FilmMask(canvas.parentElement);
-        this.context = makeContext(canvas, scene, cameras, this.meshes, drawing, this.moved);
+        const overlay = new Group();
+        overlay.renderOrder = 2;
+        this.context = makeContext(canvas, overlay, cameras, this.meshes, drawing, this.moved);
         cameras.lookFrom([-0.6, -2.6, 1.7], [0, 0, 0]);
         const lamp = new DirectionalLight(0xffffff, 1.6);
         lamp.position.set(0.4, -0.8, 2);
-        scene.add(new HemisphereLight(0xffffff, 0x404840, 1.8), lamp, this.meshes.group);
+        scene.add(new HemisphereLight(0xffffff, 0x404840, 1.8), lamp, this.meshes.group,
+            overlay);
         scene.background = new Color(0x202428);
 
         const parts = kAllParts.map((make) => make(this.context));
@@ -59,7 +61,6 @@ export class Stage {
                 return !object || object.kind === 'table' ? null : object.path;
             }),
             answerViewKeys(cameras, () => this.aim()),
-            showTracedPicture(this.mask.element),
         );
         this.follow();
     }

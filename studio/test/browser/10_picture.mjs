@@ -1,21 +1,82 @@
-// R shows the path-traced frame at the play head; when it has all samples, `carom render` finds it.
+// R traces the film's frame at the play head. With all samples it is `carom frame`'s picture, byte
+// for byte, and `carom render` finds it. The free view, channels and the comparison work, too.
 import { spawnSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { equal, settle } from './harness.mjs';
 
-export async function check({ page, path, folder, carom }) {
-    await page.evaluate(() => window.studio.state.filmTime.value = 3.5);
-    await page.locator('canvas[aria-label="The scene"]').focus();
-    await page.keyboard.press('r');
+const kFrame = 84;
+
+async function traced(page) {
     await page.waitForFunction(() => window.studio.state.picture.value?.head.complete);
     await settle(page);
-    const head = await page.evaluate(() => window.studio.state.picture.value.head);
+    return page.evaluate(() => window.studio.state.picture.value.head);
+}
+
+/// Red, green and blue from the upper left corner, of a bitmap that starts with its last row.
+function rowsOfBitmap(bytes) {
+    const [width, height] = [bytes.readInt32LE(18), bytes.readInt32LE(22)];
+    const first = bytes.readUInt32LE(10);
+    const pixel = bytes.readUInt16LE(28) / 8;
+    const stride = Math.ceil((width * pixel) / 4) * 4;
+    const rows = Buffer.alloc(width * height * 3);
+    for (let y = 0; y < height; ++y) {
+        for (let x = 0; x < width; ++x) {
+            const at = first + (height - 1 - y) * stride + x * pixel;
+            rows.set([bytes[at + 2], bytes[at + 1], bytes[at]], 3 * (y * width + x));
+        }
+    }
+    return rows;
+}
+
+export async function check({ page, path, folder, carom }) {
+    const cache = join(folder, 'cache');
+    await page.evaluate(() => window.studio.state.filmTime.value = 3.5);
+    await page.locator('canvas[aria-label="The scene"]').focus();
+    await page.keyboard.press('c');
+    await page.keyboard.press('r');
+    const head = await traced(page);
     equal([head.width, head.height], [640, 360], 'the size of the last round');
     equal(head.samples, head.of_samples, 'samples');
     equal(head.stored, true, 'whether the frame is stored');
-    const words = ['render', path, '--frames', '84', '--dry-run', '--cache', join(folder, 'cache')];
+
+    const words = ['render', path, '--frames', String(kFrame), '--dry-run', '--cache', cache];
     const plan = spawnSync(carom, words, { encoding: 'utf8' });
     const said = plan.stdout + plan.stderr;
     equal(said.includes('1 stored, 0 to render'), true, said);
-    return `${head.samples} samples, stored under the frame's key`;
+
+    // The picture of `carom frame`, rendered in a cache of its own.
+    const file = join(folder, 'frame.bmp');
+    const frame = spawnSync(carom, ['frame', path, '--frame', String(kFrame), '-o', file, '--cache',
+        join(folder, 'other')], { encoding: 'utf8' });
+    equal(frame.status, 0, frame.stderr);
+    const rows = rowsOfBitmap(readFileSync(file));
+    const shown = await page.evaluate(() => {
+        const { pixels } = window.studio.state.picture.value;
+        let text = '';
+        for (let i = 0; i < pixels.length; i += 4) {
+            text += String.fromCharCode(pixels[i], pixels[i + 1], pixels[i + 2]);
+        }
+        return btoa(text);
+    });
+    const hash = (bytes) => createHash('sha256').update(bytes).digest('hex');
+    equal(hash(Buffer.from(shown, 'base64')), hash(rows), 'the pixels of carom frame');
+
+    await page.getByRole('button', { name: 'Compare' }).click();
+    await page.getByLabel('What the picture shows').selectOption('object_id');
+    const ids = await traced(page);
+    equal([ids.channel, ids.stored, ids.legend !== ''], ['object_id', false, true], 'the channel');
+    equal(await page.getByRole('slider', { name: /^Place of the line/ }).count(), 1, 'wipes');
+    await page.getByLabel('What the picture shows').selectOption('');
+    await page.locator('canvas[aria-label="The scene"]').focus();
+    await page.keyboard.press('3');
+    await page.waitForFunction(() => window.studio.state.lookThrough.value === null
+        && window.studio.state.picture.value?.head.width !== 640);
+    const free = await traced(page);
+    const canvas = await page.locator('canvas[aria-label="The scene"]').boundingBox();
+    equal([free.width, free.height, free.stored],
+        [Math.round(canvas.width), Math.round(canvas.height), false], 'the free view');
+    return `frame ${kFrame} has the bytes of carom frame with ${head.samples} samples; `
+        + 'free view, objects and comparison are shown';
 }
