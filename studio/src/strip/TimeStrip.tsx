@@ -42,7 +42,8 @@ function sized(canvas: HTMLCanvasElement): CanvasRenderingContext2D | null {
         canvas.width = w;
         canvas.height = h;
     }
-    const pen = canvas.getContext('2d');
+    // Drawn by the processor: where it draws everything, an accelerated canvas delays all answers.
+    const pen = canvas.getContext('2d', { willReadFrequently: true });
     pen?.setTransform(ratio, 0, 0, ratio, 0, 0);
     return pen;
 }

@@ -15,7 +15,7 @@ const { chromium } = createRequire(join(packages, 'x.js'))('playwright-core');
 export async function launch() {
     const options = {
         executablePath: process.env.CAROM_CHROMIUM || '/usr/bin/chromium',
-        args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+        args: [...(process.env.CAROM_CHROMIUM_ARGS?.split(' ') ?? []), '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
             '--disable-background-networking', '--disable-component-update', '--disable-sync'],
     };
     return chromium.launch(options).catch(() => chromium.launch(options));

@@ -46,6 +46,12 @@ function textureOf({ head, pixels }: Picture): DataTexture {
     return texture;
 }
 
+/// Small rounds have rounded sizes.
+function haveSameShape(a: Picture, b: Picture): boolean {
+    const ratio = (a.head.width * b.head.height) / (a.head.height * b.head.width);
+    return Math.abs(ratio - 1) < 0.03;
+}
+
 export class PictureQuad {
     readonly group = new Group();
     private readonly material = new RawShaderMaterial({
@@ -83,12 +89,12 @@ export class PictureQuad {
         this.uniform('lineWidth').value = 1 / box.width;
     }
 
-    /// Shows nothing without a newest picture.
+    /// Shows nothing without a newest picture, and a kept one only if it has the same proportions.
     show(newest: Picture | null, kept: Picture | null, wipe: number, opacity: number): void {
         this.group.visible = newest !== null;
         this.set('newest', newest);
         this.set('kept', kept);
-        this.uniform('wipe').value = kept ? wipe : -1;
+        this.uniform('wipe').value = newest && kept && haveSameShape(newest, kept) ? wipe : -1;
         this.uniform('opacity').value = opacity;
     }
 
