@@ -3,11 +3,12 @@
 import { isMap, isSeq } from 'yaml';
 import { send } from '../connection/socket';
 import type { KeyPath } from '../protocol';
-import { notice, shot } from '../state/state';
+import { dragging, notice, shot } from '../state/state';
 import { bufferOf, buffers, typeOutside, typeStep } from '../text/buffers';
 import { EditError } from './edit_error';
 import type { Change, EditResult, Gesture, Origin, SourceFile } from './edit_types';
 import { locate } from './layers';
+import { replaceKey } from './plan_replace';
 import { planEntry, planInsert, planRemove, planSet, Undecided, type FileEdits } from './plan';
 import { applyEdits, difference, lineStart } from './text_edit';
 import { unitFor } from './schema_unit';
@@ -62,9 +63,12 @@ function checkOption(path: KeyPath): void {
 
 /// The files with all changes made. Throws EditError and Undecided.
 function changed(files: SourceFile[], changes: readonly Change[]): SourceFile[] {
-    return changes.reduce((all, { path, value, precision }) => {
+    return changes.reduce((all, { path, value, precision, insteadOf }) => {
         checkOption(path);
         const style = { unit: unitFor(path), precision };
+        if (insteadOf !== undefined) {
+            return replaceKey(all, path, insteadOf, value, style, { aliases, takenLists });
+        }
         return withEdits(all, planSet(all, path, value, style, { aliases, takenLists }));
     }, files);
 }
@@ -104,6 +108,7 @@ export function beginGesture(): Gesture {
     const before = currentFiles();
     let last = before;
     send('dragging', { on: true });
+    dragging.value = true;
     const gesture: Gesture = {
         update: (changes) => {
             try {
@@ -117,6 +122,7 @@ export function beginGesture(): Gesture {
         commit: () => {
             if (current === gesture) {
                 current = null;
+                dragging.value = false;
                 send('dragging', { on: false });
                 showTexts(before);
                 typeStep(stepTo(last));
@@ -125,6 +131,7 @@ export function beginGesture(): Gesture {
         cancel: () => {
             if (current === gesture) {
                 current = null;
+                dragging.value = false;
                 send('dragging', { on: false });
                 showTexts(before);
             }

@@ -8,6 +8,8 @@ export interface Change {
     value: Value;
     /// The step that the view resolves, in SI units: a number is not written finer than this.
     precision?: number;
+    /// A sibling key that this one replaces: `direction` is written in the place of `toward`.
+    insteadOf?: string;
 }
 
 /// Something that the user can choose when an edit could mean several things.

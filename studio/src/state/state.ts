@@ -79,6 +79,8 @@ export const panel = signal<string | null>(null);
 export const textUnderWay = signal(false);
 /// Whether a picture was asked for and its last round has not come.
 export const pictureAsked = signal(false);
+/// Whether a drag is in progress that changes the texts: between beginGesture and its end.
+export const dragging = signal(false);
 /// A sentence about what just happened, for the status line; replaced by the next one.
 export const notice = signal<Notice | null>(null);
 

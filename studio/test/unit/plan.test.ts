@@ -4,6 +4,7 @@ import type { SourceFile, Value } from '../../src/edit/edit_types';
 import {
     planEntry, planInsert, planRemove, planSet, Undecided, type Decisions, type FileEdits,
 } from '../../src/edit/plan';
+import { replaceKey } from '../../src/edit/plan_replace';
 import { applyEdits } from '../../src/edit/text_edit';
 
 function files(shot: string, config = '', writable = false): SourceFile[] {
@@ -78,4 +79,20 @@ test('PlanInsert_Items_KeepTheIndent', () => {
     assert.equal(insert(2), `a.yaml\n${text}${item}`);
     assert.equal(made(planEntry(files('balls:\n  a: {}\n'), ['balls'], 'b', '{at: [0, 0]}')),
         'a.yaml\nballs:\n  a: {}\n  b: {at: [0, 0]}\n');
+});
+
+test('ReplaceKey_OfTheShot_KeepsItsPlace_OfAnIncludeHidesIt', () => {
+    const replaced = (all: SourceFile[], path: string, old: string, value: Value) =>
+        replaceKey(all, path.split('.'), old, value, { unit: 'rad', precision: 1e-3 })[0]?.text;
+    const own = files('events:\n  - strike: {ball: cue, toward: one, speed: 8 m/s}  # c\n');
+    assert.equal(replaced(own, 'events.0.strike.direction', 'toward', 0.25),
+        'events:\n  - strike: {ball: cue, direction: 0.25 rad, speed: 8 m/s}  # c\n');
+    const block = files('balls:\n  a:\n    touching:\n      ball: b\n      direction: 0.1\n    mass: 1\n');
+    assert.equal(replaced(block, 'balls.a.at', 'touching', [0, 0]),
+        'balls:\n  a:\n    at: [0, 0]\n    mass: 1\n');
+    const included = files('include: x.yaml\n', 'balls: {a: {touching: {ball: b}}}\n');
+    assert.equal(replaced(included, 'balls.a.at', 'touching', [0, 0]),
+        'include: x.yaml\nballs:\n  a: {at: [0, 0], touching: null}\n');
+    assert.equal(replaced(files('balls: {a: {}}\n'), 'balls.a.at', 'touching', [0, 0]),
+        'balls: {a: {at: [0, 0]}}\n');
 });
