@@ -1,5 +1,7 @@
 /// The parts of the view: one import and one entry each.
 import { makeBallDrag } from './ball_drag';
+import { makeNudge } from './gizmos/nudge';
+import { makeProblemMarks } from './gizmos/problem_marks';
 import type { MakePart } from './parts';
 import { makeTracedPicture } from './picture/traced_picture';
 import { makeTrails } from './trails';
@@ -8,4 +10,6 @@ export const kAllParts: readonly MakePart[] = [
     makeTracedPicture,
     makeTrails,
     makeBallDrag,
+    makeNudge,
+    makeProblemMarks,
 ];

@@ -1,6 +1,6 @@
 // Runs the real program, the real page and a real browser for the checks beside this file.
 import { spawn } from 'node:child_process';
-import { cpSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
+import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
@@ -95,4 +95,47 @@ export function equal(actual, expected, message) {
 
 export function remove(folder) {
     rmSync(folder, { recursive: true, force: true });
+}
+
+/// Opens a page of its own on a shot with this text, written into the check's folder. Returns also
+/// `end`, which ends its server.
+export async function openText({ browser, carom, folder }, name, text, size) {
+    const path = join(folder, 'examples', name);
+    writeFileSync(path, text);
+    const served = await serve(carom, path, folder);
+    const opened = await open(browser, served.address, size);
+    await opened.page.waitForFunction(() => window.studio.state.meshes.value !== null);
+    return { ...opened, path, end: async () => {
+        await opened.page.close();
+        await served.end();
+    } };
+}
+
+/// Where a point of the scene is on the page, CSS pixels.
+export function pixelOf(page, point) {
+    return page.evaluate((place) => {
+        const { view } = window.studio;
+        const box = view.canvas.getBoundingClientRect();
+        const [x, y] = view.context.toScreen(place);
+        return [box.left + x, box.top + y];
+    }, point);
+}
+
+/// Drags with the pointer from a pixel to another in some moves.
+export async function dragPixels(page, from, to, moves = 8) {
+    await page.mouse.move(...from);
+    await page.mouse.down();
+    for (let i = 1; i <= moves; ++i) {
+        await page.mouse.move(from[0] + ((to[0] - from[0]) * i) / moves,
+            from[1] + ((to[1] - from[1]) * i) / moves);
+    }
+    await page.mouse.up();
+    await settle(page);
+}
+
+/// The lines of `after` that are not the same lines of `before`. Throws if their number differs.
+export function changedLines(before, after) {
+    const [old, now] = [before.split('\n'), after.split('\n')];
+    equal(now.length, old.length, 'lines');
+    return now.filter((line, i) => line !== old[i]);
 }
