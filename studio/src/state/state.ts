@@ -2,7 +2,8 @@
 /// the inspector read these and write through src/edit.
 import { computed, signal } from '@preact/signals';
 import type {
-    CamerasHead, Deferred, KeyPath, OpenFile, PictureHead, Problems, ShotState, Start, TimelineHead, Welcome, Work,
+    CamerasHead, Deferred, KeyPath, OpenFile, PictureHead, Problems, ShotState, Start, TimelineHead,
+    Triple, Welcome, Work,
 } from '../protocol';
 
 /// The motion of one version: `head` says where each track's numbers begin.
@@ -70,6 +71,20 @@ export const sceneTime = signal(0);
 export const playing = signal(false);
 /// The name of the camera that the view looks through; null: the free view.
 export const lookThrough = signal<string | null>(null);
+
+/// The view's own camera; null while the view looks through a camera of the shot.
+export const freePose = signal<FreePose | null>(null);
+/// Whether the pointer turns or moves the view's own camera.
+export const viewMoving = signal(false);
+
+export interface FreePose {
+    position: Triple;
+    target: Triple;
+    up: Triple;
+    fov: number; // rad, vertical; of an orthographic view 0
+    height: number; // m, of what an orthographic view shows; else 0
+    orthographic: boolean;
+}
 
 export const theme = signal<Theme>('system');
 /// The open side panel.

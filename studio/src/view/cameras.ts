@@ -3,6 +3,7 @@ import { MOUSE, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { cameraAxes, type CameraPose } from '../motion/camera';
 import type { Triple } from '../protocol';
+import { freePose, viewMoving } from '../state/state';
 import { fovOfView, type Rectangle } from './letterbox';
 import type { ViewCamera } from './parts';
 
@@ -27,6 +28,7 @@ export class Cameras {
     /// The one that is looked through.
     current: ViewCamera = this.free;
     private own: ViewCamera = this.free; // while no camera of the shot is looked through
+    private film: Rectangle | null = null; // while one is
 
     constructor(canvas: HTMLCanvasElement, changed: () => void) {
         this.free.up.set(0, 0, 1);
@@ -37,6 +39,8 @@ export class Cameras {
         for (const controls of [this.orbit, this.pan]) {
             controls.zoomToCursor = true;
             controls.addEventListener('change', changed);
+            controls.addEventListener('start', () => { viewMoving.value = true; });
+            controls.addEventListener('end', () => { viewMoving.value = false; });
         }
         this.use(this.free);
     }
@@ -109,12 +113,27 @@ export class Cameras {
         this.through.position.set(...pose.position);
         this.through.fov = (fovOfView(pose.verticalFov, this.size.height, film) * 180) / Math.PI;
         this.through.updateProjectionMatrix();
+        this.film = film;
+        freePose.value = null;
         this.use(this.through);
     }
 
     /// Looks with the view's own camera.
     lookFreely(): void {
+        this.film = null;
         this.use(this.own);
+        const controls = this.isFlat ? this.pan : this.orbit;
+        freePose.value = {
+            position: this.own.position.toArray(), target: controls.target.toArray(),
+            up: this.own.up.toArray(), orthographic: this.isFlat,
+            fov: this.isFlat ? 0 : (this.free.fov * Math.PI) / 180,
+            height: this.isFlat ? (2 * this.flat.top) / this.flat.zoom : 0,
+        };
+    }
+
+    /// The film's rectangle, or the whole view.
+    box(): Rectangle {
+        return this.film ?? { left: 0, top: 0, ...this.size };
     }
 
     dispose(): void {

@@ -21,6 +21,7 @@ export function makeContext(
         rayAt: (pixel) => raycasterAt(pixel).ray,
         toScreen: (point) => toScreen(point, cameras),
         metresPerPixel: (point) => metresPerPixel(point, cameras),
+        box: () => cameras.box(),
         meshNode: (name) => meshes.node(name) ?? null,
         objectAt: (pixel) => pick(
             raycasterAt(pixel), shot.peek()?.objects ?? [], (name) => meshes.node(name)),

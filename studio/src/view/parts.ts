@@ -5,6 +5,7 @@ import type {
     Object3D, OrthographicCamera, PerspectiveCamera, Ray, Raycaster,
 } from 'three';
 import type { SceneObject, Triple } from '../protocol';
+import type { Rectangle } from './letterbox';
 
 export type ViewCamera = PerspectiveCamera | OrthographicCamera;
 
@@ -17,6 +18,8 @@ export interface Pixel {
 /// What a part of the view gets.
 export interface ViewContext {
     readonly canvas: HTMLCanvasElement;
+    /// To add things to. Drawn after the meshes of the shot and after the path-traced picture, for
+    /// which renderOrder is 1: groups are sorted by it, then what is in them.
     readonly scene: Object3D;
     /// Counts the changes of the camera and of the view's size.
     readonly moved: ReadonlySignal<number>;
@@ -29,6 +32,8 @@ export interface ViewContext {
     toScreen(point: Triple): [number, number] | null;
     /// The length that one CSS pixel shows at that point, m.
     metresPerPixel(point: Triple): number;
+    /// The film's rectangle in CSS pixels of the canvas; the whole canvas in the free view.
+    box(): Rectangle;
     /// The meshes of an object of the shot; null until they are loaded.
     meshNode(name: string): Object3D | null;
     /// The nearest object of the shot at a pixel, the table too.
