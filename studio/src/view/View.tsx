@@ -1,7 +1,9 @@
 /// The three-dimensional view. Fills its parent, which needs a size.
 import { useEffect, useRef, useState } from 'preact/hooks';
+import { Menu } from './menu/Menu';
 import { PictureBar } from './picture/PictureBar';
 import { Stage } from './stage';
+import { ViewToolbar } from './toolbar/ViewToolbar';
 
 export function View() {
     const canvas = useRef<HTMLCanvasElement>(null);
@@ -34,10 +36,10 @@ export function View() {
                 ref={canvas} tabIndex={0} role="img" aria-label="The scene"
                 style={{ display: isPossible ? 'block' : 'none', width: '100%', height: '100%' }}
             />
-            {isPossible && <PictureBar />}
-            {!isPossible && (
+            {isPossible ? <><ViewToolbar /><PictureBar /></> : (
                 <p role="status">This browser has no WebGL, so the scene cannot be drawn here.</p>
             )}
+            <Menu />
         </div>
     );
 }

@@ -12,11 +12,11 @@ import type { SceneMeshes } from './scene_meshes';
 
 export function makeContext(
     canvas: HTMLCanvasElement, scene: Object3D, cameras: Cameras, meshes: SceneMeshes,
-    drawing: Drawing, moved: ReadonlySignal<number>,
+    drawing: Drawing, moved: ReadonlySignal<number>, loaded: ReadonlySignal<number>,
 ): ViewContext {
     const raycasterAt = (pixel: Pixel) => rayAt(pixel, canvas, cameras.current);
     return {
-        canvas, scene, moved, raycasterAt,
+        canvas, scene, moved, loaded, raycasterAt,
         camera: () => cameras.current,
         rayAt: (pixel) => raycasterAt(pixel).ray,
         toScreen: (point) => toScreen(point, cameras),

@@ -5,13 +5,14 @@ export class FilmMask {
     /// Fills the film's rectangle.
     readonly element = document.createElement('div');
 
-    constructor(parent: HTMLElement | null) {
+    /// Above the canvas, below everything else that is over it.
+    constructor(canvas: HTMLElement) {
         Object.assign(this.element.style, {
             position: 'absolute', pointerEvents: 'none',
             boxShadow: '0 0 0 9999px rgb(0 0 0 / 55%)',
         });
         this.element.hidden = true;
-        parent?.append(this.element);
+        canvas.after(this.element);
     }
 
     /// Puts it over a view of that size; returns the film's rectangle.

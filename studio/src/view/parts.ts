@@ -23,6 +23,8 @@ export interface ViewContext {
     readonly scene: Object3D;
     /// Counts the changes of the camera and of the view's size.
     readonly moved: ReadonlySignal<number>;
+    /// Counts the meshes that were loaded: after it the nodes of the objects are others.
+    readonly loaded: ReadonlySignal<number>;
     /// The one that is looked through now.
     camera(): ViewCamera;
     /// The ray from the camera through a pixel, in the world.

@@ -22,7 +22,7 @@ export function pick(
     let found: SceneObject | null = null;
     for (const object of objects) {
         const mesh = node(object.name);
-        const hit = mesh && ray.intersectObject(mesh, true)[0];
+        const hit = mesh?.visible && ray.intersectObject(mesh, true)[0];
         if (hit && hit.distance < nearest) {
             nearest = hit.distance;
             found = object;

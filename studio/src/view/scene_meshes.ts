@@ -7,6 +7,8 @@ import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import type { Track } from '../motion/track';
 import type { ShotState, Triple, Turn } from '../protocol';
 
+const kLampPrefix = 'light '; // before the names of lamps in the list of nodes
+
 /// The same colour without reflections, for pictures that the processor draws.
 function simpler(material: Material): Material {
     if (!(material instanceof MeshStandardMaterial)) {
@@ -61,13 +63,18 @@ export class SceneMeshes {
         return this.nodes.get(name);
     }
 
-    /// Puts every object where it is at a scene time, and hides the lamps.
+    /// The surface of an area light, or undefined.
+    lamp(name: string): Object3D | undefined {
+        return this.nodes.get(kLampPrefix + name);
+    }
+
+    /// Puts every object where it is at a scene time.
     pose(shot: ShotState, tracks: ReadonlyMap<string, Track>, time: number): void {
-        // The file has lamps at the origin. Their places depend on more than the page is told.
+        this.nameLamps(shot);
         for (const light of shot.lights) {
-            const node = this.nodes.get(light.name);
-            if (node) {
-                node.visible = false;
+            const node = this.lamp(light.name);
+            if (node) { // the file has it turned, at the origin
+                place(node, light.position, [1, 0, 0, 0]);
             }
         }
         for (const object of shot.objects) {
@@ -78,12 +85,26 @@ export class SceneMeshes {
                     track?.orientation(time) ?? object.orientation);
             }
         }
+        this.group.updateMatrixWorld(); // for rays and boxes before the next picture
+    }
+
+    /// Lamps and objects may have the same name: lamps come after the objects in the file.
+    private nameLamps(shot: ShotState): void {
+        const objects = new Set(shot.objects.map((object) => object.name));
+        for (const { name } of shot.lights) {
+            const node = objects.has(name) ? undefined : this.nodes.get(name);
+            if (node) {
+                this.nodes.delete(name);
+                this.nodes.set(kLampPrefix + name, node);
+            }
+        }
     }
 
     private adopt(node: Object3D): void {
         // The loader changes names that it cannot use in paths, and keeps the file's in userData.
-        const name: unknown = node.userData['name'];
-        this.nodes.set(typeof name === 'string' ? name : node.name, node);
+        const given: unknown = node.userData['name'];
+        const name = typeof given === 'string' ? given : node.name;
+        this.nodes.set(this.nodes.has(name) ? kLampPrefix + name : name, node);
         node.traverse((part) => {
             if (part instanceof Light) {
                 part.visible = false; // its watts are meant for the renderer

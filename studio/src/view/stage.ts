@@ -1,6 +1,6 @@
 /// What the view draws, and from where: follows the signals of src/state.
 import { effect, signal } from '@preact/signals';
-import { Color, DirectionalLight, Group, HemisphereLight, Scene } from 'three';
+import { DirectionalLight, Group, HemisphereLight, Scene } from 'three';
 import { framesOfCameras, tracks } from '../motion/clock';
 import { filmTime, lookThrough, meshes, sceneTime, shot } from '../state/state';
 import { kAllParts } from './all_parts';
@@ -13,6 +13,7 @@ import { arbitratePointer } from './pointer';
 import { SceneMeshes } from './scene_meshes';
 import { selectByClick } from './selecting';
 import { answerViewKeys } from './view_keys';
+import { followVisibility } from './visibility';
 
 /// Everything drawn on one canvas.
 export class Stage {
@@ -34,6 +35,7 @@ export class Stage {
     private readonly meshes: SceneMeshes;
     private readonly mask: FilmMask;
     private readonly moved = signal(0);
+    private readonly loaded = signal(0); // how often meshes were loaded
     private readonly ends: (() => void)[] = [];
 
     private constructor(
@@ -41,16 +43,16 @@ export class Stage {
         readonly cameras: Cameras,
     ) {
         this.meshes = new SceneMeshes(drawing.isFast);
-        this.mask = new FilmMask(canvas.parentElement);
+        this.mask = new FilmMask(canvas);
         const overlay = new Group();
         overlay.renderOrder = 2;
-        this.context = makeContext(canvas, overlay, cameras, this.meshes, drawing, this.moved);
+        this.context = makeContext(
+            canvas, overlay, cameras, this.meshes, drawing, this.moved, this.loaded);
         cameras.lookFrom([-0.6, -2.6, 1.7], [0, 0, 0]);
         const lamp = new DirectionalLight(0xffffff, 1.6);
         lamp.position.set(0.4, -0.8, 2);
         scene.add(new HemisphereLight(0xffffff, 0x404840, 1.8), lamp, this.meshes.group,
             overlay);
-        scene.background = new Color(0x202428);
 
         const parts = kAllParts.map((make) => make(this.context));
         this.ends.push(
@@ -60,7 +62,8 @@ export class Stage {
                 const object = this.context.objectAt(pixel);
                 return !object || object.kind === 'table' ? null : object.path;
             }),
-            answerViewKeys(cameras, () => this.aim()),
+            answerViewKeys(cameras, this.context, () => this.aim()),
+            followVisibility(scene, this.meshes, this.loaded, () => drawing.ask()),
         );
         this.follow();
     }
@@ -108,6 +111,9 @@ export class Stage {
             const state = shot.peek();
             if (isShown && state) {
                 this.meshes.pose(state, tracks.peek(), sceneTime.peek());
+            }
+            if (isShown) {
+                this.loaded.value += 1;
             }
             this.drawing.ask();
         }, (error: unknown) => console.error(error));

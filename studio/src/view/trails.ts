@@ -7,6 +7,7 @@ import { tracks } from '../motion/clock';
 import type { Track } from '../motion/track';
 import type { SceneObject, Triple } from '../protocol';
 import { isStale, shot } from '../state/state';
+import { showTrails } from '../state/view_state';
 import { kDrawingPriority, type MakePart } from './parts';
 
 const kMostPieces = 24; // straight pieces between two keys
@@ -85,6 +86,10 @@ export const makeTrails: MakePart = ({ scene, ask }) => {
         }),
         effect(() => {
             trails.setStale(isStale.value);
+            ask();
+        }),
+        effect(() => {
+            trails.lines.visible = showTrails.value;
             ask();
         }),
     ];

@@ -1,28 +1,40 @@
 /// What the keys of the view do.
 import { filmCamera } from '../motion/clock';
 import { onCommand } from '../state/keys';
-import { lookThrough, shot } from '../state/state';
+import { lookThrough, selection, shot } from '../state/state';
+import { isWireframe, viewKind } from '../state/view_state';
+import { boundsOf, wholeScene } from './bounds';
 import type { Cameras } from './cameras';
-import { wholeScene } from './bounds';
+import type { ViewContext } from './parts';
 
 /// Listens until the returned function is called. `changed` draws.
-export function answerViewKeys(cameras: Cameras, changed: () => void): () => void {
-    const freely = (look: () => void) => () => {
+export function answerViewKeys(
+    cameras: Cameras, context: ViewContext, changed: () => void,
+): () => void {
+    const freely = (kind: 'free' | 'top' | 'side' | null, look: () => void) => () => {
         lookThrough.value = null;
+        viewKind.value = kind ?? viewKind.peek();
         look();
         changed();
     };
     const ends = [
-        onCommand('viewTop', freely(() =>
+        onCommand('viewTop', freely('top', () =>
             cameras.lookAlong([0, 0, -1], [0, 1, 0], wholeScene(shot.peek())))),
-        onCommand('viewSide', freely(() =>
+        onCommand('viewSide', freely('side', () =>
             cameras.lookAlong([0, 1, 0], [0, 0, 1], wholeScene(shot.peek())))),
-        onCommand('viewFree', freely(() =>
+        onCommand('viewFree', freely('free', () =>
             cameras.lookFrom([-0.6, -2.6, 1.7], [0, 0, 0]))),
         onCommand('lookThrough', () => {
             const camera = shot.peek()?.cameras[filmCamera.peek()];
             lookThrough.value = lookThrough.peek() === null ? camera?.name ?? null : null;
         }),
+        onCommand('frameSelection', freely(null, () => {
+            const state = shot.peek();
+            const chosen = selection.peek();
+            const box = state && chosen && boundsOf(chosen, state, context);
+            cameras.frame(box || wholeScene(state));
+        })),
+        onCommand('wireframe', () => { isWireframe.value = !isWireframe.peek(); }),
     ];
     return () => ends.forEach((end) => end());
 }
