@@ -4,7 +4,7 @@ import {
     Color, ConeGeometry, DynamicDrawUsage, Group, InstancedMesh, Matrix4, MeshBasicMaterial,
     MeshLambertMaterial, Quaternion, SphereGeometry, Vector3,
 } from 'three';
-import type { BufferGeometry, Material, Scene } from 'three';
+import type { BufferGeometry, Material, Object3D } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
@@ -16,7 +16,7 @@ import { Labels } from './labels';
 const kTipSize = 13; // CSS pixels
 const kAbove = 10; // drawn after everything else of the scene
 
-const sketches = new WeakMap<Scene, Sketch>();
+const sketches = new WeakMap<Object3D, Sketch>();
 
 /// The sketch of a view, which all its gizmos share.
 export function sketchOf(context: ViewContext): Sketch {
