@@ -13,6 +13,7 @@
 #include "pipeline/config/schema.h"
 #include "pipeline/config/shot_source.h"
 #include "pipeline/store/cache_folder.h"
+#include "pipeline/studio/config_list.h"
 #include "pipeline/studio/disk_watch.h"
 #include "pipeline/studio/journal.h"
 #include "pipeline/studio/live_shot.h"
@@ -84,6 +85,11 @@ class Session::State {
         if (path == "/schema.json") {
             static const auto schema = std::make_shared<const std::string>(pipeline::schema_json());
             return Download{"application/json", schema, {}};
+        }
+        if (path == "/configs.json") {
+            return Download{"application/json",
+                            std::make_shared<const std::string>(config_list_json()),
+                            {}};
         }
         constexpr std::string_view kScene = "/scene/";
         constexpr std::string_view kGlb = ".glb";

@@ -63,8 +63,8 @@ class Session {
     /// A text that the page sent. One that cannot be understood is answered with Failed.
     void received(PageId page, const std::string& text);
 
-    /// What a GET of that path ("/schema.json", "/scene/HASH.glb") returns; empty: there is no such
-    /// file.
+    /// What a GET of that path ("/schema.json", "/configs.json", "/scene/HASH.glb") returns; empty:
+    /// there is no such file.
     [[nodiscard]] std::optional<Download> find(std::string_view path);
 
   private:

@@ -2,12 +2,15 @@ import { render } from 'preact';
 import { connect } from './connection/socket';
 import { Dialogs } from './dialogs/Dialogs';
 import * as edit from './edit/edit';
+import { loadSchema } from './schema/schema';
 import { Shell } from './shell/Shell';
 import { watchTheme } from './shell/theme';
 import { listenToKeys, onCommand } from './state/keys';
 import { panel } from './state/state';
 import { exposeStudio } from './state/studio';
 import { activeFile, bufferOf, textOf, travel, typeStep } from './text/buffers';
+import { loadConfigFiles } from './text/complete/config_files';
+import { labelsAt } from './text/complete/source';
 import { saveAll, watchFiles } from './text/saving';
 import { watchAnswers } from './text/sending';
 import './style/main.css';
@@ -26,6 +29,7 @@ if (app) {
         type: (from: number, to: number, insert: string) =>
             typeStep([{ file: activeFile.value, changes: { from, to, insert } }]),
     };
+    window.studio['labelsAt'] = labelsAt;
     watchTheme();
     watchFiles();
     watchAnswers();
@@ -36,5 +40,7 @@ if (app) {
     onCommand('redo', () => { travel(false); });
     onCommand('cancel', () => { edit.cancelGesture(); });
     render(<><Shell /><Dialogs /></>, app);
+    void loadSchema();
+    void loadConfigFiles();
     connect();
 }

@@ -1,5 +1,5 @@
 /// The text editor: one tab for each file of the shot.
-import { autocompletion } from '@codemirror/autocomplete';
+import { closeBrackets, closeBracketsKeymap } from '@codemirror/autocomplete';
 import { defaultKeymap, indentWithTab } from '@codemirror/commands';
 import { yaml } from '@codemirror/lang-yaml';
 import { bracketMatching, indentOnInput } from '@codemirror/language';
@@ -16,12 +16,16 @@ import {
     activeFile, afterTransaction, attachView, buffers, isChanged, makeState, setChangeListener,
     setExtensions, travel, type Buffer,
 } from './buffers';
+import { completion } from './complete/source';
+import { dashInput } from './dash_input';
 import { selectAtCursor, showSelection } from './follow_selection';
 import { yamlLook } from './highlight';
+import { hoverAbout } from './hover';
 import { marksOf } from './problem_marks';
 import { saveAll } from './saving';
 import { sendSoon } from './sending';
 import { setShownView } from './show';
+import { tooltipLook } from './tooltip_look';
 import './text.css';
 
 const nonce = () =>
@@ -32,14 +36,14 @@ const keys = keymap.of([
     { key: 'Mod-y', run: () => travel(false), preventDefault: true },
     { key: 'Mod-Shift-z', run: () => travel(false), preventDefault: true },
     { key: 'Mod-s', run: () => (saveAll(), true), preventDefault: true },
-    ...searchKeymap, ...lintKeymap, ...defaultKeymap, indentWithTab,
+    ...closeBracketsKeymap, ...searchKeymap, ...lintKeymap, ...defaultKeymap, indentWithTab,
 ]);
 
 setExtensions(() => [
     EditorView.cspNonce.of(nonce()),
     lineNumbers(), highlightActiveLine(), highlightActiveLineGutter(), drawSelection(),
     highlightSelectionMatches(), bracketMatching(), indentOnInput(), lintGutter(),
-    autocompletion(), yaml(), yamlLook, keys, selectAtCursor,
+    completion(), closeBrackets(), dashInput, yaml(), yamlLook, tooltipLook, hoverAbout, keys, selectAtCursor,
     EditorView.contentAttributes.of({ 'aria-label': 'Text of the shot' }),
 ]);
 setChangeListener(sendSoon);
@@ -58,6 +62,7 @@ function openView(parent: HTMLElement): () => void {
         },
     });
     attachView(view);
+    window.studio['editor'] = { view };
     setShownView(view);
     const mark = () => {
         const list = problems.peek()?.list ?? [];

@@ -1,0 +1,118 @@
+/// Whole entries of lists and maps. ${...} are places to fill in, in their order.
+import type { KeyPath, Names } from '../../protocol';
+
+export interface Snippet {
+    label: string;
+    about: string;
+    /// With an indent of 0; the first line begins the entry, without the dash of a list.
+    yaml: string;
+}
+
+function ball(names: Names): string {
+    return names.balls.includes('cue') ? 'cue' : names.balls[0] ?? 'cue';
+}
+
+function events(names: Names): Snippet[] {
+    const cue = ball(names);
+    const other = names.balls.find((one) => one !== cue) ?? names.objects[0] ?? 'one';
+    return [
+        { label: 'strike', about: 'A strike with the cue stick towards a ball.',
+            yaml: `strike: {ball: \${${cue}}, at: \${0.5 s}, toward: \${${other}}, speed: \${3 m/s}, `
+                + 'tip: [${0}, ${0}]}' },
+        { label: 'strike by a direction', about: 'A strike along a direction over the cloth.',
+            yaml: `strike: {ball: \${${cue}}, at: \${0.5 s}, direction: \${0 deg}, speed: \${3 m/s}}` },
+        { label: 'force', about: 'A force that acts on a body for some time.',
+            yaml: `force: {object: \${${cue}}, at: \${1 s}, for: \${0.5 s}, `
+                + 'newtons: [${0}, ${0.1}, ${0}]}' },
+        { label: 'impulse at a contact', about: 'An impulse when two bodies touch.',
+            yaml: `impulse:\n  object: \${${cue}}\n  when: {contact: [\${${cue}}, \${${other}}]}\n`
+                + '  newton_seconds: [${0}, ${0}, ${0.2}]' },
+        { label: 'velocity', about: 'A change of velocity at a time.',
+            yaml: `velocity: {object: \${${cue}}, at: \${1 s}, linear: [\${0}, \${0}, \${1}]}` },
+    ];
+}
+
+function cameras(names: Names, filmEnd: number): Snippet[] {
+    const start = `${Number(filmEnd.toFixed(4))} s`;
+    const end = `${Number((filmEnd + 3).toFixed(4))} s`;
+    const times = `video: [\${${start}}, \${${end}}]\nscene: [\${0 s}, \${3 s}]\n`;
+    const cue = ball(names);
+    return [
+        { label: 'camera that stands still', about: 'Looks at one point from one place.',
+            yaml: `name: \${still}\n${times}position: [\${-0.4}, \${-1.6}, \${0.9}]\n`
+                + 'target: [${0}, ${0}, ${0.03}]\nfov: ${40 deg}' },
+        { label: 'camera that moves', about: 'Flies along a curve with control points.',
+            yaml: `name: \${moving}\n${times}position:\n  bezier:\n    - [\${-1.2}, \${-0.5}, \${0.3}]\n`
+                + '    - [${0}, ${-0.8}, ${0.4}]\n    - [${0.6}, ${-0.4}, ${0.2}]\n'
+                + 'target: [${0.5}, ${0}, ${0.03}]\nfov: ${40 deg}' },
+        { label: 'camera that follows a ball', about: 'Stands still and turns with a ball.',
+            yaml: `name: \${follow}\n${times}position: [\${-0.4}, \${-1.6}, \${0.9}]\n`
+                + `target: {follow: \${${cue}}}\nfov: \${30 deg}` },
+        { label: 'camera of a rig', about: 'A ready camera from a file.',
+            yaml: `include: \${rigs/overhead.yaml}\nname: \${overhead}\n${times.trim()}` },
+    ];
+}
+
+function lights(): Snippet[] {
+    return [
+        { label: 'rectangular lamp', about: 'A lamp with soft shadows.',
+            yaml: '${lamp}: {rectangle: [${0.6}, ${0.3}], at: [${0}, ${0}, ${1.6}], '
+                + 'facing: [${0}, ${0}, ${-1}], radiance: ${20}}' },
+        { label: 'point light', about: 'A light without a surface: hard shadows.',
+            yaml: '${point}: {point: ${20}, at: [${0}, ${0}, ${1.8}]}' },
+        { label: 'spot light', about: 'A point light within a cone.',
+            yaml: '${spot}: {spot: ${40}, at: [${0}, ${0}, ${2}], facing: [${0}, ${0}, ${-1}], '
+                + 'angle: ${30 deg}}' },
+    ];
+}
+
+function objects(): Snippet[] {
+    return [
+        { label: 'box', about: 'A box that the simulation moves.',
+            yaml: '${box}: {box: [${0.1}, ${0.1}, ${0.1}], at: [${0.3}, ${0.3}, ${0.05}], '
+                + 'physics: {density: ${700 kg/m^3}}}' },
+        { label: 'sphere', about: 'A sphere that is only visible.',
+            yaml: '${sphere}: {sphere: ${0.05}, at: [${0.3}, ${0.3}, ${0.05}]}' },
+        { label: 'cylinder', about: 'A cylinder that the simulation moves.',
+            yaml: '${cylinder}: {cylinder: {radius: ${0.03}, height: ${0.1}}, '
+                + 'at: [${0.3}, ${0.3}, ${0.05}], physics: {density: ${700 kg/m^3}}}' },
+    ];
+}
+
+function materials(): Snippet[] {
+    return [
+        { label: 'matte material', about: 'A colour without gloss.',
+            yaml: '${paint}: {standard: {base: [${0.6}, ${0.1}, ${0.08}], roughness: ${0.9}}}' },
+        { label: 'metal', about: 'A polished metal.',
+            yaml: '${brass}: {standard: {base: [${0.78}, ${0.56}, ${0.26}], metal: 1, '
+                + 'roughness: ${0.2}}}' },
+        { label: 'glass', about: 'Clear glass.',
+            yaml: '${glass}: {standard: {base: [1, 1, 1], transmission: 1, ior: ${1.5}, '
+                + 'roughness: ${0}}}' },
+    ];
+}
+
+/// Whole entries for the list or map at `path`.
+export function snippetsFor(path: KeyPath, names: Names, filmEnd: number): Snippet[] {
+    const [section] = path;
+    if (path.length !== 1) {
+        return [];
+    }
+    switch (section) {
+        case 'events':
+            return events(names);
+        case 'cameras':
+            return cameras(names, filmEnd);
+        case 'lights':
+            return lights();
+        case 'objects':
+            return objects();
+        case 'materials':
+            return materials();
+        case 'balls':
+            return [{ label: 'ball', about: 'A ball on the cloth.',
+                yaml: '${ball}: {at: [${0}, ${0}]}' }];
+        default:
+            return [];
+    }
+}
