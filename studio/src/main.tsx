@@ -13,6 +13,7 @@ import { loadConfigFiles } from './text/complete/config_files';
 import { labelsAt } from './text/complete/source';
 import { saveAll, watchFiles } from './text/saving';
 import { watchAnswers } from './text/sending';
+import { undoStep } from './text/undo_commands';
 import './style/main.css';
 
 /// The text of the shown tab, for tests.
@@ -36,8 +37,8 @@ if (app) {
     listenToKeys();
     onCommand('save', saveAll);
     onCommand('keys', () => { panel.value = 'keys'; });
-    onCommand('undo', () => { travel(true); });
-    onCommand('redo', () => { travel(false); });
+    onCommand('undo', () => { undoStep(true); });
+    onCommand('redo', () => { undoStep(false); });
     onCommand('cancel', () => { edit.cancelGesture(); });
     render(<><Shell /><Dialogs /></>, app);
     void loadSchema();

@@ -90,10 +90,10 @@ function showTexts(texts: readonly SourceFile[]): void {
 }
 
 /// Makes what `plan` returns one undo step.
-function applyPlan(plan: (files: SourceFile[]) => SourceFile[]): EditResult {
+function applyPlan(plan: (files: SourceFile[]) => SourceFile[], label: string): EditResult {
     try {
         const step = stepTo(plan(currentFiles()));
-        typeStep(step);
+        typeStep(step, label);
         return done(step[0]?.file ?? '');
     } catch (error) {
         return refused(error);
@@ -119,13 +119,13 @@ export function beginGesture(): Gesture {
                 return refused(error);
             }
         },
-        commit: () => {
+        commit: (label) => {
             if (current === gesture) {
                 current = null;
                 dragging.value = false;
                 send('dragging', { on: false });
                 showTexts(before);
-                typeStep(stepTo(last));
+                typeStep(stepTo(last), label);
             }
         },
         cancel: () => {
@@ -149,32 +149,32 @@ export function cancelGesture(): boolean {
 }
 
 /// Makes all changes as one undo step.
-export function applyChanges(changes: Change[], _label: string): EditResult {
-    return applyPlan((files) => changed(files, changes));
+export function applyChanges(changes: Change[], label: string): EditResult {
+    return applyPlan((files) => changed(files, changes), label);
 }
 
 /// Takes a key with its value, or an item of a list, out of the text.
-export function removeValue(path: KeyPath, _label: string): EditResult {
+export function removeValue(path: KeyPath, label: string): EditResult {
     return applyPlan((files) => {
         checkOption(path);
         return withEdits(files, planRemove(files, path, { aliases }));
-    });
+    }, label);
 }
 
 /// Adds an item, written as YAML with an indent of 0, to a list before the item `index`.
 export function insertItem(
-    listPath: KeyPath, index: number, yaml: string, _label: string,
+    listPath: KeyPath, index: number, yaml: string, label: string,
 ): EditResult {
     return applyPlan((files) =>
-        withEdits(files, planInsert(files, listPath, index, yaml, { aliases })));
+        withEdits(files, planInsert(files, listPath, index, yaml, { aliases })), label);
 }
 
 /// Adds an entry, its value written as YAML with an indent of 0, to a map.
 export function insertEntry(
-    mapPath: KeyPath, key: string, yaml: string, _label: string,
+    mapPath: KeyPath, key: string, yaml: string, label: string,
 ): EditResult {
     return applyPlan((files) =>
-        withEdits(files, planEntry(files, mapPath, key, yaml, { aliases })));
+        withEdits(files, planEntry(files, mapPath, key, yaml, { aliases })), label);
 }
 
 function isPrefix(prefix: KeyPath, path: KeyPath): boolean {

@@ -3,9 +3,11 @@ import {
     type LucideIcon,
 } from 'lucide-preact';
 import { lookThrough, panel, problems, shot, theme, welcome } from '../state/state';
-import { buffers, isChanged, travel } from '../text/buffers';
+import { buffers, isChanged } from '../text/buffers';
 import { saveAll } from '../text/saving';
 import { showRange } from '../text/show';
+import { redoable, redoTitle, undoable, undoTitle } from '../text/steps';
+import { undoStep } from '../text/undo_commands';
 import { outlineArea, textArea, toggle } from './layout';
 import { switchTheme } from './theme';
 
@@ -57,8 +59,10 @@ export function Toolbar() {
             <h1 title={welcome.value?.shot}>{name}</h1>
             {isDirty ? <span class="dirty" title="There are unsaved changes" /> : null}
             <div class="group">
-                <Tool icon={Undo2} label="Undo (Ctrl+Z)" onClick={() => travel(true)} />
-                <Tool icon={Redo2} label="Redo (Ctrl+Y)" onClick={() => travel(false)} />
+                <Tool icon={Undo2} label={`${undoTitle.value} (Ctrl+Z)`}
+                    isDisabled={undoable.value.length === 0} onClick={() => undoStep(true)} />
+                <Tool icon={Redo2} label={`${redoTitle.value} (Ctrl+Y)`}
+                    isDisabled={redoable.value.length === 0} onClick={() => undoStep(false)} />
                 <Tool icon={Save} label="Save (Ctrl+S)" isDisabled={!isDirty} onClick={saveAll} />
             </div>
             <div class="spring" />

@@ -14,7 +14,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { problems } from '../state/state';
 import {
     activeFile, afterTransaction, attachView, buffers, isChanged, makeState, setChangeListener,
-    setExtensions, travel, type Buffer,
+    setExtensions, type Buffer,
 } from './buffers';
 import { completion } from './complete/source';
 import { dashInput } from './dash_input';
@@ -26,15 +26,16 @@ import { saveAll } from './saving';
 import { sendSoon } from './sending';
 import { setShownView } from './show';
 import { tooltipLook } from './tooltip_look';
+import { undoStep } from './undo_commands';
 import './text.css';
 
 const nonce = () =>
     document.querySelector('meta[name="csp-nonce"]')?.getAttribute('content') ?? '';
 
 const keys = keymap.of([
-    { key: 'Mod-z', run: () => travel(true), preventDefault: true },
-    { key: 'Mod-y', run: () => travel(false), preventDefault: true },
-    { key: 'Mod-Shift-z', run: () => travel(false), preventDefault: true },
+    { key: 'Mod-z', run: () => undoStep(true), preventDefault: true },
+    { key: 'Mod-y', run: () => undoStep(false), preventDefault: true },
+    { key: 'Mod-Shift-z', run: () => undoStep(false), preventDefault: true },
     { key: 'Mod-s', run: () => (saveAll(), true), preventDefault: true },
     ...closeBracketsKeymap, ...searchKeymap, ...lintKeymap, ...defaultKeymap, indentWithTab,
 ]);

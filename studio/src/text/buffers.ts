@@ -6,6 +6,7 @@ import type { EditorView } from '@codemirror/view';
 import { signal } from '@preact/signals';
 import { difference } from '../edit/text_edit';
 import type { OpenFile } from '../protocol';
+import { addStep, moveStep, setSteps } from './steps';
 
 export interface Buffer {
     file: string;
@@ -25,9 +26,6 @@ type Listener = (file: string) => void;
 let view: EditorView | null = null;
 let extensions: (writable: boolean) => Extension = () => [];
 let onChange: Listener = () => undefined;
-/// The files that each step changed, the oldest first.
-const undoable: string[][] = [];
-const redoable: string[][] = [];
 let isTravelling = false;  // while a step is undone or redone
 let grouped: string[] | null = null;  // files of a step that changes several
 
@@ -77,9 +75,8 @@ export function isChanged(buffer: Buffer): boolean {
 }
 
 function remember(file: string): void {
-    redoable.length = 0;
     if (!grouped) {
-        undoable.push([file]);
+        addStep({ files: [file], label: '' });
     } else if (!grouped.includes(file)) {
         grouped.push(file);
     }
@@ -122,8 +119,8 @@ export function typeOutside(file: string, changes: ChangeSpec): void {
     }));
 }
 
-/// Changes texts as one step of undo.
-export function typeStep(changes: { file: string; changes: ChangeSpec }[]): void {
+/// Changes texts as one step of undo; `label` says what it does: "Move cue".
+export function typeStep(changes: { file: string; changes: ChangeSpec }[], label = ''): void {
     grouped = [];
     for (const one of changes) {
         dispatch(one.file, (state) => state.update({
@@ -132,20 +129,20 @@ export function typeStep(changes: { file: string; changes: ChangeSpec }[]): void
         }));
     }
     if (grouped.length > 0) {
-        undoable.push(grouped);
+        addStep({ files: grouped, label });
     }
     grouped = null;
 }
 
 /// Undoes (or redoes) the last step of any file. Returns whether there was one.
 export function travel(back: boolean): boolean {
-    const files = (back ? undoable : redoable).pop();
-    if (!files) {
+    const step = moveStep(back);
+    if (!step) {
         return false;
     }
     isTravelling = true;
     try {
-        for (const file of files) {
+        for (const file of step.files) {
             const buffer = bufferOf(file);
             const shown = view && view.state === buffer?.state ? view : null;
             const state = shown?.state ?? buffer?.state;
@@ -160,8 +157,28 @@ export function travel(back: boolean): boolean {
     } finally {
         isTravelling = false;
     }
-    (back ? redoable : undoable).push(files);
     return true;
+}
+
+/// Says that a file on disk has this text now; the text in the page stays as it is.
+export function setDisk(file: string, text: string, hash: string): void {
+    const buffer = bufferOf(file);
+    if (buffer) {
+        buffer.savedText = text;
+        buffer.hash = hash;
+        buffers.value = [...buffers.value];
+    }
+}
+
+/// Gives a file another text, as one step of undo.
+export function setText(file: string, text: string, label: string): void {
+    const buffer = bufferOf(file);
+    const plain = (one: string) => one.replace(/\r\n/g, '\n');
+    const change = buffer && difference(buffer.state.doc.toString(),
+        lineBreak(textOf(buffer)) === '\r\n' ? plain(text) : text);
+    if (change) {
+        typeStep([{ file, changes: change }], label);
+    }
 }
 
 /// Takes over what the server told: new files get a buffer, files that the page has not changed
@@ -169,8 +186,7 @@ export function travel(back: boolean): boolean {
 export function takeFiles(files: readonly OpenFile[]): string[] {
     const kept: string[] = [];
     if (files[0]?.file !== buffers.value[0]?.file) {  // another shot
-        undoable.length = 0;
-        redoable.length = 0;
+        setSteps([], []);
     }
     for (const file of files) {
         const known = bufferOf(file.file);
