@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/config/config_files.h"
 #include "pipeline/config/parse_yaml.h"
+#include "pipeline/config/schema_line.h"
 
 namespace carom::cli {
 
@@ -12,13 +14,6 @@ namespace fs = std::filesystem;
 namespace config = pipeline::config;
 
 namespace {
-
-/// The first line of the shot, for editors that support YAML schemas. Empty if no schema is
-/// installed.
-std::string schema_line(const config::ConfigFolders& folders) {
-    const config::FoundFile schema = config::find_config_file("carom.schema.json", ".", folders);
-    return schema.path.empty() ? "" : "# yaml-language-server: $schema=" + schema.path + "\n";
-}
 
 std::string template_text(std::string name, const config::ConfigFolders& folders) {
     if (name == "massé") {
@@ -54,7 +49,7 @@ void run(const NewCommand& command, CommandContext& context) {
          at = text.find(placeholder, at + command.shot.size())) {
         text.replace(at, placeholder.size(), command.shot);
     }
-    write_text_output(command.shot, schema_line(folders) + text);
+    write_text_output(command.shot, config::with_schema_line(std::move(text), "."));
     context.console.info("the shot is ready for 'carom check', 'plan', 'frame' and 'render'");
 }
 

@@ -39,9 +39,10 @@ std::map<std::string, server::Resource> read_page() {
 
 studio::SessionOptions session_options(const StudioCommand& command) {
     std::error_code ignored;
-    if (!std::filesystem::is_regular_file(command.input.path, ignored)) {
+    if (!command.input.path.empty() &&
+        !std::filesystem::is_regular_file(command.input.path, ignored)) {
         throw InputError("there is no file '" + command.input.path +
-                         "'; 'carom new' writes a shot to start from");
+                         "'; 'carom studio' without a file offers templates to start from");
     }
     studio::SessionOptions options;
     options.shot = command.input.path;

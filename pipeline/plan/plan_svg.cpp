@@ -153,9 +153,7 @@ void draw_scene(PlanDrawing& plan) {
     plan.svg.close();
 }
 
-}  // namespace
-
-std::string plan_svg(const Shot& shot, const sim::Timeline& timeline, const PlanOptions& options) {
+PlanDrawing begin_plan(const Shot& shot, const sim::Timeline& timeline) {
     PlanDrawing plan{shot,
                      timeline,
                      {},
@@ -168,6 +166,13 @@ std::string plan_svg(const Shot& shot, const sim::Timeline& timeline, const Plan
     if (shot.world.table && shot.world.table->has_cushions) {
         plan.table = sim::billiards::make_layout(*shot.world.table, ball_radius(shot));
     }
+    return plan;
+}
+
+}  // namespace
+
+std::string plan_svg(const Shot& shot, const sim::Timeline& timeline, const PlanOptions& options) {
+    PlanDrawing plan = begin_plan(shot, timeline);
     const std::vector<CameraRig> rigs = with_fitted_paths(shot.cameras, timeline);
     for (const CameraRig& rig : rigs) {
         PlanRig seen = rig_of(rig, plan.rigs.size(), timeline);
@@ -190,6 +195,25 @@ std::string plan_svg(const Shot& shot, const sim::Timeline& timeline, const Plan
     y = draw_time_axes(plan, y) + 4;
     y = draw_event_list(plan, y) + 6;
     return svg_page(plan.svg.finish(), shot.name + " from above", options.page, y);
+}
+
+std::string sketch_svg(const Shot& shot, const sim::Timeline& timeline) {
+    PlanDrawing plan = begin_plan(shot, timeline);
+    const Extent extent = extent_of(plan);
+    plan.sheet = make_sheet(extent.low, extent.high, {kPageWidth, kPageWidth});
+    plan.labels = LabelPlacer({{0, 0}, plan.sheet.size()});
+    draw_table(plan);
+    draw_scenery(plan);
+    draw_paths(plan);
+    draw_objects(plan);
+    const Vec2 size = plan.sheet.size();
+    SvgText svg;
+    svg.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
+                     {"viewBox", "0 0 " + svg_number(size.x) + " " + svg_number(size.y)}});
+    svg.text("style", plan_style(PlanPage::dark));
+    svg.raw(plan.svg.finish());
+    svg.close();
+    return svg.finish();
 }
 
 }  // namespace carom::pipeline

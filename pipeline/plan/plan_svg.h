@@ -19,4 +19,8 @@ struct PlanOptions {
 [[nodiscard]] std::string plan_svg(const Shot& shot, const sim::Timeline& timeline,
                                    const PlanOptions& options = {});
 
+/// A small SVG picture of the table with its balls and their paths, without any text, for lists of
+/// shots.
+[[nodiscard]] std::string sketch_svg(const Shot& shot, const sim::Timeline& timeline);
+
 }  // namespace carom::pipeline

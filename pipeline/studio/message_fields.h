@@ -34,7 +34,50 @@ constexpr auto fields_of(Describes<Revert>) {
 }
 
 constexpr auto fields_of(Describes<Open>) {
-    return fields<Open>(field("file", &Open::file), field("from", &Open::from));
+    return fields<Open>(field("file", &Open::file), field("from", &Open::from),
+                        field("text", &Open::text), field("overwrite", &Open::overwrite));
+}
+
+constexpr auto fields_of(Describes<SaveAs>) {
+    return fields<SaveAs>(field("file", &SaveAs::file), field("overwrite", &SaveAs::overwrite));
+}
+
+constexpr auto fields_of(Describes<ListFolder>) {
+    return fields<ListFolder>(field("folder", &ListFolder::folder));
+}
+
+constexpr auto fields_of(Describes<Offer>) {
+    return fields<Offer>();
+}
+
+constexpr auto fields_of(Describes<Forget>) {
+    return fields<Forget>(field("file", &Forget::file));
+}
+
+constexpr auto fields_of(Describes<Import>) {
+    return fields<Import>(field("name", &Import::name), field("text", &Import::text));
+}
+
+constexpr auto fields_of(Describes<ReadParts>) {
+    return fields<ReadParts>(field("file", &ReadParts::file), field("text", &ReadParts::text));
+}
+
+constexpr auto fields_of(Describes<PartName>) {
+    return fields<PartName>(field("section", &PartName::section), field("name", &PartName::name));
+}
+
+constexpr auto fields_of(Describes<AddParts>) {
+    return fields<AddParts>(field("file", &AddParts::file), field("text", &AddParts::text),
+                            field("parts", &AddParts::parts));
+}
+
+constexpr auto fields_of(Describes<Fan>) {
+    return fields<Fan>(field("v", &Fan::v), field("runs", &Fan::runs),
+                       field("distance", &Fan::distance), field("angle", &Fan::angle));
+}
+
+constexpr auto fields_of(Describes<Unfan>) {
+    return fields<Unfan>();
 }
 
 constexpr auto fields_of(Describes<Dragging>) {
@@ -99,6 +142,45 @@ constexpr auto fields_of(Describes<StartFile>) {
 constexpr auto fields_of(Describes<Start>) {
     return fields<Start>(field("templates", &Start::templates), field("examples", &Start::examples),
                          field("recent", &Start::recent));
+}
+
+constexpr auto fields_of(Describes<Exists>) {
+    return fields<Exists>(field("what", &Exists::what), field("file", &Exists::file),
+                          field("name", &Exists::name));
+}
+
+constexpr auto fields_of(Describes<FolderEntry>) {
+    return fields<FolderEntry>(field("name", &FolderEntry::name), field("file", &FolderEntry::file),
+                               field("is_folder", &FolderEntry::is_folder));
+}
+
+constexpr auto fields_of(Describes<Folder>) {
+    return fields<Folder>(field("folder", &Folder::folder), field("name", &Folder::name),
+                          field("parent", &Folder::parent), field("entries", &Folder::entries));
+}
+
+constexpr auto fields_of(Describes<Imported>) {
+    return fields<Imported>(field("name", &Imported::name), field("yaml", &Imported::yaml),
+                            field("problems", &Imported::problems),
+                            field("notes", &Imported::notes));
+}
+
+constexpr auto fields_of(Describes<Part>) {
+    return fields<Part>(field("section", &Part::section), field("name", &Part::name),
+                        field("about", &Part::about), field("exists", &Part::exists));
+}
+
+constexpr auto fields_of(Describes<Parts>) {
+    return fields<Parts>(field("file", &Parts::file), field("parts", &Parts::parts));
+}
+
+constexpr auto fields_of(Describes<Addition>) {
+    return fields<Addition>(field("section", &Addition::section), field("name", &Addition::name),
+                            field("yaml", &Addition::yaml), field("of", &Addition::of));
+}
+
+constexpr auto fields_of(Describes<Additions>) {
+    return fields<Additions>(field("list", &Additions::list));
 }
 
 constexpr auto fields_of(Describes<OpenFile>) {
@@ -283,6 +365,24 @@ constexpr auto fields_of(Describes<TimelineHead>) {
         field("start", &TimelineHead::start), field("end", &TimelineHead::end),
         field("tracks", &TimelineHead::tracks), field("events", &TimelineHead::events),
         field("energy", &TimelineHead::energy), field("milliseconds", &TimelineHead::milliseconds));
+}
+
+constexpr auto fields_of(Describes<FanTrack>) {
+    return fields<FanTrack>(field("name", &FanTrack::name), field("run", &FanTrack::run),
+                            field("first", &FanTrack::first), field("points", &FanTrack::points));
+}
+
+constexpr auto fields_of(Describes<FanOutcome>) {
+    return fields<FanOutcome>(field("kind", &FanOutcome::kind), field("a", &FanOutcome::a),
+                              field("b", &FanOutcome::b), field("text", &FanOutcome::text),
+                              field("runs", &FanOutcome::runs), field("first", &FanOutcome::first),
+                              field("last", &FanOutcome::last));
+}
+
+constexpr auto fields_of(Describes<FanHead>) {
+    return fields<FanHead>(field("v", &FanHead::v), field("runs", &FanHead::runs),
+                           field("finished", &FanHead::finished), field("tracks", &FanHead::tracks),
+                           field("outcomes", &FanHead::outcomes));
 }
 
 constexpr auto fields_of(Describes<CamerasHead>) {

@@ -8,15 +8,17 @@
 namespace carom::studio {
 
 /// What a page may send.
-using PageMessage = std::variant<Hello, TextChange, Save, Revert, Open, Dragging, Recover, Simulate,
-                                 See, Unsee, StartFilm, StopFilm, Make>;
+using PageMessage = std::variant<Hello, TextChange, Save, Revert, Open, SaveAs, ListFolder, Offer,
+                                 Forget, Import, ReadParts, AddParts, Fan, Unfan, Dragging, Recover,
+                                 Simulate, See, Unsee, StartFilm, StopFilm, Make>;
 
 /// The texts that the server may send.
 using ServerMessage =
-    std::variant<Welcome, Start, Files, TextChanged, Saved, DiskChanged, Recovered, Failed,
-                 Problems, ShotState, SceneMeshes, Work, Deferred, FilmState, FilmFrame, Made>;
+    std::variant<Welcome, Start, Exists, Folder, Imported, Parts, Additions, Files, TextChanged,
+                 Saved, DiskChanged, Recovered, Failed, Problems, ShotState, SceneMeshes, Work,
+                 Deferred, FilmState, FilmFrame, Made>;
 
 /// The heads of its binary messages.
-using BinaryHead = std::variant<TimelineHead, CamerasHead, PictureHead>;
+using BinaryHead = std::variant<TimelineHead, CamerasHead, PictureHead, FanHead>;
 
 }  // namespace carom::studio

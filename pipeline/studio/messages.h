@@ -68,11 +68,87 @@ struct Revert {
     std::string file;
 };
 
-/// Opens another shot, or a new one from a template or an example (empty: the start page).
+/// Opens another shot, or writes a new one and opens it. Names of files are relative to the root;
+/// ".yaml" is added to one without an ending. A file that exists is answered with Exists.
 struct Open {
     static constexpr const char* kName = "open";
-    std::string file;    // to open, or to write if `from` is given
+    std::string file{};  // to open, or to write if one of the next two is given; empty: the start
+                         // page
     std::string from{};  // a path of Start: a template or an example
+    std::string text{};  // instead of `from`: the text of the new file
+    bool overwrite = false;
+};
+
+/// Writes the shot as it stands in the page to another file, in which its includes and meshes are
+/// still found, and opens that. Answered as Open is.
+struct SaveAs {
+    static constexpr const char* kName = "save_as";
+    std::string file{};
+    bool overwrite = false;
+};
+
+/// Asks for the shots in a folder below the root. Answered with Folder.
+struct ListFolder {
+    static constexpr const char* kName = "list";
+    std::string folder{};  // empty: that of the open shot
+};
+
+/// Asks what the start page offers. Answered with Start, again when there are more pictures.
+struct Offer {
+    static constexpr const char* kName = "offer";
+};
+
+/// Takes a file from the list of recent ones. Answered with Start.
+struct Forget {
+    static constexpr const char* kName = "forget";
+    std::string file{};
+};
+
+/// A text scene of the older format. Answered with Imported; nothing is written.
+struct Import {
+    static constexpr const char* kName = "import";
+    std::string name{};  // of its file, for problems
+    std::string text{};
+};
+
+/// Asks what another shot has that can be added to this one. Answered with Parts.
+struct ReadParts {
+    static constexpr const char* kName = "read_parts";
+    std::string file{};  // below the root, or a path of Start
+    std::string text{};  // instead of the file: such as the YAML of Imported
+};
+
+/// A part of a shot.
+struct PartName {
+    std::string section{};  // "balls", "objects", "lights", "cameras", "materials"
+    std::string name{};     // its key, or the name of a camera
+};
+
+/// Asks for the YAML of parts of another shot. Answered with Additions.
+struct AddParts {
+    static constexpr const char* kName = "add_parts";
+    std::string file{};  // as in ReadParts
+    std::string text{};
+    std::vector<PartName> parts{};
+};
+
+/// Asks how sure the outcome of the shot is: it is simulated several times with small
+/// disturbances. The answers are FanHeads, one after each simulation. The newest question is the
+/// only one; texts that change end it, so that it has to be asked again. The start of every ball
+/// that a stick strikes is displaced on the cloth by `distance`, and the directions of strikes,
+/// impulses, forces and of velocities at the start are turned about the vertical by up to `angle`;
+/// the disturbances of each run are always the same.
+struct Fan {
+    static constexpr const char* kName = "fan";
+    std::int64_t v = 0;  // version of the texts that the page shows
+    int runs = 8;        // 1 to 16
+    double distance = 1e-4;
+    double angle = 1.75e-3;  // 0.1 degrees
+};
+
+/// Ends the question.
+struct Unfan {
+    static constexpr const char* kName = "unfan";
 };
 
 /// Whether the pointer is dragging something: pictures wait meanwhile.
@@ -169,12 +245,74 @@ struct StartFile {
     std::string still{};  // the address of a picture, or empty
 };
 
-/// What the start page offers.
+/// What the start page offers. Sent after Hello if no shot is open, and whenever it changes.
 struct Start {
     static constexpr const char* kName = "start";
     std::vector<StartFile> templates{};
     std::vector<StartFile> examples{};
     std::vector<StartFile> recent{};
+};
+
+/// A file was not written because it exists. The page may ask for the same with `overwrite`.
+struct Exists {
+    static constexpr const char* kName = "exists";
+    std::string what{};  // the kName of the request
+    std::string file{};
+    std::string name{};  // relative to the root
+};
+
+struct FolderEntry {
+    std::string name{};
+    std::string file{};      // absolute path
+    bool is_folder = false;  // else a shot
+};
+
+/// The folders and the YAML files of a folder, sorted by their names.
+struct Folder {
+    static constexpr const char* kName = "folder";
+    std::string folder{};  // absolute path
+    std::string name{};    // relative to the root; empty: the root
+    std::string parent{};  // absolute path; empty: this is the root
+    std::vector<FolderEntry> entries{};
+};
+
+/// The answer to Import.
+struct Imported {
+    static constexpr const char* kName = "imported";
+    std::string name{};
+    std::string yaml{};                   // empty: it has errors
+    std::vector<std::string> problems{};  // sentences with their places
+    std::vector<std::string> notes{};     // what was assumed
+};
+
+/// A part that can be added.
+struct Part {
+    std::string section{};
+    std::string name{};
+    std::string about{};  // "sphere, felt"
+    bool exists = false;  // the open shot has a part of that section and name
+};
+
+/// The answer to ReadParts.
+struct Parts {
+    static constexpr const char* kName = "parts";
+    std::string file{};
+    std::vector<Part> parts{};
+};
+
+/// What to add to the text of the open shot.
+struct Addition {
+    std::string section{};
+    std::string name{};  // that the open shot does not have yet
+    std::string yaml{};  // on one line; the value of the entry, or an item of the list
+    std::string of{};    // the name of the part from which it was made
+};
+
+/// The answer to AddParts: the parts, the materials that they need, and everything renamed where
+/// the open shot has that name.
+struct Additions {
+    static constexpr const char* kName = "additions";
+    std::vector<Addition> list{};
 };
 
 struct OpenFile {
@@ -466,6 +604,38 @@ struct CamerasHead {
     static constexpr int kNumbersPerFrame = 21;
     std::int64_t v = 0;
     std::int64_t entries = 0;
+};
+
+/// The path of an object in one run of a fan.
+struct FanTrack {
+    std::string name{};
+    int run = 0;             // from 0
+    std::int64_t first = 0;  // index of the first of its numbers in the payload
+    std::int64_t points = 0;
+};
+
+/// What happened in some of the runs.
+struct FanOutcome {
+    std::string kind{};  // as in TimelineEvent
+    std::string a{};
+    std::string b{};
+    std::string text{};  // "nine is potted"
+    int runs = 0;        // in how many of those that are finished
+    double first = 0;    // earliest and latest time
+    double last = 0;
+};
+
+/// Binary, type 4. Payload: 64-bit floats, kNumbersPerPoint for each point: time; position. The
+/// paths are those of what moves, with as few points as show them to a millimetre.
+struct FanHead {
+    static constexpr const char* kName = "fan";
+    static constexpr std::uint32_t kType = 4;
+    static constexpr int kNumbersPerPoint = 4;
+    std::int64_t v = 0;
+    int runs = 0;
+    int finished = 0;  // of them
+    std::vector<FanTrack> tracks{};
+    std::vector<FanOutcome> outcomes{};  // sorted by their earliest time
 };
 
 /// The motion of this version is not simulated yet.

@@ -112,6 +112,9 @@ class TypeWriter {
         if constexpr (requires { T::kNumbersPerKey; }) {
             add_constant<T>("NumbersPerKey", T::kNumbersPerKey);
         }
+        if constexpr (requires { T::kNumbersPerPoint; }) {
+            add_constant<T>("NumbersPerPoint", T::kNumbersPerPoint);
+        }
         if constexpr (requires { T::kNumbersPerFrame; }) {
             add_constant<T>("NumbersPerFrame", T::kNumbersPerFrame);
         }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <map>
 #include <mutex>
 #include <set>
@@ -15,11 +16,13 @@
 #include "pipeline/store/cache_folder.h"
 #include "pipeline/studio/config_list.h"
 #include "pipeline/studio/disk_watch.h"
+#include "pipeline/studio/file_desk.h"
 #include "pipeline/studio/journal.h"
 #include "pipeline/studio/live_shot.h"
 #include "pipeline/studio/message_json.h"
 #include "pipeline/studio/picture_view.h"
 #include "pipeline/studio/scene_meshes.h"
+#include "pipeline/studio/value_places.h"
 #include "pipeline/studio/workspace.h"
 
 namespace carom::studio {
@@ -31,6 +34,17 @@ class Session::State {
         pictures_ =
             std::make_unique<PictureView>([this](const Picture& picture) { send_picture(picture); },
                                           PictureOptions{.cache_folder = options_.cache_folder});
+        std::error_code ignored;
+        root_ =
+            std::filesystem::weakly_canonical(
+                !options_.root.empty()  ? std::filesystem::path(options_.root)
+                : options_.shot.empty() ? std::filesystem::current_path()
+                                        : std::filesystem::absolute(options_.shot).parent_path(),
+                ignored)
+                .string();
+        desk_ = std::make_unique<FileDesk>(
+            options_.state_folder,
+            [this](PageId page, const ServerMessage& message) { this->send(page, message); });
         watch_ = std::make_unique<DiskWatch>([this] { return look_at_disk(); });
         if (!options_.shot.empty()) {
             open_shot(options_.shot);
@@ -38,6 +52,7 @@ class Session::State {
     }
 
     ~State() {
+        desk_->end();
         watch_->end();  // it calls the live shot, which calls it
         live_.reset();
         pictures_.reset();
@@ -79,6 +94,10 @@ class Session::State {
             },
             message);
         ended = std::move(ended_);
+        if (ended) {  // its work may take a while to stop
+            desk_->later(
+                [old = std::shared_ptr<LiveShot>(std::move(ended))]() mutable { old.reset(); });
+        }
     }
 
     std::optional<Download> find(std::string_view path) {
@@ -90,6 +109,9 @@ class Session::State {
             return Download{"application/json",
                             std::make_shared<const std::string>(config_list_json()),
                             {}};
+        }
+        if (const std::optional<Still> still = desk_->find_still(path)) {
+            return Download{still->type, still->bytes, still->path};
         }
         constexpr std::string_view kScene = "/scene/";
         constexpr std::string_view kGlb = ".glb";
@@ -108,11 +130,9 @@ class Session::State {
         if (hello.protocol != kProtocol) {
             throw Error("this page speaks another protocol; load it again");
         }
-        send(page,
-             Welcome{kProtocol, CAROM_VERSION, version(), workspace_ ? workspace_->shot() : "",
-                     workspace_ ? workspace_->root() : ""});
+        send_welcome(page);
         if (!workspace_) {
-            send(page, Start{});
+            send(page, desk_->start());
             return;
         }
         send(page, workspace_->files());
@@ -155,15 +175,69 @@ class Session::State {
         keep_unsaved();
     }
 
-    void receive(PageId /*page*/, const Open& request) {
-        if (!request.from.empty()) {
-            throw Error("a shot from a template cannot be made yet");
+    void receive(PageId page, const Open& request) {
+        if (request.file.empty()) {
+            close_shot();
+            send_welcome(0);
+            send(0, desk_->start());
+            return;
         }
-        open_shot(request.file);
-        send(0,
-             Welcome{kProtocol, CAROM_VERSION, version(), workspace_->shot(), workspace_->root()});
-        send(0, workspace_->files());
+        open_or_ask(page, desk_->file_to_open(request, root()));
     }
+
+    void receive(PageId page, const SaveAs& request) {
+        std::vector<RecoveredText> texts = require_workspace().unsaved();
+        const auto file = desk_->save_as(request, open_texts());
+        if (std::holds_alternative<std::string>(file)) {
+            std::erase_if(texts, [&](const auto& one) { return one.file == workspace_->shot(); });
+            journal_->keep({});  // what is not saved moves to the other shot
+        }
+        if (open_or_ask(page, file) && workspace_->recover(texts)) {
+            offer();
+            keep_unsaved();
+            send(0, workspace_->files());
+        }
+    }
+
+    /// Opens the file, or tells the page that it exists.
+    bool open_or_ask(PageId page, const std::variant<std::string, Exists>& file) {
+        if (const auto* other = std::get_if<Exists>(&file)) {
+            send(page, *other);
+            return false;
+        }
+        open_shot(std::get<std::string>(file));
+        send_welcome(0);
+        send(0, workspace_->files());
+        if (!recovered_.empty()) {
+            send(0, Recovered{recovered_});
+        }
+        return true;
+    }
+
+    void receive(PageId page, const Offer& /*message*/) { send(page, desk_->start()); }
+
+    void receive(PageId page, const Forget& request) {
+        desk_->forget(request.file);
+        send(page, desk_->start());
+    }
+
+    void receive(PageId page, const ListFolder& request) {
+        desk_->answer(page, request, open_texts());
+    }
+
+    void receive(PageId page, const Import& request) { desk_->answer(page, request, open_texts()); }
+
+    void receive(PageId page, const ReadParts& request) {
+        desk_->answer(page, request, open_texts());
+    }
+
+    void receive(PageId page, const AddParts& request) {
+        desk_->answer(page, request, open_texts());
+    }
+
+    void receive(PageId /*page*/, const Fan& /*message*/) {}
+
+    void receive(PageId /*page*/, const Unfan& /*message*/) {}
 
     void receive(PageId page, const Dragging& dragging) { set_dragging(page, dragging.on); }
 
@@ -221,18 +295,45 @@ class Session::State {
         return *workspace_;
     }
 
+    /// The folder below which files are written.
+    [[nodiscard]] const std::string& root() const {
+        return workspace_ ? workspace_->root() : root_;
+    }
+
+    [[nodiscard]] OpenShot open_texts() const {
+        return workspace_ ? OpenShot{workspace_->shot(), workspace_->root(), workspace_->texts()}
+                          : OpenShot{"", root_, {}};
+    }
+
+    void send_welcome(PageId page) {
+        send(page, Welcome{kProtocol, CAROM_VERSION, version(),
+                           workspace_ ? workspace_->shot() : "", root()});
+    }
+
     [[nodiscard]] std::int64_t version() const { return workspace_ ? workspace_->version() : 0; }
 
-    void open_shot(const std::string& path) {
-        auto workspace = std::make_unique<Workspace>(path, options_.root);
+    /// Returns the number of the shot that may be opened next.
+    int close_shot() {
         ended_ = std::move(live_);
         pictures_->cancel();
-        const int opening = [&] {
-            const std::lock_guard lock(send_mutex_);
-            newest_.clear();
-            return ++opening_;
-        }();
+        watch_->watch({});
+        recovered_.clear();
+        journal_.reset();
+        workspace_.reset();
+        const std::lock_guard lock(send_mutex_);
+        newest_.clear();
+        return ++opening_;
+    }
+
+    void open_shot(const std::string& path) {
+        // A recent shot may be elsewhere if no root was given.
+        const bool is_elsewhere =
+            options_.root.empty() &&
+            !is_below(std::filesystem::weakly_canonical(path).string(), root_);
+        auto workspace = std::make_unique<Workspace>(path, is_elsewhere ? "" : root_);
+        const int opening = close_shot();
         workspace_ = std::move(workspace);
+        desk_->opened(workspace_->shot());
         open_journal();
         LiveOutput output;
         output.text = [this, opening](const ServerMessage& message) {
@@ -271,7 +372,6 @@ class Session::State {
 
     /// The texts that a studio left behind are offered to the pages.
     void open_journal() {
-        journal_.reset();
         const std::string& own = options_.cache_folder;
         const std::string cache = own.empty() ? pipeline::default_cache_folder() : own;
         journal_ = std::make_unique<Journal>(workspace_->shot(),
@@ -350,6 +450,7 @@ class Session::State {
 
     SessionOptions options_;
     Send send_;
+    std::string root_;  // of shots that are below it
     MeshFiles meshes_;
 
     std::mutex mutex_;  // of the workspace and the pages
@@ -364,6 +465,7 @@ class Session::State {
 
     int opening_ = 0;  // counts the shots that were opened; changed under both mutexes
 
+    std::unique_ptr<FileDesk> desk_;         // calls send_ from its own thread
     std::unique_ptr<PictureView> pictures_;  // calls send_ from its own thread
     std::unique_ptr<LiveShot> ended_;        // of the shot before
     std::unique_ptr<LiveShot> live_;         // ends before what it calls

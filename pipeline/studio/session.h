@@ -36,9 +36,10 @@ struct SessionOptions {
     std::vector<std::string> overrides{};  // as given to --set
     std::string quality{};                 // a preset, or empty
     std::string root{};          // the folder below which files are written; empty: that of
-                                 // the shot
+                                 // the shot, or the current one
     std::string output{};        // the folder of films; empty: that of the shot
     std::string cache_folder{};  // empty: the usual one
+    std::string state_folder{};  // of the list of recent files; empty: the usual one
 };
 
 /// All functions may be called from any thread, and return without waiting for work.

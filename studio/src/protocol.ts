@@ -35,6 +35,55 @@ export interface Revert {
 export interface Open {
     file: string;
     from: string;
+    text: string;
+    overwrite: boolean;
+}
+
+export interface SaveAs {
+    file: string;
+    overwrite: boolean;
+}
+
+export interface ListFolder {
+    folder: string;
+}
+
+export interface Offer {
+}
+
+export interface Forget {
+    file: string;
+}
+
+export interface Import {
+    name: string;
+    text: string;
+}
+
+export interface ReadParts {
+    file: string;
+    text: string;
+}
+
+export interface PartName {
+    section: string;
+    name: string;
+}
+
+export interface AddParts {
+    file: string;
+    text: string;
+    parts: PartName[];
+}
+
+export interface Fan {
+    v: number;
+    runs: number;
+    distance: number;
+    angle: number;
+}
+
+export interface Unfan {
 }
 
 export interface Dragging {
@@ -97,6 +146,15 @@ export interface ToServer {
     save: Save;
     revert: Revert;
     open: Open;
+    save_as: SaveAs;
+    list: ListFolder;
+    offer: Offer;
+    forget: Forget;
+    import: Import;
+    read_parts: ReadParts;
+    add_parts: AddParts;
+    fan: Fan;
+    unfan: Unfan;
     dragging: Dragging;
     recover: Recover;
     simulate: Simulate;
@@ -126,6 +184,55 @@ export interface Start {
     templates: StartFile[];
     examples: StartFile[];
     recent: StartFile[];
+}
+
+export interface Exists {
+    what: string;
+    file: string;
+    name: string;
+}
+
+export interface FolderEntry {
+    name: string;
+    file: string;
+    is_folder: boolean;
+}
+
+export interface Folder {
+    folder: string;
+    name: string;
+    parent: string;
+    entries: FolderEntry[];
+}
+
+export interface Imported {
+    name: string;
+    yaml: string;
+    problems: string[];
+    notes: string[];
+}
+
+export interface Part {
+    section: string;
+    name: string;
+    about: string;
+    exists: boolean;
+}
+
+export interface Parts {
+    file: string;
+    parts: Part[];
+}
+
+export interface Addition {
+    section: string;
+    name: string;
+    yaml: string;
+    of: string;
+}
+
+export interface Additions {
+    list: Addition[];
 }
 
 export interface OpenFile {
@@ -388,6 +495,11 @@ export interface Made {
 export interface ToPage {
     welcome: Welcome;
     start: Start;
+    exists: Exists;
+    folder: Folder;
+    imported: Imported;
+    parts: Parts;
+    additions: Additions;
     files: Files;
     text_changed: TextChanged;
     saved: Saved;
@@ -455,11 +567,39 @@ export interface PictureHead {
 }
 export const kPictureType = 3;
 
+export interface FanTrack {
+    name: string;
+    run: number;
+    first: number;
+    points: number;
+}
+
+export interface FanOutcome {
+    kind: string;
+    a: string;
+    b: string;
+    text: string;
+    runs: number;
+    first: number;
+    last: number;
+}
+
+export interface FanHead {
+    v: number;
+    runs: number;
+    finished: number;
+    tracks: FanTrack[];
+    outcomes: FanOutcome[];
+}
+export const kFanType = 4;
+export const kFanNumbersPerPoint = 4;
+
 /// The heads of the binary messages.
 export interface BinaryToPage {
     timeline: TimelineHead;
     cameras: CamerasHead;
     picture: PictureHead;
+    fan: FanHead;
 }
 
 /// The names of the binary messages by their type.
@@ -467,4 +607,5 @@ export const kBinaryTypes: Record<number, keyof BinaryToPage> = {
     [kTimelineType]: 'timeline',
     [kCamerasType]: 'cameras',
     [kPictureType]: 'picture',
+    [kFanType]: 'fan',
 };

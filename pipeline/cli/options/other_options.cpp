@@ -25,12 +25,23 @@ void describe(StudioCommand& command, CommandDescription& description) {
         "only when they are saved in the page.",
         "On a machine without a display, use --no-browser and pass the port on: ssh -L "
         "8080:127.0.0.1:8080 HOST, with --port 8080 on that machine. Ctrl-C ends the server."};
-    description.argument("SHOT", command.input.path, "The shot to edit.")
-        .offers(Offer::files, {"yaml", "yml"});
+    description
+        .argument("SHOT", command.input.path,
+                  "The shot to edit. Without it, the page offers templates, examples and the shots "
+                  "that were opened last; new ones are written below the current folder.")
+        .offers(Offer::files, {"yaml", "yml"})
+        .is_required = false;
     description
         .option("--port", &command.port, "N",
-                "The port of the address. 0, the default, means any free port.")
-        .between(0, 65535);
+                "The port of the address, 1024 to 65535. 0, the default, means any free port.")
+        .between(0, 65535)
+        .checked_by([](const std::string& text) {
+            const bool is_system = !text.empty() && text != "0" && text.size() <= 4 &&
+                                   text.find_first_not_of("0123456789") == std::string::npos &&
+                                   std::stoi(text) > 0 && std::stoi(text) < 1024;
+            return is_system ? "ports below 1024 belong to the system; take 1024 to 65535, or 0"
+                             : std::string();
+        });
     description.flag("--no-browser", command.no_browser, "Only print the address.");
     description.option("--idle", &command.idle, "TIME",
                        "End the server when for so long nothing was asked: 12h (the default), "
@@ -39,6 +50,7 @@ void describe(StudioCommand& command, CommandDescription& description) {
     add_cache(description, command.cache);
     description.examples = {
         {"carom studio shot.yaml", "Edit a shot in the browser."},
+        {"carom studio", "Begin with a template, an example or a recent shot."},
         {"carom studio shot.yaml --port 8080 --no-browser", "The same from another machine."}};
 }
 

@@ -35,7 +35,7 @@ TEST(StudioMessages, PageMessages_AreTheSameAfterARoundTrip) {
                                             TextChange{3, "a.yaml", "\"quoted\"\t\\"},
                                             Save{"a.yaml", "x", "00"},
                                             Revert{4, "a.yaml"},
-                                            Open{"a.yaml", "b.yaml"},
+                                            Open{"a.yaml", "b.yaml", "", true},
                                             Dragging{true},
                                             Recover{true},
                                             Simulate{9}};

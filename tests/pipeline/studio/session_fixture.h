@@ -49,7 +49,10 @@ class StudioSession : public testing::Test {
     }
 
     [[nodiscard]] SessionOptions options() const {
-        return {.shot = path("shot.yaml"), .root = folder_.string(), .cache_folder = path("cache")};
+        return {.shot = path("shot.yaml"),
+                .root = folder_.string(),
+                .cache_folder = path("cache"),
+                .state_folder = path("state")};
     }
 
     void start() { start(options()); }

@@ -78,7 +78,7 @@ TEST_F(StudioSession, SaveOverAnotherText_IsRefused) {
 TEST_F(StudioSession, AnotherShot_IsOpened) {
     start();
     fs::copy_file(CAROM_SOURCE_DIR "/examples/nine_ball_break.yaml", path("break.yaml"));
-    say(Open{path("break.yaml"), ""});
+    say(Open{path("break.yaml"), "", "", false});
     wait_for<ShotState>([](const ShotState& state) { return state.name == "break"; });
 }
 
