@@ -20,6 +20,7 @@
 #include "pipeline/studio/journal.h"
 #include "pipeline/studio/live_shot.h"
 #include "pipeline/studio/message_json.h"
+#include "pipeline/studio/outcome_fan.h"
 #include "pipeline/studio/picture_view.h"
 #include "pipeline/studio/scene_meshes.h"
 #include "pipeline/studio/value_places.h"
@@ -42,6 +43,12 @@ class Session::State {
                                         : std::filesystem::absolute(options_.shot).parent_path(),
                 ignored)
                 .string();
+        fan_ = std::make_unique<OutcomeFan>(
+            [this](const FanHead& head, const std::vector<double>& numbers) {
+                const std::lock_guard lock(send_mutex_);
+                send_({0, true, pack(head, std::as_bytes(std::span(numbers))), FanHead::kName});
+            },
+            [this](const ServerMessage& message) { this->send(0, message); });
         desk_ = std::make_unique<FileDesk>(
             options_.state_folder,
             [this](PageId page, const ServerMessage& message) { this->send(page, message); });
@@ -235,9 +242,9 @@ class Session::State {
         desk_->answer(page, request, open_texts());
     }
 
-    void receive(PageId /*page*/, const Fan& /*message*/) {}
+    void receive(PageId /*page*/, const Fan& question) { fan_->ask(question); }
 
-    void receive(PageId /*page*/, const Unfan& /*message*/) {}
+    void receive(PageId /*page*/, const Unfan& /*message*/) { fan_->cancel(); }
 
     void receive(PageId page, const Dragging& dragging) { set_dragging(page, dragging.on); }
 
@@ -316,6 +323,7 @@ class Session::State {
     int close_shot() {
         ended_ = std::move(live_);
         pictures_->cancel();
+        fan_->cancel();
         watch_->watch({});
         recovered_.clear();
         journal_.reset();
@@ -359,6 +367,7 @@ class Session::State {
         output.answer = [this, opening](const LiveAnswer& answer) {
             watch_assets(opening, *answer.source);
             pictures_->set_shot(answer.shot, answer.timeline, answer.v);
+            fan_->set_shot(answer.shot, answer.timeline, answer.v);
             const std::string hash = meshes_.add(*answer.shot);
             send_newest(opening, SceneMeshes{answer.v, hash});
         };
@@ -426,6 +435,7 @@ class Session::State {
     /// Pictures wait until the newest texts are answered.
     void offer() {
         pictures_->hold(Hold::texts, true);
+        fan_->cancel();
         live_->offer({workspace_->version(), workspace_->shot(), workspace_->texts()});
     }
 
@@ -466,6 +476,7 @@ class Session::State {
     int opening_ = 0;  // counts the shots that were opened; changed under both mutexes
 
     std::unique_ptr<FileDesk> desk_;         // calls send_ from its own thread
+    std::unique_ptr<OutcomeFan> fan_;        // calls send_ from its own thread
     std::unique_ptr<PictureView> pictures_;  // calls send_ from its own thread
     std::unique_ptr<LiveShot> ended_;        // of the shot before
     std::unique_ptr<LiveShot> live_;         // ends before what it calls

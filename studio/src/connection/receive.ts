@@ -4,7 +4,7 @@ import { batch } from '@preact/signals';
 import type { BinaryToPage, ToPage } from '../protocol';
 import { kBinaryTypes } from '../protocol';
 import {
-    cameraFrames, deferred, files, meshes, picture, pictureAsked, problems, shot, start, textVersion, timeline, welcome, work,
+    cameraFrames, deferred, fan, files, meshes, picture, pictureAsked, problems, shot, start, textVersion, timeline, welcome, work,
 } from '../state/state';
 import { asFloat64, decodeBinary } from './decode';
 
@@ -83,6 +83,9 @@ const binaries: Handlers<BinaryToPage> = {
             cameraFrames.value = { head, numbers: asFloat64(payload) };
         }
     },
+    fan: (head, payload) => {
+        fan.value = { head, numbers: asFloat64(payload) };
+    },
     picture: (head, payload) => {
         picture.value = { head, pixels: new Uint8ClampedArray(payload) };
     },
@@ -122,6 +125,7 @@ export function forgetVersions(): void {
         shot.value = null;
         timeline.value = null;
         cameraFrames.value = null;
+        fan.value = null;
         work.value = null;
         deferred.value = null;
         pictureAsked.value = false;

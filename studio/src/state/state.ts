@@ -2,8 +2,8 @@
 /// the inspector read these and write through src/edit.
 import { computed, signal } from '@preact/signals';
 import type {
-    CamerasHead, Deferred, KeyPath, OpenFile, PictureHead, Problems, ShotState, Start, TimelineHead,
-    Triple, Welcome, Work,
+    CamerasHead, Deferred, FanHead, KeyPath, OpenFile, PictureHead, Problems, ShotState, Start,
+    TimelineHead, Triple, Welcome, Work,
 } from '../protocol';
 
 /// The motion of one version: `head` says where each track's numbers begin.
@@ -15,6 +15,12 @@ export interface Timeline {
 /// The cameras of all frames of the film: kCamerasNumbersPerFrame numbers for each entry.
 export interface CameraFrames {
     head: CamerasHead;
+    numbers: Float64Array;
+}
+
+/// The finished runs of a shot with small disturbances: kFanNumbersPerPoint numbers for each point.
+export interface OutcomeFan {
+    head: FanHead;
     numbers: Float64Array;
 }
 
@@ -39,6 +45,9 @@ export const textVersion = signal(0);
 export const shot = signal<ShotState | null>(null);
 export const timeline = signal<Timeline | null>(null);
 export const cameraFrames = signal<CameraFrames | null>(null);
+/// The answer to the newest question how sure the outcome is; of an older version once the texts
+/// changed.
+export const fan = signal<OutcomeFan | null>(null);
 export const problems = signal<Problems | null>(null);
 /// The newest round of the picture that was asked for.
 export const picture = signal<Picture | null>(null);
