@@ -1,5 +1,6 @@
 /// The parts of the view: one import and one entry each.
 import { makeBallDrag } from './ball_drag';
+import { makeCameras } from './camera_gizmos/camera_part';
 import { makeNudge } from './gizmos/nudge';
 import { makeProblemMarks } from './gizmos/problem_marks';
 import { makeOutlines } from './outlines';
@@ -11,6 +12,7 @@ export const kAllParts: readonly MakePart[] = [
     makeTracedPicture,
     makeTrails,
     makeOutlines,
+    makeCameras,
     makeBallDrag,
     makeNudge,
     makeProblemMarks,

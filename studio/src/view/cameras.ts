@@ -11,11 +11,17 @@ const kNear = 0.01; // m
 const kFar = 200;
 const kFov = 40; // degrees, of the free view
 const kMargin = 1.08; // of what is framed
+const kClosest = 0.05; // m, to what is framed
 
 /// A box in the world.
 export interface Bounds {
     low: Triple;
     high: Triple;
+}
+
+function cornersOf({ low, high }: Bounds): Vector3[] {
+    return Array.from({ length: 8 }, (_, corner) => new Vector3(
+        (corner & 1 ? high : low)[0], (corner & 2 ? high : low)[1], (corner & 4 ? high : low)[2]));
 }
 
 export class Cameras {
@@ -92,14 +98,17 @@ export class Cameras {
             this.lookAlong(axis.toArray(), this.flat.up.toArray(), box);
             return;
         }
-        const low = new Vector3(...box.low);
-        const high = new Vector3(...box.high);
-        const middle = low.clone().add(high).divideScalar(2);
-        const radius = Math.max(high.distanceTo(low) / 2, 0.02);
-        const half = Math.atan(Math.tan((this.free.fov * Math.PI) / 360)
-            * Math.min(1, this.free.aspect));
         const back = this.free.position.clone().sub(this.orbit.target).normalize();
-        const position = middle.clone().addScaledVector(back, (radius * kMargin) / Math.sin(half));
+        const middle = new Vector3(...box.low).add(new Vector3(...box.high)).divideScalar(2);
+        const right = new Vector3(0, 0, 1).cross(back).normalize();
+        const up = back.clone().cross(right);
+        const tangent = Math.tan((this.free.fov * Math.PI) / 360);
+        const distance = Math.max(kClosest, ...cornersOf(box).map((corner) => {
+            const from = corner.sub(middle);
+            const wide = Math.abs(from.dot(right)) / this.free.aspect;
+            return (Math.max(wide, Math.abs(from.dot(up))) * kMargin) / tangent + from.dot(back);
+        }));
+        const position = middle.clone().addScaledVector(back, distance);
         this.lookFrom(position.toArray(), middle.toArray());
     }
 
@@ -152,10 +161,8 @@ export class Cameras {
     private fitFlat(box: Bounds): void {
         this.flat.updateMatrixWorld();
         const extent: [number, number] = [0, 0];
-        for (let corner = 0; corner < 8; ++corner) {
-            const at = new Vector3(...[0, 1, 2].map((axis) =>
-                (corner >> axis & 1 ? box.high : box.low)[axis] ?? 0) as Triple);
-            at.applyMatrix4(this.flat.matrixWorldInverse);
+        for (const corner of cornersOf(box)) {
+            const at = corner.applyMatrix4(this.flat.matrixWorldInverse);
             extent[0] = Math.max(extent[0], Math.abs(at.x));
             extent[1] = Math.max(extent[1], Math.abs(at.y));
         }

@@ -4,8 +4,9 @@ import type { ReadonlySignal } from '@preact/signals';
 import type {
     Object3D, OrthographicCamera, PerspectiveCamera, Ray, Raycaster,
 } from 'three';
-import type { SceneObject, Triple } from '../protocol';
+import type { KeyPath, SceneObject, Triple } from '../protocol';
 import type { Rectangle } from './letterbox';
+import type { MenuItem } from './menu/menu_state';
 
 export type ViewCamera = PerspectiveCamera | OrthographicCamera;
 
@@ -59,6 +60,10 @@ export interface ViewPart {
     grab?(event: PointerEvent): Drag | null;
     /// For a pointer without a pressed button: a CSS cursor if `grab` would return a drag here.
     hover?(event: PointerEvent): string | null;
+    /// What a click selects here; null: the part has nothing here.
+    pick?(pixel: Pixel): KeyPath | null;
+    /// Items of the menu for a place.
+    menu?(pixel: Pixel): readonly MenuItem[];
     dispose(): void;
 }
 

@@ -1,7 +1,7 @@
 /// A click on the canvas selects what is there.
 import type { KeyPath } from '../protocol';
 import { selection } from '../state/state';
-import type { Pixel } from './parts';
+import type { Pixel, ViewPart } from './parts';
 
 const kClickDistance = 4; // CSS pixels; a longer way is a drag
 
@@ -28,4 +28,15 @@ export function selectByClick(
         canvas.removeEventListener('pointerdown', down);
         canvas.removeEventListener('pointerup', up);
     };
+}
+
+/// What the first part that has something at a pixel would select.
+export function pickedBy(parts: readonly ViewPart[], pixel: Pixel): KeyPath | null {
+    for (const part of [...parts].sort((a, b) => b.priority - a.priority)) {
+        const path = part.pick?.(pixel) ?? null;
+        if (path) {
+            return path;
+        }
+    }
+    return null;
 }

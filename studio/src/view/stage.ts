@@ -11,8 +11,8 @@ import { FilmMask } from './film_mask';
 import type { ViewCamera, ViewContext } from './parts';
 import { arbitratePointer } from './pointer';
 import { SceneMeshes } from './scene_meshes';
-import { selectByClick } from './selecting';
-import { answerViewKeys } from './view_keys';
+import { pickedBy, selectByClick } from './selecting';
+import { answerViewKeys, lookAtAll } from './view_keys';
 import { followVisibility } from './visibility';
 
 /// Everything drawn on one canvas.
@@ -37,6 +37,7 @@ export class Stage {
     private readonly moved = signal(0);
     private readonly loaded = signal(0); // how often meshes were loaded
     private readonly ends: (() => void)[] = [];
+    private seen: string | null = null; // the shot that the free view was turned to
 
     private constructor(
         readonly canvas: HTMLCanvasElement, readonly drawing: Drawing, scene: Scene,
@@ -48,7 +49,7 @@ export class Stage {
         overlay.renderOrder = 2;
         this.context = makeContext(
             canvas, overlay, cameras, this.meshes, drawing, this.moved, this.loaded);
-        cameras.lookFrom([-0.6, -2.6, 1.7], [0, 0, 0]);
+        lookAtAll(cameras);
         const lamp = new DirectionalLight(0xffffff, 1.6);
         lamp.position.set(0.4, -0.8, 2);
         scene.add(new HemisphereLight(0xffffff, 0x404840, 1.8), lamp, this.meshes.group,
@@ -60,7 +61,8 @@ export class Stage {
             ...parts.map((part) => () => part.dispose()),
             selectByClick(canvas, (pixel) => {
                 const object = this.context.objectAt(pixel);
-                return !object || object.kind === 'table' ? null : object.path;
+                return pickedBy(parts, pixel)
+                    ?? (!object || object.kind === 'table' ? null : object.path);
             }),
             answerViewKeys(cameras, this.context, () => this.aim()),
             followVisibility(scene, this.meshes, this.loaded, () => drawing.ask()),
@@ -77,6 +79,7 @@ export class Stage {
     resize(width: number, height: number): void {
         this.cameras.resize(width, height);
         this.drawing.resize(this.cameras.size.width, this.cameras.size.height);
+        this.lookAtNewShot();
         this.aim();
     }
 
@@ -97,10 +100,24 @@ export class Stage {
                 this.drawing.ask();
             }),
             effect(() => {
+                if (shot.value) {
+                    this.lookAtNewShot();
+                }
+            }),
+            effect(() => {
                 void [filmTime.value, lookThrough.value, framesOfCameras.value];
                 this.aim();
             }),
         );
+    }
+
+    private lookAtNewShot(): void {
+        const name = shot.peek()?.name ?? null;
+        if (name !== null && name !== this.seen && this.cameras.size.width > 1) {
+            this.seen = name;
+            lookAtAll(this.cameras);
+            this.aim();
+        }
     }
 
     private load(hash: string | null): void {

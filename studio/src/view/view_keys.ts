@@ -7,6 +7,14 @@ import { boundsOf, wholeScene } from './bounds';
 import type { Cameras } from './cameras';
 import type { ViewContext } from './parts';
 
+const kFirstPlace: [number, number, number] = [-0.6, -2.6, 1.7];
+
+/// Shows the whole shot from above one side.
+export function lookAtAll(cameras: Cameras): void {
+    cameras.lookFrom(kFirstPlace, [0, 0, 0]);
+    cameras.frame(wholeScene(shot.peek()));
+}
+
 /// Listens until the returned function is called. `changed` draws.
 export function answerViewKeys(
     cameras: Cameras, context: ViewContext, changed: () => void,
@@ -22,8 +30,7 @@ export function answerViewKeys(
             cameras.lookAlong([0, 0, -1], [0, 1, 0], wholeScene(shot.peek())))),
         onCommand('viewSide', freely('side', () =>
             cameras.lookAlong([0, 1, 0], [0, 0, 1], wholeScene(shot.peek())))),
-        onCommand('viewFree', freely('free', () =>
-            cameras.lookFrom([-0.6, -2.6, 1.7], [0, 0, 0]))),
+        onCommand('viewFree', freely('free', () => lookAtAll(cameras))),
         onCommand('lookThrough', () => {
             const camera = shot.peek()?.cameras[filmCamera.peek()];
             lookThrough.value = lookThrough.peek() === null ? camera?.name ?? null : null;

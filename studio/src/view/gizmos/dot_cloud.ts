@@ -31,11 +31,12 @@ void main() {
     vec2 p = abs(2.0 * gl_PointCoord - 1.0);
     float far = vShape < 1.5 ? length(p) : vShape < 2.5 ? max(p.x, p.y) * 1.15 : p.x + p.y;
     float pixel = 2.0 / vSize;
-    float rim = 1.0 - 3.0 * pixel;
+    bool isRing = vShape > 0.5 && vShape < 1.5;
+    float rim = 1.0 - (isRing ? 2.0 : 3.0) * pixel;
     float alpha = clamp((1.0 - far) / pixel, 0.0, 1.0);
     vec3 colour = mix(vTint, vec3(0.02), clamp((far - rim) / pixel, 0.0, 1.0) * 0.85);
-    if (vShape > 0.5 && vShape < 1.5) {
-        float inner = clamp((far - rim + 5.0 * pixel) / pixel, 0.0, 1.0);
+    if (isRing) {
+        float inner = clamp((far - 1.0 + 4.5 * pixel) / pixel, 0.0, 1.0);
         alpha *= 0.15 + 0.85 * inner;
     }
     if (alpha < 0.02) discard;

@@ -1,0 +1,122 @@
+/// The cameras of the shot in the view: paths, the lens at the play head, and all handles.
+import { computed, effect } from '@preact/signals';
+import { filmCamera, framesOfCameras } from '../../motion/clock';
+import type { KeyPath } from '../../protocol';
+import { filmTime, lookThrough, selection, shot } from '../../state/state';
+import { showCameras } from '../../state/view_state';
+import { pixelDistance } from '../gizmos/dragging';
+import { together } from '../gizmos/figure';
+import { followAxisKeys } from '../gizmos/held_axis';
+import { sketchOf } from '../gizmos/sketch';
+import type { Handle } from '../handles/handle';
+import { handleSet } from '../handles/handle_part';
+import { kHandlePriority, type MakePart, type Pixel, type ViewContext } from '../parts';
+import { cameraColour, targetColour } from './camera_colours';
+import { lensFigure, lensHandles, type LensNow } from './lens_handles';
+import { pathFigure, tickFigure } from './path_figure';
+import { drawnPaths, pathHandles } from './path_handles';
+
+const kPathReach = 6; // CSS pixels from a path that is clicked
+
+/// The index of the camera whose handles are shown: the selected one, or that of the play head.
+export const activeCamera = computed(() => {
+    const chosen = selection.value;
+    const cameras = shot.value?.cameras ?? [];
+    const at = chosen?.[0] === 'cameras' ? Number(chosen[1]) : -1;
+    return at in cameras ? at : filmCamera.value;
+});
+
+/// The active camera's lens at the play head, or at the nearest end of its interval.
+export const activeLens = computed((): LensNow | null => {
+    const index = activeCamera.value;
+    const camera = shot.value?.cameras[index];
+    const frames = framesOfCameras.value[index];
+    const film = shot.value?.film;
+    if (!camera || !film || !frames || frames.count === 0) {
+        return null;
+    }
+    const time = Math.min(Math.max(filmTime.value, camera.video_start), camera.video_end);
+    const pose = frames.poseAt(time);
+    return pose && {
+        camera, pose, first: frames.at(0).pose, last: frames.at(frames.count - 1).pose,
+        progress: (time - camera.video_start) / (camera.video_end - camera.video_start),
+        aspect: film.height > 0 ? film.width / film.height : 16 / 9,
+        colour: cameraColour(index),
+    };
+});
+
+/// While the view looks through a camera, only what this camera looks at is shown.
+const handles = computed((): Handle[] => {
+    const camera = shot.value?.cameras[activeCamera.value];
+    if (!camera || !showCameras.value) {
+        return [];
+    }
+    const index = activeCamera.value;
+    const paths = drawnPaths(camera, cameraColour(index), targetColour(index));
+    if (lookThrough.value !== null) {
+        return camera.name === lookThrough.value
+            ? paths.filter(({ part }) => part === 'target').flatMap(pathHandles) : [];
+    }
+    const lens = activeLens.value;
+    return [...(lens ? lensHandles(lens) : []), ...paths.flatMap(pathHandles)];
+});
+
+const figure = computed(() => {
+    if (!showCameras.value) {
+        return {};
+    }
+    const lens = activeLens.value;
+    const through = lookThrough.value;
+    const cameras = shot.value?.cameras ?? [];
+    const paths = cameras.flatMap((camera, i) => {
+        const isActive = i === activeCamera.value;
+        const colour = cameraColour(i);
+        const drawn = drawnPaths(camera, colour, targetColour(i)).filter(({ part }) =>
+            through === null ? isActive || part === 'position'
+                : isActive && part === 'target' && camera.name === through);
+        const frames = framesOfCameras.value[i];
+        const ticks = through === null && frames ? [tickFigure(frames, colour, isActive)] : [];
+        return [...drawn.map((path) => pathFigure(path, isActive)), ...ticks];
+    });
+    return together(...paths, through === null && lens ? lensFigure(lens) : {});
+});
+
+/// The camera whose path is at a pixel.
+function cameraAt(context: ViewContext, pixel: Pixel): KeyPath | null {
+    if (!showCameras.peek() || lookThrough.peek() !== null) {
+        return null;
+    }
+    const cameras = shot.peek()?.cameras ?? [];
+    const found = cameras.find(({ position }, i) => {
+        const frames = framesOfCameras.peek()[i];
+        const places = frames && position.curve.length === 0 && frames.count > 0
+            ? [...frames.at(0).pose.position] : position.curve;
+        return places.some((_, at) => at % 3 === 0
+            && pixelDistance(context, [places[at] ?? 0, places[at + 1] ?? 0, places[at + 2] ?? 0],
+                pixel) < kPathReach);
+    });
+    return found?.path ?? null;
+}
+
+export const makeCameras: MakePart = (context) => {
+    const sketch = sketchOf(context);
+    const set = handleSet(handles, context);
+    const ends = [
+        followAxisKeys(),
+        effect(() => sketch.show('cameras', figure.value)),
+        effect(() => sketch.show('camera handles', set.figure())),
+    ];
+    if (window.studio) {
+        window.studio['cameraHandles'] = set.shown; // for tests
+    }
+    return {
+        priority: kHandlePriority,
+        grab: set.grab,
+        hover: set.hover,
+        pick: (pixel) => cameraAt(context, pixel),
+        dispose: () => {
+            ends.forEach((end) => end());
+            sketch.dispose();
+        },
+    };
+};
