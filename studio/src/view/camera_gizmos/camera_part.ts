@@ -17,14 +17,18 @@ import { pathFigure, tickFigure } from './path_figure';
 import { drawnPaths, pathHandles } from './path_handles';
 
 const kPathReach = 6; // CSS pixels from a path that is clicked
+const kCameraReach = 12; // from the camera at the play head
 
-/// The index of the camera whose handles are shown: the selected one, or that of the play head.
-export const activeCamera = computed(() => {
+/// The index of the selected camera, or of that to which the selected value belongs; -1 without.
+const selectedCamera = computed(() => {
     const chosen = selection.value;
-    const cameras = shot.value?.cameras ?? [];
     const at = chosen?.[0] === 'cameras' ? Number(chosen[1]) : -1;
-    return at in cameras ? at : filmCamera.value;
+    return at in (shot.value?.cameras ?? []) ? at : -1;
 });
+
+/// The camera that is drawn in full: the selected one, or that of the play head.
+export const activeCamera = computed(() =>
+    selectedCamera.value >= 0 ? selectedCamera.value : filmCamera.value);
 
 /// The active camera's lens at the play head, or at the nearest end of its interval.
 export const activeLens = computed((): LensNow | null => {
@@ -45,13 +49,14 @@ export const activeLens = computed((): LensNow | null => {
     };
 });
 
-/// While the view looks through a camera, only what this camera looks at is shown.
+/// Only the selected camera has handles, so that they do not lie over balls. While the view looks
+/// through it, only what it looks at is shown.
 const handles = computed((): Handle[] => {
-    const camera = shot.value?.cameras[activeCamera.value];
+    const index = selectedCamera.value;
+    const camera = shot.value?.cameras[index];
     if (!camera || !showCameras.value) {
         return [];
     }
-    const index = activeCamera.value;
     const paths = drawnPaths(camera, cameraColour(index), targetColour(index));
     if (lookThrough.value !== null) {
         return camera.name === lookThrough.value
@@ -87,6 +92,10 @@ function cameraAt(context: ViewContext, pixel: Pixel): KeyPath | null {
         return null;
     }
     const cameras = shot.peek()?.cameras ?? [];
+    const lens = activeLens.peek();
+    if (lens && pixelDistance(context, lens.pose.position, pixel) < kCameraReach) {
+        return lens.camera.path;
+    }
     const found = cameras.find(({ position }, i) => {
         const frames = framesOfCameras.peek()[i];
         const places = frames && position.curve.length === 0 && frames.count > 0
@@ -112,7 +121,7 @@ export const makeCameras: MakePart = (context) => {
     return {
         priority: kHandlePriority,
         grab: set.grab,
-        hover: set.hover,
+        hover: (event) => set.hover(event) ?? (cameraAt(context, event) ? 'pointer' : null),
         pick: (pixel) => cameraAt(context, pixel),
         dispose: () => {
             ends.forEach((end) => end());
