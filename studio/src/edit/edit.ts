@@ -4,7 +4,7 @@ import { isMap, isSeq } from 'yaml';
 import { send } from '../connection/socket';
 import type { KeyPath } from '../protocol';
 import { dragging, notice, shot } from '../state/state';
-import { bufferOf, buffers, typeOutside, typeStep } from '../text/buffers';
+import { bufferOf, buffers, restore, snapshot, typeOutside, typeStep } from '../text/buffers';
 import { EditError } from './edit_error';
 import type { Change, EditResult, Gesture, Origin, SourceFile } from './edit_types';
 import { locate } from './layers';
@@ -106,6 +106,7 @@ let current: Gesture | null = null;
 export function beginGesture(): Gesture {
     current?.commit('');
     const before = currentFiles();
+    const states = snapshot();
     let last = before;
     send('dragging', { on: true });
     dragging.value = true;
@@ -124,7 +125,7 @@ export function beginGesture(): Gesture {
                 current = null;
                 dragging.value = false;
                 send('dragging', { on: false });
-                showTexts(before);
+                restore(states);
                 typeStep(stepTo(last), label);
             }
         },
@@ -133,7 +134,7 @@ export function beginGesture(): Gesture {
                 current = null;
                 dragging.value = false;
                 send('dragging', { on: false });
-                showTexts(before);
+                restore(states);
             }
         },
     };

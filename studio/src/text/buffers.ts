@@ -119,6 +119,30 @@ export function typeOutside(file: string, changes: ChangeSpec): void {
     }));
 }
 
+/// The texts with their histories as they are now, for `restore`.
+export function snapshot(): ReadonlyMap<string, EditorState> {
+    return new Map(buffers.value.map(({ file, state }) => [file, state]));
+}
+
+/// Takes back what was typed outside of the histories since a snapshot, with the histories of then:
+/// typed back instead, it would move the places of older steps that changed the same characters.
+export function restore(states: ReadonlyMap<string, EditorState>): void {
+    for (const buffer of buffers.value) {
+        const state = states.get(buffer.file);
+        if (!state || state === buffer.state) {
+            continue;
+        }
+        if (view && view.state === buffer.state) {
+            const { scrollTop, scrollLeft } = view.scrollDOM;
+            view.setState(state);
+            view.scrollDOM.scrollTo(scrollLeft, scrollTop);
+        }
+        buffer.state = state;
+        onChange(buffer.file);
+    }
+    buffers.value = [...buffers.value];
+}
+
 /// Changes texts as one step of undo; `label` says what it does: "Move cue".
 export function typeStep(changes: { file: string; changes: ChangeSpec }[], label = ''): void {
     grouped = [];
