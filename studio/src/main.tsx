@@ -2,6 +2,7 @@ import { render } from 'preact';
 import { connect } from './connection/socket';
 import { Dialogs } from './dialogs/Dialogs';
 import * as edit from './edit/edit';
+import { tracks } from './motion/clock';
 import { loadSchema } from './schema/schema';
 import { Shell } from './shell/Shell';
 import { watchTheme } from './shell/theme';
@@ -31,6 +32,7 @@ if (app) {
             typeStep([{ file: activeFile.value, changes: { from, to, insert } }]),
     };
     window.studio['labelsAt'] = labelsAt;
+    window.studio['tracks'] = tracks;
     watchTheme();
     watchFiles();
     watchAnswers();
