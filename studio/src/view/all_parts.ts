@@ -4,6 +4,7 @@ import { makeCameras } from './camera_gizmos/camera_part';
 import { makeNudge } from './gizmos/nudge';
 import { makeProblemMarks } from './gizmos/problem_marks';
 import { makeOutlines } from './outlines';
+import { makeStrike } from './gizmos/strike';
 import type { MakePart } from './parts';
 import { makeTracedPicture } from './picture/traced_picture';
 import { makeTrails } from './trails';
@@ -16,4 +17,5 @@ export const kAllParts: readonly MakePart[] = [
     makeBallDrag,
     makeNudge,
     makeProblemMarks,
+    makeStrike,
 ];

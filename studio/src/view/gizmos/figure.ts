@@ -60,6 +60,7 @@ export interface Label {
     at: Triple;
     text: string;
     tone?: 'plain' | 'wrong' | 'faint';
+    isBelow?: boolean;
 }
 
 export interface Figure {

@@ -21,7 +21,7 @@ export class Labels {
             const element = this.parent.children[i] ?? this.parent.appendChild(
                 document.createElement('span'));
             element.textContent = label.text;
-            element.className = label.tone ?? 'plain';
+            element.className = `${label.tone ?? 'plain'}${label.isBelow ? ' below' : ''}`;
         });
         this.place();
     }

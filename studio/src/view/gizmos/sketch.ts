@@ -16,6 +16,9 @@ import { Labels } from './labels';
 const kTipSize = 13; // CSS pixels
 const kAbove = 10; // drawn after everything else of the scene
 
+/// What browser checks see of the gizmos: `window.studio.gizmos`.
+export const forTests: Record<string, unknown> = {};
+
 const sketches = new WeakMap<Object3D, Sketch>();
 
 /// The sketch of a view, which all its gizmos share.
@@ -40,6 +43,10 @@ export class Sketch {
 
     constructor(private readonly context: ViewContext) {
         this.labels = new Labels(context);
+        forTests['figure'] = (name: string) => this.figure(name);
+        if (window.studio) {
+            window.studio['gizmos'] = forTests;
+        }
         this.group.add(this.faint, this.strong, this.dots.points, this.tips, this.balls);
         this.dots.points.renderOrder = kAbove + 2;
         context.scene.add(this.group);
