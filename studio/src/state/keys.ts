@@ -39,8 +39,11 @@ export const kKeyBindings = [
     { command: 'viewSide', keys: ['2'], group: 'View', about: 'View from the side' },
     { command: 'viewFree', keys: ['3'], group: 'View', about: 'Free view' },
     { command: 'wireframe', keys: ['w'], group: 'View', about: 'Edges only' },
-    { command: 'pinGhost', keys: ['g'], group: 'View', about: 'Pin the paths to compare with' },
+    { command: 'pinGhost', keys: ['p', 'g'], group: 'View', about: 'Pin the paths to compare with' },
 
+    { command: 'toolMove', keys: ['m'], group: 'Selection', about: 'Show handles to move it' },
+    { command: 'toolTurn', keys: ['e'], group: 'Selection', about: 'Show rings to turn it' },
+    { command: 'toolScale', keys: ['s'], group: 'Selection', about: 'Show handles of its measures' },
     { command: 'delete', keys: ['delete'], group: 'Selection', about: 'Delete what is selected' },
     { command: 'duplicate', keys: ['ctrl+d'], group: 'Selection',
         about: 'Duplicate what is selected' },

@@ -2,6 +2,7 @@
 import { makeBallDrag } from './ball_drag';
 import { makeCameras } from './camera_gizmos/camera_part';
 import { makeNudge } from './gizmos/nudge';
+import { makeObjectBodies, makeObjectHandles } from './gizmos/objects';
 import { makeProblemMarks } from './gizmos/problem_marks';
 import { makeOutlines } from './outlines';
 import { makeStrike } from './gizmos/strike';
@@ -18,4 +19,6 @@ export const kAllParts: readonly MakePart[] = [
     makeNudge,
     makeProblemMarks,
     makeStrike,
+    makeObjectHandles,
+    makeObjectBodies,
 ];
