@@ -1,6 +1,7 @@
 import { render } from 'preact';
 import { connect } from './connection/socket';
 import { Dialogs } from './dialogs/Dialogs';
+import { watchRecovery } from './dialogs/recovery_dialog';
 import * as edit from './edit/edit';
 import { tracks } from './motion/clock';
 import { loadSchema } from './schema/schema';
@@ -36,6 +37,7 @@ if (app) {
     watchTheme();
     watchFiles();
     watchAnswers();
+    watchRecovery();
     listenToKeys();
     onCommand('save', saveAll);
     onCommand('keys', () => { panel.value = 'keys'; });

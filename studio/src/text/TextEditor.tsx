@@ -9,18 +9,21 @@ import {
     drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers,
 } from '@codemirror/view';
 import { effect } from '@preact/signals';
-import { Lock } from 'lucide-preact';
+import { Lock, TriangleAlert } from 'lucide-preact';
 import { useEffect, useRef } from 'preact/hooks';
+import { openMerge } from '../dialogs/merge_dialog';
 import { problems } from '../state/state';
 import {
     activeFile, afterTransaction, attachView, buffers, isChanged, makeState, setChangeListener,
     setExtensions, type Buffer,
 } from './buffers';
 import { completion } from './complete/source';
+import { conflictOf } from './disk_conflicts';
 import { dashInput } from './dash_input';
 import { selectAtCursor, showSelection } from './follow_selection';
 import { yamlLook } from './highlight';
 import { hoverAbout } from './hover';
+import { pageNonce } from './nonce';
 import { marksOf } from './problem_marks';
 import { saveAll } from './saving';
 import { sendSoon } from './sending';
@@ -28,9 +31,6 @@ import { setShownView } from './show';
 import { tooltipLook } from './tooltip_look';
 import { undoStep } from './undo_commands';
 import './text.css';
-
-const nonce = () =>
-    document.querySelector('meta[name="csp-nonce"]')?.getAttribute('content') ?? '';
 
 const keys = keymap.of([
     { key: 'Mod-z', run: () => undoStep(true), preventDefault: true },
@@ -41,7 +41,7 @@ const keys = keymap.of([
 ]);
 
 setExtensions(() => [
-    EditorView.cspNonce.of(nonce()),
+    EditorView.cspNonce.of(pageNonce()),
     lineNumbers(), highlightActiveLine(), highlightActiveLineGutter(), drawSelection(),
     highlightSelectionMatches(), bracketMatching(), indentOnInput(), lintGutter(),
     completion(), closeBrackets(), dashInput, yaml(), yamlLook, tooltipLook, hoverAbout, keys, selectAtCursor,
@@ -114,6 +114,18 @@ function Tabs() {
     );
 }
 
+/// Says that another program changed the shown file, until the user has merged both texts.
+function ConflictBar() {
+    const conflict = conflictOf(activeFile.value);
+    return conflict ? (
+        <div class="conflict" role="alert">
+            <TriangleAlert size={14} aria-hidden="true" />
+            <span>Another program changed this file.</span>
+            <button onClick={() => openMerge(conflict, null)}>Compare</button>
+        </div>
+    ) : null;
+}
+
 /// The editor with its tabs; fills its parent.
 export function TextEditor() {
     const parent = useRef<HTMLDivElement>(null);
@@ -121,6 +133,7 @@ export function TextEditor() {
     return (
         <section class="text" aria-label="Text">
             <Tabs />
+            <ConflictBar />
             <div class="text-view" ref={parent} />
         </section>
     );

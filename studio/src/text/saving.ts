@@ -4,6 +4,8 @@ import { send } from '../connection/socket';
 import { files, notice } from '../state/state';
 import { difference } from '../edit/text_edit';
 import { bufferOf, buffers, isChanged, takeFiles, textOf, typeOutside } from './buffers';
+import { openMerge } from '../dialogs/merge_dialog';
+import { conflictOf, forgetConflict, noteDisk } from './disk_conflicts';
 import { sendSoon } from './sending';
 
 /// The texts that are being written, by file.
@@ -11,15 +13,26 @@ const underWay = new Map<string, string>();
 
 /// Asks the server to write every changed file.
 export function saveAll(): void {
-    for (const buffer of buffers.value.filter((one) => one.writable && isChanged(one))) {
-        const text = textOf(buffer);
-        const asked = send('save',
-            { file: buffer.file, text, base_hash: buffer.hash, force: false });
-        if (asked) {
-            underWay.set(buffer.file, text);
+    for (const { file } of buffers.value.filter((one) => one.writable && isChanged(one))) {
+        const conflict = conflictOf(file);
+        if (conflict) {
+            openMerge(conflict, saveFile);
         } else {
-            notice.value = { kind: 'error', text: 'There is no connection: nothing was saved.' };
+            saveFile(file);
         }
+    }
+}
+
+function saveFile(file: string): void {
+    const buffer = bufferOf(file);
+    if (!buffer) {
+        return;
+    }
+    const text = textOf(buffer);
+    if (send('save', { file, text, base_hash: buffer.hash, force: false })) {
+        underWay.set(file, text);
+    } else {
+        notice.value = { kind: 'error', text: 'There is no connection: nothing was saved.' };
     }
 }
 
@@ -41,16 +54,16 @@ export function watchFiles(): void {
         const buffer = bufferOf(file);
         if (buffer) {
             buffer.hash = hash;
+            forgetConflict(file);
             buffer.savedText = underWay.get(file) ?? buffer.savedText;
             buffers.value = [...buffers.value];
             notice.value = { kind: 'info', text: `${buffer.name} is saved.` };
         }
     });
-    onMessage('disk_changed', ({ file }) => {
-        const name = bufferOf(file)?.name ?? file;
-        notice.value = {
-            kind: 'error', text: `${name} changed on disk. It was not written over.`,
-        };
+    onMessage('disk_changed', ({ file, text, hash, refused }) => {
+        if (noteDisk({ file, text, hash }) && refused) {
+            openMerge({ file, text, hash }, saveFile);
+        }
     });
     onMessage('failed', ({ message }) => {
         notice.value = { kind: 'error', text: message };

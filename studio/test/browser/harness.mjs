@@ -32,7 +32,8 @@ export function copyShots() {
     return folder;
 }
 
-/// Starts `carom studio` and resolves to its address and a function that ends it.
+/// Starts `carom studio` and resolves to its address, a function that ends it, and one that kills
+/// it without leave to write anything.
 export async function serve(carom, shot, folder) {
     const cache = join(folder, 'cache');
     const words = ['studio', shot, '--no-browser', '--root', folder, '--cache', cache];
@@ -51,11 +52,15 @@ export async function serve(carom, shot, folder) {
         server.on('error', reject);
         server.on('exit', (code) => reject(new Error(`carom ended with ${code}: ${errors}`)));
     });
-    const end = () => new Promise((resolve) => {
+    const stop = (signal) => new Promise((resolve) => {
+        if (server.exitCode !== null || server.signalCode !== null) {
+            resolve();
+            return;
+        }
         server.on('exit', resolve);
-        server.kill('SIGTERM');
+        server.kill(signal);
     });
-    return { address, end };
+    return { address, end: () => stop('SIGTERM'), kill: () => stop('SIGKILL') };
 }
 
 /// Opens the page and waits until it shows the shot. `complaints` of the result are what the page

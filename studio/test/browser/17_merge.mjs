@@ -1,0 +1,67 @@
+// A file that changed on disk while the page has changes is not written over: saving shows both
+// texts, and the merged one is saved; undo brings the page's own text back.
+import { readFileSync, writeFileSync } from 'node:fs';
+import { equal, settle, textOf } from './harness.mjs';
+
+const kTheirs = '# from another program\n';
+
+function edit(page, place) {
+    return page.evaluate((value) => window.studio.edit.applyChanges(
+        [{ path: ['balls', 'cue', 'at'], value, precision: 1e-4 }], 'Move cue').ok, place);
+}
+
+async function saved(page) {
+    await page.waitForFunction(() => window.studio.state.notice.value?.text.includes('is saved'));
+    await page.evaluate(() => { window.studio.state.notice.value = null; });
+}
+
+export async function check({ page, path }) {
+    const before = readFileSync(path, 'utf8');
+    const theirs = before + kTheirs;
+    const mine = before.replace('[-0.75, 0.12]', '[-0.7, 0.1]');
+    equal(await edit(page, [-0.7, 0.1]), true, 'the edit');
+    await settle(page);
+    writeFileSync(path, theirs);
+    await page.locator('.conflict').waitFor();
+    await page.locator('.cm-content').first().click();
+    await page.keyboard.press('Control+s');
+    const dialog = page.locator('dialog[open]');
+    await dialog.waitFor();
+    equal(readFileSync(path, 'utf8'), theirs, 'the file on disk while the user is asked');
+
+    // Escape leaves everything as it is.
+    await page.keyboard.press('Escape');
+    await dialog.waitFor({ state: 'detached' });
+    equal([readFileSync(path, 'utf8'), await textOf(page)], [theirs, mine], 'both texts');
+
+    // The last difference is taken over, and the merged text is saved.
+    await page.locator('.conflict button').click();
+    await dialog.waitFor();
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('Control+s');
+    await dialog.locator('.take').nth(1).click();
+    await dialog.getByRole('button', { name: 'Save the text at the right' }).click();
+    await saved(page);
+    const merged = mine + kTheirs;
+    equal([readFileSync(path, 'utf8'), await textOf(page)], [merged, merged], 'the merged text');
+    equal(await page.locator('.conflict').count(), 0, 'bars about a conflict');
+    await page.keyboard.press('Control+z');
+    await settle(page);
+    equal(await textOf(page), mine, 'the own text after one undo');
+    await page.keyboard.press('Control+y');
+
+    // The other program's text is taken, and undo brings the own one back.
+    equal(await edit(page, [-0.6, 0.2]), true, 'another edit');
+    await settle(page);
+    const own = await textOf(page);
+    writeFileSync(path, theirs);
+    await page.locator('.conflict button').click();
+    await dialog.getByRole('button', { name: "Take the disk's" }).click();
+    await settle(page);
+    equal(await textOf(page), theirs, "the other program's text");
+    equal(await page.locator('.toolbar .dirty').count(), 0, 'signs of unsaved changes');
+    await page.keyboard.press('Control+z');
+    await settle(page);
+    equal(await textOf(page), own, 'the own text after undo');
+    return 'saving is refused, both texts are shown, neither is lost';
+}
