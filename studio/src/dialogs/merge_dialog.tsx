@@ -1,5 +1,6 @@
 /// Asks what to do with a file that another program changed while the page has changes of its own.
 import { effect } from '@preact/signals';
+import { mergeLines } from '../edit/merge_lines';
 import { bufferOf, textOf } from '../text/buffers';
 import { conflictOf, resolveConflict, type Conflict } from '../text/disk_conflicts';
 import { MergePanel } from './MergePanel';
@@ -21,7 +22,8 @@ export function openMerge(first: Conflict, save: ((file: string) => void) | null
     }
     const name = baseName(buffer.name);
     const own = textOf(buffer);
-    let merged = own;
+    const start = mergeLines(buffer.savedText, own, first.text);
+    let merged = start.text;
     const now = () => conflictOf(first.file) ?? first;
     const finish = (text: string, label: string) => {
         resolveConflict(now(), text, label);
@@ -36,18 +38,19 @@ export function openMerge(first: Conflict, save: ((file: string) => void) | null
         body: () => (
             <>
                 <p>
-                    Another program wrote this file while it has changes here. The arrows take its
-                    differences over into your text, which can also be edited. Undo brings your
-                    own text back.
+                    Another program wrote this file while it has changes here. At the right are
+                    your changes together with those of the other program
+                    {start.conflicts > 0 ? ' where it changed other lines than you' : ''}. Arrows
+                    take over what differs, and the text can be edited. Undo brings back your own.
                 </p>
                 <div class="fills">
-                    <MergePanel left={now().text} right={own} leftTitle="On disk"
-                        rightTitle="Your text" onRight={(text) => { merged = text; }} />
+                    <MergePanel left={now().text} right={start.text}
+                        leftTitle="On disk" rightTitle="Merged" onRight={(text) => { merged = text; }} />
                 </div>
             </>
         ),
         actions: () => [
-            { label: `${words} the text at the right`, kind: 'primary',
+            { label: `${words} the merged text`, kind: 'primary',
                 run: () => finish(merged, `Merge ${name}`) },
             { label: 'Keep mine unchanged', run: () => finish(own, '') },
             { label: "Take the disk's", run: () => finish(now().text, `Take ${name} from disk`) },

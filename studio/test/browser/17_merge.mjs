@@ -34,13 +34,18 @@ export async function check({ page, path }) {
     await dialog.waitFor({ state: 'detached' });
     equal([readFileSync(path, 'utf8'), await textOf(page)], [theirs, mine], 'both texts');
 
-    // The last difference is taken over, and the merged text is saved.
-    await page.locator('.conflict button').click();
-    await dialog.waitFor();
-    await page.keyboard.press('Escape');
+    // Both changes are in the merged text, which is saved. What differs can be taken over.
     await page.keyboard.press('Control+s');
-    await dialog.locator('.take').nth(1).click();
-    await dialog.getByRole('button', { name: 'Save the text at the right' }).click();
+    const texts = () => dialog.locator('.cm-merge-b .cm-line').allTextContents();
+    await dialog.waitFor();
+    await dialog.locator('.take').first().waitFor();
+    equal(await dialog.locator('.take').count(), 1, 'differences from the disk: only the own one');
+    await dialog.locator('.take').click();
+    equal((await texts()).some((line) => line.includes('[-0.75, 0.12]')), true, 'what was taken');
+    await dialog.locator('.cm-merge-b .cm-content').focus();
+    await page.keyboard.press('Control+z');
+    equal((await texts()).some((line) => line.includes('[-0.7, 0.1]')), true, 'the own line');
+    await dialog.getByRole('button', { name: 'Save the merged text' }).click();
     await saved(page);
     const merged = mine + kTheirs;
     equal([readFileSync(path, 'utf8'), await textOf(page)], [merged, merged], 'the merged text');
