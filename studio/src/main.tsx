@@ -1,6 +1,7 @@
 import { render } from 'preact';
 import { connect } from './connection/socket';
 import { Dialogs } from './dialogs/Dialogs';
+import { watchQuestions } from './dialogs/edit_question';
 import { watchRecovery } from './dialogs/recovery_dialog';
 import * as edit from './edit/edit';
 import { tracks } from './motion/clock';
@@ -38,6 +39,7 @@ if (app) {
     watchFiles();
     watchAnswers();
     watchRecovery();
+    watchQuestions();
     listenToKeys();
     onCommand('save', saveAll);
     onCommand('keys', () => { panel.value = 'keys'; });

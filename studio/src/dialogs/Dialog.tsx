@@ -99,7 +99,7 @@ export function Dialog({
             <form method="dialog" onSubmit={(event) => { event.preventDefault(); submit(); }}>
                 <header>
                     <h2 id={id}>{title}</h2>
-                    <button type="button" class="close" aria-label="Close" onClick={dismiss}>
+                    <button type="button" class="close" aria-label="Dismiss" onClick={dismiss}>
                         <X size={16} aria-hidden="true" />
                     </button>
                 </header>

@@ -1,7 +1,7 @@
 /// The smallest additions to a text: an entry of a map, an item of a list, a new section.
 import { isMap, isSeq, type Node, type Pair, type YAMLMap, type YAMLSeq } from 'yaml';
 import type { KeyPath } from '../protocol';
-import { EditError } from './edit_error';
+import { PlaceError } from './edit_error';
 import { lineEnd, lineStart, type TextEdit } from './text_edit';
 import {
     contentEnd, isEmpty, itemEnd, itemStart, keyText, rangeOf, type Step, type Tree, type Walk,
@@ -35,7 +35,7 @@ function nestFlow(keys: KeyPath, value: string): string {
     }
     if (/^\d+$/.test(key)) {
         if (key !== '0') {
-            throw new EditError(`there is no list yet that could have an element ${key}`);
+            throw new PlaceError(`there is no list yet that could have an element ${key}`);
         }
         return `[${nestFlow(rest, value)}]`;
     }
@@ -65,7 +65,7 @@ export function nestBlock(keys: KeyPath, value: string, isTop: boolean): string 
 
 function needsOneLine(value: string): void {
     if (value.includes('\n')) {
-        throw new EditError('a value of several lines does not fit into {...} or [...]');
+        throw new PlaceError('a value of several lines does not fit into {...} or [...]');
     }
 }
 
@@ -126,7 +126,7 @@ function addToBlockMap(tree: Tree, node: YAMLMap, entry: string): TextEdit {
     const first = node.items[0];
     const last = node.items[node.items.length - 1];
     if (!first || !last) {
-        throw new EditError('an empty map has no place for an entry');
+        throw new PlaceError('an empty map has no place for an entry');
     }
     const at = lineEnd(text, itemEnd(text, last));
     const indent = spaces(text, itemStart(first));
@@ -137,7 +137,7 @@ function addToBlockMap(tree: Tree, node: YAMLMap, entry: string): TextEdit {
 function dashOf(text: string, item: Node): number {
     const dash = text.lastIndexOf('-', itemStart(item) - 1);
     if (dash < 0 || !/^-\s*(&\S+\s*)?$/.test(text.slice(dash, itemStart(item)))) {
-        throw new EditError('the list is written in a way that this page cannot add to');
+        throw new PlaceError('the list is written in a way that this page cannot add to');
     }
     return dash;
 }
@@ -149,7 +149,7 @@ function addToBlockList(tree: Tree, node: YAMLSeq, index: number, value: string)
     const first = items[0];
     const last = items[items.length - 1];
     if (!first || !last) {
-        throw new EditError('an empty list has no place for an item');
+        throw new PlaceError('an empty list has no place for an item');
     }
     const indent = spaces(text, dashOf(text, first));
     const item = `- ${indentRest(value, `${indent}  `)}`;
@@ -170,7 +170,7 @@ function addToBlockList(tree: Tree, node: YAMLSeq, index: number, value: string)
 function fillEmpty(tree: Tree, step: Step, keys: KeyPath, value: string, depth: number): TextEdit {
     const pair = step.pair;
     if (!pair) {
-        throw new EditError('an empty item of a list has no place for a value');
+        throw new PlaceError('an empty item of a list has no place for a value');
     }
     const keyStart = itemStart(pair);
     const colon = tree.text.indexOf(':', rangeOf(pair.key as Node)[1]) + 1;
@@ -208,7 +208,7 @@ export function addAt(tree: Tree, way: Walk, value: string, index?: number): Tex
     if (isSeq(node)) {
         const at = index ?? node.items.length;
         if (index === undefined && key !== String(at)) {
-            throw new EditError(`the list has no element ${key}; it has ${node.items.length}`);
+            throw new PlaceError(`the list has no element ${key}; it has ${node.items.length}`);
         }
         const item = deeper.length > 0 ? asFlowValue(deeper, value) : value;
         return node.flow
@@ -216,5 +216,5 @@ export function addAt(tree: Tree, way: Walk, value: string, index?: number): Tex
             : addToBlockList(tree, node, at, item);
     }
     const text = tree.text.slice(...rangeOf(node));
-    throw new EditError(`'${text}' stands where '${key}' would have to be`);
+    throw new PlaceError(`'${text}' stands where '${key}' would have to be`);
 }

@@ -1,52 +1,85 @@
 /// Edits of the shot by key path. Nothing but the text is changed, and of it only the bytes of the
 /// value; what the page draws follows from the server's answer.
-import { isMap, isSeq } from 'yaml';
 import { send } from '../connection/socket';
 import type { KeyPath } from '../protocol';
-import { dragging, notice, shot } from '../state/state';
-import { bufferOf, buffers, restore, snapshot, typeOutside, typeStep } from '../text/buffers';
-import { EditError } from './edit_error';
-import type { Change, EditResult, Gesture, Origin, SourceFile } from './edit_types';
-import { locate } from './layers';
+import { dragging, notice } from '../state/state';
+import { bufferOf, restore, snapshot, typeOutside, typeStep } from '../text/buffers';
+import { indentRest, nestBlock } from './add_entry';
+import { currentFiles } from './current_files';
+import { EditError, PlaceError } from './edit_error';
+import type { Change, Choice, EditResult, Gesture, SourceFile } from './edit_types';
+import { originOf } from './origin';
 import { replaceKey } from './plan_replace';
-import { planEntry, planInsert, planRemove, planSet, Undecided, type FileEdits } from './plan';
-import { applyEdits, difference, lineStart } from './text_edit';
+import {
+    planEntry, planInsert, planRemove, planSet, planTakeList, Undecided, type FileEdits,
+} from './plan';
+import { question } from './question';
 import { unitFor } from './schema_unit';
-import { flowText } from './write_value';
+import { applyEdits, difference } from './text_edit';
+import { writeValue } from './write_value';
 
 export type { Change, Choice, EditResult, Gesture, Origin, Value } from './edit_types';
+export { originOf, sourceOf, type Source } from './origin';
 
 /// What the user has answered; kept as long as the page is open.
 const aliases = new Map<string, 'anchor' | 'copy'>();
-const takenLists = new Set<string>();
-
-/// The shot's files as they stand in the page. Line breaks are "\n", as in the editor.
-function currentFiles(): SourceFile[] {
-    return buffers.value.map(({ file, name, writable, state }) =>
-        ({ file, name, writable, text: state.doc.toString() }));
-}
 
 function done(file: string): EditResult {
     return { ok: true, file, message: '', choices: [] };
 }
 
-/// The result of an edit that was not possible; shown in the status line, too.
-function refused(error: unknown): EditResult {
-    if (error instanceof Undecided) {
-        const choices = error.kind === 'alias'
-            ? [
-                { label: 'Change all', apply: () => aliases.set(error.subject, 'anchor') },
-                { label: 'Only here', apply: () => aliases.set(error.subject, 'copy') },
-            ]
-            : [{ label: 'Copy the list into the shot', apply: () => takenLists.add(error.subject) }];
-        notice.value = { kind: 'info', text: error.message };
-        return { ok: false, file: '', message: error.message, choices };
+/// What an edit needs to be tried again: with an answer, or by hand.
+interface Attempt {
+    again: () => EditResult;
+    /// What it would have written, for the user to add.
+    text: string;
+    path: KeyPath;
+}
+
+/// The answers to a question of a plan; each tries the edit again.
+function choicesOf(error: Undecided, again: () => void): Choice[] {
+    const name = error.subject;
+    const decide = (decision: 'anchor' | 'copy') => () => {
+        aliases.set(name, decision);
+        again();
+    };
+    if (error.kind === 'alias') {
+        return [
+            { label: 'Change it everywhere', about: `All places that repeat '&${name}' follow.`,
+                apply: decide('anchor') },
+            { label: 'Only here', about: 'A copy of the value is put here.', apply: decide('copy') },
+        ];
     }
-    if (error instanceof EditError) {
-        notice.value = { kind: 'error', text: error.message };
-        return { ok: false, file: '', message: error.message, choices: [] };
+    const list = name.split('/');
+    return [{
+        label: 'Copy the list into the shot', about: 'A step of its own, which undo takes back.',
+        apply: () => {
+            const copied = applyPlan((files) => withEdits(files, planTakeList(files, list)),
+                `Copy ${list.join('.')} into the shot`, null);
+            if (copied.ok) {
+                again();
+            }
+        },
+    }];
+}
+
+/// The result of an edit that was not possible; shown in the status line, too. With an attempt, the
+/// user is asked what can be answered.
+function refused(error: unknown, attempt: Attempt | null): EditResult {
+    if (!(error instanceof Undecided) && !(error instanceof EditError)) {
+        throw error;
     }
-    throw error;
+    const { message } = error;
+    const isQuestion = error instanceof Undecided;
+    const choices = isQuestion ? choicesOf(error, attempt?.again ?? (() => undefined)) : [];
+    notice.value = { kind: isQuestion ? 'info' : 'error', text: message };
+    if (attempt && (isQuestion || error instanceof PlaceError)) {
+        const title = !isQuestion ? 'This cannot be written by the page'
+            : error.kind === 'alias' ? 'Change the repeated value?' : 'Copy the list into the shot?';
+        question.value = { title, message, choices, path: attempt.path,
+            text: isQuestion ? '' : attempt.text };
+    }
+    return { ok: false, file: '', message, choices };
 }
 
 /// The files with the edits of one of them made.
@@ -63,13 +96,14 @@ function checkOption(path: KeyPath): void {
 
 /// The files with all changes made. Throws EditError and Undecided.
 function changed(files: SourceFile[], changes: readonly Change[]): SourceFile[] {
-    return changes.reduce((all, { path, value, precision, insteadOf }) => {
+    return changes.reduce((all, { path, value, precision, insteadOf, intoInclude }) => {
         checkOption(path);
+        const decisions = { aliases, intoInclude: intoInclude ?? false };
         const style = { unit: unitFor(path), precision };
         if (insteadOf !== undefined) {
-            return replaceKey(all, path, insteadOf, value, style, { aliases, takenLists });
+            return replaceKey(all, path, insteadOf, value, style, decisions);
         }
-        return withEdits(all, planSet(all, path, value, style, { aliases, takenLists }));
+        return withEdits(all, planSet(all, path, value, style, decisions));
     }, files);
 }
 
@@ -89,14 +123,18 @@ function showTexts(texts: readonly SourceFile[]): void {
     }
 }
 
-/// Makes what `plan` returns one undo step.
-function applyPlan(plan: (files: SourceFile[]) => SourceFile[], label: string): EditResult {
+/// Makes what `plan` returns one undo step. `manual` is what the user can write where the page
+/// cannot; null: nothing is asked.
+function applyPlan(
+    plan: (files: SourceFile[]) => SourceFile[], label: string,
+    manual: { text: string; path: KeyPath } | null,
+): EditResult {
     try {
         const step = stepTo(plan(currentFiles()));
         typeStep(step, label);
         return done(step[0]?.file ?? '');
     } catch (error) {
-        return refused(error);
+        return refused(error, manual && { ...manual, again: () => applyPlan(plan, label, manual) });
     }
 }
 
@@ -108,16 +146,19 @@ export function beginGesture(): Gesture {
     const before = currentFiles();
     const states = snapshot();
     let last = before;
+    let unanswered: Change[] | null = null;  // the last changes, if they need an answer
     send('dragging', { on: true });
     dragging.value = true;
     const gesture: Gesture = {
         update: (changes) => {
             try {
                 last = changed(before, changes);
+                unanswered = null;
                 showTexts(last);
                 return done(last.find((file, i) => file.text !== before[i]?.text)?.file ?? '');
             } catch (error) {
-                return refused(error);
+                unanswered = error instanceof Undecided ? changes : null;
+                return refused(error, null);
             }
         },
         commit: (label) => {
@@ -127,6 +168,9 @@ export function beginGesture(): Gesture {
                 send('dragging', { on: false });
                 restore(states);
                 typeStep(stepTo(last), label);
+                if (unanswered) {
+                    applyChanges(unanswered, label);
+                }
             }
         },
         cancel: () => {
@@ -149,9 +193,21 @@ export function cancelGesture(): boolean {
     return running !== null;
 }
 
+/// A change as text, for the user to write.
+function byHand({ path, value, precision }: Change): string {
+    const written = writeValue(value, { unit: unitFor(path), precision });
+    try {
+        return nestBlock(path, written, true);
+    } catch {
+        return `${path[path.length - 1] ?? ''}: ${written}`;
+    }
+}
+
 /// Makes all changes as one undo step.
 export function applyChanges(changes: Change[], label: string): EditResult {
-    return applyPlan((files) => changed(files, changes), label);
+    const path = changes[0]?.path ?? [];
+    const text = changes.map(byHand).join('\n');
+    return applyPlan((files) => changed(files, changes), label, { text, path });
 }
 
 /// Takes a key with its value, or an item of a list, out of the text.
@@ -159,7 +215,7 @@ export function removeValue(path: KeyPath, label: string): EditResult {
     return applyPlan((files) => {
         checkOption(path);
         return withEdits(files, planRemove(files, path, { aliases }));
-    }, label);
+    }, label, { text: '', path });
 }
 
 /// Adds an item, written as YAML with an indent of 0, to a list before the item `index`.
@@ -167,7 +223,8 @@ export function insertItem(
     listPath: KeyPath, index: number, yaml: string, label: string,
 ): EditResult {
     return applyPlan((files) =>
-        withEdits(files, planInsert(files, listPath, index, yaml, { aliases })), label);
+        withEdits(files, planInsert(files, listPath, index, yaml, { aliases })), label,
+        { text: `- ${indentRest(yaml, '  ')}`, path: listPath });
 }
 
 /// Adds an entry, its value written as YAML with an indent of 0, to a map.
@@ -175,48 +232,6 @@ export function insertEntry(
     mapPath: KeyPath, key: string, yaml: string, label: string,
 ): EditResult {
     return applyPlan((files) =>
-        withEdits(files, planEntry(files, mapPath, key, yaml, { aliases })), label);
-}
-
-function isPrefix(prefix: KeyPath, path: KeyPath): boolean {
-    return prefix.length <= path.length && prefix.every((key, i) => key === path[i]);
-}
-
-/// Where the value of a key path comes from.
-export function originOf(path: KeyPath): Origin {
-    const places = shot.value?.places ?? [];
-    if (places.some((place) => place.origin === 'set' && isPrefix(place.path, path))) {
-        return 'set';
-    }
-    const files = currentFiles();
-    const located = locate(files, path);
-    if (!located) {
-        return 'absent';
-    }
-    return located.file === files[0] ? 'shot' : located.file.writable ? 'include' : 'config';
-}
-
-/// The text of a value as it is written now.
-export interface Source {
-    text: string;
-    kind: 'scalar' | 'map' | 'list';
-    file: string;
-    /// From 1.
-    line: number;
-    origin: Origin;
-}
-
-/// The text of a key's value wherever it stands: of a scalar as it is written, of a map or list on
-/// one line; null if no file has it.
-export function sourceOf(path: KeyPath): Source | null {
-    const located = locate(currentFiles(), path);
-    const node = located?.way.steps[located.way.steps.length - 1]?.node;
-    if (!located || !node) {
-        return null;
-    }
-    const kind = isMap(node) ? 'map' : isSeq(node) ? 'list' : 'scalar';
-    const before = located.tree.text.slice(0, lineStart(located.tree.text, node.range?.[0] ?? 0));
-    const line = before.split('\n').length;
-    const text = flowText(located.tree, node);
-    return { text, kind, file: located.file.file, line, origin: originOf(path) };
+        withEdits(files, planEntry(files, mapPath, key, yaml, { aliases })), label,
+        { text: nestBlock([...mapPath, key], yaml, true), path: mapPath });
 }

@@ -10,11 +10,15 @@ export interface Change {
     precision?: number;
     /// A sibling key that this one replaces: `direction` is written in the place of `toward`.
     insteadOf?: string;
+    /// A value of an included file is changed there if it can be written, not laid over in the shot.
+    intoInclude?: boolean;
 }
 
 /// Something that the user can choose when an edit could mean several things.
 export interface Choice {
     label: string;
+    /// What it changes, in a sentence.
+    about: string;
     apply(): void;
 }
 
@@ -47,4 +51,15 @@ export interface SourceFile {
     name: string;
     text: string;
     writable: boolean;
+}
+
+/// A question that has to be answered before an edit is possible.
+export interface EditQuestion {
+    title: string;
+    message: string;
+    choices: Choice[];
+    /// The text that the user can add where the page cannot; empty if that is no answer.
+    text: string;
+    /// Where it belongs.
+    path: KeyPath;
 }

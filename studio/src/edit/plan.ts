@@ -140,6 +140,23 @@ function isRig(path: KeyPath, shot: SourceFile): boolean {
         && walk(parseTree(shot.text), path.slice(0, 2)).rest.length === 0;
 }
 
+function takenFrom(file: SourceFile, list: KeyPath): Undecided {
+    return new Undecided(
+        `'${list.join('.')}' is a list of ${file.name}, which cannot be changed here.`,
+        'list', list.join('/'));
+}
+
+/// The edits that copy a list of a read-only file into the shot.
+export function planTakeList(files: readonly SourceFile[], list: KeyPath): FileEdits {
+    const shot = files[0];
+    const located = locate(files, list);
+    const node = located?.way.steps[located.way.steps.length - 1]?.node;
+    if (!shot || !located || !node) {
+        throw new EditError(`'${list.join('.')}' is not in the text`);
+    }
+    return addToShot(shot, list, flowText(located.tree, node), {});
+}
+
 /// Copies a list of an included file into the shot, then sets a value in it.
 function takeOver(
     files: readonly SourceFile[], located: Located, list: KeyPath, path: KeyPath, value: Value,
@@ -147,9 +164,7 @@ function takeOver(
 ): FileEdits {
     const shot = files[0] as SourceFile;
     if (!decisions.takenLists?.has(list.join('/'))) {
-        throw new Undecided(
-            `'${list.join('.')}' is a list of ${located.file.name}, which cannot be changed.`,
-            'list', list.join('/'));
+        throw takenFrom(located.file, list);
     }
     const depth = list.length + located.path.length - path.length;
     const node = located.way.steps[depth]?.node as Node;
@@ -213,8 +228,13 @@ export function planRemove(
         }
         return { file, edits: [removeAt(tree, steps)] };
     }
-    if (listDepth(located) >= 0) {
-        throw new EditError(`'${path.join('.')}' is an item of a list in ${file.name}`);
+    const depth = listDepth(located);
+    if (depth >= 0 && file.writable) {
+        const tree = parseWhole(file.text, file.name);
+        return { file, edits: [removeAt(tree, walk(tree, located.path).steps)] };
+    }
+    if (depth >= 0) {
+        throw takenFrom(file, outerPath(path, located, depth));
     }
     return addToShot(shot, path, 'null', decisions);
 }
@@ -233,8 +253,7 @@ export function planInsert(
     const isOwn = located?.file === shot;
     if (located && !isOwn && isSeq(node) && node.items.length > 0) {
         if (!located.file.writable) {
-            throw new EditError(
-                `'${list.join('.')}' is a list of ${located.file.name}, which cannot be changed`);
+            throw takenFrom(located.file, list);
         }
         const tree = parseWhole(located.file.text, located.file.name);
         const way = walk(tree, [...located.path, String(index)]);

@@ -1,6 +1,6 @@
 /// Takes an entry of a map or an item of a list out of a text.
 import { isMap, type Node, type Pair } from 'yaml';
-import { EditError } from './edit_error';
+import { EditError, PlaceError } from './edit_error';
 import { lineEnd, lineStart, type TextEdit } from './text_edit';
 import { itemEnd, itemStart, type Step, type Tree } from './yaml_tree';
 
@@ -27,7 +27,7 @@ function removeLines(text: string, items: (Node | Pair)[], index: number): TextE
     }
     const next = items[index + 1];
     if (next === undefined || !('key' in item)) {
-        throw new EditError('the value is written in a way that this page cannot take out');
+        throw new PlaceError('the value is written in a way that this page cannot take out');
     }
     return { from: itemStart(item), to: itemStart(next as Node), insert: '' };
 }
