@@ -6,6 +6,7 @@ import { makeObjectBodies, makeObjectHandles } from './gizmos/objects';
 import { makeProblemMarks } from './gizmos/problem_marks';
 import { makeOutlines } from './outlines';
 import { makeStrike } from './gizmos/strike';
+import { makeLights } from './light_gizmos/light_part';
 import type { MakePart } from './parts';
 import { makeTracedPicture } from './picture/traced_picture';
 import { makeTrails } from './trails';
@@ -15,6 +16,7 @@ export const kAllParts: readonly MakePart[] = [
     makeTrails,
     makeOutlines,
     makeCameras,
+    makeLights,
     makeBallDrag,
     makeNudge,
     makeProblemMarks,

@@ -3,7 +3,7 @@ import { computed, signal, type ReadonlySignal } from '@preact/signals';
 import { selection } from '../../state/state';
 import { nearestHandle } from '../gizmos/dragging';
 import type { Figure } from '../gizmos/figure';
-import type { Drag, Pixel, ViewContext } from '../parts';
+import type { Drag, ViewContext } from '../parts';
 import { dragHandle } from './drag_handle';
 import { handleDots, type Handle } from './handle';
 import type { Triple } from '../../protocol';
@@ -57,10 +57,4 @@ export function handleSet(
             return handle ? 'grab' : null;
         },
     };
-}
-
-/// A place of a menu event as a pointer event would have it: mice hit within 10 pixels.
-export function asPointer(pixel: Pixel): PointerEvent {
-    return { ...pixel, clientX: pixel.clientX, clientY: pixel.clientY, pointerType: 'mouse' } as
-        PointerEvent;
 }
