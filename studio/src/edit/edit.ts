@@ -123,12 +123,15 @@ function showTexts(texts: readonly SourceFile[]): void {
     }
 }
 
+let current: Gesture | null = null;
+
 /// Makes what `plan` returns one undo step. `manual` is what the user can write where the page
 /// cannot; null: nothing is asked.
 function applyPlan(
     plan: (files: SourceFile[]) => SourceFile[], label: string,
     manual: { text: string; path: KeyPath } | null,
 ): EditResult {
+    current?.commit('');
     try {
         const step = stepTo(plan(currentFiles()));
         typeStep(step, label);
@@ -137,8 +140,6 @@ function applyPlan(
         return refused(error, manual && { ...manual, again: () => applyPlan(plan, label, manual) });
     }
 }
-
-let current: Gesture | null = null;
 
 /// Starts a drag. One may be in progress at a time: the one before is committed.
 export function beginGesture(): Gesture {

@@ -40,6 +40,7 @@ export const kKeyBindings = [
     { command: 'viewFree', keys: ['3'], group: 'View', about: 'Free view' },
     { command: 'wireframe', keys: ['w'], group: 'View', about: 'Edges only' },
     { command: 'pinGhost', keys: ['p', 'g'], group: 'View', about: 'Pin the paths to compare with' },
+    { command: 'fan', keys: ['v'], group: 'View', about: 'Show eight slightly different runs' },
 
     { command: 'toolMove', keys: ['m'], group: 'Selection', about: 'Show handles to move it' },
     { command: 'toolTurn', keys: ['e'], group: 'Selection', about: 'Show rings to turn it' },

@@ -1,6 +1,8 @@
 /// The parts of the view: one import and one entry each.
 import { makeBallDrag } from './ball_drag';
 import { makeCameras } from './camera_gizmos/camera_part';
+import { makeEventPins } from './gizmos/event_pins';
+import { makeFan } from './gizmos/fan';
 import { makeNudge } from './gizmos/nudge';
 import { makeObjectBodies, makeObjectHandles } from './gizmos/objects';
 import { makeProblemMarks } from './gizmos/problem_marks';
@@ -21,6 +23,8 @@ export const kAllParts: readonly MakePart[] = [
     makeNudge,
     makeProblemMarks,
     makeStrike,
+    makeEventPins,
+    makeFan,
     makeObjectHandles,
     makeObjectBodies,
 ];

@@ -1,103 +1,115 @@
-/// The paths of the objects that move, as lines in their colours.
+/// The paths of the objects that move, as lines in their colours with a dot for each tenth of a
+/// second, and those that were pinned to compare with, in grey.
 import { effect } from '@preact/signals';
 import {
-    BufferGeometry, Color, Float32BufferAttribute, LineBasicMaterial, LineSegments,
+    BufferGeometry, Float32BufferAttribute, LineBasicMaterial, LineSegments, Points,
+    PointsMaterial,
 } from 'three';
 import { tracks } from '../motion/clock';
-import type { Track } from '../motion/track';
-import type { SceneObject, Triple } from '../protocol';
-import { isStale, shot } from '../state/state';
+import { onCommand } from '../state/keys';
+import { dragging, hasErrors, isDeferred, sceneTime, shot, timeline } from '../state/state';
 import { showTrails } from '../state/view_state';
+import { kColours } from './gizmos/figure';
+import { pinned, pinnedBalls, togglePin } from './gizmos/pinned';
+import { forTests, sketchOf } from './gizmos/sketch';
 import { kDrawingPriority, type MakePart } from './parts';
+import { secondContacts, trailShapes, type TrailShapes } from './trail_lines';
 
-const kMostPieces = 24; // straight pieces between two keys
-const kDeviation = 0.0005; // m, of the drawn line from the curve
 const kStaleColour = 0x808890;
+const kStyle = { opacity: 0.75, fadedOpacity: 0.75 };
+const kDragStyle = { opacity: 1, fadedOpacity: 0.2 };
+const kPinnedStyle = { opacity: 0.6, fadedOpacity: 0.6 };
 
-/// Into how many straight pieces a curve between two keys is cut: a piece deviates by at most an
-/// eighth of the square of its share of the curve times the second derivative.
-function countPieces([a, b, c, d]: [Triple, Triple, Triple, Triple]): number {
-    const bend = (p: Triple, q: Triple, r: Triple) =>
-        6 * Math.hypot(p[0] - 2 * q[0] + r[0], p[1] - 2 * q[1] + r[1], p[2] - 2 * q[2] + r[2]);
-    const pieces = Math.sqrt(Math.max(bend(a, b, c), bend(b, c, d)) / (8 * kDeviation));
-    return Math.min(Math.max(1, Math.ceil(pieces)), kMostPieces);
-}
-
-/// Points along a track, x, y, z each.
-export function polyline(track: Track): number[] {
-    const points = [...track.positionOf(0)];
-    for (let key = 0; key + 1 < track.keys; ++key) {
-        const pieces = countPieces(track.bezierAfter(key));
-        const from = track.timeOf(key);
-        const span = track.timeOf(key + 1) - from;
-        for (let piece = 1; piece < pieces; ++piece) {
-            points.push(...track.position(from + (span * piece) / pieces));
-        }
-        points.push(...track.positionOf(key + 1));
-    }
-    return points;
-}
-
-/// One drawing call for all trails.
-export class Trails {
+/// Two drawing calls for any number of paths.
+class Trails {
     readonly lines = new LineSegments(new BufferGeometry(), new LineBasicMaterial({
-        vertexColors: true, transparent: true, opacity: 0.75,
+        vertexColors: true, transparent: true,
+    }));
+    readonly dots = new Points(new BufferGeometry(), new PointsMaterial({
+        vertexColors: true, transparent: true, size: 3.5, sizeAttenuation: false,
     }));
 
     constructor() {
         this.lines.frustumCulled = false;
+        this.dots.frustumCulled = false;
     }
 
-    /// Draws the trails anew.
-    update(objects: readonly SceneObject[], tracks: ReadonlyMap<string, Track>): void {
-        const points: number[] = [];
-        const colours: number[] = [];
-        for (const object of objects.filter((one) => one.moves)) {
-            const track = tracks.get(object.name);
-            const line = track ? polyline(track) : [];
-            const colour = new Color(...object.colour).lerp(new Color(1, 1, 1), 0.25);
-            for (let i = 0; i + 5 < line.length; i += 3) {
-                points.push(...line.slice(i, i + 6));
-                colours.push(...colour.toArray(), ...colour.toArray());
-            }
+    update({ lines, lineColours, dots, dotColours }: TrailShapes): void {
+        const set = (object: LineSegments | Points, places: number[], colours: number[]) => {
+            object.geometry.dispose();
+            object.geometry = new BufferGeometry()
+                .setAttribute('position', new Float32BufferAttribute(places, 3))
+                .setAttribute('color', new Float32BufferAttribute(colours, 4));
+        };
+        set(this.lines, lines, lineColours);
+        set(this.dots, dots, dotColours);
+    }
+
+    show(isShown: boolean, hasDots = isShown): void {
+        this.lines.visible = isShown;
+        this.dots.visible = hasDots;
+    }
+
+    /// One colour for all, or their own.
+    setColour(colour: number | null): void {
+        for (const { material } of [this.lines, this.dots]) {
+            material.vertexColors = colour === null;
+            material.color.set(colour ?? 0xffffff);
+            material.opacity = colour === null ? 1 : 0.75;
+            material.needsUpdate = true;
         }
-        this.lines.geometry.dispose();
-        this.lines.geometry = new BufferGeometry()
-            .setAttribute('position', new Float32BufferAttribute(points, 3))
-            .setAttribute('color', new Float32BufferAttribute(colours, 3));
-    }
-
-    /// Greys the trails while they belong to older texts.
-    setStale(stale: boolean): void {
-        const { material } = this.lines;
-        material.vertexColors = !stale;
-        material.color.set(stale ? kStaleColour : 0xffffff);
-        material.needsUpdate = true;
     }
 }
 
-export const makeTrails: MakePart = ({ scene, ask }) => {
+export const makeTrails: MakePart = (context) => {
+    const { scene, ask } = context;
+    const sketch = sketchOf(context);
     const trails = new Trails();
-    scene.add(trails.lines);
+    const old = new Trails();
+    old.setColour(kColours.pinned);
+    scene.add(trails.lines, trails.dots, old.lines);
+    forTests['trails'] = () => ({
+        pieces: (trails.lines.geometry.getAttribute('position')?.count ?? 0) / 2,
+        dots: trails.dots.geometry.getAttribute('position')?.count ?? 0,
+        opacities: [...new Set([...(trails.lines.geometry.getAttribute('color')?.array ?? [])]
+            .filter((_, i) => i % 4 === 3))],
+        isGrey: !trails.lines.material.vertexColors,
+        pinnedPieces: old.lines.visible
+            ? (old.lines.geometry.getAttribute('position')?.count ?? 0) / 2 : 0,
+    });
     const ends = [
         effect(() => {
-            trails.update(shot.value?.objects ?? [], tracks.value);
+            const isDragged = dragging.value;
+            const faded = secondContacts(isDragged ? timeline.value?.head.events ?? [] : []);
+            trails.update(trailShapes(shot.value?.objects ?? [], tracks.value,
+                isDragged ? kDragStyle : kStyle, faded));
             ask();
         }),
         effect(() => {
-            trails.setStale(isStale.value);
+            // The paths of the last valid texts stay; those that come in a moment are not worth it.
+            trails.setColour(hasErrors.value || isDeferred.value ? kStaleColour : null);
             ask();
         }),
         effect(() => {
-            trails.lines.visible = showTrails.value;
+            const one = pinned.value;
+            if (one) {
+                old.update(trailShapes(one.objects, one.tracks, kPinnedStyle, new Map()));
+            }
+            trails.show(showTrails.value);
+            old.show(showTrails.value && one !== null);
             ask();
         }),
+        effect(() => {
+            sketch.show('pinned', { balls: pinnedBalls(sceneTime.value) });
+        }),
+        onCommand('pinGhost', togglePin),
     ];
     return {
         priority: kDrawingPriority,
         dispose: () => {
             ends.forEach((end) => end());
-            trails.lines.removeFromParent();
+            scene.remove(trails.lines, trails.dots, old.lines);
+            sketch.dispose();
         },
     };
 };

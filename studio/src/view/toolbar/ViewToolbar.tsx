@@ -9,6 +9,7 @@ import {
     isCameraLocked, isWireframe, lampsChosen, showCameras, showLamps, showLights, showTrails,
     viewKind,
 } from '../../state/view_state';
+import { ToolButtons } from '../gizmos/ToolButtons';
 import { menu, openMenu } from '../menu/menu_state';
 import './view_toolbar.css';
 
@@ -94,6 +95,7 @@ export function ViewToolbar() {
                 ))}
             </div>
             <CameraTools />
+            <ToolButtons />
             <div class="group">
                 <Tool icon={Frame} label="Frame the selection (F)"
                     onClick={() => runCommand('frameSelection')} />
