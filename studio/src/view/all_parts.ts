@@ -1,6 +1,7 @@
 /// The parts of the view: one import and one entry each.
 import { makeBallDrag } from './ball_drag';
 import { makeCameras } from './camera_gizmos/camera_part';
+import { makeArrows } from './gizmos/arrows';
 import { makeEventPins } from './gizmos/event_pins';
 import { makeFan } from './gizmos/fan';
 import { makeNudge } from './gizmos/nudge';
@@ -23,6 +24,7 @@ export const kAllParts: readonly MakePart[] = [
     makeNudge,
     makeProblemMarks,
     makeStrike,
+    makeArrows,
     makeEventPins,
     makeFan,
     makeObjectHandles,
