@@ -1,7 +1,12 @@
 import type { KeyPath } from '../protocol';
 
 /// Values as carom's YAML has them: numbers in SI units (m, s, rad), texts, booleans, lists.
-export type Value = number | string | boolean | Value[];
+export type Value = number | string | boolean | Value[] | YamlText;
+
+/// A value as it is to be written, in flow style.
+export interface YamlText {
+    yaml: string;
+}
 
 export interface Change {
     path: KeyPath;

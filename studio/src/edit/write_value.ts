@@ -33,6 +33,9 @@ export function writeValue(value: Value, style: NumberStyle): string {
         const number = writeNumber(value / scale, step);
         return style.unit === '' || number === '0' ? number : `${number} ${style.unit}`;
     }
+    if (typeof value === 'object') {
+        return value.yaml;
+    }
     return typeof value === 'boolean' ? String(value) : writeText(value);
 }
 

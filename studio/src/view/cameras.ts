@@ -127,6 +127,11 @@ export class Cameras {
         this.use(this.through);
     }
 
+    /// Looks as a camera that is being moved.
+    lookHeld(camera: PerspectiveCamera): void {
+        this.use(camera);
+    }
+
     /// Looks with the view's own camera.
     lookFreely(): void {
         this.film = null;

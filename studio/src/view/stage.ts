@@ -4,10 +4,12 @@ import { DirectionalLight, Group, HemisphereLight, Scene } from 'three';
 import { framesOfCameras, tracks } from '../motion/clock';
 import { filmTime, lookThrough, meshes, sceneTime, shot } from '../state/state';
 import { kAllParts } from './all_parts';
+import { CameraLock } from './camera_gizmos/camera_lock';
 import { Cameras } from './cameras';
 import { makeContext } from './context';
 import { Drawing } from './drawing';
 import { FilmMask } from './film_mask';
+import { answerContextMenu } from './menu/context_menu';
 import type { ViewCamera, ViewContext } from './parts';
 import { arbitratePointer } from './pointer';
 import { SceneMeshes } from './scene_meshes';
@@ -36,6 +38,7 @@ export class Stage {
     private readonly mask: FilmMask;
     private readonly moved = signal(0);
     private readonly loaded = signal(0); // how often meshes were loaded
+    private readonly lock: CameraLock;
     private readonly ends: (() => void)[] = [];
     private seen: string | null = null; // the shot that the free view was turned to
 
@@ -45,6 +48,14 @@ export class Stage {
     ) {
         this.meshes = new SceneMeshes(drawing.isFast);
         this.mask = new FilmMask(canvas);
+        this.lock = new CameraLock(canvas, (held) => {
+            if (held) {
+                cameras.lookHeld(held);
+                this.tellMoved();
+            } else {
+                this.aim();
+            }
+        });
         const overlay = new Group();
         overlay.renderOrder = 2;
         this.context = makeContext(
@@ -64,6 +75,7 @@ export class Stage {
                 return pickedBy(parts, pixel)
                     ?? (!object || object.kind === 'table' ? null : object.path);
             }),
+            answerContextMenu(this.context, parts),
             answerViewKeys(cameras, this.context, () => this.aim()),
             followVisibility(scene, this.meshes, this.loaded, () => drawing.ask()),
         );
@@ -86,6 +98,7 @@ export class Stage {
     dispose(): void {
         this.ends.forEach((end) => end());
         this.mask.dispose();
+        this.lock.dispose();
         this.cameras.dispose();
         this.drawing.dispose();
     }
@@ -138,6 +151,9 @@ export class Stage {
 
     /// Looks from where the view's own or the chosen camera is.
     private aim(): void {
+        if (this.lock.isMoving) {
+            return;
+        }
         const state = shot.peek();
         const index = state?.cameras.findIndex(({ name }) => name === lookThrough.peek()) ?? -1;
         const pose = framesOfCameras.peek()[index]?.poseAt(filmTime.peek());
@@ -145,10 +161,15 @@ export class Stage {
             const { width, height } = state.film;
             const aspect = height > 0 ? width / height : 16 / 9;
             this.cameras.lookThrough(pose, this.mask.show(this.cameras.size, aspect));
+            this.lock.place(this.cameras.through, pose.target);
         } else {
             this.mask.hide();
             this.cameras.lookFreely();
         }
+        this.tellMoved();
+    }
+
+    private tellMoved(): void {
         this.moved.value = this.moved.peek() + 1;
         this.drawing.ask();
     }

@@ -26,9 +26,13 @@ const selectedCamera = computed(() => {
     return at in (shot.value?.cameras ?? []) ? at : -1;
 });
 
-/// The camera that is drawn in full: the selected one, or that of the play head.
-export const activeCamera = computed(() =>
-    selectedCamera.value >= 0 ? selectedCamera.value : filmCamera.value);
+/// The camera that is drawn in full: the one that is looked through, the selected one, or that of the
+/// play head.
+export const activeCamera = computed(() => {
+    const through = shot.value?.cameras.findIndex(({ name }) => name === lookThrough.value) ?? -1;
+    return through >= 0 ? through
+        : selectedCamera.value >= 0 ? selectedCamera.value : filmCamera.value;
+});
 
 /// The active camera's lens at the play head, or at the nearest end of its interval.
 export const activeLens = computed((): LensNow | null => {
@@ -122,7 +126,7 @@ export const makeCameras: MakePart = (context) => {
         priority: kHandlePriority,
         grab: set.grab,
         hover: (event) => set.hover(event) ?? (cameraAt(context, event) ? 'pointer' : null),
-        pick: (pixel) => cameraAt(context, pixel),
+        pick: (pixel) => set.pick(pixel) ?? cameraAt(context, pixel),
         dispose: () => {
             ends.forEach((end) => end());
             sketch.dispose();

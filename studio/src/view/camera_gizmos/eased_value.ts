@@ -18,19 +18,25 @@ function shareOfEnd({ start, end, now, progress }: EasedValue): number {
         : progress;
 }
 
+/// The key of the end that a drag writes: that with the larger share, or the value itself.
+export function easedPath(path: KeyPath, value: EasedValue): KeyPath {
+    const kind = sourceOf(path)?.kind ?? 'scalar';
+    const isEnd = shareOfEnd(value) >= 0.5;
+    return kind === 'scalar' ? path
+        : [...path, kind === 'list' ? (isEnd ? '1' : '0') : isEnd ? 'to' : 'from'];
+}
+
 /// The key to write, and its value, so that the value now becomes `wanted`: the end with the larger
 /// share is changed.
 export function easedChange(
     path: KeyPath, value: EasedValue, wanted: number,
 ): { path: KeyPath; value: number } {
-    const kind = sourceOf(path)?.kind ?? 'scalar';
-    if (kind === 'scalar') {
+    const key = easedPath(path, value);
+    if (key.length === path.length) {
         return { path, value: wanted };
     }
     const share = shareOfEnd(value);
-    const isEnd = share >= 0.5;
-    const key = kind === 'list' ? (isEnd ? '1' : '0') : isEnd ? 'to' : 'from';
-    const changed = isEnd ? (wanted - (1 - share) * value.start) / share
+    const changed = share >= 0.5 ? (wanted - (1 - share) * value.start) / share
         : (wanted - share * value.end) / (1 - share);
-    return { path: [...path, key], value: changed };
+    return { path: key, value: changed };
 }

@@ -94,13 +94,13 @@ export function pixelDistance(context: ViewContext, place: Triple, pixel: Pixel)
 }
 
 /// How near a handle has to be: fingers are less exact than mice.
-export function reachOf(event: PointerEvent): number {
+export function reachOf(event: Pixel & { pointerType?: string }): number {
     return event.pointerType === 'touch' ? 22 : 10;
 }
 
 /// The nearest of the handles within reach of the pointer; null without any.
 export function nearestHandle<T extends { at: Triple }>(
-    context: ViewContext, handles: readonly T[], event: PointerEvent,
+    context: ViewContext, handles: readonly T[], event: Pixel & { pointerType?: string },
 ): T | null {
     let best: T | null = null;
     let least = reachOf(event);

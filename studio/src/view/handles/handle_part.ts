@@ -3,10 +3,10 @@ import { computed, signal, type ReadonlySignal } from '@preact/signals';
 import { selection } from '../../state/state';
 import { nearestHandle } from '../gizmos/dragging';
 import type { Figure } from '../gizmos/figure';
-import type { Drag, ViewContext } from '../parts';
+import type { Drag, Pixel, ViewContext } from '../parts';
 import { dragHandle } from './drag_handle';
 import { handleDots, type Handle } from './handle';
-import type { Triple } from '../../protocol';
+import type { KeyPath, Triple } from '../../protocol';
 
 export interface HandleSet {
     /// The handles with the dragged one at the pointer.
@@ -15,6 +15,7 @@ export interface HandleSet {
     at(event: PointerEvent): Handle | null;
     grab(event: PointerEvent): Drag | null;
     hover(event: PointerEvent): string | null;
+    pick(pixel: Pixel): KeyPath | null;
 }
 
 /// Handles that follow a signal.
@@ -51,6 +52,7 @@ export function handleSet(
                 dragged.value = place && { key: handle.key, at: place };
             });
         },
+        pick: (pixel) => nearestHandle(context, shown.peek(), pixel)?.path ?? null,
         hover: (event) => {
             const handle = at(event);
             hot.value = handle?.key ?? null;

@@ -49,7 +49,7 @@ export const makeLights: MakePart = (context) => {
         priority: kHandlePriority,
         grab: set.grab,
         hover: (event) => set.hover(event) ?? (lightAt(context, event) ? 'pointer' : null),
-        pick: (pixel) => lightAt(context, pixel),
+        pick: (pixel) => set.pick(pixel) ?? lightAt(context, pixel),
         dispose: () => {
             ends.forEach((end) => end());
             sketch.dispose();
