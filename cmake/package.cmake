@@ -44,6 +44,8 @@ include(CPack)
 
 # Files that belong to no program. Examples are next to the configurations that they include.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION share/carom PATTERN api EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/images/gallery/ DESTINATION share/carom/examples/stills
+  FILES_MATCHING PATTERN "example_*.jpg")
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md
   DESTINATION share/doc/carom)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION share/doc/carom)

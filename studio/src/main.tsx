@@ -9,8 +9,13 @@ import { loadSchema } from './schema/schema';
 import { Shell } from './shell/Shell';
 import { watchTheme } from './shell/theme';
 import { listenToKeys, onCommand } from './state/keys';
-import { panel } from './state/state';
+import { isStarting, panel } from './state/state';
 import { exposeStudio } from './state/studio';
+import { watchExisting } from './start/file_actions';
+import { watchDrops } from './start/import_scene';
+import { chooseShot } from './start/OpenShot';
+import { saveAs } from './start/SaveAs';
+import { StartScreen } from './start/StartScreen';
 import { activeFile, bufferOf, textOf, travel, typeStep } from './text/buffers';
 import { loadConfigFiles } from './text/complete/config_files';
 import { labelsAt } from './text/complete/source';
@@ -23,6 +28,10 @@ import './style/main.css';
 function activeText(): string {
     const buffer = bufferOf(activeFile.value);
     return buffer ? textOf(buffer) : '';
+}
+
+function App() {
+    return isStarting.value ? <StartScreen /> : <Shell />;
 }
 
 const app = document.getElementById('app');
@@ -42,11 +51,15 @@ if (app) {
     watchQuestions();
     listenToKeys();
     onCommand('save', saveAll);
+    watchExisting();
+    watchDrops();
+    onCommand('open', () => { void chooseShot(); });
+    onCommand('saveAs', saveAs);
     onCommand('keys', () => { panel.value = 'keys'; });
     onCommand('undo', () => { undoStep(true); });
     onCommand('redo', () => { undoStep(false); });
     onCommand('cancel', () => { edit.cancelGesture(); });
-    render(<><Shell /><Dialogs /></>, app);
+    render(<><App /><Dialogs /></>, app);
     void loadSchema();
     void loadConfigFiles();
     connect();

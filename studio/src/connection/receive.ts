@@ -39,7 +39,6 @@ const texts: Handlers<ToPage> = {
         start.value = message;
     },
     files: (message) => {
-        start.value = null;
         files.value = message.files;
         textVersion.value = Math.max(textVersion.value, message.v);
     },

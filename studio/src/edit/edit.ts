@@ -236,3 +236,19 @@ export function insertEntry(
         withEdits(files, planEntry(files, mapPath, key, yaml, { aliases })), label,
         { text: nestBlock([...mapPath, key], yaml, true), path: mapPath });
 }
+
+/// After the last item of any list.
+const kLast = 1_000_000;
+
+/// Adds parts of another shot, as one undo step.
+export function insertParts(
+    parts: readonly { section: string; name: string; yaml: string }[], label: string,
+): EditResult {
+    const manual = parts.map(({ section, name, yaml }) =>
+        nestBlock(section === 'cameras' ? [section] : [section, name], yaml, true)).join('\n');
+    return applyPlan((files) => parts.reduce((all, { section, name, yaml }) =>
+        withEdits(all, section === 'cameras'
+            ? planInsert(all, [section], kLast, yaml, { aliases })
+            : planEntry(all, [section], name, yaml, { aliases })), files), label,
+    { text: manual, path: [] });
+}

@@ -5,6 +5,7 @@ import {
 import { lookThrough, panel, problems, shot, theme, welcome } from '../state/state';
 import { buffers, isChanged } from '../text/buffers';
 import { saveAll } from '../text/saving';
+import { FileMenu } from '../start/FileMenu';
 import { showRange } from '../text/show';
 import { redoable, redoTitle, undoable, undoTitle } from '../text/steps';
 import { undoStep } from '../text/undo_commands';
@@ -56,6 +57,7 @@ export function Toolbar() {
         <header class="toolbar">
             <Tool icon={PanelLeft} label="Outline" isPressed={outlineArea.size.value > 0}
                 onClick={() => toggle(outlineArea)} />
+            <FileMenu />
             <h1 title={welcome.value?.shot}>{name}</h1>
             {isDirty ? <span class="dirty" title="There are unsaved changes" /> : null}
             <div class="group">

@@ -53,6 +53,10 @@ export const kKeyBindings = [
         about: 'Cancel a drag; select nothing' },
 
     { command: 'save', keys: ['ctrl+s'], group: 'Text', about: 'Save', everywhere: true },
+    { command: 'saveAs', keys: ['ctrl+shift+s'], group: 'Text', about: 'Save under another name',
+        everywhere: true },
+    { command: 'open', keys: ['ctrl+o'], group: 'Text', about: 'Open another shot',
+        everywhere: true },
     { command: 'undo', keys: ['ctrl+z'], group: 'Text', about: 'Undo' },
     { command: 'redo', keys: ['ctrl+y', 'ctrl+shift+z'], group: 'Text', about: 'Redo' },
 

@@ -35,8 +35,10 @@ export type Theme = 'dark' | 'light' | 'system';
 
 export const connection = signal<ConnectionState>('connecting');
 export const welcome = signal<Welcome | null>(null);
-/// What the start page offers; null while a shot is open.
+/// What the start page offers, as the server last told; null: it was not asked yet.
 export const start = signal<Start | null>(null);
+/// Whether no shot is open: the start page is shown.
+export const isStarting = computed(() => welcome.value?.shot === '');
 /// The shot's file, first, and those that it includes, as the server last told.
 export const files = signal<OpenFile[]>([]);
 /// The newest version of the texts.

@@ -32,12 +32,17 @@ export function copyShots() {
     return folder;
 }
 
-/// Starts `carom studio` and resolves to its address, a function that ends it, and one that kills
-/// it without leave to write anything.
+/// Starts `carom studio`, without a shot if that is empty, and resolves to its address, a function
+/// that ends it, and one that kills it without leave to write anything. The user's list of recent
+/// shots is not touched.
 export async function serve(carom, shot, folder) {
     const cache = join(folder, 'cache');
-    const words = ['studio', shot, '--no-browser', '--root', folder, '--cache', cache];
-    const server = spawn(carom, words, { stdio: ['ignore', 'pipe', 'pipe'] });
+    const words = ['studio', ...shot ? [shot] : [], '--no-browser', '--root', folder,
+        '--cache', cache];
+    const server = spawn(carom, words, {
+        stdio: ['ignore', 'pipe', 'pipe'],
+        env: { ...process.env, XDG_STATE_HOME: join(folder, 'state') },
+    });
     let errors = '';
     server.stderr.on('data', (data) => { errors += data; });
     const address = await new Promise((resolve, reject) => {
@@ -63,8 +68,8 @@ export async function serve(carom, shot, folder) {
     return { address, end: () => stop('SIGTERM'), kill: () => stop('SIGKILL') };
 }
 
-/// Opens the page and waits until it shows the shot. `complaints` of the result are what the page
-/// wrote to the console as errors.
+/// Opens the page and waits until it shows the shot, or the start page. `complaints` of the result
+/// are what the page wrote to the console as errors.
 export async function open(browser, address, size = { width: 1280, height: 720 }) {
     const page = await browser.newPage({ viewport: size, deviceScaleFactor: 1 });
     const complaints = [];
@@ -75,8 +80,11 @@ export async function open(browser, address, size = { width: 1280, height: 720 }
     });
     page.on('pageerror', (error) => complaints.push(error.message));
     await page.goto(address);
-    await page.waitForFunction(() => window.studio?.state.problems.value?.complete);
-    await settle(page);
+    await page.waitForFunction(() => window.studio?.state.problems.value?.complete
+        || (window.studio?.state.isStarting.value && window.studio.state.start.value));
+    if (await page.evaluate(() => !window.studio.state.isStarting.value)) {
+        await settle(page);
+    }
     return { page, complaints };
 }
 

@@ -19,7 +19,7 @@ const names = readdirSync(here).filter((name) => /^\d\d_.*\.mjs$/.test(name))
 async function run(browser, name) {
     const { check, shot = 'nine_ball_break.yaml' } = await import(join(here, name));
     const folder = copyShots();
-    const path = join(folder, 'examples', shot);
+    const path = shot ? join(folder, 'examples', shot) : '';
     const { address, end } = await serve(resolve(carom), path, folder);
     try {
         const opened = await open(browser, address);
