@@ -63,7 +63,7 @@ export async function check({ page, path, folder, carom }) {
     const hash = (bytes) => createHash('sha256').update(bytes).digest('hex');
     equal(hash(Buffer.from(shown, 'base64')), hash(rows), 'the pixels of carom frame');
 
-    await page.getByRole('button', { name: 'Compare' }).click();
+    await page.getByRole('button', { name: 'Compare', exact: true }).click();
     await page.getByLabel('What the picture shows').selectOption('object_id');
     const ids = await traced(page);
     equal([ids.channel, ids.stored, ids.legend !== ''], ['object_id', false, true], 'the channel');
