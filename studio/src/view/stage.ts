@@ -1,6 +1,7 @@
 /// What the view draws, and from where: follows the signals of src/state.
 import { effect, signal } from '@preact/signals';
 import { DirectionalLight, Group, HemisphereLight, Scene } from 'three';
+import type { CameraPose } from '../motion/camera';
 import { framesOfCameras, tracks } from '../motion/clock';
 import { filmTime, lookThrough, meshes, sceneTime, shot } from '../state/state';
 import { kAllParts } from './all_parts';
@@ -10,6 +11,7 @@ import { makeContext } from './context';
 import { Drawing } from './drawing';
 import { FilmMask } from './film_mask';
 import { answerContextMenu } from './menu/context_menu';
+import { objectIds } from './object_ids';
 import type { ViewCamera, ViewContext } from './parts';
 import { arbitratePointer } from './pointer';
 import { SceneMeshes } from './scene_meshes';
@@ -95,6 +97,15 @@ export class Stage {
         this.aim();
     }
 
+    /// Which object each pixel of the looked-through camera's picture shows, for tests: 1 + its index,
+    /// or 0; empty in the free view.
+    objectIds(width: number, height: number): Uint16Array {
+        const state = shot.peek();
+        const pose = this.poseNow();
+        return state && pose ? objectIds(this.drawing.renderer, this.meshes, state,
+            this.cameras.through, pose, width, height) : new Uint16Array();
+    }
+
     dispose(): void {
         this.ends.forEach((end) => end());
         this.mask.dispose();
@@ -155,8 +166,7 @@ export class Stage {
             return;
         }
         const state = shot.peek();
-        const index = state?.cameras.findIndex(({ name }) => name === lookThrough.peek()) ?? -1;
-        const pose = framesOfCameras.peek()[index]?.poseAt(filmTime.peek());
+        const pose = this.poseNow();
         if (state && pose) {
             const { width, height } = state.film;
             const aspect = height > 0 ? width / height : 16 / 9;
@@ -167,6 +177,13 @@ export class Stage {
             this.cameras.lookFreely();
         }
         this.tellMoved();
+    }
+
+    /// Of the camera of the shot that is looked through; null in the free view.
+    private poseNow(): CameraPose | null {
+        const index = shot.peek()?.cameras
+            .findIndex(({ name }) => name === lookThrough.peek()) ?? -1;
+        return framesOfCameras.peek()[index]?.poseAt(filmTime.peek()) ?? null;
     }
 
     private tellMoved(): void {

@@ -1,0 +1,95 @@
+// The view through a camera shows every object where the renderer does: the objects of both pictures
+// overlap by at least 97 %. Some frames of two shots; 20 frames of each example with
+// CAROM_STUDIO_ALL=1.
+import { readdirSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { equal, open, serve } from './harness.mjs';
+
+const kFew = [['jump_shot.yaml', 2], ['tower.yaml', 1]];
+const kMost = 20;    // frames of each shot
+const kSmall = 200;  // pixels; smaller objects are not compared
+const kLeast = 0.97;
+const kFrameNumbers = 21; // of the message of the cameras
+
+/// Goes to an entry of the planned frames and traces its objects. Returns the frame's number.
+async function show(page, entry) {
+    const frame = await page.evaluate(([at, size]) => {
+        const { state } = window.studio;
+        const numbers = state.cameraFrames.value.numbers.slice(at * size, (at + 1) * size);
+        state.lookThrough.value = state.shot.value.cameras[numbers[1]].name;
+        state.filmTime.value = numbers[3];
+        state.sceneTime.value = numbers[4];
+        return numbers[0];
+    }, [entry, kFrameNumbers]);
+    await page.waitForFunction((wanted) => {
+        const { picture, pictureAsked, filmTime, shot } = window.studio.state;
+        const { film } = shot.value;
+        return picture.value?.head.complete && picture.value.head.channel === 'object_id'
+            && !pictureAsked.value && picture.value.head.width === film.width
+            && Math.round(filmTime.value * film.fps) === wanted;
+    }, frame);
+    return frame;
+}
+
+/// The objects of more than kSmall pixels that overlap too little: "name 0.912 of 345".
+function compare(page) {
+    return page.evaluate(([small, least]) => {
+        const { head, pixels } = window.studio.state.picture.value;
+        const ids = window.studio.view.objectIds(head.width, head.height);
+        const colours = Array.from({ length: ids.length }, (_, i) =>
+            65536 * pixels[4 * i] + 256 * pixels[4 * i + 1] + pixels[4 * i + 2]);
+        const count = (list) => list.reduce((sum, one) => sum.set(one, (sum.get(one) ?? 0) + 1), new Map());
+        const [drawn, traced] = [count([...ids]), count(colours)];
+        const both = count([...ids].map((id, i) => `${id} ${colours[i]}`));
+        const objects = window.studio.state.shot.value.objects;
+        const bad = [];
+        let compared = 0;
+        for (const [colour, size] of traced) {
+            if (size <= small || colour === 0) {
+                continue;
+            }
+            const best = [...drawn.keys()].map((id) => {
+                const common = both.get(`${id} ${colour}`) ?? 0;
+                return { id, overlap: common / (size + drawn.get(id) - common) };
+            }).sort((a, b) => b.overlap - a.overlap)[0];
+            compared += 1;
+            if (best.overlap < least) {
+                bad.push(`${objects[best.id - 1]?.name} ${best.overlap.toFixed(3)} of ${size}`);
+            }
+        }
+        return { bad, compared };
+    }, [kSmall, kLeast]);
+}
+
+export async function check({ browser, folder, carom }) {
+    const all = readdirSync(join(folder, 'examples')).filter((name) => name.endsWith('.yaml'))
+        .map((name) => [name, kMost]);
+    let compared = 0;
+    let frames = 0;
+    const bad = [];
+    for (const [name, most] of process.env.CAROM_STUDIO_ALL ? all : kFew) {
+        const { address, end } = await serve(resolve(carom), join(folder, 'examples', name), folder);
+        try {
+            const { page } = await open(browser, address, { width: 900, height: 560 });
+            await page.waitForFunction(() => window.studio.view.loaded.value > 0);
+            const count = await page.evaluate((size) =>
+                window.studio.state.cameraFrames.value.numbers.length / size, kFrameNumbers);
+            await page.locator('canvas[aria-label="The scene"]').focus();
+            await page.keyboard.press('c');
+            await page.keyboard.press('r');
+            await page.getByLabel('What the picture shows').selectOption('object_id');
+            for (let i = 0; i < Math.min(most, count); ++i) {
+                const frame = await show(page, Math.floor(((i + 0.5) * count) / Math.min(most, count)));
+                const result = await compare(page);
+                compared += result.compared;
+                frames += 1;
+                bad.push(...result.bad.map((one) => `${name} ${frame}: ${one}`));
+            }
+            await page.close();
+        } finally {
+            await end();
+        }
+    }
+    equal(bad, [], 'objects that do not overlap');
+    return `${compared} objects in ${frames} frames overlap by ${100 * kLeast} % or more`;
+}
