@@ -6,7 +6,7 @@ import type { SceneObject, TimelineEvent, Triple } from '../protocol';
 const kMostPieces = 24; // straight pieces between two keys
 const kDeviation = 0.0005; // m, of the drawn line from the curve
 const kDotTime = 0.1; // s
-const kSlowest = 0.005; // m between dots
+const kNearest = 0.03; // m between two dots: slower balls have none
 const kContacts = 2; // of a ball, after which its path is faded during a drag
 /// Surfaces whose contacts change no ball's path that an eye would notice.
 const kLevel = new Set(['cloth', 'floor']);
@@ -114,7 +114,7 @@ function addTrail(
     for (let step = first; step * kDotTime <= track.end; ++step) {
         const place = track.position(step * kDotTime);
         const way = last ? Math.hypot(place[0] - last[0], place[1] - last[1], place[2] - last[2]) : 0;
-        if (way > kSlowest) {
+        if (way > kNearest) {
             shapes.dots.push(...place);
             shapes.dotColours.push(...colour, Math.min(1, opacityAt(step * kDotTime) + 0.2));
         }

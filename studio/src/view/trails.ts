@@ -26,7 +26,7 @@ class Trails {
         vertexColors: true, transparent: true,
     }));
     readonly dots = new Points(new BufferGeometry(), new PointsMaterial({
-        vertexColors: true, transparent: true, size: 3.5, sizeAttenuation: false,
+        vertexColors: true, transparent: true, size: 3, sizeAttenuation: false,
     }));
 
     constructor() {

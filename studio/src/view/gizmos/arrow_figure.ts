@@ -19,9 +19,9 @@ export interface Arrow {
     isChosen: boolean;
 }
 
-const kUsual = 0.25; // m, of the longest arrow of a kind when it is first shown
-const kShortest = 0.05; // m; else the scale is chosen anew
-const kLongest = 1.0;
+const kUsual = 0.35; // m, of the longest arrow of a kind when it is first shown
+const kShortest = 0.07; // m; else the scale is chosen anew
+const kLongest = 1.3;
 
 export const kUnits: Readonly<Record<ArrowKind, string>> = {
     impulse: 'N s', force: 'N', torque: 'N m', velocity: 'm/s',
