@@ -116,7 +116,9 @@ function addSection(tree: Tree, top: YAMLMap | null, entry: string, key: string)
     }
     const at = endWithComments(text, itemEnd(text, before));
     const rest = text.slice(at);
-    const isSparse = /^\n[ \t]*\n/.test(rest) || (rest.trim() === '' && /\n\s*\n/.test(text));
+    const keepsLines = /[|>]\d?\+\s*\n/.test(text);  // empty lines may be part of a text
+    const isSparse = !keepsLines
+        && (/^\n[ \t]*\n/.test(rest) || (rest.trim() === '' && /\n\s*\n/.test(text)));
     return { from: at, to: at, insert: `${isSparse ? '\n' : ''}\n${entry}` };
 }
 
@@ -164,6 +166,17 @@ function addToBlockList(tree: Tree, node: YAMLSeq, index: number, value: string)
     }
     const at = lineEnd(text, contentEnd(text, last));
     return { from: at, to: at, insert: `\n${indent}${item}` };
+}
+
+/// Adds items, each on one line, after the last one of a list.
+export function addItems(tree: Tree, list: YAMLSeq, values: readonly string[]): TextEdit {
+    if (list.flow) {
+        return addToFlow(tree, list, list.items.length, values.join(', '));
+    }
+    const first = addToBlockList(tree, list, list.items.length, values[0] ?? '');
+    const indent = spaces(tree.text, dashOf(tree.text, list.items[0] as Node));
+    const more = values.slice(1).map((value) => `\n${indent}- ${value}`).join('');
+    return { ...first, insert: first.insert + more };
 }
 
 /// Gives `key:` without a value one.

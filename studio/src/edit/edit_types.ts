@@ -1,4 +1,5 @@
 import type { KeyPath } from '../protocol';
+import type { TextEdit } from './text_edit';
 
 /// Values as carom's YAML has them: numbers in SI units (m, s, rad), texts, booleans, lists.
 export type Value = number | string | boolean | Value[] | YamlText;
@@ -67,4 +68,10 @@ export interface EditQuestion {
     text: string;
     /// Where it belongs.
     path: KeyPath;
+}
+
+/// The edits of one file.
+export interface FileEdits {
+    file: SourceFile;
+    edits: TextEdit[];
 }

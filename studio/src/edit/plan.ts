@@ -2,8 +2,10 @@
 import { isSeq, type Node } from 'yaml';
 import type { KeyPath } from '../protocol';
 import { addAt } from './add_entry';
+import { checked } from './alias_check';
 import { EditError } from './edit_error';
-import type { SourceFile, Value } from './edit_types';
+import type { FileEdits, SourceFile, Value } from './edit_types';
+export type { FileEdits } from './edit_types';
 import { locate, type Located } from './layers';
 import { removeAt } from './remove_entry';
 import { setNode } from './set_value';
@@ -19,12 +21,6 @@ export interface Decisions {
     aliases?: ReadonlyMap<string, 'anchor' | 'copy'>;
     /// Lists of read-only files that are copied into the shot, by their path joined with "/".
     takenLists?: ReadonlySet<string>;
-}
-
-/// The edits of one file.
-export interface FileEdits {
-    file: SourceFile;
-    edits: TextEdit[];
 }
 
 /// A question that has to be answered before the edit is possible.
@@ -175,11 +171,9 @@ function takeOver(
     return { file: shot, edits: both(shot, copy as TextEdit, edits) };
 }
 
-/// The edits that give the value at `path` another one. `files` are the shot's, itself first.
-/// Throws EditError if it is not possible and Undecided if a question has to be answered first.
-export function planSet(
+function planSetUnchecked(
     files: readonly SourceFile[], path: KeyPath, value: Value, style: NumberStyle,
-    decisions: Decisions = {},
+    decisions: Decisions,
 ): FileEdits {
     const shot = files[0];
     if (!shot) {
@@ -207,9 +201,7 @@ export function planSet(
     return addToShot(shot, path, writeValue(value, style), decisions);
 }
 
-/// The edits that take the value at `path` out of the shot. A value of an include is hidden by
-/// `null`.
-export function planRemove(
+function planRemoveUnchecked(
     files: readonly SourceFile[], path: KeyPath, decisions: Decisions = {},
 ): FileEdits {
     const shot = files[0];
@@ -223,7 +215,7 @@ export function planRemove(
         const { steps } = walk(tree, located.path);
         const copy = resolveAlias(tree, steps.slice(0, -1), decisions);
         if (copy) {
-            const again = planRemove([after(file, copy), ...files.slice(1)], path, decisions);
+            const again = planRemoveUnchecked([after(file, copy), ...files.slice(1)], path, decisions);
             return { file, edits: both(file, copy, again.edits) };
         }
         return { file, edits: [removeAt(tree, steps)] };
@@ -288,4 +280,21 @@ export function planEntry(
         throw new EditError(`'${[...map, key].join('.')}' is in the text already`);
     }
     return addToShot(shot, [...map, key], yaml, decisions);
+}
+
+/// The edits that give the value at `path` another one. `files` are the shot's, itself first.
+/// Throws EditError if it is not possible and Undecided if a question has to be answered first.
+export function planSet(
+    files: readonly SourceFile[], path: KeyPath, value: Value, style: NumberStyle,
+    decisions: Decisions = {},
+): FileEdits {
+    return checked(planSetUnchecked(files, path, value, style, decisions));
+}
+
+/// The edits that take the value at `path` out of the shot. A value of an include is hidden by
+/// `null`.
+export function planRemove(
+    files: readonly SourceFile[], path: KeyPath, decisions: Decisions = {},
+): FileEdits {
+    return checked(planRemoveUnchecked(files, path, decisions));
 }

@@ -12,8 +12,12 @@ function removeFromFlow(text: string, items: (Node | Pair)[], index: number): Te
         return { from: itemStart(item), to: itemStart(next as Node), insert: '' };
     }
     const before = items[index - 1];
-    const from = before !== undefined ? itemEnd(text, before as Node) : itemStart(item);
-    return { from, to: itemEnd(text, item), insert: '' };
+    const end = itemEnd(text, item);
+    if (before !== undefined) {
+        return { from: itemEnd(text, before as Node), to: end, insert: '' };
+    }
+    const comma = /^\s*,/.exec(text.slice(end))?.[0].length ?? 0;
+    return { from: itemStart(item), to: end + comma, insert: '' };
 }
 
 /// The edit that takes the lines of items[index] out, with comments on them.

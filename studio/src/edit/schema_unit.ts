@@ -1,21 +1,30 @@
 /// The unit that a new number needs: angles and some others are refused without one.
+import type { KeyPath } from '../protocol';
+import { typesAt } from '../schema/keys';
+import { schema } from '../schema/schema';
+import { typesOf, type Schema, type ValueType } from '../schema/value_types';
 
-/// Keys of angles, whose numbers other than 0 need a unit.
-const kAngles = new Set(['direction', 'elevation', 'fov', 'roll', 'rotate', 'angle', 'angles',
-    'shutter', 'tilt']);
-/// Lengths of lenses, which need one, too.
-const kLenses = new Set(['aperture', 'focal_length', 'sensor']);
-const kDensities = new Set(['density']);
+/// The unit of the numbers among the types, or of those in their lists.
+function unitOf(all: Schema, types: readonly ValueType[]): string {
+    const number = types.find((type) => type.kind === 'number');
+    if (number) {
+        return number.needsUnit ? number.unit : '';
+    }
+    for (const type of types) {
+        const unit = type.kind === 'list' ? unitOf(all, typesOf(all, type.items)) : '';
+        if (unit !== '') {
+            return unit;
+        }
+    }
+    return '';
+}
 
-/// The unit for numbers at a path, or empty if plain numbers will do.
-export function unitFor(path: readonly string[]): string {
-    const key = [...path].reverse().find((one) => !/^\d+$/.test(one) && one !== 'from' && one !== 'to')
-        ?? '';
-    if (kAngles.has(key)) {
-        return 'deg';
-    }
-    if (kLenses.has(key)) {
-        return 'mm';
-    }
-    return kDensities.has(key) ? 'kg/m^3' : key === 'spin' ? 'rad/s' : '';
+/// The unit for numbers at a path, and for those in a list there; empty if plain numbers will do.
+export function neededUnit(all: Schema, path: KeyPath): string {
+    return unitOf(all, typesAt(all, path));
+}
+
+/// The same by the schema of the server.
+export function unitFor(path: KeyPath): string {
+    return schema.value ? neededUnit(schema.value, path) : '';
 }

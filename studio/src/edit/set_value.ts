@@ -1,10 +1,9 @@
 /// Gives a node of a text another value, with the fewest bytes changed.
 import { isMap, isScalar, isSeq, type Node, type YAMLSeq } from 'yaml';
 import type { Value } from './edit_types';
-import { addAt } from './add_entry';
+import { addItems } from './add_entry';
 import { parseQuantity, writeLike } from './quantity';
-import { removeAt } from './remove_entry';
-import type { TextEdit } from './text_edit';
+import { lineEnd, type TextEdit } from './text_edit';
 import {
     contentEnd, isEmpty, rangeOf, scalarText, type Step, type Tree,
 } from './yaml_tree';
@@ -42,8 +41,16 @@ function setText(tree: Tree, node: Node, value: string): TextEdit[] {
     if (place.text.length < rangeOf(node)[1] - rangeOf(node)[0] && isSafe) {
         return [{ from: place.from, to: place.to, insert: value }];
     }
-    const [from, to] = rangeOf(node);
-    return [{ from, to, insert: writeValue(value, { unit: '' }) }];
+    const to = contentEnd(tree.text, node);
+    return [{ from: rangeOf(node)[0], to, insert: writeValue(value, { unit: '' }) }];
+}
+
+/// Takes the items from `count` on, which is at least 1, out of a list.
+function removeRest(text: string, list: YAMLSeq, count: number): TextEdit {
+    const kept = contentEnd(text, list.items[count - 1] as Node);
+    const last = contentEnd(text, list.items[list.items.length - 1] as Node);
+    return list.flow ? { from: kept, to: last, insert: '' }
+        : { from: lineEnd(text, kept), to: lineEnd(text, last), insert: '' };
 }
 
 /// Sets a list item by item; items that are too many are taken out.
@@ -59,13 +66,10 @@ function setList(tree: Tree, steps: Step[], list: YAMLSeq, value: Value[], style
     }
     if (value.length > list.items.length) {
         const missing = value.slice(list.items.length).map((item) => writeValue(item, style));
-        const text = list.flow ? missing.join(', ') : missing.join('\n- ');
-        edits.push(addAt(tree, { steps, rest: [String(list.items.length)] }, text));
+        edits.push(addItems(tree, list, missing));
     }
     if (value.length < list.items.length) {
-        const extra = list.items.slice(value.length) as Node[];
-        edits.push(...extra.map((node) =>
-            removeAt(tree, [...steps, { node, pair: null, holder, alias: null }])));
+        edits.push(removeRest(tree.text, list, value.length));
     }
     return edits;
 }
@@ -76,8 +80,9 @@ function replaceWhole(tree: Tree, step: Step, value: Value, style: NumberStyle):
     const written = writeValue(value, style);
     const isBlock = (isMap(node) || isSeq(node)) && !node.flow;
     if (!pair || !(isBlock || isEmpty(node))) {
-        const [from, to] = rangeOf(step.alias ?? node);
-        return [{ from, to, insert: written }];
+        const whole = step.alias ?? node;
+        const to = contentEnd(tree.text, whole);
+        return [{ from: rangeOf(whole)[0], to, insert: written }];
     }
     const from = tree.text.indexOf(':', rangeOf(pair.key as Node)[1]) + 1;
     const to = isBlock ? contentEnd(tree.text, node) : from;

@@ -80,6 +80,9 @@ export function contentEnd(text: string, node: Node): number {
         }
     }
     let [start, end] = rangeOf(node);
+    if (isScalar(node) && /^[|>]\d?\+/.test(text.slice(start, start + 3))) {
+        return text[end - 1] === '\n' ? end - 1 : end;  // its empty lines are part of the text
+    }
     while (end > start && /\s/.test(text[end - 1] ?? '')) {
         end -= 1;
     }

@@ -50,6 +50,12 @@ function mapsOf(types: readonly ValueType[], present: readonly string[]): Schema
     return fitting.length > 0 ? fitting : maps;
 }
 
+/// Whether the items of a list have names by which a path may choose them.
+function hasNames(schema: Schema, items: SchemaNode): boolean {
+    return typesOf(schema, items).some((type) =>
+        type.kind === 'map' && 'name' in (type.node.properties ?? {}));
+}
+
 /// What may stand at a path, by every form that the maps on the way may have. Empty if the path
 /// leads nowhere.
 export function typesAt(schema: Schema, path: KeyPath): ValueType[] {
@@ -61,7 +67,8 @@ export function typesAt(schema: Schema, path: KeyPath): ValueType[] {
                 return next ? [next] : [];
             }
             return type.kind === 'named' ? [type.values]
-                : type.kind === 'list' && /^\d+$/.test(key) ? [type.items] : [];
+                : type.kind === 'list' && (/^\d+$/.test(key) || hasNames(schema, type.items))
+                    ? [type.items] : [];
         });
     }
     return distinct(nodes.flatMap((node) => typesOf(schema, node)));

@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
+import { neededUnit } from '../../src/edit/schema_unit';
 import { keyAt, keysAt, typesAt } from '../../src/schema/keys';
 import type { Schema } from '../../src/schema/value_types';
 
@@ -40,4 +41,20 @@ test('KeysAt_Maps_OfferWhatMayBeAdded', () => {
     assert.equal(step?.about, 'longest time step between two contacts');
     assert.equal(step?.usual, '1/240 s');
     assert.equal(keyAt(schema, ['balls', 'cue']), null);
+});
+
+test('NeededUnit_NewNumbers_AreOfTheSchema', () => {
+    const unit = (path: string) => neededUnit(schema, path.split('.'));
+    const cases: [string, string][] = [
+        ['cameras.0.fov', 'deg'], ['cameras.0.fov.1', 'deg'], ['cameras.0.fov.from', 'deg'],
+        ['cameras.0.aperture', 'mm'], ['cameras.0.position', ''], ['cameras.0.position.angles', 'deg'],
+        ['balls.cue.spin', 'rad/s'], ['balls.cue.spin.2', 'rad/s'], ['balls.cue.at', ''],
+        ['objects.x.physics.density', 'kg/m^3'], ['objects.x.rotate', 'deg'],
+        ['objects.x.rotate.angle', 'deg'], ['events.0.strike.direction', 'deg'],
+        ['events.0.strike.tip', ''], ['events.0.strike.speed', ''], ['render.shutter', 'deg'],
+        ['lights.x.angle.0', 'deg'], ['cameras.0.scene.speeds.0', ''], ['nowhere', ''],
+    ];
+    for (const [path, expected] of cases) {
+        assert.equal(unit(path), expected, path);
+    }
 });
