@@ -11,7 +11,7 @@ import { watchTheme } from './shell/theme';
 import { listenToKeys, onCommand } from './state/keys';
 import { isStarting, panel } from './state/state';
 import { exposeStudio } from './state/studio';
-import { watchExisting } from './start/file_actions';
+import { openShot, watchExisting } from './start/file_actions';
 import { watchDrops } from './start/import_scene';
 import { chooseShot } from './start/OpenShot';
 import { saveAs } from './start/SaveAs';
@@ -43,6 +43,7 @@ if (app) {
             typeStep([{ file: activeFile.value, changes: { from, to, insert } }]),
     };
     window.studio['labelsAt'] = labelsAt;
+    window.studio['open'] = openShot;
     window.studio['tracks'] = tracks;
     watchTheme();
     watchFiles();

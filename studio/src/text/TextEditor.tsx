@@ -24,7 +24,8 @@ import { selectAtCursor, showSelection } from './follow_selection';
 import { yamlLook } from './highlight';
 import { hoverAbout } from './hover';
 import { pageNonce } from './nonce';
-import { marksOf } from './problem_marks';
+import { marksIn, marksOf } from './problem_marks';
+import { ProblemList } from './ProblemList';
 import { saveAll } from './saving';
 import { sendSoon } from './sending';
 import { setShownView } from './show';
@@ -63,7 +64,7 @@ function openView(parent: HTMLElement): () => void {
         },
     });
     attachView(view);
-    window.studio['editor'] = { view };
+    window.studio['editor'] = { view, marks: () => marksIn(view.state) };
     setShownView(view);
     const mark = () => {
         const list = problems.peek()?.list ?? [];
@@ -93,6 +94,14 @@ function openView(parent: HTMLElement): () => void {
     };
 }
 
+/// A mark on the tab of a file with problems.
+function ProblemMark({ file }: { file: string }) {
+    const own = (problems.value?.list ?? []).filter(({ place }) => place.file === file);
+    const isError = own.some(({ severity }) => severity === 'error');
+    return own.length === 0 ? null
+        : <span class={isError ? 'mark' : 'mark warning'} title={`${own.length} problems`} />;
+}
+
 function Tabs() {
     return (
         <div class="tabs" role="tablist" aria-label="Files of the shot">
@@ -107,6 +116,7 @@ function Tabs() {
                 >
                     {buffer.writable ? null : <Lock size={12} aria-label="read-only" />}
                     {buffer.name.slice(buffer.name.lastIndexOf('/') + 1)}
+                    <ProblemMark file={buffer.file} />
                     {buffer.writable && isChanged(buffer) ? <span class="dot" title="not saved" /> : null}
                 </button>
             ))}
@@ -135,6 +145,7 @@ export function TextEditor() {
             <Tabs />
             <ConflictBar />
             <div class="text-view" ref={parent} />
+            <ProblemList />
         </section>
     );
 }
