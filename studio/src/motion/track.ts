@@ -96,6 +96,16 @@ export class Track {
         return this.turn(this.restingKey(time));
     }
 
+    /// Metres per second; 0 outside of all keys.
+    speed(time: number): number {
+        const key = this.keyBefore(time);
+        if (key !== null) {
+            return Math.hypot(...this.hermiteVelocity(key, time));
+        }
+        const at = this.lastKeyAt(time);
+        return at >= 0 && at < this.keys - 1 ? Math.hypot(...this.triple(at, kVelocityOut)) : 0;
+    }
+
     /// Everything at an instant; at a break the velocities after it.
     sample(time: number): MotionState {
         const last = this.keys - 1;

@@ -20,7 +20,7 @@ function makeArea(name: string, usual: number, least: number, most: number): Are
 export type { Area };
 export const outlineArea = makeArea('outline', 220, 150, 420);
 export const textArea = makeArea('text', Math.min(540, Math.round(innerWidth * 0.34)), 260, 1000);
-export const stripArea = makeArea('strip', 190, 110, 480);
+export const stripArea = makeArea('strip', 244, 130, 520);
 export const inspectorArea = makeArea('inspector', 280, 120, 700);
 
 /// Gives an area a size; below half of its least size it is folded away.

@@ -1,41 +1,47 @@
 import { effect, signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { filmDuration, framesOfCameras } from '../motion/clock';
+import { filmThumbnails } from '../state/film_thumbnails';
 import { bindingOf, keyName, runCommand, type Command } from '../state/keys';
 import { filmTime, isStale, sceneTime, selection, shot, theme, timeline } from '../state/state';
+import { ballSpeeds } from './ball_speeds';
 import { filmClock, sceneClock } from './clock_text';
 import { readColours } from './colours';
-import { drawPlayHead, drawStrip, type StripPicture } from './draw';
-import { layoutOf, type Layout } from './layout';
+import { curvePoints, curveScale } from './curve_row';
+import { drawPlayHead, drawStrip } from './draw/draw';
+import type { StripPicture } from './draw/picture';
+import { activeHandle, selectedCamera, shownHandles } from './handles/all_handles';
+import { HandleList } from './HandleList';
+import { otherInstants } from './instants';
+import { currentLayout, stripSize } from './layout_now';
 import { startPlayback } from './playback';
-import { followPlayHead, watchPointer, type Tip } from './pointer';
-import {
-    curveCamera, curveName, fitOnNewShot, shownEvents, shownFilm, shownScene,
-} from './strip_state';
+import { watchPointer } from './pointer';
+import { followPlayHead } from './ranges';
+import { curveCamera, curveName, fitOnNewShot, shownEvents } from './strip_state';
+import type { Tip } from './tips';
 import { Transport } from './Transport';
 import './strip.css';
 
-const size = signal({ width: 0, height: 0 });
 const tip = signal<Tip | null>(null);
-
-function currentLayout(): Layout {
-    return layoutOf(size.value.width, size.value.height, shownFilm.value, shownScene.value);
-}
+const picturesCame = signal(0); // how many small pictures of frames came
 
 function pictureOf(canvas: HTMLCanvasElement): StripPicture {
-    const [section, index] = selection.value ?? [];
+    const camera = curveCamera.value;
     return {
-        layout: currentLayout(), colours: readColours(canvas), shot: shot.value,
+        layout: currentLayout.value, colours: readColours(canvas), shot: shot.value,
         frames: framesOfCameras.value, events: shownEvents.value,
-        energy: timeline.value?.head.energy ?? [], curve: curveName.value,
-        curveCamera: curveCamera.value, selected: section === 'cameras' ? Number(index) : -1,
-        isStale: isStale.value,
+        energy: timeline.value?.head.energy ?? [], balls: ballSpeeds.value.balls,
+        fastest: ballSpeeds.value.most, curve: curveName.value, curves: curvePoints.value,
+        curveScale: curveScale.value, curveCamera: camera ? shot.value?.cameras.indexOf(camera) ?? -1 : -1,
+        selected: selectedCamera.value, selectedPath: selection.value?.join('/') ?? '',
+        handles: shownHandles.value, activeHandle: activeHandle.value,
+        thumbnails: filmThumbnails.value, isStale: isStale.value,
     };
 }
 
 /// Gives a canvas the display's own pixels. Returns its pen, scaled to CSS pixels.
 function sized(canvas: HTMLCanvasElement): CanvasRenderingContext2D | null {
-    const { width, height } = size.value;
+    const { width, height } = stripSize.value;
     const ratio = devicePixelRatio || 1;
     const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
     if (canvas.width !== w || canvas.height !== h) {
@@ -54,20 +60,23 @@ function keepDrawn(still: HTMLCanvasElement, moving: HTMLCanvasElement): () => v
     const endings = [
         effect(() => {
             void theme.value;
+            void picturesCame.value;
             const picture = pictureOf(still);
+            const head = timeline.value?.head;
             const pen = sized(still);
-            if (pen && size.value.width > 0) {
-                drawStrip(pen, picture);
+            if (pen && stripSize.value.width > 0) {
+                drawStrip(pen, picture, head?.start ?? 0, head?.end ?? 1,
+                    () => { picturesCame.value += 1; });
             }
         }),
         effect(() => {
             void theme.value;
-            const layout = currentLayout();
+            const layout = currentLayout.value;
             const pen = sized(moving);
-            if (pen && size.value.width > 0) {
+            if (pen && stripSize.value.width > 0) {
                 pen.clearRect(0, 0, layout.width, layout.height);
                 drawPlayHead(pen, { layout, colours: readColours(moving) },
-                    filmTime.value, sceneTime.value);
+                    filmTime.value, sceneTime.value, otherInstants.value);
             }
         }),
     ];
@@ -82,6 +91,26 @@ function onKey(event: KeyboardEvent): void {
     }
 }
 
+/// The play head as screen readers and the keyboard have it.
+function PlayHead({ canvas }: { canvas: { current: HTMLCanvasElement | null } }) {
+    const text = `film ${filmClock(filmTime.value)}, scene ${sceneClock(sceneTime.value)}`;
+    return (
+        <canvas ref={canvas} tabIndex={0} role="slider" aria-label="Play head" data-play-head
+            aria-valuemin={0} aria-valuemax={filmDuration.value}
+            aria-valuenow={filmTime.value} aria-valuetext={text} onKeyDown={onKey} />
+    );
+}
+
+function StripTip() {
+    const size = stripSize.value;
+    const place = tip.value && {
+        left: `${Math.max(4, Math.min(tip.value.x + 12, size.width - 250))}px`,
+        bottom: `${Math.min(size.height - tip.value.y + 14, size.height - 40)}px`,
+    };
+    return tip.value && place
+        ? <div class="tip" role="tooltip" style={place}>{tip.value.text}</div> : null;
+}
+
 /// The time strip: film time above, scene time below, the map between them, and the transport.
 export function TimeStrip() {
     const still = useRef<HTMLCanvasElement>(null);
@@ -92,32 +121,25 @@ export function TimeStrip() {
             return undefined;
         }
         const observer = new ResizeObserver(() => {
-            size.value = { width: above.clientWidth, height: above.clientHeight };
+            stripSize.value = { width: above.clientWidth, height: above.clientHeight };
         });
         observer.observe(above);
         const endings = [
             startPlayback(), fitOnNewShot(), keepDrawn(below, above),
-            watchPointer(above, currentLayout, (next) => { tip.value = next; }),
-            followPlayHead(() => filmTime.value, currentLayout),
-            () => observer.disconnect(),
+            watchPointer(above, (next) => { tip.value = next; }),
+            followPlayHead(), () => observer.disconnect(),
         ];
+        window.studio['strip'] = { handles: shownHandles, layout: currentLayout, canvas: above };
         return () => endings.forEach((end) => end());
     }, []);
-    const text = `film ${filmClock(filmTime.value)}, scene ${sceneClock(sceneTime.value)}`;
-    const place = tip.value && {
-        left: `${Math.min(tip.value.x + 12, size.value.width - 230)}px`,
-        bottom: `${size.value.height - tip.value.y + 12}px`,
-    };
     return (
         <section class="strip" aria-label="Time">
             <Transport />
             <div class="times">
                 <canvas ref={still} aria-hidden="true" />
-                <canvas ref={moving} tabIndex={0} role="slider" aria-label="Play head"
-                    aria-valuemin={0} aria-valuemax={filmDuration.value}
-                    aria-valuenow={filmTime.value} aria-valuetext={text} onKeyDown={onKey} />
-                {tip.value && place
-                    ? <div class="tip" role="tooltip" style={place}>{tip.value.text}</div> : null}
+                <PlayHead canvas={moving} />
+                <HandleList />
+                <StripTip />
             </div>
         </section>
     );

@@ -2,13 +2,14 @@ import {
     ChevronLeft, ChevronRight, ChevronsLeft, ChevronsRight, Maximize2, Pause, Play, Repeat,
     SkipBack, type LucideIcon,
 } from 'lucide-preact';
-import { filmCamera } from '../motion/clock';
+import { filmCamera, goToFilmTime } from '../motion/clock';
 import { runCommand, type Command } from '../state/keys';
 import { filmTime, playing, sceneTime, shot } from '../state/state';
 import { filmClock, sceneClock, speedText } from './clock_text';
 import { kCurves } from './curves';
+import { otherInstants } from './instants';
 import { currentFrame, kSpeeds, loops, speed } from './playback';
-import { curveName, kEventGroups, shownGroups, type CurveName, type EventGroup }
+import { currentEvent, curveName, kEventGroups, shownGroups, type CurveName, type EventGroup }
     from './strip_state';
 
 interface StepProperties {
@@ -34,8 +35,27 @@ function Clocks() {
         <div class="clocks">
             <span>film <b>{filmClock(filmTime.value)}</b> frame <b>{currentFrame()}</b></span>
             <span>scene <b>{sceneClock(sceneTime.value)}</b></span>
-            {camera ? <span>camera <b>{camera}</b></span> : null}
+            {camera ? <span class="camera">camera <b>{camera}</b></span> : null}
+            {currentEvent.value ? <span class="event">{currentEvent.value.text}</span> : null}
         </div>
+    );
+}
+
+/// The other instants of the film that show the same time of the scene.
+function Instants() {
+    const cameras = shot.value?.cameras ?? [];
+    const fps = shot.value?.film.fps ?? 24;
+    return otherInstants.value.length === 0 ? null : (
+        <select class="instants" aria-label="Instants of the film that show this time of the scene"
+            title="Other instants of the film that show this time of the scene" value=""
+            onChange={(event) => { goToFilmTime(Number(event.currentTarget.value)); }}>
+            <option value="">also in {otherInstants.value.length}</option>
+            {otherInstants.value.map(({ time, camera }) => (
+                <option key={`${camera} ${time}`} value={time}>
+                    {cameras[camera]?.name} {filmClock(time)}, frame {Math.floor(time * fps + 1e-6)}
+                </option>
+            ))}
+        </select>
     );
 }
 
@@ -79,6 +99,7 @@ export function Transport() {
                 ))}
             </select>
             <Clocks />
+            <Instants />
             <div class="spring" />
             <EventFilter />
             <select aria-label="Curve of the cameras" value={curveName.value}

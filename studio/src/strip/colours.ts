@@ -13,6 +13,9 @@ export interface Colours {
     faint: string;
     accent: string;
     onAccent: string;
+    named(name: string): string;
+    /// A colour of the shot, unless it is too near to the background to be seen.
+    contrasting(css: string, linear: Triple): string;
     warning: string;
     clips: readonly string[];
     groups: Readonly<Record<EventGroup, string>>;
@@ -21,6 +24,13 @@ export interface Colours {
 
 const kClips = 6;
 
+/// Whether a linear colour is hard to see on the page's background.
+function isTooNear(linear: Triple): boolean {
+    const luminance = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2];
+    return document.documentElement.dataset['theme'] === 'light'
+        ? luminance > 0.45 : luminance < 0.03;
+}
+
 /// Reads the custom properties of an element.
 export function readColours(element: Element): Colours {
     const style = getComputedStyle(element);
@@ -28,7 +38,8 @@ export function readColours(element: Element): Colours {
     return {
         back: of('back'), surface: of('surface'), raised: of('raised'), line: of('line'),
         lineStrong: of('line-strong'), text: of('text'), soft: of('text-soft'),
-        faint: of('text-faint'), accent: of('accent'), onAccent: of('on-accent'),
+        faint: of('text-faint'), accent: of('accent'), onAccent: of('on-accent'), named: of,
+        contrasting: (css, linear) => isTooNear(linear) ? of('text-soft') : css,
         warning: of('warning'),
         clips: Array.from({ length: kClips }, (_, i) => of(`clip-${i + 1}`)),
         groups: {
@@ -37,6 +48,11 @@ export function readColours(element: Element): Colours {
         },
         font: of('font'),
     };
+}
+
+/// The custom property with the colour of the camera with this index.
+export function clipColourName(index: number): string {
+    return `clip-${index % kClips + 1}`;
 }
 
 /// The colour of the camera with this index, on the strip and wherever else cameras are told apart.

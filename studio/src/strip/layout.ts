@@ -11,10 +11,11 @@ export interface Layout {
     width: number;
     height: number;
     filmRuler: Row;
+    frames: Row; // small pictures of the film; of height 0 without any
     clips: Row;
     curve: Row;
     map: Row;
-    energy: Row;
+    motion: Row;
     events: Row;
     sceneRuler: Row;
     film: Axis;
@@ -25,30 +26,30 @@ export interface Layout {
 export const kLabels = 76;
 const kRight = 10;
 const kRuler = 20;
+const kFrames = 34;
 
 /// The rows in a canvas of this size (px); film time is above, scene time below.
-export function layoutOf(width: number, height: number, film: Range, scene: Range): Layout {
+export function layoutOf(
+    width: number, height: number, film: Range, scene: Range, hasFrames = false,
+): Layout {
     const left = kLabels;
     const inner = Math.max(40, width - kLabels - kRight);
-    const free = Math.max(90, height - 2 * kRuler);
-    const heights = [
-        kRuler, Math.round(Math.min(34, 0.2 * free)), Math.round(0.22 * free), 0,
-        Math.round(0.2 * free), Math.round(Math.min(30, 0.17 * free)), kRuler,
-    ];
-    const used = heights.reduce((sum, part) => sum + part, 0);
-    heights[3] = Math.max(16, height - used);
+    const frames = hasFrames && height > 170 ? kFrames : 0;
+    const free = Math.max(90, height - 2 * kRuler - frames);
+    const clips = Math.round(Math.min(30, Math.max(18, 0.17 * free)));
+    const events = Math.round(Math.min(36, Math.max(16, 0.16 * free)));
+    const motion = Math.round(0.22 * free);
+    const curve = Math.round(0.26 * free);
+    const map = Math.max(16, height - 2 * kRuler - frames - clips - events - motion - curve);
     let y = 0;
-    const rows = heights.map((part) => {
-        const row = { y, height: part };
+    const row = (part: number): Row => {
         y += part;
-        return row;
-    });
-    const none = { y: 0, height: 0 };
+        return { y: y - part, height: part };
+    };
     return {
-        width, height,
-        filmRuler: rows[0] ?? none, clips: rows[1] ?? none, curve: rows[2] ?? none,
-        map: rows[3] ?? none, energy: rows[4] ?? none, events: rows[5] ?? none,
-        sceneRuler: rows[6] ?? none,
+        width, height, filmRuler: row(kRuler), frames: row(frames), clips: row(clips),
+        curve: row(curve), map: row(map), motion: row(motion), events: row(events),
+        sceneRuler: row(kRuler),
         film: { ...film, left, width: inner },
         scene: { ...scene, left, width: inner },
     };
@@ -57,4 +58,8 @@ export function layoutOf(width: number, height: number, film: Range, scene: Rang
 /// Whether a height belongs to film time (else to scene time); the middle of the map is the border.
 export function isFilmSide(layout: Layout, y: number): boolean {
     return y < layout.map.y + layout.map.height / 2;
+}
+
+export function isIn(row: Row, y: number): boolean {
+    return y >= row.y && y < row.y + row.height;
 }

@@ -3,7 +3,7 @@ import { effect, signal } from '@preact/signals';
 import { filmDuration, goToFilmTime, goToFrame, goToSceneTime } from '../motion/clock';
 import { onCommand } from '../state/keys';
 import { filmTime, playing, sceneTime, shot } from '../state/state';
-import { fitStrip, shownEvents } from './strip_state';
+import { currentEvent, fitStrip, shownEvents, visitedEvent } from './strip_state';
 
 /// The speeds of playing, of the film's own.
 export const kSpeeds = [1, 1 / 2, 1 / 4, 1 / 8] as const;
@@ -97,22 +97,25 @@ export function stepScene(seconds: number): void {
     goToSceneTime(sceneTime.peek() + seconds);
 }
 
-/// The time of the next event in a direction (1 or -1) from a scene time; null if there is none.
-export function nextEventTime(
-    times: readonly number[], from: number, direction: number,
-): number | null {
-    const beyond = times.filter((time) => direction * (time - from) > 1e-9);
-    return beyond.length === 0 ? null
-        : direction > 0 ? Math.min(...beyond) : Math.max(...beyond);
+/// The next event in a direction (1 or -1): the neighbour of the one that the clock stands at, of
+/// events of one time, too; otherwise the first one beyond the clock. Null if there is none.
+export function nextEvent<T extends { time: number }>(
+    events: readonly T[], current: T | null, time: number, direction: number,
+): T | null {
+    if (current) {
+        return events[events.indexOf(current) + direction] ?? null;
+    }
+    const beyond = events.filter((event) => direction * (event.time - time) > 1e-9);
+    return (direction > 0 ? beyond[0] : beyond.at(-1)) ?? null;
 }
 
 /// Stops at the next event of those that are shown.
 export function stepEvent(direction: number): void {
     playing.value = false;
-    const times = shownEvents.peek().map((event) => event.time);
-    const next = nextEventTime(times, sceneTime.peek(), direction);
-    if (next !== null) {
-        goToSceneTime(next);
+    const next = nextEvent(shownEvents.peek(), currentEvent.peek(), sceneTime.peek(), direction);
+    if (next) {
+        goToSceneTime(next.time);
+        visitedEvent.value = next;
     }
 }
 

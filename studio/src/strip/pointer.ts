@@ -1,46 +1,42 @@
 /// What the pointer does on the strip: scrubs, drags handles, zooms, pans.
-import { effect } from '@preact/signals';
 import { beginGesture, type Gesture } from '../edit/edit';
 import { goToFilmTime, goToSceneTime } from '../motion/clock';
 import { playing, selection, shot } from '../state/state';
-import { panned, secondsPerPixel, timeAt, xOf, zoomed, type Range } from './axis';
-import { sceneClock } from './clock_text';
-import { handleAt, handlesOf, type Handle } from './drags';
+import { timeAt } from './axis';
+import { curveRow, curveScale, heldScale } from './curve_row';
 import { binAt, binsOf } from './event_bins';
-import { isFilmSide, type Layout, type Row } from './layout';
-import {
-    filmRange, sceneRange, shownEvents, shownFilm, shownScene, wholeFilm, wholeScene,
-} from './strip_state';
+import { activeHandle, handleAt, selectedCamera, shownHandles } from './handles/all_handles';
+import { dragOf, type HandleDrag } from './handles/drag';
+import type { Handle } from './handles/handle';
+import { lineAt } from './handles/map_handles';
+import { isFilmSide, isIn, type Layout } from './layout';
+import { currentLayout } from './layout_now';
+import { addPointAt } from './add_point';
+import { otherInstants } from './instants';
+import { panAxis, zoomAxis } from './ranges';
+import { shownEvents, visitedEvent } from './strip_state';
+import { tipOf, type Tip } from './tips';
 
-/// A text beside the pointer; null: none.
-export interface Tip {
+const kTouchReach = 8; // px, added to handles for fingers
+const kInstantReach = 7; // px
+
+interface Place {
     x: number;
     y: number;
-    text: string;
 }
 
-const kMostLines = 7;
+/// What the pointer has in hand.
+type Held =
+    | { kind: 'handle'; handle: Handle; gesture: Gesture; drag: HandleDrag }
+    | { kind: 'scrub'; isFilm: boolean }
+    | { kind: 'pan'; isFilm: boolean };
 
-function isIn(row: Row, y: number): boolean {
-    return y >= row.y && y < row.y + row.height;
-}
-
-/// The text for a place of the strip.
-export function tipAt(layout: Layout, x: number, y: number): Tip | null {
+/// The handle under the pointer, also a line of the map.
+export function handleUnder(layout: Layout, at: Place, isTouch: boolean): Handle | undefined {
     const state = shot.peek();
-    const handle = state && handleAt(handlesOf(layout, state), x, y);
-    if (handle) {
-        return { x, y, text: `Drag: ${handle.label}` };
-    }
-    const bin = isIn(layout.events, y)
-        ? binAt(binsOf(shownEvents.peek(), layout.scene), x) : undefined;
-    if (!bin) {
-        return null;
-    }
-    const lines = bin.events.slice(0, kMostLines)
-        .map((event) => `${sceneClock(event.time)}  ${event.text}`);
-    const more = bin.events.length - lines.length;
-    return { x, y, text: [...lines, ...(more > 0 ? [`and ${more} more`] : [])].join('\n') };
+    const handle = handleAt(shownHandles.peek(), at.x, at.y, isTouch ? kTouchReach : 0);
+    return handle ?? (state && isIn(layout.map, at.y)
+        ? lineAt(layout, state, selectedCamera.peek(), at.x, at.y) : undefined);
 }
 
 /// Selects the camera whose clip is at a place.
@@ -65,119 +61,139 @@ function scrub(layout: Layout, x: number, isFilm: boolean, isFree: boolean): voi
     goToFilmTime(isFree ? time : Math.round(time * fps) / fps);
 }
 
-interface Place {
-    x: number;
-    y: number;
+/// Jumps to an event, or to another instant of the film that shows the same time of the scene, if
+/// one is at the place.
+function jump(layout: Layout, at: Place): boolean {
+    const bin = isIn(layout.events, at.y)
+        ? binAt(binsOf(shownEvents.peek(), layout.scene), at.x) : undefined;
+    const event = bin?.events[0];
+    if (event) {
+        playing.value = false;
+        goToSceneTime(event.time);
+        visitedEvent.value = event;
+        return true;
+    }
+    const instant = isIn(layout.filmRuler, at.y) ? otherInstants.peek().find(({ time }) =>
+        Math.abs(time - timeAt(layout.film, at.x)) < kInstantReach * (layout.film.to - layout.film.from)
+            / layout.film.width) : undefined;
+    if (instant) {
+        playing.value = false;
+        goToFilmTime(instant.time);
+    }
+    return instant !== undefined;
 }
 
-function placeOf(canvas: HTMLCanvasElement, event: MouseEvent): Place {
-    const box = canvas.getBoundingClientRect();
-    return { x: event.clientX - box.left, y: event.clientY - box.top };
-}
-
-/// Moves a range by the pixels that the pointer moved.
-function pan(layout: Layout, isFilm: boolean, pixels: number): void {
-    const seconds = -pixels * secondsPerPixel(isFilm ? layout.film : layout.scene);
-    const [range, shown, whole] = isFilm
-        ? [filmRange, shownFilm, wholeFilm] : [sceneRange, shownScene, wholeScene];
-    range.value = panned(shown.peek(), seconds, whole.peek());
-}
-
-/// Zooms an axis towards the pointer; all of it, once zoomed out again, follows the shot.
-function zoom(layout: Layout, isFilm: boolean, x: number, factor: number): void {
-    const axis = isFilm ? layout.film : layout.scene;
-    const [range, shown, whole] = isFilm
-        ? [filmRange, shownFilm, wholeFilm] : [sceneRange, shownScene, wholeScene];
-    const next: Range = zoomed(shown.peek(), timeAt(axis, x), factor, whole.peek());
-    const all = whole.peek();
-    range.value = next.to - next.from >= 0.999 * (all.to - all.from) ? null : next;
-}
-
-/// Listens to the pointer on the strip's canvas. `layout` gives the rows as they are now, `show` is
-/// called with the text to show. Returns a function that ends this.
+/// Listens to the pointer on the strip's canvas; `show` is called with the text to show. Returns a
+/// function that ends this.
 export function watchPointer(
-    canvas: HTMLCanvasElement, layout: () => Layout, show: (tip: Tip | null) => void,
+    canvas: HTMLCanvasElement, show: (tip: Tip | null) => void,
 ): () => void {
-    let gesture: Gesture | null = null;
-    let handle: Handle | null = null;
-    let scrubs: 'film' | 'scene' | null = null;
-    let pans: 'film' | 'scene' | null = null;
-    let last: Place = { x: 0, y: 0 };
+    const pointers = new Map<number, Place>();
+    let held: Held | null = null;
 
-    const end = () => {
-        gesture = null;
-        handle = null;
-        scrubs = null;
-        pans = null;
+    const placeOf = (event: MouseEvent): Place => {
+        const box = canvas.getBoundingClientRect();
+        return { x: event.clientX - box.left, y: event.clientY - box.top };
+    };
+    const letGo = (isDone: boolean) => {
+        if (held?.kind === 'handle') {
+            if (isDone && held.drag.moved()) {
+                held.gesture.commit(`Move ${held.handle.label}`);
+            } else {
+                held.gesture.cancel();
+            }
+            heldScale.value = null;
+        }
+        held = null;
+    };
+    const grab = (layout: Layout, at: Place, handle: Handle) => {
+        if (selection.peek()?.join('/') !== handle.path.join('/')) {
+            selection.value = handle.path;
+        }
+        heldScale.value = curveScale.peek();
+        activeHandle.value = handle.id;
+        const drag = dragOf(handle, at, curveRow(layout.curve, curveScale.peek()));
+        held = { kind: 'handle', handle, gesture: beginGesture(), drag };
     };
     const onDown = (event: PointerEvent) => {
-        const at = placeOf(canvas, event);
-        const rows = layout();
-        const side = isFilmSide(rows, at.y) ? 'film' : 'scene';
-        last = at;
-        show(null);
+        const at = placeOf(event);
+        const layout = currentLayout.peek();
+        pointers.set(event.pointerId, at);
         canvas.setPointerCapture(event.pointerId);
+        canvas.focus({ preventScroll: true });
+        show(null);
+        if (pointers.size > 1) {
+            letGo(false);
+            return;
+        }
+        const isFilm = isFilmSide(layout, at.y);
         if (event.button !== 0) {
-            pans = side;
+            held = { kind: 'pan', isFilm };
             return;
         }
-        const state = shot.peek();
-        handle = (state && handleAt(handlesOf(rows, state), at.x, at.y)) ?? null;
+        const handle = handleUnder(layout, at, event.pointerType === 'touch');
         if (handle) {
-            selection.value = handle.path.slice(0, 2);
-            gesture = beginGesture();
-            return;
+            grab(layout, at, handle);
+        } else if (!jump(layout, at)) {
+            if (isIn(layout.clips, at.y)) {
+                selectClip(layout, at.x);
+            }
+            held = { kind: 'scrub', isFilm };
+            scrub(layout, at.x, isFilm, event.altKey);
         }
-        const bin = isIn(rows.events, at.y)
-            ? binAt(binsOf(shownEvents.peek(), rows.scene), at.x) : undefined;
-        if (bin?.events[0]) {
-            playing.value = false;
-            goToSceneTime(bin.events[0].time);
-            return;
-        }
-        if (isIn(rows.clips, at.y)) {
-            selectClip(rows, at.x);
-        }
-        scrubs = side;
-        scrub(rows, at.x, side === 'film', event.altKey);
+    };
+    const pinch = (event: PointerEvent, at: Place) => {
+        const layout = currentLayout.peek();
+        const last = pointers.get(event.pointerId) ?? at;
+        const other = [...pointers].find(([id]) => id !== event.pointerId)?.[1] ?? at;
+        const isFilm = isFilmSide(layout, (at.y + other.y) / 2);
+        const ratio = Math.max(Math.abs(last.x - other.x), 20) / Math.max(Math.abs(at.x - other.x), 20);
+        zoomAxis(layout, isFilm, (at.x + other.x) / 2, ratio);
+        panAxis(currentLayout.peek(), isFilm, (at.x - last.x) / 2);
     };
     const onMove = (event: PointerEvent) => {
-        const at = placeOf(canvas, event);
-        const rows = layout();
-        if (handle && gesture) {
-            const result = gesture.update(handle.changes(at.x, at.y));
-            show(result.ok ? null : { ...at, text: result.message });
-        } else if (scrubs) {
-            scrub(rows, at.x, scrubs === 'film', event.altKey);
-        } else if (pans) {
-            pan(rows, pans === 'film', at.x - last.x);
+        const at = placeOf(event);
+        const layout = currentLayout.peek();
+        if (pointers.size > 1) {
+            pinch(event, at);
+        } else if (held?.kind === 'handle') {
+            const result = held.gesture.update(held.drag.changes(at));
+            show(result.ok ? { ...at, text: held.drag.text() } : { ...at, text: result.message });
+        } else if (held?.kind === 'scrub') {
+            scrub(layout, at.x, held.isFilm, event.altKey);
+        } else if (held) {
+            panAxis(layout, held.isFilm, at.x - (pointers.get(event.pointerId)?.x ?? at.x));
         } else {
-            const tip = tipAt(rows, at.x, at.y);
-            show(tip);
-            canvas.style.cursor = tip?.text.startsWith('Drag') ? 'ew-resize' : 'default';
+            const handle = handleUnder(layout, at, false);
+            activeHandle.value = handle?.id ?? null;
+            show(tipOf(layout, at, handle));
+            canvas.style.cursor = !handle ? 'default' : handle.value === null ? 'ew-resize' : 'move';
         }
-        last = at;
+        if (pointers.has(event.pointerId)) {
+            pointers.set(event.pointerId, at);
+        }
     };
-    const onUp = () => {
-        if (gesture && handle) {
-            gesture.commit(`Move the ${handle.label}`);
-        }
-        end();
+    const onUp = (event: PointerEvent) => {
+        pointers.delete(event.pointerId);
+        letGo(true);
+        show(null);
     };
     const onWheel = (event: WheelEvent) => {
         event.preventDefault();
-        const at = placeOf(canvas, event);
-        const isFilm = isFilmSide(layout(), at.y);
+        const at = placeOf(event);
+        const layout = currentLayout.peek();
+        const isFilm = isFilmSide(layout, at.y);
         if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
-            pan(layout(), isFilm, -(event.deltaX || event.deltaY));
+            panAxis(layout, isFilm, -(event.deltaX || event.deltaY));
         } else {
-            zoom(layout(), isFilm, at.x, 1.0015 ** event.deltaY);
+            zoomAxis(layout, isFilm, at.x, 1.0015 ** event.deltaY);
         }
     };
     const listeners = {
         pointerdown: onDown, pointermove: onMove, pointerup: onUp,
-        pointercancel: () => { gesture?.cancel(); end(); },
-        pointerleave: () => show(null),
+        pointercancel: (event: PointerEvent) => { pointers.delete(event.pointerId); letGo(false); },
+        pointerleave: () => { activeHandle.value = null; show(null); },
+        dblclick: (event: MouseEvent) => addPointAt(currentLayout.peek(), placeOf(event)),
         wheel: onWheel, contextmenu: (event: Event) => event.preventDefault(),
     };
     for (const [name, listener] of Object.entries(listeners)) {
@@ -188,16 +204,4 @@ export function watchPointer(
             canvas.removeEventListener(name, listener as EventListener);
         }
     };
-}
-
-/// Keeps the play head in sight while it moves over a zoomed axis. Returns a function that ends this.
-export function followPlayHead(filmTime: () => number, layout: () => Layout): () => void {
-    return effect(() => {
-        const time = filmTime();
-        const range = filmRange.peek();
-        if (range && playing.value && (time < range.from || time > range.to)) {
-            const { film } = layout();
-            pan(layout(), true, film.left + 0.1 * film.width - xOf(film, time));
-        }
-    });
 }

@@ -68,9 +68,17 @@ function withMargin(range: Range): Range {
 export const shownEvents = computed(() =>
     (timeline.value?.head.events ?? []).filter((event) => shownGroups.value.has(groupOf(event))));
 
-/// The event at the scene's clock, the first one if several share the time; null between events.
-export const currentEvent = computed(() =>
-    shownEvents.value.find((event) => Math.abs(event.time - sceneTime.value) < 1e-9) ?? null);
+/// The event that was gone to last. It counts as long as the scene's clock stands at it.
+export const visitedEvent = signal<TimelineEvent | null>(null);
+
+/// The event at the scene's clock: the one that was gone to, else the first of that time; null
+/// between events.
+export const currentEvent = computed(() => {
+    const isNow = (event: TimelineEvent) => Math.abs(event.time - sceneTime.value) < 1e-9;
+    const visited = visitedEvent.value;
+    return visited && isNow(visited) && shownEvents.value.includes(visited)
+        ? visited : shownEvents.value.find(isNow) ?? null;
+});
 
 /// The camera whose curve is shown: the selected one, else the one that the film shows.
 export const curveCamera = computed<Camera | null>(() => {

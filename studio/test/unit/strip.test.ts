@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import { decimalsOf, panned, resolved, roundStep, ticksOf, timeAt, xOf, zoomed }
     from '../../src/strip/axis';
 import { filmClock, speedText } from '../../src/strip/clock_text';
-import { advanced, nextEventTime } from '../../src/strip/playback';
+import { advanced, nextEvent } from '../../src/strip/playback';
 
 const axis = { from: 2, to: 4, left: 100, width: 1000 };
 
@@ -48,11 +48,13 @@ test('Advanced_PastTheEnd_StopsOrRepeats', () => {
     assert.deepEqual(advanced(1, 0.5, 10, false), { time: 1.5, ended: false });
 });
 
-test('NextEventTime_EventsAtOneTime_AreVisitedOnce', () => {
-    const times = [0.5, 0.5, 0.75, 2];
-    assert.equal(nextEventTime(times, 0.5, 1), 0.75);
-    assert.equal(nextEventTime(times, 0.6, -1), 0.5);
-    assert.equal(nextEventTime(times, 2, 1), null);
+test('NextEvent_EventsAtOneTime_AreVisitedOneByOne', () => {
+    const events = [0.5, 0.5, 0.75, 2].map((time) => ({ time }));
+    assert.equal(nextEvent(events, null, 0.2, 1), events[0]);
+    assert.equal(nextEvent(events, events[0] ?? null, 0.5, 1), events[1]);
+    assert.equal(nextEvent(events, events[1] ?? null, 0.5, 1), events[2]);
+    assert.equal(nextEvent(events, null, 0.6, -1), events[1]);
+    assert.equal(nextEvent(events, events[3] ?? null, 2, 1), null);
 });
 
 test('Texts_OfTimesAndSpeeds_AreAsPeopleSayThem', () => {
