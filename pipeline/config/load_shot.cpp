@@ -64,7 +64,8 @@ std::string absolute_folder(const std::string& origin) {
 }
 
 /// Reads the merged tree; empty after an error.
-std::optional<Shot> read_shot(const Gathered& gathered, const std::string& name, Reader& reader) {
+std::optional<Shot> read_shot(const Gathered& gathered, const std::string& name, Reader& reader,
+                              sim::billiards::TableMemo* tables) {
     const Node& root = *gathered.root;
     ShotFile file;
     reader.set_root_place(root.place);
@@ -75,7 +76,7 @@ std::optional<Shot> read_shot(const Gathered& gathered, const std::string& name,
     }
     Shot shot;
     try {
-        shot = build_shot(file, root, name, reader);
+        shot = build_shot(file, root, name, reader, tables);
     } catch (const Error& failure) {  // geometry that the checks of single keys accept
         reader.error(root.place, failure.what());
     }
@@ -104,7 +105,7 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
     if (gathered.root) {
         apply_conditions(*gathered.root, sources, folders, problems, !gathered.is_complete);
         Reader reader(sources, folders, problems);
-        result.shot = read_shot(gathered, fs::path(origin).stem().string(), reader);
+        result.shot = read_shot(gathered, fs::path(origin).stem().string(), reader, options.tables);
         files = reader.absolute_paths();
     }
     if (problems.has_error()) {

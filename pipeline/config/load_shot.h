@@ -10,6 +10,10 @@
 #include "pipeline/config/problem.h"
 #include "pipeline/shot/shot.h"
 
+namespace carom::sim::billiards {
+class TableMemo;  // sim/billiards/table_memo.h
+}
+
 namespace carom::pipeline {
 
 class ShotSource;  // pipeline/config/shot_source.h
@@ -43,6 +47,8 @@ struct LoadOptions {
     /// Texts that are read instead of the files of these absolute paths (config_files.h). nullptr:
     /// none.
     const std::map<std::string, std::string>* texts = nullptr;
+    /// Tables that were built before. nullptr: the table is built anew.
+    sim::billiards::TableMemo* tables = nullptr;
 };
 
 /// A file that cannot be read is a problem, not an exception. Nothing is simulated, so that loading

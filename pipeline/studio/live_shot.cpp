@@ -17,6 +17,7 @@
 #include "pipeline/studio/shot_state.h"
 #include "pipeline/studio/value_places.h"
 #include "sim/bake.h"
+#include "sim/billiards/table_memo.h"
 
 namespace carom::studio {
 
@@ -122,7 +123,8 @@ class LiveShot::Worker {
             pipeline::load_shot(request.texts.shot, {.overrides = options_.overrides,
                                                      .quality = options_.quality,
                                                      .root = options_.root,
-                                                     .texts = request.texts.texts.get()});
+                                                     .texts = request.texts.texts.get(),
+                                                     .tables = &tables_});
         output_.files(v, loaded.files);
         problems_ = problem_messages(loaded.problems, loaded.files);
         send_problems(request, !loaded.shot);
@@ -132,6 +134,9 @@ class LiveShot::Worker {
         const auto shot = std::make_shared<const pipeline::Shot>(std::move(*loaded.shot));
         const Hash128 hash = sim::physics_hash(shot->world);
         const bool kept = timeline_.has_value() && hash == baked_;
+        if (!kept && (!timeline_ || takes_long())) {
+            show_at_rest(v, *shot, *loaded.source);
+        }
         if (!kept && !simulate(request, *shot, hash)) {
             return;
         }
@@ -140,6 +145,7 @@ class LiveShot::Worker {
         pipeline::add_keyed_motions(bake, *shot);
         const auto timeline = std::make_shared<const sim::Timeline>(std::move(bake.timeline));
         send(v, *shot, *loaded.source, *timeline, kept, start);
+        output_.shown(v, *shot);
         output_.answer({v, shot, loaded.source, timeline});
         add_motion_problems(request, *shot, loaded, *timeline);
     }
@@ -150,13 +156,37 @@ class LiveShot::Worker {
         state.v = v;
         output_.text(std::move(state));
         Numbers<CamerasHead> cameras = cameras_message(shot, timeline);
-        cameras.head.v = v;
-        output_.binary(std::move(cameras.head), std::move(cameras.numbers));
+        if (cameras.numbers != cameras_ || !has_cameras_) {  // the page keeps them
+            has_cameras_ = true;
+            cameras_ = cameras.numbers;
+            cameras.head.v = v;
+            output_.binary(std::move(cameras.head), std::move(cameras.numbers));
+        }
         Numbers<TimelineHead> motion = timeline_message(timeline);
         motion.head.v = v;
         motion.head.kept = kept;
         motion.head.milliseconds = 1e3 * (thread_cpu_seconds() - start);
         output_.binary(std::move(motion.head), std::move(motion.numbers));
+    }
+
+    /// The page shows the shot before its motion is known: everything stands as at the start.
+    void show_at_rest(std::int64_t v, const pipeline::Shot& shot,
+                      const pipeline::ShotSource& source) {
+        sim::Bake bake;
+        bake.timeline.end_time = shot.world.duration;
+        for (const sim::Body& body : shot.world.bodies) {
+            if (body.kind == sim::BodyKind::dynamic) {
+                sim::Key key;
+                key.position = body.pose.position;
+                key.orientation = body.pose.orientation;
+                bake.timeline.tracks.emplace_back(body.name, std::vector<sim::Key>{key});
+            }
+        }
+        pipeline::add_keyed_motions(bake, shot);
+        ShotState state = shot_state(shot, source, bake.timeline, options_.root);
+        state.v = v;
+        output_.text(std::move(state));
+        output_.shown(v, shot);
     }
 
     void send_problems(const Request& request, bool complete) {
@@ -278,6 +308,11 @@ class LiveShot::Worker {
         return waiting_.has_value() || ends_;
     }
 
+    [[nodiscard]] bool takes_long() {
+        const std::lock_guard lock(mutex_);
+        return is_slow_;
+    }
+
     /// Whether the shot has to wait for the end of the drag.
     [[nodiscard]] bool is_deferred() {
         const std::lock_guard lock(mutex_);
@@ -303,8 +338,11 @@ class LiveShot::Worker {
     bool is_slow_ = false;  // the last simulation
 
     // Of the thread.
+    sim::billiards::TableMemo tables_;
     std::vector<Problem> problems_;
     std::optional<sim::Timeline> timeline_;  // without keyed motions
+    std::vector<double> cameras_;            // as they were last sent
+    bool has_cameras_ = false;
     Hash128 baked_;
     std::optional<Hash128> too_long_;
 

@@ -34,11 +34,13 @@ struct LiveAnswer {
     std::shared_ptr<const sim::Timeline> timeline;  // with the keyed motions
 };
 
-/// Called from the thread of the live shot, one call at a time.
+/// Called from the thread of the live shot, one call at a time. `shown` is called before `answer`,
+/// and also without it if the simulation is deferred or takes long.
 struct LiveOutput {
     std::function<void(ServerMessage)> text;
     std::function<void(BinaryHead, std::vector<double>)> binary;
     std::function<void(std::int64_t v, std::vector<pipeline::ReadFile>)> files;
+    std::function<void(std::int64_t v, const pipeline::Shot& shot)> shown;
     std::function<void(LiveAnswer)> answer;
 };
 

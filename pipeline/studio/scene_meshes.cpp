@@ -1,7 +1,11 @@
 #include "pipeline/studio/scene_meshes.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
 #include <map>
+#include <span>
+#include <system_error>
 #include <utility>
 #include <variant>
 
@@ -40,13 +44,40 @@ void add_light(FieldHasher& hasher, const render::LightDescription& light) {
     }
 }
 
+template <class T>
+void add_all(FieldHasher& hasher, const std::vector<T>& values) {
+    hasher.add_bytes(std::as_bytes(std::span(values)));
+}
+
+/// The numbers as they lie in memory: a table has a hundred thousand of them. A mesh's file is
+/// known by its time and its size, so that it is not read for every change of the shot.
+void add_shape(FieldHasher& hasher, const render::Shape& shape) {
+    const auto* mesh = std::get_if<render::MeshShape>(&shape);
+    if (mesh == nullptr) {
+        hasher.add_value(shape);
+        return;
+    }
+    hasher.add(mesh->file).add(mesh->smooth_angle);
+    if (!mesh->file.empty()) {
+        std::error_code code;
+        const auto time = std::filesystem::last_write_time(mesh->file, code);
+        hasher.add(code ? std::int64_t{0} : std::int64_t{time.time_since_epoch().count()});
+        const std::uintmax_t size = std::filesystem::file_size(mesh->file, code);
+        hasher.add(code ? std::uint64_t{0} : std::uint64_t{size});
+    }
+    add_all(hasher, mesh->vertices);
+    add_all(hasher, mesh->normals);
+    add_all(hasher, mesh->uv);
+    add_all(hasher, mesh->triangles);
+}
+
 }  // namespace
 
 Hash128 hash_meshes(const pipeline::Shot& shot) {
     FieldHasher hasher;
     for (const render::ObjectDescription& object : shot.scene.objects) {
         hasher.add(object.name).add(object.material);
-        hasher.add_value(object.shape);
+        add_shape(hasher, object.shape);
         hasher.add(object.track.empty() ? pipeline::split_pose(object.world_from_object).remainder
                                         : object.world_from_object);
     }

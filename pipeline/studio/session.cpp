@@ -113,9 +113,8 @@ class Session::State {
             return Download{"application/json", schema, {}};
         }
         if (path == "/configs.json") {
-            return Download{"application/json",
-                            std::make_shared<const std::string>(config_list_json()),
-                            {}};
+            return Download{
+                "application/json", std::make_shared<const std::string>(config_list_json()), {}};
         }
         if (const std::optional<Still> still = desk_->find_still(path)) {
             return Download{still->type, still->bytes, still->path};
@@ -368,8 +367,9 @@ class Session::State {
             watch_assets(opening, *answer.source);
             pictures_->set_shot(answer.shot, answer.timeline, answer.v);
             fan_->set_shot(answer.shot, answer.timeline, answer.v);
-            const std::string hash = meshes_.add(*answer.shot);
-            send_newest(opening, SceneMeshes{answer.v, hash});
+        };
+        output.shown = [this, opening](std::int64_t v, const pipeline::Shot& shot) {
+            send_newest(opening, SceneMeshes{v, meshes_.add(shot)});
         };
         live_ = std::make_unique<LiveShot>(LiveOptions{.overrides = options_.overrides,
                                                        .quality = options_.quality,

@@ -36,8 +36,9 @@ bool Builder::claim_name(const std::string& name, const Place& place, const std:
     return is_new;
 }
 
-Shot build_shot(const ShotFile& file, const Node& root, const std::string& name, Reader& reader) {
-    Builder builder{file, root, reader, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+Shot build_shot(const ShotFile& file, const Node& root, const std::string& name, Reader& reader,
+                sim::billiards::TableMemo* tables) {
+    Builder builder{file, root, reader, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, tables};
     builder.shot.name = name;
     builder.shot.world = file.world;
     build_table(builder);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -10,7 +11,7 @@
 #include "core/diagnostic.h"
 #include "pipeline/config/build/build_shot.h"
 #include "pipeline/config/find_place.h"
-#include "sim/billiards/table.h"
+#include "sim/billiards/table_memo.h"
 
 namespace carom::pipeline::config {
 
@@ -30,7 +31,8 @@ struct Builder {
     std::set<std::string> keyed;          // moved by keys and only visible
     std::set<std::string> kinematic;      // moved by keys and pushing others
     std::set<std::string> materials;
-    std::optional<sim::billiards::TableGeometry> table_geometry;
+    std::shared_ptr<const sim::billiards::TableGeometry> table_geometry;  // null: no table
+    sim::billiards::TableMemo* tables = nullptr;  // tables that were built before, or null
 
     /// The place of a key by its path, or of the last part of the path that was given.
     [[nodiscard]] Place place_of(const std::vector<std::string>& path) const;

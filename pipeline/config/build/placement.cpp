@@ -56,7 +56,7 @@ void check_placement(Builder& builder) {
     }
     const bool has_cushions = builder.table_geometry && builder.shot.world.table->has_cushions;
     const auto overlaps = sim::find_start_overlaps(
-        builder.shot.world, has_cushions ? &*builder.table_geometry : nullptr);
+        builder.shot.world, has_cushions ? builder.table_geometry.get() : nullptr);
     for (const sim::StartOverlap& overlap : overlaps) {
         builder.reader.error(builder.placed.at(overlap.ball),
                              quote(overlap.ball) + " " + overlap.sentence());

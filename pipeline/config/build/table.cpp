@@ -159,8 +159,11 @@ void build_table_scene(Builder& builder) {
         return;
     }
     const TableMeasures& measures = *builder.shot.world.table;
-    builder.table_geometry =
-        sim::billiards::build_table(measures, measures_of_set(builder.file).radius);
+    const double radius = measures_of_set(builder.file).radius;
+    builder.table_geometry = builder.tables != nullptr
+                                 ? builder.tables->table(measures, radius)
+                                 : std::make_shared<const sim::billiards::TableGeometry>(
+                                       sim::billiards::build_table(measures, radius));
     add_table(builder.shot.scene, measures, *builder.table_geometry);
 }
 

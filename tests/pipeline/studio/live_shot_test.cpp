@@ -42,10 +42,20 @@ class LiveShotTest : public testing::Test {
                 (problems->complete ? complete_ : seen_) = problems->v;
             } else if (const auto* deferred = std::get_if<Deferred>(&message)) {
                 deferred_ = deferred->reason;
+            } else if (const auto* state = std::get_if<ShotState>(&message)) {
+                states_.push_back(*state);
             }
             wake_.notify_all();
         };
-        output.binary = [](const BinaryHead&, const std::vector<double>&) {};
+        output.binary = [this](const BinaryHead& head, const std::vector<double>&) {
+            const std::lock_guard lock(mutex_);
+            sent_cameras_ += std::holds_alternative<CamerasHead>(head) ? 1 : 0;
+        };
+        output.shown = [this](std::int64_t v, const pipeline::Shot&) {
+            const std::lock_guard lock(mutex_);
+            shown_ = v;
+            wake_.notify_all();
+        };
         output.files = [](std::int64_t, const std::vector<pipeline::ReadFile>&) {};
         output.answer = [this](const LiveAnswer& answer) {
             const std::lock_guard lock(mutex_);
@@ -108,6 +118,9 @@ class LiveShotTest : public testing::Test {
     std::int64_t complete_ = 0;
     std::string deferred_;
     std::vector<std::int64_t> answered_;
+    std::int64_t shown_ = 0;
+    int sent_cameras_ = 0;
+    std::vector<ShotState> states_;
     std::unique_ptr<LiveShot> live_;
 };
 
@@ -145,6 +158,47 @@ TEST_F(LiveShotTest, SimulationIsStoppedOnce_ThenTheNextOneEnds) {
     wait([&] { return complete_ == 5; });
     EXPECT_EQ(stopped_, 1);
     EXPECT_EQ(answered_, (std::vector<std::int64_t>{3, 5}));
+}
+
+TEST_F(LiveShotTest, SlowShot_IsShownBeforeItsMotionIsKnown) {
+    holds_ = true;
+    takes_ = 1;
+    offer(1, 1);
+    wait([&] { return begun_ == 1; });
+    set([&] {
+        EXPECT_EQ(shown_, 1);
+        ASSERT_EQ(states_.size(), 1U);
+        EXPECT_FALSE(states_.front().objects.empty());
+        EXPECT_FALSE(states_.front().cameras.empty());
+        holds_ = false;
+    });
+    wait([&] { return complete_ == 1; });
+    // The same objects at the same places as with the motion.
+    ASSERT_EQ(states_.size(), 2U);
+    ASSERT_EQ(states_[0].objects.size(), states_[1].objects.size());
+    for (std::size_t i = 0; i < states_[0].objects.size(); ++i) {
+        EXPECT_EQ(states_[0].objects[i].moves, states_[1].objects[i].moves);
+        EXPECT_EQ(states_[0].objects[i].position, states_[1].objects[i].position);
+    }
+    offer(2, 2);  // known to be slow
+    wait([&] { return complete_ == 2; });
+    EXPECT_EQ(states_.size(), 4U);
+}
+
+TEST_F(LiveShotTest, QuickShot_IsShownOnceForEachText) {
+    for (int v = 1; v <= 3; ++v) {
+        offer(v, v);
+        wait([&] { return complete_ == v; });
+    }
+    EXPECT_EQ(states_.size(), 4U);  // the first one before its motion, too
+}
+
+TEST_F(LiveShotTest, SameCameras_AreSentOnce) {
+    offer(1, 1);
+    wait([&] { return complete_ == 1; });
+    offer(2, 1, 20);
+    wait([&] { return complete_ == 2; });
+    EXPECT_EQ(sent_cameras_, 1);
 }
 
 TEST_F(LiveShotTest, SlowShot_WaitsForTheEndOfTheDrag) {

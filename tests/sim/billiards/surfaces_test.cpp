@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh_helpers.h"
+#include "sim/billiards/table_memo.h"
 
 namespace carom::sim::billiards {
 namespace {
@@ -216,6 +217,17 @@ TEST_P(TableSurfaces, Legs_StandOnTheFloor) {
 
 INSTANTIATE_TEST_SUITE_P(Tables, TableSurfaces, testing::ValuesIn(test::kTables),
                          [](const auto& instance) { return instance.param.name; });
+
+TEST(TableMemo, Table_IsBuiltOnceForTheSameMeasures) {
+    TableMemo memo;
+    TableMeasures measures = *standard_table(TableKind::pool, "9 ft");
+    const auto first = memo.table(measures, 0.0286);
+    EXPECT_EQ(memo.table(measures, 0.0286), first);
+    EXPECT_EQ(first->surfaces.size(), build_table(measures, 0.0286).surfaces.size());
+    EXPECT_NE(memo.table(measures, 0.03), first);
+    measures.height = 0.8;
+    EXPECT_NE(memo.table(measures, 0.0286), first);
+}
 
 }  // namespace
 }  // namespace carom::sim::billiards
