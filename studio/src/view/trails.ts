@@ -2,8 +2,8 @@
 /// second, and those that were pinned to compare with, in grey.
 import { effect } from '@preact/signals';
 import {
-    BufferGeometry, Float32BufferAttribute, LineBasicMaterial, LineSegments, Points,
-    PointsMaterial,
+    BufferGeometry, DataTexture, Float32BufferAttribute, LinearFilter, LineBasicMaterial,
+    LineSegments, Points, PointsMaterial,
 } from 'three';
 import { tracks } from '../motion/clock';
 import { onCommand } from '../state/keys';
@@ -20,13 +20,30 @@ const kStyle = { opacity: 0.75, fadedOpacity: 0.75 };
 const kDragStyle = { opacity: 1, fadedOpacity: 0.2 };
 const kPinnedStyle = { opacity: 0.6, fadedOpacity: 0.6 };
 
+/// A white disc with a soft edge.
+function disc(): DataTexture {
+    const size = 16;
+    const pixels = new Uint8Array(4 * size * size).fill(255);
+    for (let i = 0; i < size * size; ++i) {
+        const [x, y] = [(i % size) - (size - 1) / 2, Math.floor(i / size) - (size - 1) / 2];
+        const inside = size / 2 - Math.hypot(x, y);
+        pixels[4 * i + 3] = 255 * Math.min(1, Math.max(0, inside / 4));
+    }
+    const texture = new DataTexture(pixels, size, size);
+    texture.magFilter = LinearFilter;
+    texture.minFilter = LinearFilter;
+    texture.needsUpdate = true;
+    return texture;
+}
+
 /// Two drawing calls for any number of paths.
 class Trails {
     readonly lines = new LineSegments(new BufferGeometry(), new LineBasicMaterial({
         vertexColors: true, transparent: true,
     }));
     readonly dots = new Points(new BufferGeometry(), new PointsMaterial({
-        vertexColors: true, transparent: true, size: 3, sizeAttenuation: false,
+        vertexColors: true, transparent: true, size: 4.5, sizeAttenuation: false, map: disc(),
+        depthWrite: false,
     }));
 
     constructor() {

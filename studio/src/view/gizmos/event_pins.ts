@@ -72,12 +72,17 @@ export const makeEventPins: MakePart = (context) => {
         const sure = fanText(answer, all, shot.value?.pockets ?? []);
         sketch.show('pins', pinFigure(all, isKept ? under : null, sure));
     })];
+    // A ball under a pin comes first: it may be dragged.
+    const pinAt = (event: PointerEvent) => {
+        const pin = nearestHandle(context, pins.peek(), event);
+        return pin && context.objectAt(event)?.kind !== 'ball' ? pin : null;
+    };
     const leave = () => { pointed.value = null; };
     context.canvas.addEventListener('pointerleave', leave);
     return {
         priority: kGizmoPriority,
         grab: (start) => {
-            const pin = nearestHandle(context, pins.peek(), start);
+            const pin = pinAt(start);
             return pin && {
                 move: () => {},
                 end: (event) => {
@@ -89,7 +94,7 @@ export const makeEventPins: MakePart = (context) => {
             };
         },
         hover: (event) => {
-            pointed.value = nearestHandle(context, pins.peek(), event);
+            pointed.value = pinAt(event);
             return pointed.value ? 'pointer' : null;
         },
         dispose: () => {
