@@ -21,6 +21,7 @@ import { loadConfigFiles } from './text/complete/config_files';
 import { labelsAt } from './text/complete/source';
 import { saveAll, watchFiles } from './text/saving';
 import { watchAnswers } from './text/sending';
+import { keepTexts } from './text/session_store';
 import { undoStep } from './text/undo_commands';
 import './style/main.css';
 
@@ -48,6 +49,7 @@ if (app) {
     watchTheme();
     watchFiles();
     watchAnswers();
+    keepTexts();
     watchRecovery();
     watchQuestions();
     listenToKeys();

@@ -14,8 +14,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { openMerge } from '../dialogs/merge_dialog';
 import { problems } from '../state/state';
 import {
-    activeFile, afterTransaction, attachView, buffers, isChanged, makeState, setChangeListener,
-    setExtensions, type Buffer,
+    activeFile, afterTransaction, attachView, buffers, isChanged, setChangeListener, type Buffer,
 } from './buffers';
 import { completion } from './complete/source';
 import { conflictOf } from './disk_conflicts';
@@ -29,6 +28,7 @@ import { ProblemList } from './ProblemList';
 import { saveAll } from './saving';
 import { sendSoon } from './sending';
 import { setShownView } from './show';
+import { makeState, setExtensions } from './states';
 import { tooltipLook } from './tooltip_look';
 import { undoStep } from './undo_commands';
 import './text.css';

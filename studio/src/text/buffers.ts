@@ -1,12 +1,12 @@
 /// The texts of the shot's files as they stand in the page, each with its own history, and one
 /// stack of undo steps over all of them.
-import { history, isolateHistory, redo, undo, undoDepth } from '@codemirror/commands';
-import { EditorState, Transaction, type ChangeSpec, type Extension } from '@codemirror/state';
+import { isolateHistory, redo, undo, undoDepth } from '@codemirror/commands';
+import { Transaction, type ChangeSpec, type EditorState } from '@codemirror/state';
 import type { EditorView } from '@codemirror/view';
 import { signal } from '@preact/signals';
 import { difference } from '../edit/text_edit';
-import type { OpenFile } from '../protocol';
-import { addStep, moveStep, setSteps } from './steps';
+import { lineBreak } from './states';
+import { addStep, moveStep } from './steps';
 
 export interface Buffer {
     file: string;
@@ -24,15 +24,9 @@ export const activeFile = signal('');
 
 type Listener = (file: string) => void;
 let view: EditorView | null = null;
-let extensions: (writable: boolean) => Extension = () => [];
 let onChange: Listener = () => undefined;
 let isTravelling = false;  // while a step is undone or redone
 let grouped: string[] | null = null;  // files of a step that changes several
-
-/// The extensions that every buffer has beside its history.
-export function setExtensions(make: (writable: boolean) => Extension): void {
-    extensions = make;
-}
 
 /// What is called with the file whenever a text changed.
 export function setChangeListener(listener: Listener): void {
@@ -42,23 +36,6 @@ export function setChangeListener(listener: Listener): void {
 /// The view that shows the active file; null: none does.
 export function attachView(shown: EditorView | null): void {
     view = shown;
-}
-
-/// CRLF is kept if the whole file has it; a mixed file keeps its carriage returns as characters.
-function lineBreak(text: string): string {
-    return /\r\n/.test(text) && !/(^|[^\r])\n/.test(text) ? '\r\n' : '\n';
-}
-
-export function makeState(text: string, writable: boolean): EditorState {
-    return EditorState.create({
-        doc: text,
-        extensions: [
-            EditorState.lineSeparator.of(lineBreak(text)),
-            EditorState.readOnly.of(!writable),
-            history(),
-            extensions(writable),
-        ],
-    });
 }
 
 export function bufferOf(file: string): Buffer | undefined {
@@ -203,42 +180,4 @@ export function setText(file: string, text: string, label: string): void {
     if (change) {
         typeStep([{ file, changes: change }], label);
     }
-}
-
-/// Takes over what the server told: new files get a buffer, files that the page has not changed
-/// take the server's text, and changed ones keep theirs. Returns the files that keep theirs.
-export function takeFiles(files: readonly OpenFile[]): string[] {
-    const kept: string[] = [];
-    if (files[0]?.file !== buffers.value[0]?.file) {  // another shot
-        setSteps([], []);
-    }
-    for (const file of files) {
-        const known = bufferOf(file.file);
-        const isPlain = !file.text.includes('\r') && !known?.savedText.includes('\r');
-        const change = known && isPlain && !isChanged(known)
-            && difference(textOf(known), file.text);
-        if (change) {
-            typeOutside(file.file, change);  // the history of what was typed remains
-        }
-    }
-    buffers.value = files.map((file) => {
-        const known = bufferOf(file.file);
-        if (known && isChanged(known) && textOf(known) !== file.text) {
-            kept.push(file.file);
-            return known;
-        }
-        if (known && textOf(known) === file.text) {
-            known.hash = file.hash;
-            known.savedText = file.changed ? known.savedText : file.text;
-            return known;
-        }
-        const savedText = file.changed ? '' : file.text;
-        const state = makeState(file.text, file.writable);
-        return { file: file.file, name: file.name, writable: file.writable, hash: file.hash,
-            savedText, state };
-    });
-    if (!bufferOf(activeFile.value)) {
-        activeFile.value = files[0]?.file ?? '';
-    }
-    return kept;
 }

@@ -3,10 +3,11 @@ import { onMessage } from '../connection/receive';
 import { send } from '../connection/socket';
 import { files, notice } from '../state/state';
 import { difference } from '../edit/text_edit';
-import { bufferOf, buffers, isChanged, takeFiles, textOf, typeOutside } from './buffers';
+import { bufferOf, buffers, isChanged, textOf, typeOutside } from './buffers';
 import { openMerge } from '../dialogs/merge_dialog';
 import { conflictOf, forgetConflict, noteDisk } from './disk_conflicts';
 import { sendSoon } from './sending';
+import { takeFiles } from './take_files';
 
 /// The texts that are being written, by file.
 const underWay = new Map<string, string>();
@@ -55,7 +56,8 @@ export function watchFiles(): void {
         if (buffer) {
             buffer.hash = hash;
             forgetConflict(file);
-            buffer.savedText = underWay.get(file) ?? buffer.savedText;
+            buffer.savedText = underWay.get(file) ?? textOf(buffer);
+            underWay.delete(file);
             buffers.value = [...buffers.value];
             notice.value = { kind: 'info', text: `${buffer.name} is saved.` };
         }
