@@ -17,7 +17,8 @@ namespace {
 using pipeline::ExportPart;
 using pipeline::ExportPatch;
 
-constexpr float kFirstError = 0.001F;  // of the part's size
+constexpr float kFirstError = 0.001F;       // of the part's size
+constexpr float kFirstDeviation = 0.0002F;  // m, at most, of large parts; grows as the error does
 constexpr float kLastError = 0.05F;
 constexpr float kErrorStep = 2;
 constexpr std::size_t kFewTriangles = 64;  // a part with so few is not worth the work
@@ -35,12 +36,16 @@ std::size_t triangles_of(const pipeline::ExportScene& scene) {
 /// The triangles of a patch after simplification. `error` is relative to the size of the mesh.
 std::vector<std::array<std::uint32_t, 3>> simplified(const render::TriangleMesh& mesh,
                                                      const ExportPatch& patch, float error) {
+    const float size = meshopt_simplifyScale(&mesh.vertices.front().x, mesh.vertices.size(),
+                                             sizeof(mesh.vertices.front()));
+    const float largest = error / kFirstError * kFirstDeviation;
     const auto* corners = mesh.triangles[patch.first].data();
     const std::size_t count = 3 * patch.count;
     std::vector<std::array<std::uint32_t, 3>> result(patch.count);
-    const std::size_t left = meshopt_simplify(
-        result.front().data(), corners, count, &mesh.vertices.front().x, mesh.vertices.size(),
-        sizeof(mesh.vertices.front()), 0, error, meshopt_SimplifyLockBorder, nullptr);
+    const std::size_t left =
+        meshopt_simplify(result.front().data(), corners, count, &mesh.vertices.front().x,
+                         mesh.vertices.size(), sizeof(mesh.vertices.front()), 0,
+                         std::min(error, largest / size), meshopt_SimplifyLockBorder, nullptr);
     result.resize(left / 3);
     return result;
 }

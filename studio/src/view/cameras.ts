@@ -8,7 +8,8 @@ import { fovOfView, type Rectangle } from './letterbox';
 import type { ViewCamera } from './parts';
 
 const kNear = 0.01; // m
-const kFar = 200;
+const kFar = 20000; // m; where the horizon of a floor is
+const kFlatDepth = 100; // m, before and behind an orthographic camera
 const kFov = 40; // degrees, of the free view
 const kMargin = 1.08; // of what is framed
 const kClosest = 0.05; // m, to what is framed
@@ -26,7 +27,7 @@ function cornersOf({ low, high }: Bounds): Vector3[] {
 
 export class Cameras {
     readonly free = new PerspectiveCamera(kFov, 1, kNear, kFar);
-    readonly flat = new OrthographicCamera(-1, 1, 1, -1, -kFar, kFar);
+    readonly flat = new OrthographicCamera(-1, 1, 1, -1, -kFlatDepth, kFlatDepth);
     readonly through = new PerspectiveCamera(kFov, 1, kNear, kFar);
     readonly orbit: OrbitControls;
     readonly pan: OrbitControls; // of the orthographic one

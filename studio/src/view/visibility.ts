@@ -10,7 +10,7 @@ import { Wires } from './wires';
 
 const kShadeMargin = 0.05; // m, of a shade around the lamp in it
 const kLowestShade = 0.2; // m, of its lower edge above the cloth
-const kFloor = 'table/floor';
+const kPlaneScale = 500; // of the file's planes, which are 40 m wide, so that they reach the horizon
 
 /// The bodies at rest around an area light: the shade of a lamp.
 function shadesOf(light: SceneLight, state: ShotState, meshes: SceneMeshes): string[] {
@@ -48,9 +48,13 @@ export function followVisibility(
                     }
                 }
             }
-            const floor = meshes.node(kFloor);
-            if (floor) { // from below and from afar it would hide the page's background
-                floor.visible = lookThrough.value !== null;
+            for (const object of state?.objects.filter((one) => one.shape === 'plane') ?? []) {
+                const node = meshes.node(object.name);
+                if (node) {
+                    node.scale.set(kPlaneScale, 1, kPlaneScale); // y is up in the file
+                    // A table's floor would hide the page's background.
+                    node.visible = object.kind !== 'table' || lookThrough.value !== null;
+                }
             }
             ask();
         }),

@@ -72,14 +72,22 @@ export async function check({ browser, folder, carom }) {
         try {
             const { page } = await open(browser, address, { width: 900, height: 560 });
             await page.waitForFunction(() => window.studio.view.loaded.value > 0);
-            const count = await page.evaluate((size) =>
-                window.studio.state.cameraFrames.value.numbers.length / size, kFrameNumbers);
+            // Frames of cross-fades show two cameras.
+            const entries = await page.evaluate((size) => {
+                const { numbers } = window.studio.state.cameraFrames.value;
+                return Array.from({ length: numbers.length / size }, (_, i) => i)
+                    .filter((i) => numbers[i * size + 2] === 1);
+            }, kFrameNumbers);
+            const count = Math.min(most, entries.length);
             await page.locator('canvas[aria-label="The scene"]').focus();
             await page.keyboard.press('c');
             await page.keyboard.press('r');
             await page.getByLabel('What the picture shows').selectOption('object_id');
-            for (let i = 0; i < Math.min(most, count); ++i) {
-                const frame = await show(page, Math.floor(((i + 0.5) * count) / Math.min(most, count)));
+            for (let i = 0; i < count; ++i) {
+                const entry = entries[Math.floor(((i + 0.5) * entries.length) / count)];
+                const frame = await show(page, entry).catch((error) => {
+                    throw new Error(`${name}: entry ${entry}: ${error.message}`);
+                });
                 const result = await compare(page);
                 compared += result.compared;
                 frames += 1;
