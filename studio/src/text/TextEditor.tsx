@@ -2,9 +2,11 @@
 import { closeBrackets, closeBracketsKeymap } from '@codemirror/autocomplete';
 import { defaultKeymap, indentWithTab } from '@codemirror/commands';
 import { yaml } from '@codemirror/lang-yaml';
-import { bracketMatching, indentOnInput } from '@codemirror/language';
+import {
+    bracketMatching, codeFolding, foldGutter, foldKeymap, indentOnInput,
+} from '@codemirror/language';
 import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
-import { highlightSelectionMatches, searchKeymap } from '@codemirror/search';
+import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
 import {
     drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers,
 } from '@codemirror/view';
@@ -19,33 +21,49 @@ import {
 import { completion } from './complete/source';
 import { conflictOf } from './disk_conflicts';
 import { dashInput } from './dash_input';
+import { editorLook } from './editor_look';
 import { selectAtCursor, showSelection } from './follow_selection';
+import { goToMeaning } from './go_to';
 import { yamlLook } from './highlight';
 import { hoverAbout } from './hover';
+import { indentGuides } from './indent_guides';
 import { pageNonce } from './nonce';
 import { marksIn, marksOf } from './problem_marks';
 import { ProblemList } from './ProblemList';
 import { saveAll } from './saving';
+import { scrub } from './scrub';
 import { sendSoon } from './sending';
 import { setShownView } from './show';
 import { makeState, setExtensions } from './states';
+import { swatches } from './swatches';
 import { tooltipLook } from './tooltip_look';
 import { undoStep } from './undo_commands';
 import './text.css';
+
+/// The arrow in the gutter beside what can be folded.
+function foldMarker(isOpen: boolean): HTMLElement {
+    const marker = document.createElement('span');
+    marker.className = isOpen ? 'open' : 'folded';
+    marker.textContent = isOpen ? '⌄' : '›';
+    marker.title = isOpen ? 'Fold' : 'Unfold';
+    return marker;
+}
 
 const keys = keymap.of([
     { key: 'Mod-z', run: () => undoStep(true), preventDefault: true },
     { key: 'Mod-y', run: () => undoStep(false), preventDefault: true },
     { key: 'Mod-Shift-z', run: () => undoStep(false), preventDefault: true },
     { key: 'Mod-s', run: () => (saveAll(), true), preventDefault: true },
-    ...closeBracketsKeymap, ...searchKeymap, ...lintKeymap, ...defaultKeymap, indentWithTab,
+    ...closeBracketsKeymap, ...searchKeymap, ...foldKeymap, ...lintKeymap, ...defaultKeymap, indentWithTab,
 ]);
 
 setExtensions(() => [
     EditorView.cspNonce.of(pageNonce()),
     lineNumbers(), highlightActiveLine(), highlightActiveLineGutter(), drawSelection(),
     highlightSelectionMatches(), bracketMatching(), indentOnInput(), lintGutter(),
-    completion(), closeBrackets(), dashInput, yaml(), yamlLook, tooltipLook, hoverAbout, keys, selectAtCursor,
+    completion(), closeBrackets(), dashInput, yaml(), yamlLook, tooltipLook, hoverAbout, editorLook,
+    codeFolding(), foldGutter({ markerDOM: foldMarker }), search({ top: true }), indentGuides,
+    swatches, scrub, goToMeaning, keys, selectAtCursor,
     EditorView.contentAttributes.of({ 'aria-label': 'Text of the shot' }),
 ]);
 setChangeListener(sendSoon);
