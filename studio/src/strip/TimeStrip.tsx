@@ -16,6 +16,7 @@ import { otherInstants } from './instants';
 import { currentLayout, stripSize } from './layout_now';
 import { startPlayback } from './playback';
 import { watchPointer } from './pointer';
+import { exposeStrip } from './exposed';
 import { followPlayHead } from './ranges';
 import { curveCamera, curveName, fitOnNewShot, shownEvents } from './strip_state';
 import type { Tip } from './tips';
@@ -129,7 +130,7 @@ export function TimeStrip() {
             watchPointer(above, (next) => { tip.value = next; }),
             followPlayHead(), () => observer.disconnect(),
         ];
-        window.studio['strip'] = { handles: shownHandles, layout: currentLayout, canvas: above };
+        exposeStrip(above);
         return () => endings.forEach((end) => end());
     }, []);
     return (

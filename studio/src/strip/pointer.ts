@@ -120,7 +120,6 @@ export function watchPointer(
         const layout = currentLayout.peek();
         pointers.set(event.pointerId, at);
         canvas.setPointerCapture(event.pointerId);
-        canvas.focus({ preventScroll: true });
         show(null);
         if (pointers.size > 1) {
             letGo(false);
