@@ -36,7 +36,7 @@ async function drag(page, handle, way) {
         await page.mouse.move(x + (way[0] * i) / kMoves, y + (way[1] * i) / kMoves);
     }
     await page.mouse.up();
-    const choice = page.getByRole('menuitem', { name: 'Only here' });
+    const choice = page.getByRole('button', { name: 'Only here' });
     if (await choice.count() > 0) {
         await choice.click();
     }

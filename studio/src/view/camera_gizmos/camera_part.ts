@@ -79,15 +79,16 @@ const figure = computed(() => {
     const cameras = shot.value?.cameras ?? [];
     const paths = cameras.flatMap((camera, i) => {
         const isActive = i === activeCamera.value;
+        const isSelected = i === selectedCamera.value;
         const colour = cameraColour(i);
         const drawn = drawnPaths(camera, colour, targetColour(i)).filter(({ part }) =>
-            through === null ? isActive || part === 'position'
+            through === null ? isSelected || part === 'position'
                 : isActive && part === 'target' && camera.name === through);
         const frames = framesOfCameras.value[i];
         const ticks = through === null && frames ? [tickFigure(frames, colour, isActive)] : [];
-        return [...drawn.map((path) => pathFigure(path, isActive)), ...ticks];
+        return [...drawn.map((path) => pathFigure(path, isSelected)), ...ticks];
     });
-    return together(...paths, through === null && lens ? lensFigure(lens) : {});
+    return together(...paths, through === null && lens ? lensFigure(lens, selectedCamera.value >= 0) : {});
 });
 
 /// The camera whose path is at a pixel.

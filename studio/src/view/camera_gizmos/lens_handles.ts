@@ -40,20 +40,25 @@ function outline(corners: readonly Triple[], colour: number, isFaint: boolean): 
         ({ from, to: corners[(i + 1) % corners.length] ?? from, colour, isFaint }));
 }
 
-export function lensFigure(lens: LensNow): Figure {
+/// The camera at the play head; of a selected one also its axis and the plane in focus.
+export function lensFigure(lens: LensNow, isSelected: boolean): Figure {
     const { pose, colour } = lens;
     const body = Math.min(kBody, 0.5 * pose.focusDistance);
     const near = cornersAt(lens, body);
     const axes = cameraAxes(pose);
     const roof = add(pose.position, add(scale(-body, axes.back),
         scale(1.35 * body * Math.tan(pose.verticalFov / 2), axes.up)));
-    const rays = near.map((to): Line => ({ from: pose.position, to, colour }));
+    const rays = near.map((to): Line => ({ from: pose.position, to, colour, isFaint: !isSelected }));
     const lines = [
-        ...rays, ...outline(near, colour, false),
+        ...rays, ...outline(near, colour, !isSelected),
         // The triangle above the picture's upper edge shows what is up.
-        { from: near[0] as Triple, to: roof, colour }, { from: roof, to: near[1] as Triple, colour },
-        { from: pose.position, to: pose.target, colour, isFaint: true },
+        { from: near[0] as Triple, to: roof, colour, isFaint: !isSelected },
+        { from: roof, to: near[1] as Triple, colour, isFaint: !isSelected },
     ];
+    if (!isSelected) {
+        return { lines };
+    }
+    lines.push({ from: pose.position, to: pose.target, colour, isFaint: true });
     if (pose.focusDistance > kFarthest) {
         return { lines };
     }

@@ -6,7 +6,7 @@ import type { DrawnPath } from './path_handles';
 
 const kMostTicks = 1500;
 const kFirstTick = 0xff3b3b; // the first frame
-const kTick = 4; // CSS pixels
+const kTick = 3.5; // CSS pixels
 const kFirst = 8;
 
 function polyline(curve: readonly number[], colour: number, isFaint: boolean): Line[] {
@@ -27,12 +27,12 @@ function polygon({ shape, colour }: DrawnPath): Line[] {
             isFaint: true }));
 }
 
-export function pathFigure(path: DrawnPath, isActive: boolean): Figure {
-    const isStrong = isActive && path.part === 'position';
+export function pathFigure(path: DrawnPath, isSelected: boolean): Figure {
+    const isStrong = isSelected && path.part === 'position';
     return {
         lines: [
             ...polyline(path.shape.curve, path.colour, !isStrong),
-            ...(isActive ? polygon(path) : []),
+            ...(isSelected ? polygon(path) : []),
         ],
     };
 }

@@ -1,10 +1,8 @@
 /// Dragging a handle: one gesture of edits.
-import { applyChanges, type Change, type EditResult } from '../../edit/edit';
 import { add, scale, subtract } from '../../motion/vectors';
 import type { Triple } from '../../protocol';
 import { editDrag, follower, rayThrough } from '../gizmos/dragging';
 import { alongAxis, onPlane, stepOf } from '../gizmos/rays';
-import { openMenu } from '../menu/menu_state';
 import type { Drag, Pixel, ViewContext } from '../parts';
 import type { Handle } from './handle';
 
@@ -35,47 +33,19 @@ function placeFor(handle: Handle, start: Pixel, context: ViewContext) {
     };
 }
 
-/// Asks what an edit that could mean several things shall do, and does it.
-function askChoices(result: EditResult, changes: Change[], label: string, at: Pixel): void {
-    openMenu({
-        title: result.message, x: at.clientX, y: at.clientY,
-        items: () => result.choices.map((choice) => ({
-            label: choice.label,
-            run: () => {
-                choice.apply();
-                applyChanges(changes, label);
-            },
-        })),
-    });
-}
-
 /// `moved` is called with the handle's place for the pointer, and with null at the end.
 export function dragHandle(
     handle: Handle, start: PointerEvent, context: ViewContext, moved: (at: Triple | null) => void,
 ): Drag {
     const place = placeFor(handle, start, context);
     const precision = precisionAt(context, handle.at);
-    let last: Change[] = [];
-    let pixel: Pixel = start;
-    let result: EditResult | null = null;
     return editDrag(start, {
         label: `Move ${handle.label}`,
         changes: (event) => {
             const at = place(event);
-            if (!at) {
-                return null;
-            }
-            pixel = { clientX: event.clientX, clientY: event.clientY };
-            moved(at);
-            last = handle.changes(at, precision);
-            return last;
+            moved(at ?? handle.at);
+            return at && handle.changes(at, precision);
         },
-        after: (one) => { result = one; },
-        ended: () => {
-            moved(null);
-            if (result && !result.ok && result.choices.length > 0) {
-                askChoices(result, last, handle.label, pixel);
-            }
-        },
+        ended: () => moved(null),
     });
 }

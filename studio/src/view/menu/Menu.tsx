@@ -1,6 +1,7 @@
 /// A menu over the page, for the pointer and the keyboard.
 import { Check } from 'lucide-preact';
-import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
+import { onCommand } from '../../state/keys';
 import { closeMenu, menu, type MenuItem, type OpenMenu } from './menu_state';
 import './menu.css';
 
@@ -64,10 +65,9 @@ function Opened({ opened }: { opened: OpenMenu }) {
             element.style.left = `${Math.max(kEdge, left)}px`;
             element.style.top = `${Math.max(kEdge, top)}px`;
         }
-    }, [opened]);
-    useEffect(() => {
         const before = document.activeElement;
         buttonsOf(list.current)[0]?.focus({ preventScroll: true });
+        const forgetCancel = onCommand('cancel', closeMenu); // wherever the focus is
         const outside = (event: Event) => {
             if (!list.current?.contains(event.target as Node)) {
                 closeMenu();
@@ -77,6 +77,7 @@ function Opened({ opened }: { opened: OpenMenu }) {
         addEventListener('wheel', outside, { capture: true, passive: true });
         addEventListener('blur', closeMenu);
         return () => {
+            forgetCancel();
             removeEventListener('pointerdown', outside, { capture: true });
             removeEventListener('wheel', outside, { capture: true });
             removeEventListener('blur', closeMenu);
