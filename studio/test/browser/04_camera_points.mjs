@@ -36,9 +36,11 @@ async function drag(page, handle, way) {
         await page.mouse.move(x + (way[0] * i) / kMoves, y + (way[1] * i) / kMoves);
     }
     await page.mouse.up();
-    const choice = page.getByRole('button', { name: 'Only here' });
-    if (await choice.count() > 0) {
-        await choice.click();
+    const isAsked = await page.evaluate(() => new Promise((resolve) =>
+        requestAnimationFrame(() => requestAnimationFrame(() =>
+            resolve(document.querySelector('dialog') !== null)))));
+    if (isAsked) {
+        await page.getByRole('button', { name: 'Only here' }).click();
     }
     await settle(page);
     return [x + way[0], y + way[1]];
