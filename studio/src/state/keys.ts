@@ -36,6 +36,8 @@ export const kKeyBindings = [
     { command: 'refine', keys: ['r'], group: 'View', about: 'Show the path-traced picture' },
     { command: 'lookThrough', keys: ['c'], group: 'View', about: 'Look through the camera' },
     { command: 'viewTop', keys: ['1'], group: 'View', about: 'View from above' },
+    { command: 'viewAboveCamera', keys: [], group: 'View',
+        about: 'View from above the camera, turned as it is' },
     { command: 'viewSide', keys: ['2'], group: 'View', about: 'View from the side' },
     { command: 'viewFree', keys: ['3'], group: 'View', about: 'Free view' },
     { command: 'wireframe', keys: ['w'], group: 'View', about: 'Edges only' },

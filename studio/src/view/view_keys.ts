@@ -1,9 +1,13 @@
 /// What the keys of the view do.
 import { filmCamera } from '../motion/clock';
+import { cameraAxes } from '../motion/camera';
+import { scale } from '../motion/vectors';
+import type { ShotState } from '../protocol';
 import { onCommand } from '../state/keys';
 import { lookThrough, selection, shot } from '../state/state';
 import { isWireframe, viewKind } from '../state/view_state';
 import { boundsOf, wholeScene } from './bounds';
+import { activeLens } from './camera_gizmos/camera_part';
 import type { Cameras } from './cameras';
 import type { ViewContext } from './parts';
 
@@ -31,6 +35,15 @@ export function answerViewKeys(
         onCommand('viewSide', freely('side', () =>
             cameras.lookAlong([0, 1, 0], [0, 0, 1], wholeScene(shot.peek())))),
         onCommand('viewFree', freely('free', () => lookAtAll(cameras))),
+        onCommand('viewAboveCamera', () => {
+            const lens = activeLens.peek();
+            if (lens) {
+                const { up, back } = cameraAxes(lens.pose);
+                const box = shot.peek() && boundsOf(lens.camera.path, shot.peek() as ShotState, context);
+                freely('top', () => cameras.lookAlong(scale(-1, up), scale(-1, back),
+                    box ?? wholeScene(shot.peek())))();
+            }
+        }),
         onCommand('lookThrough', () => {
             const camera = shot.peek()?.cameras[filmCamera.peek()];
             lookThrough.value = lookThrough.peek() === null ? camera?.name ?? null : null;

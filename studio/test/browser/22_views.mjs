@@ -93,6 +93,29 @@ export async function check({ page }) {
     equal(edges.lines > 2000 && edges.triangles < whole.triangles / 3, true, JSON.stringify(edges));
     await press('w');
 
+    // From above a camera the picture's right is the camera's.
+    await page.evaluate(() => { window.studio.state.selection.value = ['cameras', '2']; });
+    const mark = await page.evaluate((at) => {
+        const { context } = window.studio.view;
+        const box = context.canvas.getBoundingClientRect();
+        const [x, y] = context.toScreen(at);
+        return [x + box.left, y + box.top];
+    }, first[2]);
+    await page.mouse.click(...mark, { button: 'right' });
+    await page.getByRole('menuitem', { name: 'View from above “rewind”' }).click();
+    const turned = await page.evaluate(() => {
+        const { context } = window.studio.view;
+        const numbers = window.studio.state.cameraFrames.value.numbers;
+        const entry = Array.from({ length: numbers.length / 21 }, (_, i) => i)
+            .find((i) => numbers[21 * i + 1] === 2);
+        const [from, to] = [8, 11].map((i) =>
+            context.toScreen([...numbers.slice(21 * entry + i, 21 * entry + i + 3)]));
+        return { isFlat: context.camera().isOrthographicCamera, across: to[0] - from[0],
+            up: from[1] - to[1] };
+    });
+    equal(turned.isFlat && Math.abs(turned.across) < 1 && turned.up > 50, true,
+        `the view from above the camera: ${JSON.stringify(turned)}`);
+
     await press('3');
     await page.evaluate(() => { window.studio.state.selection.value = ['balls', 'nine']; });
     await press('f');

@@ -25,7 +25,7 @@ function arrow(from: Triple, to: Triple, isFaint: boolean): Figure {
     const along = unit([to[0] - from[0], to[1] - from[1], to[2] - from[2]]);
     return {
         lines: [{ from, to, colour: kLightColour, isFaint }],
-        tips: [{ at: to, along, colour: kLightColour }],
+        tips: isFaint ? [] : [{ at: to, along, colour: kLightColour }],
     };
 }
 

@@ -54,6 +54,13 @@ function pathItems(path: KeyPath): MenuItem[] {
             label: `Look through “${camera.name}”`, startsGroup: true,
             run: () => { lookThrough.value = camera.name; },
         }] : [],
+        ...camera ? [{
+            label: `View from above “${camera.name}”`,
+            run: () => {
+                selection.value = camera.path;
+                runCommand('viewAboveCamera');
+            },
+        }] : [],
         ...isRemovable ? [{
             label: 'Remove this point', run: () => { removeValue(path, 'Remove a point'); },
         }] : [],
