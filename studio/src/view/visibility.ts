@@ -4,13 +4,13 @@ import { Box3, Color, Vector3, type Scene } from 'three';
 import type { SceneLight, ShotState } from '../protocol';
 import { lookThrough, shot } from '../state/state';
 import { isWireframe, showLamps } from '../state/view_state';
+import { reachHorizon } from './far_plane';
 import type { SceneMeshes } from './scene_meshes';
 import { viewColours } from './theme_colours';
 import { Wires } from './wires';
 
 const kShadeMargin = 0.05; // m, of a shade around the lamp in it
 const kLowestShade = 0.2; // m, of its lower edge above the cloth
-const kPlaneScale = 500; // of the file's planes, which are 40 m wide, so that they reach the horizon
 
 /// The bodies at rest around an area light: the shade of a lamp.
 function shadesOf(light: SceneLight, state: ShotState, meshes: SceneMeshes): string[] {
@@ -51,7 +51,7 @@ export function followVisibility(
             for (const object of state?.objects.filter((one) => one.shape === 'plane') ?? []) {
                 const node = meshes.node(object.name);
                 if (node) {
-                    node.scale.set(kPlaneScale, 1, kPlaneScale); // y is up in the file
+                    reachHorizon(node);
                     // A table's floor would hide the page's background.
                     node.visible = object.kind !== 'table' || lookThrough.value !== null;
                 }

@@ -1,14 +1,16 @@
 // The view through a camera shows every object where the renderer does: the objects of both pictures
-// overlap by at least 97 %. Some frames of two shots; 20 frames of each example with
-// CAROM_STUDIO_ALL=1.
+// overlap by at least 97 %, or their outlines are on average less than a third of a pixel apart, which
+// is less than 97 % of a thin object. Some frames of two shots; 20 frames of each example with
+// CAROM_STUDIO_ALL=1, or of the example that it names.
 import { readdirSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { equal, open, serve } from './harness.mjs';
 
-const kFew = [['jump_shot.yaml', 2], ['tower.yaml', 1]];
+const kFew = [['jump_shot.yaml', 2], ['park.yaml', 1]];
 const kMost = 20;    // frames of each shot
 const kSmall = 200;  // pixels; smaller objects are not compared
 const kLeast = 0.97;
+const kApart = 1 / 3; // pixels
 const kFrameNumbers = 21; // of the message of the cameras
 
 /// Goes to an entry of the planned frames and traces its objects. Returns the frame's number.
@@ -33,41 +35,54 @@ async function show(page, entry) {
 
 /// The objects of more than kSmall pixels that overlap too little: "name 0.912 of 345".
 function compare(page) {
-    return page.evaluate(([small, least]) => {
+    return page.evaluate(([small, least, apart]) => {
         const { head, pixels } = window.studio.state.picture.value;
         const ids = window.studio.view.objectIds(head.width, head.height);
         const colours = Array.from({ length: ids.length }, (_, i) =>
             65536 * pixels[4 * i] + 256 * pixels[4 * i + 1] + pixels[4 * i + 2]);
+        // Pixels at the edge of their object.
+        const edges = new Map();
+        colours.forEach((colour, i) => {
+            const around = [i - 1, i + 1, i - head.width, i + head.width];
+            if (around.some((other) => colours[other] !== undefined && colours[other] !== colour)) {
+                edges.set(colour, (edges.get(colour) ?? 0) + 1);
+            }
+        });
         const count = (list) => list.reduce((sum, one) => sum.set(one, (sum.get(one) ?? 0) + 1), new Map());
         const [drawn, traced] = [count([...ids]), count(colours)];
         const both = count([...ids].map((id, i) => `${id} ${colours[i]}`));
         const objects = window.studio.state.shot.value.objects;
         const bad = [];
         let compared = 0;
+        let thin = 0;
         for (const [colour, size] of traced) {
             if (size <= small || colour === 0) {
                 continue;
             }
             const best = [...drawn.keys()].map((id) => {
                 const common = both.get(`${id} ${colour}`) ?? 0;
-                return { id, overlap: common / (size + drawn.get(id) - common) };
+                const either = size + drawn.get(id) - common;
+                return { id, overlap: common / either, off: either - common };
             }).sort((a, b) => b.overlap - a.overlap)[0];
             compared += 1;
-            if (best.overlap < least) {
+            thin += best.overlap < least ? 1 : 0;
+            if (best.overlap < least && best.off > apart * edges.get(colour)) {
                 bad.push(`${objects[best.id - 1]?.name} ${best.overlap.toFixed(3)} of ${size}`);
             }
         }
-        return { bad, compared };
-    }, [kSmall, kLeast]);
+        return { bad, compared, thin };
+    }, [kSmall, kLeast, kApart]);
 }
 
 export async function check({ browser, folder, carom }) {
-    const all = readdirSync(join(folder, 'examples')).filter((name) => name.endsWith('.yaml'))
-        .map((name) => [name, kMost]);
+    const named = process.env.CAROM_STUDIO_ALL;
+    const all = readdirSync(join(folder, 'examples')).filter((name) => name.endsWith('.yaml')
+        && (named === '1' || named === name)).map((name) => [name, kMost]);
     let compared = 0;
+    let thin = 0;
     let frames = 0;
     const bad = [];
-    for (const [name, most] of process.env.CAROM_STUDIO_ALL ? all : kFew) {
+    for (const [name, most] of named ? all : kFew) {
         const { address, end } = await serve(resolve(carom), join(folder, 'examples', name), folder);
         try {
             const { page } = await open(browser, address, { width: 900, height: 560 });
@@ -90,6 +105,7 @@ export async function check({ browser, folder, carom }) {
                 });
                 const result = await compare(page);
                 compared += result.compared;
+                thin += result.thin;
                 frames += 1;
                 bad.push(...result.bad.map((one) => `${name} ${frame}: ${one}`));
             }
@@ -99,5 +115,6 @@ export async function check({ browser, folder, carom }) {
         }
     }
     equal(bad, [], 'objects that do not overlap');
-    return `${compared} objects in ${frames} frames overlap by ${100 * kLeast} % or more`;
+    return `${compared - thin} of ${compared} objects in ${frames} frames overlap by ${100 * kLeast} % or `
+        + 'more, the others are less than a third of a pixel off';
 }
