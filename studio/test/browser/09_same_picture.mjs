@@ -6,7 +6,7 @@ import { readdirSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { equal, open, serve } from './harness.mjs';
 
-const kFew = [['jump_shot.yaml', 2], ['park.yaml', 1]];
+const kFew = [['jump_shot.yaml', 1], ['park.yaml', 1]];
 const kMost = 20;    // frames of each shot
 const kSmall = 200;  // pixels; smaller objects are not compared
 const kLeast = 0.97;
