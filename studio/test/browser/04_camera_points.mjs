@@ -46,6 +46,11 @@ async function drag(page, handle, way) {
     return [x + way[0], y + way[1]];
 }
 
+/// Counts the changes of the shot's texts: a point of a rig may be written in the rig's file.
+function version(page) {
+    return page.evaluate(() => window.studio.state.textVersion.value);
+}
+
 /// How many points of the shot were dragged.
 async function checkShot(page, carom, path) {
     const original = await textOf(page);
@@ -59,13 +64,14 @@ async function checkShot(page, carom, path) {
         for (const { key } of points) {
             await frame(page, points.find((one) => one.key === key).path);
             const handle = (await handlesOf(page)).find((one) => one.key === key);
-            const before = await textOf(page);
+            const before = await version(page);
             const pointer = await drag(page, handle, [37, -23]);
             const distances = free(await handlesOf(page)).map(({ at }) =>
                 (at ? Math.hypot(at[0] - pointer[0], at[1] - pointer[1]) : Infinity));
             const off = Math.min(...distances);
             equal(off <= 1, true, `${path}: ${key} is ${off.toFixed(2)} pixels from the pointer`);
-            equal(await textOf(page) !== before, true, `${path}: ${key} changed the text`);
+            equal(await version(page) > before, true, `${path}: ${key} changed a text`);
+            equal(await page.evaluate(() => window.studio.state.hasErrors.value), false, key);
             count += 1;
         }
     }
