@@ -112,6 +112,16 @@ export async function check(context) {
     equal(/at: \[-0\.2, -0\.\d+, 0\.02\]/.test(along), true, along);
     await page.keyboard.press('Control+z');
     await settle(page);
+    // A little upwards: it stays on the cloth, but not with Ctrl.
+    for (const [key, height] of [['Alt', '0\\.02'], ['Control', '0\\.0[23]\\d+']]) {
+        await page.keyboard.down(key);
+        await dragPixels(page, [body[0] + 6, body[1] + 2], [body[0] + 30, body[1] - 1]);
+        await page.keyboard.up(key);
+        const [line] = changedLines(before, await textOf(page));
+        equal(new RegExp(`at: \\[-0\\.\\d+, -0\\.\\d+, ${height}\\]`).test(line), true, `${key}: ${line}`);
+        await page.keyboard.press('Control+z');
+        await settle(page);
+    }
 
     await page.keyboard.press('s');
     equal((await handlesOf(page, ['objects', 'block'])).map(({ measure }) => measure.key.join('.')),

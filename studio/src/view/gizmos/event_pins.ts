@@ -4,6 +4,7 @@ import { computed, effect, signal } from '@preact/signals';
 import { goToSceneTime } from '../../motion/clock';
 import type { TimelineEvent, Triple } from '../../protocol';
 import { fan, isStale, shot, timeline } from '../../state/state';
+import { showTrails } from '../../state/view_state';
 import { kGizmoPriority, type MakePart } from '../parts';
 import { isNear, nearestHandle } from './dragging';
 import { fanText } from './fan_text';
@@ -38,6 +39,9 @@ export function pinsOf(events: readonly TimelineEvent[], bodies: ReadonlySet<str
 
 /// The pins of the newest motion.
 export const pins = computed<Pin[]>(() => {
+    if (!showTrails.value) {
+        return [];
+    }
     const bodies = (shot.value?.objects ?? []).filter(({ kind }) => kind !== 'table');
     return pinsOf(timeline.value?.head.events ?? [], new Set(bodies.map(({ name }) => name)));
 });

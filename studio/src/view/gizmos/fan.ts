@@ -5,6 +5,7 @@ import { send } from '../../connection/socket';
 import { kFanNumbersPerPoint, type FanHead, type SceneObject } from '../../protocol';
 import { onCommand } from '../../state/keys';
 import { dragging, fan, isStale, selection, shot, timeline } from '../../state/state';
+import { showTrails } from '../../state/view_state';
 import { kDrawingPriority, type MakePart } from '../parts';
 import { trailColour } from '../trail_lines';
 import { isFanShown } from './fan_state';
@@ -62,7 +63,7 @@ export const makeFan: MakePart = ({ scene, ask }) => {
         }),
         effect(() => {
             const answer = isFanShown.value && !isStale.value ? fan.value : null;
-            lines.visible = answer !== null;
+            lines.visible = answer !== null && showTrails.value;
             if (answer) {
                 const { places, colours } = fanLines(
                     answer.head, answer.numbers, shownBalls(shot.value?.objects ?? []));

@@ -18,6 +18,7 @@ const kWays: Readonly<Record<string, [number, number]>> = {
 /// A run of key presses that is one step of undo.
 interface Run {
     path: KeyPath;
+    name: string;
     gesture: Gesture;
     start: number[];
     offset: [number, number];
@@ -29,7 +30,7 @@ export const makeNudge: MakePart = (context) => {
     const finish = () => {
         if (run) {
             clearTimeout(run.timer);
-            run.gesture.commit('Nudge');
+            run.gesture.commit(`Move ${run.name}`);
             run = null;
         }
     };
@@ -48,8 +49,8 @@ export const makeNudge: MakePart = (context) => {
             finish();
         }
         run ??= {
-            path: object.path, gesture: beginGesture(), start: startOf(object), offset: [0, 0],
-            timer: 0,
+            path: object.path, name: object.name, gesture: beginGesture(), timer: 0,
+            start: startOf(object), offset: [0, 0],
         };
         clearTimeout(run.timer);
         run.timer = window.setTimeout(finish, kPause);

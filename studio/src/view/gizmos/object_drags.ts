@@ -12,6 +12,9 @@ import { tripleOf, valueAt } from './shot_values';
 const kPlaceStep = 1e-4; // m
 const kAngleStep = (0.1 * Math.PI) / 180;
 const kTurnSteps = (15 * Math.PI) / 180; // with Shift
+const kSnapPixels = 7;
+const kLongestSnap = 0.03; // m
+const kFinest = 1e-5; // m, of the height of what stands on the cloth
 const kSmallest = 1e-4; // m, of a measure
 
 /// Where the text has the object's place at the start: a motion may give its own.
@@ -20,12 +23,32 @@ export function placePath(object: KeyPath): KeyPath {
     return tripleOf(valueAt(first)) ? first : [...object, 'at'];
 }
 
+/// An object that is moved.
+export interface Moved {
+    path: KeyPath;
+    name: string;
+    origin: Triple;
+    /// How far its lowest point is below its origin, m.
+    below: number;
+}
+
+/// The place near `place` at which the object stands on the cloth (not with Ctrl), else `place`; in
+/// whole steps of what the view resolves.
+function onCloth(place: Triple, { below }: Moved, event: PointerEvent, context: ViewContext): Triple {
+    const step = placeStep(context, place);
+    const reach = Math.min(kSnapPixels * context.metresPerPixel(place), kLongestSnap);
+    const [x, y, z] = place.map((one) => step * Math.round(one / step)) as Triple;
+    const isNear = Math.abs(place[2] - below) < reach && !event.ctrlKey && !event.metaKey;
+    return [x, y, isNear ? kFinest * Math.ceil(below / kFinest - 1e-3) : z];
+}
+
 /// Moves an object so that the point at which it was taken follows the pointer: in the view's plane,
-/// with Shift on its level, with x, y or z held along that axis.
+/// with Shift on its level, with x, y or z held along that axis. It snaps to the cloth.
 export function dragBody(
-    path: KeyPath, name: string, origin: Triple, taken: Triple, start: PointerEvent,
-    context: ViewContext, say: (place: Triple | null) => void,
+    moved: Moved, taken: Triple, start: PointerEvent, context: ViewContext,
+    say: (place: Triple | null) => void,
 ): Drag {
+    const { path, name, origin } = moved;
     const place = placePath(path);
     const follow = follower(context, taken, start);
     return editDrag(start, {
@@ -35,9 +58,10 @@ export function dragBody(
             if (!to) {
                 return null;
             }
-            const value = add(origin, subtract(to, taken));
+            const value = onCloth(add(origin, subtract(to, taken)), moved, event, context);
             say(value);
-            return [{ path: place, value, precision: placeStep(context, origin) }];
+            const precision = Math.min(placeStep(context, origin), kFinest);
+            return [{ path: place, value, precision }];
         },
         ended: () => say(null),
     });

@@ -2,9 +2,10 @@
 /// dragging themselves.
 import { computed, effect, signal } from '@preact/signals';
 import { Box3, Sphere } from 'three';
+import { tracks } from '../../motion/clock';
 import type { SceneObject, Triple } from '../../protocol';
 import { onCommand } from '../../state/keys';
-import { selection, shot } from '../../state/state';
+import { sceneTime, selection, shot } from '../../state/state';
 import { kBodyPriority, kHandlePriority, type MakePart, type ViewContext } from '../parts';
 import { nearestHandle, pixelDistance, reachOf } from './dragging';
 import { followAxisKeys } from './held_axis';
@@ -148,8 +149,9 @@ export const makeObjectBodies: MakePart = (context) => {
             }
             selection.value = object.path;
             const origin = tripleOf(valueAt(placePath(object.path))) ?? [0, 0, 0];
-            const taken = hit.point.toArray();
-            return dragBody(object.path, object.name, origin, taken, event, context, (place) => {
+            const below = isAtStart(object) ? origin[2] - new Box3().setFromObject(node).min.z : NaN;
+            const moved = { path: object.path, name: object.name, origin, below };
+            return dragBody(moved, hit.point.toArray(), event, context, (place) => {
                 active.value = place && { axis: null, text: written(place) };
             });
         },
@@ -157,6 +159,12 @@ export const makeObjectBodies: MakePart = (context) => {
         dispose: () => {},
     };
 };
+
+/// Whether the view shows it where it starts.
+function isAtStart({ name, position }: SceneObject): boolean {
+    const now = tracks.peek().get(name)?.position(sceneTime.peek()) ?? position;
+    return Math.hypot(now[0] - position[0], now[1] - position[1], now[2] - position[2]) < 1e-9;
+}
 
 function written(place: Triple): string {
     return place.map((one) => one.toFixed(3)).join(', ');

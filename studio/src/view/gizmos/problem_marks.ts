@@ -6,11 +6,12 @@ import { bufferOf } from '../../text/buffers';
 import { pathAt } from '../../text/follow_selection';
 import { offsetsOf } from '../../text/problem_marks';
 import { kDrawingPriority, type MakePart } from '../parts';
-import { kColours, type Figure } from './figure';
+import { kColours, type Figure, type Line } from './figure';
 import { valueAt } from './shot_values';
 import { sketchOf } from './sketch';
 
 const kDefaultRadius = 0.028575; // m, of a ball that was never valid
+const kCirclePieces = 32;
 const kLongest = 90; // characters
 
 export const makeProblemMarks: MakePart = (context) => {
@@ -46,6 +47,15 @@ function placeOf(path: KeyPath, known: SceneObject | undefined): Triple | null {
     return known ? known.position : null;
 }
 
+/// A level circle around a place.
+function circle(at: Triple, radius: number): Line[] {
+    const points = Array.from({ length: kCirclePieces + 1 }, (_, i): Triple => {
+        const angle = (2 * Math.PI * i) / kCirclePieces;
+        return [at[0] + radius * Math.cos(angle), at[1] + radius * Math.sin(angle), at[2]];
+    });
+    return points.slice(1).map((to, i) => ({ from: points[i] ?? to, to, colour: kColours.wrong }));
+}
+
 function problemFigure(errors: readonly Problem[], objects: readonly SceneObject[]): Figure {
     const marked = new Map<string, { at: Triple; radius: number; text: string }>();
     const find = ([section, name]: KeyPath) => objects.find((one) =>
@@ -68,6 +78,7 @@ function problemFigure(errors: readonly Problem[], objects: readonly SceneObject
             Math.hypot(at[0] - one.at[0], at[1] - one.at[1], at[2] - one.at[2])
                 < radius + one.radius - 1e-9));
     return {
+        lines: wrong.flatMap(({ at, radius }) => circle(at, 1.35 * radius)),
         balls: [...wrong, ...others].map(({ at, radius }) =>
             ({ at, radius: radius * 1.04, colour: kColours.wrong })),
         labels: wrong.map(({ at, text }) => ({ at, text, tone: 'wrong' })),

@@ -5,7 +5,7 @@ import { Color } from 'three';
 import type { Change } from '../../edit/edit';
 import { tracks } from '../../motion/clock';
 import type { KeyPath, ShotEvent, ShotState } from '../../protocol';
-import { selection, shot } from '../../state/state';
+import { lookThrough, playing, selection, shot } from '../../state/state';
 import { kHandlePriority, type Drag, type MakePart, type ViewContext } from '../parts';
 import { tablePlan, type OtherBall } from './ball_snap';
 import {
@@ -82,7 +82,10 @@ export const makeStrike: MakePart = (context) => {
     forTests['handles'] = handles;
     const end = effect(() => {
         const view = strikeView.value;
-        sketch.show('strike', view ? strikeFigure(view, shownStrike.value?.isChosen ?? false) : {});
+        const isChosen = shownStrike.value?.isChosen ?? false;
+        // What is only faint does not disturb the film.
+        const isShown = isChosen || (!playing.value && lookThrough.value === null);
+        sketch.show('strike', view && isShown ? strikeFigure(view, isChosen) : {});
     });
     return {
         priority: kHandlePriority,
