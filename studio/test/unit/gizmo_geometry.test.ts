@@ -101,6 +101,9 @@ test('FirstContact_WithoutABall_IsTheCushionOrThePocket', () => {
     const potted = firstContact([0, 0], [Math.cos(angle), Math.sin(angle)], kRadius, [], table);
     assert.equal(potted.pocket, 'corner_right_back');
     assert.equal(firstContact([0, 0], [1, 0], kRadius, [], null).kind, 'none');
+    // Through the mouth of a pocket that has none: not further than the rail.
+    const lost = firstContact([1.25, 0.3], [0, 1], kRadius, [], { ...table, pockets: [] });
+    near(lost.ghost, [1.25, 0.695]);
     // A ball that lies at the cushion and moves along it does not touch it.
     assert.equal(firstContact([0, 0.635 - kRadius], [-1, 0], kRadius, [], table).normal, undefined);
 });

@@ -9,6 +9,8 @@ export const kMiscueOffset = 0.5;
 
 /// How far lines are drawn that meet nothing, m.
 const kFar = 6;
+/// How far outside of the playing field a ball in the mouth of a pocket can be, m.
+const kBeyond = 0.06;
 
 /// A ball that rolls along a line until it touches something: `ghost` is its centre then.
 export interface Contact {
@@ -73,6 +75,14 @@ function meetsNose(
     return foot >= 0 && foot <= length ? { distance, normal } : null;
 }
 
+/// The distance at which the line leaves the table, where no nose is.
+function leaves(from: Place, direction: Place, table: TablePlan): number {
+    const until = (at: number, speed: number, end: number) =>
+        (Math.abs(speed) < 1e-12 ? Infinity : Math.max(0, (Math.sign(speed) * end - at) / speed));
+    return Math.min(until(from[0], direction[0], table.length / 2 + kBeyond),
+        until(from[1], direction[1], table.width / 2 + kBeyond));
+}
+
 /// What a ball of `radius` touches first that moves from `from` along `direction` (length 1).
 /// `others` are without the ball itself.
 export function firstContact(
@@ -87,6 +97,9 @@ export function firstContact(
             best = { ghost: along(from, direction, distance), distance, ...rest };
         }
     };
+    if (table) {
+        consider(leaves(from, direction, table), { kind: 'none' });
+    }
     for (const pocket of table?.pockets ?? []) {
         const middle = meetsDisc(from, direction, pocket.place, pocket.radius);
         consider(middle, { kind: 'pocket', pocket: pocket.name });
