@@ -6,6 +6,7 @@ import { tracks } from '../motion/clock';
 import type { SceneObject, Triple } from '../protocol';
 import { sceneTime, selection, shot } from '../state/state';
 import { kBodyPriority, type Drag, type MakePart, type ViewContext } from './parts';
+import { ballItems } from './gizmos/ball_menu';
 import { snapBall, tablePlan, type OtherBall, type Snap } from './gizmos/ball_snap';
 import { editDrag, follower } from './gizmos/dragging';
 import { kColours, type Figure } from './gizmos/figure';
@@ -29,6 +30,10 @@ export const makeBallDrag: MakePart = (context) => {
             return ball?.kind === 'ball' ? dragBall(ball, event, context) : null;
         },
         hover: (event) => context.objectAt(event)?.kind === 'ball' ? 'grab' : null,
+        menu: (pixel) => {
+            const ball = context.objectAt(pixel);
+            return ball?.kind === 'ball' ? ballItems(ball) : [];
+        },
         dispose: () => {
             forgetKeys();
             sketch.dispose();

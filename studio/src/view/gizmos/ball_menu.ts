@@ -1,0 +1,87 @@
+/// What the menu of a ball offers: to be struck or aimed at, to touch another ball, and to go back to
+/// its place in the rack.
+import { applyChanges, insertItem, removeValue, type Change } from '../../edit/edit';
+import type { SceneObject } from '../../protocol';
+import { shot } from '../../state/state';
+import type { MenuItem } from '../menu/menu_state';
+import { contactDistance } from './ball_snap';
+import { valueAt } from './shot_values';
+import { shownStrike } from './strike';
+
+const kNumbers = ['one', 'two', 'three', 'four', 'five', 'six', 'seven', 'eight', 'nine', 'ten',
+    'eleven', 'twelve', 'thirteen', 'fourteen', 'fifteen'];
+const kColoured = ['yellow', 'green', 'brown', 'blue', 'pink', 'black'];
+const kPrecision = 1e-4; // m
+
+/// The balls of a rack's set, as docs/reference.md names them.
+export function rackedBalls(set: unknown): readonly string[] {
+    const counts: Record<string, number> = { nine_ball: 9, ten_ball: 10, eight_ball: 15, fifteen_ball: 15 };
+    if (set === 'snooker') {
+        return [...kNumbers.map((_, i) => `red_${i + 1}`), ...kColoured];
+    }
+    return set === 'carom' ? ['white', 'yellow', 'red'] : kNumbers.slice(0, counts[String(set)] ?? 0);
+}
+
+function item(label: string, changes: Change[], startsGroup = false): MenuItem {
+    return { label, startsGroup, run: () => { applyChanges(changes, label); } };
+}
+
+/// The strike is aimed at the ball, or a new one strikes it.
+function strikeItems(ball: SceneObject): MenuItem[] {
+    const events = shot.peek()?.events ?? [];
+    const strike = shownStrike.peek()?.event;
+    const isStruck = events.some(({ kind, object }) => kind === 'strike' && object === ball.name);
+    const aim = strike && strike.object !== ball.name ? [item(`Strike ${strike.object} at ${ball.name}`, [{
+        path: [...strike.path, 'strike', 'toward'], value: ball.name, insteadOf: 'direction',
+    }], true)] : [];
+    const label = `Strike ${ball.name}`;
+    return isStruck ? aim : [...aim, {
+        label, startsGroup: aim.length === 0,
+        run: () => {
+            insertItem(['events'], events.length,
+                `strike: {ball: ${ball.name}, at: 0.5 s, direction: 0 deg, speed: 2 m/s}`, label);
+        },
+    }];
+}
+
+function placeItems(ball: SceneObject): MenuItem[] {
+    const [x, y] = ball.position;
+    if (valueAt([...ball.path, 'touching']) !== undefined) {
+        return [item('Keep its place without touching', [{
+            path: [...ball.path, 'at'], value: [x, y], precision: kPrecision / 100,
+            insteadOf: 'touching',
+        }])];
+    }
+    const others = (shot.peek()?.objects ?? []).filter((one) => one.kind === 'ball'
+        && one.name !== ball.name && valueAt([...one.path, 'touching', 'ball']) !== ball.name);
+    const gap = (one: SceneObject) => Math.hypot(one.position[0] - x, one.position[1] - y)
+        - contactDistance(one.radius, ball.radius);
+    const nearest = others.sort((a, b) => gap(a) - gap(b))[0];
+    if (!nearest) {
+        return [];
+    }
+    const angle = Math.atan2(y - nearest.position[1], x - nearest.position[0]);
+    const degrees = Number(((angle * 180) / Math.PI).toFixed(1));
+    return [item(`Place it against ${nearest.name}`, [{
+        path: [...ball.path, 'touching'], insteadOf: 'at',
+        value: { yaml: `{ball: ${nearest.name}, direction: ${degrees} deg}` },
+    }])];
+}
+
+function rackItems(ball: SceneObject): MenuItem[] {
+    const isRacked = rackedBalls(valueAt(['rack', 'set'])).includes(ball.name);
+    const entry = valueAt(ball.path);
+    const key = ['at', 'touching'].find((one) => valueAt([...ball.path, one]) !== undefined);
+    if (!isRacked || key === undefined) {
+        return [];
+    }
+    const isAll = typeof entry === 'object' && Object.keys(entry).length === 1;
+    return [{
+        label: 'Back to the rack',
+        run: () => { removeValue(isAll ? ball.path : [...ball.path, key], `Rack ${ball.name}`); },
+    }];
+}
+
+export function ballItems(ball: SceneObject): MenuItem[] {
+    return [...strikeItems(ball), ...placeItems(ball), ...rackItems(ball)];
+}
