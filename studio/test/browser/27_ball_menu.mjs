@@ -29,7 +29,7 @@ export async function check({ page }) {
     const struck = await choose('five', 'Strike five');
     equal(struck.includes('\n  - strike: {ball: five, at: 0.5 s, direction: 0 deg, speed: 2 m/s}\n'), true, struck);
     await undo();
-    const against = await choose('cue', /^Place it against \w+$/);
+    const against = await choose('cue', /^Place cue against \w+$/);
     const other = /\n {2}cue: \{touching: \{ball: (\w+), direction: -?[\d.]+ deg\}\}\n/.exec(against)?.[1];
     const [a, b] = [await place('cue'), await place(other)];
     equal(Math.abs(Math.hypot(a[0] - b[0], a[1] - b[1]) - 2 * kRadius) < 1e-6, true, 'the distance');
@@ -39,6 +39,6 @@ export async function check({ page }) {
         await pixelOf(page, [0.2, -0.3, kRadius]));
     const dragged = await textOf(page);
     equal(/\n {2}nine: \{at: \[0\.\d+, -0\.\d+\]\}\n/.test(dragged), true, dragged);
-    equal(await choose('nine', 'Back to the rack'), before, 'the text with nine in the rack again');
+    equal(await choose('nine', 'Back to the rack with nine'), before, 'the text with nine in the rack again');
     return `aim, strike, against ${other}, an entry of its own and back to the rack`;
 }

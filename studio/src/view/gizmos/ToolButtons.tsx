@@ -34,7 +34,7 @@ export function ToolButtons() {
                 <Button key={name} icon={icon} label={label} isPressed={tool.value === name}
                     onClick={() => runCommand(command)} />
             ))}
-            <Button icon={Pin} label="Pin the paths to compare with (P)"
+            <Button icon={Pin} label="Pin the present paths (P)"
                 isPressed={pinned.value !== null} onClick={() => runCommand('pinGhost')} />
             <Button icon={Split} label="Eight slightly different strikes (V)"
                 isPressed={isFanShown.value} onClick={() => runCommand('fan')} />

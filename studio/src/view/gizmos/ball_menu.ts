@@ -47,7 +47,7 @@ function strikeItems(ball: SceneObject): MenuItem[] {
 function placeItems(ball: SceneObject): MenuItem[] {
     const [x, y] = ball.position;
     if (valueAt([...ball.path, 'touching']) !== undefined) {
-        return [item('Keep its place without touching', [{
+        return [item(`Free ${ball.name} where it lies`, [{
             path: [...ball.path, 'at'], value: [x, y], precision: kPrecision / 100,
             insteadOf: 'touching',
         }])];
@@ -62,7 +62,7 @@ function placeItems(ball: SceneObject): MenuItem[] {
     }
     const angle = Math.atan2(y - nearest.position[1], x - nearest.position[0]);
     const degrees = Number(((angle * 180) / Math.PI).toFixed(1));
-    return [item(`Place it against ${nearest.name}`, [{
+    return [item(`Place ${ball.name} against ${nearest.name}`, [{
         path: [...ball.path, 'touching'], insteadOf: 'at',
         value: { yaml: `{ball: ${nearest.name}, direction: ${degrees} deg}` },
     }])];
@@ -77,7 +77,7 @@ function rackItems(ball: SceneObject): MenuItem[] {
     }
     const isAll = typeof entry === 'object' && Object.keys(entry).length === 1;
     return [{
-        label: 'Back to the rack',
+        label: `Back to the rack with ${ball.name}`,
         run: () => { removeValue(isAll ? ball.path : [...ball.path, key], `Rack ${ball.name}`); },
     }];
 }

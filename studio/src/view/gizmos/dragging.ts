@@ -40,7 +40,9 @@ export function editDrag(start: Pixel, drag: EditDrag): Drag {
             const changes = gesture || way >= kDragDistance ? drag.changes(event) : null;
             if (changes) {
                 gesture ??= beginGesture();
-                const result = gesture.update(changes);
+                // With Shift a value of a file that the shot includes is changed there.
+                const intoInclude = event.shiftKey;
+                const result = gesture.update(changes.map((one) => ({ ...one, intoInclude })));
                 drag.after?.(result);
             }
         },
