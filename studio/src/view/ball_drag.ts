@@ -1,6 +1,6 @@
-/// Dragging a ball changes the place at which it starts, in the text: over the cloth, where it snaps
-/// to other balls, cushions and the table's marks (not with Ctrl); with Alt in the plane of the view;
-/// with x, y or z held along that axis; with Shift ten times finer.
+/// Dragging a ball changes the place at which it starts, in the text: over the cloth, where it
+/// snaps to other balls, cushions and the table's marks (not with Ctrl); with Alt in the plane of
+/// the view; with x, y or z held along that axis; with Shift ten times finer.
 import type { Change } from '../edit/edit';
 import { tracks } from '../motion/clock';
 import type { SceneObject, Triple } from '../protocol';
@@ -80,9 +80,11 @@ function dragBall(ball: SceneObject, start: PointerEvent, context: ViewContext):
             to[1] - seen[1] + from[1] - partner.place[1]] as const;
         const reach = Math.hypot(...offset);
         const angle = Math.atan2(offset[1], offset[0]);
-        const precision = stepOf((context.metresPerPixel(from) / reach) * (180 / Math.PI), 1e-3, 0.1);
+        const pixel = (context.metresPerPixel(from) / reach) * (180 / Math.PI);
+        const precision = stepOf(pixel, 1e-3, 0.1);
         const factor = (ball.radius + partner.radius) / reach;
-        show([partner.place[0] + factor * offset[0], partner.place[1] + factor * offset[1], from[2]], {
+        const [x, y] = partner.place;
+        show([x + factor * offset[0], y + factor * offset[1], from[2]], {
             place: partner.place, to: [`touches ${partner.name}; Alt frees it`], guides: [],
         });
         return [{

@@ -113,7 +113,8 @@ function addTrail(
     const first = Math.ceil(track.start / kDotTime - 1e-9);
     for (let step = first; step * kDotTime <= track.end; ++step) {
         const place = track.position(step * kDotTime);
-        const way = last ? Math.hypot(place[0] - last[0], place[1] - last[1], place[2] - last[2]) : 0;
+        const way = last
+            ? Math.hypot(place[0] - last[0], place[1] - last[1], place[2] - last[2]) : 0;
         if (way > kNearest) {
             shapes.dots.push(...place);
             shapes.dotColours.push(...colour, Math.min(1, opacityAt(step * kDotTime) + 0.2));

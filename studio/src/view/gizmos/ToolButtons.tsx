@@ -8,7 +8,10 @@ import { tool, type Tool } from './tool_state';
 const kTools: readonly { name: Tool; icon: LucideIcon; label: string; command: Command }[] = [
     { name: 'move', icon: Move3d, label: 'Move what is selected (M)', command: 'toolMove' },
     { name: 'turn', icon: Rotate3d, label: 'Turn what is selected (E)', command: 'toolTurn' },
-    { name: 'scale', icon: Scale3d, label: 'Measures of what is selected (S)', command: 'toolScale' },
+    {
+        name: 'scale', icon: Scale3d, label: 'Measures of what is selected (S)',
+        command: 'toolScale',
+    },
 ];
 
 interface Properties {

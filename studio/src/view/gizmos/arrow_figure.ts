@@ -59,7 +59,9 @@ export function arrowTip(arrow: Arrow, unit: number): Triple {
     return add(arrow.base, scale(unit, worldVector(arrow)));
 }
 
-export function arrowFigure(arrows: readonly Arrow[], scales: ReadonlyMap<ArrowKind, number>): Figure {
+export function arrowFigure(
+    arrows: readonly Arrow[], scales: ReadonlyMap<ArrowKind, number>,
+): Figure {
     const shown = arrows.filter(({ vector }) => length(vector) > 0);
     const tipOf = (arrow: Arrow) => arrowTip(arrow, scales.get(arrow.kind) ?? 1);
     return {

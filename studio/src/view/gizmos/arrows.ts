@@ -1,5 +1,5 @@
-/// The arrows of the shot in the view: their tips are dragged on their level, with Alt in the view's
-/// plane, with x, y or z held along that axis, with Shift ten times finer.
+/// The arrows of the shot in the view: their tips are dragged on their level, with Alt in the
+/// view's plane, with x, y or z held along that axis, with Shift ten times finer.
 import { computed, effect, signal } from '@preact/signals';
 import { tracks } from '../../motion/clock';
 import type { KeyPath, SceneObject, ShotEvent, Triple, Turn } from '../../protocol';
@@ -53,7 +53,8 @@ function eventArrow(event: ShotEvent, object: SceneObject, chosen: KeyPath | nul
     const turn = valueAt([...section, 'axes']) === 'body' ? orientation : null;
     const point = tripleOf(valueAt([...section, 'at_point'])) ?? [0, 0, 0];
     return {
-        path, kind: event.kind, ...written, turn, base: add(centre, turn ? rotate(turn, point) : point),
+        path, kind: event.kind, ...written, turn,
+        base: add(centre, turn ? rotate(turn, point) : point),
         isChosen: isPart(chosen, event.path) || isPart(chosen, object.path),
     };
 }

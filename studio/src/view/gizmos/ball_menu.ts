@@ -1,5 +1,5 @@
-/// What the menu of a ball offers: to be struck or aimed at, to touch another ball, and to go back to
-/// its place in the rack.
+/// What the menu of a ball offers: to be struck or aimed at, to touch another ball, and to go back
+/// to its place in the rack.
 import { applyChanges, insertItem, removeValue, type Change } from '../../edit/edit';
 import type { SceneObject } from '../../protocol';
 import { shot } from '../../state/state';
@@ -15,11 +15,14 @@ const kPrecision = 1e-4; // m
 
 /// The balls of a rack's set, as docs/reference.md names them.
 export function rackedBalls(set: unknown): readonly string[] {
-    const counts: Record<string, number> = { nine_ball: 9, ten_ball: 10, eight_ball: 15, fifteen_ball: 15 };
+    const counts: Record<string, number> = {
+        nine_ball: 9, ten_ball: 10, eight_ball: 15, fifteen_ball: 15,
+    };
     if (set === 'snooker') {
         return [...kNumbers.map((_, i) => `red_${i + 1}`), ...kColoured];
     }
-    return set === 'carom' ? ['white', 'yellow', 'red'] : kNumbers.slice(0, counts[String(set)] ?? 0);
+    return set === 'carom' ? ['white', 'yellow', 'red']
+        : kNumbers.slice(0, counts[String(set)] ?? 0);
 }
 
 function item(label: string, changes: Change[], startsGroup = false): MenuItem {
@@ -31,9 +34,11 @@ function strikeItems(ball: SceneObject): MenuItem[] {
     const events = shot.peek()?.events ?? [];
     const strike = shownStrike.peek()?.event;
     const isStruck = events.some(({ kind, object }) => kind === 'strike' && object === ball.name);
-    const aim = strike && strike.object !== ball.name ? [item(`Strike ${strike.object} at ${ball.name}`, [{
-        path: [...strike.path, 'strike', 'toward'], value: ball.name, insteadOf: 'direction',
-    }], true)] : [];
+    const aim = strike && strike.object !== ball.name ? [
+        item(`Strike ${strike.object} at ${ball.name}`, [{
+            path: [...strike.path, 'strike', 'toward'], value: ball.name, insteadOf: 'direction',
+        }], true),
+    ] : [];
     const label = `Strike ${ball.name}`;
     return isStruck ? aim : [...aim, {
         label, startsGroup: aim.length === 0,

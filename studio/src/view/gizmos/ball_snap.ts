@@ -1,5 +1,5 @@
-/// Where a ball that is dragged over the cloth comes to lie: against other balls, at the noses of the
-/// cushions, on the table's lines and spots. Everything is seen from above, in metres.
+/// Where a ball that is dragged over the cloth comes to lie: against other balls, at the noses of
+/// the cushions, on the table's lines and spots. Everything is seen from above, in metres.
 import type { CushionNose, ShotState, TablePocket } from '../../protocol';
 
 export type Place = [number, number];
@@ -70,8 +70,12 @@ function tableMarks(table: TablePlan): { lines: Curve[]; spots: { place: Place; 
     const across = (at: number, to: string): Curve =>
         ({ kind: 'line', from: [at, -y], along: [0, 1], length: 2 * y, to, isGuide: true });
     const lines: Curve[] = [
-        { kind: 'line', from: [-x, 0], along: [1, 0], length: 2 * x, to: 'centre line', isGuide: true },
-        across(0, 'middle of the table'), across(-x / 2, 'head string'), across(x / 2, 'foot string'),
+        {
+            kind: 'line', from: [-x, 0], along: [1, 0], length: 2 * x, to: 'centre line',
+            isGuide: true,
+        },
+        across(0, 'middle of the table'), across(-x / 2, 'head string'),
+        across(x / 2, 'foot string'),
     ];
     const spots = [
         { place: [0, 0] as Place, to: 'centre spot' },
@@ -100,7 +104,8 @@ function nearest(curve: Curve, place: Place): Place | null {
             curve.centre[0] + factor * (place[0] - curve.centre[0]),
             curve.centre[1] + factor * (place[1] - curve.centre[1])];
     }
-    const t = (place[0] - curve.from[0]) * curve.along[0] + (place[1] - curve.from[1]) * curve.along[1];
+    const t = (place[0] - curve.from[0]) * curve.along[0]
+        + (place[1] - curve.from[1]) * curve.along[1];
     return t < 0 || t > curve.length ? null
         : [curve.from[0] + t * curve.along[0], curve.from[1] + t * curve.along[1]];
 }
@@ -151,7 +156,8 @@ function roundedOutwards(place: Place, radius: number, others: readonly OtherBal
     for (let i = -1; i <= 2; ++i) {
         for (let j = -1; j <= 2; ++j) {
             const one: Place = [
-                (Math.floor(steps[0] ?? 0) + i) * kFinest, (Math.floor(steps[1] ?? 0) + j) * kFinest];
+                (Math.floor(steps[0] ?? 0) + i) * kFinest,
+                (Math.floor(steps[1] ?? 0) + j) * kFinest];
             const away = distance(one, place);
             if (away < smallest && overlaps(one, radius, near, 0).length === 0) {
                 [best, smallest] = [one, away];
@@ -179,7 +185,8 @@ function guidesOf(curves: readonly Curve[]): [Place, Place][] {
 /// The place near `place` where the ball touches something or lies on a mark, at most `reach` (m)
 /// away. Two marks at once come before one. Without any, `place` itself.
 export function snapBall(
-    place: Place, radius: number, others: readonly OtherBall[], table: TablePlan | null, reach: number,
+    place: Place, radius: number, others: readonly OtherBall[], table: TablePlan | null,
+    reach: number,
 ): Snap {
     const marks = table ? tableMarks(table) : { lines: [], spots: [] };
     const curves: Curve[] = [

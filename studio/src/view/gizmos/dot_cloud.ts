@@ -65,10 +65,12 @@ export class DotCloud {
     update(dots: readonly Dot[]): void {
         this.points.visible = dots.length > 0;
         this.points.geometry.dispose();
-        const numbers = (values: number[], size: number) => new Float32BufferAttribute(values, size);
+        const numbers = (values: number[], size: number) =>
+            new Float32BufferAttribute(values, size);
         this.points.geometry = new BufferGeometry()
             .setAttribute('position', numbers(dots.flatMap(({ at }) => at), 3))
-            .setAttribute('tint', numbers(dots.flatMap(({ colour }) => new Color(colour).toArray()), 3))
+            .setAttribute('tint',
+                numbers(dots.flatMap(({ colour }) => new Color(colour).toArray()), 3))
             .setAttribute('size', numbers(dots.map(({ size }) => size), 1))
             .setAttribute('shape', numbers(dots.map(({ shape }) => kShapes.indexOf(shape)), 1));
     }

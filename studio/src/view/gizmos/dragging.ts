@@ -60,8 +60,9 @@ export function editDrag(start: Pixel, drag: EditDrag): Drag {
 /// How a point follows the pointer.
 export type Follow = 'level' | 'view';
 
-/// A point that was taken at `start` follows the pointer: in the plane that the view shows, or in its
-/// level plane; along an axis while x, y or z is held. `fine` moves a tenth. Null where it cannot.
+/// A point that was taken at `start` follows the pointer: in the plane that the view shows, or in
+/// its level plane; along an axis while x, y or z is held. `fine` moves a tenth. Null where it
+/// cannot.
 export function follower(context: ViewContext, point: Triple, start: Pixel) {
     const from = rayThrough(context, start);
     const normal = viewDirection(context);

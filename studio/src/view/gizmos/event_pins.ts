@@ -60,8 +60,9 @@ function pinFigure(all: readonly Pin[], under: Pin | null, sure: readonly Label[
             at: pin.at, colour: colourOf(pin), size: pin === under ? 12 : 9,
             shape: pin.event.kind === 'impact' ? 'disc' : 'diamond',
         })),
-        labels: [...sure, ...(under
-            ? [{ at: under.at, text: `${under.event.text}, ${under.event.time.toFixed(3)} s` }] : [])],
+        labels: [...sure, ...(under ? [{
+            at: under.at, text: `${under.event.text}, ${under.event.time.toFixed(3)} s`,
+        }] : [])],
     };
 }
 

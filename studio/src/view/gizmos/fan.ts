@@ -18,7 +18,8 @@ const kAngle = 0.00175; // rad
 /// The balls whose paths are shown: the selected one, else those that are struck.
 function shownBalls(objects: readonly SceneObject[]): SceneObject[] {
     const [section, name] = selection.value ?? [];
-    const chosen = objects.filter((one) => one.path[0] === section && one.path[1] === name && one.moves);
+    const chosen = objects.filter((one) =>
+        one.path[0] === section && one.path[1] === name && one.moves);
     const struck = new Set((shot.value?.events ?? []).map(({ object }) => object));
     return chosen.length > 0 ? chosen : objects.filter((one) => struck.has(one.name));
 }

@@ -3,8 +3,8 @@ import type { FanHead, TablePocket } from '../../protocol';
 import type { Label } from './figure';
 import type { Pin } from './event_pins';
 
-/// A label for each ball that some of the runs pot: at the pin of the shot itself if it pots the ball
-/// there, else at the pocket, if it is always the same.
+/// A label for each ball that some of the runs pot: at the pin of the shot itself if it pots the
+/// ball there, else at the pocket, if it is always the same.
 export function fanText(
     answer: { head: FanHead } | null, pins: readonly Pin[], pockets: readonly TablePocket[],
 ): Label[] {

@@ -1,5 +1,5 @@
-/// What the gizmos draw, as plain data: pure functions make figures, src/view/gizmos/sketch.ts draws
-/// them all together.
+/// What the gizmos draw, as plain data: pure functions make figures, src/view/gizmos/sketch.ts
+/// draws them all together.
 import type { Triple } from '../../protocol';
 
 /// Colours of the gizmos, sRGB. The same in both themes: the scene behind them is the same.

@@ -33,7 +33,8 @@ export class Labels {
             const place = this.context.toScreen(label.at);
             element.hidden = place === null;
             if (place) {
-                element.style.transform = `translate(${Math.round(place[0])}px, ${Math.round(place[1])}px)`;
+                const [x, y] = place.map(Math.round);
+                element.style.transform = `translate(${x}px, ${y}px)`;
             }
         });
     }

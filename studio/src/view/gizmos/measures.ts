@@ -70,7 +70,8 @@ export function measureHandles(shape: string, value: Parsed | undefined): Measur
         return [
             radial([shape, 'radius'], of('radius'), -of('height') / 2),
             ...(member(value, 'top_radius') === undefined ? []
-                : [radial([shape, 'top_radius'], of('top_radius'), of('height') / 2, 'top radius')]),
+                : [radial([shape, 'top_radius'], of('top_radius'), of('height') / 2,
+                    'top radius')]),
             axial([shape, 'height'], of('height'), of('height') / 2, 'height'),
         ];
     case 'capsule':
@@ -92,7 +93,8 @@ export function pointsOf(value: Parsed | undefined): Triple[] {
         [0, 1, 2].map((i) => number(Array.isArray(point) ? point[i] : undefined)) as Triple);
 }
 
-/// Pairs of points to join by lines: the edges of a triangle or parallelogram. A hull has none here.
+/// Pairs of points to join by lines: the edges of a triangle or parallelogram. A hull has none
+/// here.
 export function edgesOf(shape: string, points: readonly Triple[]): [Triple, Triple][] {
     const [a, b, c] = points;
     if (!a || !b || !c || shape === 'hull') {

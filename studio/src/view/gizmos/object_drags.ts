@@ -34,7 +34,9 @@ export interface Moved {
 
 /// The place near `place` at which the object stands on the cloth (not with Ctrl), else `place`; in
 /// whole steps of what the view resolves.
-function onCloth(place: Triple, { below }: Moved, event: PointerEvent, context: ViewContext): Triple {
+function onCloth(
+    place: Triple, { below }: Moved, event: PointerEvent, context: ViewContext,
+): Triple {
     const step = placeStep(context, place);
     const reach = Math.min(kSnapPixels * context.metresPerPixel(place), kLongestSnap);
     const [x, y, z] = place.map((one) => step * Math.round(one / step)) as Triple;
@@ -42,8 +44,8 @@ function onCloth(place: Triple, { below }: Moved, event: PointerEvent, context: 
     return [x, y, isNear ? kFinest * Math.ceil(below / kFinest - 1e-3) : z];
 }
 
-/// Moves an object so that the point at which it was taken follows the pointer: in the view's plane,
-/// with Shift on its level, with x, y or z held along that axis. It snaps to the cloth.
+/// Moves an object so that the point at which it was taken follows the pointer: in the view's
+/// plane, with Shift on its level, with x, y or z held along that axis. It snaps to the cloth.
 export function dragBody(
     moved: Moved, taken: Triple, start: PointerEvent, context: ViewContext,
     say: (place: Triple | null) => void,

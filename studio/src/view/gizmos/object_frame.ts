@@ -45,7 +45,8 @@ export function anglesLike(turn: Turn, old: Triple): Triple {
         const from = old[i] ?? 0;
         return angle + 2 * Math.PI * Math.round((from - angle) / (2 * Math.PI));
     }) as Triple;
-    const way = (angles: Triple) => angles.reduce((sum, a, i) => sum + Math.abs(a - (old[i] ?? 0)), 0);
+    const way = (angles: Triple) =>
+        angles.reduce((sum, a, i) => sum + Math.abs(a - (old[i] ?? 0)), 0);
     const [a, b] = [near(first), near(second)];
     return way(b) < way(a) - 1e-9 ? b : a;
 }

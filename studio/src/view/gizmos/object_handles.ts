@@ -50,7 +50,8 @@ export function objectHandles(selected: Selected): ObjectHandle[] {
         const arm = (kArmPixels * metresPerPixel) / Math.sqrt(2);
         return [...vertices, { kind: 'scale', at: add(frame.origin, [arm, 0, arm]) }];
     }
-    return measures.map((measure) => ({ kind: 'measure', measure, at: toWorld(frame, measure.at) }));
+    return measures.map((measure) =>
+        ({ kind: 'measure', measure, at: toWorld(frame, measure.at) }));
 }
 
 /// The points of the ring about a world axis, around the origin.
@@ -65,7 +66,9 @@ export function ringPoints(selected: Selected, axis: number): Triple[] {
 }
 
 /// The unit vector of a measure's axis in the world, and the length of the object's own unit there.
-export function measureAxis(frame: ObjectFrame, { along }: MeasureHandle): { axis: Triple; unit: number } {
+export function measureAxis(
+    frame: ObjectFrame, { along }: MeasureHandle,
+): { axis: Triple; unit: number } {
     const axis = subtract(toWorld(frame, along), frame.origin);
     const unit = length(axis);
     return { axis: scale(1 / (unit || 1), axis), unit };
@@ -74,8 +77,9 @@ export function measureAxis(frame: ObjectFrame, { along }: MeasureHandle): { axi
 /// `active`: the axis that is being turned about or moved along.
 export function objectFigure(selected: Selected, active: number | null): Figure {
     const { frame, tool, shape, value } = selected;
-    const lines: Line[] = edgesOf(shape, pointsOf(value)).map(([a, b]) =>
-        ({ from: toWorld(frame, a), to: toWorld(frame, b), colour: kColours.accent, isFaint: true }));
+    const lines: Line[] = edgesOf(shape, pointsOf(value)).map(([a, b]) => ({
+        from: toWorld(frame, a), to: toWorld(frame, b), colour: kColours.accent, isFaint: true,
+    }));
     const figure: Required<Figure> = { lines, dots: [], tips: [], balls: [], labels: [] };
     for (const handle of objectHandles(selected)) {
         drawHandle(handle, selected, active, figure);
@@ -84,8 +88,9 @@ export function objectFigure(selected: Selected, active: number | null): Figure 
         for (const axis of [0, 1, 2]) {
             const points = ringPoints(selected, axis);
             const colour = kAxisColours[axis] ?? kColours.accent;
+            const isFaint = active !== null && active !== axis;
             lines.push(...points.slice(1).map((to, i) =>
-                ({ from: points[i] ?? to, to, colour, isFaint: active !== null && active !== axis })));
+                ({ from: points[i] ?? to, to, colour, isFaint })));
         }
     }
     return figure;

@@ -1,5 +1,5 @@
-/// Moving, turning and measuring of the selected object, with handles; small objects are also moved by
-/// dragging themselves.
+/// Moving, turning and measuring of the selected object, with handles; small objects are also moved
+/// by dragging themselves.
 import { computed, effect, signal } from '@preact/signals';
 import { Box3, Sphere } from 'three';
 import { tracks } from '../../motion/clock';
@@ -35,7 +35,8 @@ function selectedState(object: SceneObject, context: ViewContext): Selected | nu
         return null;
     }
     const frame = objectFrame(object.path);
-    const origin = isBall ? object.position : tripleOf(valueAt(placePath(object.path))) ?? frame.origin;
+    const origin = isBall ? object.position
+        : tripleOf(valueAt(placePath(object.path))) ?? frame.origin;
     // A hull, for example, is drawn as a mesh.
     const shape = [object.shape, ...kShapeKeys].find((key) =>
         valueAt([...object.path, key]) !== undefined) ?? object.shape;
@@ -149,7 +150,8 @@ export const makeObjectBodies: MakePart = (context) => {
             }
             selection.value = object.path;
             const origin = tripleOf(valueAt(placePath(object.path))) ?? [0, 0, 0];
-            const below = isAtStart(object) ? origin[2] - new Box3().setFromObject(node).min.z : NaN;
+            const lowest = new Box3().setFromObject(node).min.z;
+            const below = isAtStart(object) ? origin[2] - lowest : NaN;
             const moved = { path: object.path, name: object.name, origin, below };
             return dragBody(moved, hit.point.toArray(), event, context, (place) => {
                 active.value = place && { axis: null, text: written(place) };

@@ -42,8 +42,8 @@ export function planeAxes(axis: Triple): [Triple, Triple] {
     return [x, cross(z, x)];
 }
 
-/// The angle (rad) of the ray's place around an axis, counter-clockwise when the axis points towards
-/// the viewer, from the first of planeAxes; null if the ray runs along the plane.
+/// The angle (rad) of the ray's place around an axis, counter-clockwise when the axis points
+/// towards the viewer, from the first of planeAxes; null if the ray runs along the plane.
 export function angleAround(ray: Ray, origin: Triple, axis: Triple): number | null {
     if (Math.abs(dot(ray.direction, unit(axis))) < kGrazing) {
         return null;

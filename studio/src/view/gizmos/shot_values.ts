@@ -63,7 +63,8 @@ export function rotationText(object: KeyPath): RotationText {
 /// Where the text puts an object at the start, and its axes.
 export function objectFrame(object: KeyPath): ObjectFrame {
     const scale = valueAt([...object, 'scale']);
-    const scales = tripleOf(scale) ?? (typeof scale === 'number' ? [scale, scale, scale] : [1, 1, 1]);
+    const factor = typeof scale === 'number' ? scale : 1;
+    const scales: Triple = tripleOf(scale) ?? [factor, factor, factor];
     const at = tripleOf(valueAt([...object, 'at'])) ?? [0, 0, 0];
-    return frameOf(at, rotationText(object), scales as Triple);
+    return frameOf(at, rotationText(object), scales);
 }

@@ -93,7 +93,8 @@ export const makeStrike: MakePart = (context) => {
             const handle = nearestHandle(context, handles(), event);
             const view = strikeView.peek();
             const strike = shownStrike.peek()?.event;
-            return handle && view && strike ? dragStrike(handle, view, strike, event, context) : null;
+            return handle && view && strike
+                ? dragStrike(handle, view, strike, event, context) : null;
         },
         hover: (event) => nearestHandle(context, handles(), event) ? 'grab' : null,
         dispose: () => {
@@ -127,8 +128,8 @@ type HowToChange = (
 function aimAt(context: ViewContext, event: PointerEvent, view: StrikeView) {
     const point = onPlane(rayThrough(context, event), view.centre, [0, 0, 1]);
     const offset = point ? [point[0] - view.centre[0], point[1] - view.centre[1]] as const : null;
-    return point && offset ? { point, reach: Math.hypot(...offset), angle: Math.atan2(offset[1], offset[0]) }
-        : null;
+    return point && offset
+        ? { point, reach: Math.hypot(...offset), angle: Math.atan2(offset[1], offset[0]) } : null;
 }
 
 function aimChange(
@@ -143,13 +144,15 @@ function aimChange(
             const at: [number, number, number] = [place[0], place[1], radius];
             return pixelDistance(context, at, event) * context.metresPerPixel(at) < radius;
         });
-    const aimed = target ? Math.atan2(target.place[1] - view.centre[1], target.place[0] - view.centre[0])
+    const [x, y] = view.centre;
+    const aimed = target ? Math.atan2(target.place[1] - y, target.place[0] - x)
         : event.shiftKey ? view.direction + 0.1 * shortAngle(to.angle - from.angle) : to.angle;
     const direction = view.direction + shortAngle(aimed - view.direction);
     dragged.value = { direction };
     if (Array.isArray(toward) && toward.every((one) => typeof one === 'number')) {
         const point = target?.place ?? [to.point[0], to.point[1]];
-        return [{ path: [...path, 'toward'], value: [...point, ...toward.slice(2)], precision: 1e-4 }];
+        const value = [...point, ...toward.slice(2)];
+        return [{ path: [...path, 'toward'], value, precision: 1e-4 }];
     }
     if (target && typeof toward === 'string') {
         return [{ path: [...path, 'toward'], value: target.name }];
@@ -175,7 +178,8 @@ const speedChange: HowToChange = (event, view, path, start, context) => {
     const speed = Math.max(kSlowest, view.speed + way);
     dragged.value = { speed };
     const precision = event.shiftKey ? 0.01 : stepOf(speed / 20, 0.01, 0.1);
-    return [{ path: [...path, view.isBallSpeed ? 'ball_speed' : 'speed'], value: speed, precision }];
+    const key = view.isBallSpeed ? 'ball_speed' : 'speed';
+    return [{ path: [...path, key], value: speed, precision }];
 };
 
 const elevationChange: HowToChange = (event, view, path, _start, context) => {

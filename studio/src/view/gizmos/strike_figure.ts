@@ -103,7 +103,8 @@ function stickFigure(view: StrikeView): Figure {
         ],
         labels: [{
             at: speed.at, isBelow: true,
-            text: `${Number(view.speed.toPrecision(3))} m/s${view.isBallSpeed ? ' of the ball' : ''}`
+            text: `${Number(view.speed.toPrecision(3))} m/s`
+                + (view.isBallSpeed ? ' of the ball' : '')
                 + (degrees > 0.05 ? `, ${degrees.toFixed(1)}° raised` : ''),
         }],
     };

@@ -1,10 +1,11 @@
 /// What players draw before a strike, seen from above: the line of the aim, the ghost ball at the
-/// first contact, where both balls leave it, and the rebound at a cushion. No throw, swerve or squirt:
-/// the simulated paths show these.
+/// first contact, where both balls leave it, and the rebound at a cushion. No throw, swerve or
+/// squirt: the simulated paths show these.
 import type { OtherBall, Place, TablePlan } from './ball_snap';
 import { contactDistance } from './ball_snap';
 
-/// Beyond this offset (in ball radii) a chalked tip slips off: sim/stick/strike.h (Alciatore, TP 2.1).
+/// Beyond this offset (in ball radii) a chalked tip slips off: sim/stick/strike.h (Alciatore, TP
+/// 2.1).
 export const kMiscueOffset = 0.5;
 
 /// How far lines are drawn that meet nothing, m.
@@ -29,8 +30,8 @@ export interface Contact {
 export interface AfterContact {
     /// The other ball leaves along the line of centres; null if nothing is hit.
     object: Place | null;
-    /// The moving ball leaves along the tangent if it slides, at a cushion as from a mirror; null for
-    /// a full hit.
+    /// The moving ball leaves along the tangent if it slides, at a cushion as from a mirror; null
+    /// for a full hit.
     own: Place | null;
 }
 
@@ -46,7 +47,8 @@ function along(from: Place, direction: Place, distance: number): Place {
     return [from[0] + distance * direction[0], from[1] + distance * direction[1]];
 }
 
-/// The distance along the line at which two discs first touch; null if they never do, or move apart.
+/// The distance along the line at which two discs first touch; null if they never do, or move
+/// apart.
 function meetsDisc(from: Place, direction: Place, centre: Place, reach: number): number | null {
     const to = minus(centre, from);
     const ahead = times(to, direction);
@@ -144,7 +146,8 @@ export function dashed(from: Place, to: Place, piece = 0.02, gap = 0.015): [Plac
     const direction: Place = [way[0] / (length || 1), way[1] / (length || 1)];
     const pieces: [Place, Place][] = [];
     for (let at = 0; at < length; at += piece + gap) {
-        pieces.push([along(from, direction, at), along(from, direction, Math.min(at + piece, length))]);
+        const end = Math.min(at + piece, length);
+        pieces.push([along(from, direction, at), along(from, direction, end)]);
     }
     return pieces;
 }
