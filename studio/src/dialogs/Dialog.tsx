@@ -97,15 +97,15 @@ export function Dialog({
             onKeyDown={keepKeys}
         >
             <form method="dialog" onSubmit={(event) => { event.preventDefault(); submit(); }}>
-                <header>
+                <div class="head">
                     <h2 id={id}>{title}</h2>
                     <button type="button" class="close" aria-label="Dismiss" onClick={dismiss}>
                         <X size={16} aria-hidden="true" />
                     </button>
-                </header>
+                </div>
                 <div class="body">{children}</div>
                 {actions.length === 0 ? null : (
-                    <footer>
+                    <div class="actions">
                         {actions.map((action) => (
                             <button
                                 key={action.label}
@@ -118,7 +118,7 @@ export function Dialog({
                                 {action.label}
                             </button>
                         ))}
-                    </footer>
+                    </div>
                 )}
             </form>
         </dialog>

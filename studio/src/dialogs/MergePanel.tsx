@@ -20,11 +20,10 @@ interface Properties {
 
 function look(label: string): Extension {
     return [EditorView.cspNonce.of(pageNonce()), lineNumbers(), yaml(), yamlLook,
-        EditorView.contentAttributes.of({ 'aria-label': label })];
+        EditorView.contentAttributes.of({ 'aria-label': label, tabindex: '0' })];
 }
 
-const kReadOnly: Extension = [EditorState.readOnly.of(true), EditorView.editable.of(false),
-    EditorView.contentAttributes.of({ tabindex: '0' })];
+const kReadOnly: Extension = [EditorState.readOnly.of(true), EditorView.editable.of(false)];
 
 /// An arrow that takes a difference over from the left.
 function arrow(): HTMLElement {

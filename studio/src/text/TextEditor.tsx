@@ -27,6 +27,7 @@ import { goToMeaning } from './go_to';
 import { yamlLook } from './highlight';
 import { hoverAbout } from './hover';
 import { indentGuides } from './indent_guides';
+import { LostBar } from './LostBar';
 import { pageNonce } from './nonce';
 import { marksIn, marksOf } from './problem_marks';
 import { ProblemList } from './ProblemList';
@@ -64,7 +65,7 @@ setExtensions(() => [
     completion(), closeBrackets(), dashInput, yaml(), yamlLook, tooltipLook, hoverAbout, editorLook,
     codeFolding(), foldGutter({ markerDOM: foldMarker }), search({ top: true }), indentGuides,
     swatches, scrub, goToMeaning, keys, selectAtCursor,
-    EditorView.contentAttributes.of({ 'aria-label': 'Text of the shot' }),
+    EditorView.contentAttributes.of({ 'aria-label': 'Text of the shot', tabindex: '0' }),
 ]);
 setChangeListener(sendSoon);
 
@@ -161,6 +162,7 @@ export function TextEditor() {
     return (
         <section class="text" aria-label="Text">
             <Tabs />
+            <LostBar />
             <ConflictBar />
             <div class="text-view" ref={parent} />
             <ProblemList />
