@@ -33,12 +33,14 @@ import { marksIn, marksOf } from './problem_marks';
 import { ProblemList } from './ProblemList';
 import { saveAll } from './saving';
 import { scrub } from './scrub';
+import { findPanel } from './search_panel';
 import { sendSoon } from './sending';
 import { setShownView } from './show';
 import { makeState, setExtensions } from './states';
 import { swatches } from './swatches';
 import { tooltipLook } from './tooltip_look';
 import { undoStep } from './undo_commands';
+import './find.css';
 import './text.css';
 
 /// The arrow in the gutter beside what can be folded.
@@ -63,7 +65,7 @@ setExtensions(() => [
     lineNumbers(), highlightActiveLine(), highlightActiveLineGutter(), drawSelection(),
     highlightSelectionMatches(), bracketMatching(), indentOnInput(), lintGutter(),
     completion(), closeBrackets(), dashInput, yaml(), yamlLook, tooltipLook, hoverAbout, editorLook,
-    codeFolding(), foldGutter({ markerDOM: foldMarker }), search({ top: true }), indentGuides,
+    codeFolding(), foldGutter({ markerDOM: foldMarker }), search({ top: true, createPanel: findPanel }), indentGuides,
     swatches, scrub, goToMeaning, keys, selectAtCursor,
     EditorView.contentAttributes.of({ 'aria-label': 'Text of the shot', tabindex: '0' }),
 ]);

@@ -18,28 +18,18 @@ export const editorLook = EditorView.theme({
     '.cm-panels': { backgroundColor: 'var(--raised)', color: 'var(--text)', zIndex: '6' },
     '.cm-panels.cm-panels-bottom': { borderTop: '1px solid var(--line)' },
     '.cm-panels.cm-panels-top': { borderBottom: '1px solid var(--line)' },
-    '.cm-panel.cm-search, .cm-panel.cm-gotoLine, .cm-panel.cm-dialog': {
-        display: 'flex', flexWrap: 'wrap', alignItems: 'center', gap: '6px',
-        padding: '8px 36px 8px 10px', fontFamily: 'var(--font)',
+    '.cm-panel.cm-dialog, .cm-panel.cm-gotoLine': {
+        display: 'flex', alignItems: 'center', gap: '6px', padding: '8px 36px 8px 10px',
+        fontFamily: 'var(--font)',
     },
-    '.cm-panel.cm-search br, .cm-panel.cm-search [name=select]': { display: 'none' },
-    '.cm-panel.cm-search .cm-textfield[name=replace]': { flex: '1 1 45%' },
     '.cm-panel .cm-textfield': kField,
-    '.cm-panel.cm-search .cm-textfield[name=search]': { flex: '1 1 90px', minWidth: '80px' },
     '.cm-panel .cm-button': kButton,
     '.cm-panel .cm-button:hover': { backgroundColor: 'var(--hover)', color: 'var(--text)' },
-    '.cm-panel .cm-button:active': { backgroundImage: 'none', backgroundColor: 'var(--active)' },
-    '.cm-panel.cm-search label': {
-        display: 'inline-flex', alignItems: 'center', gap: '4px', margin: '0',
-        fontSize: 'var(--size-small)', color: 'var(--text-soft)',
-    },
-    '.cm-panel.cm-search input[type=checkbox]': { margin: '0', accentColor: 'var(--accent-fill)' },
-    '.cm-panel.cm-search [name=close], .cm-panel [name=close]': {
-        position: 'absolute', top: '8px', right: '8px', width: '24px', height: '24px', padding: '0',
+    '.cm-panel [name=close], .cm-panel .cm-dialog-close': {
+        position: 'absolute', top: '10px', right: '8px', width: '24px', height: '24px', padding: '0',
         border: '0', background: 'none', color: 'var(--text-faint)', fontSize: '18px',
         lineHeight: '20px', borderRadius: 'var(--radius)', cursor: 'pointer',
     },
-    '.cm-panel [name=close]:hover': { backgroundColor: 'var(--hover)', color: 'var(--text)' },
     '.cm-searchMatch': {
         backgroundColor: 'var(--warning-soft)', outline: '1px solid color-mix(in srgb, var(--warning), transparent 55%)',
         borderRadius: '2px',

@@ -84,5 +84,15 @@ export async function check({ page }) {
     await page.keyboard.press('Control+f');
     await page.keyboard.type('bezier');
     equal(await page.locator('.cm-searchMatch').count() > 2, true, 'what was found');
+    equal(await page.locator('.find-count').textContent(), '6', 'the count');
+    await page.keyboard.press('Enter');
+    equal(await page.locator('.find-count').textContent(), '1 of 6', 'the count at the first');
+    await page.locator('.find-field[name=replace]').fill('spline');
+    await page.getByRole('button', { name: 'Replace all' }).click();
+    await settle(page);
+    equal(await textOf(page), before.replaceAll('bezier', 'spline'), 'the replaced text');
+    await page.keyboard.press('Escape');
+    equal(await page.locator('.find').count(), 0, 'panels after Escape');
+    await undone('one undo of replacing all');
     return 'drag, keys, colours, meanings, folds, search';
 }

@@ -1,8 +1,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { EditError } from '../../src/edit/edit_error';
 import type { SourceFile, Value } from '../../src/edit/edit_types';
 import {
-    planEntry, planInsert, planRemove, planSet, Undecided, type Decisions, type FileEdits,
+    planEntry, planInsert, planRemove, planSet, planTakeList, Undecided, type Decisions, type FileEdits,
 } from '../../src/edit/plan';
 import { replaceKey } from '../../src/edit/plan_replace';
 import { applyEdits } from '../../src/edit/text_edit';
@@ -95,4 +96,28 @@ test('ReplaceKey_OfTheShot_KeepsItsPlace_OfAnIncludeHidesIt', () => {
         'include: x.yaml\nballs:\n  a: {at: [0, 0], touching: null}\n');
     assert.equal(replaced(files('balls: {a: {}}\n'), 'balls.a.at', 'touching', [0, 0]),
         'balls: {a: {at: [0, 0]}}\n');
+});
+
+test('PlanSet_IntoInclude_WritesThereIfItCan', () => {
+    const config = 'rack: {gap: 1 mm}\n';
+    const into = { intoInclude: true };
+    assert.equal(set(files('include: x.yaml\n', config, true), 'rack.gap', 2e-3, into),
+        'x.yaml\nrack: {gap: 2 mm}\n');
+    assert.equal(set(files('include: x.yaml\n', config, false), 'rack.gap', 2e-3, into),
+        'a.yaml\ninclude: x.yaml\nrack: {gap: 0.002}\n');
+});
+
+test('PlanTakeList_ListOfAnInclude_IsCopiedAsItIsWritten', () => {
+    const all = files('include: x.yaml\n', 'list: [{a: 1 mm}, {a: 2}]  # c\n');
+    assert.equal(made(planTakeList(all, ['list'])),
+        'a.yaml\ninclude: x.yaml\nlist: [{a: 1 mm}, {a: 2}]\n');
+    assert.throws(() => planRemove(all, ['list', '1']), Undecided);
+    assert.throws(() => planInsert(all, ['list'], 0, 'x'), Undecided);
+    const own = files('include: x.yaml\n', 'list: [{a: 1 mm}, {a: 2}]\n', true);
+    assert.equal(made(planRemove(own, ['list', '1'])), 'x.yaml\nlist: [{a: 1 mm}]\n');
+});
+
+test('PlanRemove_RepeatedValue_IsRefused', () => {
+    assert.throws(() => planRemove(files('a: &n 1\nb: *n\n'), ['a']), EditError);
+    assert.equal(made(planRemove(files('a: &n 1\nb: *n\n'), ['b'])), 'a.yaml\na: &n 1\n');
 });
