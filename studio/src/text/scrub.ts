@@ -5,7 +5,7 @@ import { EditorView, keymap } from '@codemirror/view';
 import { send } from '../connection/socket';
 import { parseQuantity, writeLike } from '../edit/quantity';
 import { dragging } from '../state/state';
-import { activeFile, typeOutside, typeStep } from './buffers';
+import { activeFile, restore, snapshot, typeOutside, typeStep } from './buffers';
 import { hoveredAt } from './hover';
 
 interface NumberInText {
@@ -44,6 +44,7 @@ export function stepped(text: string, steps: number): string {
 /// A drag of a number: it is typed outside of the history, and once as a step at the end.
 function drag(start: MouseEvent, number: NumberInText): void {
     const file = activeFile.value;
+    const before = snapshot();
     let shown = number.text;
     const show = (text: string) => {
         if (text !== shown) {
@@ -63,7 +64,7 @@ function drag(start: MouseEvent, number: NumberInText): void {
         document.body.classList.remove('scrubbing');
         dragging.value = false;
         send('dragging', { on: false });
-        show(number.text);
+        restore(before);
         if (isKept && text !== number.text) {
             const changes = { from: number.from, to: number.from + number.text.length, insert: text };
             typeStep([{ file, changes }], `Change ${number.name}`);

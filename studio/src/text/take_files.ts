@@ -1,7 +1,6 @@
 /// Takes over the shot's files as the server tells them.
-import { difference } from '../edit/text_edit';
 import type { OpenFile } from '../protocol';
-import { activeFile, bufferOf, buffers, isChanged, textOf, typeOutside, type Buffer } from './buffers';
+import { activeFile, bufferOf, buffers, isChanged, setText, textOf, type Buffer } from './buffers';
 import { restoreSteps, storedTexts, type StoredFile } from './session_store';
 import { makeState, stateFromJson } from './states';
 import { setSteps } from './steps';
@@ -33,14 +32,13 @@ function newBuffer(
         state: makeState(file.text, writable) }, isKept: false, isRevived: false };
 }
 
-/// Files that the page has not changed take the server's text, as far as possible within their
-/// history.
+/// Files that the page has not changed take the server's text, as a step of undo: typed outside of
+/// the history instead, it would move the places of older steps that changed the same characters.
 function followServer(file: OpenFile): void {
     const known = bufferOf(file.file);
     const isPlain = !file.text.includes('\r') && !known?.savedText.includes('\r');
-    const change = known && isPlain && !isChanged(known) && difference(textOf(known), file.text);
-    if (change) {
-        typeOutside(file.file, change);
+    if (known && isPlain && !isChanged(known)) {
+        setText(file.file, file.text, file.changed ? 'Take unsaved changes' : 'Reload from disk');
     }
 }
 

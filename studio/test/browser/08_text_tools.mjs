@@ -32,6 +32,10 @@ export async function check({ page }) {
     await page.mouse.up();
     await page.keyboard.up('Alt');
     equal(await textOf(page), before.replace('0.12]', '0.22]'), 'the dragged number');
+    await page.keyboard.press('Control+ArrowUp');
+    equal(await textOf(page), before.replace('0.12]', '0.23]'), 'the nudged number');
+    await page.keyboard.press('Control+z');
+    equal(await textOf(page), before.replace('0.12]', '0.22]'), 'one undo of the key');
     await undone('one undo of the drag');
 
     await page.mouse.move(x, y);
@@ -46,7 +50,7 @@ export async function check({ page }) {
     await at(page, '30 deg', 1);
     await page.keyboard.press('Control+Shift+ArrowUp');
     equal(await textOf(page), before.replace('30 deg', '40 deg'), 'the nudged angle');
-    await undone('one undo of the key');
+    await undone('one undo of the key for the angle');
 
     await at(page, 'ball: cue', 7);
     await page.keyboard.press('F12');

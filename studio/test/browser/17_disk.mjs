@@ -16,6 +16,10 @@ export async function check({ page, path }) {
     await settle(page);
     const dirty = () => page.evaluate(() => document.querySelector('.dirty') !== null);
     equal(await dirty(), false, 'whether the page has unsaved changes');
+    await page.evaluate(() => window.studio.edit.travel(true));
+    equal((await textOf(page)).includes('# renamed'), true, 'the text before, by undo');
+    await page.evaluate(() => window.studio.edit.travel(false));
+    await settle(page);
 
     await page.evaluate(() => window.studio.edit.applyChanges(
         [{ path: ['balls', 'cue', 'at'], value: [-0.7, 0.1], precision: 1e-4 }], 'Move'));
