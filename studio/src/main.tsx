@@ -19,6 +19,7 @@ import { StartScreen } from './start/StartScreen';
 import { activeFile, bufferOf, textOf, travel, typeStep } from './text/buffers';
 import { loadConfigFiles } from './text/complete/config_files';
 import { labelsAt } from './text/complete/source';
+import { focusProblems } from './text/ProblemList';
 import { saveAll, watchFiles } from './text/saving';
 import { watchAnswers } from './text/sending';
 import { keepTexts } from './text/session_store';
@@ -54,6 +55,7 @@ if (app) {
     watchQuestions();
     listenToKeys();
     onCommand('save', saveAll);
+    onCommand('problems', focusProblems);
     watchExisting();
     watchDrops();
     onCommand('open', () => { void chooseShot(); });

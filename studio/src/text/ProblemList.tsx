@@ -53,6 +53,12 @@ function Line({ problem }: { problem: Problem }) {
     );
 }
 
+/// Unfolds the list and puts the focus on its first problem.
+export function focusProblems(): void {
+    isListOpen.value = true;
+    requestAnimationFrame(() => document.querySelector<HTMLElement>('.problems .show')?.focus());
+}
+
 /// Nothing while there are no problems.
 export function ProblemList() {
     if (list.value.length === 0) {

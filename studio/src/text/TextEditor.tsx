@@ -6,6 +6,7 @@ import {
     bracketMatching, codeFolding, foldGutter, foldKeymap, indentOnInput,
 } from '@codemirror/language';
 import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
+import { EditorState } from '@codemirror/state';
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
 import {
     drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers,
@@ -62,7 +63,7 @@ const keys = keymap.of([
 
 setExtensions(() => [
     EditorView.cspNonce.of(pageNonce()),
-    lineNumbers(), highlightActiveLine(), highlightActiveLineGutter(), drawSelection(),
+    EditorState.allowMultipleSelections.of(true), lineNumbers(), highlightActiveLine(), highlightActiveLineGutter(), drawSelection(),
     highlightSelectionMatches(), bracketMatching(), indentOnInput(), lintGutter(),
     completion(), closeBrackets(), dashInput, yaml(), yamlLook, tooltipLook, hoverAbout, editorLook,
     codeFolding(), foldGutter({ markerDOM: foldMarker }), search({ top: true, createPanel: findPanel }), indentGuides,

@@ -84,7 +84,9 @@ export async function check({ page, carom, folder }) {
     await settle(page);
     equal(await textOf(page), before, 'the text after a click in the list');
     await misspell();
-    await page.locator('.problems .show').first().click();
+    await page.keyboard.press('Control+Shift+m');
+    await page.waitForFunction(() => document.activeElement.matches('.problems .show'));
+    await page.keyboard.press('Enter');
     await page.keyboard.press('Control+Shift+ArrowLeft');
     await page.locator('.cm-lintRange-error').first().hover();
     await page.locator('.cm-diagnosticAction').click();
