@@ -6,6 +6,7 @@ import { send } from '../connection/socket';
 import { ask } from '../dialogs/open_dialogs';
 import { isStarting, notice } from '../state/state';
 import { buffers, isChanged } from '../text/buffers';
+import { discardTexts } from '../text/discard';
 import { saveAll } from '../text/saving';
 import { existsQuestion, unsavedQuestion } from './questions';
 
@@ -65,6 +66,9 @@ export async function mayLeave(): Promise<boolean> {
     }
     const answer = await ask('Save the changes first?', unsavedQuestion,
         [{ label: 'Save' }, { label: 'Do not save' }]);
+    if (answer === 'Do not save') {
+        discardTexts();
+    }
     return answer === 'Save' ? saved() : answer === 'Do not save';
 }
 

@@ -52,6 +52,10 @@ export function storedTexts(shot: string): Stored | null {
     }
 }
 
+export function forgetStored(shot: string): void {
+    sessionStorage.removeItem(keyOf(shot));
+}
+
 /// Puts the steps back whose files all have their history.
 export function restoreSteps({ back, forward }: Stored, files: ReadonlySet<string>): void {
     const isWhole = (step: Step) => step.files.every((file) => files.has(file));

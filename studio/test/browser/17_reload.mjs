@@ -1,4 +1,5 @@
-// Unsaved texts and the history of all steps survive a reload of the page.
+// Unsaved texts and the history of all steps survive a reload of the page; changes that the user
+// leaves without saving do not come back.
 import { readFileSync } from 'node:fs';
 import { equal, settle, textOf } from './harness.mjs';
 
@@ -28,5 +29,22 @@ export async function check({ page, path }) {
     await settle(page);
     equal(await textOf(page), before, 'the text after undo');
     equal(await page.locator('.toolbar .dirty').count(), 0, 'signs of unsaved changes at the end');
+    await apply([-0.5, 0.3]);
+    await settle(page);
+    const show = async (name, words) => {
+        const asked = page.evaluate((file) => window.studio.open(file),
+            path.replace('nine_ball_break', name));
+        if (words) {
+            await page.getByRole('button', { name: words }).click();
+        }
+        await asked;
+        await page.waitForFunction((part) => window.studio.state.files.value[0]?.file.includes(part)
+            && window.studio.state.problems.value?.complete, name);
+        await settle(page);
+    };
+    await show('jump_shot', 'Do not save');
+    await show('nine_ball_break');
+    equal(await textOf(page), before, 'the text after it was left without saving');
+    equal(await page.locator('.toolbar .dirty').count(), 0, 'unsaved changes of a shot left');
     return 'texts and steps are there again';
 }
