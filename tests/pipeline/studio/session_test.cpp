@@ -29,6 +29,10 @@ TEST_F(StudioSession, Hello_IsAnsweredWithTheWholeShot) {
     EXPECT_TRUE(session_->find("/scene/" + scene.hash + ".glb"));
     EXPECT_FALSE(session_->find("/scene/none.glb"));
     EXPECT_TRUE(session_->find("/schema.json"));
+    const std::optional<Download> configs = session_->find("/configs.json");
+    ASSERT_TRUE(configs);
+    EXPECT_THAT(*configs->bytes, testing::HasSubstr(R"("name":"tables/pool_9ft.yaml")"));
+    EXPECT_THAT(*configs->bytes, testing::Not(testing::HasSubstr("templates/")));
     const std::lock_guard lock(mutex_);
     std::set<std::string> slots;
     for (const Outgoing& message : sent_) {
