@@ -1,9 +1,10 @@
 import { effect, signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { filmDuration, framesOfCameras } from '../motion/clock';
+import { shownTheme } from '../shell/theme';
 import { filmThumbnails } from '../state/film_thumbnails';
 import { bindingOf, keyName, runCommand, type Command } from '../state/keys';
-import { filmTime, isStale, sceneTime, selection, shot, theme, timeline } from '../state/state';
+import { filmTime, isStale, sceneTime, selection, shot, timeline } from '../state/state';
 import { ballSpeeds } from './ball_speeds';
 import { filmClock, sceneClock } from './clock_text';
 import { readColours } from './colours';
@@ -60,7 +61,7 @@ function sized(canvas: HTMLCanvasElement): CanvasRenderingContext2D | null {
 function keepDrawn(still: HTMLCanvasElement, moving: HTMLCanvasElement): () => void {
     const endings = [
         effect(() => {
-            void theme.value;
+            void shownTheme.value;
             void picturesCame.value;
             const picture = pictureOf(still);
             const head = timeline.value?.head;
@@ -71,7 +72,7 @@ function keepDrawn(still: HTMLCanvasElement, moving: HTMLCanvasElement): () => v
             }
         }),
         effect(() => {
-            void theme.value;
+            void shownTheme.value;
             const layout = currentLayout.value;
             const pen = sized(moving);
             if (pen && stripSize.value.width > 0) {

@@ -1,0 +1,113 @@
+/// Where the tip hits the ball, and the direction of the aim, as two discs to drag.
+import { applyChanges, beginGesture, type Change } from '../edit/edit';
+import type { KeyPath, ShotEvent } from '../protocol';
+import { kMiscueOffset } from '../view/gizmos/strike_geometry';
+
+const kRadius = 44; // px of the ball, and of the dial
+const kStep = 0.01; // ball radii
+const kDegree = Math.PI / 180;
+
+function pointIn(event: PointerEvent): [number, number] {
+    const box = (event.currentTarget as Element).getBoundingClientRect();
+    return [(event.clientX - box.left - box.width / 2) / kRadius,
+        -(event.clientY - box.top - box.height / 2) / kRadius];
+}
+
+/// A drag within an element: one step of undo.
+function dragIn(event: PointerEvent, label: string, changes: (x: number, y: number) => Change[]): void {
+    const element = event.currentTarget as SVGElement;
+    const gesture = beginGesture();
+    element.setPointerCapture(event.pointerId);
+    gesture.update(changes(...pointIn(event)));
+    element.onpointermove = (move) => { gesture.update(changes(...pointIn(move))); };
+    const end = () => {
+        element.onpointermove = null;
+        element.onpointerup = null;
+        element.onpointercancel = null;
+    };
+    element.onpointerup = () => { end(); gesture.commit(label); };
+    element.onpointercancel = () => { end(); gesture.cancel(); };
+}
+
+function tipChanges(path: KeyPath, x: number, y: number): Change[] {
+    const length = Math.max(1, Math.hypot(x, y));
+    return [{ path: [...path, 'strike', 'tip'], precision: kStep,
+        value: [Math.round(x / length / kStep) * kStep, Math.round(y / length / kStep) * kStep] }];
+}
+
+function directionChanges(event: ShotEvent, angle: number): Change[] {
+    const path = [...event.path, 'strike', 'direction'];
+    const change = { path, value: angle, precision: 0.1 * kDegree };
+    return event.toward === '' ? [change] : [{ ...change, insteadOf: 'toward' }];
+}
+
+const kArrows: Record<string, readonly [number, number]> = {
+    ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1],
+};
+
+function TipDisc({ event }: { event: ShotEvent }) {
+    const [x, y] = event.tip;
+    const isMiscue = Math.hypot(x, y) > kMiscueOffset;
+    const press = (key: KeyboardEvent) => {
+        const arrow = kArrows[key.key];
+        if (arrow) {
+            const step = key.shiftKey ? 0.1 : kStep;
+            key.preventDefault();
+            applyChanges(tipChanges(event.path, x + arrow[0] * step, y + arrow[1] * step), 'Move tip');
+        }
+    };
+    return (
+        <figure>
+            <svg viewBox="-50 -50 100 100" width="100" height="100" role="slider" tabIndex={0}
+                aria-label="Where the tip hits the ball" aria-valuenow={Math.hypot(x, y)}
+                aria-valuemin={0} aria-valuemax={1}
+                aria-valuetext={`${x.toFixed(2)} right, ${y.toFixed(2)} up, in ball radii${isMiscue ? ', miscue' : ''}`}
+                onKeyDown={press}
+                onPointerDown={(down) => dragIn(down, 'Move tip', (a, b) => tipChanges(event.path, a, b))}>
+                <circle class="ball" r={kRadius} />
+                <path class="cross" d={`M${-kRadius} 0H${kRadius}M0 ${-kRadius}V${kRadius}`} />
+                <circle class="limit" r={kRadius * kMiscueOffset} />
+                <circle class={isMiscue ? 'tip miscue' : 'tip'} cx={x * kRadius} cy={-y * kRadius} r={6} />
+            </svg>
+            <figcaption>{isMiscue ? 'tip: miscue' : `tip ${x.toFixed(2)}, ${y.toFixed(2)}`}</figcaption>
+        </figure>
+    );
+}
+
+function Dial({ event }: { event: ShotEvent }) {
+    const angle = event.direction;
+    const degrees = angle / kDegree;
+    const [x, y] = [Math.cos(angle) * (kRadius - 6), -Math.sin(angle) * (kRadius - 6)];
+    const press = (key: KeyboardEvent) => {
+        const turn = { ArrowLeft: 1, ArrowUp: 1, ArrowRight: -1, ArrowDown: -1 }[key.key];
+        if (turn) {
+            const step = key.shiftKey ? 5 : key.altKey ? 0.1 : 1;
+            key.preventDefault();
+            applyChanges(directionChanges(event, angle + turn * step * kDegree), 'Turn the aim');
+        }
+    };
+    return (
+        <figure>
+            <svg viewBox="-50 -50 100 100" width="100" height="100" role="slider" tabIndex={0}
+                aria-label="Direction of the aim" aria-valuenow={Math.round(degrees * 10) / 10}
+                aria-valuemin={-360} aria-valuemax={360} aria-valuetext={`${degrees.toFixed(1)} degrees`}
+                onKeyDown={press}
+                onPointerDown={(down) => dragIn(down, 'Turn the aim',
+                    (a, b) => directionChanges(event, Math.atan2(b, a)))}>
+                <circle class="dial" r={kRadius} />
+                {Array.from({ length: 24 }, (_, i) => (
+                    <path key={i} class="cross" transform={`rotate(${15 * i})`}
+                        d={`M${kRadius} 0H${kRadius - (i % 6 === 0 ? 9 : 4)}`} />
+                ))}
+                <path class="hand" d={`M0 0L${x} ${y}`} />
+                <circle class="tip" cx={x} cy={y} r={5} />
+            </svg>
+            <figcaption>{event.toward ? `toward ${event.toward}` : `${degrees.toFixed(1)}°`}</figcaption>
+        </figure>
+    );
+}
+
+/// The discs of a strike.
+export function StrikeTool({ event }: { event: ShotEvent }) {
+    return <div class="strike"><TipDisc event={event} /><Dial event={event} /></div>;
+}

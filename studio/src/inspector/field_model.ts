@@ -1,0 +1,74 @@
+/// What the inspector shows: the keys of what is selected, those that the text gives and those that
+/// it may give.
+import type { Origin, Source } from '../edit/edit';
+import { keyAt, keysAt, typesAt, type KeyInfo } from '../schema/keys';
+import type { Schema, ValueType } from '../schema/value_types';
+import type { KeyPath } from '../protocol';
+
+export interface Field {
+    path: KeyPath;
+    name: string;
+    info: KeyInfo | null;
+    types: ValueType[];
+    source: Source | null; // null: the text does not have it
+    origin: Origin;
+    /// Of a map or a list that is shown part by part.
+    parts: Field[];
+}
+
+/// How the model asks about the texts.
+export interface Texts {
+    sourceOf(path: KeyPath): Source | null;
+    originOf(path: KeyPath): Origin;
+    /// The keys of the map at a path, or the indices of the list, in the order of the text.
+    keysOf(path: KeyPath): string[];
+}
+
+const kDeepest = 5;
+
+/// Whether a list is shown in one line: two to four plain values.
+export function isVector(field: Field): boolean {
+    return field.source?.kind === 'list' && field.parts.length >= 1 && field.parts.length <= 4
+        && field.parts.every((part) => part.source?.kind === 'scalar');
+}
+
+function fieldAt(schema: Schema, texts: Texts, path: KeyPath, depth: number): Field {
+    const source = texts.sourceOf(path);
+    const name = path[path.length - 1] ?? '';
+    const isInside = source !== null && source.kind !== 'scalar' && depth < kDeepest;
+    return {
+        path, name: /^\d+$/.test(name) ? String(Number(name) + 1) : name,
+        info: keyAt(schema, path), types: typesAt(schema, path), source, origin: texts.originOf(path),
+        parts: isInside ? partsOf(schema, texts, path, depth + 1) : [],
+    };
+}
+
+function partsOf(schema: Schema, texts: Texts, path: KeyPath, depth: number): Field[] {
+    return texts.keysOf(path).map((key) => fieldAt(schema, texts, [...path, key], depth));
+}
+
+/// The keys that the text gives at a path, and those that it may give beside them.
+export function fieldsOf(schema: Schema, texts: Texts, path: KeyPath): { given: Field[]; more: Field[] } {
+    const present = texts.keysOf(path);
+    const given = partsOf(schema, texts, path, 0);
+    const isList = texts.sourceOf(path)?.kind === 'list';
+    const more = isList ? [] : keysAt(schema, path, present).filter((info) => info.name !== 'include')
+        .map((info): Field => ({
+            path: [...path, info.name], name: info.name, info,
+            types: typesAt(schema, [...path, info.name]), source: null, origin: 'absent', parts: [],
+        }));
+    return { given, more };
+}
+
+/// The fields whose name, or the name of a part, contains a word.
+export function matching(fields: readonly Field[], word: string): Field[] {
+    const needle = word.trim().toLowerCase();
+    return fields.flatMap((field) => {
+        if (field.name.toLowerCase().includes(needle)
+            || field.info?.about.toLowerCase().includes(needle)) {
+            return [field];
+        }
+        const parts = matching(field.parts, word);
+        return parts.length > 0 ? [{ ...field, parts }] : [];
+    });
+}

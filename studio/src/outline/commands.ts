@@ -1,0 +1,133 @@
+/// Adding, duplicating, renaming and deleting things of the shot: each one step of undo.
+import { insertEntry, insertItem, removeValue, sourceOf } from '../edit/edit';
+import { filmDuration } from '../motion/clock';
+import type { KeyPath, ShotState } from '../protocol';
+import { onCommand } from '../state/keys';
+import { notice, selection, shot } from '../state/state';
+import { kNoNames } from '../text/complete/candidates';
+import { snippetsFor } from '../text/complete/snippets';
+import { originalText } from './original_text';
+
+const kLists = new Set(['events', 'cameras']);
+
+/// A name that none of `taken` has: "box", "box_2" ...
+export function freeName(wanted: string, taken: readonly string[]): string {
+    const stem = wanted.replace(/_\d+$/, '');
+    for (let i = 1; ; i += 1) {
+        const name = i === 1 ? wanted : `${stem}_${i}`;
+        if (!taken.includes(name)) {
+            return name;
+        }
+    }
+}
+
+/// A place on the cloth where a ball fits, m.
+export function freePlace(state: ShotState): [number, number] {
+    const balls = state.objects.filter((object) => object.kind === 'ball');
+    const radius = balls[0]?.radius ?? state.table?.ball_radius ?? 0.0286;
+    const [length, width] = [(state.table?.length ?? 2) / 2, (state.table?.width ?? 1) / 2];
+    for (let y = 0; y < width - 2 * radius; y += 0.1) {
+        for (let x = 0; x < length - 2 * radius; x += 0.1) {
+            for (const [px, py] of [[-x, -y], [x, -y], [-x, y], [x, y]] as const) {
+                if (balls.every(({ position }) =>
+                    Math.hypot(position[0] - px, position[1] - py) > 2.5 * radius)) {
+                    return [Number(px.toFixed(2)) + 0, Number(py.toFixed(2)) + 0];
+                }
+            }
+        }
+    }
+    return [0, 0];
+}
+
+function namesTaken(state: ShotState): string[] {
+    const { balls, objects, materials, lights } = state.names;
+    return [...balls, ...objects, ...materials, ...lights];
+}
+
+export interface Template {
+    label: string;
+    about: string;
+    run(): void;
+}
+
+function done(result: { ok: boolean; message: string }, path: KeyPath): void {
+    if (result.ok) {
+        selection.value = path;
+    } else if (result.message !== '') {
+        notice.value = { kind: 'error', text: result.message };
+    }
+}
+
+/// What can be added to a section of the shot.
+export function templatesOf(section: string): Template[] {
+    const state = shot.peek();
+    if (!state) {
+        return [];
+    }
+    return snippetsFor([section], state.names ?? kNoNames, filmDuration.peek()).map((snippet) => ({
+        label: snippet.label, about: snippet.about,
+        run: () => {
+            const plain = snippet.yaml.replace(/\$\{([^}]*)\}/g, '$1');
+            if (kLists.has(section)) {
+                const list = section === 'events' ? state.events : state.cameras;
+                done(insertItem([section], list.length, plain, `Add ${snippet.label}`),
+                    [section, String(list.length)]);
+                return;
+            }
+            const [, wanted = 'new', value = '{}'] = /^([^:]+): ([\s\S]*)$/.exec(plain) ?? [];
+            const name = freeName(wanted, namesTaken(state));
+            const yaml = section === 'balls' ? `{at: [${freePlace(state).join(', ')}]}` : value;
+            done(insertEntry([section], name, yaml, `Add ${snippet.label}`), [section, name]);
+        },
+    }));
+}
+
+/// The thing that the selection belongs to.
+function chosenThing(): KeyPath | null {
+    const path = selection.peek();
+    return path && path.length >= 2 ? path.slice(0, 2) : null;
+}
+
+/// Takes what is selected out of the text: a point of a ramp or of a path, or a whole thing.
+export function deleteSelected(): void {
+    const path = selection.peek();
+    if (!path || path.length < 2) {
+        return;
+    }
+    const isPoint = path.length > 2 && /^\d+$/.test(path[path.length - 1] ?? '');
+    const what = isPoint ? path : path.slice(0, 2);
+    if (!sourceOf(what)) {
+        notice.value = { kind: 'info',
+            text: `The text does not name '${what.join('.')}': it comes from a rack or a preset.` };
+        return;
+    }
+    const result = removeValue(what, `Delete ${what[what.length - 1]}`);
+    if (result.ok) {
+        selection.value = isPoint ? path.slice(0, 2) : null;
+    }
+}
+
+/// Adds a copy of the selected thing after it; a camera follows at the end of the film.
+export function duplicateSelected(): void {
+    const state = shot.peek();
+    const path = chosenThing();
+    const [section = '', key = ''] = path ?? [];
+    const text = path ? originalText(path) : null;
+    if (!state || !path || text === null) {
+        return;
+    }
+    if (kLists.has(section)) {
+        const list = section === 'cameras' ? state.cameras : state.events;
+        done(insertItem([section], list.length, text, `Duplicate ${section.replace(/s$/, '')}`),
+            [section, String(list.length)]);
+        return;
+    }
+    const name = freeName(`${key}_2`, namesTaken(state));
+    done(insertEntry([section], name, text, `Duplicate ${key}`), [section, name]);
+}
+
+/// Binds the commands of the selection. Returns a function that ends this.
+export function bindSelectionCommands(): () => void {
+    const endings = [onCommand('delete', deleteSelected), onCommand('duplicate', duplicateSelected)];
+    return () => endings.forEach((end) => end());
+}
