@@ -8,6 +8,7 @@ import { tracks } from './motion/clock';
 import { loadSchema } from './schema/schema';
 import { Shell } from './shell/Shell';
 import { watchTheme } from './shell/theme';
+import { watchAddress } from './state/address';
 import { listenToKeys, onCommand } from './state/keys';
 import { isStarting, panel } from './state/state';
 import { exposeStudio } from './state/studio';
@@ -54,6 +55,7 @@ if (app) {
     watchRecovery();
     watchQuestions();
     listenToKeys();
+    watchAddress();
     onCommand('save', saveAll);
     onCommand('problems', focusProblems);
     watchExisting();

@@ -99,7 +99,7 @@ export function FieldRow({ field, above = '' }: { field: Field; above?: string }
     const label = `${above}${field.name}`;
     if (isVector(field)) {
         return (
-            <div class="row vector" data-key={field.name}>
+            <div class={/^\d+$/.test(field.name) ? 'row indexed' : 'row'} data-key={field.name}>
                 <Name field={field} />
                 <span class="parts">
                     {field.parts.map((part) => (
@@ -114,7 +114,7 @@ export function FieldRow({ field, above = '' }: { field: Field; above?: string }
         return <Section field={field} above={`${label} `} />;
     }
     return (
-        <div class={field.source ? 'row' : 'row absent'} data-key={field.name}>
+        <div class={`row${field.source ? '' : ' absent'}${/^\d+$/.test(field.name) ? ' indexed' : ''}`} data-key={field.name}>
             <Name field={field} />
             <ValueInput field={field} label={label} />
             <Origin field={field} />

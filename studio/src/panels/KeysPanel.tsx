@@ -1,14 +1,35 @@
 import { useEffect, useRef } from 'preact/hooks';
-import { kKeyBindings, type KeyBinding } from '../state/keys';
+import { isBound, keyWords, kKeyBindings, type Command, type KeyBinding } from '../state/keys';
 import { panel } from '../state/state';
 import './keys_panel.css';
 
 const kGroups: KeyBinding['group'][] = ['Time', 'View', 'Selection', 'Text', 'Page'];
-/// Commands that something answers; the others are not shown.
-const kShown = new Set(['play', 'returnToStart', 'toStart', 'toEnd', 'frameBack', 'frameForward',
-    'tenBack', 'tenForward', 'tenthBack', 'tenthForward', 'eventBack', 'eventForward', 'loop',
-    'slower', 'faster', 'fitStrip', 'lookThrough', 'refine', 'viewTop', 'viewSide', 'viewFree', 'cancel',
-    'save', 'undo', 'redo', 'keys']);
+
+/// Keys that belong to the place that has the focus, or to the pointer.
+const kFurther: Readonly<Record<KeyBinding['group'], readonly (readonly [string, string])[]>> = {
+    Time: [['pageup', 'On a handle of the strip: the handle before'],
+        ['pagedown', 'On a handle of the strip: the next handle'],
+        ['arrows', 'On a handle of the strip: move it by a frame, with Shift by ten']],
+    View: [],
+    Selection: [['arrows', 'Move the selected ball or object by 1 mm, with Alt by 0.1 mm, with Shift by 10 mm'],
+        ['x y z', 'While dragging: along this axis']],
+    Text: [['ctrl+space', 'Complete'], ['ctrl+f', 'Find and replace']],
+    Page: [],
+};
+
+function Keys({ keys }: { keys: readonly string[] }) {
+    return (
+        <span class="keys">
+            {keys.slice(0, 2).map((key, i) => (
+                <span key={key}>
+                    {i > 0 ? <i>or</i> : null}
+                    {(key === 'x y z' ? key.split(' ') : keyWords(key)).map((one) =>
+                        <kbd key={one}>{one.length > 1 ? one[0] + one.slice(1).toLowerCase() : one}</kbd>)}
+                </span>
+            ))}
+        </span>
+    );
+}
 
 /// All keys of the page, as a dialog over it.
 export function KeysPanel() {
@@ -16,21 +37,24 @@ export function KeysPanel() {
     useEffect(() => dialog.current?.showModal(), []);
     const bindings: readonly KeyBinding[] = kKeyBindings;
     return (
-        <dialog class="keys" ref={dialog} aria-label="Keys" onClose={() => { panel.value = null; }}>
-            <div class="groups">
+        <dialog class="keys-page" ref={dialog} aria-label="Keys" onClose={() => { panel.value = null; }}
+            onClick={(event) => { if (event.target === dialog.current) { dialog.current?.close(); } }}>
+            <header><h1>Keys</h1>
+                <button type="button" class="tool" onClick={() => dialog.current?.close()}>Close</button>
+            </header>
+            <div class="groups" tabIndex={0} role="region" aria-label="All keys">
                 {kGroups.map((group) => (
                     <section key={group}>
                         <h2>{group}</h2>
-                        {bindings.filter((one) => one.group === group && kShown.has(one.command))
-                            .map((one) => (
-                                <p key={one.command}>
-                                    <kbd>{one.keys[0]}</kbd> {one.about}
-                                </p>
-                            ))}
+                        {bindings.filter((one) => one.group === group && one.keys.length > 0
+                            && isBound(one.command as Command))
+                            .map((one) => <p key={one.command}><Keys keys={one.keys} />{one.about}</p>)}
+                        {kFurther[group].map(([key, about]) => (
+                            <p key={`${key} ${about}`}><Keys keys={[key]} />{about}</p>
+                        ))}
                     </section>
                 ))}
             </div>
-            <button type="button" class="tool" onClick={() => dialog.current?.close()}>Close</button>
         </dialog>
     );
 }

@@ -18,10 +18,10 @@ function makeArea(name: string, usual: number, least: number, most: number): Are
 }
 
 export type { Area };
-export const outlineArea = makeArea('outline', 220, 150, 420);
+export const outlineArea = makeArea('outline', Math.max(220, Math.min(280, Math.round(innerWidth * 0.175))), 170, 460);
 export const textArea = makeArea('text', Math.min(540, Math.round(innerWidth * 0.34)), 260, 1000);
 export const stripArea = makeArea('strip', 244, 130, 520);
-export const inspectorArea = makeArea('inspector', 280, 120, 700);
+export const inspectorArea = makeArea('inspector', Math.round(Math.max(280, innerHeight * 0.46)), 120, 900);
 
 /// Gives an area a size; below half of its least size it is folded away.
 export function resize(area: Area, size: number): void {

@@ -66,6 +66,17 @@ export const kKeyBindings = [
     { command: 'problems', keys: ['ctrl+shift+m'], group: 'Page', about: 'Show the problems',
         everywhere: true },
     { command: 'search', keys: ['/'], group: 'Page', about: 'Search the outline' },
+    { command: 'palette', keys: ['ctrl+k', 'ctrl+shift+p'], group: 'Page',
+        about: 'Find a command, a thing of the shot, or what to add', everywhere: true },
+    { command: 'toggleOutline', keys: ['ctrl+b'], group: 'Page', about: 'Show or fold the outline',
+        everywhere: true },
+    { command: 'toggleText', keys: ['ctrl+j'], group: 'Page', about: 'Show or fold the text',
+        everywhere: true },
+    { command: 'nextArea', keys: ['f6'], group: 'Page',
+        about: 'Go to the next area: outline, values, view, strip, text', everywhere: true },
+    { command: 'previousArea', keys: ['shift+f6'], group: 'Page', about: 'Go to the area before',
+        everywhere: true },
+    { command: 'switchTheme', keys: [], group: 'Page', about: 'Dark or light' },
 ] as const satisfies readonly KeyBinding[];
 
 export type Command = (typeof kKeyBindings)[number]['command'];
@@ -92,6 +103,22 @@ export function runCommand(command: Command): boolean {
     return action !== undefined;
 }
 
+/// Whether a command would do something now.
+export function isBound(command: Command): boolean {
+    return (actions.get(command)?.length ?? 0) > 0;
+}
+
+const kKeyWords: Readonly<Record<string, string>> = {
+    arrowleft: '←', arrowright: '→', arrowup: '↑', arrowdown: '↓', ctrl: 'Ctrl', shift: 'Shift',
+    alt: 'Alt', escape: 'Esc', delete: 'Del', space: 'Space', enter: 'Enter', home: 'Home', end: 'End',
+};
+
+/// A key of the table as people read it: ["Ctrl", "Shift", "Z"].
+export function keyWords(key: string): string[] {
+    const words = key === '+' ? ['+'] : key.split('+');
+    return words.map((word) => kKeyWords[word] ?? word.toUpperCase());
+}
+
 /// The key of an event as the table writes it.
 export function keyName(event: Pick<KeyboardEvent,
     'key' | 'ctrlKey' | 'metaKey' | 'altKey' | 'shiftKey'>): string {
@@ -104,6 +131,13 @@ export function keyName(event: Pick<KeyboardEvent,
         key,
     ];
     return words.filter((word) => word !== '').join('+');
+}
+
+/// What a command does and its first key, for tooltips: "Play or pause (Space)".
+export function hintOf(command: Command): string {
+    const binding = kKeyBindings.find((one) => one.command === command) as KeyBinding | undefined;
+    const key = binding?.keys[0];
+    return `${binding?.about ?? ''}${key ? ` (${keyWords(key).join('+')})` : ''}`;
 }
 
 const byKey = new Map<string, KeyBinding>(

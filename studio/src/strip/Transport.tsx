@@ -1,9 +1,10 @@
 import {
-    ChevronLeft, ChevronRight, ChevronsLeft, ChevronsRight, Maximize2, Pause, Play, Repeat,
+    ChevronLeft, ChevronRight, ChevronsLeft, ChevronsRight, ListFilter, Maximize2, Pause, Play, Repeat,
     SkipBack, type LucideIcon,
 } from 'lucide-preact';
 import { filmCamera, goToFilmTime } from '../motion/clock';
 import { runCommand, type Command } from '../state/keys';
+import { openMenu } from '../view/menu/menu_state';
 import { filmTime, playing, sceneTime, shot } from '../state/state';
 import { filmClock, sceneClock, speedText } from './clock_text';
 import { kCurves } from './curves';
@@ -67,16 +68,20 @@ function toggleGroup(group: EventGroup): void {
     shownGroups.value = next;
 }
 
+/// Which events the strip shows, and [ and ] visit.
 function EventFilter() {
+    const open = (button: HTMLElement) => {
+        const box = button.getBoundingClientRect();
+        openMenu({ title: 'Events on the strip', x: box.left, y: box.bottom + 4,
+            items: () => kEventGroups.map(({ group, label, about }) => ({ label, hint: about,
+                isOn: shownGroups.value.has(group), run: () => toggleGroup(group) })) });
+    };
     return (
-        <div class="filter" role="group" aria-label="Events on the strip">
-            {kEventGroups.map(({ group, label, about }) => (
-                <button type="button" key={group} title={about}
-                    aria-pressed={shownGroups.value.has(group)} onClick={() => toggleGroup(group)}>
-                    {label}
-                </button>
-            ))}
-        </div>
+        <button type="button" title="Events on the strip" aria-label="Events on the strip"
+            aria-haspopup="menu" onClick={(event) => open(event.currentTarget)}>
+            <ListFilter size={15} strokeWidth={1.75} aria-hidden="true" />
+            <span>Events</span>
+        </button>
     );
 }
 

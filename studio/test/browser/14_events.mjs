@@ -9,7 +9,9 @@ export async function check({ page, path, carom }) {
     const report = JSON.parse(execFileSync(carom, ['report', path, '--json'],
         { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }));
     const expected = report.events.map(({ time, kind, a }) => [time, kind, a]);
-    await page.getByRole('button', { name: 'Motion', exact: true }).click();
+    await page.getByRole('button', { name: 'Events on the strip' }).click();
+    await page.getByRole('menuitemcheckbox', { name: /^Motion/ }).click();
+    await page.keyboard.press('Escape');
     await page.locator('canvas[data-play-head]').focus();
     const visited = [];
     for (let i = 0; i < expected.length; ++i) {

@@ -1,0 +1,40 @@
+/// The commands of the page as a whole.
+import { useEffect } from 'preact/hooks';
+import { onCommand } from '../state/keys';
+import { panel } from '../state/state';
+import { outlineArea, textArea, toggle } from './layout';
+import { switchTheme } from './theme';
+
+/// What gets the focus in each area, in the order of F6.
+const kAreas = ['.outline [role=treeitem][tabindex="0"]', '.inspector input, .inspector button',
+    '[data-scene-item][tabindex="0"]', 'canvas[data-play-head]', '.cm-content'];
+
+/// Puts the focus into the next area (1) or the one before (-1) that is shown.
+function goToArea(direction: 1 | -1): void {
+    const found = kAreas.map((one) => document.querySelector<HTMLElement>(one));
+    const here = found.findIndex((one) => {
+        const area = one?.closest('.outline, .inspector, .view, .scene-list, .strip, .side');
+        return area?.contains(document.activeElement) ?? false;
+    });
+    for (let i = 1; i <= kAreas.length; i += 1) {
+        const next = found[(here + direction * i + 2 * kAreas.length) % kAreas.length];
+        if (next && next.offsetParent !== null) {
+            next.focus();
+            return;
+        }
+    }
+}
+
+export function useShellCommands(): void {
+    useEffect(() => {
+        const endings = [
+            onCommand('palette', () => { panel.value = panel.value === 'palette' ? null : 'palette'; }),
+            onCommand('toggleOutline', () => toggle(outlineArea)),
+            onCommand('toggleText', () => toggle(textArea)),
+            onCommand('switchTheme', switchTheme),
+            onCommand('nextArea', () => goToArea(1)),
+            onCommand('previousArea', () => goToArea(-1)),
+        ];
+        return () => endings.forEach((end) => end());
+    }, []);
+}

@@ -1,0 +1,95 @@
+// By the keyboard alone: a ball is selected and nudged, struck harder, and the film scrubbed. axe finds
+// no serious or critical fault, in dark and in light.
+import { readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { changedLines, equal, settle, textOf } from './harness.mjs';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const packages = process.env.CAROM_NODE_MODULES || join(here, '../../node_modules');
+const axe = readFileSync(join(packages, 'axe-core/axe.min.js'), 'utf8');
+
+/// The serious and critical faults of the page as it is.
+async function faults(page) {
+    return page.evaluate(async () => {
+        const result = await window.axe.run(document, { resultTypes: ['violations'] });
+        return result.violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')
+            .map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map((one) => one.html.slice(0, 120)).join(' ')}`);
+    });
+}
+
+function focused(page) {
+    return page.evaluate(() => document.activeElement?.getAttribute('aria-label')
+        ?? document.activeElement?.textContent ?? '');
+}
+
+/// Presses a key until the focus is where it should be.
+async function reach(page, key, words, most = 40) {
+    for (let i = 0; i < most; ++i) {
+        if ((await focused(page)).includes(words)) {
+            return;
+        }
+        await page.keyboard.press(key);
+    }
+    throw new Error(`'${words}' is not reached by ${key}`);
+}
+
+export async function check({ page }) {
+    const before = await textOf(page);
+    const state = (name) => page.evaluate((one) => window.studio.state[one].value, name);
+    // The list of what the view shows: the cue ball.
+    await reach(page, 'F6', 'ball one');
+    await reach(page, 'PageDown', 'ball cue');
+    await page.keyboard.press('Enter');
+    equal(await state('selection'), ['balls', 'cue'], 'the selection');
+    await page.keyboard.press('ArrowUp');
+    await page.keyboard.press('ArrowUp');
+    await page.waitForFunction(() => !window.studio.state.dragging.value);
+    await settle(page);
+    const [nudged] = changedLines(before, await textOf(page));
+    equal(/^ {2}cue: \{at: \[-0\.7\d+, 0\.1\d*\]\}$/.test(nudged), true, nudged);
+
+    // The strike, by the outline and its fields.
+    await page.keyboard.press('/');
+    await page.keyboard.type('strike');
+    await reach(page, 'Tab', 'Events');
+    await page.keyboard.press('ArrowDown');
+    await page.keyboard.press('Enter');
+    equal(await state('selection'), ['events', '0'], 'the selection');
+    await page.locator('.inspector').getByLabel('speed', { exact: true }).focus();
+    await page.keyboard.press('ArrowUp');
+    await settle(page);
+    equal(/speed: 8\.1 m\/s/.test(await textOf(page)), true, 'the speed after an arrow key');
+    await reach(page, 'Shift+Tab', 'Where the tip hits the ball');
+    await page.keyboard.press('Shift+ArrowLeft');
+    await settle(page);
+    equal(/tip: \[-0\.1, 0\.2\]/.test(await textOf(page)), true, 'the tip');
+
+    // Scrubbing, and the palette of commands.
+    await reach(page, 'F6', 'Play head');
+    await page.keyboard.press('Shift+ArrowRight');
+    equal(Math.round(await state('filmTime') * 24), 10, 'the frame');
+    await page.keyboard.press('Control+k');
+    await page.keyboard.type('camera slow');
+    await page.keyboard.press('Enter');
+    equal(await state('lookThrough'), 'slow', 'the camera that is looked through');
+    equal(await page.evaluate(() => location.hash), '#t=0.417&camera=slow&select=events/0', 'the address');
+
+    await page.evaluate(axe);
+    const counts = [];
+    for (const theme of ['dark', 'light']) {
+        await page.evaluate((one) => { window.studio.state.theme.value = one; }, theme);
+        for (const key of ['', '?', 'Control+k']) {
+            if (key !== '') {
+                await page.keyboard.press(key);
+            }
+            counts.push(...(await faults(page)).map((one) => `${theme} ${key} ${one}`));
+            if (key !== '') {
+                await page.keyboard.press('Escape');
+                await page.waitForFunction(() => window.studio.state.panel.value === null);
+            }
+        }
+    }
+    equal(counts, [], 'what axe finds');
+    return 'selected, nudged, struck and scrubbed by keys; axe finds nothing serious in dark and light';
+}
