@@ -1,6 +1,7 @@
 // Finds the files to which a shot refers.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -21,6 +22,8 @@ struct ConfigFolders {
     std::string root = {};
     /// Texts that are read instead of these files, which need not exist. nullptr: none.
     const OpenTexts* texts = nullptr;
+    /// The largest size of a mesh or an image; 0: any.
+    std::uintmax_t most_asset_bytes = 0;
 };
 
 /// Those of these folders that exist: $CAROM_CONFIGS, share/carom/configs beside the program's own

@@ -1,6 +1,7 @@
 // Reads a Shot from YAML and reports all of its problems together.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -47,6 +48,8 @@ struct LoadOptions {
     /// Texts that are read instead of the files of these absolute paths (config_files.h). nullptr:
     /// none.
     const std::map<std::string, std::string>* texts = nullptr;
+    /// The largest size of a mesh or an image; 0: any.
+    std::uintmax_t most_asset_bytes = 0;
     /// Tables that were built before. nullptr: the table is built anew.
     sim::billiards::TableMemo* tables = nullptr;
 };

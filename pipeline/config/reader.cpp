@@ -1,6 +1,8 @@
 #include "pipeline/config/reader.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include <fmt/core.h>
@@ -83,6 +85,15 @@ std::string Reader::file(const Node& node) {
     const FoundFile found = find_config_file(node.text, folder, *folders_);
     if (found.path.empty()) {
         error(node.place, found.problem);
+        return {};
+    }
+    std::error_code ignored;
+    if (folders_->most_asset_bytes > 0 &&
+        std::filesystem::file_size(found.path, ignored) > folders_->most_asset_bytes) {
+        error(node.place, "file " + quote(node.text) + " has more than " +
+                              std::to_string(folders_->most_asset_bytes >> 20U) +
+                              " MiB, which is too much to read again after every change; 'carom "
+                              "render' reads it");
         return {};
     }
     if (std::find(files_.begin(), files_.end(), found.path) == files_.end()) {

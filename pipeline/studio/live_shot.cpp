@@ -124,6 +124,7 @@ class LiveShot::Worker {
                                                      .quality = options_.quality,
                                                      .root = options_.root,
                                                      .texts = request.texts.texts.get(),
+                                                     .most_asset_bytes = options_.most_asset_bytes,
                                                      .tables = &tables_});
         output_.files(v, loaded.files);
         problems_ = problem_messages(loaded.problems, loaded.files);

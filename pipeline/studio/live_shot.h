@@ -50,6 +50,8 @@ struct LiveOptions {
     std::string root{};  // the folder below which the shot's files are
     /// Steps as sim::bake_within counts them.
     std::uint64_t most_steps = 15'000'000;
+    /// The largest size of a mesh or an image that the shot may name.
+    std::uintmax_t most_asset_bytes = std::uintmax_t{128} << 20U;
     /// Seconds of a clock that only increases; tests give their own.
     std::function<double()> clock{};
     /// Replaces sim::bake_within in tests.
