@@ -58,7 +58,7 @@ function TipDisc({ event }: { event: ShotEvent }) {
     };
     return (
         <figure>
-            <svg viewBox="-50 -50 100 100" width="100" height="100" role="slider" tabIndex={0}
+            <svg viewBox="-50 -50 100 100" width="100" height="100" role="slider" tabindex={0}
                 aria-label="Where the tip hits the ball" aria-valuenow={Math.hypot(x, y)}
                 aria-valuemin={0} aria-valuemax={1}
                 aria-valuetext={`${x.toFixed(2)} right, ${y.toFixed(2)} up, in ball radii${isMiscue ? ', miscue' : ''}`}
@@ -88,7 +88,7 @@ function Dial({ event }: { event: ShotEvent }) {
     };
     return (
         <figure>
-            <svg viewBox="-50 -50 100 100" width="100" height="100" role="slider" tabIndex={0}
+            <svg viewBox="-50 -50 100 100" width="100" height="100" role="slider" tabindex={0}
                 aria-label="Direction of the aim" aria-valuenow={Math.round(degrees * 10) / 10}
                 aria-valuemin={-360} aria-valuemax={360} aria-valuetext={`${degrees.toFixed(1)} degrees`}
                 onKeyDown={press}

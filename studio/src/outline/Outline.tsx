@@ -77,7 +77,6 @@ function Item({ item, isReached }: { item: OutlineItem; isReached: boolean }) {
     }, [isSelected]);
     return (
         <div role="treeitem" class="item" data-row ref={row} aria-selected={isSelected} aria-level={2}
-            aria-label={item.about ? `${item.name}, ${item.about}` : item.name}
             tabIndex={isReached ? 0 : -1}
             onClick={() => { selection.value = item.path; }}
             onFocus={() => { hovered.value = item.path; }}
@@ -96,7 +95,7 @@ function Group({ group, reached }: { group: OutlineGroup; reached: string }) {
     return (
         <div role="presentation">
             <div role="treeitem" class="group" data-row data-group={group.name} aria-level={1}
-                aria-expanded={isOpen} aria-selected={false} aria-label={`${group.name}, ${group.items.length}`}
+                aria-expanded={isOpen} aria-selected={false}
                 tabIndex={reached === group.name ? 0 : -1} onClick={() => fold(group.name, !isOpen)}>
                 <ChevronRight size={13} strokeWidth={2} aria-hidden="true" />
                 <span class="name">{group.name}</span>

@@ -160,7 +160,8 @@ function isTaken(target: EventTarget | null, key: string, everywhere: boolean): 
     if (everywhere || !(target instanceof Element)) {
         return false;
     }
-    if (target.closest(kTypes)) {
+    // In an open dialog, also Escape, which closes it.
+    if (target.closest('dialog') || target.closest(kTypes)) {
         return true;
     }
     if (/arrow|home|end$/.test(key)) {

@@ -19,8 +19,11 @@ async function faults(page) {
 }
 
 function focused(page) {
-    return page.evaluate(() => document.activeElement?.getAttribute('aria-label')
-        ?? document.activeElement?.textContent ?? '');
+    return page.evaluate(() => {
+        const element = document.activeElement;
+        return element === document.body ? ''
+            : element?.getAttribute('aria-label') ?? element?.textContent ?? '';
+    });
 }
 
 /// Presses a key until the focus is where it should be.
@@ -70,6 +73,7 @@ export async function check({ page }) {
     await page.keyboard.press('Shift+ArrowRight');
     equal(Math.round(await state('filmTime') * 24), 10, 'the frame');
     await page.keyboard.press('Control+k');
+    await page.getByRole('combobox', { name: 'Find a command' }).waitFor();
     await page.keyboard.type('camera slow');
     await page.keyboard.press('Enter');
     equal(await state('lookThrough'), 'slow', 'the camera that is looked through');
