@@ -59,7 +59,7 @@ export function Inspector() {
                     <>
                         <header>
                             <h2 title={chosen.join(' › ')}>{titleOf(thingOf(chosen), shot.value)}</h2>
-                            <label class="find">
+                            <label class="seek">
                                 <Search size={13} aria-hidden="true" />
                                 <input type="search" placeholder="Find a key" aria-label="Find a key"
                                     value={word.value}

@@ -124,7 +124,7 @@ function Head() {
     const hasThing = (selection.value?.length ?? 0) >= 2;
     return (
         <div class="head">
-            <label class="find">
+            <label class="seek">
                 <Search size={13} aria-hidden="true" />
                 <input type="search" ref={search} placeholder="Search" aria-label="Search the outline"
                     value={word.value} onInput={(event) => { word.value = event.currentTarget.value; }} />

@@ -24,7 +24,7 @@ function Keys({ keys }: { keys: readonly string[] }) {
                 <span key={key}>
                     {i > 0 ? <i>or</i> : null}
                     {(key === 'x y z' ? key.split(' ') : keyWords(key)).map((one) =>
-                        <kbd key={one}>{one.length > 1 ? one[0] + one.slice(1).toLowerCase() : one}</kbd>)}
+                        <kbd key={one}>{one}</kbd>)}
                 </span>
             ))}
         </span>

@@ -110,7 +110,8 @@ export function isBound(command: Command): boolean {
 
 const kKeyWords: Readonly<Record<string, string>> = {
     arrowleft: '←', arrowright: '→', arrowup: '↑', arrowdown: '↓', ctrl: 'Ctrl', shift: 'Shift',
-    alt: 'Alt', escape: 'Esc', delete: 'Del', space: 'Space', enter: 'Enter', home: 'Home', end: 'End',
+    alt: 'Alt', escape: 'Esc', delete: 'Del', space: 'Space', enter: 'Enter', home: 'Home', end: 'End', pageup: 'Page Up',
+    pagedown: 'Page Down', arrows: 'Arrows',
 };
 
 /// A key of the table as people read it: ["Ctrl", "Shift", "Z"].
