@@ -1,5 +1,5 @@
-// Fuzzes the texts of the studio's pages. Any text must be refused with a sentence, or give a message
-// that is the same after it was written and read again.
+// Fuzzes the texts of the studio's pages. Any text must be refused with a sentence, or give a
+// message that is the same after it was written and read again.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
