@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "pipeline/cli/terminal/progress_meter.h"
+#include "pipeline/cli/terminal/progress_text.h"
 
 namespace carom::cli {
 
@@ -25,10 +26,12 @@ pipeline::JobObserver make_console_observer(Console& console, std::int64_t frame
         console.progress(meter->snapshot(now()));
     };
     observer.on_warning = [&console](const std::string& message) { console.warning(message); };
-    observer.on_frame = [meter, &console](std::int64_t /*frame*/, bool from_store,
-                                          double /*seconds*/, std::uint64_t rays) {
+    observer.on_frame = [meter, &console](std::int64_t frame, bool from_store, double seconds,
+                                          std::uint64_t rays) {
         meter->on_frame(from_store, rays, now());
-        console.progress(meter->snapshot(now()));
+        const ProgressSnapshot snapshot = meter->snapshot(now());
+        console.event("frame", frame_json(frame, from_store, seconds, snapshot), {}, false);
+        console.progress(snapshot);
     };
     return observer;
 }

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "pipeline/cli/duration_text.h"
+#include "pipeline/cli/helper_program.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/studio_site.h"
 #include "pipeline/server/page_files.h"
@@ -50,6 +51,7 @@ studio::SessionOptions session_options(const StudioCommand& command) {
     options.quality = command.input.quality;
     options.root = command.input.root;
     options.cache_folder = command.cache.folder;
+    options.renderer = helper_path("carom-film");
     return options;
 }
 

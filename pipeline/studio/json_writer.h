@@ -61,6 +61,9 @@ class JsonWriter {
         text_ += T::kName;
         text_ += "\",";
         write_members(message);
+        if (text_.back() == ',') {  // it has no members
+            text_.pop_back();
+        }
         text_ += '}';
     }
 

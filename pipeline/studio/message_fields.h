@@ -406,12 +406,13 @@ constexpr auto fields_of(Describes<FilmState>) {
         field("frames", &FilmState::frames), field("finished", &FilmState::finished),
         field("reused", &FilmState::reused), field("seconds", &FilmState::seconds),
         field("left", &FilmState::left), field("message", &FilmState::message),
-        field("address", &FilmState::address));
+        field("warnings", &FilmState::warnings), field("address", &FilmState::address));
 }
 
 constexpr auto fields_of(Describes<FilmFrame>) {
     return fields<FilmFrame>(field("frame", &FilmFrame::frame), field("reused", &FilmFrame::reused),
-                             field("seconds", &FilmFrame::seconds));
+                             field("seconds", &FilmFrame::seconds),
+                             field("address", &FilmFrame::address));
 }
 
 constexpr auto fields_of(Describes<Made>) {

@@ -200,17 +200,19 @@ struct Unsee {
     static constexpr const char* kName = "unsee";
 };
 
-/// Starts to make a film of the shot's files as they are on disk: the page saves first. If a file
-/// of the output's name exists that carom did not make, it is refused with Failed, unless
-/// `overwrite`.
+/// Starts to make a film of the shot's files as they are on disk: the page saves first. The answers
+/// are FilmStates and FilmFrames. Frames that are in the cache are used again, so that the same
+/// request goes on where a film was stopped. If a file of the output's name exists that carom did
+/// not make, the answer is Exists, unless `overwrite`.
 struct StartFilm {
     static constexpr const char* kName = "film";
-    std::string output;   // path or name; empty: beside the shot, named after it
-    std::string quality;  // a preset, or empty
-    std::string frames;   // ranges such as "0-47x2,60", or empty
+    std::string output{};   // path or name; empty: beside the shot, named after it
+    std::string quality{};  // a preset, or empty
+    std::string frames{};   // ranges such as "0-47x2,60", or empty
     bool overwrite = false;
 };
 
+/// Stops the film. Its finished frames are kept.
 struct StopFilm {
     static constexpr const char* kName = "stop_film";
 };
@@ -668,25 +670,27 @@ struct PictureHead {
 /// end.
 struct FilmState {
     static constexpr const char* kName = "film_state";
-    std::string state;          // "running", "stopping", "done", "stopped", "failed"
-    std::string output;         // its path
-    std::string stage;          // "bake", "render", "encode"
-    double fraction = 0;        // of the stage
-    std::int64_t frames = 0;    // of the film
-    std::int64_t finished = 0;  // of them
-    std::int64_t reused = 0;    // of those, from the cache
-    double seconds = 0;         // since it started
-    double left = 0;            // estimate, s; negative: not known
-    std::string message;        // why it failed
-    std::string address;        // GET it here once it is done
+    std::string state{};                  // "running", "stopping", "done", "stopped", "failed"
+    std::string output{};                 // its path
+    std::string stage{};                  // "bake", "render", "encode"; empty before the first one
+    double fraction = 0;                  // of the stage
+    std::int64_t frames = 0;              // of the film
+    std::int64_t finished = 0;            // of them
+    std::int64_t reused = 0;              // of those, from the cache
+    double seconds = 0;                   // since it started
+    double left = -1;                     // estimate, s; negative: not known
+    std::string message{};                // why it failed
+    std::vector<std::string> warnings{};  // sentences
+    std::string address{};  // GET it here once it is done; empty for an image sequence
 };
 
-/// A frame of the film that is being made is finished.
+/// A frame of the film that is being made, or of the last one, is finished. In no particular order.
 struct FilmFrame {
     static constexpr const char* kName = "film_frame";
     std::int64_t frame = 0;
     bool reused = false;  // from the cache
     double seconds = 0;
+    std::string address{};  // GET a small picture of it here, or empty
 };
 
 /// The answer to Make.

@@ -17,6 +17,7 @@
 #include "pipeline/studio/config_list.h"
 #include "pipeline/studio/disk_watch.h"
 #include "pipeline/studio/file_desk.h"
+#include "pipeline/studio/film_run.h"
 #include "pipeline/studio/journal.h"
 #include "pipeline/studio/live_shot.h"
 #include "pipeline/studio/message_json.h"
@@ -52,6 +53,12 @@ class Session::State {
         desk_ = std::make_unique<FileDesk>(
             options_.state_folder,
             [this](PageId page, const ServerMessage& message) { this->send(page, message); });
+        film_ = std::make_unique<FilmRun>(
+            FilmRunOptions{options_.renderer, options_.overrides, options_.quality, options_.output,
+                           options_.cache_folder},
+            FilmRun::Output{
+                [this](PageId page, const ServerMessage& message) { this->send(page, message); },
+                [this](bool running) { pictures_->set_film_running(running); }});
         watch_ = std::make_unique<DiskWatch>([this] { return look_at_disk(); });
         if (!options_.shot.empty()) {
             open_shot(options_.shot);
@@ -62,6 +69,7 @@ class Session::State {
         desk_->end();
         watch_->end();  // it calls the live shot, which calls it
         live_.reset();
+        film_.reset();
         pictures_.reset();
     }
 
@@ -116,6 +124,9 @@ class Session::State {
             return Download{
                 "application/json", std::make_shared<const std::string>(config_list_json()), {}};
         }
+        if (std::optional<Download> film = film_->find(path)) {
+            return film;
+        }
         if (const std::optional<Still> still = desk_->find_still(path)) {
             return Download{still->type, still->bytes, still->path};
         }
@@ -145,6 +156,7 @@ class Session::State {
         if (!recovered_.empty()) {
             send(page, Recovered{recovered_});
         }
+        film_->tell(page);
         const std::lock_guard lock(send_mutex_);
         for (auto& [slot, message] : newest_) {
             Outgoing copy = message;
@@ -266,11 +278,11 @@ class Session::State {
 
     void receive(PageId /*page*/, const Unsee& /*message*/) { pictures_->cancel(); }
 
-    void receive(PageId /*page*/, const StartFilm& /*message*/) {
-        throw Error("films cannot be made here yet; 'carom render' makes them");
+    void receive(PageId page, const StartFilm& request) {
+        film_->start(page, request, require_workspace().shot(), root());
     }
 
-    void receive(PageId /*page*/, const StopFilm& /*message*/) {}
+    void receive(PageId /*page*/, const StopFilm& /*message*/) { film_->stop(); }
 
     void receive(PageId /*page*/, const Make& request) {
         throw Error("'" + request.what + "' cannot be made here yet");
@@ -440,8 +452,9 @@ class Session::State {
     }
 
     void send(PageId page, const ServerMessage& message) {
+        const bool newest_counts = std::holds_alternative<FilmState>(message);
         const std::lock_guard lock(send_mutex_);
-        send_({page, false, to_json(message), {}});
+        send_({page, false, to_json(message), newest_counts ? FilmState::kName : ""});
     }
 
     /// Sends a message of which only the newest counts, and keeps it for pages that come later.
@@ -478,6 +491,7 @@ class Session::State {
     std::unique_ptr<FileDesk> desk_;         // calls send_ from its own thread
     std::unique_ptr<OutcomeFan> fan_;        // calls send_ from its own thread
     std::unique_ptr<PictureView> pictures_;  // calls send_ from its own thread
+    std::unique_ptr<FilmRun> film_;          // calls send_ and the pictures from its own thread
     std::unique_ptr<LiveShot> ended_;        // of the shot before
     std::unique_ptr<LiveShot> live_;         // ends before what it calls
     std::unique_ptr<DiskWatch> watch_;

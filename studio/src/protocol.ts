@@ -475,6 +475,7 @@ export interface FilmState {
     seconds: number;
     left: number;
     message: string;
+    warnings: string[];
     address: string;
 }
 
@@ -482,6 +483,7 @@ export interface FilmFrame {
     frame: number;
     reused: boolean;
     seconds: number;
+    address: string;
 }
 
 export interface Made {

@@ -115,4 +115,11 @@ JsonMembers progress_json(const ProgressSnapshot& snapshot) {
     return members;
 }
 
+JsonMembers frame_json(std::int64_t frame, bool found, double seconds,
+                       const ProgressSnapshot& snapshot) {
+    JsonMembers members;
+    members.add("frame", frame).add("found", found ? 1 : 0).add("seconds", seconds);
+    return members.add(progress_json(snapshot));
+}
+
 }  // namespace carom::cli

@@ -20,4 +20,9 @@ namespace carom::cli {
 /// The progress as JSON members.
 [[nodiscard]] JsonMembers progress_json(const ProgressSnapshot& snapshot);
 
+/// A finished frame as JSON members, with the progress of the job. `seconds`: for how long it was
+/// rendered.
+[[nodiscard]] JsonMembers frame_json(std::int64_t frame, bool found, double seconds,
+                                     const ProgressSnapshot& snapshot);
+
 }  // namespace carom::cli

@@ -124,5 +124,9 @@ TEST(StudioMessages, TypesOfThePage_AreThoseOfTheFields) {
         << "run: ninja -C build/test write_protocol && build/test/tests/write_protocol > " << path;
 }
 
+TEST(MessageJson, MessageWithoutMembers_HasItsTypeOnly) {
+    EXPECT_EQ(to_json(PageMessage{StopFilm{}}), R"({"t":"stop_film"})");
+}
+
 }  // namespace
 }  // namespace carom::studio

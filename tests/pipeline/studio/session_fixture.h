@@ -1,6 +1,7 @@
 // A shot in a folder of its own, a session and what it sent.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <filesystem>
 #include <fstream>
@@ -8,6 +9,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
@@ -81,7 +83,7 @@ class StudioSession : public testing::Test {
         std::unique_lock lock(mutex_);
         std::optional<Message> found;
         std::size_t next = 0;
-        wake_.wait(lock, [&] {
+        const bool heard = wake_.wait_for(lock, kPatience, [&] {
             for (; next < sent_.size() && !found; ++next) {
                 if (!sent_[next].binary) {
                     ServerMessage text = read_server_message(sent_[next].data);
@@ -92,8 +94,24 @@ class StudioSession : public testing::Test {
             }
             return found.has_value();
         });
+        if (!heard) {
+            throw std::runtime_error("there is no such message; these came:" + heard_texts());
+        }
         return std::move(*found);
     }
+
+    /// The texts that were sent, with the mutex.
+    std::string heard_texts() {
+        std::string texts;
+        for (const Outgoing& one : sent_) {
+            if (!one.binary) {
+                texts += "\n" + std::string(one.data).substr(0, 300);
+            }
+        }
+        return texts;
+    }
+
+    static constexpr std::chrono::seconds kPatience{60};
 
     template <class Message>
     Message wait_for() {

@@ -1,0 +1,67 @@
+// The film of a session: `carom render` runs as a program of its own.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/studio/message_lists.h"
+#include "pipeline/studio/session.h"
+
+namespace carom::studio {
+
+struct FilmRunOptions {
+    std::string program{};  // carom-film
+    std::vector<std::string> overrides{};
+    std::string quality{};       // of requests without one
+    std::string output{};        // folder of films; empty: that of the shot
+    std::string cache_folder{};  // empty: the usual one
+};
+
+/// All functions may be called from any thread, one call at a time, and return without waiting for
+/// the program.
+class FilmRun {
+  public:
+    struct Output {
+        /// Sends to a page, or to all (0). Called from any thread. It must not call the run.
+        std::function<void(PageId page, const ServerMessage& message)> send;
+        /// Whether a film is being made from now on. As above.
+        std::function<void(bool running)> running;
+    };
+
+    FilmRun(FilmRunOptions options, Output output);
+    /// Stops the film and waits for its end.
+    ~FilmRun();
+    FilmRun(const FilmRun&) = delete;
+    FilmRun& operator=(const FilmRun&) = delete;
+    FilmRun(FilmRun&&) = delete;
+    FilmRun& operator=(FilmRun&&) = delete;
+
+    /// Makes a film of that file of a shot, below `root` or the folder of films. What fails later
+    /// is told as Failed, Exists or a FilmState. Throws Error if a film is being made.
+    void start(PageId page, const StartFilm& request, const std::string& shot,
+               const std::string& root);
+    void stop();
+
+    /// Tells a page of the last film.
+    void tell(PageId page);
+
+    /// The film at "/film/…" once it is done, and its frames at "/film_frame/…".
+    [[nodiscard]] std::optional<Download> find(std::string_view address) const;
+
+  private:
+    class State;
+    std::unique_ptr<State> state_;
+};
+
+/// The path of a film: `given` in `folder`, or named after the shot; with `extension` if it has
+/// none. Throws Error if it is neither below that folder nor below `root`.
+[[nodiscard]] std::string film_path(const std::string& given, const std::string& shot,
+                                    const std::string& folder, const std::string& root,
+                                    const std::string& extension);
+
+}  // namespace carom::studio
