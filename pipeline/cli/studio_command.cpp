@@ -22,15 +22,15 @@ namespace carom::cli {
 
 namespace {
 
-/// share/carom/studio beside libexec/carom, in the build tree as in an installation.
-std::string page_folder() {
+/// A file or folder beside libexec/carom, in the build tree as in an installation.
+std::string installed_path(const std::string& name) {
     std::error_code ignored;
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", ignored);
-    return (self.parent_path() / "../../share/carom/studio").lexically_normal().string();
+    return (self.parent_path() / "../.." / name).lexically_normal().string();
 }
 
 std::map<std::string, server::Resource> read_page() {
-    const std::string folder = page_folder();
+    const std::string folder = installed_path("share/carom/studio");
     if (!std::filesystem::exists(folder + "/index.html")) {
         throw Error("the studio's page is missing in '" + folder +
                     "'; in carom's source tree 'scripts/run studio' builds it");
@@ -51,7 +51,7 @@ studio::SessionOptions session_options(const StudioCommand& command) {
     options.quality = command.input.quality;
     options.root = command.input.root;
     options.cache_folder = command.cache.folder;
-    options.renderer = helper_path("carom-film");
+    options.program = installed_path("bin/carom");
     return options;
 }
 

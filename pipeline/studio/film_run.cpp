@@ -18,9 +18,9 @@
 #include "pipeline/config/load_shot.h"
 #include "pipeline/job/frame_range.h"
 #include "pipeline/store/cache_folder.h"
-#include "pipeline/studio/film_child.h"
+#include "pipeline/studio/child_program.h"
 #include "pipeline/studio/film_thumbnails.h"
-#include "pipeline/studio/value_places.h"
+#include "pipeline/studio/output_path.h"
 #include "pipeline/video/image_sequence.h"
 #include "pipeline/video/made_by_carom.h"
 #include "pipeline/video/picture_kind.h"
@@ -192,8 +192,8 @@ class FilmRun::State {
         if (frames.empty()) {
             throw Error("the film has none of these frames");
         }
-        std::string path = film_path(task.request.output, task.shot, options_.output, task.root,
-                                     pipeline::default_extension(shot.output));
+        std::string path = output_path(task.request.output, task.shot, options_.output, task.root,
+                                       pipeline::default_extension(shot.output));
         const std::string problem = pipeline::check_video_format(
             {shot.render.width, shot.render.height, shot.timing.fps}, shot.output, path);
         if (!problem.empty()) {
@@ -231,13 +231,17 @@ class FilmRun::State {
 
     /// Ends with idle(), unless it throws.
     void make(const Task& task, const Prepared& prepared, const std::stop_token& end) {
-        FilmChild child(options_.program, words(task, prepared.path));
+        ChildProgram child(options_.program, words(task, prepared.path));
         {
             const std::lock_guard lock(mutex_);
             begin_ = std::chrono::steady_clock::now();
             state_ = FilmState{};
             state_.state = "running";
+            state_.shot = task.shot;
             state_.output = prepared.path;
+            state_.width = prepared.shot.render.width;
+            state_.height = prepared.shot.render.height;
+            state_.fps = prepared.shot.timing.fps.to_double();
             state_.frames = std::ssize(prepared.frames);
             frames_.clear();
             thumbnails_.clear();
@@ -366,7 +370,7 @@ class FilmRun::State {
     std::mutex mutex_;
     bool busy_ = false;      // a film is being prepared or made
     bool stopping_ = false;  // it is to end
-    FilmChild* child_ = nullptr;
+    ChildProgram* child_ = nullptr;
     int film_ = 0;  // number of the film
     FilmState state_;
     std::chrono::steady_clock::time_point begin_;
@@ -398,23 +402,6 @@ void FilmRun::tell(PageId page) {
 
 std::optional<Download> FilmRun::find(std::string_view address) const {
     return state_->find(address);
-}
-
-std::string film_path(const std::string& given, const std::string& shot, const std::string& folder,
-                      const std::string& root, const std::string& extension) {
-    const fs::path base = folder.empty() ? fs::path(shot).parent_path() : fs::path(folder);
-    fs::path path = base / (given.empty() ? fs::path(shot).stem() : fs::path(given));
-    if (!path.has_extension()) {
-        path += extension;
-    }
-    std::error_code ignored;
-    const std::string result = fs::weakly_canonical(path, ignored).string();
-    const std::string canonical_base = fs::weakly_canonical(base, ignored).string();
-    if (!is_below(result, canonical_base) && !is_below(result, root)) {
-        throw Error("a film can be written below '" + root + "' only, not to '" + path.string() +
-                    "'");
-    }
-    return result;
 }
 
 }  // namespace carom::studio

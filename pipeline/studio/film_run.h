@@ -15,7 +15,7 @@
 namespace carom::studio {
 
 struct FilmRunOptions {
-    std::string program{};  // carom-film
+    std::string program{};  // carom
     std::vector<std::string> overrides{};
     std::string quality{};       // of requests without one
     std::string output{};        // folder of films; empty: that of the shot
@@ -57,11 +57,5 @@ class FilmRun {
     class State;
     std::unique_ptr<State> state_;
 };
-
-/// The path of a film: `given` in `folder`, or named after the shot; with `extension` if it has
-/// none. Throws Error if it is neither below that folder nor below `root`.
-[[nodiscard]] std::string film_path(const std::string& given, const std::string& shot,
-                                    const std::string& folder, const std::string& root,
-                                    const std::string& extension);
 
 }  // namespace carom::studio

@@ -123,7 +123,12 @@ constexpr auto fields_of(Describes<StopFilm>) {
 
 constexpr auto fields_of(Describes<Make>) {
     return fields<Make>(field("q", &Make::q), field("what", &Make::what),
-                        field("output", &Make::output), field("overwrite", &Make::overwrite));
+                        field("output", &Make::output), field("frame", &Make::frame),
+                        field("rate", &Make::rate), field("overwrite", &Make::overwrite));
+}
+
+constexpr auto fields_of(Describes<StopMaking>) {
+    return fields<StopMaking>(field("q", &StopMaking::q));
 }
 
 // ---- from the server ----------------------------------------------------------------------------
@@ -401,7 +406,9 @@ constexpr auto fields_of(Describes<PictureHead>) {
 
 constexpr auto fields_of(Describes<FilmState>) {
     return fields<FilmState>(
-        field("state", &FilmState::state), field("output", &FilmState::output),
+        field("state", &FilmState::state), field("shot", &FilmState::shot),
+        field("output", &FilmState::output), field("width", &FilmState::width),
+        field("height", &FilmState::height), field("fps", &FilmState::fps),
         field("stage", &FilmState::stage), field("fraction", &FilmState::fraction),
         field("frames", &FilmState::frames), field("finished", &FilmState::finished),
         field("reused", &FilmState::reused), field("seconds", &FilmState::seconds),
@@ -415,8 +422,13 @@ constexpr auto fields_of(Describes<FilmFrame>) {
                              field("address", &FilmFrame::address));
 }
 
+constexpr auto fields_of(Describes<Making>) {
+    return fields<Making>(field("q", &Making::q), field("stage", &Making::stage),
+                          field("fraction", &Making::fraction));
+}
+
 constexpr auto fields_of(Describes<Made>) {
-    return fields<Made>(field("q", &Made::q), field("what", &Made::what),
+    return fields<Made>(field("q", &Made::q), field("v", &Made::v), field("what", &Made::what),
                         field("address", &Made::address), field("file", &Made::file));
 }
 

@@ -10,13 +10,13 @@ namespace carom::studio {
 /// What a page may send.
 using PageMessage = std::variant<Hello, TextChange, Save, Revert, Open, SaveAs, ListFolder, Offer,
                                  Forget, Import, ReadParts, AddParts, Fan, Unfan, Dragging, Recover,
-                                 Simulate, See, Unsee, StartFilm, StopFilm, Make>;
+                                 Simulate, See, Unsee, StartFilm, StopFilm, Make, StopMaking>;
 
 /// The texts that the server may send.
 using ServerMessage =
     std::variant<Welcome, Start, Exists, Folder, Imported, Parts, Additions, Files, TextChanged,
                  Saved, DiskChanged, Recovered, Failed, Problems, ShotState, SceneMeshes, Work,
-                 Deferred, FilmState, FilmFrame, Made>;
+                 Deferred, FilmState, FilmFrame, Making, Made>;
 
 /// The heads of its binary messages.
 using BinaryHead = std::variant<TimelineHead, CamerasHead, PictureHead, FanHead>;

@@ -217,14 +217,25 @@ struct StopFilm {
     static constexpr const char* kName = "stop_film";
 };
 
-/// Makes something else of the shot as it stands in the page. Answered with Made, or with Failed.
+/// Makes something else than a film of the shot. Answered with Making, and with Made, Exists or
+/// Failed. Without a file, drawings and the report show the shot as it was simulated last in the
+/// page; what is written, and all pictures, are made of the files on disk by the command line.
 struct Make {
     static constexpr const char* kName = "make";
     std::int64_t q = 0;
-    std::string what;    // "plan", "report", "contact_sheet", or an export: "csv", "json", "glb",
-                         // "usda"
-    std::string output;  // path or name of a file to write; empty: only to look at
+    std::string what{};      // "plan", "plot", "report", "contact_sheet", "frame", "export",
+                             // "events"
+    std::string output{};    // path or name of a file to write; its ending is the format; empty:
+                             // only to look at
+    std::int64_t frame = 0;  // of "frame"
+    double rate = 0;         // of "export" as .csv or .json, samples per second; 0: keys
     bool overwrite = false;
+};
+
+/// Stops what the question asked for.
+struct StopMaking {
+    static constexpr const char* kName = "stop_making";
+    std::int64_t q = 0;
 };
 
 // ---- from the server ----------------------------------------------------------------------------
@@ -670,8 +681,12 @@ struct PictureHead {
 /// end.
 struct FilmState {
     static constexpr const char* kName = "film_state";
-    std::string state{};                  // "running", "stopping", "done", "stopped", "failed"
-    std::string output{};                 // its path
+    std::string state{};   // "running", "stopping", "done", "stopped", "failed"
+    std::string shot{};    // the file of its shot
+    std::string output{};  // its path
+    int width = 0;
+    int height = 0;
+    double fps = 0;
     std::string stage{};                  // "bake", "render", "encode"; empty before the first one
     double fraction = 0;                  // of the stage
     std::int64_t frames = 0;              // of the film
@@ -693,13 +708,22 @@ struct FilmFrame {
     std::string address{};  // GET a small picture of it here, or empty
 };
 
+/// How far the answer to Make is.
+struct Making {
+    static constexpr const char* kName = "making";
+    std::int64_t q = 0;
+    std::string stage{};  // "bake", "render"
+    double fraction = 0;  // of the stage
+};
+
 /// The answer to Make.
 struct Made {
     static constexpr const char* kName = "made";
     std::int64_t q = 0;
-    std::string what;
-    std::string address;  // GET it here
-    std::string file;     // that was written, or empty
+    std::int64_t v = 0;  // of the texts that it shows; 0: of the files on disk
+    std::string what{};
+    std::string address{};  // GET it here
+    std::string file{};     // that was written, or empty
 };
 
 /// What the server works on, for the status line.

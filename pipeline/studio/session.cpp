@@ -16,6 +16,7 @@
 #include "pipeline/store/cache_folder.h"
 #include "pipeline/studio/config_list.h"
 #include "pipeline/studio/disk_watch.h"
+#include "pipeline/studio/documents.h"
 #include "pipeline/studio/file_desk.h"
 #include "pipeline/studio/film_run.h"
 #include "pipeline/studio/journal.h"
@@ -54,11 +55,15 @@ class Session::State {
             options_.state_folder,
             [this](PageId page, const ServerMessage& message) { this->send(page, message); });
         film_ = std::make_unique<FilmRun>(
-            FilmRunOptions{options_.renderer, options_.overrides, options_.quality, options_.output,
+            FilmRunOptions{options_.program, options_.overrides, options_.quality, options_.output,
                            options_.cache_folder},
             FilmRun::Output{
                 [this](PageId page, const ServerMessage& message) { this->send(page, message); },
                 [this](bool running) { pictures_->set_film_running(running); }});
+        documents_ = std::make_unique<Documents>(
+            DocumentOptions{options_.program, options_.overrides, options_.quality, options_.output,
+                            options_.cache_folder},
+            [this](PageId page, const ServerMessage& message) { this->send(page, message); });
         watch_ = std::make_unique<DiskWatch>([this] { return look_at_disk(); });
         if (!options_.shot.empty()) {
             open_shot(options_.shot);
@@ -70,6 +75,7 @@ class Session::State {
         watch_->end();  // it calls the live shot, which calls it
         live_.reset();
         film_.reset();
+        documents_.reset();
         pictures_.reset();
     }
 
@@ -126,6 +132,9 @@ class Session::State {
         }
         if (std::optional<Download> film = film_->find(path)) {
             return film;
+        }
+        if (std::optional<Download> document = documents_->find(path)) {
+            return document;
         }
         if (const std::optional<Still> still = desk_->find_still(path)) {
             return Download{still->type, still->bytes, still->path};
@@ -284,9 +293,11 @@ class Session::State {
 
     void receive(PageId /*page*/, const StopFilm& /*message*/) { film_->stop(); }
 
-    void receive(PageId /*page*/, const Make& request) {
-        throw Error("'" + request.what + "' cannot be made here yet");
+    void receive(PageId page, const Make& request) {
+        documents_->make(page, request, require_workspace().shot(), root());
     }
+
+    void receive(PageId page, const StopMaking& request) { documents_->stop(page, request.q); }
 
     void send_picture(const Picture& picture) {
         if (!picture.problem.empty()) {
@@ -334,6 +345,7 @@ class Session::State {
     int close_shot() {
         ended_ = std::move(live_);
         pictures_->cancel();
+        documents_->set_shot(nullptr, nullptr, 0);
         fan_->cancel();
         watch_->watch({});
         recovered_.clear();
@@ -378,6 +390,7 @@ class Session::State {
         output.answer = [this, opening](const LiveAnswer& answer) {
             watch_assets(opening, *answer.source);
             pictures_->set_shot(answer.shot, answer.timeline, answer.v);
+            documents_->set_shot(answer.shot, answer.timeline, answer.v);
             fan_->set_shot(answer.shot, answer.timeline, answer.v);
         };
         output.shown = [this, opening](std::int64_t v, const pipeline::Shot& shot) {
@@ -491,6 +504,7 @@ class Session::State {
     std::unique_ptr<FileDesk> desk_;         // calls send_ from its own thread
     std::unique_ptr<OutcomeFan> fan_;        // calls send_ from its own thread
     std::unique_ptr<PictureView> pictures_;  // calls send_ from its own thread
+    std::unique_ptr<Documents> documents_;   // calls send_ from its own threads
     std::unique_ptr<FilmRun> film_;          // calls send_ and the pictures from its own thread
     std::unique_ptr<LiveShot> ended_;        // of the shot before
     std::unique_ptr<LiveShot> live_;         // ends before what it calls

@@ -40,7 +40,7 @@ struct SessionOptions {
     std::string output{};        // the folder of films; empty: that of the shot
     std::string cache_folder{};  // empty: the usual one
     std::string state_folder{};  // of the list of recent files; empty: the usual one
-    std::string renderer{};      // the program carom-film, for films
+    std::string program{};       // carom itself, which makes films and documents
 };
 
 /// All functions may be called from any thread, and return without waiting for work.

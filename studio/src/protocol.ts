@@ -136,7 +136,13 @@ export interface Make {
     q: number;
     what: string;
     output: string;
+    frame: number;
+    rate: number;
     overwrite: boolean;
+}
+
+export interface StopMaking {
+    q: number;
 }
 
 /// What the page sends, by the member "t".
@@ -163,6 +169,7 @@ export interface ToServer {
     film: StartFilm;
     stop_film: StopFilm;
     make: Make;
+    stop_making: StopMaking;
 }
 
 export interface Welcome {
@@ -466,7 +473,11 @@ export interface Deferred {
 
 export interface FilmState {
     state: string;
+    shot: string;
     output: string;
+    width: number;
+    height: number;
+    fps: number;
     stage: string;
     fraction: number;
     frames: number;
@@ -486,8 +497,15 @@ export interface FilmFrame {
     address: string;
 }
 
+export interface Making {
+    q: number;
+    stage: string;
+    fraction: number;
+}
+
 export interface Made {
     q: number;
+    v: number;
     what: string;
     address: string;
     file: string;
@@ -515,6 +533,7 @@ export interface ToPage {
     deferred: Deferred;
     film_state: FilmState;
     film_frame: FilmFrame;
+    making: Making;
     made: Made;
 }
 

@@ -5,8 +5,9 @@
 
 #include <sys/wait.h>
 
-#include "pipeline/studio/film_child.h"
+#include "pipeline/studio/child_program.h"
 #include "pipeline/studio/film_run.h"
+#include "pipeline/studio/output_path.h"
 #include "pipeline/video/made_by_carom.h"
 #include "tests/pipeline/studio/session_fixture.h"
 
@@ -46,7 +47,7 @@ class StudioFilm : public StudioSession {
     void start_with(int samples) {
         write_file(path("shot.yaml"), shot_text(samples));
         SessionOptions all = options();
-        all.renderer = CAROM_FILM_PROGRAM;
+        all.program = CAROM_PROGRAM;
         StudioSession::start(std::move(all));
     }
 
@@ -202,13 +203,13 @@ TEST_F(StudioFilm, EndOfTheSession_EndsTheRenderer) {
     EXPECT_FALSE(fs::exists(path("shot.mp4")));
 }
 
-TEST(FilmChild, EndsWithTheProcessThatStartedIt) {
+TEST(ChildProgram, EndsWithTheProcessThatStartedIt) {
     std::array<int, 2> pipe{};
     ASSERT_EQ(::pipe(pipe.data()), 0);
     const pid_t parent = ::fork();
     if (parent == 0) {
-        const FilmChild child("/bin/sh", {"-c", "echo $$ >&2; exec sleep 600"});
-        FilmChild& running = const_cast<FilmChild&>(child);
+        const ChildProgram child("/bin/sh", {"-c", "echo $$ >&2; exec sleep 600"});
+        ChildProgram& running = const_cast<ChildProgram&>(child);
         const std::string line = *running.next_line();
         static_cast<void>(::write(pipe[1], line.data(), line.size()));
         ::kill(::getpid(), SIGKILL);
@@ -225,21 +226,21 @@ TEST(FilmChild, EndsWithTheProcessThatStartedIt) {
     ::close(pipe[1]);
 }
 
-TEST(FilmChild, SaysHowItEnded) {
-    FilmChild child("/bin/sh", {"-c", "echo one >&2; echo two; echo three >&2; exit 3"});
+TEST(ChildProgram, SaysHowItEnded) {
+    ChildProgram child("/bin/sh", {"-c", "echo one >&2; echo two; echo three >&2; exit 3"});
     EXPECT_EQ(child.next_line(), "one");
     EXPECT_EQ(child.next_line(), "three");
     EXPECT_EQ(child.next_line(), std::nullopt);
     EXPECT_EQ(child.wait(), 3);
-    EXPECT_THROW(FilmChild("/no/such/program", {}), std::runtime_error);
+    EXPECT_THROW(ChildProgram("/no/such/program", {}), std::runtime_error);
 }
 
 TEST(FilmPath, IsBesideTheShot) {
-    EXPECT_EQ(film_path("", "/a/shot.yaml", "", "/a", ".mp4"), "/a/shot.mp4");
-    EXPECT_EQ(film_path("x", "/a/b/shot.yaml", "", "/a", ".mkv"), "/a/b/x.mkv");
-    EXPECT_EQ(film_path("../x.webm", "/a/b/shot.yaml", "", "/a", ".mp4"), "/a/x.webm");
-    EXPECT_EQ(film_path("x.mp4", "/a/b/shot.yaml", "/films", "/a", ".mp4"), "/films/x.mp4");
-    EXPECT_THROW((void)film_path("../../x.mp4", "/a/b/shot.yaml", "", "/a", ".mp4"),
+    EXPECT_EQ(output_path("", "/a/shot.yaml", "", "/a", ".mp4"), "/a/shot.mp4");
+    EXPECT_EQ(output_path("x", "/a/b/shot.yaml", "", "/a", ".mkv"), "/a/b/x.mkv");
+    EXPECT_EQ(output_path("../x.webm", "/a/b/shot.yaml", "", "/a", ".mp4"), "/a/x.webm");
+    EXPECT_EQ(output_path("x.mp4", "/a/b/shot.yaml", "/films", "/a", ".mp4"), "/films/x.mp4");
+    EXPECT_THROW((void)output_path("../../x.mp4", "/a/b/shot.yaml", "", "/a", ".mp4"),
                  std::runtime_error);
 }
 

@@ -14,16 +14,16 @@ namespace carom::studio {
 /// A running program. It reads nothing, its output is dropped, and its errors are read by the
 /// lines. It is interrupted when the thread that started it ends, also if that is killed. In a
 /// group of processes of its own, it does not get the signals of the terminal.
-class FilmChild {
+class ChildProgram {
   public:
     /// Starts the program. Throws Error.
-    FilmChild(const std::string& program, const std::vector<std::string>& arguments);
+    ChildProgram(const std::string& program, const std::vector<std::string>& arguments);
     /// Interrupts the program and waits for its end.
-    ~FilmChild();
-    FilmChild(const FilmChild&) = delete;
-    FilmChild& operator=(const FilmChild&) = delete;
-    FilmChild(FilmChild&&) = delete;
-    FilmChild& operator=(FilmChild&&) = delete;
+    ~ChildProgram();
+    ChildProgram(const ChildProgram&) = delete;
+    ChildProgram& operator=(const ChildProgram&) = delete;
+    ChildProgram(ChildProgram&&) = delete;
+    ChildProgram& operator=(ChildProgram&&) = delete;
 
     /// Waits for the next line of its errors, without the line feed; empty: there are no more. For
     /// the thread that started it.

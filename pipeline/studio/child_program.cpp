@@ -1,4 +1,4 @@
-#include "pipeline/studio/film_child.h"
+#include "pipeline/studio/child_program.h"
 
 #include <algorithm>
 #include <array>
@@ -51,9 +51,9 @@ std::string reason_of(int error) {
 
 }  // namespace
 
-FilmChild::FilmChild(const std::string& program, const std::vector<std::string>& arguments) {
+ChildProgram::ChildProgram(const std::string& program, const std::vector<std::string>& arguments) {
     if (::access(program.c_str(), X_OK) != 0) {
-        throw Error("cannot start the renderer '" + program + "': " + reason_of(errno) +
+        throw Error("cannot start '" + program + "': " + reason_of(errno) +
                     "; is carom installed completely?");
     }
     std::vector<std::string> texts{program};
@@ -65,7 +65,7 @@ FilmChild::FilmChild(const std::string& program, const std::vector<std::string>&
     words.push_back(nullptr);
     std::array<int, 2> pipe{};
     if (::pipe2(pipe.data(), O_CLOEXEC) != 0) {
-        throw Error("cannot start the renderer: " + reason_of(errno));
+        throw Error("cannot start '" + program + "': " + reason_of(errno));
     }
     const pid_t parent = ::getpid();
     process_ = ::fork();
@@ -77,11 +77,11 @@ FilmChild::FilmChild(const std::string& program, const std::vector<std::string>&
     errors_ = pipe[0];
     if (process_ < 0) {
         ::close(errors_);
-        throw Error("cannot start the renderer: " + reason_of(error));
+        throw Error("cannot start '" + program + "': " + reason_of(error));
     }
 }
 
-FilmChild::~FilmChild() {
+ChildProgram::~ChildProgram() {
     interrupt();
     while (next_line()) {
     }
@@ -89,7 +89,7 @@ FilmChild::~FilmChild() {
     ::close(errors_);
 }
 
-std::optional<std::string> FilmChild::next_line() {
+std::optional<std::string> ChildProgram::next_line() {
     for (;;) {
         const std::size_t end = read_.find('\n');
         if (end != std::string::npos) {
@@ -113,20 +113,20 @@ std::optional<std::string> FilmChild::next_line() {
     }
 }
 
-void FilmChild::signal(int number) {
+void ChildProgram::signal(int number) {
     const std::lock_guard lock(mutex_);
     if (!ended_) {
         ::kill(process_, number);
     }
 }
 
-bool FilmChild::is_overdue() {
+bool ChildProgram::is_overdue() {
     const std::lock_guard lock(mutex_);
     return interrupted_ && std::chrono::steady_clock::now() - *interrupted_ > kPatience;
 }
 
-// A second interruption would end the renderer at once, without its unfinished files being removed.
-void FilmChild::interrupt() {
+// A second interruption would end a renderer at once, without its unfinished files being removed.
+void ChildProgram::interrupt() {
     {
         const std::lock_guard lock(mutex_);
         if (interrupted_) {
@@ -137,7 +137,7 @@ void FilmChild::interrupt() {
     signal(SIGINT);
 }
 
-int FilmChild::wait() {
+int ChildProgram::wait() {
     {
         const std::lock_guard lock(mutex_);
         if (ended_) {
