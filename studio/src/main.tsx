@@ -5,11 +5,14 @@ import { watchQuestions } from './dialogs/edit_question';
 import { watchRecovery } from './dialogs/recovery_dialog';
 import * as edit from './edit/edit';
 import { tracks } from './motion/clock';
+import { watchDocuments } from './documents/documents_state';
+import { film, watchFilms } from './films/film_state';
 import { loadSchema } from './schema/schema';
 import { Shell } from './shell/Shell';
 import { watchTheme } from './shell/theme';
 import { watchAddress } from './state/address';
 import { listenToKeys, onCommand } from './state/keys';
+import { filmThumbnails } from './state/film_thumbnails';
 import { isStarting, panel } from './state/state';
 import { exposeStudio } from './state/studio';
 import { openShot, watchExisting } from './start/file_actions';
@@ -46,6 +49,7 @@ if (app) {
             typeStep([{ file: activeFile.value, changes: { from, to, insert } }]),
     };
     window.studio['labelsAt'] = labelsAt;
+    window.studio['films'] = { film, thumbnails: filmThumbnails };
     window.studio['open'] = openShot;
     window.studio['tracks'] = tracks;
     watchTheme();
@@ -59,6 +63,8 @@ if (app) {
     onCommand('save', saveAll);
     onCommand('problems', focusProblems);
     watchExisting();
+    watchFilms();
+    watchDocuments();
     watchDrops();
     onCommand('open', () => { void chooseShot(); });
     onCommand('saveAs', saveAs);

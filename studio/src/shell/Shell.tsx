@@ -1,3 +1,5 @@
+import { DocumentsPanel } from '../documents/DocumentsPanel';
+import { FilmPanel } from '../films/FilmPanel';
 import { Inspector } from '../inspector/Inspector';
 import { Outline } from '../outline/Outline';
 import { SceneList } from '../outline/SceneList';
@@ -44,6 +46,8 @@ export function Shell() {
             </div>
             <Status />
             {panel.value === 'keys' ? <KeysPanel /> : null}
+            {panel.value === 'film' ? <FilmPanel /> : null}
+            {panel.value === 'documents' ? <DocumentsPanel /> : null}
             {panel.value === 'palette' ? <Palette /> : null}
         </div>
     );

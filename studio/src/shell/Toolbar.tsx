@@ -1,8 +1,11 @@
 import {
-    CircleHelp, Moon, PanelLeft, PanelRight, Redo2, Save, Sun, TriangleAlert, Undo2,
+    CircleHelp, Clapperboard, Map as MapIcon, Moon, PanelLeft, PanelRight, Redo2, Save, Sun, TriangleAlert, Undo2,
     type LucideIcon,
 } from 'lucide-preact';
-import { lookThrough, panel, problems, shot, theme, welcome } from '../state/state';
+import { panel, problems, shot, theme, welcome } from '../state/state';
+import { openDocuments } from '../documents/documents_state';
+import { film, isMaking } from '../films/film_state';
+import { hintOf } from '../state/keys';
 import { buffers, isChanged } from '../text/buffers';
 import { saveAll } from '../text/saving';
 import { FileMenu } from '../start/FileMenu';
@@ -35,15 +38,11 @@ function togglePanel(name: string): void {
     panel.value = panel.value === name ? null : name;
 }
 
-function CameraChoice() {
-    const cameras = shot.value?.cameras ?? [];
-    return (
-        <select class="choice" aria-label="View" value={lookThrough.value ?? ''}
-            onChange={(event) => { lookThrough.value = event.currentTarget.value || null; }}>
-            <option value="">Free view</option>
-            {cameras.map(({ name }) => <option key={name} value={name}>Camera {name}</option>)}
-        </select>
-    );
+/// How far the film is, while one is being made.
+function filmText(): string {
+    const state = film.value;
+    return state && isMaking.value && state.frames > 0
+        ? `${Math.floor((100 * state.finished) / state.frames)} %` : '';
 }
 
 /// The line of tools above everything.
@@ -68,8 +67,12 @@ export function Toolbar() {
                 <Tool icon={Save} label="Save (Ctrl+S)" isDisabled={!isDirty} onClick={saveAll} />
             </div>
             <div class="spring" />
-            <CameraChoice />
-            <div class="spring" />
+            <div class="group">
+                <Tool icon={MapIcon} label="Plan, report and contact sheet"
+                    isPressed={panel.value === 'documents'} onClick={() => openDocuments('plan')} />
+                <Tool icon={Clapperboard} label={hintOf('film')} isPressed={panel.value === 'film'}
+                    text={filmText() || 'Film'} onClick={() => togglePanel('film')} />
+            </div>
             <div class="group">
                 <Tool icon={TriangleAlert} label="Show the first problem" isDisabled={!first}
                     text={count > 0 ? String(count) : ''}

@@ -1,6 +1,7 @@
 /// The commands of the page as a whole.
 import { useEffect } from 'preact/hooks';
 import { onCommand } from '../state/keys';
+import { openDocuments } from '../documents/documents_state';
 import { panel } from '../state/state';
 import { outlineArea, textArea, toggle } from './layout';
 import { switchTheme } from './theme';
@@ -29,6 +30,12 @@ export function useShellCommands(): void {
     useEffect(() => {
         const endings = [
             onCommand('palette', () => { panel.value = panel.value === 'palette' ? null : 'palette'; }),
+            onCommand('film', () => { panel.value = panel.value === 'film' ? null : 'film'; }),
+            onCommand('showPlan', () => openDocuments('plan')),
+            onCommand('showReport', () => openDocuments('report')),
+            onCommand('showPlot', () => openDocuments('plot')),
+            onCommand('showContactSheet', () => openDocuments('contact_sheet')),
+            onCommand('export', () => openDocuments('export')),
             onCommand('toggleOutline', () => toggle(outlineArea)),
             onCommand('toggleText', () => toggle(textArea)),
             onCommand('switchTheme', switchTheme),

@@ -1,6 +1,7 @@
 /// The menu of what can be done with files, in the toolbar.
 import { ChevronDown } from 'lucide-preact';
 import { send } from '../connection/socket';
+import { runCommand } from '../state/keys';
 import { start, welcome } from '../state/state';
 import { openMenu, type MenuItem } from '../view/menu/menu_state';
 import { saveAll } from '../text/saving';
@@ -23,6 +24,10 @@ function items(): MenuItem[] {
         { label: 'Save as…', hint: 'Ctrl+Shift+S', run: saveAs },
         { label: 'Add from file…', startsGroup: true, run: () => { void addFromFile(); } },
         { label: 'Import a scene…', run: chooseScene },
+        { label: 'Make a film…', hint: 'Ctrl+Enter', startsGroup: true,
+            run: () => { runCommand('film'); } },
+        { label: 'Plan, report, contact sheet…', run: () => { runCommand('showPlan'); } },
+        { label: 'Export…', hint: 'Ctrl+Shift+E', run: () => { runCommand('export'); } },
         ...recent.map(({ name, file }, i) => ({
             label: name, startsGroup: i === 0, hint: i === 0 ? 'recent' : '',
             run: () => { void openShot(file); },

@@ -29,8 +29,11 @@ function request(what: 'open' | 'save_as', message: { file: string; from: string
 
 /// Asks before a file is written over; to be called once.
 export function watchExisting(): void {
-    onMessage('exists', ({ name }) => {
+    onMessage('exists', ({ what, name }) => {
         const write = overwrite;
+        if (what !== 'open' && what !== 'save_as') {
+            return;  // others ask themselves
+        }
         void ask(`${name} exists already`, existsQuestion(name),
             [{ label: 'Keep it' }, { label: 'Overwrite', kind: 'danger' }]).then((answer) => {
             if (answer === 'Overwrite') {
@@ -57,6 +60,11 @@ function saved(): Promise<boolean> {
         saveAll();
         queueMicrotask(() => stop.push(effect(() => { !hasUnsaved() && end(true); })));
     });
+}
+
+/// Saves all changes, if there are any. Resolves to whether the files are as the page has them.
+export async function saveIfChanged(): Promise<boolean> {
+    return !hasUnsaved() || saved();
 }
 
 /// Whether the open shot may be left: asks if there are unsaved changes.

@@ -76,6 +76,14 @@ export const kKeyBindings = [
         about: 'Go to the next area: outline, values, view, strip, text', everywhere: true },
     { command: 'previousArea', keys: ['shift+f6'], group: 'Page', about: 'Go to the area before',
         everywhere: true },
+    { command: 'film', keys: ['ctrl+enter'], group: 'Page', about: 'Make a film, and watch it',
+        everywhere: true },
+    { command: 'showPlan', keys: [], group: 'Page', about: 'Show the plan' },
+    { command: 'showReport', keys: [], group: 'Page', about: 'Show the report' },
+    { command: 'showPlot', keys: [], group: 'Page', about: 'Show speeds and energy' },
+    { command: 'showContactSheet', keys: [], group: 'Page', about: 'Show the contact sheet' },
+    { command: 'export', keys: ['ctrl+shift+e'], group: 'Page',
+        about: 'Export the motion, the scene or a picture', everywhere: true },
     { command: 'switchTheme', keys: [], group: 'Page', about: 'Dark or light' },
 ] as const satisfies readonly KeyBinding[];
 

@@ -58,7 +58,8 @@ const keys = keymap.of([
     { key: 'Mod-y', run: () => undoStep(false), preventDefault: true },
     { key: 'Mod-Shift-z', run: () => undoStep(false), preventDefault: true },
     { key: 'Mod-s', run: () => (saveAll(), true), preventDefault: true },
-    ...closeBracketsKeymap, ...searchKeymap, ...foldKeymap, ...lintKeymap, ...defaultKeymap, indentWithTab,
+    ...closeBracketsKeymap, ...searchKeymap, ...foldKeymap, ...lintKeymap,
+    ...defaultKeymap.filter(({ key }) => key !== 'Mod-Enter'), indentWithTab,
 ]);
 
 setExtensions(() => [

@@ -1,0 +1,118 @@
+/// The panel of documents: plan, report, speeds and energy, contact sheet, and exports.
+import { useEffect } from 'preact/hooks';
+import { Dialog, type DialogAction } from '../dialogs/Dialog';
+import { hasErrors, isStale, panel, timeline } from '../state/state';
+import {
+    documentProblem, look, looks, making, shownDocument, stopMaking, written, type DocumentKind,
+} from './documents_state';
+import { ExportForm } from './ExportForm';
+import { kTitles } from './formats';
+import '../films/films.css';
+import './documents.css';
+
+const kKinds: readonly DocumentKind[] = ['plan', 'report', 'plot', 'contact_sheet', 'export'];
+
+function walk(event: KeyboardEvent): void {
+    const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    if (step) {
+        event.preventDefault();
+        const at = (kKinds.indexOf(shownDocument.value) + step + kKinds.length) % kKinds.length;
+        shownDocument.value = kKinds[at] ?? 'plan';
+        document.getElementById(`document-${shownDocument.value}`)?.focus();
+    }
+}
+
+function Tabs() {
+    return (
+        <div class="tabs" role="tablist" aria-label="Documents" onKeyDown={walk}>
+            {kKinds.map((kind) => {
+                const isShown = shownDocument.value === kind;
+                return (
+                    <button key={kind} type="button" role="tab" id={`document-${kind}`}
+                        aria-selected={isShown} aria-controls="document" tabIndex={isShown ? 0 : -1}
+                        data-focus={isShown ? '' : undefined}
+                        onClick={() => { shownDocument.value = kind; }}>{kTitles[kind]}</button>
+                );
+            })}
+        </div>
+    );
+}
+
+/// What is being made, as a sentence.
+function MakingText() {
+    const work = making.value;
+    if (!work) {
+        return null;
+    }
+    const stage = work.stage === 'bake' ? 'simulating' : work.stage === 'render' ? 'rendering' : 'working';
+    return (
+        <p class="making" role="status">
+            {stage}: {Math.round(100 * work.fraction)} %
+            <button type="button" class="link" onClick={stopMaking}>Stop</button>
+        </p>
+    );
+}
+
+/// The document as it was made last.
+function Shown({ kind }: { kind: DocumentKind }) {
+    const made = looks.value.get(kind);
+    if (!made) {
+        return <div class="sheet" />;
+    }
+    if (kind === 'report') {
+        return <pre class="sheet" tabIndex={0} aria-label="The report">{made.text}</pre>;
+    }
+    return (
+        <div class="sheet" tabIndex={0} role="region" aria-label={kTitles[kind]}>
+            <img src={made.address} alt={kTitles[kind]} class={kind} />
+        </div>
+    );
+}
+
+/// Asks for the document again whenever there is a newer motion.
+function useLook(kind: DocumentKind): void {
+    const v = isStale.value ? 0 : timeline.value?.head.v ?? 0;
+    useEffect(() => {
+        const made = looks.peek().get(kind);
+        const isQuick = kind !== 'contact_sheet' && kind !== 'export';
+        if (v > 0 && (isQuick ? made?.v !== v : kind === 'contact_sheet' && !made)) {
+            void look(kind);
+        }
+    }, [kind, v]);
+}
+
+export function DocumentsPanel() {
+    const kind = shownDocument.value;
+    useLook(kind);
+    const isOff = making.value !== null || hasErrors.value;
+    const actions: DialogAction[] = kind === 'contact_sheet' ? [{
+        label: 'Make it again', isDisabled: isOff,
+        about: 'Renders the frames that changed',
+        run: () => (void look(kind), false),
+    }] : [];
+    return (
+        <Dialog title={kTitles[kind]} size="full" actions={actions}
+            onClose={() => { stopMaking(); panel.value = null; }}>
+            <div class="document">
+                <Tabs />
+                <div id="document" role="tabpanel" aria-labelledby={`document-${kind}`}>
+                    {hasErrors.value ? (
+                        <p class="error">The shot has errors; this is how it was without them.</p>
+                    ) : null}
+                    {kind === 'export' ? null : <Shown kind={kind} />}
+                    {documentProblem.value
+                        ? <p class="error" role="alert">{documentProblem.value}</p> : null}
+                    <MakingText />
+                    <ExportForm key={kind} kind={kind} isOff={isOff} />
+                    {written.value ? (
+                        <p class="written" role="status">
+                            {written.value.file} is written.{' '}
+                            <a class="download" href={written.value.address}
+                                download={written.value.file.split('/').pop()}>Download</a>
+                        </p>
+                    ) : null}
+                </div>
+            </div>
+        </Dialog>
+    );
+}

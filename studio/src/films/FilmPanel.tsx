@@ -1,0 +1,181 @@
+/// The panel of films: makes one of the shot, shows its frames as they come, and plays it.
+import { Dialog, type DialogAction } from '../dialogs/Dialog';
+import type { FilmState } from '../protocol';
+import { filmThumbnails } from '../state/film_thumbnails';
+import { filmTime, hasErrors, panel, shot, welcome } from '../state/state';
+import { hasUnsaved } from '../start/file_actions';
+import { configFiles } from '../text/complete/config_files';
+import { counted, durationText } from './durations';
+import {
+    choice, film, filmProblem, isAsked, isMaking, problemOfFrames, startFilm, stopFilm,
+} from './film_state';
+import { FilmPlayer } from './FilmPlayer';
+import './films.css';
+
+const kStages: Readonly<Record<string, string>> = {
+    bake: 'Simulating', render: 'Rendering', encode: 'Writing the file',
+};
+
+/// What the film does now, as a sentence.
+export function stateText(state: FilmState): string {
+    const { finished, frames, reused, seconds, left } = state;
+    const done = `${finished} of ${counted(frames, 'frame')}`;
+    const kept = reused > 0 ? ` (${reused} from the store)` : '';
+    const lasts = durationText(seconds);
+    switch (state.state) {
+    case 'running': {
+        const rest = left >= 0 ? `, about ${durationText(left)} left` : '';
+        return `${kStages[state.stage] ?? 'Starting'}: ${done}${kept}, ${lasts}${rest}`;
+    }
+    case 'stopping': return `Stopping: ${done}`;
+    case 'stopped': return `Stopped: ${done} are kept in the store, and only the others are left.`;
+    case 'failed': return `It failed: ${state.message}`;
+    default: return `Done: ${counted(frames, 'frame')}${kept} in ${lasts}.`;
+    }
+}
+
+/// How much of the whole is done, [0, 1].
+function share(state: FilmState): number {
+    return state.state === 'done' ? 1 : state.frames > 0 ? state.finished / state.frames : 0;
+}
+
+function presets(): string[] {
+    return configFiles.value.flatMap(({ name }) => /^quality\/(.*)\.yaml$/.exec(name)?.[1] ?? []);
+}
+
+/// The name that the film gets without another one.
+function defaultName(): string {
+    const file = welcome.value?.shot.split('/').pop() ?? '';
+    return file.replace(/\.ya?ml$/, '');
+}
+
+function Choices() {
+    const problem = problemOfFrames(choice.frames.value);
+    const size = shot.value?.film;
+    const isOff = isMaking.value;
+    return (
+        <>
+            <div class="choices">
+                <label>
+                    <span>File</span>
+                    <input type="text" value={choice.output.value} disabled={isOff}
+                        placeholder={`${defaultName()}.mp4`} spellcheck={false} autocomplete="off"
+                        title="Its ending chooses the format: .mp4, .mov, .mkv, .webm, or pictures as name_####.png"
+                        onInput={(event) => { choice.output.value = event.currentTarget.value; }} />
+                </label>
+                <label>
+                    <span>Quality</span>
+                    <select class="choice" value={choice.quality.value} disabled={isOff} data-focus
+                        onChange={(event) => { choice.quality.value = event.currentTarget.value; }}>
+                        <option value="">As the shot says</option>
+                        {presets().map((name) => <option key={name} value={name}>{name}</option>)}
+                    </select>
+                </label>
+                <label>
+                    <span>Frames</span>
+                    <input type="text" value={choice.frames.value} disabled={isOff}
+                        placeholder="all" spellcheck={false} autocomplete="off" aria-invalid={problem !== ''}
+                        onInput={(event) => { choice.frames.value = event.currentTarget.value; }} />
+                </label>
+            </div>
+            <p class="where">
+                {problem || (size && choice.quality.value === ''
+                    ? `The shot says: ${size.width} × ${size.height}, ${counted(size.frames, 'frame')}, `
+                        + `${size.fps} a second, ${counted(size.samples, 'sample')} for each pixel.`
+                    : 'The film is made beside the shot; the ending of its name chooses the format.')}
+            </p>
+        </>
+    );
+}
+
+/// The frames that are there, as small pictures.
+function Frames({ state }: { state: FilmState }) {
+    const fps = state.fps || 24;
+    const list = [...filmThumbnails.value].filter(([, address]) => address !== '')
+        .sort(([a], [b]) => a - b);
+    return (
+        <ol class="frames" aria-label="Finished frames" tabIndex={0}>
+            {list.map(([frame, address]) => (
+                <li key={frame}>
+                    <button type="button" title={`Frame ${frame}: go there in the view`}
+                        onClick={() => { filmTime.value = frame / fps; panel.value = null; }}>
+                        <img src={address} alt={`Frame ${frame}`} loading="lazy" />
+                        <span aria-hidden="true">{frame}</span>
+                    </button>
+                </li>
+            ))}
+        </ol>
+    );
+}
+
+function Progress({ state }: { state: FilmState }) {
+    const isBad = state.state === 'failed';
+    return (
+        <>
+            <progress aria-label="Finished frames" max={1} value={share(state)} />
+            <p class={isBad ? 'state error' : 'state'} role={isBad ? 'alert' : undefined}>
+                {stateText(state)}
+            </p>
+            <p class="where">{state.output}{state.width
+                ? `, ${state.width} × ${state.height}, ${state.fps} a second` : ''}</p>
+            {state.warnings.length === 0 ? null : (
+                <ul class="notes" aria-label="Warnings">
+                    {state.warnings.map((one) => <li key={one}>{one}</li>)}
+                </ul>
+            )}
+        </>
+    );
+}
+
+function Result() {
+    const state = film.value;
+    if (!state) {
+        return (
+            <p class="nothing">
+                Finished frames are kept in a store: a film that was stopped goes on where it was,
+                and another seat or speed renders only what is new.
+            </p>
+        );
+    }
+    const name = state.output.split('/').pop() ?? '';
+    return (
+        <>
+            {state.address === '' ? <Frames state={state} /> : (
+                <FilmPlayer address={state.address} fps={state.fps} width={state.width}
+                    height={state.height}>
+                    <a class="download" href={state.address} download={name}>Download</a>
+                </FilmPlayer>
+            )}
+            <Progress state={state} />
+        </>
+    );
+}
+
+function actions(): DialogAction[] {
+    if (isMaking.value) {
+        return [{
+            label: 'Stop', isDisabled: film.value?.state === 'stopping',
+            run: () => (stopFilm(), false),
+        }];
+    }
+    const word = film.value?.state === 'stopped' ? 'Go on' : 'Render';
+    const isOff = hasErrors.value || isAsked.value || problemOfFrames(choice.frames.value) !== '';
+    return [{
+        label: hasUnsaved() ? `Save and ${word.toLowerCase()}` : word, kind: 'primary',
+        isDisabled: isOff, run: () => (void startFilm(), false),
+    }];
+}
+
+export function FilmPanel() {
+    const problem = hasErrors.value ? 'The shot has errors; a film can be made without them.'
+        : filmProblem.value;
+    return (
+        <Dialog title="Film" size="wide" actions={actions()} onClose={() => { panel.value = null; }}>
+            <div class="film">
+                <Choices />
+                {problem ? <p class="error" role="alert">{problem}</p> : null}
+                <Result />
+            </div>
+        </Dialog>
+    );
+}

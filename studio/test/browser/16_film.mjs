@@ -1,0 +1,94 @@
+// A film is made at draft, stopped, and goes on with the frames that are missing. It plays in the
+// page, also frame by frame, and 5 s is the frame that the film has there.
+import { existsSync, statSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { equal, textOf } from './harness.mjs';
+
+export const shot = 'bank_shot.yaml';
+const kFrames = 40;
+
+const filmState = (page) => page.evaluate(() => window.studio.films.film.value);
+const waitFor = (page, state) => page.waitForFunction(
+    (name) => window.studio.films.film.value?.state === name, state, { timeout: 120_000 });
+
+/// The numbers of red in the picture of the video, in a grid.
+function shownPicture(page) {
+    return page.evaluate(() => {
+        const video = document.querySelector('video');
+        const canvas = document.createElement('canvas');
+        [canvas.width, canvas.height] = [64, 36];
+        const context = canvas.getContext('2d');
+        context.drawImage(video, 0, 0, 64, 36);
+        return [...context.getImageData(0, 0, 64, 36).data].filter((_, i) => i % 4 === 0);
+    });
+}
+
+const seeked = (page) => page.waitForFunction(() => {
+    const video = document.querySelector('video');
+    return !video.seeking && video.readyState >= 2;
+});
+
+export async function check({ page, path, folder }) {
+    const frames = await page.evaluate(() => window.studio.state.shot.value.film.frames);
+    const film = path.replace('.yaml', '.mp4');
+    writeFileSync(film, 'somebody else made this');
+    await page.getByRole('button', { name: /^Make a film/ }).click();
+    await page.getByLabel('Quality').selectOption('draft');
+    await page.getByRole('button', { name: 'Render', exact: true }).click();
+    await page.getByRole('button', { name: 'Keep it' }).click();
+    equal(await filmState(page), null, 'the film of which the file was kept');
+    await page.getByRole('button', { name: 'Render', exact: true }).click();
+    await page.getByRole('button', { name: 'Overwrite' }).click();
+    await page.waitForFunction((count) => window.studio.films.film.value?.finished >= count, kFrames,
+        { timeout: 120_000 });
+    await page.getByRole('button', { name: 'Stop' }).click();
+    await waitFor(page, 'stopped');
+    const stopped = await filmState(page);
+    equal(stopped.finished >= kFrames && stopped.finished < frames, true,
+        `frames when it was stopped (${stopped.finished})`);
+    equal(statSync(film).size, 23, 'the size of the file that was there before');
+
+    await page.getByRole('button', { name: 'Go on' }).click();
+    await page.getByRole('button', { name: 'Overwrite' }).click();
+    await waitFor(page, 'done');
+    const done = await filmState(page);
+    equal([done.finished, done.frames], [frames, frames], 'finished frames');
+    equal(done.reused >= stopped.finished && done.reused < frames, true,
+        `frames from the store (${done.reused}, ${stopped.finished} before)`);
+    await page.waitForFunction((count) => window.studio.films.thumbnails.value.size === count, frames);
+    equal(existsSync(film), true, 'the film');
+
+    // It plays, and is exact to a frame.
+    const video = page.locator('video');
+    await page.waitForFunction(() => document.querySelector('video')?.readyState >= 2);
+    const { duration, width } = await video.evaluate((one) =>
+        ({ duration: one.duration, width: one.videoWidth }));
+    equal(Math.abs(duration - frames / done.fps) < 0.02, true, `duration (${duration} s)`);
+    equal(width, done.width, 'width');
+    await page.getByRole('button', { name: 'Play', exact: true }).click();
+    await page.waitForFunction(() => document.querySelector('video').currentTime > 0.2);
+    await page.getByRole('button', { name: 'Pause', exact: true }).click();
+    const wanted = Math.min(frames - 2, Math.round(5 * done.fps));
+    await page.getByRole('slider', { name: 'Frame' }).fill(String(wanted));
+    await seeked(page);
+    equal(await page.getByText(`frame ${wanted} of ${frames}`).count(), 1, 'the shown number');
+    const time = await video.evaluate((one) => one.currentTime);
+    equal(Math.abs(time - wanted / done.fps) < 1 / done.fps, true, `the time (${time} s)`);
+    const before = await shownPicture(page);
+    await page.getByRole('button', { name: 'First frame', exact: true }).click();
+    await seeked(page);
+    const first = await shownPicture(page);
+    const distance = (a, b) => a.reduce((sum, x, i) => sum + Math.abs(x - b[i]), 0) / a.length;
+    await page.getByRole('slider', { name: 'Frame' }).fill(String(wanted - 1));
+    await page.getByRole('button', { name: 'One frame on', exact: true }).click();
+    await seeked(page);
+    equal(distance(await shownPicture(page), before), 0, 'the same frame after a step');
+    equal(distance(first, before) > 0, true, 'another picture at the start');
+
+    // Its frames are on the strip, and the texts were not touched.
+    await page.keyboard.press('Escape');
+    equal(await page.getByRole('dialog').count(), 0, 'open dialogs');
+    equal((await textOf(page)).includes('carom'), true, 'the text');
+    return `${frames} frames, ${stopped.finished} before it was stopped, ${done.reused} reused; `
+        + `plays, and frame ${wanted} is exact`;
+}

@@ -1,0 +1,66 @@
+// Plan, report, speeds and contact sheet are shown as they stand in the page; exports have the bytes
+// of the command line, and a file is replaced only after a question.
+import { execFileSync } from 'node:child_process';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { equal } from './harness.mjs';
+
+export const shot = 'bank_shot.yaml';
+
+export async function check({ page, path, folder, carom }) {
+    const cache = join(folder, 'other');
+    const direct = (words, name) => {
+        const file = join(folder, `direct_${name}`);
+        execFileSync(carom, [...words, file, '--cache', cache, '-q', path], { stdio: 'ignore' });
+        return readFileSync(file);
+    };
+    const tab = (name) => page.getByRole('tab', { name, exact: true }).click();
+    await page.getByRole('button', { name: 'Plan, report and contact sheet' }).click();
+    const plan = page.getByRole('img', { name: 'Plan' });
+    await plan.waitFor();
+    await page.waitForFunction(() => document.querySelector('img.plan')?.naturalWidth > 0);
+    const bytes = await page.evaluate(async () =>
+        (await fetch(document.querySelector('img.plan').src)).text());
+    equal(bytes === direct(['plan', '-o'], 'plan.svg').toString(), true, 'the plan of carom plan');
+
+    await tab('Report');
+    await page.getByText('it never rises between force events').waitFor();
+    await tab('Speeds and energy');
+    await page.waitForFunction(() => document.querySelector('img.plot')?.naturalWidth > 0);
+    await tab('Contact sheet');
+    await page.waitForFunction(() => document.querySelector('img.contact_sheet')?.naturalWidth > 0,
+        null, { timeout: 120_000 });
+    const width = await page.evaluate(() => document.querySelector('img.contact_sheet').naturalWidth);
+    equal(width > 1280, true, `width of the contact sheet (${width})`);
+
+    await tab('Export');
+    const count = { written: 0 };
+    for (const [label, name, words] of [
+        ['Motion as a table', 'm.csv', ['export', '-o']],
+        ['Motion and scene as JSON', 'm.json', ['export', '-o']],
+        ['Scene as glTF', 'm.glb', ['export', '-o']],
+        ['Scene as USD', 'm.usda', ['export', '-o']],
+        ['Events as a table', 'e.csv', ['export', '--events']],
+        ['The frame at the play head', 'f.png', ['frame', '-o']]]) {
+        await page.getByRole('radio', { name: label }).check();
+        await page.getByLabel('File, beside the shot').fill(name);
+        await page.getByRole('button', { name: 'Write', exact: true }).click();
+        const file = join(dirname(path), name);
+        await page.getByText(`${file} is written.`).first().waitFor({ timeout: 60_000 });
+        equal(readFileSync(file).equals(direct(words, name)), true, `the bytes of ${name}`);
+        count.written += 1;
+    }
+    const mine = join(dirname(path), 'mine.csv');
+    writeFileSync(mine, 'mine');
+    await page.getByRole('radio', { name: 'Motion as a table' }).check();
+    await page.getByLabel('File, beside the shot').fill('mine.csv');
+    await page.getByRole('button', { name: 'Write', exact: true }).click();
+    await page.getByRole('button', { name: 'Keep it' }).click();
+    equal(readFileSync(mine, 'utf8'), 'mine', 'a file that was there before');
+    await page.getByLabel('File, beside the shot').fill('../../elsewhere.csv');
+    await page.getByRole('button', { name: 'Write', exact: true }).click();
+    await page.getByRole('alert').filter({ hasText: 'files can be written below' }).waitFor();
+    equal(existsSync(join(dirname(folder), 'elsewhere.csv')), false, 'a file elsewhere');
+    return `plan, report, speeds and contact sheet are shown; ${count.written} exports have the bytes `
+        + 'of the command line';
+}
