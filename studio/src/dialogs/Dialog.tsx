@@ -77,6 +77,12 @@ export function Dialog({
             dialog.close();
         };
     }, []);
+    useEffect(() => {
+        // The focus does not leave the dialog when the button that had it is gone.
+        if (document.activeElement === document.body) {
+            element.current?.querySelector<HTMLElement>('.action:not(:disabled)')?.focus();
+        }
+    });
     const run = (action: DialogAction) => {
         if (action.run() !== false) {
             onClose();

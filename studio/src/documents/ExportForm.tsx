@@ -44,6 +44,12 @@ export function ExportForm({ kind, isOff }: Properties) {
     const submit = () => {
         void write({ what: format.what, output: name.trim(), frame: frameNow(), rate: samples });
     };
+    const onKey = (event: KeyboardEvent) => {
+        if (event.key === 'Enter' && !isOff && problem === '') {
+            event.preventDefault();
+            submit();
+        }
+    };
     return (
         <div class="export">
             {formats.length < 2 ? null : (
@@ -58,7 +64,7 @@ export function ExportForm({ kind, isOff }: Properties) {
                     ))}
                 </fieldset>
             )}
-            <div class="file">
+            <div class="file" onKeyDown={onKey}>
                 <label class="name">
                     <span>File, beside the shot</span>
                     <input type="text" value={name} spellcheck={false} autocomplete="off"

@@ -36,7 +36,7 @@ export function stateText(state: FilmState): string {
 
 /// How much of the whole is done, [0, 1].
 function share(state: FilmState): number {
-    return state.state === 'done' ? 1 : state.frames > 0 ? state.finished / state.frames : 0;
+    return state.frames > 0 ? state.finished / state.frames : 0;
 }
 
 function presets(): string[] {
@@ -52,20 +52,19 @@ function defaultName(): string {
 function Choices() {
     const problem = problemOfFrames(choice.frames.value);
     const size = shot.value?.film;
-    const isOff = isMaking.value;
     return (
         <>
             <div class="choices">
                 <label>
                     <span>File</span>
-                    <input type="text" value={choice.output.value} disabled={isOff}
+                    <input type="text" value={choice.output.value}
                         placeholder={`${defaultName()}.mp4`} spellcheck={false} autocomplete="off"
                         title="Its ending chooses the format: .mp4, .mov, .mkv, .webm, or pictures as name_####.png"
                         onInput={(event) => { choice.output.value = event.currentTarget.value; }} />
                 </label>
                 <label>
                     <span>Quality</span>
-                    <select class="choice" value={choice.quality.value} disabled={isOff} data-focus
+                    <select class="choice" value={choice.quality.value} data-focus
                         onChange={(event) => { choice.quality.value = event.currentTarget.value; }}>
                         <option value="">As the shot says</option>
                         {presets().map((name) => <option key={name} value={name}>{name}</option>)}
@@ -73,7 +72,7 @@ function Choices() {
                 </label>
                 <label>
                     <span>Frames</span>
-                    <input type="text" value={choice.frames.value} disabled={isOff}
+                    <input type="text" value={choice.frames.value}
                         placeholder="all" spellcheck={false} autocomplete="off" aria-invalid={problem !== ''}
                         onInput={(event) => { choice.frames.value = event.currentTarget.value; }} />
                 </label>
@@ -112,7 +111,8 @@ function Progress({ state }: { state: FilmState }) {
     const isBad = state.state === 'failed';
     return (
         <>
-            <progress aria-label="Finished frames" max={1} value={share(state)} />
+            {state.state === 'done' ? null
+                : <progress aria-label="Finished frames" max={1} value={share(state)} />}
             <p class={isBad ? 'state error' : 'state'} role={isBad ? 'alert' : undefined}>
                 {stateText(state)}
             </p>

@@ -169,8 +169,7 @@ function isTaken(target: EventTarget | null, key: string, everywhere: boolean): 
     if (everywhere || !(target instanceof Element)) {
         return false;
     }
-    // In an open dialog, also Escape, which closes it.
-    if (target.closest('dialog') || target.closest(kTypes)) {
+    if (target.closest(kTypes)) {
         return true;
     }
     if (/arrow|home|end$/.test(key)) {
@@ -183,7 +182,9 @@ function isTaken(target: EventTarget | null, key: string, everywhere: boolean): 
 function onKeyDown(event: KeyboardEvent): void {
     const key = keyName(event);
     const binding = byKey.get(key);
-    if (!binding || event.defaultPrevented || event.isComposing
+    // An open dialog has all keys for itself, also Escape, which closes it.
+    const isDialogOpen = document.querySelector('dialog:modal') !== null;
+    if (!binding || event.defaultPrevented || event.isComposing || isDialogOpen
         || isTaken(event.target, key, binding.everywhere ?? false)) {
         return;
     }
