@@ -1,5 +1,6 @@
 /// Adding, duplicating, renaming and deleting things of the shot: each one step of undo.
 import { insertEntry, insertItem, removeValue, sourceOf } from '../edit/edit';
+import { namesOfSet } from '../edit/ball_names';
 import { filmDuration } from '../motion/clock';
 import type { KeyPath, ShotState } from '../protocol';
 import { onCommand } from '../state/keys';
@@ -44,6 +45,13 @@ function namesTaken(state: ShotState): string[] {
     return [...balls, ...objects, ...materials, ...lights];
 }
 
+/// The first ball of the set that is not there yet.
+function freeBall(state: ShotState, wanted: string): string {
+    const taken = namesTaken(state);
+    const radius = state.table?.ball_radius ?? 0.028575;
+    return namesOfSet(radius).find((name) => !taken.includes(name)) ?? freeName(wanted, taken);
+}
+
 export interface Template {
     label: string;
     about: string;
@@ -75,7 +83,8 @@ export function templatesOf(section: string): Template[] {
                 return;
             }
             const [, wanted = 'new', value = '{}'] = /^([^:]+): ([\s\S]*)$/.exec(plain) ?? [];
-            const name = freeName(wanted, namesTaken(state));
+            const name = section === 'balls' ? freeBall(state, wanted)
+                : freeName(wanted, namesTaken(state));
             const yaml = section === 'balls' ? `{at: [${freePlace(state).join(', ')}]}` : value;
             done(insertEntry([section], name, yaml, `Add ${snippet.label}`), [section, name]);
         },

@@ -2,31 +2,25 @@
 /// to its place in the rack.
 import { applyChanges, insertItem, removeValue, type Change } from '../../edit/edit';
 import type { SceneObject } from '../../protocol';
-import { shot } from '../../state/state';
+import { rackedBalls } from '../../edit/ball_names';
+import { selection, shot } from '../../state/state';
 import type { MenuItem } from '../menu/menu_state';
 import { contactDistance } from './ball_snap';
 import { valueAt } from './shot_values';
 import { shownStrike } from './strike';
 
-const kNumbers = ['one', 'two', 'three', 'four', 'five', 'six', 'seven', 'eight', 'nine', 'ten',
-    'eleven', 'twelve', 'thirteen', 'fourteen', 'fifteen'];
-const kColoured = ['yellow', 'green', 'brown', 'blue', 'pink', 'black'];
 const kPrecision = 1e-4; // m
-
-/// The balls of a rack's set, as docs/reference.md names them.
-export function rackedBalls(set: unknown): readonly string[] {
-    const counts: Record<string, number> = {
-        nine_ball: 9, ten_ball: 10, eight_ball: 15, fifteen_ball: 15,
-    };
-    if (set === 'snooker') {
-        return [...kNumbers.map((_, i) => `red_${i + 1}`), ...kColoured];
-    }
-    return set === 'carom' ? ['white', 'yellow', 'red']
-        : kNumbers.slice(0, counts[String(set)] ?? 0);
-}
 
 function item(label: string, changes: Change[], startsGroup = false): MenuItem {
     return { label, startsGroup, run: () => { applyChanges(changes, label); } };
+}
+
+/// Adds a strike at the end of the events and selects it.
+function addStrike(label: string, yaml: string): void {
+    const count = shot.peek()?.events.length ?? 0;
+    if (insertItem(['events'], count, `strike: ${yaml}`, label).ok) {
+        selection.value = ['events', String(count)];
+    }
 }
 
 /// The strike is aimed at the ball, or a new one strikes it.
@@ -34,7 +28,13 @@ function strikeItems(ball: SceneObject): MenuItem[] {
     const events = shot.peek()?.events ?? [];
     const strike = shownStrike.peek()?.event;
     const isStruck = events.some(({ kind, object }) => kind === 'strike' && object === ball.name);
-    const aim = strike && strike.object !== ball.name ? [
+    const cue = shot.peek()?.names.balls.find((name) => name === 'cue');
+    const isFirst = events.every(({ kind }) => kind !== 'strike');
+    const aim = isFirst && cue && cue !== ball.name ? [{
+        label: `Strike ${cue} at ${ball.name}`, startsGroup: true,
+        run: () => addStrike(`Strike ${cue} at ${ball.name}`,
+            `{ball: ${cue}, at: 0.5 s, toward: ${ball.name}, speed: 3 m/s}`),
+    }] : strike && strike.object !== ball.name ? [
         item(`Strike ${strike.object} at ${ball.name}`, [{
             path: [...strike.path, 'strike', 'toward'], value: ball.name, insteadOf: 'direction',
         }], true),
@@ -42,10 +42,8 @@ function strikeItems(ball: SceneObject): MenuItem[] {
     const label = `Strike ${ball.name}`;
     return isStruck ? aim : [...aim, {
         label, startsGroup: aim.length === 0,
-        run: () => {
-            insertItem(['events'], events.length,
-                `strike: {ball: ${ball.name}, at: 0.5 s, direction: 0 deg, speed: 2 m/s}`, label);
-        },
+        run: () => addStrike(label,
+            `{ball: ${ball.name}, at: 0.5 s, direction: 0 deg, speed: 2 m/s}`),
     }];
 }
 
