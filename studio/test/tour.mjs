@@ -95,7 +95,8 @@ async function showBreak(page) {
     await keep(page, 'camera');
     await toView(page);
     await select(page, null);
-    await page.evaluate(() => { window.studio.state.filmTime.value = 3.5; });
+    await page.evaluate(() => { location.hash = '#t=3.5'; });
+    await page.waitForFunction(() => window.studio.state.filmTime.value === 3.5);
     await page.keyboard.press('c');
     await page.keyboard.press('r');
     await traced(page);
@@ -160,17 +161,46 @@ async function walk(page) {
         cue[1] + length * Math.sin(degrees / 57.29578), aim[2]];
     await dragPixels(page, await pixelOf(page, aim), await pixelOf(page, turned(116.9)), 16);
     await keep(page, 'walk_5_aim');
-    const potted = () => page.evaluate(() => window.studio.state.timeline.value.head.events
-        .filter(({ kind }) => kind === 'potted').map(({ a, b }) => [a, b]));
-    console.log(await page.evaluate(() => window.studio.edit.text().split('\n').slice(5, 24).join('\n')), await potted());
-    const speed = page.locator('.inspector').getByLabel('speed', { exact: true });
-    for (const one of ['3.2 m/s']) {
-        await speed.fill(one);
-        await speed.press('Enter');
+    await page.keyboard.press('v');
+    await page.waitForFunction(() => window.studio.state.fan.value?.head.finished === 8);
+    await keep(page, 'walk_6_sure');
+    await page.keyboard.press('v');
+    equal(await page.evaluate(() => window.studio.state.timeline.value.head.events
+        .filter(({ kind }) => kind === 'potted').map(({ a, b }) => [a, b])),
+        [[added, 'corner_left_front']], 'potted balls');
+
+    // The camera goes to the far corner, and looks along the table.
+    await select(page, ['cameras', '0']);
+    const handle = (key) => page.evaluate((name) => {
+        const { cameraHandles, view } = window.studio;
+        const box = view.context.canvas.getBoundingClientRect();
+        const found = cameraHandles.value.find(({ path }) => path.at(-1) === name);
+        const place = found && view.context.toScreen(found.at);
+        return place && [place[0] + box.left, place[1] + box.top];
+    }, key);
+    await dragPixels(page, await handle('target'), await pixelOf(page, [-0.2, 0, 0]), 12);
+    const field = (name) => page.locator('.inspector').getByLabel(name, { exact: true }).last();
+    for (const [name, value] of [['fov', '42 deg'], ['focus', added]]) {
+        await field(name).fill(value);
+        await field(name).press('Enter');
         await settle(page);
-        console.log(one, await potted());
     }
-    await keep(page, 'walk_6_speed');
+    await toView(page);
+    await keep(page, 'walk_7_camera');
+
+    await select(page, null);
+    for (let i = 0; i < 3; ++i) {
+        await page.keyboard.press('Shift+ArrowRight');
+    }
+    await page.keyboard.press('c');
+    await page.keyboard.press('r');
+    await traced(page);
+    await keep(page, 'walk_8_picture');
+    await page.keyboard.press('r');
+
+    await film(page, 'draft');
+    await filmDone(page, 30);
+    await keep(page, 'walk_9_film');
 }
 
 const folder = copyShots();

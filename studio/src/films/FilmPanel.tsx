@@ -1,8 +1,9 @@
 /// The panel of films: makes one of the shot, shows its frames as they come, and plays it.
 import { Dialog, type DialogAction } from '../dialogs/Dialog';
+import { goToFrame } from '../motion/clock';
 import type { FilmState } from '../protocol';
 import { filmThumbnails } from '../state/film_thumbnails';
-import { filmTime, hasErrors, panel, shot, welcome } from '../state/state';
+import { hasErrors, panel, shot, welcome } from '../state/state';
 import { hasUnsaved } from '../start/file_actions';
 import { configFiles } from '../text/complete/config_files';
 import { counted, durationText } from './durations';
@@ -88,8 +89,7 @@ function Choices() {
 }
 
 /// The frames that are there, as small pictures.
-function Frames({ state }: { state: FilmState }) {
-    const fps = state.fps || 24;
+function Frames() {
     const list = [...filmThumbnails.value].filter(([, address]) => address !== '')
         .sort(([a], [b]) => a - b);
     return (
@@ -97,7 +97,7 @@ function Frames({ state }: { state: FilmState }) {
             {list.map(([frame, address]) => (
                 <li key={frame}>
                     <button type="button" title={`Frame ${frame}: go there in the view`}
-                        onClick={() => { filmTime.value = frame / fps; panel.value = null; }}>
+                        onClick={() => { goToFrame(frame); panel.value = null; }}>
                         <img src={address} alt={`Frame ${frame}`} loading="lazy" />
                         <span aria-hidden="true">{frame}</span>
                     </button>
@@ -140,7 +140,7 @@ function Result() {
     const name = state.output.split('/').pop() ?? '';
     return (
         <>
-            {state.address === '' ? <Frames state={state} /> : (
+            {state.address === '' ? <Frames /> : (
                 <FilmPlayer address={state.address} fps={state.fps} width={state.width}
                     height={state.height}>
                     <a class="download" href={state.address} download={name}>Download</a>

@@ -99,7 +99,7 @@ export function FieldRow({ field, above = '' }: { field: Field; above?: string }
     const label = `${above}${field.name}`;
     if (isVector(field)) {
         return (
-            <div class={/^\d+$/.test(field.name) ? 'row indexed' : 'row'} data-key={field.name}>
+            <div class={/^\d+$/.test(field.name) ? 'row indexed' : field.parts.length > 2 ? 'row wide' : 'row'} data-key={field.name}>
                 <Name field={field} />
                 <span class="parts">
                     {field.parts.map((part) => (
