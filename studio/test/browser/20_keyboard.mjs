@@ -37,6 +37,11 @@ async function reach(page, key, words, most = 40) {
     throw new Error(`'${words}' is not reached by ${key}`);
 }
 
+/// Waits until the button with these words has the focus by itself.
+function hasFocus(page, words) {
+    return page.waitForFunction((text) => document.activeElement?.textContent === text, words);
+}
+
 export async function check({ page }) {
     const before = await textOf(page);
     const state = (name) => page.evaluate((one) => window.studio.state[one].value, name);
@@ -79,11 +84,25 @@ export async function check({ page }) {
     equal(await state('lookThrough'), 'slow', 'the camera that is looked through');
     equal(await page.evaluate(() => location.hash), '#t=0.417&camera=slow&select=events/0', 'the address');
 
+    // A film: begun, left, and stopped.
+    await page.keyboard.press('Control+Enter');
+    await page.waitForFunction(() => document.activeElement?.closest('label')?.textContent
+        .startsWith('Quality'));
+    await page.keyboard.press('Tab');
+    await page.keyboard.type('0-3');
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => window.studio.films.film.value?.state === 'running');
+    await reach(page, 'Tab', 'Stop');
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => window.studio.films.film.value?.state === 'stopped');
+    await hasFocus(page, 'Go on');
+    await page.keyboard.press('Escape');
+
     await page.evaluate(axe);
     const counts = [];
     for (const theme of ['dark', 'light']) {
         await page.evaluate((one) => { window.studio.state.theme.value = one; }, theme);
-        for (const key of ['', '?', 'Control+k']) {
+        for (const key of ['', '?', 'Control+k', 'Control+Enter', 'Control+Shift+E']) {
             if (key !== '') {
                 await page.keyboard.press(key);
             }
@@ -95,5 +114,5 @@ export async function check({ page }) {
         }
     }
     equal(counts, [], 'what axe finds');
-    return 'selected, nudged, struck and scrubbed by keys; axe finds nothing serious in dark and light';
+    return 'selected, nudged, struck, scrubbed and filmed by keys; axe finds nothing serious in dark and light';
 }
