@@ -217,6 +217,7 @@ struct StudioCommand {
     CacheOptions cache;
     int port = 0;              // 0: any free port
     bool no_browser = false;   // only print the address
+    std::string output;        // folder of films and exports; empty: that of the shot
     std::string idle = "12h";  // the server ends when nothing happened for so long
 };
 void describe(StudioCommand& command, CommandDescription& description);

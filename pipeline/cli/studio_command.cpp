@@ -45,7 +45,11 @@ studio::SessionOptions session_options(const StudioCommand& command) {
         throw InputError("there is no file '" + command.input.path +
                          "'; 'carom studio' without a file offers templates to start from");
     }
+    if (!command.output.empty() && !std::filesystem::is_directory(command.output, ignored)) {
+        throw InputError("there is no folder '" + command.output + "' for films and exports");
+    }
     studio::SessionOptions options;
+    options.output = command.output;
     options.shot = command.input.path;
     options.overrides = command.input.overrides;
     options.quality = command.input.quality;

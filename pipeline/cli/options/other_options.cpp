@@ -43,6 +43,10 @@ void describe(StudioCommand& command, CommandDescription& description) {
                              : std::string();
         });
     description.flag("--no-browser", command.no_browser, "Only print the address.");
+    description
+        .option("-o,--output", &command.output, "FOLDER",
+                "The folder of films and exports. The default is that of the shot.")
+        .offers(Offer::folders);
     description.option("--idle", &command.idle, "TIME",
                        "End the server when for so long nothing was asked: 12h (the default), "
                        "90min.");
