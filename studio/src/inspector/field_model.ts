@@ -47,17 +47,18 @@ function partsOf(schema: Schema, texts: Texts, path: KeyPath, depth: number): Fi
     return texts.keysOf(path).map((key) => fieldAt(schema, texts, [...path, key], depth));
 }
 
-/// The keys that the text gives at a path, and those that it may give beside them.
+/// The keys that the texts give at a path, and those that they may give beside them.
 export function fieldsOf(schema: Schema, texts: Texts, path: KeyPath): { given: Field[]; more: Field[] } {
     const present = texts.keysOf(path);
-    const given = partsOf(schema, texts, path, 0);
     const isList = texts.sourceOf(path)?.kind === 'list';
-    const more = isList ? [] : keysAt(schema, path, present).filter((info) => info.name !== 'include')
-        .map((info): Field => ({
-            path: [...path, info.name], name: info.name, info,
-            types: typesAt(schema, [...path, info.name]), source: null, origin: 'absent', parts: [],
-        }));
-    return { given, more };
+    const others = isList ? [] : keysAt(schema, path, present)
+        .filter((info) => info.name !== 'include')
+        .map((info) => fieldAt(schema, texts, [...path, info.name], 0));
+    // What the text itself does not say may come from the rig that a camera includes.
+    return {
+        given: [...partsOf(schema, texts, path, 0), ...others.filter(({ source }) => source)],
+        more: others.filter(({ source }) => !source),
+    };
 }
 
 /// The fields whose name, or the name of a part, contains a word.
