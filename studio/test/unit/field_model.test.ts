@@ -1,11 +1,13 @@
 // What the inspector lists: what the text says, what stands behind it, and the rest.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import { fieldsOf, type Texts } from '../../src/inspector/field_model';
 import type { Schema } from '../../src/schema/value_types';
 
-const schema = JSON.parse(readFileSync('configs/carom.schema.json', 'utf8')) as Schema;
+const schema = JSON.parse(
+    readFileSync(join(__REPOSITORY__, 'configs/carom.schema.json'), 'utf8')) as Schema;
 
 /// A camera that says its name, with a rig behind it that gives the field of view.
 const texts: Texts = {
@@ -18,7 +20,7 @@ const texts: Texts = {
     },
 };
 
-test('keys of the rig that a camera includes are given, with their origin', () => {
+test('FieldsOf_CameraWithARig_ListsWhatTheRigGives', () => {
     const { given, more } = fieldsOf(schema, texts, ['cameras', '0']);
     assert.deepEqual(given.map(({ name }) => name), ['include', 'name', 'fov']);
     assert.equal(given[2]?.origin, 'config');
