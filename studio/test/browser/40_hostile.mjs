@@ -1,5 +1,5 @@
-// A shot of somebody else that is far too large: a thousand seconds, a mesh that is too large to
-// read, a picture of 16384 x 16384. The page answers, says what is wrong, and goes on.
+// A shot of somebody else that is far too large: a thousand seconds in which nothing comes to rest, a
+// mesh that is too large to read, a picture of 16384 x 16384. The page answers, says what is wrong, and goes on.
 import { readFileSync, truncateSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { equal, openText, settle, textOf } from './harness.mjs';
@@ -13,6 +13,9 @@ objects:
 ${Array.from({ length: 90 }, (_, i) => `  box_${i}: {box: [0.1, 0.1, 0.1], physics: {density: 500 kg/m^3}, `
     + `at: [${(i % 3) * 0.102}, ${(Math.floor(i / 3) % 3) * 0.102}, ${0.3 + Math.floor(i / 9) * 0.12}]}`)
     .join('\n')}
+events:
+${Array.from({ length: 18 }, (_, i) =>
+        `  - torque: {object: box_${5 * i}, at: 0 s, for: 1000 s, newton_metres: [0, 0, 0.5]}`).join('\n')}
 lights:
   lamp: {rectangle: [1, 0.4], at: [0, 0, 3], facing: [0, 0, -1], radiance: [10, 10, 10]}
 cameras:
