@@ -17,10 +17,12 @@
 
 namespace {
 
+using carom::studio::PageId;
 using carom::studio::Picture;
 using carom::studio::PictureView;
 using Clock = std::chrono::steady_clock;
 
+constexpr PageId kPage = 1;
 constexpr int kTries = 40;
 
 double milliseconds(Clock::duration time) {
@@ -91,7 +93,8 @@ int main(int count, char** words) {
         std::make_shared<const carom::sim::Timeline>(carom::sim::bake(shot->world));
     const std::string cache = std::filesystem::temp_directory_path() / "carom_picture_bench";
     Arrivals arrivals;
-    PictureView view([&](const Picture& picture) { arrivals.take(picture, shot->render.width); },
+    PictureView view([&](PageId /*page*/,
+                         const Picture& picture) { arrivals.take(picture, shot->render.width); },
                      {.cache_folder = cache, .threads = 0});
     view.set_shot(shot, timeline, 1);
 
@@ -104,13 +107,13 @@ int main(int count, char** words) {
         question.frame = 3 * i;
         arrivals.expect(question.q);
         const Clock::time_point begin = Clock::now();
-        view.ask(question);
+        view.ask(kPage, question);
         const auto times = arrivals.wait();
         first.push_back(milliseconds(times[0] - begin));
         full.push_back(milliseconds(times[1] - begin));
         std::this_thread::sleep_for(std::chrono::milliseconds(50 + 7 * (i % 11)));
         const Clock::time_point end = Clock::now();
-        view.cancel();
+        view.cancel(kPage);
         view.wait_until_idle();
         stop.push_back(milliseconds(Clock::now() - end));
     }

@@ -1,8 +1,8 @@
 #include "pipeline/studio/picture_view.h"
 
 #include <condition_variable>
+#include <map>
 #include <mutex>
-#include <optional>
 #include <set>
 #include <thread>
 #include <utility>
@@ -27,11 +27,30 @@ class PictureView::State {
           one_thread_(1),
           worker_([this](const std::stop_token& end) { work(end); }) {}
 
-    /// Changes what is asked for: the work on the old state ends, none of its pictures is sent.
+    /// Changes what is shown: the work on the old state ends, none of its pictures is sent.
     template <class Change>
     void change(const Change& change) {
         const std::lock_guard lock(mutex_);
         change(*this);
+        restart_all();
+    }
+
+    void ask(PageId page, See see) {
+        const std::lock_guard lock(mutex_);
+        questions_[page] = {std::move(see), ++asked_, false};
+        restart();
+    }
+
+    void cancel(PageId page) {
+        const std::lock_guard lock(mutex_);
+        if (questions_.erase(page) > 0 && busy_ && page == busy_with_) {
+            restart();
+        }
+    }
+
+    void cancel_all() {
+        const std::lock_guard lock(mutex_);
+        questions_.clear();
         restart();
     }
 
@@ -40,13 +59,13 @@ class PictureView::State {
         const bool was_held = !holds_.empty();
         is_on ? static_cast<void>(holds_.insert(reason)) : static_cast<void>(holds_.erase(reason));
         if (was_held != !holds_.empty()) {
-            restart();
+            restart_all();
         }
     }
 
     void wait_until_idle() {
         std::unique_lock lock(mutex_);
-        wake_.wait(lock, [&] { return !busy_ && !(pending_ && can_work()); });
+        wake_.wait(lock, [&] { return !busy_ && next() == questions_.end(); });
     }
 
     PictureCounts counts() {
@@ -54,21 +73,47 @@ class PictureView::State {
         return counts_;
     }
 
-    std::optional<See> question;
     ShownShot shown;
     bool film_running = false;
 
   private:
+    struct Question {
+        See see;
+        std::uint64_t number = 0;  // in the order in which all pages asked
+        bool is_answered = false;
+    };
+    using Questions = std::map<PageId, Question>;
+
+    /// All questions are answered again. The mutex is held.
+    void restart_all() {
+        for (auto& [page, question] : questions_) {
+            question.is_answered = false;
+        }
+        restart();
+    }
+
     /// Ends the work on the old state. The mutex is held.
     void restart() {
         generation_ += 1;
-        pending_ = true;
         not_before_ = std::chrono::steady_clock::now() + options_.restart_delay;
         stop_.request_stop();
         wake_.notify_all();
     }
 
-    [[nodiscard]] bool can_work() const { return question && shown.shot && holds_.empty(); }
+    /// The newest question that is to be answered now, or the end. The mutex is held.
+    [[nodiscard]] Questions::iterator next() {
+        auto newest = questions_.end();
+        if (!shown.shot || !holds_.empty()) {
+            return newest;
+        }
+        for (auto one = questions_.begin(); one != questions_.end(); ++one) {
+            if (!one->second.is_answered &&
+                (newest == questions_.end() || one->second.number > newest->second.number)) {
+                newest = one;
+            }
+        }
+        return newest;
+    }
 
     void work(const std::stop_token& end) {
         const std::stop_callback stop_work(end, [this] {
@@ -76,7 +121,7 @@ class PictureView::State {
             stop_.request_stop();
         });
         std::unique_lock lock(mutex_);
-        while (wake_.wait(lock, end, [&] { return pending_ && can_work(); })) {
+        while (wake_.wait(lock, end, [&] { return next() != questions_.end(); })) {
             if (end.stop_requested()) {
                 return;
             }
@@ -85,14 +130,18 @@ class PictureView::State {
                 wake_.wait_until(lock, end, begin, [&] { return not_before_ != begin; });
                 continue;
             }
-            pending_ = false;
+            const auto& [page, question] = *next();
             busy_ = true;
+            busy_with_ = page;
             stop_ = std::stop_source();
-            const Job job{shown, *question, film_running, generation_, stop_.get_token()};
+            const Job job{shown, page, question.see, film_running, generation_, stop_.get_token()};
             lock.unlock();
             answer(job);
             lock.lock();
             busy_ = false;
+            if (generation_ == job.generation) {
+                questions_.at(job.page).is_answered = true;
+            }
             counts_ = rounds_.counts();
             wake_.notify_all();
         }
@@ -100,6 +149,7 @@ class PictureView::State {
 
     struct Job {
         ShownShot shown;
+        PageId page;
         See question;
         bool beside_film;
         std::uint64_t generation;
@@ -127,7 +177,7 @@ class PictureView::State {
     void send(const Job& job, Picture picture) {
         const std::lock_guard lock(mutex_);
         if (generation_ == job.generation) {
-            send_(std::move(picture));
+            send_(job.page, std::move(picture));
         }
     }
 
@@ -142,8 +192,10 @@ class PictureView::State {
     std::chrono::steady_clock::time_point not_before_;
     std::uint64_t generation_ = 0;
     std::set<Hold> holds_;
-    bool pending_ = false;
+    Questions questions_;
+    std::uint64_t asked_ = 0;
     bool busy_ = false;
+    PageId busy_with_ = 0;
     PictureCounts counts_;
     std::jthread worker_;  // last: it ends before the rest
 };
@@ -160,12 +212,16 @@ void PictureView::set_shot(std::shared_ptr<const pipeline::Shot> shot,
     });
 }
 
-void PictureView::ask(See question) {
-    state_->change([&](State& state) { state.question = std::move(question); });
+void PictureView::ask(PageId page, See question) {
+    state_->ask(page, std::move(question));
 }
 
-void PictureView::cancel() {
-    state_->change([](State& state) { state.question.reset(); });
+void PictureView::cancel(PageId page) {
+    state_->cancel(page);
+}
+
+void PictureView::cancel_all() {
+    state_->cancel_all();
 }
 
 void PictureView::hold(Hold reason, bool holds) {

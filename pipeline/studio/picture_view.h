@@ -1,5 +1,5 @@
-// The path-traced picture in the studio's view: the newest question is answered on a thread of its
-// own.
+// The path-traced pictures in the views of the studio's pages: each page has one question, its
+// newest, and a thread of its own answers them, the newest first.
 #pragma once
 
 #include <chrono>
@@ -9,6 +9,7 @@
 #include <string>
 
 #include "pipeline/studio/picture_rounds.h"
+#include "pipeline/studio/session.h"
 
 namespace carom::studio {
 
@@ -28,8 +29,9 @@ enum class Hold : std::uint8_t {
 /// All functions may be called from any thread, and return without waiting for work.
 class PictureView {
   public:
-    /// Called from the view's thread, one call at a time. It must not call the view.
-    using Send = std::function<void(Picture)>;
+    /// Called from the view's thread, one call at a time, with the page that asked. It must not
+    /// call the view.
+    using Send = std::function<void(PageId, Picture)>;
 
     PictureView(Send send, PictureOptions options);
     ~PictureView();
@@ -38,22 +40,24 @@ class PictureView {
     PictureView(PictureView&&) = delete;
     PictureView& operator=(PictureView&&) = delete;
 
-    /// The newest question is answered again, for this shot; samples are kept if only its view
-    /// differs.
+    /// All questions are answered again, for this shot; samples of the last one are kept if only
+    /// its view differs.
     void set_shot(std::shared_ptr<const pipeline::Shot> shot,
                   std::shared_ptr<const sim::Timeline> timeline, std::int64_t version);
 
-    /// Once it returns, no picture of an earlier question is sent any more.
-    void ask(See question);
-    /// Once it returns, no picture is sent until the next question.
-    void cancel();
+    /// Once it returns, no picture of an earlier question of this page is sent any more.
+    void ask(PageId page, See question);
+    /// Once it returns, no picture is sent to this page until its next question.
+    void cancel(PageId page);
+    /// Ends the questions of all pages.
+    void cancel_all();
 
     /// Pictures wait while one of the reasons holds.
     void hold(Hold reason, bool holds);
     /// While a film is made, pictures take one thread and at most 16 samples.
     void set_film_running(bool running);
 
-    /// Returns when nothing is left to do for the newest question, or it is held.
+    /// Returns when all questions are answered, or they are held.
     void wait_until_idle();
     [[nodiscard]] PictureCounts counts() const;
 

@@ -34,9 +34,9 @@ class Session::State {
   public:
     State(SessionOptions options, Send send)
         : options_(std::move(options)), send_(std::move(send)) {
-        pictures_ =
-            std::make_unique<PictureView>([this](const Picture& picture) { send_picture(picture); },
-                                          PictureOptions{.cache_folder = options_.cache_folder});
+        pictures_ = std::make_unique<PictureView>(
+            [this](PageId page, const Picture& picture) { send_picture(page, picture); },
+            PictureOptions{.cache_folder = options_.cache_folder});
         std::error_code ignored;
         root_ =
             std::filesystem::weakly_canonical(
@@ -92,6 +92,7 @@ class Session::State {
     void closed(PageId page) {
         const std::lock_guard lock(mutex_);
         pages_.erase(page);
+        pictures_->cancel(page);
         set_dragging(page, false);
     }
 
@@ -283,9 +284,9 @@ class Session::State {
         }
     }
 
-    void receive(PageId /*page*/, const See& question) { pictures_->ask(question); }
+    void receive(PageId page, const See& question) { pictures_->ask(page, question); }
 
-    void receive(PageId /*page*/, const Unsee& /*message*/) { pictures_->cancel(); }
+    void receive(PageId page, const Unsee& /*message*/) { pictures_->cancel(page); }
 
     void receive(PageId page, const StartFilm& request) {
         film_->start(page, request, require_workspace().shot(), root());
@@ -299,13 +300,13 @@ class Session::State {
 
     void receive(PageId page, const StopMaking& request) { documents_->stop(page, request.q); }
 
-    void send_picture(const Picture& picture) {
+    void send_picture(PageId page, const Picture& picture) {
         if (!picture.problem.empty()) {
-            send(0, Failed{"picture", picture.head.v, picture.problem});
+            send(page, Failed{"picture", picture.head.v, picture.problem});
             return;
         }
         const std::lock_guard lock(send_mutex_);
-        send_({0, true, pack(picture.head, std::as_bytes(std::span(picture.rgba))),
+        send_({page, true, pack(picture.head, std::as_bytes(std::span(picture.rgba))),
                PictureHead::kName});
     }
 
@@ -344,7 +345,7 @@ class Session::State {
     /// Returns the number of the shot that may be opened next.
     int close_shot() {
         ended_ = std::move(live_);
-        pictures_->cancel();
+        pictures_->cancel_all();
         documents_->set_shot(nullptr, nullptr, 0);
         fan_->cancel();
         watch_->watch({});

@@ -1,7 +1,9 @@
 // Counts and states of the path-traced view; no times.
 #include "pipeline/studio/picture_view.h"
 
+#include <map>
 #include <mutex>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -12,6 +14,8 @@
 
 namespace carom::studio {
 namespace {
+
+constexpr PageId kPage = 7;
 
 class View : public ::testing::Test {
   protected:
@@ -42,8 +46,10 @@ class View : public ::testing::Test {
         std::make_shared<const sim::Timeline>(testing::tiny_timeline());
     std::mutex mutex_;
     std::vector<Picture> pictures_;
-    PictureView view_{[this](Picture picture) {
+    std::vector<PageId> pages_;  // of the pictures
+    PictureView view_{[this](PageId page, Picture picture) {
                           const std::lock_guard lock(mutex_);
+                          pages_.push_back(page);
                           pictures_.push_back(std::move(picture));
                       },
                       {cache_.path(), 2, std::chrono::milliseconds(0)}};
@@ -52,7 +58,7 @@ class View : public ::testing::Test {
 TEST_F(View, LastPicture_IsTheFilmsFrameAndIsInTheCache) {
     const auto shot = make_shot();
     show(shot, 3);
-    view_.ask(frame(1, 4));
+    view_.ask(kPage, frame(1, 4));
     const std::vector<Picture> seen = pictures();
     ASSERT_FALSE(seen.empty());
     const Picture& last = seen.back();
@@ -86,7 +92,7 @@ TEST_F(View, OtherView_TakesNoNewSample) {
     See see = frame(1, 2);
     see.width = 64;  // not the film's own size: nothing comes from the cache
     see.height = 36;
-    view_.ask(see);
+    view_.ask(kPage, see);
     const std::vector<std::uint8_t> before = pictures().back().rgba;
     const PictureCounts counts = view_.counts();
     EXPECT_EQ(counts.camera_rays, 64u * 36u * 8u);
@@ -105,7 +111,7 @@ TEST_F(View, OtherView_TakesNoNewSample) {
 TEST_F(View, NewestQuestion_IsTheOneThatIsAnsweredLast) {
     show(make_shot(), 1);
     for (std::int64_t q = 1; q <= 20; ++q) {
-        view_.ask(frame(q, q % 12));
+        view_.ask(kPage, frame(q, q % 12));
     }
     const std::vector<Picture> seen = pictures();
     ASSERT_FALSE(seen.empty());
@@ -120,12 +126,12 @@ TEST_F(View, CancelledOrHeld_LeavesNoPictureAfterwards) {
     auto shot = make_shot();
     shot->render.samples = 65536;
     show(shot, 1);
-    view_.ask(frame(1, 3));
+    view_.ask(kPage, frame(1, 3));
     view_.hold(Hold::dragging, true);
     const std::size_t held = pictures().size();
     EXPECT_EQ(pictures().size(), held);
     view_.hold(Hold::dragging, false);
-    view_.cancel();
+    view_.cancel(kPage);
     const std::size_t count = pictures().size();
     EXPECT_EQ(pictures().size(), count);
 }
@@ -134,11 +140,42 @@ TEST_F(View, HeldForTwoReasons_WaitsForTheEndOfBoth) {
     view_.hold(Hold::dragging, true);
     view_.hold(Hold::texts, true);
     show(make_shot(), 1);
-    view_.ask(frame(1, 3));
+    view_.ask(kPage, frame(1, 3));
     view_.hold(Hold::texts, false);
     EXPECT_TRUE(pictures().empty());
     view_.hold(Hold::dragging, false);
     EXPECT_FALSE(pictures().empty());
+}
+
+TEST_F(View, TwoPages_GetTheirOwnPictures) {
+    auto shot = make_shot();
+    shot->render.samples = 256;
+    show(shot, 1);
+    view_.ask(kPage, frame(5, 2));
+    view_.ask(kPage + 1, frame(6, 3));  // stops the work for the first page, which goes on later
+    const std::vector<Picture> seen = pictures();
+    std::map<PageId, std::set<std::int64_t>> questions;
+    std::set<PageId> complete;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        questions[pages_[i]].insert(seen[i].head.q);
+        if (seen[i].head.complete) {
+            complete.insert(pages_[i]);
+        }
+    }
+    EXPECT_EQ(questions[kPage + 1], std::set<std::int64_t>{6});
+    EXPECT_EQ(questions[kPage], std::set<std::int64_t>{5});
+    EXPECT_EQ(complete, (std::set<PageId>{kPage, kPage + 1}));
+}
+
+TEST_F(View, PageThatCancels_LeavesTheOtherPagesItsPicture) {
+    view_.hold(Hold::texts, true);
+    show(make_shot(), 1);
+    view_.ask(kPage, frame(1, 2));
+    view_.ask(kPage + 1, frame(1, 3));
+    view_.cancel(kPage + 1);
+    view_.hold(Hold::texts, false);
+    EXPECT_TRUE(pictures().back().head.complete);
+    EXPECT_EQ(std::set<PageId>(pages_.begin(), pages_.end()), std::set<PageId>{kPage});
 }
 
 TEST_F(View, Channels_HaveLegendsAndAreNotStored) {
@@ -148,7 +185,7 @@ TEST_F(View, Channels_HaveLegendsAndAreNotStored) {
          {"depth", "normal", "albedo", "object_id", "material_id", "noise"}) {
         See see = frame(++q, 4);
         see.channel = name;
-        view_.ask(see);
+        view_.ask(kPage, see);
         const Picture last = pictures().back();
         EXPECT_EQ(last.problem, "");
         EXPECT_EQ(last.head.channel, name);
@@ -163,11 +200,11 @@ TEST_F(View, Channels_HaveLegendsAndAreNotStored) {
 
 TEST_F(View, ChannelAfterTheStoredFrame_IsTracedAgain) {
     show(make_shot(), 1);
-    view_.ask(frame(1, 4));
+    view_.ask(kPage, frame(1, 4));
     ASSERT_TRUE(pictures().back().head.stored);
     See see = frame(2, 4);
     see.channel = "object_id";
-    view_.ask(see);
+    view_.ask(kPage, see);
     EXPECT_EQ(pictures().back().problem, "");
     EXPECT_EQ(pictures().back().head.q, 2);
 }
@@ -176,7 +213,7 @@ TEST_F(View, UnknownChannel_IsAProblem) {
     show(make_shot(), 1);
     See see = frame(1, 4);
     see.channel = "smell";
-    view_.ask(see);
+    view_.ask(kPage, see);
     EXPECT_EQ(pictures().back().problem, "the view cannot show the channel 'smell'");
 }
 
@@ -189,7 +226,7 @@ TEST_F(View, FreeViewOfManyPixels_IsMadeSmaller) {
     see.view = FreeView{.scene_time = 0.1, .position = {0, -3, 2}, .target = {0, 0, 0}};
     see.width = 16384;
     see.height = 16384;
-    view_.ask(see);
+    view_.ask(kPage, see);
     const Picture last = pictures().back();
     EXPECT_EQ(last.problem, "");
     EXPECT_TRUE(last.head.complete);
@@ -200,7 +237,7 @@ TEST_F(View, FreeViewOfManyPixels_IsMadeSmaller) {
 
 TEST_F(View, FrameBeyondTheFilm_IsAProblem) {
     show(make_shot(), 1);
-    view_.ask(frame(1, 999));
+    view_.ask(kPage, frame(1, 999));
     const std::vector<Picture> seen = pictures();
     ASSERT_EQ(seen.size(), 1u);
     EXPECT_EQ(seen[0].problem, "the film has no frame 999");
@@ -211,7 +248,7 @@ TEST_F(View, BesideAFilm_PicturesEndAtSixteenSamples) {
     shot->render.samples = 64;
     view_.set_film_running(true);
     show(shot, 1);
-    view_.ask(frame(1, 3));
+    view_.ask(kPage, frame(1, 3));
     EXPECT_EQ(pictures().back().head.samples, 16);
     EXPECT_TRUE(pictures().back().head.complete);
     view_.set_film_running(false);
