@@ -669,7 +669,7 @@ struct PictureHead {
     std::int64_t v = 0;  // of the texts that it shows
     int width = 0;
     int height = 0;
-    int samples = 0;        // per pixel, that it consists of
+    int samples = 0;        // per pixel, that it consists of; the mean if it is complete
     int of_samples = 0;     // that the last one will have
     bool complete = false;  // nothing more will come
     bool stored = false;    // the film's own frame, which is in the cache: `carom render` uses it

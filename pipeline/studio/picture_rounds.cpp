@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <string>
 #include <utility>
 
 #include "core/error.h"
@@ -12,6 +14,7 @@
 #include "pipeline/store/cache_folder.h"
 #include "pipeline/studio/channel_picture.h"
 #include "pipeline/studio/display_picture.h"
+#include "render/film/image_file.h"
 
 namespace carom::studio {
 namespace {
@@ -38,6 +41,18 @@ pipeline::PlannedFrame planned(const FreeView& view, const pipeline::Shutter& sh
     frame.camera_open.lens_radius = view.lens_radius;
     frame.camera_close = frame.camera_open;
     return frame;
+}
+
+/// The samples of a pixel of a stored frame, on average. With adaptive sampling they are more than
+/// `least`, which each pixel has.
+int mean_samples(const render::Film& stored, int least) {
+    const auto rays = stored.notes.find(std::string(render::kRaysPrefix) + "camera");
+    if (rays == stored.notes.end()) {
+        return least;
+    }
+    const double pixels = static_cast<double>(stored.width) * stored.height;
+    return std::max(least, static_cast<int>(
+                               std::min(1e9, std::strtod(rays->second.c_str(), nullptr) / pixels)));
 }
 
 }  // namespace
@@ -233,7 +248,7 @@ Picture PictureRounds::picture_of(Work& work, std::size_t level) {
     std::optional<render::Film> film;
     for (std::size_t i = 0; i < work.layers.size(); ++i) {
         const Kept& kept = kept_.at(work.keys[level][i]);
-        int samples = work.shot.render.samples;
+        int samples = kept.stored ? mean_samples(*kept.stored, work.shot.render.samples) : 0;
         int most = samples;
         if (!kept.stored) {
             samples = kept.frame->samples();

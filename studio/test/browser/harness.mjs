@@ -34,7 +34,7 @@ export function copyShots() {
 
 /// Starts `carom studio`, without a shot if that is empty, and resolves to its address, a function
 /// that ends it, and one that kills it without leave to write anything. The user's list of recent
-/// shots is not touched.
+/// shots is not touched. `pid` is the server's process.
 export async function serve(carom, shot, folder) {
     const cache = join(folder, 'cache');
     const words = ['studio', ...shot ? [shot] : [], '--no-browser', '--root', folder,
@@ -65,7 +65,7 @@ export async function serve(carom, shot, folder) {
         server.on('exit', resolve);
         server.kill(signal);
     });
-    return { address, end: () => stop('SIGTERM'), kill: () => stop('SIGKILL') };
+    return { address, pid: server.pid, end: () => stop('SIGTERM'), kill: () => stop('SIGKILL') };
 }
 
 /// Opens the page and waits until it shows the shot, or the start page. `complaints` of the result
@@ -117,7 +117,8 @@ export async function openText({ browser, carom, folder }, name, text, size) {
     writeFileSync(path, text);
     const served = await serve(carom, path, folder);
     const opened = await open(browser, served.address, size);
-    await opened.page.waitForFunction(() => window.studio.state.meshes.value !== null);
+    await opened.page.waitForFunction(() => window.studio.state.meshes.value !== null
+        || window.studio.state.problems.value?.list.some(({ severity }) => severity === 'error'));
     return { ...opened, path, end: async () => {
         await opened.page.close();
         await served.end();

@@ -20,10 +20,10 @@ async function run(browser, name) {
     const { check, shot = 'nine_ball_break.yaml' } = await import(join(here, name));
     const folder = copyShots();
     const path = shot ? join(folder, 'examples', shot) : '';
-    const { address, end } = await serve(resolve(carom), path, folder);
+    const { address, pid, end } = await serve(resolve(carom), path, folder);
     try {
         const opened = await open(browser, address);
-        const result = await check({ ...opened, browser, address, folder, path, carom });
+        const result = await check({ ...opened, browser, address, pid, folder, path, carom });
         if (process.env.CAROM_STUDIO_SHOTS) {
             await opened.page.screenshot({
                 path: join(process.env.CAROM_STUDIO_SHOTS, name.replace('.mjs', '.png')),
@@ -41,6 +41,7 @@ async function run(browser, name) {
 }
 
 const browser = await launch();
+const start = Date.now();
 let failures = 0;
 try {
     for (const name of names) {
@@ -54,4 +55,6 @@ try {
 } finally {
     await browser.close();
 }
+const seconds = Math.round((Date.now() - start) / 1000);
+console.log(`${names.length - failures} of ${names.length} checks passed in ${seconds} s`);
 process.exit(failures > 0 || names.length === 0 ? 1 : 0);

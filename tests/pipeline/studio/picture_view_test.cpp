@@ -86,6 +86,24 @@ TEST_F(View, LastPicture_IsTheFilmsFrameAndIsInTheCache) {
     }
 }
 
+TEST_F(View, AdaptiveFrame_SaysHowManySamplesAPixelHas) {
+    auto shot = make_shot();
+    shot->render.samples = 4;
+    shot->render.noise = 0.001;
+    shot->render.max_samples = 64;
+    show(shot, 1);
+    view_.ask(kPage, frame(1, 4));
+    const Picture traced = pictures().back();
+    ASSERT_TRUE(traced.head.stored);
+    const double rays = static_cast<double>(view_.counts().camera_rays);
+    const int pixels = traced.head.width * traced.head.height;
+    EXPECT_GT(traced.head.samples, 4);
+    EXPECT_LE(traced.head.samples, static_cast<int>(rays / pixels));
+    view_.ask(kPage, frame(2, 5));
+    view_.ask(kPage, frame(3, 4));  // read from the cache
+    EXPECT_EQ(pictures().back().head.samples, traced.head.samples);
+}
+
 TEST_F(View, OtherView_TakesNoNewSample) {
     auto shot = make_shot();
     show(shot, 1);

@@ -1,0 +1,56 @@
+// While a ball is dragged its motion follows, also while a picture refines: answers come during the
+// drag, none is older than the one before, and the last one is of the last text. How quickly they
+// come is measured by bench/studio.
+import { equal, pixelOf, settle } from './harness.mjs';
+
+const kMoves = 40;
+const kFewest = 5;  // answers during a drag
+
+/// Notes the versions of all motions that come from now on.
+function watch(page) {
+    return page.evaluate(() => {
+        window.versions = [];
+        window.endWatch?.();
+        window.endWatch = window.studio.state.timeline.subscribe((one) => {
+            if (one) {
+                window.versions.push(one.head.v);
+            }
+        });
+    });
+}
+
+/// Drags the cue ball along an arc, a move with each frame of the page. Returns how many motions came
+/// before the ball was let go.
+async function drag(page, what) {
+    await watch(page);
+    const [x, y] = await pixelOf(page, await page.evaluate(() => window.studio.state.shot.value.objects
+        .find((one) => one.name === 'cue').position));
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let i = 1; i <= kMoves; ++i) {
+        await page.mouse.move(x - i, y + 6 * Math.sin(i / 6));
+        await page.evaluate(() => new Promise(requestAnimationFrame));
+    }
+    const during = await page.evaluate(() => window.versions.length - 1);
+    await page.mouse.up();
+    await settle(page);
+    const { versions, newest } = await page.evaluate(() => ({
+        versions: window.versions, newest: window.studio.state.textVersion.value,
+    }));
+    equal([...versions].sort((a, b) => a - b), versions, `versions in order, ${what}`);
+    equal(versions.at(-1), newest, `the last version, ${what}`);
+    equal(during >= kFewest, true, `${during} motions came during the drag, ${what}`);
+    return during;
+}
+
+export async function check({ page }) {
+    await page.waitForFunction(() => window.studio.view.context.meshNode('cue'));
+    await page.locator('canvas[aria-label="The scene"]').focus();
+    const plain = await drag(page, 'without a picture');
+    await page.keyboard.press('r');
+    await page.waitForFunction(() => window.studio.state.picture.value !== null);
+    const refining = await drag(page, 'with a picture');
+    await page.waitForFunction(() => window.studio.state.picture.value.head.v
+        === window.studio.state.textVersion.value);
+    return `${plain} motions came during ${kMoves} moves, ${refining} while a picture refines`;
+}
