@@ -69,6 +69,10 @@ class TemporaryFile {
     [[nodiscard]] const std::string& target() const { return target_; }
 
     void finish() {
+        struct stat replaced {};
+        if (::stat(target_.c_str(), &replaced) == 0) {
+            static_cast<void>(::fchmod(descriptor_, replaced.st_mode & 0777U));
+        }
         if (::fsync(descriptor_) != 0) {
             fail(path_, errno);
         }

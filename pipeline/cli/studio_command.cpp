@@ -1,4 +1,5 @@
 #include <array>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -6,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -59,14 +61,34 @@ studio::SessionOptions session_options(const StudioCommand& command) {
     return options;
 }
 
+/// Starts a program that goes on by itself: the signals of this terminal do not reach it, and it
+/// reads and writes nothing there. Returns 0 or an error number.
+int start_detached(const std::string& program, char* const* arguments, pid_t& process) {
+    posix_spawnattr_t attributes;
+    ::posix_spawnattr_init(&attributes);
+    sigset_t defaults;
+    ::sigfillset(&defaults);
+    ::posix_spawnattr_setsigdefault(&attributes, &defaults);
+    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGDEF);
+    posix_spawn_file_actions_t files;
+    ::posix_spawn_file_actions_init(&files);
+    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        ::posix_spawn_file_actions_addopen(&files, descriptor, "/dev/null", O_RDWR, 0);
+    }
+    const int error =
+        ::posix_spawnp(&process, program.c_str(), &files, &attributes, arguments, environ);
+    ::posix_spawn_file_actions_destroy(&files);
+    ::posix_spawnattr_destroy(&attributes);
+    return error;
+}
+
 /// Opens a file in the user's browser. Returns false if no program for that was found.
 bool open_in_browser(std::string path) {
     const char* chosen = std::getenv("BROWSER");
     std::string program = chosen != nullptr && *chosen != '\0' ? chosen : "xdg-open";
     const std::array<char*, 3> arguments{program.data(), path.data(), nullptr};
     pid_t process = 0;
-    if (::posix_spawnp(&process, program.c_str(), nullptr, nullptr, arguments.data(), environ) !=
-        0) {
+    if (start_detached(program, arguments.data(), process) != 0) {
         return false;
     }
     // Browsers that are not running yet stay in the foreground: they are not waited for. A program

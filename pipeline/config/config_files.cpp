@@ -206,6 +206,11 @@ FoundFile find_config_file(std::string_view name, const std::string& folder,
         }
     }
     const bool is_missing = first_problem == "does not exist";
+    if (is_missing && folders.missing != nullptr) {
+        std::error_code code;
+        folders.missing->push_back(
+            fs::weakly_canonical(fs::path(folder) / fs::path(name), code).string());
+    }
     return {{},
             "file " + quote(name) + " " + first_problem +
                 (is_missing ? file_hint(fs::path(name), folder, folders) : Message())};

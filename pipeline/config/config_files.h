@@ -24,6 +24,9 @@ struct ConfigFolders {
     const OpenTexts* texts = nullptr;
     /// The largest size of a mesh or an image; 0: any.
     std::uintmax_t most_asset_bytes = 0;
+    /// Gets the paths, in the folder of what names them, of files that were not found. nullptr:
+    /// none.
+    std::vector<std::string>* missing = nullptr;
 };
 
 /// Those of these folders that exist: $CAROM_CONFIGS, share/carom/configs beside the program's own

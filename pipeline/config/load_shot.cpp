@@ -98,6 +98,7 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
     folders.root = options.root;
     folders.texts = options.texts;
     folders.most_asset_bytes = options.most_asset_bytes;
+    folders.missing = &result.missing;
     const int source =
         sources.add({origin, absolute_folder(origin), text, {}, absolute_path(origin)});
     Gathered gathered = gather(sources, source, folders,

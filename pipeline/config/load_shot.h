@@ -32,6 +32,7 @@ struct LoadResult {
     std::vector<Problem> problems;             // errors and warnings, sorted by file and place
     std::shared_ptr<const ShotSource> source;  // null if there is no shot
     std::vector<ReadFile> files{};             // in the order of reading, also if there is no shot
+    std::vector<std::string> missing{};        // absolute paths of files that do not exist
 };
 
 /// What changes a shot while it is loaded, and what it may read.

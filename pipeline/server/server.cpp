@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include <fcntl.h>
+
 #include "core/error.h"
 #include "pipeline/server/boost.h"
 #include "pipeline/server/connection.h"
@@ -20,6 +22,12 @@ namespace {
 constexpr std::chrono::milliseconds kAcceptPause{100};   // after an error, such as too many files
 constexpr std::chrono::milliseconds kFarewellTime{300};  // for pages to hear that the server ends
 
+/// A program that is started later does not inherit the socket: it would stay open with that
+/// program.
+void keep_from_children(int socket) {
+    ::fcntl(socket, F_SETFD, FD_CLOEXEC);
+}
+
 }  // namespace
 
 struct Server::State : Hub {
@@ -28,6 +36,7 @@ struct Server::State : Hub {
         const tcp::endpoint wanted(asio::ip::address_v4::loopback(), options.port);
         try {
             acceptor.open(wanted.protocol());
+            keep_from_children(acceptor.native_handle());
             acceptor.set_option(asio::socket_base::reuse_address(true));
             acceptor.bind(wanted);
             acceptor.listen();
@@ -60,6 +69,7 @@ struct Server::State : Hub {
     /// Serves a new connection, in the place of one that waits for a request if there are too many.
     void begin(tcp::socket&& socket) {
         error_code ignored;
+        keep_from_children(socket.native_handle());
         socket.set_option(tcp::no_delay(true), ignored);
         if (connections.size() >= limits.connections && !drop_longest_waiting()) {
             socket.non_blocking(true, ignored);

@@ -34,17 +34,20 @@ std::string reason_of(int error) {
     if (::getppid() != parent) {
         ::_exit(kCannotRun);
     }
-    sigset_t none;
-    ::sigemptyset(&none);
-    ::sigprocmask(SIG_SETMASK, &none, nullptr);
+    // The signals are blocked until here, because the studio's own handler must not run in the
+    // child.
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
         ::signal(signal, SIG_DFL);
     }
+    sigset_t none;
+    ::sigemptyset(&none);
+    ::sigprocmask(SIG_SETMASK, &none, nullptr);
     const int nothing = ::open("/dev/null", O_RDWR);
     ::dup2(nothing, STDIN_FILENO);
     ::dup2(nothing, STDOUT_FILENO);
     ::dup2(errors, STDERR_FILENO);
     static_cast<void>(::nice(kNiceness));
+    ::close_range(STDERR_FILENO + 1, ~0U, CLOSE_RANGE_CLOEXEC);  // the studio's sockets
     ::execv(words[0], words);
     ::_exit(kCannotRun);
 }
@@ -68,11 +71,16 @@ ChildProgram::ChildProgram(const std::string& program, const std::vector<std::st
         throw Error("cannot start '" + program + "': " + reason_of(errno));
     }
     const pid_t parent = ::getpid();
+    sigset_t all;
+    sigset_t before;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before);
     process_ = ::fork();
     if (process_ == 0) {
         become(words.data(), pipe[1], parent);
     }
     const int error = errno;
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
     ::close(pipe[1]);
     errors_ = pipe[0];
     if (process_ < 0) {
@@ -98,10 +106,11 @@ std::optional<std::string> ChildProgram::next_line() {
             return line;
         }
         pollfd wanted{errors_, POLLIN, 0};
-        if (::poll(&wanted, 1, kLookEvery) <= 0) {
-            if (is_overdue()) {
-                signal(SIGKILL);
-            }
+        const int ready = ::poll(&wanted, 1, kLookEvery);
+        if (is_overdue()) {
+            signal(SIGKILL);
+        }
+        if (ready <= 0) {
             continue;
         }
         std::array<char, 4096> bytes{};

@@ -158,6 +158,9 @@ class Documents::State {
         {
             const std::lock_guard lock(mutex_);
             wanted_.insert({task.page, task.request.q});
+            if (!to_look) {
+                exports_.insert({task.page, task.request.q});
+            }
         }
         const bool is_posted = errands.post([this, &kind, task, to_look] {
             ServerMessage answer;
@@ -171,10 +174,14 @@ class Documents::State {
             {
                 const std::lock_guard lock(mutex_);
                 wanted_.erase({task.page, task.request.q});
+                exports_.erase({task.page, task.request.q});
             }
             send_(task.page, answer);
         });
         if (!is_posted) {
+            const std::lock_guard lock(mutex_);
+            wanted_.erase({task.page, task.request.q});
+            exports_.erase({task.page, task.request.q});
             throw Error("too much was asked for at once; try again");
         }
     }
@@ -183,6 +190,17 @@ class Documents::State {
         const std::lock_guard lock(mutex_);
         wanted_.erase(asked);
         if (child_ != nullptr && child_asked_ == asked) {
+            child_->interrupt();
+        }
+    }
+
+    /// Nobody can look at what a closed page asked for; its exports are finished.
+    void closed(PageId page) {
+        const std::lock_guard lock(mutex_);
+        std::erase_if(wanted_, [&](const Asked& asked) {
+            return asked.first == page && !exports_.contains(asked);
+        });
+        if (child_ != nullptr && child_asked_.first == page && !wanted_.contains(child_asked_)) {
             child_->interrupt();
         }
     }
@@ -358,6 +376,7 @@ class Documents::State {
     std::mutex mutex_;
     Scene scene_;
     std::set<Asked> wanted_;
+    std::set<Asked> exports_;  // of these, those that write a file
     ChildProgram* child_ = nullptr;
     Asked child_asked_;
     bool is_ending_ = false;
@@ -381,6 +400,10 @@ void Documents::set_shot(std::shared_ptr<const pipeline::Shot> shot,
 void Documents::make(PageId page, const Make& request, const std::string& shot,
                      const std::string& root) {
     state_->make({page, request, shot, root});
+}
+
+void Documents::closed(PageId page) {
+    state_->closed(page);
 }
 
 void Documents::stop(PageId page, std::int64_t q) {

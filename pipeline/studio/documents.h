@@ -50,6 +50,9 @@ class Documents {
     /// Stops what this page asked for.
     void stop(PageId page, std::int64_t q);
 
+    /// Stops what this page wanted to look at. Its exports are finished.
+    void closed(PageId page);
+
     /// What was made to look at, at "/made/…"; of older documents nothing is kept.
     [[nodiscard]] std::optional<Download> find(std::string_view address) const;
 

@@ -28,11 +28,23 @@ class Errands {
         return true;
     }
 
+    /// As post(), however much waits.
+    void post_always(std::function<void()> work) {
+        const std::lock_guard lock(mutex_);
+        waiting_.push_back(std::move(work));
+        wake_.notify_one();
+    }
+
     /// Waits for the end of the work under way and drops the rest. There will be no other.
     void end() {
         thread_.request_stop();
         if (thread_.joinable()) {
             thread_.join();
+        }
+        std::deque<std::function<void()>> dropped;  // what they hold may take a while to end
+        {
+            const std::lock_guard lock(mutex_);
+            dropped.swap(waiting_);
         }
     }
 

@@ -166,20 +166,21 @@ namespace {
 ShotText other_shot(const std::string& file, const std::string& text, const OpenShot& shot,
                     const StartPage& page) {
     if (!text.empty()) {
-        return {text, shot.file.empty() ? shot.root : folder_of(shot.file)};
+        return {text, shot.file.empty() ? shot.root : folder_of(shot.file), shot.root};
     }
     const std::string path = whole_path(fs::path(shot.root) / file);
     if (!is_below(path, shot.root) && !page.has(path)) {
         throw Error(quote(file) + " is not below " + quote(shot.root));
     }
-    return {text_of(path, shot.texts.get()), folder_of(path)};
+    return {text_of(path, shot.texts.get()), folder_of(path),
+            page.has(path) ? folder_of(path) : shot.root};
 }
 
 ShotText this_shot(const OpenShot& shot) {
     if (shot.file.empty()) {
         throw Error("no shot is open");
     }
-    return {text_of(shot.file, shot.texts.get()), folder_of(shot.file)};
+    return {text_of(shot.file, shot.texts.get()), folder_of(shot.file), shot.root};
 }
 
 }  // namespace
@@ -199,7 +200,7 @@ void FileDesk::answer(std::uint64_t page, const AddParts& request, const OpenSho
 }
 
 void FileDesk::later(std::function<void()> work) {
-    errands_.post(std::move(work));
+    errands_.post_always(std::move(work));
 }
 
 void FileDesk::end() {

@@ -109,9 +109,13 @@ class FilmRun::State {
             busy_ = true;
             stopping_ = false;
         }
-        worker_ = {};  // only thumbnails of the last film can be under way
-        worker_ = std::jthread(
-            [this, task = std::move(task)](const std::stop_token& end) { run(task, end); });
+        // Thumbnails of the last film may be under way: the new thread waits for their end.
+        worker_.request_stop();
+        worker_ = std::jthread([this, task = std::move(task),
+                                last = std::move(worker_)](const std::stop_token& end) mutable {
+            last = {};
+            run(task, end);
+        });
     }
 
     void stop() {
@@ -159,8 +163,15 @@ class FilmRun::State {
                 idle([&] { output_.send(task.page, std::get<Exists>(result)); });
             }
         } catch (const std::exception& error) {
-            const Failed failed{StartFilm::kName, 0, error.what()};
-            idle([&] { output_.send(task.page, failed); });
+            const std::string reason = error.what();
+            idle([&] {
+                if (state_.state == "running" || state_.state == "stopping") {
+                    state_.state = "failed";
+                    state_.message = reason;
+                    send_state();
+                }
+                output_.send(task.page, Failed{StartFilm::kName, 0, reason});
+            });
         }
     }
 
@@ -231,24 +242,13 @@ class FilmRun::State {
 
     /// Ends with idle(), unless it throws.
     void make(const Task& task, const Prepared& prepared, const std::stop_token& end) {
+        if (!begin(task, prepared)) {
+            return idle([&] { finish(kInterrupted); });
+        }
         ChildProgram child(options_.program, words(task, prepared.path));
         {
             const std::lock_guard lock(mutex_);
-            begin_ = std::chrono::steady_clock::now();
-            state_ = FilmState{};
-            state_.state = "running";
-            state_.shot = task.shot;
-            state_.output = prepared.path;
-            state_.width = prepared.shot.render.width;
-            state_.height = prepared.shot.render.height;
-            state_.fps = prepared.shot.timing.fps.to_double();
-            state_.frames = std::ssize(prepared.frames);
-            frames_.clear();
-            thumbnails_.clear();
-            waiting_.clear();
-            film_ += 1;
             child_ = &child;
-            send_state();
             if (stopping_) {
                 child.interrupt();
             }
@@ -260,6 +260,26 @@ class FilmRun::State {
         }
         const int result = child.wait();
         idle([&] { finish(result); });  // before the last thumbnails
+    }
+
+    /// The pages hear of the film. Returns false if it was stopped already.
+    bool begin(const Task& task, const Prepared& prepared) {
+        const std::lock_guard lock(mutex_);
+        begin_ = std::chrono::steady_clock::now();
+        state_ = FilmState{};
+        state_.state = "running";
+        state_.shot = task.shot;
+        state_.output = prepared.path;
+        state_.width = prepared.shot.render.width;
+        state_.height = prepared.shot.render.height;
+        state_.fps = prepared.shot.timing.fps.to_double();
+        state_.frames = std::ssize(prepared.frames);
+        frames_.clear();
+        thumbnails_.clear();
+        waiting_.clear();
+        film_ += 1;
+        send_state();
+        return !stopping_;
     }
 
     void finish(int result) {

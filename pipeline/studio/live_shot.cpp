@@ -119,14 +119,8 @@ class LiveShot::Worker {
     void answer(const Request& request) {
         const double start = thread_cpu_seconds();
         const std::int64_t v = request.texts.v;
-        pipeline::LoadResult loaded =
-            pipeline::load_shot(request.texts.shot, {.overrides = options_.overrides,
-                                                     .quality = options_.quality,
-                                                     .root = options_.root,
-                                                     .texts = request.texts.texts.get(),
-                                                     .most_asset_bytes = options_.most_asset_bytes,
-                                                     .tables = &tables_});
-        output_.files(v, loaded.files);
+        pipeline::LoadResult loaded = load(request.texts);
+        output_.files(v, loaded.files, loaded.missing);
         problems_ = problem_messages(loaded.problems, loaded.files);
         send_problems(request, !loaded.shot);
         if (!loaded.shot) {
@@ -252,12 +246,15 @@ class LiveShot::Worker {
             }
             began = began_ = options_.clock();
             is_baking_ = true;
-            may_stop_ = request.unlimited || !was_stopped_;
+            may_stop_ = !request.unlimited && !was_stopped_;
             context.stop = running_.get_token();
         }
         bool has_reported = false;
+        std::int64_t looked_at = request.texts.v;
         context.progress = [&](double fraction) {
-            {
+            if (request.unlimited) {
+                stop_for_other_world(world, looked_at);
+            } else {
                 const std::lock_guard lock(mutex_);
                 if (waiting_) {
                     stop_for_newer();
@@ -277,24 +274,55 @@ class LiveShot::Worker {
         } catch (const Stopped&) {
             stopped = true;
         } catch (...) {
-            end_bake(false, began);
+            end_bake(false, began, has_reported);
             throw;
         }
-        end_bake(stopped, began);
-        if (has_reported) {
-            output_.text(Work{});
-        }
+        end_bake(stopped, began, has_reported);
         if (stopped) {
             throw Stopped();
         }
         return timeline;
     }
 
-    void end_bake(bool stopped, double began) {
-        const std::lock_guard lock(mutex_);
-        is_baking_ = false;
-        was_stopped_ = stopped;
-        is_slow_ = options_.clock() - began > kSlow;
+    void end_bake(bool stopped, double began, bool has_reported) {
+        {
+            const std::lock_guard lock(mutex_);
+            is_baking_ = false;
+            was_stopped_ = stopped;
+            is_slow_ = options_.clock() - began > kSlow;
+        }
+        if (has_reported) {
+            output_.text(Work{});
+        }
+    }
+
+    /// A simulation that the user asked for, which may take minutes, is stopped by texts with
+    /// another world only: not by those that are being typed and have errors, nor by an edit of a
+    /// camera. `looked_at`: the newest version that was compared.
+    void stop_for_other_world(const sim::WorldDescription& world, std::int64_t& looked_at) {
+        TextsOfVersion newer;
+        {
+            const std::lock_guard lock(mutex_);
+            if (!waiting_ || waiting_->texts.v == looked_at) {
+                return;
+            }
+            newer = waiting_->texts;
+        }
+        looked_at = newer.v;
+        const pipeline::LoadResult loaded = load(newer);
+        if (loaded.shot && sim::physics_hash(loaded.shot->world) != sim::physics_hash(world)) {
+            const std::lock_guard lock(mutex_);
+            running_.request_stop();
+        }
+    }
+
+    pipeline::LoadResult load(const TextsOfVersion& texts) {
+        return pipeline::load_shot(texts.shot, {.overrides = options_.overrides,
+                                                .quality = options_.quality,
+                                                .root = options_.root,
+                                                .texts = texts.texts.get(),
+                                                .most_asset_bytes = options_.most_asset_bytes,
+                                                .tables = &tables_});
     }
 
     /// Stops the simulation that runs if that is allowed. The mutex is locked.

@@ -39,7 +39,9 @@ struct LiveAnswer {
 struct LiveOutput {
     std::function<void(ServerMessage)> text;
     std::function<void(BinaryHead, std::vector<double>)> binary;
-    std::function<void(std::int64_t v, std::vector<pipeline::ReadFile>)> files;
+    std::function<void(std::int64_t v, const std::vector<pipeline::ReadFile>& read,
+                       const std::vector<std::string>& missing)>
+        files;
     std::function<void(std::int64_t v, const pipeline::Shot& shot)> shown;
     std::function<void(LiveAnswer)> answer;
 };

@@ -19,8 +19,11 @@
 namespace carom::studio {
 namespace {
 
-constexpr int kFirstPixels = 36000;     // of the first, small picture: at most about 250 x 140
-constexpr int kMostPixels = 4'000'000;  // of a picture: its sums take 150 bytes a pixel
+constexpr int kFirstPixels = 36000;  // of the first, small picture: at most about 250 x 140
+// Of a picture with all its layers: the sums take 150 bytes a pixel. A cross-fade at 1920 x 1080
+// fits.
+constexpr int kMostPixels = 2 * 1920 * 1080;
+constexpr int kMostSide = 16384;  // pixels
 
 Vec3 vector_of(const Triple& t) {
     return {t[0], t[1], t[2]};
@@ -140,7 +143,9 @@ void PictureRounds::run(const ShownShot& shown, const See& question, int most_sa
     }
     Size size{question.width > 0 ? question.width : shot.render.width,
               question.height > 0 ? question.height : shot.render.height};
-    const double area = static_cast<double>(size.width) * size.height;
+    size = {std::min(size.width, kMostSide), std::min(size.height, kMostSide)};
+    const double area =
+        static_cast<double>(size.width) * size.height * static_cast<double>(work.layers.size());
     const double shrink = std::min(1.0, std::sqrt(kMostPixels / area));
     size = {std::max(1, static_cast<int>(size.width * shrink)),
             std::max(1, static_cast<int>(size.height * shrink))};

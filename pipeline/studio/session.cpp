@@ -93,6 +93,7 @@ class Session::State {
         const std::lock_guard lock(mutex_);
         pages_.erase(page);
         pictures_->cancel(page);
+        documents_->closed(page);
         set_dragging(page, false);
     }
 
@@ -100,7 +101,7 @@ class Session::State {
         PageMessage message;
         try {
             message = read_page_message(text);
-        } catch (const Error& error) {
+        } catch (const std::exception& error) {
             send(page, Failed{"message", 0, error.what()});
             return;
         }
@@ -110,7 +111,7 @@ class Session::State {
             [&](const auto& one) {
                 try {
                     receive(page, one);
-                } catch (const Error& error) {
+                } catch (const std::exception& error) {  // the server must not end by a message
                     send(page, Failed{one.kName, version(), error.what()});
                 }
             },
@@ -215,12 +216,15 @@ class Session::State {
 
     void receive(PageId page, const SaveAs& request) {
         std::vector<RecoveredText> texts = require_workspace().unsaved();
-        const auto file = desk_->save_as(request, open_texts());
-        if (std::holds_alternative<std::string>(file)) {
-            std::erase_if(texts, [&](const auto& one) { return one.file == workspace_->shot(); });
-            journal_->keep({});  // what is not saved moves to the other shot
+        std::erase_if(texts, [&](const auto& one) { return one.file == workspace_->shot(); });
+        const std::shared_ptr<Journal> journal = journal_;
+        std::vector<RecoveredText> unanswered = recovered_;
+        unanswered.insert(unanswered.end(), unreachable_.begin(), unreachable_.end());
+        if (!open_or_ask(page, desk_->save_as(request, open_texts()))) {
+            return;
         }
-        if (open_or_ask(page, file) && workspace_->recover(texts)) {
+        journal->keep(std::move(unanswered));  // what is not saved moves to the other shot
+        if (workspace_->recover(texts)) {
             offer();
             keep_unsaved();
             send(0, workspace_->files());
@@ -270,8 +274,9 @@ class Session::State {
     void receive(PageId page, const Dragging& dragging) { set_dragging(page, dragging.on); }
 
     void receive(PageId /*page*/, const Recover& answer) {
+        Workspace& workspace = require_workspace();
         const std::vector<RecoveredText> texts = std::exchange(recovered_, {});
-        if (answer.use && require_workspace().recover(texts)) {
+        if (answer.use && workspace.recover(texts)) {
             send(0, workspace_->files());
             offer();
         }
@@ -280,6 +285,10 @@ class Session::State {
 
     void receive(PageId /*page*/, const Simulate& /*message*/) {
         if (live_) {
+            {
+                const std::lock_guard lock(send_mutex_);
+                newest_.erase(Deferred::kName);
+            }
             live_->simulate();
         }
     }
@@ -346,10 +355,11 @@ class Session::State {
     int close_shot() {
         ended_ = std::move(live_);
         pictures_->cancel_all();
-        documents_->set_shot(nullptr, nullptr, 0);
         fan_->cancel();
+        show(nullptr, nullptr, 0);
         watch_->watch({});
         recovered_.clear();
+        unreachable_.clear();
         journal_.reset();
         workspace_.reset();
         const std::lock_guard lock(send_mutex_);
@@ -357,21 +367,43 @@ class Session::State {
         return ++opening_;
     }
 
+    /// What pictures, documents and the fan show.
+    void show(const std::shared_ptr<const pipeline::Shot>& shot,
+              const std::shared_ptr<const sim::Timeline>& timeline, std::int64_t v) {
+        pictures_->set_shot(shot, timeline, v);
+        documents_->set_shot(shot, timeline, v);
+        fan_->set_shot(shot, timeline, v);
+    }
+
     void open_shot(const std::string& path) {
         // A recent shot may be elsewhere if no root was given.
+        std::error_code ignored;
         const bool is_elsewhere =
             options_.root.empty() &&
-            !is_below(std::filesystem::weakly_canonical(path).string(), root_);
+            !is_below(std::filesystem::weakly_canonical(path, ignored).string(), root_);
         auto workspace = std::make_unique<Workspace>(path, is_elsewhere ? "" : root_);
         const int opening = close_shot();
         workspace_ = std::move(workspace);
         desk_->opened(workspace_->shot());
         open_journal();
+        live_ = std::make_unique<LiveShot>(LiveOptions{.overrides = options_.overrides,
+                                                       .quality = options_.quality,
+                                                       .root = workspace_->root()},
+                                           output_of(opening));
+        watch_->watch(workspace_->watched());
+        offer();
+    }
+
+    /// What the thread of a shot has to say; it is dropped once another shot is open.
+    LiveOutput output_of(int opening) {
         LiveOutput output;
         output.text = [this, opening](const ServerMessage& message) {
             const auto* problems = std::get_if<Problems>(&message);
             if (problems != nullptr && problems->complete) {
-                pictures_->hold(Hold::texts, false);
+                const std::lock_guard lock(mutex_);
+                if (opening == opening_) {
+                    pictures_->hold(Hold::texts, false);
+                }
             }
             send_newest(opening, message);
         };
@@ -381,47 +413,53 @@ class Session::State {
                                     std::string(name_of(head))});
         };
         output.files = [this, opening](std::int64_t /*v*/,
-                                       const std::vector<pipeline::ReadFile>& files) {
+                                       const std::vector<pipeline::ReadFile>& files,
+                                       const std::vector<std::string>& missing) {
             const std::lock_guard lock(mutex_);
-            if (opening == opening_ && workspace_->set_files(files)) {
+            if (opening != opening_) {
+                return;
+            }
+            const bool has_others = workspace_->set_files(files);
+            if (has_others) {
                 send(0, workspace_->files());
+            }
+            if (workspace_->set_missing(missing) || has_others) {
                 watch_->watch(workspace_->watched());
             }
         };
         output.answer = [this, opening](const LiveAnswer& answer) {
             watch_assets(opening, *answer.source);
-            pictures_->set_shot(answer.shot, answer.timeline, answer.v);
-            documents_->set_shot(answer.shot, answer.timeline, answer.v);
-            fan_->set_shot(answer.shot, answer.timeline, answer.v);
+            const std::lock_guard lock(mutex_);
+            if (opening == opening_) {
+                show(answer.shot, answer.timeline, answer.v);
+            }
         };
         output.shown = [this, opening](std::int64_t v, const pipeline::Shot& shot) {
             send_newest(opening, SceneMeshes{v, meshes_.add(shot)});
         };
-        live_ = std::make_unique<LiveShot>(LiveOptions{.overrides = options_.overrides,
-                                                       .quality = options_.quality,
-                                                       .root = workspace_->root()},
-                                           std::move(output));
-        watch_->watch(workspace_->watched());
-        offer();
+        return output;
     }
 
     /// The texts that a studio left behind are offered to the pages.
     void open_journal() {
         const std::string& own = options_.cache_folder;
         const std::string cache = own.empty() ? pipeline::default_cache_folder() : own;
-        journal_ = std::make_unique<Journal>(workspace_->shot(),
+        journal_ = std::make_shared<Journal>(workspace_->shot(),
                                              JournalOptions{.folder = cache + "/studio"});
         recovered_ = workspace_->recoverable(journal_->found());
+        unreachable_ = workspace_->unreachable(journal_->found());
         keep_unsaved();
     }
 
-    /// The journal has the texts that are not saved, and those of which it is not known yet whether
-    /// they are to be used.
+    /// The journal has the texts that are not saved, those of which it is not known yet whether
+    /// they are to be used, and those that only a studio with another root can use.
     void keep_unsaved() {
         std::vector<RecoveredText> texts = workspace_->unsaved();
-        for (const RecoveredText& one : recovered_) {
-            if (std::ranges::find(texts, one.file, &RecoveredText::file) == texts.end()) {
-                texts.push_back(one);
+        for (const auto* others : {&recovered_, &unreachable_}) {
+            for (const RecoveredText& one : *others) {
+                if (std::ranges::find(texts, one.file, &RecoveredText::file) == texts.end()) {
+                    texts.push_back(one);
+                }
             }
         }
         journal_->keep(std::move(texts));
@@ -466,9 +504,20 @@ class Session::State {
     }
 
     void send(PageId page, const ServerMessage& message) {
-        const bool newest_counts = std::holds_alternative<FilmState>(message);
         const std::lock_guard lock(send_mutex_);
-        send_({page, false, to_json(message), newest_counts ? FilmState::kName : ""});
+        send_({page, false, to_json(message), slot_of(message)});
+    }
+
+    /// What a page that takes no messages for a while may miss: a slot each of the film's state, of
+    /// a frame, and of the text of a file.
+    static std::string slot_of(const ServerMessage& message) {
+        if (const auto* frame = std::get_if<FilmFrame>(&message)) {
+            return FilmFrame::kName + ("/" + std::to_string(frame->frame));
+        }
+        if (const auto* text = std::get_if<TextChanged>(&message)) {
+            return TextChanged::kName + ("/" + text->file);
+        }
+        return std::holds_alternative<FilmState>(message) ? FilmState::kName : "";
     }
 
     /// Sends a message of which only the newest counts, and keeps it for pages that come later.
@@ -476,13 +525,20 @@ class Session::State {
         keep_and_send(opening, {0, false, to_json(message), std::string(name_of(message))});
     }
 
-    /// Drops what belongs to a shot that is no longer open.
+    /// Drops what belongs to a shot that is no longer open. What is over by now is not kept: an
+    /// error of a text, and once a motion is there, that it was left for later.
     void keep_and_send(int opening, Outgoing message) {
         const std::lock_guard lock(send_mutex_);
-        if (opening == opening_) {
-            newest_[message.slot] = message;
-            send_(std::move(message));
+        if (opening != opening_) {
+            return;
         }
+        if (message.slot == TimelineHead::kName) {
+            newest_.erase(Deferred::kName);
+        }
+        if (message.slot != Failed::kName) {
+            newest_[message.slot] = message;
+        }
+        send_(std::move(message));
     }
 
     SessionOptions options_;
@@ -492,8 +548,10 @@ class Session::State {
 
     std::mutex mutex_;  // of the workspace and the pages
     std::unique_ptr<Workspace> workspace_;
-    std::unique_ptr<Journal> journal_;      // of the workspace
+    std::shared_ptr<Journal> journal_;      // of the workspace
     std::vector<RecoveredText> recovered_;  // until a page says whether they are to be used
+    std::vector<RecoveredText>
+        unreachable_;  // of the journal, for files that are not writable here
     std::set<PageId> pages_;
     std::set<PageId> dragging_;
 

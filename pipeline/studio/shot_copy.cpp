@@ -43,6 +43,11 @@ std::string normal(const fs::path& path) {
     return code ? path.lexically_normal().string() : result.string();
 }
 
+bool is_there(const fs::path& path) {
+    std::error_code code;
+    return fs::exists(fs::symlink_status(path, code));
+}
+
 /// Copies a shot and, one after the other, the files that it needs.
 class Copier {
   public:
@@ -52,6 +57,8 @@ class Copier {
           root_(std::move(root)),
           folders_(config::standard_config_folders()) {
         folders_.texts = texts;
+        // A shot of carom's own, or one that was opened elsewhere, uses what is in its own folder.
+        folders_.root = from_ == root_ || is_below(from_, root_) ? root_ : from_;
     }
 
     [[nodiscard]] ShotCopy copy(const std::string& text) {
@@ -160,7 +167,7 @@ class Copier {
                                          : "";
         const std::string& wanted = is_yaml ? text : bytes;
         const fs::path stem = path.parent_path() / path.stem();
-        for (int i = 2; fs::exists(path); ++i) {
+        for (int i = 2; is_there(path); ++i) {
             if (read_bytes(path.string()) == wanted) {
                 return copies_[file] = path.string();
             }

@@ -20,7 +20,8 @@ struct ShotCopy {
 
 /// `text`: a shot of the folder `from`, which gets the folder `to`. Files of carom's configurations
 /// keep their names where those are found. Files below `root` get paths relative to `to`. Others
-/// have to be copied beside the shot: those get a free name. A first line that names a schema is
+/// have to be copied beside the shot: those get a free name. Only files below `root` are copied,
+/// or, if the shot is not there, those of the folder `from`. A first line that names a schema is
 /// replaced. A text that is not valid YAML is not changed. Nothing is written.
 [[nodiscard]] ShotCopy copy_shot(const std::string& text, const std::string& from,
                                  const std::string& to, const std::string& root,

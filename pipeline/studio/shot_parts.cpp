@@ -43,6 +43,7 @@ class Tree {
     Tree(const ShotText& shot, const config::OpenTexts* texts)
         : folder_(shot.folder), folders_(config::standard_config_folders()) {
         folders_.texts = texts;
+        folders_.root = shot.root;
         sources_.add({"shot", shot.folder, shot.text});
         config::ProblemList problems(sources_);
         root_ = config::gather(sources_, 0, folders_, {}, problems).root;

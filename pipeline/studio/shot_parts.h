@@ -13,6 +13,7 @@ namespace carom::studio {
 struct ShotText {
     std::string text;
     std::string folder;  // to which its paths are relative
+    std::string root{};  // the folder of all files that it may use; empty: any
 };
 
 /// What `from` and the files that it includes have, except for carom's configurations. Throws Error

@@ -31,6 +31,7 @@ namespace config = pipeline::config;
 namespace {
 
 constexpr std::uint64_t kMostSteps = 3'000'000;  // of a simulation for a picture
+constexpr std::uintmax_t kMostAssetBytes = std::uintmax_t{16} << 20U;  // of a mesh or an image
 constexpr std::string_view kStills = "/still/";
 
 /// The name of a shot, and what its first comment says.
@@ -103,7 +104,8 @@ std::string hash_of(const std::string& text) {
 /// The picture of a shot that simulates quickly; null for others.
 std::shared_ptr<const std::string> draw(const std::string& file, const std::stop_token& end) {
     try {
-        const pipeline::LoadResult loaded = pipeline::load_shot(file);
+        const pipeline::LoadResult loaded =
+            pipeline::load_shot(file, {.most_asset_bytes = kMostAssetBytes});
         if (!loaded.shot) {
             return nullptr;
         }
@@ -136,6 +138,7 @@ class StartPage::Artist {
             start.recent.push_back(describe(file));
         }
         const std::lock_guard lock(mutex_);
+        is_resting_ = false;
         wanted_.clear();
         for (std::vector<StartFile>* list : {&start.recent, &start.templates, &start.examples}) {
             for (StartFile& one : *list) {
@@ -154,6 +157,7 @@ class StartPage::Artist {
 
     void rest() {
         const std::lock_guard lock(mutex_);
+        is_resting_ = true;
         wanted_.clear();
     }
 
@@ -176,7 +180,7 @@ class StartPage::Artist {
             std::string file;
             {
                 std::unique_lock lock(mutex_);
-                if (wanted_.empty() && has_new) {
+                if (wanted_.empty() && has_new && !is_resting_) {
                     has_new = false;
                     lock.unlock();
                     changed_();
@@ -221,6 +225,7 @@ class StartPage::Artist {
     mutable std::mutex mutex_;  // of the members up to stills_
     std::condition_variable_any wake_;
     std::deque<std::string> wanted_;                // files to draw
+    bool is_resting_ = false;                       // until the next offer
     std::map<std::string, std::string> addresses_;  // of pictures, by their shots
     std::map<std::string, Still> stills_;           // by their addresses
 

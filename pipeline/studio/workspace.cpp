@@ -158,17 +158,33 @@ std::variant<Saved, DiskChanged> Workspace::save(const Save& request) {
     return Saved{request.file, disk_[request.file].hash};
 }
 
-bool Workspace::set_assets(std::vector<std::string> paths) {
-    Assets assets;
-    for (std::string& path : paths) {
-        const auto known = assets_.find(path);
-        const Stamp stamp = known == assets_.end() ? stamp_of(path) : known->second;
-        assets.emplace(std::move(path), stamp);
+bool Workspace::replace(Assets& stamps, Assets now) {
+    for (auto& [path, stamp] : now) {
+        if (const auto known = stamps.find(path); known != stamps.end()) {
+            stamp = known->second;
+        }
     }
-    const bool is_other = !std::ranges::equal(assets, assets_, {}, &Assets::value_type::first,
+    const bool is_other = !std::ranges::equal(now, stamps, {}, &Assets::value_type::first,
                                               &Assets::value_type::first);
-    assets_ = std::move(assets);
+    stamps = std::move(now);
     return is_other;
+}
+
+bool Workspace::set_assets(std::vector<std::string> paths) {
+    Assets now;
+    for (std::string& path : paths) {
+        const Stamp stamp = stamp_of(path);
+        now.emplace(std::move(path), stamp);
+    }
+    return replace(assets_, std::move(now));
+}
+
+bool Workspace::set_missing(const std::vector<std::string>& paths) {
+    Assets now;
+    for (const std::string& path : paths) {
+        now[path] = {};  // also if it exists by now: the next look finds that
+    }
+    return replace(sought_, std::move(now));
 }
 
 std::vector<std::string> Workspace::watched() const {
@@ -176,8 +192,10 @@ std::vector<std::string> Workspace::watched() const {
     for (const pipeline::ReadFile& file : files_) {
         paths.push_back(file.path);
     }
-    for (const auto& [path, stamp] : assets_) {
-        paths.push_back(path);
+    for (const Assets* stamps : {&assets_, &sought_}) {
+        for (const auto& [path, stamp] : *stamps) {
+            paths.push_back(path);
+        }
     }
     return paths;
 }
@@ -194,10 +212,12 @@ Workspace::DiskChanges Workspace::look_at_disk() {
     for (const pipeline::ReadFile& file : files_) {
         take_from_disk(file.path, changes);
     }
-    for (auto& [path, stamp] : assets_) {
-        const Stamp now = stamp_of(path);
-        changes.assets = changes.assets || now != stamp;
-        stamp = now;
+    for (Assets* stamps : {&assets_, &sought_}) {
+        for (auto& [path, stamp] : *stamps) {
+            const Stamp now = stamp_of(path);
+            changes.assets = changes.assets || now != stamp;
+            stamp = now;
+        }
     }
     if (changes.reloaded) {
         static_cast<void>(next_version(0));
@@ -255,6 +275,11 @@ std::vector<RecoveredText> Workspace::recoverable(std::vector<RecoveredText> tex
         one.hash = disk.hash;
         return !is_writable(one.file, root_) || (one.text == disk.text && !disk.hash.empty());
     });
+    return texts;
+}
+
+std::vector<RecoveredText> Workspace::unreachable(std::vector<RecoveredText> texts) const {
+    std::erase_if(texts, [&](const RecoveredText& one) { return is_writable(one.file, root_); });
     return texts;
 }
 

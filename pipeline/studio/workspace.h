@@ -52,6 +52,10 @@ class Workspace {
     /// others than before.
     bool set_assets(std::vector<std::string> paths);
 
+    /// The files that were not found: the shot is read again when they appear. Returns as
+    /// set_assets.
+    bool set_missing(const std::vector<std::string>& paths);
+
     /// All files that the shot was read from.
     [[nodiscard]] std::vector<std::string> watched() const;
 
@@ -72,6 +76,9 @@ class Workspace {
     /// as they are now, with the hashes of those.
     [[nodiscard]] std::vector<RecoveredText> recoverable(std::vector<RecoveredText> texts) const;
 
+    /// Those of the texts whose files may not be written by a session with this root.
+    [[nodiscard]] std::vector<RecoveredText> unreachable(std::vector<RecoveredText> texts) const;
+
     /// Opens texts of files that may be written. Returns whether there was one.
     bool recover(const std::vector<RecoveredText>& texts);
 
@@ -88,9 +95,10 @@ class Workspace {
         bool operator==(const Stamp&) const = default;
     };
 
-    using Assets = std::map<std::string, Stamp>;  // by their paths
+    using Assets = std::map<std::string, Stamp>;  // by their paths, as they were last looked at
 
     [[nodiscard]] static DiskFile read(const std::string& path);
+    [[nodiscard]] static bool replace(Assets& stamps, Assets now);
     [[nodiscard]] static Stamp stamp_of(const std::string& path);
     void take_from_disk(const std::string& file, DiskChanges& changes);
     void require_writable(const std::string& file) const;
@@ -105,6 +113,7 @@ class Workspace {
     std::map<std::string, DiskFile> disk_;  // as they were last read or written
     std::set<std::string> missing_;         // files that did not exist at the last look
     Assets assets_;
+    Assets sought_;  // files that do not exist, but are named
     std::shared_ptr<const pipeline::config::OpenTexts> texts_;
 };
 

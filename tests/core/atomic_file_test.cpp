@@ -142,6 +142,14 @@ TEST_F(AtomicFile, FolderThatIsAFile_FailsWithTheSystemsReason) {
                 testing::ThrowsMessage<Error>(testing::HasSubstr("Not a directory")));
 }
 
+TEST_F(AtomicFile, ReplacedFile_KeepsItsPermissions) {
+    const fs::perms own = fs::perms::owner_read | fs::perms::owner_write;
+    write(folder_ / "a", "private");
+    fs::permissions(folder_ / "a", own);
+    write(folder_ / "a", "changed");
+    EXPECT_EQ(fs::status(folder_ / "a").permissions(), own);
+}
+
 TEST_F(AtomicFile, UnwritableFolder_FailsAndLeavesNothing) {
     // The superuser may write anywhere except to /proc.
     const std::string path = geteuid() == 0 ? "/proc/carom_test" : (folder_ / "a").string();

@@ -112,6 +112,15 @@ TEST_F(StudioDisk, IncludedFile_IsWatchedToo) {
     EXPECT_EQ(problems.list.front().place.file, path("looks.yaml"));
 }
 
+TEST_F(StudioDisk, MissingFile_IsReadWhenItAppears) {
+    write_file(path("shot.yaml"), "carom: 1\ninclude: [later.yaml]\ntable: {kind: cloth}\n");
+    start();
+    const auto problems = wait_for<Problems>([](const Problems& all) { return all.complete; });
+    ASSERT_EQ(problems.list.size(), 1U);
+    write_file(path("later.yaml"), "balls: {cue: {at: [0, 0]}}\n");
+    wait_for<ShotState>([](const ShotState& state) { return !state.objects.empty(); });
+}
+
 TEST_F(StudioDisk, ChangedMesh_IsReadAgain) {
     const std::string corners = "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nv 0 0 0.1\n";
     const std::string faces = "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";

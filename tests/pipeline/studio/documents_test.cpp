@@ -150,6 +150,16 @@ TEST_F(StudioDocuments, ContactSheet_IsRenderedAndCanBeStopped) {
     EXPECT_EQ(wait_for<Failed>([](const Failed& one) { return one.v == 2; }).message,
               "it was stopped");
     EXPECT_FALSE(fs::exists(path("f.png")));
+    // What a page wanted to look at ends with it: what another page asks for does not wait for it.
+    std::string slow = read_file(path("shot.yaml"));
+    slow.insert(slow.find("render: {") + 9, "samples: 60000, ");
+    write_file(path("shot.yaml"), slow);
+    session_->opened(2);
+    session_->received(2, to_json(PageMessage{Make{.q = 3, .what = "contact_sheet"}}));
+    wait_for<Making>([](const Making& one) { return one.q == 3 && one.stage == "render"; });
+    session_->closed(2);
+    EXPECT_EQ(wait_for<Failed>([](const Failed& one) { return one.v == 3; }).message,
+              "it was stopped");
     for (const auto& entry : fs::directory_iterator(path("cache") + "/studio")) {
         EXPECT_THAT(entry.path().filename().string(), testing::Not(StartsWith("look_")));
     }

@@ -121,6 +121,28 @@ TEST_F(StudioFiles, ChangedCopyOfAnInclude_IsNotWrittenOver) {
     EXPECT_THAT(read_file(path("slow.yaml")), HasSubstr("include: nine_ball_break_2.yaml    #"));
 }
 
+TEST_F(StudioFiles, SecretOutsideOfTheRoot_IsNeitherCopiedNorRead) {
+    fs::create_directories(path("root/inner"));
+    write_file(path("secret.yaml"), "balls: {secret: {at: [0, 0]}}\n");
+    write_file(path("root/shot.yaml"), "carom: 1\ninclude: ../secret.yaml\ntable: {kind: cloth}\n");
+    SessionOptions narrow = options();
+    narrow.shot = path("root/shot.yaml");
+    narrow.root = path("root");
+    start(narrow);
+    wait_for<Problems>([](const Problems& all) { return all.complete; });
+    say(ReadParts{"shot.yaml", ""});
+    for (const Part& part : wait_for<Parts>().parts) {
+        EXPECT_NE(part.name, "secret");
+    }
+    say(SaveAs{"inner/copy", false});
+    wait_for<Welcome>([&](const Welcome& one) { return one.shot == path("root/inner/copy.yaml"); });
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(path("root/inner"))) {
+        names.push_back(entry.path().filename().string());
+    }
+    EXPECT_EQ(names, std::vector<std::string>{"copy.yaml"});
+}
+
 TEST_F(StudioFiles, NamesOutsideOfTheRoot_AreRefused) {
     start_without_shot();
     const auto offered = wait_for<Start>();

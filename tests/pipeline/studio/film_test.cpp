@@ -194,6 +194,35 @@ TEST_F(StudioFilm, LaterPage_IsToldOfTheFilm) {
     wait_for_frames(kFrames);
 }
 
+// A page that takes no messages for a while must not lose its socket for them: each frame replaces
+// only what waits of itself.
+TEST_F(StudioFilm, Frames_HaveSlotsOfTheirOwn) {
+    start_with(1);
+    say(StartFilm{});
+    wait_for_state("done");
+    wait_for_frames(kFrames);
+    std::set<std::string> slots;
+    const std::lock_guard lock(mutex_);
+    for (const Outgoing& one : sent_) {
+        if (one.data.find(R"("film_frame")") != std::string::npos) {
+            slots.insert(one.slot);
+        }
+    }
+    EXPECT_EQ(slots.size(), static_cast<std::size_t>(kFrames));
+    EXPECT_FALSE(slots.contains(""));
+}
+
+TEST_F(StudioFilm, FilmThatIsStoppedAtOnce_IsNotMade) {
+    start_with(1000);
+    for (int i = 0; i < 10; ++i) {
+        forget();
+        say(StartFilm{});
+        say(StopFilm{});
+        wait_for_state("stopped");
+    }
+    EXPECT_FALSE(fs::exists(path("shot.mp4")));
+}
+
 TEST_F(StudioFilm, EndOfTheSession_EndsTheRenderer) {
     start_with(10000);
     say(StartFilm{});
@@ -222,6 +251,21 @@ TEST(ChildProgram, EndsWithTheProcessThatStartedIt) {
            read_file("/proc/" + std::to_string(child) + "/stat").find(") Z") == std::string::npos) {
         std::this_thread::yield();
     }
+    ::close(pipe[0]);
+    ::close(pipe[1]);
+}
+
+TEST(ChildProgram, InheritsNoOpenFiles) {
+    std::array<int, 2> pipe{};
+    ASSERT_EQ(::pipe(pipe.data()), 0);
+    ChildProgram child("/bin/sh", {"-c", "ls /proc/$$/fd >&2"});
+    std::set<int> files;
+    while (const std::optional<std::string> line = child.next_line()) {
+        files.insert(std::stoi(*line));
+    }
+    EXPECT_FALSE(files.contains(pipe[0])) << pipe[0];
+    EXPECT_FALSE(files.contains(pipe[1])) << pipe[1];
+    EXPECT_TRUE(files.contains(STDERR_FILENO));
     ::close(pipe[0]);
     ::close(pipe[1]);
 }

@@ -125,6 +125,41 @@ TEST_F(StudioJournal, RefusedText_IsForgotten) {
     EXPECT_TRUE(fs::is_empty(path("cache/studio")));
 }
 
+TEST_F(StudioJournal, TextOutsideTheRoot_IsOfferedWhenItCanBeUsed) {
+    fs::create_directories(path("inner"));
+    write_file(path("looks.yaml"), "render: {samples: 16}\n");
+    write_file(path("inner/shot.yaml"), "carom: 1\ninclude: ../looks.yaml\ntable: {kind: cloth}\n");
+    SessionOptions wide = options();
+    wide.shot = path("inner/shot.yaml");
+    SessionOptions narrow = wide;
+    narrow.root = path("inner");
+    start(wide);
+    wait_for<Problems>([](const Problems& all) { return all.complete; });
+    say(TextChange{2, path("looks.yaml"), "render: {samples: 32}\n"});
+    session_.reset();
+    start(narrow);
+    wait_for<Problems>([](const Problems& all) { return all.complete; });
+    session_.reset();
+    forget();
+    start(wide);
+    EXPECT_EQ(wait_for<Recovered>().files.front().text, "render: {samples: 32}\n");
+}
+
+TEST_F(StudioJournal, UnansweredText_IsStillOfferedAfterSaveAs) {
+    const std::string unsaved = "carom: 1\n# unsaved\n";
+    start();
+    say(TextChange{2, path("shot.yaml"), unsaved});
+    session_.reset();
+    start();
+    wait_for<Recovered>();
+    say(SaveAs{"copy", false});
+    wait_for<Welcome>([&](const Welcome& one) { return one.shot == path("copy.yaml"); });
+    session_.reset();
+    forget();
+    start();
+    EXPECT_EQ(wait_for<Recovered>().files.front().text, unsaved);
+}
+
 TEST_F(StudioJournal, UndoneChange_IsNotKept) {
     start();
     say(TextChange{2, path("shot.yaml"), "carom: 1\n"});

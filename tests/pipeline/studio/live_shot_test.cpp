@@ -42,6 +42,8 @@ class LiveShotTest : public testing::Test {
                 (problems->complete ? complete_ : seen_) = problems->v;
             } else if (const auto* deferred = std::get_if<Deferred>(&message)) {
                 deferred_ = deferred->reason;
+            } else if (const auto* work = std::get_if<Work>(&message)) {
+                work_.push_back(work->what);
             } else if (const auto* state = std::get_if<ShotState>(&message)) {
                 states_.push_back(*state);
             }
@@ -56,7 +58,8 @@ class LiveShotTest : public testing::Test {
             shown_ = v;
             wake_.notify_all();
         };
-        output.files = [](std::int64_t, const std::vector<pipeline::ReadFile>&) {};
+        output.files = [](std::int64_t, const std::vector<pipeline::ReadFile>&,
+                          const std::vector<std::string>&) {};
         output.answer = [this](const LiveAnswer& answer) {
             const std::lock_guard lock(mutex_);
             answered_.push_back(answer.v);
@@ -82,6 +85,16 @@ class LiveShotTest : public testing::Test {
                 throw Stopped();
             }
             now_ += takes_;
+        }
+        if (context.progress) {
+            context.progress(0.5);
+        }
+        if (context.stop.stop_requested()) {
+            set([&] { ++stopped_; });
+            throw Stopped();
+        }
+        if (fails_) {
+            throw Error("a ball fell out of the world");
         }
         return is_limited_ ? std::optional<sim::Timeline>() : sim::bake_within(most, world);
     }
@@ -121,6 +134,8 @@ class LiveShotTest : public testing::Test {
     std::int64_t shown_ = 0;
     int sent_cameras_ = 0;
     std::vector<ShotState> states_;
+    std::vector<std::string> work_;
+    bool fails_ = false;  // the simulation, after it told its progress
     std::unique_ptr<LiveShot> live_;
 };
 
@@ -226,6 +241,50 @@ TEST_F(LiveShotTest, TooLongShot_WaitsForTheButton) {
     live_->simulate();
     wait([&] { return !answered_.empty(); });
     EXPECT_EQ(answered_.front(), 2);
+}
+
+// A simulation of minutes must not end because somebody types a comment.
+TEST_F(LiveShotTest, SimulationByTheButton_IsStoppedByAnotherWorldOnly) {
+    is_limited_ = true;
+    offer(1, 1);
+    wait([&] { return complete_ == 1; });
+    set([&] {
+        is_limited_ = false;
+        holds_ = true;
+    });
+    live_->simulate();
+    wait([&] { return begun_ == 2; });
+    set([&] { now_ += 10; });
+    offer(2, 1, 20);  // the same world
+    set([&] { holds_ = false; });
+    wait([&] { return complete_ == 2; });
+    EXPECT_EQ(stopped_, 0);
+    EXPECT_EQ(begun_, 2);
+    EXPECT_EQ(answered_, (std::vector<std::int64_t>{1, 2}));
+
+    set([&] { is_limited_ = true; });
+    offer(3, 3);
+    wait([&] { return complete_ == 3; });
+    set([&] {
+        is_limited_ = false;
+        holds_ = true;
+    });
+    live_->simulate();
+    wait([&] { return begun_ == 4; });
+    set([&] { now_ += 10; });
+    offer(4, 4);  // another world
+    set([&] { holds_ = false; });
+    wait([&] { return complete_ == 4; });
+    EXPECT_EQ(stopped_, 1);
+    EXPECT_EQ(answered_.back(), 4);
+}
+
+TEST_F(LiveShotTest, FailedSimulation_LeavesNoProgressBehind) {
+    takes_ = 1;
+    fails_ = true;
+    offer(1, 1);
+    wait([&] { return complete_ == 1; });
+    EXPECT_EQ(work_, (std::vector<std::string>{"bake", ""}));
 }
 
 TEST_F(LiveShotTest, End_StopsTheSimulation) {

@@ -1,6 +1,7 @@
 // Counts and states of the path-traced view; no times.
 #include "pipeline/studio/picture_view.h"
 
+#include <limits>
 #include <map>
 #include <mutex>
 #include <set>
@@ -196,6 +197,13 @@ TEST_F(View, PageThatCancels_LeavesTheOtherPagesItsPicture) {
     EXPECT_EQ(std::set<PageId>(pages_.begin(), pages_.end()), std::set<PageId>{kPage});
 }
 
+TEST_F(View, WithoutAShot_NothingIsShown) {
+    show(make_shot(), 1);
+    view_.set_shot(nullptr, nullptr, 0);  // the next one cannot be simulated
+    view_.ask(kPage, frame(1, 2));
+    EXPECT_TRUE(pictures().empty());
+}
+
 TEST_F(View, Channels_HaveLegendsAndAreNotStored) {
     show(make_shot(), 1);
     std::int64_t q = 0;
@@ -248,9 +256,15 @@ TEST_F(View, FreeViewOfManyPixels_IsMadeSmaller) {
     const Picture last = pictures().back();
     EXPECT_EQ(last.problem, "");
     EXPECT_TRUE(last.head.complete);
-    EXPECT_EQ(last.head.width, 2000);
-    EXPECT_EQ(last.head.height, 2000);
+    EXPECT_EQ(last.head.width, 2036);
+    EXPECT_EQ(last.head.height, 2036);
     EXPECT_FALSE(last.head.stored);
+    see.width = std::numeric_limits<int>::max();
+    see.height = 1;
+    see.q = 2;
+    view_.ask(kPage, see);
+    EXPECT_EQ(pictures().back().head.width, 16384);
+    EXPECT_EQ(pictures().back().head.height, 1);
 }
 
 TEST_F(View, FrameBeyondTheFilm_IsAProblem) {

@@ -86,5 +86,53 @@ TEST_F(StudioSession, AnotherShot_IsOpened) {
     wait_for<ShotState>([](const ShotState& state) { return state.name == "break"; });
 }
 
+TEST_F(StudioSession, MessagesWithoutAShot_AreRefused) {
+    SessionOptions none = options();
+    none.shot.clear();
+    start(none);
+    const std::vector<PageMessage> messages{
+        TextChange{2, path("shot.yaml"), ""},
+        Save{path("shot.yaml"), "", ""},
+        Revert{2, path("shot.yaml")},
+        SaveAs{"other", false},
+        Recover{false},
+        Recover{true},
+        StartFilm{},
+        Make{.q = 1, .what = "plan"},
+    };
+    for (const PageMessage& message : messages) {
+        forget();
+        say(message);
+        EXPECT_FALSE(wait_for<Failed>().message.empty());
+    }
+    say(Simulate{1});
+    say(Unsee{});
+    say(Unfan{});
+    say(Open{path("shot.yaml"), "", "", false});
+    wait_for<ShotState>([](const ShotState& state) { return state.name == "shot"; });
+}
+
+TEST_F(StudioSession, NameThatTheSystemRefuses_IsAnError) {
+    start();
+    const std::string name = std::string(300, 'a') + ".yaml";
+    say(Open{name, "", "", false});
+    EXPECT_EQ(wait_for<Failed>().what, "open");
+    forget();
+    say(SaveAs{name, false});
+    EXPECT_EQ(wait_for<Failed>().what, "save_as");
+}
+
+TEST_F(StudioSession, ErrorThatIsMended_IsNotToldToLaterPages) {
+    start();
+    wait_for<Problems>([](const Problems& all) { return all.complete; });
+    forget();
+    say(Hello{kProtocol});
+    const std::lock_guard lock(mutex_);
+    for (const Outgoing& one : sent_) {
+        EXPECT_NE(one.slot, Failed::kName);
+        EXPECT_NE(one.slot, Deferred::kName);
+    }
+}
+
 }  // namespace
 }  // namespace carom::studio
