@@ -1,0 +1,57 @@
+# Sourced by scripts that need a fresh Debian system: debootstrap in $CAROM_TREE, or in a temporary folder that is removed at the end.
+# It uses the mirrors, keys and certificates of this system. Needs root.
+[ "$(id -u)" -eq 0 ] || { echo "$0: debootstrap and chroot need root" >&2; exit 1; }
+release=bookworm
+if [ -n "${CAROM_TREE:-}" ]; then tree=$CAROM_TREE; else tree=$(mktemp -d --tmpdir carom_tree_XXXXXX); fi
+
+leave_system() {
+  umount "$tree/ccache" 2>/dev/null || true
+  umount "$tree/proc" 2>/dev/null || true
+  [ -n "${CAROM_TREE:-}" ] || rm -rf "$tree"
+}
+trap leave_system EXIT
+
+# inside COMMAND…: runs a command in the fresh system with an empty environment.
+inside() { chroot "$tree" /usr/bin/env -i HOME=/tmp PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive "$@"; }
+
+make_system() {
+  local mirror trust=()
+  mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' | grep -v -i security | head -n 1)
+  [ -f /usr/share/keyrings/debian-archive-keyring.gpg ] || trust=(--no-check-gpg)
+  if [ ! -f "$tree/etc/debian_version" ]; then
+    debootstrap --variant=minbase "${trust[@]}" "$release" "$tree" "$mirror" >"$tree.log" 2>&1 || {
+      tail -n 20 "$tree.log" >&2
+      exit 1
+    }
+    rm -f "$tree.log"
+  fi
+  cp -r /etc/apt/. "$tree/etc/apt/"
+  cp /etc/resolv.conf "$tree/etc/resolv.conf"
+  mountpoint -q "$tree/proc" || mount -t proc proc "$tree/proc"
+  inside apt-get update -q >/dev/null
+}
+
+# What npm in the fresh system has to know of this one: words for `inside`.
+npm_words() {
+  npm_config=()
+  command -v npm >/dev/null || return 0
+  npm_config+=("npm_config_registry=$(npm config get registry)")
+  if [ -n "${NODE_EXTRA_CA_CERTS:-}" ]; then
+    cp "$NODE_EXTRA_CA_CERTS" "$tree/srv/certificates.pem"
+    npm_config+=(NODE_EXTRA_CA_CERTS=/srv/certificates.pem npm_config_cafile=/srv/certificates.pem)
+  fi
+}
+
+# Puts the committed sources into /srv/carom, and this system's compiler cache into /ccache.
+put_sources() {
+  local cache
+  mkdir -p "$tree/srv/carom"
+  git archive HEAD | tar -x -C "$tree/srv/carom"
+  if cache=$(ccache -k cache_dir 2>/dev/null); then
+    mkdir -p "$tree/ccache"
+    mount --bind "$cache" "$tree/ccache"
+  fi
+  npm_words
+  # ccache distinguishes the languages of compiler messages.
+  build_words=(${LANG:+LANG="$LANG"} CCACHE_DIR=/ccache CCACHE_BASEDIR=/srv/carom CCACHE_NOHASHDIR=1 "${npm_config[@]}")
+}
