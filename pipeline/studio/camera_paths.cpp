@@ -11,6 +11,7 @@
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/camera/time_map.h"
 #include "pipeline/config/quantity.h"
+#include "pipeline/studio/triple.h"
 
 namespace carom::studio {
 
@@ -20,10 +21,6 @@ using pipeline::config::Entry;
 using pipeline::config::Node;
 
 constexpr int kCurvePieces = 64;
-
-Triple triple(const Vec3& v) {
-    return {v.x, v.y, v.z};
-}
 
 KeyPath below(KeyPath path, const std::string& key) {
     path.push_back(key);

@@ -11,6 +11,8 @@
 
 namespace carom::studio {
 
+constexpr int kInterrupted = 130;  // exit code of a carom that was interrupted
+
 /// A running program. It reads nothing, its output is dropped, and its errors are read by the
 /// lines. It is interrupted when the thread that started it ends, also if that is killed. In a
 /// group of processes of its own, it does not get the signals of the terminal.

@@ -23,6 +23,7 @@
 #include "pipeline/studio/child_program.h"
 #include "pipeline/studio/errands.h"
 #include "pipeline/studio/output_path.h"
+#include "pipeline/studio/paths.h"
 #include "pipeline/video/picture_kind.h"
 
 namespace carom::studio {
@@ -32,7 +33,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kMostKept = 24;
-constexpr int kInterrupted = 130;  // exit code
 
 /// What can be made, and how the command line is asked for it.
 struct Kind {
@@ -67,10 +67,7 @@ bool is_rendered(const Kind& kind) {
 }
 
 std::string type_of(const std::string& path) {
-    const std::string extension = pipeline::extension_of(path);
-    return extension == ".svg"   ? "image/svg+xml"
-           : extension == ".png" ? "image/png"
-                                 : "text/plain; charset=utf-8";
+    return media_type_of(path, "text/plain; charset=utf-8");
 }
 
 std::string bytes_of(const std::string& path) {
@@ -79,11 +76,6 @@ std::string bytes_of(const std::string& path) {
         throw Error("cannot read '" + path + "'");
     }
     return {std::istreambuf_iterator<char>(file), {}};
-}
-
-bool exists(const std::string& path) {
-    std::error_code ignored;
-    return fs::exists(fs::symlink_status(path, ignored));
 }
 
 using Asked = std::pair<PageId, std::int64_t>;
@@ -250,10 +242,10 @@ class Documents::State {
     ServerMessage write(const Kind& kind, const Task& task) {
         const std::string file = output_path(task.request.output, task.shot, options_.output,
                                              task.root, std::string(kind.extension));
-        if (!task.request.overwrite && exists(file)) {
+        if (!task.request.overwrite && is_there(file)) {
             return Exists{Make::kName, file, fs::path(file).lexically_relative(task.root).string()};
         }
-        if (!exists(fs::path(file).parent_path().string())) {
+        if (!is_there(fs::path(file).parent_path())) {
             throw Error("the folder of '" + file + "' does not exist");
         }
         if (file == task.shot) {

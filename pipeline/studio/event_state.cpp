@@ -6,14 +6,11 @@
 #include <variant>
 
 #include "pipeline/studio/shot_state.h"
+#include "pipeline/studio/triple.h"
 
 namespace carom::studio {
 
 namespace {
-
-Triple triple(const Vec3& v) {
-    return {v.x, v.y, v.z};
-}
 
 /// Where the object's centre is at that time, if it is known.
 std::optional<Vec3> position_at(const std::string& name, double time, const pipeline::Shot& shot,

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <span>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -14,9 +13,9 @@
 #include "pipeline/config/text.h"
 #include "pipeline/import/import_scene.h"
 #include "pipeline/studio/folder_list.h"
+#include "pipeline/studio/paths.h"
 #include "pipeline/studio/shot_copy.h"
 #include "pipeline/studio/shot_parts.h"
-#include "pipeline/studio/value_places.h"
 
 namespace carom::studio {
 
@@ -28,17 +27,6 @@ namespace {
 
 std::string folder_of(const std::string& file) {
     return fs::path(file).parent_path().string();
-}
-
-std::string whole_path(const fs::path& path) {
-    std::error_code code;
-    const fs::path result = fs::weakly_canonical(path, code);
-    return code ? path.lexically_normal().string() : result.string();
-}
-
-bool exists(const std::string& file) {
-    std::error_code code;
-    return fs::exists(fs::symlink_status(file, code));
 }
 
 /// The text of a file as the page has it, else as it is on disk. Throws Error.
@@ -98,7 +86,7 @@ std::variant<std::string, Exists> FileDesk::file_to_open(const Open& request,
         return file;
     }
     const std::string file = path_for_writing(request.file, root);
-    if (!request.overwrite && exists(file)) {
+    if (!request.overwrite && is_there(file)) {
         return Exists{request.kName, file, name_below(file, root)};
     }
     ShotCopy copy{request.text, {}};
@@ -119,7 +107,7 @@ std::variant<std::string, Exists> FileDesk::save_as(const SaveAs& request, const
     if (file == shot.file) {
         throw Error("this is the name of the open shot; save it instead");
     }
-    if (!request.overwrite && exists(file)) {
+    if (!request.overwrite && is_there(file)) {
         return Exists{request.kName, file, name_below(file, shot.root)};
     }
     write_shot(file, copy_shot(text_of(shot.file, shot.texts.get()), folder_of(shot.file),

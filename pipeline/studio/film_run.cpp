@@ -21,6 +21,7 @@
 #include "pipeline/studio/child_program.h"
 #include "pipeline/studio/film_thumbnails.h"
 #include "pipeline/studio/output_path.h"
+#include "pipeline/studio/paths.h"
 #include "pipeline/video/image_sequence.h"
 #include "pipeline/video/made_by_carom.h"
 #include "pipeline/video/picture_kind.h"
@@ -33,16 +34,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostThumbnails = 600;
 constexpr std::size_t kMostWarnings = 20;
-constexpr int kInterrupted = 130;  // exit code
-
-std::string type_of(const std::string& path) {
-    static const std::map<std::string, std::string> types{{".mp4", "video/mp4"},
-                                                          {".mov", "video/quicktime"},
-                                                          {".mkv", "video/x-matroska"},
-                                                          {".webm", "video/webm"}};
-    const auto found = types.find(pipeline::extension_of(path));
-    return found == types.end() ? "application/octet-stream" : found->second;
-}
 
 /// The files that the film would write.
 std::vector<std::string> files_of(const std::string& path,
@@ -59,8 +50,7 @@ std::vector<std::string> files_of(const std::string& path,
 
 std::optional<std::string> foreign_file(const std::vector<std::string>& files) {
     const auto found = std::ranges::find_if(files, [](const std::string& file) {
-        std::error_code ignored;
-        return fs::exists(fs::symlink_status(file, ignored)) && !pipeline::is_made_by_carom(file);
+        return is_there(file) && !pipeline::is_made_by_carom(file);
     });
     return found == files.end() ? std::nullopt : std::optional(*found);
 }
@@ -143,7 +133,8 @@ class FilmRun::State {
     std::optional<Download> find(std::string_view address) {
         const std::lock_guard lock(mutex_);
         if (!state_.address.empty() && address == state_.address) {
-            return Download{type_of(state_.output), nullptr, state_.output};
+            return Download{media_type_of(state_.output, "application/octet-stream"), nullptr,
+                            state_.output};
         }
         const auto found = thumbnails_.find(address);
         if (found == thumbnails_.end()) {

@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "pipeline/config/text.h"
-#include "pipeline/studio/value_places.h"
+#include "pipeline/studio/paths.h"
 
 namespace carom::studio {
 
@@ -19,12 +19,6 @@ namespace {
 
 constexpr std::size_t kMostEntries = 2'000;
 constexpr std::size_t kLongestName = 1'024;
-
-std::string whole_path(const fs::path& path) {
-    std::error_code code;
-    const fs::path result = fs::weakly_canonical(path, code);
-    return code ? path.lexically_normal().string() : result.string();
-}
 
 bool is_shot(const fs::path& path) {
     return path.extension() == ".yaml" || path.extension() == ".yml";

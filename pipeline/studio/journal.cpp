@@ -14,9 +14,9 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
-#include "core/hash.h"
 #include "pipeline/store/lock_file.h"
 #include "pipeline/studio/message_json.h"
+#include "pipeline/studio/text_hash.h"
 
 namespace carom::studio {
 
@@ -47,8 +47,7 @@ struct Place {
 std::optional<Place> find_place(const std::string& shot, const std::string& folder) {
     pipeline::create_folder(folder);
     fs::permissions(folder, fs::perms::owner_all);
-    const std::string stem =
-        folder + "/" + hash_bytes(std::as_bytes(std::span(shot))).to_string() + "-";
+    const std::string stem = folder + "/" + hash_of(shot) + "-";
     std::optional<Place> place;
     for (int i = 0; i < kMostStudios; ++i) {
         Place other{stem + std::to_string(i) + ".json", stem + std::to_string(i) + ".lock", {}};

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/path_fit.h"
+#include "pipeline/studio/triple.h"
 
 namespace carom::studio {
 
@@ -13,10 +14,6 @@ namespace {
 
 constexpr std::size_t kMostEnergySamples = 500;
 constexpr std::int64_t kMostFrames = 20'000;
-
-Triple triple(const Vec3& v) {
-    return {v.x, v.y, v.z};
-}
 
 void append(std::vector<double>& numbers, const Vec3& v) {
     numbers.insert(numbers.end(), {v.x, v.y, v.z});

@@ -6,14 +6,11 @@
 #include "pipeline/export/export_material.h"
 #include "pipeline/export/object_pose.h"
 #include "pipeline/studio/shot_state.h"
+#include "pipeline/studio/triple.h"
 
 namespace carom::studio {
 
 namespace {
-
-Triple triple(const Vec3& v) {
-    return {v.x, v.y, v.z};
-}
 
 bool has_key(const pipeline::config::Node& root, const char* section, const std::string& name) {
     const pipeline::config::Entry* entry = root.find(section);

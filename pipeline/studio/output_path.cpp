@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "core/error.h"
-#include "pipeline/studio/value_places.h"
+#include "pipeline/studio/paths.h"
 
 namespace carom::studio {
 

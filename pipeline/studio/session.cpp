@@ -23,9 +23,9 @@
 #include "pipeline/studio/live_shot.h"
 #include "pipeline/studio/message_json.h"
 #include "pipeline/studio/outcome_fan.h"
+#include "pipeline/studio/paths.h"
 #include "pipeline/studio/picture_view.h"
 #include "pipeline/studio/scene_meshes.h"
-#include "pipeline/studio/value_places.h"
 #include "pipeline/studio/workspace.h"
 
 namespace carom::studio {

@@ -16,7 +16,7 @@
 #include "pipeline/config/parse_yaml.h"
 #include "pipeline/config/schema_line.h"
 #include "pipeline/config/text.h"
-#include "pipeline/studio/value_places.h"
+#include "pipeline/studio/paths.h"
 
 namespace carom::studio {
 
@@ -35,17 +35,6 @@ std::string read_bytes(const std::string& path) {
         throw Error("the file " + config::quote(path) + " " + text);
     }
     return text;
-}
-
-std::string normal(const fs::path& path) {
-    std::error_code code;
-    const fs::path result = fs::weakly_canonical(path, code);
-    return code ? path.lexically_normal().string() : result.string();
-}
-
-bool is_there(const fs::path& path) {
-    std::error_code code;
-    return fs::exists(fs::symlink_status(path, code));
 }
 
 /// Copies a shot and, one after the other, the files that it needs.
@@ -137,8 +126,8 @@ class Copier {
     /// How a shot in the folder `to` names the file.
     std::string name_for(const std::string& file, const std::string& from, const std::string& to) {
         for (const std::string& folder : folders_.folders) {
-            if (is_below(file, normal(folder))) {
-                return fs::path(file).lexically_relative(normal(folder)).string();
+            if (is_below(file, whole_path(folder))) {
+                return fs::path(file).lexically_relative(whole_path(folder)).string();
             }
         }
         if (is_below(file, root_)) {
@@ -192,7 +181,7 @@ class Copier {
 
 ShotCopy copy_shot(const std::string& text, const std::string& from, const std::string& to,
                    const std::string& root, const config::OpenTexts* texts) {
-    return Copier(normal(from), normal(to), normal(root), texts).copy(text);
+    return Copier(whole_path(from), whole_path(to), whole_path(root), texts).copy(text);
 }
 
 void write_files(const ShotCopy& copy) {

@@ -14,7 +14,7 @@
 #include "pipeline/config/emit_yaml.h"
 #include "pipeline/config/gather.h"
 #include "pipeline/config/text.h"
-#include "pipeline/studio/value_places.h"
+#include "pipeline/studio/paths.h"
 
 namespace carom::studio {
 
@@ -86,8 +86,7 @@ class Tree {
         }
         const std::string& path = sources_.at(place.source).path;
         return std::ranges::any_of(folders_.folders, [&](const std::string& folder) {
-            std::error_code code;
-            return is_below(path, fs::weakly_canonical(folder, code).string());
+            return is_below(path, whole_path(folder));
         });
     }
 

@@ -8,6 +8,7 @@
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/config/build/builder.h"
 #include "pipeline/studio/camera_paths.h"
+#include "pipeline/studio/triple.h"
 #include "pipeline/studio/value_places.h"
 #include "sim/billiards/layout.h"
 
@@ -79,10 +80,6 @@ Names names_of(const pipeline::Shot& shot, const std::vector<SceneObject>& objec
     }
     names.surfaces = pipeline::config::surface_names();
     return names;
-}
-
-Triple triple(const Vec3& v) {
-    return {v.x, v.y, v.z};
 }
 
 /// The colour with its largest component 1.

@@ -9,18 +9,17 @@
 #include <map>
 #include <mutex>
 #include <set>
-#include <span>
 #include <stop_token>
 #include <system_error>
 #include <thread>
 #include <utility>
 
 #include "core/error.h"
-#include "core/hash.h"
 #include "pipeline/config/config_files.h"
 #include "pipeline/config/load_shot.h"
 #include "pipeline/config/parse_yaml.h"
 #include "pipeline/plan/plan_svg.h"
+#include "pipeline/studio/text_hash.h"
 #include "sim/bake.h"
 
 namespace carom::studio {
@@ -95,10 +94,6 @@ Offered find_offered() {
     std::ranges::stable_partition(offered.templates,
                                   [](const StartFile& one) { return one.name == "empty"; });
     return offered;
-}
-
-std::string hash_of(const std::string& text) {
-    return hash_bytes(std::as_bytes(std::span(text))).to_string();
 }
 
 /// The picture of a shot that simulates quickly; null for others.

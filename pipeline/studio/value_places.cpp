@@ -1,15 +1,12 @@
 #include "pipeline/studio/value_places.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
-#include "pipeline/config/config_files.h"
+#include "pipeline/studio/paths.h"
 
 namespace carom::studio {
 
-namespace fs = std::filesystem;
 using pipeline::config::Entry;
 using pipeline::config::Node;
 using pipeline::config::Place;
@@ -85,26 +82,6 @@ TextRange range_of(const pipeline::SourcePlace& place,
 }
 
 }  // namespace
-
-bool is_below(const std::string& path, const std::string& folder) {
-    const fs::path relative = fs::path(path).lexically_relative(folder);
-    return !relative.empty() && *relative.begin() != ".." && relative != ".";
-}
-
-bool is_writable(const std::string& path, const std::string& root) {
-    static const std::vector<std::string> configs = [] {
-        std::vector<std::string> folders;
-        for (const std::string& folder : pipeline::config::standard_config_folders().folders) {
-            std::error_code code;
-            const fs::path canonical = fs::canonical(folder, code);
-            folders.push_back(code ? folder : canonical.string());
-        }
-        return folders;
-    }();
-    return is_below(path, root) && std::ranges::none_of(configs, [&](const std::string& folder) {
-               return is_below(path, folder);
-           });
-}
 
 std::vector<ValuePlace> value_places(const pipeline::ShotSource& source, const std::string& root) {
     PlaceWalk walk(source.sources(), root);

@@ -10,12 +10,6 @@
 
 namespace carom::studio {
 
-/// Whether the path lies below the folder; both are absolute, without links, "." and "..".
-[[nodiscard]] bool is_below(const std::string& path, const std::string& folder);
-
-/// Whether the file may be written: it lies below the root and is not one of carom's configs.
-[[nodiscard]] bool is_writable(const std::string& path, const std::string& root);
-
 /// The places of all values of the shot, in its order. `root`: the folder below which files are
 /// written.
 [[nodiscard]] std::vector<ValuePlace> value_places(const pipeline::ShotSource& source,

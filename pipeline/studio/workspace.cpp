@@ -8,33 +8,19 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
-#include "core/hash.h"
 #include "pipeline/config/parse_yaml.h"
 #include "pipeline/config/text.h"
-#include "pipeline/studio/value_places.h"
+#include "pipeline/studio/paths.h"
+#include "pipeline/studio/text_hash.h"
 
 namespace carom::studio {
 
 namespace fs = std::filesystem;
 using pipeline::config::quote;
 
-namespace {
-
-std::string hash_text(const std::string& text) {
-    return hash_bytes(std::as_bytes(std::span(text))).to_string();
-}
-
-std::string canonical(const std::string& path) {
-    std::error_code code;
-    const fs::path result = fs::weakly_canonical(path, code);
-    return code ? path : result.string();
-}
-
-}  // namespace
-
 Workspace::Workspace(const std::string& shot, const std::string& root)
-    : shot_(canonical(shot)),
-      root_(canonical(root.empty() ? fs::path(shot_).parent_path().string() : root)),
+    : shot_(whole_path(shot)),
+      root_(whole_path(root.empty() ? fs::path(shot_).parent_path().string() : root)),
       texts_(std::make_shared<const pipeline::config::OpenTexts>()) {
     std::string text;
     if (!pipeline::config::read_text_file(shot_, pipeline::config::YamlLimits{}.bytes, text)) {
@@ -49,7 +35,7 @@ Workspace::DiskFile Workspace::read(const std::string& path) {
     if (!pipeline::config::read_text_file(path, pipeline::config::YamlLimits{}.bytes, text)) {
         return {};
     }
-    std::string hash = hash_text(text);
+    std::string hash = hash_of(text);
     return {std::move(text), std::move(hash)};
 }
 
@@ -136,7 +122,7 @@ std::int64_t Workspace::revert(std::int64_t v, const std::string& file) {
 std::variant<Saved, DiskChanged> Workspace::save(const Save& request) {
     const bool is_new = !is_known(request.file);
     const fs::path path(request.file);
-    if (is_new && (!path.is_absolute() || canonical(request.file) != request.file ||
+    if (is_new && (!path.is_absolute() || whole_path(request.file) != request.file ||
                    !is_writable(request.file, root_) || path.extension() != ".yaml")) {
         throw Error(quote(request.file) +
                     " cannot be written: new files have to be .yaml files below " + quote(root_));
@@ -150,7 +136,7 @@ std::variant<Saved, DiskChanged> Workspace::save(const Save& request) {
         return DiskChanged{request.file, disk.text, disk.hash, true};
     }
     write_file_atomically(request.file, std::as_bytes(std::span(request.text)));
-    disk_[request.file] = {request.text, hash_text(request.text)};
+    disk_[request.file] = {request.text, hash_of(request.text)};
     const auto open = texts_->find(request.file);
     if (open != texts_->end() && open->second == request.text) {
         change_text(request.file, std::nullopt);
