@@ -60,7 +60,10 @@ export const work = signal<Work | null>(null);
 export const deferred = signal<Deferred | null>(null);
 
 /// Whether the newest texts wait to be simulated, by the end of a drag or by the user.
-export const isDeferred = computed(() => (deferred.value?.v ?? -1) >= textVersion.value);
+export const isDeferred = computed(() => {
+    const v = deferred.value?.v ?? -1;
+    return v >= textVersion.value && (timeline.value?.head.v ?? -1) < v;
+});
 
 /// Whether the newest texts have an error, as far as the server has answered.
 export const hasErrors = computed(

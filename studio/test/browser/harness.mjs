@@ -38,7 +38,7 @@ export function copyShots() {
 export async function serve(carom, shot, folder) {
     const cache = join(folder, 'cache');
     const words = ['studio', ...shot ? [shot] : [], '--no-browser', '--root', folder,
-        '--cache', cache];
+        '--cache', cache, '--idle', '10min'];
     const server = spawn(carom, words, {
         stdio: ['ignore', 'pipe', 'pipe'],
         env: { ...process.env, XDG_STATE_HOME: join(folder, 'state') },
@@ -116,13 +116,18 @@ export async function openText({ browser, carom, folder }, name, text, size) {
     const path = join(folder, 'examples', name);
     writeFileSync(path, text);
     const served = await serve(carom, path, folder);
-    const opened = await open(browser, served.address, size);
-    await opened.page.waitForFunction(() => window.studio.state.meshes.value !== null
-        || window.studio.state.problems.value?.list.some(({ severity }) => severity === 'error'));
-    return { ...opened, path, end: async () => {
-        await opened.page.close();
+    try {
+        const opened = await open(browser, served.address, size);
+        await opened.page.waitForFunction(() => window.studio.state.meshes.value !== null
+            || window.studio.state.problems.value?.list.some(({ severity }) => severity === 'error'));
+        return { ...opened, path, end: async () => {
+            await opened.page.close();
+            await served.end();
+        } };
+    } catch (error) {
         await served.end();
-    } };
+        throw error;
+    }
 }
 
 /// Where a point of the scene is on the page, CSS pixels.
