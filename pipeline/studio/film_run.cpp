@@ -1,84 +1,37 @@
 #include "pipeline/studio/film_run.h"
 
-#include <algorithm>
 #include <chrono>
-#include <condition_variable>
-#include <deque>
-#include <filesystem>
-#include <map>
 #include <mutex>
 #include <thread>
 #include <utility>
 #include <variant>
 
-#include <nlohmann/json.hpp>
-
 #include "core/error.h"
-#include "pipeline/camera/frame_plan.h"
-#include "pipeline/config/load_shot.h"
-#include "pipeline/job/frame_range.h"
 #include "pipeline/store/cache_folder.h"
 #include "pipeline/studio/child_program.h"
-#include "pipeline/studio/film_thumbnails.h"
-#include "pipeline/studio/output_path.h"
+#include "pipeline/studio/film_artist.h"
+#include "pipeline/studio/film_log.h"
 #include "pipeline/studio/paths.h"
-#include "pipeline/video/image_sequence.h"
-#include "pipeline/video/made_by_carom.h"
 #include "pipeline/video/picture_kind.h"
-#include "pipeline/video/video_format.h"
 
 namespace carom::studio {
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr std::size_t kMostThumbnails = 600;
-constexpr std::size_t kMostWarnings = 20;
-
-/// The files that the film would write.
-std::vector<std::string> files_of(const std::string& path,
-                                  const std::vector<std::int64_t>& frames) {
-    if (!pipeline::is_image_sequence(path)) {
-        return {path};
+FilmRunOptions with_cache_folder(FilmRunOptions options) {
+    if (options.cache_folder.empty()) {
+        options.cache_folder = pipeline::default_cache_folder();
     }
-    std::vector<std::string> files;
-    for (const std::int64_t frame : frames) {
-        files.push_back(pipeline::path_in_sequence(path, frame));
-    }
-    return files;
+    return options;
 }
-
-std::optional<std::string> foreign_file(const std::vector<std::string>& files) {
-    const auto found = std::ranges::find_if(files, [](const std::string& file) {
-        return is_there(file) && !pipeline::is_made_by_carom(file);
-    });
-    return found == files.end() ? std::nullopt : std::optional(*found);
-}
-
-struct Task {
-    PageId page = 0;
-    StartFilm request;
-    std::string shot;
-    std::string root;
-};
-
-/// What was found out before the film is begun.
-struct Prepared {
-    pipeline::Shot shot;
-    std::string path;
-    std::vector<std::int64_t> frames;
-};
 
 }  // namespace
 
 class FilmRun::State {
   public:
     State(FilmRunOptions options, Output output)
-        : options_(std::move(options)), output_(std::move(output)) {
-        if (options_.cache_folder.empty()) {
-            options_.cache_folder = pipeline::default_cache_folder();
-        }
-    }
+        : options_(with_cache_folder(std::move(options))),
+          output_(std::move(output)),
+          artist_(options_.cache_folder, output_.send) {}
 
     ~State() {
         stop();
@@ -90,7 +43,7 @@ class FilmRun::State {
     State(State&&) = delete;
     State& operator=(State&&) = delete;
 
-    void start(Task task) {
+    void start(PageId page, FilmRequest request) {
         {
             const std::lock_guard lock(mutex_);
             if (busy_) {
@@ -101,10 +54,10 @@ class FilmRun::State {
         }
         // Thumbnails of the last film may be under way: the new thread waits for their end.
         worker_.request_stop();
-        worker_ = std::jthread([this, task = std::move(task),
+        worker_ = std::jthread([this, page, request = std::move(request),
                                 last = std::move(worker_)](const std::stop_token& end) mutable {
             last = {};
-            run(task, end);
+            run(page, request, end);
         });
     }
 
@@ -125,33 +78,29 @@ class FilmRun::State {
         if (!state_.state.empty()) {
             output_.send(page, state_);
         }
-        for (const auto& [number, frame] : frames_) {
-            output_.send(page, frame);
-        }
+        artist_.tell(page);
     }
 
     std::optional<Download> find(std::string_view address) {
-        const std::lock_guard lock(mutex_);
-        if (!state_.address.empty() && address == state_.address) {
-            return Download{media_type_of(state_.output, "application/octet-stream"), nullptr,
-                            state_.output};
+        {
+            const std::lock_guard lock(mutex_);
+            if (!state_.address.empty() && address == state_.address) {
+                return Download{media_type_of(state_.output, "application/octet-stream"), nullptr,
+                                state_.output};
+            }
         }
-        const auto found = thumbnails_.find(address);
-        if (found == thumbnails_.end()) {
-            return std::nullopt;
-        }
-        return Download{"image/jpeg", found->second, {}};
+        return artist_.find(address);
     }
 
   private:
-    void run(const Task& task, const std::stop_token& end) {
+    void run(PageId page, const FilmRequest& request, const std::stop_token& end) {
         try {
-            const std::variant<Prepared, Exists> result = prepare(task);
-            if (const auto* prepared = std::get_if<Prepared>(&result)) {
+            const std::variant<PreparedFilm, Exists> result = prepare_film(request, options_);
+            if (const auto* film = std::get_if<PreparedFilm>(&result)) {
                 output_.running(true);
-                make(task, *prepared, end);
+                make(request, *film, end);
             } else {
-                idle([&] { output_.send(task.page, std::get<Exists>(result)); });
+                idle([&] { output_.send(page, std::get<Exists>(result)); });
             }
         } catch (const std::exception& error) {
             const std::string reason = error.what();
@@ -161,7 +110,7 @@ class FilmRun::State {
                     state_.message = reason;
                     send_state();
                 }
-                output_.send(task.page, Failed{StartFilm::kName, 0, reason});
+                output_.send(page, Failed{StartFilm::kName, 0, reason});
             });
         }
     }
@@ -175,68 +124,12 @@ class FilmRun::State {
         news();
     }
 
-    /// What the film is made from, or the file that it would replace.
-    std::variant<Prepared, Exists> prepare(const Task& task) {
-        pipeline::LoadResult loaded = pipeline::load_shot(
-            task.shot,
-            {.overrides = options_.overrides, .quality = quality(task), .root = task.root});
-        if (!loaded.shot) {
-            throw Error("the shot has errors, so that no film of it can be made: " +
-                        loaded.problems.front().message);
-        }
-        pipeline::Shot& shot = *loaded.shot;
-        pipeline::FrameRange range;
-        if (!task.request.frames.empty()) {
-            range = pipeline::parse_frame_range(task.request.frames);
-        }
-        std::vector<std::int64_t> frames =
-            range.frames(pipeline::frame_count(shot.cameras, shot.timing));
-        if (frames.empty()) {
-            throw Error("the film has none of these frames");
-        }
-        std::string path = output_path(task.request.output, task.shot, options_.output, task.root,
-                                       pipeline::default_extension(shot.output));
-        const std::string problem = pipeline::check_video_format(
-            {shot.render.width, shot.render.height, shot.timing.fps}, shot.output, path);
-        if (!problem.empty()) {
-            throw Error(problem);
-        }
-        if (!task.request.overwrite) {
-            if (const auto file = foreign_file(files_of(path, frames))) {
-                return Exists{StartFilm::kName, *file,
-                              fs::path(*file).lexically_relative(task.root).string()};
-            }
-        }
-        return Prepared{std::move(shot), std::move(path), std::move(frames)};
-    }
-
-    [[nodiscard]] std::string quality(const Task& task) const {
-        return task.request.quality.empty() ? options_.quality : task.request.quality;
-    }
-
-    [[nodiscard]] std::vector<std::string> words(const Task& task,
-                                                 const std::string& output) const {
-        std::vector<std::string> all{"render", "--log", "json",   "--cache", options_.cache_folder,
-                                     "-o",     output,  "--root", task.root};
-        if (const std::string preset = quality(task); !preset.empty()) {
-            all.insert(all.end(), {"--quality", preset});
-        }
-        if (!task.request.frames.empty()) {
-            all.insert(all.end(), {"--frames", task.request.frames});
-        }
-        for (const std::string& value : options_.overrides) {
-            all.insert(all.end(), {"--set", value});
-        }
-        all.insert(all.end(), {"--", task.shot});
-        return all;
-    }
-
     /// Ends with idle(), unless it throws.
-    void make(const Task& task, const Prepared& prepared, const std::stop_token& end) {
-        if (!begin(task, prepared)) {
+    void make(const FilmRequest& request, const PreparedFilm& film, const std::stop_token& end) {
+        if (!begin(request, film)) {
             return idle([&] { finish(kInterrupted); });
         }
-        ChildProgram child(options_.program, words(task, prepared.path));
+        ChildProgram child(options_.program, film_words(request, options_, film.path));
         {
             const std::lock_guard lock(mutex_);
             child_ = &child;
@@ -244,8 +137,9 @@ class FilmRun::State {
                 child.interrupt();
             }
         }
-        const std::jthread artist(
-            [&](const std::stop_token& ended) { draw(prepared, ended, end); });
+        const std::jthread artist([&](const std::stop_token& ended) {
+            artist_.draw(film.shot, std::ssize(film.frames), ended, end);
+        });
         while (const std::optional<std::string> line = child.next_line()) {
             read(*line);
         }
@@ -254,76 +148,31 @@ class FilmRun::State {
     }
 
     /// The pages hear of the film. Returns false if it was stopped already.
-    bool begin(const Task& task, const Prepared& prepared) {
+    bool begin(const FilmRequest& request, const PreparedFilm& film) {
         const std::lock_guard lock(mutex_);
         begin_ = std::chrono::steady_clock::now();
-        state_ = FilmState{};
-        state_.state = "running";
-        state_.shot = task.shot;
-        state_.output = prepared.path;
-        state_.width = prepared.shot.render.width;
-        state_.height = prepared.shot.render.height;
-        state_.fps = prepared.shot.timing.fps.to_double();
-        state_.frames = std::ssize(prepared.frames);
-        frames_.clear();
-        thumbnails_.clear();
-        waiting_.clear();
+        state_ = first_state(request, film);
         film_ += 1;
+        artist_.begin(film_);
         send_state();
         return !stopping_;
     }
 
+    /// With the mutex. `result`: of the program.
     void finish(int result) {
-        state_.left = -1;
-        if (result == 0) {
-            state_.state = "done";
-            state_.fraction = 1;
-            if (!pipeline::is_image_sequence(state_.output)) {
-                state_.address =
-                    "/film/" + std::to_string(film_) + pipeline::extension_of(state_.output);
-            }
-        } else if (stopping_ || result == kInterrupted) {
-            state_.state = "stopped";
-        } else {
-            state_.state = "failed";
-            if (state_.message.empty()) {
-                state_.message = result < 0
-                                     ? "the renderer was ended by signal " + std::to_string(-result)
-                                     : "the renderer ended with code " + std::to_string(result);
-            }
-        }
+        const std::string extension = pipeline::extension_of(state_.output);
+        end_state(result, stopping_, "/film/" + std::to_string(film_) + extension, state_);
         send_state();
     }
 
     /// Reads a line of the log of `carom render`.
     void read(const std::string& line) {
-        const nlohmann::json log = nlohmann::json::parse(line, nullptr, false);
         const std::lock_guard lock(mutex_);
-        if (!log.is_object()) {
-            state_.message = line;  // of a library, or of the system
-            return;
-        }
-        const std::string event = log.value("event", "");
-        const std::string level = log.value("level", "");
-        if (level == "error") {
-            state_.message = log.value("message", "");
-        } else if (level == "warning" && !stopping_ && state_.warnings.size() < kMostWarnings) {
-            state_.warnings.push_back(log.value("message", ""));
-        } else if (event == "progress" || event == "frame") {
-            state_.stage = log.value("stage", "");
-            state_.fraction = log.value("fraction", 0.0);
-            state_.left = log.value("seconds_left", -1.0);
-            state_.finished = log.value("frames_done", state_.finished);
-            state_.reused = log.value("frames_found", state_.reused);
-        }
-        if (event == "frame") {
-            waiting_.push_back({log.value("frame", std::int64_t{0}),
-                                log.value("found", 0) != 0,
-                                log.value("seconds", 0.0),
-                                {}});
-            drawn_.notify_all();
-        }
+        std::optional<FilmFrame> frame = read_log(line, stopping_, state_);
         send_state();
+        if (frame) {
+            artist_.add(std::move(*frame));
+        }
     }
 
     /// With the mutex.
@@ -333,62 +182,17 @@ class FilmRun::State {
         output_.send(0, state_);
     }
 
-    /// Draws the finished frames and tells the pages of them, until all are drawn and `ended`, or
-    /// `cancelled`. Runs beside the reading of the log, which must not wait.
-    void draw(const Prepared& prepared, const std::stop_token& ended,
-              const std::stop_token& cancelled) {
-        const auto every = std::max<std::int64_t>(
-            1, std::ssize(prepared.frames) / static_cast<std::int64_t>(kMostThumbnails));
-        std::optional<FilmThumbnails> thumbnails;
-        bool failed = false;
-        std::int64_t count = 0;
-        for (;;) {
-            FilmFrame frame;
-            {
-                std::unique_lock lock(mutex_);
-                drawn_.wait(lock, ended, [&] { return !waiting_.empty(); });
-                if (waiting_.empty() || cancelled.stop_requested()) {
-                    return;
-                }
-                frame = std::move(waiting_.front());
-                waiting_.pop_front();
-            }
-            std::optional<std::string> bytes;
-            if (count++ % every == 0 && !failed) {
-                try {
-                    if (!thumbnails) {
-                        thumbnails.emplace(prepared.shot, options_.cache_folder);
-                    }
-                    bytes = thumbnails->jpeg(frame.frame);
-                } catch (const std::exception&) {
-                    failed = true;  // the film does not need them
-                }
-            }
-            const std::lock_guard lock(mutex_);
-            if (bytes) {
-                frame.address = "/film_frame/" + std::to_string(film_) + "/" +
-                                std::to_string(frame.frame) + ".jpg";
-                thumbnails_[frame.address] = std::make_shared<const std::string>(std::move(*bytes));
-            }
-            frames_[frame.frame] = frame;
-            output_.send(0, frame);
-        }
-    }
-
     FilmRunOptions options_;
     Output output_;
+    FilmArtist artist_;  // its mutex is taken after the one below
 
-    std::mutex mutex_;
+    std::mutex mutex_;       // of the members up to begin_
     bool busy_ = false;      // a film is being prepared or made
     bool stopping_ = false;  // it is to end
     ChildProgram* child_ = nullptr;
     int film_ = 0;  // number of the film
     FilmState state_;
     std::chrono::steady_clock::time_point begin_;
-    std::map<std::int64_t, FilmFrame> frames_;
-    std::deque<FilmFrame> waiting_;  // for their thumbnails
-    std::map<std::string, std::shared_ptr<const std::string>, std::less<>> thumbnails_;
-    std::condition_variable_any drawn_;
 
     std::jthread worker_;  // ends first; the program that it starts ends with it
 };
@@ -400,7 +204,7 @@ FilmRun::~FilmRun() = default;
 
 void FilmRun::start(PageId page, const StartFilm& request, const std::string& shot,
                     const std::string& root) {
-    state_->start({page, request, shot, root});
+    state_->start(page, {request, shot, root});
 }
 
 void FilmRun::stop() {

@@ -1,26 +1,17 @@
 // The film of a session: `carom render` runs as a program of its own.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "pipeline/studio/film_request.h"
 #include "pipeline/studio/message_lists.h"
 #include "pipeline/studio/session.h"
 
 namespace carom::studio {
-
-struct FilmRunOptions {
-    std::string program{};  // carom
-    std::vector<std::string> overrides{};
-    std::string quality{};       // of requests without one
-    std::string output{};        // folder of films; empty: that of the shot
-    std::string cache_folder{};  // empty: the usual one
-};
 
 /// All functions may be called from any thread, one call at a time, and return without waiting for
 /// the program.

@@ -1,0 +1,111 @@
+#include "pipeline/studio/film_request.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "core/error.h"
+#include "pipeline/camera/frame_plan.h"
+#include "pipeline/config/load_shot.h"
+#include "pipeline/job/frame_range.h"
+#include "pipeline/studio/output_path.h"
+#include "pipeline/studio/paths.h"
+#include "pipeline/video/image_sequence.h"
+#include "pipeline/video/made_by_carom.h"
+#include "pipeline/video/video_format.h"
+
+namespace carom::studio {
+namespace {
+
+/// The files that the film would write.
+std::vector<std::string> files_of(const std::string& path,
+                                  const std::vector<std::int64_t>& frames) {
+    if (!pipeline::is_image_sequence(path)) {
+        return {path};
+    }
+    std::vector<std::string> files;
+    for (const std::int64_t frame : frames) {
+        files.push_back(pipeline::path_in_sequence(path, frame));
+    }
+    return files;
+}
+
+std::optional<std::string> foreign_file(const std::vector<std::string>& files) {
+    const auto found = std::ranges::find_if(files, [](const std::string& file) {
+        return is_there(file) && !pipeline::is_made_by_carom(file);
+    });
+    return found == files.end() ? std::nullopt : std::optional(*found);
+}
+
+const std::string& quality_of(const FilmRequest& request, const FilmRunOptions& options) {
+    return request.start.quality.empty() ? options.quality : request.start.quality;
+}
+
+std::vector<std::int64_t> frames_of(const FilmRequest& request, const pipeline::Shot& shot) {
+    pipeline::FrameRange range;
+    if (!request.start.frames.empty()) {
+        range = pipeline::parse_frame_range(request.start.frames);
+    }
+    std::vector<std::int64_t> frames =
+        range.frames(pipeline::frame_count(shot.cameras, shot.timing));
+    if (frames.empty()) {
+        throw Error("the film has none of these frames");
+    }
+    return frames;
+}
+
+std::string path_of(const FilmRequest& request, const FilmRunOptions& options,
+                    const pipeline::Shot& shot) {
+    std::string path = output_path(request.start.output, request.shot, options.output, request.root,
+                                   pipeline::default_extension(shot.output));
+    const std::string problem = pipeline::check_video_format(
+        {shot.render.width, shot.render.height, shot.timing.fps}, shot.output, path);
+    if (!problem.empty()) {
+        throw Error(problem);
+    }
+    return path;
+}
+
+}  // namespace
+
+std::variant<PreparedFilm, Exists> prepare_film(const FilmRequest& request,
+                                                const FilmRunOptions& options) {
+    pipeline::LoadResult loaded =
+        pipeline::load_shot(request.shot, {.overrides = options.overrides,
+                                           .quality = quality_of(request, options),
+                                           .root = request.root});
+    if (!loaded.shot) {
+        throw Error("the shot has errors, so that no film of it can be made: " +
+                    loaded.problems.front().message);
+    }
+    pipeline::Shot& shot = *loaded.shot;
+    std::vector<std::int64_t> frames = frames_of(request, shot);
+    std::string path = path_of(request, options, shot);
+    if (!request.start.overwrite) {
+        if (const auto file = foreign_file(files_of(path, frames))) {
+            return Exists{StartFilm::kName, *file,
+                          std::filesystem::path(*file).lexically_relative(request.root).string()};
+        }
+    }
+    return PreparedFilm{std::move(shot), std::move(path), std::move(frames)};
+}
+
+std::vector<std::string> film_words(const FilmRequest& request, const FilmRunOptions& options,
+                                    const std::string& path) {
+    std::vector<std::string> all{"render", "--log", "json",   "--cache",   options.cache_folder,
+                                 "-o",     path,    "--root", request.root};
+    if (const std::string& preset = quality_of(request, options); !preset.empty()) {
+        all.insert(all.end(), {"--quality", preset});
+    }
+    if (!request.start.frames.empty()) {
+        all.insert(all.end(), {"--frames", request.start.frames});
+    }
+    for (const std::string& value : options.overrides) {
+        all.insert(all.end(), {"--set", value});
+    }
+    all.insert(all.end(), {"--", request.shot});
+    return all;
+}
+
+}  // namespace carom::studio
