@@ -1,13 +1,9 @@
 #include "pipeline/studio/documents.h"
 
-#include <array>
-#include <atomic>
-#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <mutex>
-#include <set>
 #include <utility>
 
 #include <fmt/core.h>
@@ -15,60 +11,19 @@
 #include <unistd.h>
 
 #include "core/error.h"
-#include "pipeline/plan/plan_svg.h"
-#include "pipeline/plan/report_plot.h"
-#include "pipeline/report/report_text.h"
-#include "pipeline/report/shot_report.h"
 #include "pipeline/store/cache_folder.h"
 #include "pipeline/studio/child_program.h"
 #include "pipeline/studio/errands.h"
+#include "pipeline/studio/kept_documents.h"
 #include "pipeline/studio/output_path.h"
 #include "pipeline/studio/paths.h"
-#include "pipeline/video/picture_kind.h"
+#include "pipeline/studio/wanted_documents.h"
 
 namespace carom::studio {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::size_t kMostKept = 24;
-
-/// What can be made, and how the command line is asked for it.
-struct Kind {
-    std::string_view what;
-    std::string_view command;
-    std::string_view option;     // before the file's name
-    std::string_view extension;  // if the name has none
-    std::string_view suffix;     // of a name that is not given
-};
-
-constexpr std::array<Kind, 7> kKinds{{
-    {"plan", "plan", "-o", ".svg", "_plan"},
-    {"plot", "report", "--plot", ".svg", "_plot"},
-    {"report", "report", "-o", ".txt", "_report"},
-    {"contact_sheet", "contact-sheet", "-o", ".png", "_sheet"},
-    {"frame", "frame", "-o", ".png", "_frame"},
-    {"export", "export", "-o", ".csv", ""},
-    {"events", "export", "--events", ".csv", "_events"},
-}};
-
-const Kind& kind_of(const std::string& what) {
-    for (const Kind& kind : kKinds) {
-        if (kind.what == what) {
-            return kind;
-        }
-    }
-    throw Error("'" + what + "' cannot be made");
-}
-
-bool is_rendered(const Kind& kind) {
-    return kind.what == "contact_sheet" || kind.what == "frame";
-}
-
-std::string type_of(const std::string& path) {
-    return media_type_of(path, "text/plain; charset=utf-8");
-}
 
 std::string bytes_of(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
@@ -78,13 +33,11 @@ std::string bytes_of(const std::string& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-using Asked = std::pair<PageId, std::int64_t>;
-
 struct Task {
     PageId page = 0;
-    Make request;
-    std::string shot;
-    std::string root;
+    DocumentRequest request;
+
+    [[nodiscard]] AskedDocument asked() const { return {page, request.make.q}; }
 };
 
 struct Scene {
@@ -92,17 +45,6 @@ struct Scene {
     std::shared_ptr<const sim::Timeline> timeline;
     std::int64_t v = 0;
 };
-
-/// A drawing or the report to look at.
-std::string draw(const std::string& what, const Scene& scene) {
-    if (what == "plan") {
-        return pipeline::plan_svg(*scene.shot, *scene.timeline);
-    }
-    if (what == "plot") {
-        return pipeline::report_plot_svg(*scene.shot, *scene.timeline);
-    }
-    return pipeline::report_text(pipeline::report_of(*scene.timeline));
-}
 
 }  // namespace
 
@@ -116,13 +58,7 @@ class Documents::State {
     }
 
     ~State() {
-        {
-            const std::lock_guard lock(mutex_);
-            is_ending_ = true;
-            if (child_ != nullptr) {
-                child_->interrupt();
-            }
-        }
+        wanted_.end();
         programs_.end();
         drawings_.end();
     }
@@ -138,77 +74,40 @@ class Documents::State {
     }
 
     void make(Task task) {
-        const Kind& kind = kind_of(task.request.what);
-        if (task.request.frame < 0 || !(task.request.rate >= 0 && task.request.rate <= 1e6)) {
-            throw Error("neither frames nor rates can be negative");
-        }
-        const bool to_look = task.request.output.empty();
-        if (to_look && kind.what != "report" && kind.extension == ".csv") {
-            throw Error("an export needs the name of a file");
-        }
-        Errands& errands = to_look && !is_rendered(kind) ? drawings_ : programs_;
-        {
-            const std::lock_guard lock(mutex_);
-            wanted_.insert({task.page, task.request.q});
-            if (!to_look) {
-                exports_.insert({task.page, task.request.q});
-            }
-        }
-        const bool is_posted = errands.post([this, &kind, task, to_look] {
-            ServerMessage answer;
-            try {
-                answer = !to_look            ? write(kind, task)
-                         : is_rendered(kind) ? render(kind, task)
-                                             : look(kind, task);
-            } catch (const std::exception& error) {
-                answer = Failed{Make::kName, task.request.q, error.what()};
-            }
-            {
-                const std::lock_guard lock(mutex_);
-                wanted_.erase({task.page, task.request.q});
-                exports_.erase({task.page, task.request.q});
-            }
+        const DocumentKind& kind = kind_of(task.request.make);
+        const AskedDocument asked = task.asked();
+        const bool to_look = task.request.make.output.empty();
+        wanted_.add(asked, !to_look);
+        Errands& errands = to_look && !kind.is_rendered ? drawings_ : programs_;
+        const bool is_posted = errands.post([this, &kind, task = std::move(task)] {
+            const ServerMessage answer = answer_of(kind, task);
+            wanted_.remove(task.asked());
             send_(task.page, answer);
         });
         if (!is_posted) {
-            const std::lock_guard lock(mutex_);
-            wanted_.erase({task.page, task.request.q});
-            exports_.erase({task.page, task.request.q});
+            wanted_.remove(asked);
             throw Error("too much was asked for at once; try again");
         }
     }
 
-    void stop(const Asked& asked) {
-        const std::lock_guard lock(mutex_);
-        wanted_.erase(asked);
-        if (child_ != nullptr && child_asked_ == asked) {
-            child_->interrupt();
-        }
-    }
+    void stop(const AskedDocument& asked) { wanted_.stop(asked); }
 
-    /// Nobody can look at what a closed page asked for; its exports are finished.
-    void closed(PageId page) {
-        const std::lock_guard lock(mutex_);
-        std::erase_if(wanted_, [&](const Asked& asked) {
-            return asked.first == page && !exports_.contains(asked);
-        });
-        if (child_ != nullptr && child_asked_.first == page && !wanted_.contains(child_asked_)) {
-            child_->interrupt();
-        }
-    }
+    void closed(PageId page) { wanted_.closed(page); }
 
-    std::optional<Download> find(std::string_view address) {
-        const std::lock_guard lock(mutex_);
-        for (const auto& [name, download] : kept_) {
-            if (name == address) {
-                return download;
-            }
-        }
-        return std::nullopt;
-    }
+    std::optional<Download> find(std::string_view address) { return kept_.find(address); }
 
   private:
-    ServerMessage look(const Kind& kind, const Task& task) {
+    ServerMessage answer_of(const DocumentKind& kind, const Task& task) {
+        try {
+            return !task.request.make.output.empty() ? write(kind, task)
+                   : kind.is_rendered                ? render(kind, task)
+                                                     : look(kind, task);
+        } catch (const std::exception& error) {
+            return Failed{Make::kName, task.request.make.q, error.what()};
+        }
+    }
+
+    ServerMessage look(const DocumentKind& kind, const Task& task) {
         Scene scene;
         {
             const std::lock_guard lock(mutex_);
@@ -217,16 +116,16 @@ class Documents::State {
         if (!scene.shot) {
             throw Error("the shot is not simulated yet");
         }
-        return keep(task, scene.v, "x" + std::string(kind.extension),
-                    draw(task.request.what, scene));
+        return kept_.keep(task.request.make, scene.v, std::string(kind.extension),
+                          draw_document(kind, *scene.shot, *scene.timeline));
     }
 
     /// A picture to look at, which the program writes into the cache.
-    ServerMessage render(const Kind& kind, const Task& task) {
+    ServerMessage render(const DocumentKind& kind, const Task& task) {
         const fs::path folder = fs::path(options_.cache_folder) / "studio";
         fs::create_directories(folder);
         const std::string file =
-            (folder / fmt::format("look_{}_{}{}", ::getpid(), number_++, kind.extension)).string();
+            (folder / fmt::format("look_{}_{}{}", ::getpid(), looks_++, kind.extension)).string();
         std::string bytes;
         try {
             run(kind, task, file);
@@ -236,90 +135,45 @@ class Documents::State {
             throw;
         }
         fs::remove(file);
-        return keep(task, 0, file, std::move(bytes));
+        return kept_.keep(task.request.make, 0, std::string(kind.extension), std::move(bytes));
     }
 
-    ServerMessage write(const Kind& kind, const Task& task) {
-        const std::string file = output_path(task.request.output, task.shot, options_.output,
-                                             task.root, std::string(kind.extension));
-        if (!task.request.overwrite && is_there(file)) {
-            return Exists{Make::kName, file, fs::path(file).lexically_relative(task.root).string()};
+    ServerMessage write(const DocumentKind& kind, const Task& task) {
+        const DocumentRequest& request = task.request;
+        const std::string file = output_path(request.make.output, request.shot, options_.output,
+                                             request.root, std::string(kind.extension));
+        if (!request.make.overwrite && is_there(file)) {
+            return Exists{Make::kName, file,
+                          fs::path(file).lexically_relative(request.root).string()};
         }
         if (!is_there(fs::path(file).parent_path())) {
             throw Error("the folder of '" + file + "' does not exist");
         }
-        if (file == task.shot) {
+        if (file == request.shot) {
             throw Error("this is the name of the open shot");
         }
         run(kind, task, file);
-        return keep_file(task, file);
+        return kept_.keep_file(request.make, file);
     }
 
-    [[nodiscard]] std::vector<std::string> words(const Kind& kind, const Task& task,
-                                                 const std::string& file) const {
-        const Make& request = task.request;
-        std::vector<std::string> all{std::string(kind.command),
-                                     "--log",
-                                     "json",
-                                     "--cache",
-                                     options_.cache_folder,
-                                     "--root",
-                                     task.root,
-                                     std::string(kind.option),
-                                     file};
-        if (kind.what == "report" && pipeline::extension_of(file) == ".json") {
-            all.emplace_back("--json");
-        }
-        if (kind.what == "frame") {
-            all.insert(all.end(), {"--frame", std::to_string(request.frame)});
-        }
-        if (kind.what == "export" && request.rate > 0) {
-            all.insert(all.end(), {"--rate", fmt::format("{}", request.rate)});
-        }
-        if (!options_.quality.empty()) {
-            all.insert(all.end(), {"--quality", options_.quality});
-        }
-        for (const std::string& value : options_.overrides) {
-            all.insert(all.end(), {"--set", value});
-        }
-        all.insert(all.end(), {"--", task.shot});
-        return all;
-    }
-
-    void run(const Kind& kind, const Task& task, const std::string& file) {
-        const Asked asked{task.page, task.request.q};
-        {
-            const std::lock_guard lock(mutex_);
-            require_wanted(asked);
-        }
-        ChildProgram child(options_.program, words(kind, task, file));
-        {
-            const std::lock_guard lock(mutex_);
-            child_ = &child;
-            child_asked_ = asked;
-            if (is_ending_ || !wanted_.contains(asked)) {
-                child.interrupt();
-            }
-        }
+    void run(const DocumentKind& kind, const Task& task, const std::string& file) {
+        const AskedDocument asked = task.asked();
+        wanted_.require(asked);
+        ChildProgram child(options_.program, document_words(kind, task.request, options_, file));
         std::string message;
-        while (const std::optional<std::string> line = child.next_line()) {
-            read(*line, task, message);
+        int result = 0;
+        {
+            const WantedDocuments::Running running(wanted_, asked, child);
+            while (const std::optional<std::string> line = child.next_line()) {
+                read(*line, task, message);
+            }
+            result = child.wait();
         }
-        const int result = child.wait();
-        const std::lock_guard lock(mutex_);
-        child_ = nullptr;
-        require_wanted(asked);
+        wanted_.require(asked);
         if (result != 0) {
             throw Error(!message.empty()         ? message
                         : result == kInterrupted ? "it was stopped"
                                                  : fmt::format("carom ended with code {}", result));
-        }
-    }
-
-    /// With the mutex. Throws Error.
-    void require_wanted(const Asked& asked) const {
-        if (is_ending_ || !wanted_.contains(asked)) {
-            throw Error("it was stopped");
         }
     }
 
@@ -333,47 +187,20 @@ class Documents::State {
         } else if (const std::string event = log.value("event", "");
                    event == "progress" || event == "frame") {
             send_(task.page,
-                  Making{task.request.q, log.value("stage", ""), log.value("fraction", 0.0)});
+                  Making{task.request.make.q, log.value("stage", ""), log.value("fraction", 0.0)});
         }
-    }
-
-    Made keep(const Task& task, std::int64_t v, const std::string& file, std::string bytes) {
-        return keep(
-            task, v,
-            Download{type_of(file), std::make_shared<const std::string>(std::move(bytes)), {}},
-            pipeline::extension_of(file));
-    }
-
-    Made keep_file(const Task& task, const std::string& file) {
-        Made made =
-            keep(task, 0, Download{type_of(file), nullptr, file}, pipeline::extension_of(file));
-        made.file = file;
-        return made;
-    }
-
-    Made keep(const Task& task, std::int64_t v, Download download, const std::string& extension) {
-        const std::lock_guard lock(mutex_);
-        Made made{task.request.q, v, task.request.what,
-                  fmt::format("/made/{}{}", number_++, extension), ""};
-        kept_.emplace_back(made.address, std::move(download));
-        if (kept_.size() > kMostKept) {
-            kept_.pop_front();
-        }
-        return made;
     }
 
     DocumentOptions options_;
     Send send_;
+    KeptDocuments kept_;
 
-    std::mutex mutex_;
+    WantedDocuments wanted_;
+
+    std::mutex mutex_;  // of the scene
     Scene scene_;
-    std::set<Asked> wanted_;
-    std::set<Asked> exports_;  // of these, those that write a file
-    ChildProgram* child_ = nullptr;
-    Asked child_asked_;
-    bool is_ending_ = false;
-    std::atomic<int> number_ = 1;
-    std::deque<std::pair<std::string, Download>> kept_;  // by their addresses
+
+    int looks_ = 1;  // number of the next picture to look at; of the thread of the programs
 
     Errands programs_;  // they end first
     Errands drawings_;
@@ -391,7 +218,7 @@ void Documents::set_shot(std::shared_ptr<const pipeline::Shot> shot,
 
 void Documents::make(PageId page, const Make& request, const std::string& shot,
                      const std::string& root) {
-    state_->make({page, request, shot, root});
+    state_->make({page, {request, shot, root}});
 }
 
 void Documents::closed(PageId page) {

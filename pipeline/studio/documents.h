@@ -7,22 +7,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "pipeline/shot/shot.h"
+#include "pipeline/studio/document_kinds.h"
 #include "pipeline/studio/message_lists.h"
 #include "pipeline/studio/session.h"
 #include "sim/timeline/timeline.h"
 
 namespace carom::studio {
-
-struct DocumentOptions {
-    std::string program{};  // carom
-    std::vector<std::string> overrides{};
-    std::string quality{};
-    std::string output{};        // folder of what is written; empty: that of the shot
-    std::string cache_folder{};  // empty: the usual one
-};
 
 /// Drawings and the report to look at are made here, of the shot as it was simulated last. Files
 /// and rendered pictures are made by the program, one after the other, of the files on disk. All
