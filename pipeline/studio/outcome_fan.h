@@ -8,29 +8,9 @@
 
 #include "pipeline/shot/shot.h"
 #include "pipeline/studio/message_lists.h"
-#include "pipeline/studio/motion_messages.h"
 #include "sim/timeline/timeline.h"
 
 namespace carom::studio {
-
-/// The disturbances of one run: what Fan says, with the signs and directions of this run.
-struct Disturbance {
-    Vec2 displacement{0, 0};  // of struck balls, m
-    double turn = 0;          // of directions about the vertical, rad
-};
-
-/// Those of run `run` (from 0) of `runs`. The displacements point into directions that divide a
-/// full turn evenly; the angles fill [-angle, angle] evenly.
-[[nodiscard]] Disturbance disturbance_of(int run, const Fan& fan);
-
-/// The world with its struck balls displaced and its strikes, impulses, forces and velocities
-/// turned. `timeline`: the motion without disturbances, which says where a strike aims.
-[[nodiscard]] sim::WorldDescription disturbed(const sim::WorldDescription& world,
-                                              const sim::Timeline& timeline,
-                                              const Disturbance& disturbance);
-
-/// The paths and the counts of the finished runs.
-[[nodiscard]] Numbers<FanHead> fan_message(const std::vector<sim::Timeline>& runs);
 
 /// Simulates in a thread of its own. All functions may be called from any thread.
 class OutcomeFan {

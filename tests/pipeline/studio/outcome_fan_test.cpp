@@ -9,6 +9,8 @@
 #include <gmock/gmock.h>
 
 #include "pipeline/config/load_shot.h"
+#include "pipeline/studio/disturbance.h"
+#include "pipeline/studio/fan_message.h"
 #include "sim/bake.h"
 
 namespace carom::studio {
