@@ -1,6 +1,7 @@
 // The rounds in which the path-traced picture of a question is made.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -13,6 +14,7 @@
 #include "core/hash.h"
 #include "pipeline/job/film_plan.h"
 #include "pipeline/store/frame_store.h"
+#include "pipeline/studio/kept_scene.h"
 #include "pipeline/studio/messages.h"
 #include "render/frame/progressive_frame.h"
 
@@ -32,6 +34,8 @@ struct ShownShot {
     std::int64_t v = 0;
 };
 
+struct PictureQuestion;
+
 /// What has been done, for tests and benchmarks.
 struct PictureCounts {
     std::uint64_t camera_rays = 0;
@@ -46,14 +50,20 @@ class PictureRounds {
     /// The usual cache if the folder is empty.
     explicit PictureRounds(std::string cache_folder) : cache_folder_(std::move(cache_folder)) {}
 
+    using Show = std::function<void(Picture)>;
+
     /// Calls `show` with pictures of growing size and then with growing numbers of samples, at most
     /// `most_samples` (0: no limit). A frame of the film at its own size with all samples goes into
     /// the cache; one that is there is shown at once. Throws Error, Stopped; another call goes on
     /// with the samples that there are.
     void run(const ShownShot& shown, const See& question, int most_samples,
-             const std::stop_token& stop, const std::function<void(Picture)>& show);
+             const std::stop_token& stop, const Show& show);
 
-    [[nodiscard]] PictureCounts counts() const { return counts_; }
+    [[nodiscard]] PictureCounts counts() const {
+        PictureCounts counts = counts_;
+        counts.scenes = scene_.count();
+        return counts;
+    }
 
   private:
     struct Kept {
@@ -61,20 +71,25 @@ class PictureRounds {
         std::optional<render::ProgressiveFrame> frame;
         std::optional<render::Film> stored;
     };
-    struct Layer {
-        pipeline::FrameInputs inputs;
-        double weight = 1;
-    };
-    struct Size {
-        int width = 0;
-        int height = 0;
-    };
     struct Work;
 
+    void open_store();
     void use(const ShownShot& shown);
-    [[nodiscard]] std::shared_ptr<const render::PreparedScene> scene_of(const pipeline::Shot& shot);
+
+    /// Forgets the samples of all other questions.
+    void keep_samples_of(const PictureQuestion& question);
+    /// That all layers of the level have.
+    [[nodiscard]] int samples_of(const PictureQuestion& question, std::size_t level) const;
+
     void refine(Work& work, std::size_t level, int up_to);
+    /// At the last level, until the picture is complete.
+    void refine_to_end(Work& work, const Show& show);
+
     [[nodiscard]] Picture picture_of(Work& work, std::size_t level);
+    static void count_samples(const Work& work, const Kept& kept, PictureHead& head);
+    void paint(Work& work, std::size_t level, const render::Film& film, Picture& picture);
+
+    /// Reads the layers of the last level from the cache. Returns whether it has all.
     [[nodiscard]] bool read_stored(Work& work);
     void store(Work& work);
 
@@ -82,8 +97,7 @@ class PictureRounds {
     std::optional<pipeline::FrameStore> store_;  // opened by the first question
     ShownShot shown_;
     std::optional<pipeline::FilmSource> source_;  // of shown_
-    std::shared_ptr<const render::PreparedScene> scene_;
-    Hash128 scene_key_{};
+    KeptScene scene_;
     std::map<Hash128, Kept> kept_;  // of the last question
     PictureCounts counts_;
 };
