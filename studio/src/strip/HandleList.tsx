@@ -1,7 +1,7 @@
 /// The strip's handles for the keyboard and screen readers: sliders that are not seen, in the order
 /// of the canvas. One of them is reached by Tab; Page Up and Page Down go from one to the next.
 import { signal } from '@preact/signals';
-import { applyChanges } from '../edit/edit';
+import { keyStep } from '../input/key_run';
 import { selection } from '../state/state';
 import { activeHandle, shownHandles } from './handles/all_handles';
 import type { Handle } from './handles/handle';
@@ -12,11 +12,15 @@ const kArrows: Record<string, readonly [number, number]> = {
     ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1],
 };
 
-/// Moves a handle by steps of time and value; ten with shift.
+/// Moves a handle by steps of time and value.
 export function nudge(handle: Handle, [time, value]: readonly [number, number]): void {
-    const changes = handle.change(
-        handle.time + time * handle.step.time, (handle.value ?? 0) + value * handle.step.value);
-    applyChanges(changes, `Move ${handle.label}`);
+    keyStep({
+        id: `strip ${handle.id}`, label: `Move ${handle.label}`,
+        start: [handle.time, handle.value ?? 0] as const,
+        next: ([seconds, height]) =>
+            [seconds + time * handle.step.time, height + value * handle.step.value] as const,
+        changes: ([seconds, height]) => handle.change(seconds, height),
+    });
 }
 
 function onKey(event: KeyboardEvent, handle: Handle): void {
