@@ -44,6 +44,11 @@ function stopListening(): void {
     window.removeEventListener('pointerdown', endKeyRun, { capture: true });
 }
 
+/// Whether presses of this are going on.
+export function isKeyRun(id: string): boolean {
+    return run?.id === id && dragging.peek();
+}
+
 export interface KeyStep<T> {
     /// Tells what is moved; another one begins a step of undo of its own.
     id: string;
@@ -58,7 +63,7 @@ export interface KeyStep<T> {
 /// Makes one press.
 export function keyStep<T>({ id, label, start, next, changes }: KeyStep<T>): void {
     // Another edit may have ended its gesture.
-    if (run?.id !== id || !dragging.peek()) {
+    if (!run || !isKeyRun(id)) {
         endKeyRun();
         run = { id, label, gesture: beginGesture(), value: start, written: '', timer: 0 };
         listen();
