@@ -11,6 +11,7 @@
 #include <utility>
 #include <variant>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
@@ -57,10 +58,12 @@ std::vector<std::string> files_of(const std::string& path,
     return files;
 }
 
-std::optional<std::string> foreign_file(const std::vector<std::string>& files) {
-    const auto found = std::ranges::find_if(files, [](const std::string& file) {
+/// The first file that exists; if `may_be_own`, only one that carom did not make.
+std::optional<std::string> existing_file(const std::vector<std::string>& files, bool may_be_own) {
+    const auto found = std::ranges::find_if(files, [&](const std::string& file) {
         std::error_code ignored;
-        return fs::exists(fs::symlink_status(file, ignored)) && !pipeline::is_made_by_carom(file);
+        return fs::exists(fs::symlink_status(file, ignored)) &&
+               !(may_be_own && pipeline::is_made_by_carom(file));
     });
     return found == files.end() ? std::nullopt : std::optional(*found);
 }
@@ -176,8 +179,7 @@ class FilmRun::State {
     /// What the film is made from, or the file that it would replace.
     std::variant<Prepared, Exists> prepare(const Task& task) {
         pipeline::LoadResult loaded = pipeline::load_shot(
-            task.shot,
-            {.overrides = options_.overrides, .quality = quality(task), .root = task.root});
+            task.shot, {.overrides = overrides(task), .quality = quality(task), .root = task.root});
         if (!loaded.shot) {
             throw Error("the shot has errors, so that no film of it can be made: " +
                         loaded.problems.front().message);
@@ -200,12 +202,27 @@ class FilmRun::State {
             throw Error(problem);
         }
         if (!task.request.overwrite) {
-            if (const auto file = foreign_file(files_of(path, frames))) {
+            if (const auto file = existing_file(files_of(path, frames), is_stopped(path))) {
                 return Exists{StartFilm::kName, *file,
                               fs::path(*file).lexically_relative(task.root).string()};
             }
         }
         return Prepared{std::move(shot), std::move(path), std::move(frames)};
+    }
+
+    /// Whether the last film was stopped and had this output: what it left may be replaced.
+    [[nodiscard]] bool is_stopped(const std::string& path) {
+        const std::lock_guard lock(mutex_);
+        return state_.state == "stopped" && state_.output == path;
+    }
+
+    /// The values that replace those of the shot.
+    [[nodiscard]] std::vector<std::string> overrides(const Task& task) const {
+        std::vector<std::string> all = options_.overrides;
+        if (const auto& size = task.request.size) {
+            all.push_back(fmt::format("render.size=[{}]", fmt::join(*size, ", ")));
+        }
+        return all;
     }
 
     [[nodiscard]] std::string quality(const Task& task) const {
@@ -222,7 +239,7 @@ class FilmRun::State {
         if (!task.request.frames.empty()) {
             all.insert(all.end(), {"--frames", task.request.frames});
         }
-        for (const std::string& value : options_.overrides) {
+        for (const std::string& value : overrides(task)) {
             all.insert(all.end(), {"--set", value});
         }
         all.insert(all.end(), {"--", task.shot});
