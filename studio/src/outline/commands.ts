@@ -109,7 +109,7 @@ export function deleteSelected(): void {
     const what = isPoint ? path : path.slice(0, 2);
     if (!sourceOf(what)) {
         notice.value = { kind: 'info',
-            text: `The text does not name '${what.join('.')}': it comes from a rack or a preset.` };
+            text: `'${what.join('.')}' is not in the text: it comes from a rack or a preset.` };
         return;
     }
     const result = removeValue(what, `Delete ${what[what.length - 1]}`);

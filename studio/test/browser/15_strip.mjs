@@ -68,7 +68,7 @@ export async function check({ page }) {
     await undo(page, before, 'the strike');
 
     await page.evaluate(() => { window.studio.state.selection.value = ['cameras', '1']; });
-    await page.getByLabel('Curve of the cameras').selectOption('fov');
+    await page.getByLabel('Camera curve').selectOption('fov');
     const lens = await pixelOfHandle(page, 'cameras/1/fov/1');
     await dragPixels(page, lens, [lens[0], lens[1] - 9]);
     const [changed] = changedLines(before, await textOf(page));
@@ -105,7 +105,7 @@ export async function check({ page }) {
     const others = await page.evaluate(() => window.studio.strip.others.value.map((one) => one.camera));
     equal(others, [1, 2], 'the other cameras that show it');
     const filmTimeThen = await page.evaluate(() => window.studio.state.filmTime.value);
-    await page.getByLabel('Instants of the film that show this time of the scene')
+    await page.getByLabel('Other moments of the film that show this scene time')
         .selectOption({ index: 1 });
     const now = await page.evaluate(() => [window.studio.state.filmTime.value,
         window.studio.state.sceneTime.value]);
