@@ -28,10 +28,13 @@ function capture(element: Element, pointer: number): boolean {
 /// Follows the pointer of a press until it is released. Does nothing for other buttons and further
 /// fingers.
 export function dragFrom(press: PointerEvent, parts: DragParts): void {
-    const element = press.currentTarget as Element;
+    const element = press.currentTarget as HTMLElement | SVGElement;
     if (!beginsDrag(press)) {
         return;
     }
+    // No selection of text, and no drag of a selected one, which would take the pointer away.
+    press.preventDefault();
+    element.focus({ preventScroll: true });
     const stop = new AbortController();
     const options = { signal: stop.signal, capture: true };
     const end = (isDone: boolean) => {

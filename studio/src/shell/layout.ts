@@ -19,11 +19,16 @@ function makeArea(name: string, usual: number, least: number, most: number): Are
     size.subscribe((value) => {
         localStorage.setItem(key, String(value));
         if (value > 0) {
-            area.usual = value;
-            localStorage.setItem(`${key}.unfolded`, String(value));
+            unfoldTo(area, value);
         }
     });
     return area;
+}
+
+/// Says which size an area has when it is unfolded.
+export function unfoldTo(area: Area, size: number): void {
+    area.usual = size;
+    localStorage.setItem(`carom.size.${area.name}.unfolded`, String(size));
 }
 
 export type { Area };

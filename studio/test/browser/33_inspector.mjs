@@ -1,6 +1,6 @@
 // The inspector: a default is dragged by its name, a typed text stays while the page is drawn again,
 // held keys and a colour are one undo each, and Escape ends a drag before it selects nothing.
-import { changedLines, equal, settle, textOf } from './harness.mjs';
+import { changedLines, dragPixels, equal, settle, textOf } from './harness.mjs';
 
 const choose = (page, path) =>
     page.evaluate((one) => { window.studio.state.selection.value = one; }, path);
@@ -109,6 +109,24 @@ async function pickColour(page, before) {
     await undo(page, before, 'the material');
 }
 
+/// A width that was chosen comes back, also if the area was folded by a drag.
+async function foldOutline(page) {
+    const line = page.getByRole('separator', { name: 'Width of the outline' });
+    const width = () => line.getAttribute('aria-valuenow').then(Number);
+    await line.press('ArrowRight');
+    const chosen = await width();
+    await line.dblclick();
+    equal(await width(), 0, 'the width after a double click');
+    await page.getByRole('button', { name: 'Outline', exact: true }).click();
+    equal(await width(), chosen, 'the width after it was unfolded');
+    await page.waitForFunction((size) => document.querySelector('nav.side').offsetWidth === size, chosen);
+    const box = await line.boundingBox();
+    await dragPixels(page, [box.x + box.width / 2, 400], [20, 400]);
+    equal(await width(), 0, 'the width after a drag to the border');
+    await line.dblclick();
+    equal(await width(), chosen, 'the width after that');
+}
+
 export async function check({ page }) {
     const before = await textOf(page);
     await dragDefault(page, before);
@@ -124,6 +142,7 @@ export async function check({ page }) {
         .getAttribute('aria-describedby');
     equal(await page.locator(`#${id}`).textContent() === '', false, 'the same for screen readers');
 
+    await foldOutline(page);
     await page.getByRole('slider', { name: 'Play head' }).focus();
     await page.keyboard.press('Escape');
     equal(await state(page, 'selection'), null, 'the selection after Escape');
