@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/error.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/config/load_shot.h"
@@ -31,11 +33,21 @@ std::vector<std::string> files_of(const std::string& path,
     return files;
 }
 
-std::optional<std::string> foreign_file(const std::vector<std::string>& files) {
-    const auto found = std::ranges::find_if(files, [](const std::string& file) {
-        return is_there(file) && !pipeline::is_made_by_carom(file);
+/// The first file that exists; if `may_be_own`, only one that carom did not make.
+std::optional<std::string> existing_file(const std::vector<std::string>& files, bool may_be_own) {
+    const auto found = std::ranges::find_if(files, [&](const std::string& file) {
+        return is_there(file) && !(may_be_own && pipeline::is_made_by_carom(file));
     });
     return found == files.end() ? std::nullopt : std::optional(*found);
+}
+
+/// The values that replace those of the shot.
+std::vector<std::string> overrides_of(const FilmRequest& request, const FilmRunOptions& options) {
+    std::vector<std::string> all = options.overrides;
+    if (const auto& size = request.start.size) {
+        all.push_back(fmt::format("render.size=[{}]", fmt::join(*size, ", ")));
+    }
+    return all;
 }
 
 const std::string& quality_of(const FilmRequest& request, const FilmRunOptions& options) {
@@ -70,9 +82,10 @@ std::string path_of(const FilmRequest& request, const FilmRunOptions& options,
 }  // namespace
 
 std::variant<PreparedFilm, Exists> prepare_film(const FilmRequest& request,
-                                                const FilmRunOptions& options) {
+                                                const FilmRunOptions& options,
+                                                const std::string& stopped) {
     pipeline::LoadResult loaded =
-        pipeline::load_shot(request.shot, {.overrides = options.overrides,
+        pipeline::load_shot(request.shot, {.overrides = overrides_of(request, options),
                                            .quality = quality_of(request, options),
                                            .root = request.root});
     if (!loaded.shot) {
@@ -83,7 +96,7 @@ std::variant<PreparedFilm, Exists> prepare_film(const FilmRequest& request,
     std::vector<std::int64_t> frames = frames_of(request, shot);
     std::string path = path_of(request, options, shot);
     if (!request.start.overwrite) {
-        if (const auto file = foreign_file(files_of(path, frames))) {
+        if (const auto file = existing_file(files_of(path, frames), path == stopped)) {
             return Exists{StartFilm::kName, *file,
                           std::filesystem::path(*file).lexically_relative(request.root).string()};
         }
@@ -101,7 +114,7 @@ std::vector<std::string> film_words(const FilmRequest& request, const FilmRunOpt
     if (!request.start.frames.empty()) {
         all.insert(all.end(), {"--frames", request.start.frames});
     }
-    for (const std::string& value : options.overrides) {
+    for (const std::string& value : overrides_of(request, options)) {
         all.insert(all.end(), {"--set", value});
     }
     all.insert(all.end(), {"--", request.shot});

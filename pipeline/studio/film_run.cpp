@@ -93,9 +93,16 @@ class FilmRun::State {
     }
 
   private:
+    /// The output of the last film if that was stopped.
+    [[nodiscard]] std::string stopped_output() {
+        const std::lock_guard lock(mutex_);
+        return state_.state == "stopped" ? state_.output : "";
+    }
+
     void run(PageId page, const FilmRequest& request, const std::stop_token& end) {
         try {
-            const std::variant<PreparedFilm, Exists> result = prepare_film(request, options_);
+            const std::variant<PreparedFilm, Exists> result =
+                prepare_film(request, options_, stopped_output());
             if (const auto* film = std::get_if<PreparedFilm>(&result)) {
                 output_.running(true);
                 make(request, *film, end);

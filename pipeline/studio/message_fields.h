@@ -112,9 +112,10 @@ constexpr auto fields_of(Describes<Unsee>) {
 }
 
 constexpr auto fields_of(Describes<StartFilm>) {
-    return fields<StartFilm>(
-        field("output", &StartFilm::output), field("quality", &StartFilm::quality),
-        field("frames", &StartFilm::frames), field("overwrite", &StartFilm::overwrite));
+    return fields<StartFilm>(field("output", &StartFilm::output),
+                             field("quality", &StartFilm::quality),
+                             field("frames", &StartFilm::frames), field("size", &StartFilm::size),
+                             field("overwrite", &StartFilm::overwrite));
 }
 
 constexpr auto fields_of(Describes<StopFilm>) {

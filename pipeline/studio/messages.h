@@ -202,13 +202,14 @@ struct Unsee {
 
 /// Starts to make a film of the shot's files as they are on disk: the page saves first. The answers
 /// are FilmStates and FilmFrames. Frames that are in the cache are used again, so that the same
-/// request goes on where a film was stopped. If a file of the output's name exists that carom did
-/// not make, the answer is Exists, unless `overwrite`.
+/// request goes on where a film was stopped. If a file of the output's name exists, the answer is
+/// Exists, unless `overwrite`, or if carom made the file and the film was stopped before.
 struct StartFilm {
     static constexpr const char* kName = "film";
-    std::string output{};   // path or name; empty: beside the shot, named after it
-    std::string quality{};  // a preset, or empty
-    std::string frames{};   // ranges such as "0-47x2,60", or empty
+    std::string output{};                    // path or name; empty: beside the shot, named after it
+    std::string quality{};                   // a preset, or empty
+    std::string frames{};                    // ranges such as "0-47x2,60", or empty
+    std::optional<std::vector<int>> size{};  // width and height, pixels; empty: the shot's
     bool overwrite = false;
 };
 

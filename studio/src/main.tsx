@@ -13,7 +13,7 @@ import { watchTheme } from './shell/theme';
 import { watchAddress } from './state/address';
 import { listenToKeys, onCommand } from './state/keys';
 import { filmThumbnails } from './state/film_thumbnails';
-import { isStarting, panel } from './state/state';
+import { isStarting, panel, selection } from './state/state';
 import { exposeStudio } from './state/studio';
 import { openShot, watchExisting } from './start/file_actions';
 import { watchDrops } from './start/import_scene';
@@ -71,7 +71,11 @@ if (app) {
     onCommand('keys', () => { panel.value = 'keys'; });
     onCommand('undo', () => { undoStep(true); });
     onCommand('redo', () => { undoStep(false); });
-    onCommand('cancel', () => { edit.cancelGesture(); });
+    onCommand('cancel', () => {
+        if (!edit.cancelGesture()) {
+            selection.value = null;
+        }
+    });
     render(<><App /><Dialogs /></>, app);
     void loadSchema();
     void loadConfigFiles();

@@ -126,6 +126,7 @@ export interface StartFilm {
     output: string;
     quality: string;
     frames: string;
+    size?: number[];
     overwrite: boolean;
 }
 

@@ -2,6 +2,7 @@
 import { useEffect } from 'preact/hooks';
 import { Dialog, type DialogAction } from '../dialogs/Dialog';
 import { hasErrors, isStale, panel, timeline } from '../state/state';
+import { hasUnsaved } from '../start/file_actions';
 import {
     documentProblem, look, looks, making, shownDocument, stopMaking, written, type DocumentKind,
 } from './documents_state';
@@ -10,6 +11,8 @@ import { kTitles } from './formats';
 import '../films/films.css';
 import './documents.css';
 
+const kNoSheet = 'A contact sheet shows frames of the film, which have to be rendered. '
+    + 'It is made of the saved shot.';
 const kKinds: readonly DocumentKind[] = ['plan', 'report', 'plot', 'contact_sheet', 'export'];
 
 function walk(event: KeyboardEvent): void {
@@ -57,7 +60,11 @@ function MakingText() {
 function Shown({ kind }: { kind: DocumentKind }) {
     const made = looks.value.get(kind);
     if (!made) {
-        return <div class="sheet" />;
+        return (
+            <div class="sheet">
+                {kind === 'contact_sheet' ? <p class="nothing">{kNoSheet}</p> : null}
+            </div>
+        );
     }
     if (kind === 'report') {
         return <pre class="sheet" tabIndex={0} aria-label="The report">{made.text}</pre>;
@@ -74,8 +81,9 @@ function useLook(kind: DocumentKind): void {
     const v = isStale.value ? 0 : timeline.value?.head.v ?? 0;
     useEffect(() => {
         const made = looks.peek().get(kind);
+        // The contact sheet renders frames of the file on disk: that is for the user to ask.
         const isQuick = kind !== 'contact_sheet' && kind !== 'export';
-        if (v > 0 && (isQuick ? made?.v !== v : kind === 'contact_sheet' && !made)) {
+        if (v > 0 && isQuick && made?.v !== v) {
             void look(kind);
         }
     }, [kind, v]);
@@ -86,8 +94,8 @@ export function DocumentsPanel() {
     useLook(kind);
     const isOff = making.value !== null || hasErrors.value;
     const actions: DialogAction[] = kind === 'contact_sheet' ? [{
-        label: 'Make it again', isDisabled: isOff,
-        about: 'Renders the frames that changed',
+        label: hasUnsaved() ? 'Save and make' : looks.value.has(kind) ? 'Make again' : 'Make',
+        isDisabled: isOff, about: 'Renders the frames that are new or have changed',
         run: () => (void look(kind), false),
     }] : [];
     return (
@@ -97,7 +105,7 @@ export function DocumentsPanel() {
                 <Tabs />
                 <div id="document" role="tabpanel" aria-labelledby={`document-${kind}`}>
                     {hasErrors.value ? (
-                        <p class="error">The shot has errors; this is how it was without them.</p>
+                        <p class="error">The shot has errors. This shows its last version without errors.</p>
                     ) : null}
                     {kind === 'export' ? null : <Shown kind={kind} />}
                     {documentProblem.value
@@ -106,7 +114,7 @@ export function DocumentsPanel() {
                     <ExportForm key={kind} kind={kind} isOff={isOff} />
                     {written.value ? (
                         <p class="written" role="status">
-                            {written.value.file} is written.{' '}
+                            {written.value.file} was written.{' '}
                             <a class="download" href={written.value.address}
                                 download={written.value.file.split('/').pop()}>Download</a>
                         </p>

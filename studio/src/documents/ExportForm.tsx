@@ -40,7 +40,7 @@ export function ExportForm({ kind, isOff }: Properties) {
     const name = typed.value || suggested(format);
     const samples = rate.value.trim() === '' ? 0 : Number(rate.value);
     const problem = problemOfOutput(name, format.endings)
-        || (samples >= 0 ? '' : 'The rate is a number of samples per second.');
+        || (samples >= 0 ? '' : 'Write the rate as a number of samples per second.');
     const submit = () => {
         void write({ what: format.what, output: name.trim(), frame: frameNow(), rate: samples });
     };
@@ -66,7 +66,7 @@ export function ExportForm({ kind, isOff }: Properties) {
             )}
             <div class="file" onKeyDown={onKey}>
                 <label class="name">
-                    <span>File, beside the shot</span>
+                    <span>File (in the shot's folder)</span>
                     <input type="text" value={name} spellcheck={false} autocomplete="off"
                         aria-invalid={problem !== ''}
                         onInput={(event) => { typed.value = event.currentTarget.value; }} />

@@ -73,7 +73,7 @@ async function take(made: Made): Promise<void> {
         looks.value = new Map(looks.value).set(made.what, { ...made, text });
     } else {
         written.value = made;
-        notice.value = { kind: 'info', text: `${made.file} is written.` };
+        notice.value = { kind: 'info', text: `${made.file} was written.` };
     }
     if (isNewest) {
         making.value = null;

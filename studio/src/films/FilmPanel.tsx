@@ -8,7 +8,8 @@ import { hasUnsaved } from '../start/file_actions';
 import { configFiles } from '../text/complete/config_files';
 import { counted, durationText } from './durations';
 import {
-    choice, film, filmProblem, isAsked, isMaking, problemOfFrames, startFilm, stopFilm,
+    choice, film, filmProblem, isAsked, isMaking, problemOfChoice, problemOfFrames, problemOfSize,
+    startFilm, stopFilm,
 } from './film_state';
 import { FilmPlayer } from './FilmPlayer';
 import './films.css';
@@ -21,7 +22,7 @@ const kStages: Readonly<Record<string, string>> = {
 export function stateText(state: FilmState): string {
     const { finished, frames, reused, seconds, left } = state;
     const done = `${finished} of ${counted(frames, 'frame')}`;
-    const kept = reused > 0 ? ` (${reused} from the store)` : '';
+    const kept = reused > 0 ? ` (${reused} kept from before)` : '';
     const lasts = durationText(seconds);
     switch (state.state) {
     case 'running': {
@@ -29,10 +30,15 @@ export function stateText(state: FilmState): string {
         return `${kStages[state.stage] ?? 'Starting'}: ${done}${kept}, ${lasts}${rest}`;
     }
     case 'stopping': return `Stopping: ${done}`;
-    case 'stopped': return `Stopped: ${done} are kept in the store, and only the others are left.`;
-    case 'failed': return `It failed: ${state.message}`;
+    case 'stopped': return `Stopped: ${done} are kept; only the others are left to render.`;
+    case 'failed': return `The film failed: ${state.message}`;
     default: return `Done: ${counted(frames, 'frame')}${kept} in ${lasts}.`;
     }
+}
+
+/// "24", "29.97".
+function rateText(fps: number): string {
+    return String(Number(fps.toFixed(3)));
 }
 
 /// How much of the whole is done, [0, 1].
@@ -51,7 +57,7 @@ function defaultName(): string {
 }
 
 function Choices() {
-    const problem = problemOfFrames(choice.frames.value);
+    const problem = problemOfChoice();
     const size = shot.value?.film;
     return (
         <>
@@ -67,22 +73,32 @@ function Choices() {
                     <span>Quality</span>
                     <select class="choice" value={choice.quality.value} data-focus
                         onChange={(event) => { choice.quality.value = event.currentTarget.value; }}>
-                        <option value="">As the shot says</option>
+                        <option value="">As in the shot</option>
                         {presets().map((name) => <option key={name} value={name}>{name}</option>)}
                     </select>
                 </label>
                 <label>
                     <span>Frames</span>
                     <input type="text" value={choice.frames.value}
-                        placeholder="all" spellcheck={false} autocomplete="off" aria-invalid={problem !== ''}
+                        placeholder="all" spellcheck={false} autocomplete="off"
+                        aria-invalid={problemOfFrames(choice.frames.value) !== ''}
                         onInput={(event) => { choice.frames.value = event.currentTarget.value; }} />
+                </label>
+                <label>
+                    <span>Size</span>
+                    <input type="text" value={choice.size.value} spellcheck={false} autocomplete="off"
+                        placeholder={choice.quality.value !== '' ? 'of the preset'
+                            : size ? `${size.width} × ${size.height}` : ''}
+                        title="Width × height in pixels"
+                        aria-invalid={problemOfSize(choice.size.value) !== ''}
+                        onInput={(event) => { choice.size.value = event.currentTarget.value; }} />
                 </label>
             </div>
             <p class="where">
                 {problem || (size && choice.quality.value === ''
-                    ? `The shot says: ${size.width} × ${size.height}, ${counted(size.frames, 'frame')}, `
-                        + `${size.fps} a second, ${counted(size.samples, 'sample')} for each pixel.`
-                    : 'The film is made beside the shot; the ending of its name chooses the format.')}
+                    ? `The shot has ${size.width} × ${size.height}, ${counted(size.frames, 'frame')}, `
+                        + `${rateText(size.fps)} frames per second, ${counted(size.samples, 'sample')} per pixel.`
+                    : "The film is written to the shot's folder; the ending of its name chooses the format.")}
             </p>
         </>
     );
@@ -96,7 +112,7 @@ function Frames() {
         <ol class="frames" aria-label="Finished frames" tabIndex={0}>
             {list.map(([frame, address]) => (
                 <li key={frame}>
-                    <button type="button" title={`Frame ${frame}: go there in the view`}
+                    <button type="button" title={`Frame ${frame}: show it in the view`}
                         onClick={() => { goToFrame(frame); panel.value = null; }}>
                         <img src={address} alt={`Frame ${frame}`} loading="lazy" />
                         <span aria-hidden="true">{frame}</span>
@@ -117,7 +133,7 @@ function Progress({ state }: { state: FilmState }) {
                 {stateText(state)}
             </p>
             <p class="where">{state.output}{state.width
-                ? `, ${state.width} × ${state.height}, ${state.fps} a second` : ''}</p>
+                ? `, ${state.width} × ${state.height}, ${rateText(state.fps)} frames per second` : ''}</p>
             {state.warnings.length === 0 ? null : (
                 <ul class="notes" aria-label="Warnings">
                     {state.warnings.map((one) => <li key={one}>{one}</li>)}
@@ -132,8 +148,8 @@ function Result() {
     if (!state) {
         return (
             <p class="nothing">
-                Finished frames are kept in a store: a film that was stopped goes on where it was,
-                and another seat or speed renders only what is new.
+                Finished frames are kept: a film that was stopped resumes where it was, and after a
+                change only the frames that differ are rendered again.
             </p>
         );
     }
@@ -158,8 +174,8 @@ function actions(): DialogAction[] {
             run: () => (stopFilm(), false),
         }];
     }
-    const word = film.value?.state === 'stopped' ? 'Go on' : 'Render';
-    const isOff = hasErrors.value || isAsked.value || problemOfFrames(choice.frames.value) !== '';
+    const word = film.value?.state === 'stopped' ? 'Resume' : 'Render';
+    const isOff = hasErrors.value || isAsked.value || problemOfChoice() !== '';
     return [{
         label: hasUnsaved() ? `Save and ${word.toLowerCase()}` : word, kind: 'primary',
         isDisabled: isOff, run: () => (void startFilm(), false),
@@ -167,7 +183,7 @@ function actions(): DialogAction[] {
 }
 
 export function FilmPanel() {
-    const problem = hasErrors.value ? 'The shot has errors; a film can be made without them.'
+    const problem = hasErrors.value ? 'Fix the errors to make a film.'
         : filmProblem.value;
     return (
         <Dialog title="Film" size="wide" actions={actions()} onClose={() => { panel.value = null; }}>

@@ -40,6 +40,7 @@ export function FilmPlayer({ address, fps, width, height, children }: Properties
     const frame = useSignal(0);
     const frames = useSignal(0);
     const isPlaying = useSignal(false);
+    const isBroken = useSignal(false);
     const goTo = (wanted: number) => {
         const video = element.current;
         if (video) {
@@ -55,6 +56,7 @@ export function FilmPlayer({ address, fps, width, height, children }: Properties
         void (video?.paused ? video.play() : video?.pause());
     };
     useEffect(() => {
+        isBroken.value = false;
         const video = element.current;
         if (!video) {
             return undefined;
@@ -77,10 +79,22 @@ export function FilmPlayer({ address, fps, width, height, children }: Properties
             toggle();
         }
     };
+    if (isBroken.value) {
+        return (
+            <div class="player">
+                <p class="broken">
+                    This browser cannot play the film: not every browser knows HEVC, ProRes and other
+                    formats. Download it to watch it in another player.
+                </p>
+                {children}
+            </div>
+        );
+    }
     return (
         <div class="player" onKeyDown={onKey}>
             <video ref={element} src={address} width={width} height={height} loop tabIndex={0}
                 aria-label="The film" preload="auto" onClick={toggle}
+                onError={() => { isBroken.value = true; }}
                 onPlay={() => { isPlaying.value = true; }} onPause={() => { isPlaying.value = false; }}
                 onLoadedMetadata={(event) => {
                     frames.value = Math.round(event.currentTarget.duration * fps);
@@ -93,7 +107,7 @@ export function FilmPlayer({ address, fps, width, height, children }: Properties
                 <Step label="One frame back" icon={ChevronLeft} run={() => goTo(frame.peek() - 1)} />
                 <Step label={isPlaying.value ? 'Pause' : 'Play'} icon={isPlaying.value ? Pause : Play}
                     run={toggle} />
-                <Step label="One frame on" icon={ChevronRight} run={() => goTo(frame.peek() + 1)} />
+                <Step label="One frame forward" icon={ChevronRight} run={() => goTo(frame.peek() + 1)} />
                 <Step label="Last frame" icon={ChevronLast} run={() => goTo(frames.peek() - 1)} />
                 <span class="number">frame {frame.value} of {frames.value}, {timeText(frame.value / fps)}</span>
                 {children}

@@ -18,11 +18,32 @@ export const isAsked = signal(false);
 export const isMaking = computed(() =>
     film.value?.state === 'running' || film.value?.state === 'stopping');
 
-/// What the user chose: the file's name (empty: the shot's), a preset (empty: as the shot says), and
-/// ranges of frames (empty: all).
+/// What the user chose: the file's name (empty: the shot's), a preset (empty: as the shot says),
+/// ranges of frames (empty: all), and the size (empty: the shot's).
 export const choice = {
-    output: signal(''), quality: signal(''), frames: signal(''),
+    output: signal(''), quality: signal(''), frames: signal(''), size: signal(''),
 };
+
+const kLeastSide = 16;  // pixels, as carom has them
+const kMostSide = 16384;
+
+/// Width and height of a text such as "1920 x 1080"; null if it is none.
+export function sizeOf(text: string): [number, number] | null {
+    const [, width = 0, height = 0] = /^\s*(\d{1,5})\s*[x×,*]\s*(\d{1,5})\s*$/i.exec(text) ?? [];
+    const size: [number, number] = [Number(width), Number(height)];
+    return size.every((side) => side >= kLeastSide && side <= kMostSide) ? size : null;
+}
+
+/// What is wrong with a size, as a sentence; empty: nothing.
+export function problemOfSize(text: string): string {
+    return text.trim() === '' || sizeOf(text)
+        ? '' : `Write the size in pixels as width x height: 1920 x 1080, each at least ${kLeastSide}.`;
+}
+
+/// What is wrong with the choice as a whole, as a sentence; empty: nothing.
+export function problemOfChoice(): string {
+    return problemOfFrames(choice.frames.value) || problemOfSize(choice.size.value);
+}
 
 /// What is wrong with ranges of frames such as "0-47x2,60", as a sentence; empty: nothing.
 export function problemOfFrames(text: string): string {
@@ -37,8 +58,10 @@ export function problemOfFrames(text: string): string {
 
 function begin(overwrite: boolean): void {
     filmProblem.value = '';
+    const size = sizeOf(choice.size.value);
     isAsked.value = send('film', { output: choice.output.value.trim(),
-        quality: choice.quality.value, frames: choice.frames.value.replaceAll(' ', ''), overwrite });
+        quality: choice.quality.value, frames: choice.frames.value.replaceAll(' ', ''),
+        ...size && { size }, overwrite });
     if (!isAsked.value) {
         filmProblem.value = 'There is no connection to the server.';
     }
@@ -65,7 +88,7 @@ function takeState(next: FilmState): void {
     if (panel.value !== 'film' && before?.state === 'running') {
         const name = next.output.split('/').pop() ?? '';
         if (next.state === 'done') {
-            notice.value = { kind: 'info', text: `The film ${name} is done.` };
+            notice.value = { kind: 'info', text: `The film ${name} is finished.` };
         } else if (next.state === 'failed') {
             notice.value = { kind: 'error', text: `The film ${name} failed: ${next.message}` };
         }

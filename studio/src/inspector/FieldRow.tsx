@@ -5,30 +5,14 @@ import { useState } from 'preact/hooks';
 import { removeValue } from '../edit/edit';
 import { shot } from '../state/state';
 import { showRange } from '../text/show';
+import { HiddenAbout } from './About';
+import { describedBy, kOrigins, rowEvents } from './describe';
 import { dragNumber } from './drag_number';
 import { isVector, type Field } from './field_model';
 import { numberType, steppable } from './number_text';
 import { ValueInput } from './ValueInput';
 
-const kOrigins = {
-    shot: 'the shot', include: 'an included file', config: "one of carom's files",
-    set: 'an option of the command', absent: 'default',
-};
 const kBadges = { shot: '', include: 'incl', config: 'conf', set: 'set', absent: '' };
-
-/// What is known of a key, for its tooltip.
-function about(field: Field): string {
-    const type = numberType(field.types);
-    const file = field.source && field.origin !== 'shot'
-        ? `${field.source.file.split('/').at(-1)}, line ${field.source.line}` : kOrigins[field.origin];
-    return [
-        field.info?.about.replaceAll('`', '') ?? '',
-        type?.range ? `range: ${type.range}` : '',
-        type?.unit ? `unit: ${type.unit}` : '',
-        field.info?.usual ? `default: ${field.info.usual}` : '',
-        `from ${file}`,
-    ].filter((line) => line !== '').join('\n');
-}
 
 /// Shows the value in the text, if it stands there.
 function show(field: Field): void {
@@ -45,7 +29,8 @@ function Name({ field }: { field: Field }) {
     const text = field.source?.text ?? field.info?.usual ?? '';
     const number = field.source?.kind === 'list' ? null : steppable(text, numberType(field.types));
     return (
-        <button type="button" class={number ? 'name number' : 'name'} title={about(field)}
+        <button type="button" class={number ? 'name number' : 'name'} title={field.name}
+            aria-describedby={describedBy(field.path)}
             onPointerDown={(event) => dragNumber(event, field.path, number, () => show(field))}
             onKeyDown={(event) => {
                 if (event.key === 'Enter') {
@@ -61,11 +46,11 @@ function Origin({ field }: { field: Field }) {
     const badge = kBadges[field.origin];
     return (
         <span class="tail">
-            {badge ? <button type="button" class="badge" title={`From ${kOrigins[field.origin]}: show it`}
+            {badge ? <button type="button" class="badge" title={`From ${kOrigins[field.origin]}: show it in the text`}
                 onClick={() => show(field)}>{badge}</button> : null}
             {field.origin === 'shot' && !field.info?.isRequired && !/^\d+$/.test(field.path.at(-1) ?? '')
                 ? (
-                    <button type="button" class="reset" title="Take it out of the text: the default holds"
+                    <button type="button" class="reset" title="Reset to default"
                         aria-label={`Reset ${field.name}`}
                         onClick={() => { removeValue(field.path, `Reset ${field.name}`); }}>
                         <RotateCcw size={13} strokeWidth={1.75} aria-hidden="true" />
@@ -79,8 +64,10 @@ function Section({ field, above }: { field: Field; above: string }) {
     const [isOpen, setOpen] = useState(true);
     return (
         <div class="section" role="group" aria-label={field.name}>
-            <div class="row head">
+            <div class="row head" {...rowEvents(field)}>
+                <HiddenAbout field={field} />
                 <button type="button" class="fold" aria-expanded={isOpen}
+                    aria-describedby={describedBy(field.path)}
                     aria-label={`${field.name}, ${isOpen ? 'fold' : 'unfold'}`}
                     onClick={() => setOpen(!isOpen)}>
                     <ChevronRight size={13} strokeWidth={2} aria-hidden="true" />{field.name}
@@ -97,13 +84,18 @@ function Section({ field, above }: { field: Field; above: string }) {
 /// A row, or a section with rows. `above` are the words before its name for screen readers.
 export function FieldRow({ field, above = '' }: { field: Field; above?: string }) {
     const label = `${above}${field.name}`;
+    const isIndexed = /^\d+$/.test(field.name);
+    const rowClass = isIndexed ? 'row indexed' : 'row';
     if (isVector(field)) {
         return (
-            <div class={/^\d+$/.test(field.name) ? 'row indexed' : field.parts.length > 2 ? 'row wide' : 'row'} data-key={field.name}>
+            <div class={field.parts.length > 2 && !isIndexed ? `${rowClass} wide` : rowClass}
+                data-key={field.name} {...rowEvents(field)}>
+                <HiddenAbout field={field} />
                 <Name field={field} />
                 <span class="parts">
                     {field.parts.map((part) => (
-                        <ValueInput key={part.path.join('/')} field={part} label={`${label} ${part.name}`} />
+                        <ValueInput key={part.path.join('/')} field={part} label={`${label} ${part.name}`}
+                            about={describedBy(field.path)} />
                     ))}
                 </span>
                 <Origin field={field} />
@@ -114,9 +106,11 @@ export function FieldRow({ field, above = '' }: { field: Field; above?: string }
         return <Section field={field} above={`${label} `} />;
     }
     return (
-        <div class={`row${field.source ? '' : ' absent'}${/^\d+$/.test(field.name) ? ' indexed' : ''}`} data-key={field.name}>
+        <div class={field.source ? rowClass : `${rowClass} absent`} data-key={field.name}
+            {...rowEvents(field)}>
+            <HiddenAbout field={field} />
             <Name field={field} />
-            <ValueInput field={field} label={label} />
+            <ValueInput field={field} label={label} about={describedBy(field.path)} />
             <Origin field={field} />
         </div>
     );

@@ -1,11 +1,13 @@
 import { signal } from '@preact/signals';
 import { ChevronRight, Search } from 'lucide-preact';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { schema } from '../schema/schema';
-import { selection, shot } from '../state/state';
+import { dragging, selection, shot } from '../state/state';
 import { titleOf } from '../outline/outline_groups';
 import type { KeyPath } from '../protocol';
+import { About } from './About';
 import { FieldRow } from './FieldRow';
-import { fieldsOf, matching } from './field_model';
+import { fieldsOf, inPlace, keyOf, matching, type Field } from './field_model';
 import { StrikeTool } from './StrikeTool';
 import { textsNow } from './texts';
 import './inspector.css';
@@ -18,32 +20,67 @@ function thingOf(chosen: KeyPath): KeyPath {
     return chosen.slice(0, 2);
 }
 
-function Values({ path }: { path: KeyPath }) {
+/// The fields to show. While something is dragged, or a key is held, a default that gets a value
+/// keeps its place among the defaults: the row stays under the pointer.
+function useFields(path: KeyPath): { given: Field[]; more: Field[] } | null {
+    const held = useRef<readonly string[]>([]);
     const all = schema.value;
     const texts = textsNow();
-    const event = shot.value?.events.find((one) => one.path.join('/') === path.join('/'));
-    // The keys of an event stand below its kind.
-    const inner = path[0] === 'events' && event ? [...path, event.kind] : path;
     if (!all) {
         return null;
     }
-    const { given, more } = fieldsOf(all, texts, inner);
+    const fields = fieldsOf(all, texts, path);
+    if (dragging.value) {
+        return inPlace(fields, held.current);
+    }
+    held.current = fields.more.map(keyOf);
+    return fields;
+}
+
+/// Puts the focus back that an element lost because its row went elsewhere in the list.
+function useKeptFocus(list: { current: HTMLElement | null }): void {
+    const had = document.activeElement;
+    const label = list.current?.contains(had) ? had?.getAttribute('aria-label') : null;
+    useLayoutEffect(() => {
+        if (label && document.activeElement === document.body) {
+            list.current?.querySelector<HTMLElement>(`[aria-label="${CSS.escape(label)}"]`)?.focus();
+        }
+    });
+}
+
+function Values({ path }: { path: KeyPath }) {
+    const list = useRef<HTMLDivElement>(null);
+    const event = shot.value?.events.find((one) => one.path.join('/') === path.join('/'));
+    // The keys of an event stand below its kind.
+    const fields = useFields(path[0] === 'events' && event ? [...path, event.kind] : path);
+    useKeptFocus(list);
+    if (!fields) {
+        return null;
+    }
     const isSearch = word.value.trim() !== '';
-    const shown = isSearch ? matching(given, word.value) : given;
-    const rest = isSearch ? matching(more, word.value) : more;
+    const shown = isSearch ? matching(fields.given, word.value) : fields.given;
+    const rest = isSearch ? matching(fields.more, word.value) : fields.more;
+    const row = (field: Field) => <FieldRow key={keyOf(field)} field={field} />;
+    // One list, in which a row keeps its element when it goes from the defaults to the others.
+    const rows = [
+        ...shown.map(row),
+        rest.length === 0 ? null : (
+            <button key=" defaults" type="button" class="fold more" aria-expanded={showsMore.value}
+                onClick={() => { showsMore.value = !showsMore.value; }}>
+                <ChevronRight size={13} strokeWidth={2} aria-hidden="true" />Defaults
+                <span class="count">{rest.length}</span>
+            </button>
+        ),
+        ...showsMore.value ? rest.map(row) : [],
+    ];
     return (
         <>
-            {event?.kind === 'strike' && !isSearch ? <StrikeTool event={event} /> : null}
-            {shown.map((field) => <FieldRow key={field.path.join('/')} field={field} />)}
-            {rest.length > 0 ? (
-                <button type="button" class="fold more" aria-expanded={showsMore.value}
-                    onClick={() => { showsMore.value = !showsMore.value; }}>
-                    <ChevronRight size={13} strokeWidth={2} aria-hidden="true" />Defaults
-                    <span class="count">{rest.length}</span>
-                </button>
-            ) : null}
-            {showsMore.value ? rest.map((field) => <FieldRow key={field.path.join('/')} field={field} />) : null}
-            {isSearch && shown.length + rest.length === 0 ? <p class="hint">No key has this word.</p> : null}
+            <div class="list" ref={list}>
+                {event?.kind === 'strike' && !isSearch ? <StrikeTool event={event} /> : null}
+                {rows}
+                {isSearch && shown.length + rest.length === 0 ? <p class="hint">No matches.</p> : null}
+            </div>
+            <About fields={[...shown, ...rest]} />
         </>
     );
 }
@@ -54,7 +91,7 @@ export function Inspector() {
     return (
         <div class="inspector" role="region" aria-label="Values of the selection">
             {chosen === null
-                ? <p class="hint">Select a ball, an event, a camera or another thing of the shot to see its values.</p>
+                ? <p class="hint">Select a ball, an event, a camera or anything else in the shot to see its values.</p>
                 : (
                     <>
                         <header>
@@ -66,7 +103,7 @@ export function Inspector() {
                                     onInput={(event) => { word.value = event.currentTarget.value; }} />
                             </label>
                         </header>
-                        <Values path={thingOf(chosen)} />
+                        <Values key={thingOf(chosen).join('/')} path={thingOf(chosen)} />
                     </>
                 )}
         </div>

@@ -1,32 +1,40 @@
 /// Where the tip hits the ball, and the direction of the aim, as two discs to drag.
-import { applyChanges, beginGesture, type Change } from '../edit/edit';
+import { beginGesture, type Change } from '../edit/edit';
+import { beginsDrag, dragFrom } from '../input/element_drag';
+import { keyStep } from '../input/key_run';
 import type { KeyPath, ShotEvent } from '../protocol';
+import { valueAt } from '../view/gizmos/shot_values';
 import { kMiscueOffset } from '../view/gizmos/strike_geometry';
 
 const kRadius = 44; // px of the ball, and of the dial
 const kStep = 0.01; // ball radii
 const kDegree = Math.PI / 180;
 
-function pointIn(event: PointerEvent): [number, number] {
-    const box = (event.currentTarget as Element).getBoundingClientRect();
+function pointIn(disc: Element, event: PointerEvent): [number, number] {
+    const box = disc.getBoundingClientRect();
     return [(event.clientX - box.left - box.width / 2) / kRadius,
         -(event.clientY - box.top - box.height / 2) / kRadius];
 }
 
-/// A drag within an element: one step of undo.
-function dragIn(event: PointerEvent, label: string, changes: (x: number, y: number) => Change[]): void {
-    const element = event.currentTarget as SVGElement;
+/// A drag on a disc: one step of undo.
+function dragOn(event: PointerEvent, label: string, changes: (x: number, y: number) => Change[]): void {
+    if (!beginsDrag(event)) {
+        return;
+    }
+    const disc = event.currentTarget as Element;
     const gesture = beginGesture();
-    element.setPointerCapture(event.pointerId);
-    gesture.update(changes(...pointIn(event)));
-    element.onpointermove = (move) => { gesture.update(changes(...pointIn(move))); };
-    const end = () => {
-        element.onpointermove = null;
-        element.onpointerup = null;
-        element.onpointercancel = null;
-    };
-    element.onpointerup = () => { end(); gesture.commit(label); };
-    element.onpointercancel = () => { end(); gesture.cancel(); };
+    const follow = (at: PointerEvent) => { gesture.update(changes(...pointIn(disc, at))); };
+    follow(event);
+    dragFrom(event, {
+        move: follow,
+        end: (isDone) => {
+            if (isDone) {
+                gesture.commit(label);
+            } else {
+                gesture.cancel();
+            }
+        },
+    });
 }
 
 function tipChanges(path: KeyPath, x: number, y: number): Change[] {
@@ -41,6 +49,19 @@ function directionChanges(event: ShotEvent, angle: number): Change[] {
     return event.toward === '' ? [change] : [{ ...change, insteadOf: 'toward' }];
 }
 
+/// Where the text puts the tip; the server's answer may be older.
+function tipInText(event: ShotEvent): readonly [number, number] {
+    const tip = valueAt([...event.path, 'strike', 'tip']);
+    return Array.isArray(tip) && typeof tip[0] === 'number' && typeof tip[1] === 'number'
+        ? [tip[0], tip[1]] : [event.tip[0], event.tip[1]];
+}
+
+/// The direction that the text gives, or, if it follows from an aim, the simulated one.
+function directionInText(event: ShotEvent): number {
+    const direction = valueAt([...event.path, 'strike', 'direction']);
+    return typeof direction === 'number' ? direction : event.direction;
+}
+
 const kArrows: Record<string, readonly [number, number]> = {
     ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1],
 };
@@ -53,7 +74,11 @@ function TipDisc({ event }: { event: ShotEvent }) {
         if (arrow) {
             const step = key.shiftKey ? 0.1 : kStep;
             key.preventDefault();
-            applyChanges(tipChanges(event.path, x + arrow[0] * step, y + arrow[1] * step), 'Move tip');
+            keyStep({
+                id: `${event.path.join('/')} tip`, label: 'Move tip', start: tipInText(event),
+                next: ([right, up]) => [right + arrow[0] * step, up + arrow[1] * step],
+                changes: ([right, up]) => tipChanges(event.path, right, up),
+            });
         }
     };
     return (
@@ -63,7 +88,7 @@ function TipDisc({ event }: { event: ShotEvent }) {
                 aria-valuemin={0} aria-valuemax={1}
                 aria-valuetext={`${x.toFixed(2)} right, ${y.toFixed(2)} up, in ball radii${isMiscue ? ', miscue' : ''}`}
                 onKeyDown={press}
-                onPointerDown={(down) => dragIn(down, 'Move tip', (a, b) => tipChanges(event.path, a, b))}>
+                onPointerDown={(down) => dragOn(down, 'Move tip', (a, b) => tipChanges(event.path, a, b))}>
                 <circle class="ball" r={kRadius} />
                 <path class="cross" d={`M${-kRadius} 0H${kRadius}M0 ${-kRadius}V${kRadius}`} />
                 <circle class="limit" r={kRadius * kMiscueOffset} />
@@ -83,7 +108,11 @@ function Dial({ event }: { event: ShotEvent }) {
         if (turn) {
             const step = key.shiftKey ? 5 : key.altKey ? 0.1 : 1;
             key.preventDefault();
-            applyChanges(directionChanges(event, angle + turn * step * kDegree), 'Turn the aim');
+            keyStep({
+                id: `${event.path.join('/')} direction`, label: 'Turn the aim',
+                start: directionInText(event), next: (from) => from + turn * step * kDegree,
+                changes: (next) => directionChanges(event, next),
+            });
         }
     };
     return (
@@ -92,7 +121,7 @@ function Dial({ event }: { event: ShotEvent }) {
                 aria-label="Direction of the aim" aria-valuenow={Math.round(degrees * 10) / 10}
                 aria-valuemin={-360} aria-valuemax={360} aria-valuetext={`${degrees.toFixed(1)} degrees`}
                 onKeyDown={press}
-                onPointerDown={(down) => dragIn(down, 'Turn the aim',
+                onPointerDown={(down) => dragOn(down, 'Turn the aim',
                     (a, b) => directionChanges(event, Math.atan2(b, a)))}>
                 <circle class="dial" r={kRadius} />
                 {Array.from({ length: 24 }, (_, i) => (

@@ -1,11 +1,22 @@
 /// The control of one value: a switch, a choice, a colour, or a text with suggestions.
-import { applyChanges, beginGesture, type Gesture, removeValue } from '../edit/edit';
+import type { TargetedKeyboardEvent } from 'preact';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { applyChanges, beginGesture, type Gesture, removeValue, type Value } from '../edit/edit';
+import { keyStep } from '../input/key_run';
 import { kNoNames } from '../text/complete/candidates';
-import { shot } from '../state/state';
+import { notice, shot } from '../state/state';
 import type { ValueType } from '../schema/value_types';
 import { fineness } from './drag_number';
 import type { Field } from './field_model';
-import { numberType, shareOf, stepped, steppable, typed } from './number_text';
+import { numberType, shareOf, stepped, type Steppable, steppable, typed } from './number_text';
+import { shownText, typedValue } from './typed_value';
+
+interface Properties {
+    field: Field;
+    label: string;
+    /// The id of the element that describes the value.
+    about: string;
+}
 
 const kColour = /^#[0-9a-f]{6}$/i;
 
@@ -13,24 +24,36 @@ function titleOf(field: Field): string {
     return `Set ${field.path[field.path.length - 1]}`;
 }
 
-function write(field: Field, text: string): void {
-    applyChanges([{ path: field.path, value: { yaml: text } }], titleOf(field));
+function write(field: Field, value: Value): void {
+    applyChanges([{ path: field.path, value }], titleOf(field));
 }
 
-function Switch({ field, label }: { field: Field; label: string }) {
+/// Moves a number by one press of an arrow key.
+function step(field: Field, from: Steppable, direction: number, fine: number): void {
+    const moved = (value: number, steps: number) =>
+        stepped(field.path, { ...from, value }, steps, fine);
+    keyStep({
+        id: `value ${field.path.join('/')}`, label: titleOf(field), start: from.value,
+        next: (value) => moved(value, direction).value as number,
+        changes: (value) => [moved(value, 0)],
+    });
+}
+
+function Switch({ field, label, about }: Properties) {
     const isOn = (field.source?.text ?? field.info?.usual) === 'true';
     return (
         <input type="checkbox" role="switch" aria-label={label} checked={isOn}
-            onChange={() => write(field, String(!isOn))} />
+            aria-describedby={about} onChange={() => write(field, !isOn)} />
     );
 }
 
-function Choice({ field, label, words }: { field: Field; label: string; words: string[] }) {
-    const value = field.source?.text ?? '';
+function Choice({ field, label, about, words }: Properties & { words: string[] }) {
+    const value = shownText(field.source);
     const usual = field.info?.usual ?? '';
     const all = value === '' || words.includes(value) ? words : [value, ...words];
     return (
-        <select aria-label={label} value={value} class={field.source ? '' : 'absent'}
+        <select aria-label={label} aria-describedby={about} value={value}
+            class={field.source ? '' : 'absent'}
             onChange={(event) => {
                 const next = event.currentTarget.value;
                 if (next !== '') {
@@ -47,19 +70,23 @@ function Choice({ field, label, words }: { field: Field; label: string; words: s
 }
 
 /// The picker of a colour; one choice is one step of undo.
-function Swatch({ field, label }: { field: Field; label: string }) {
-    const text = field.source?.text.replace(/["']/g, '') ?? '';
-    let gesture: Gesture | null = null;
+function Swatch({ field, label, about }: Properties) {
+    const text = shownText(field.source);
+    const gesture = useRef<Gesture | null>(null);
+    const title = titleOf(field);
+    const commit = () => {
+        gesture.current?.commit(title);
+        gesture.current = null;
+    };
+    useEffect(() => commit, []);
     return (
-        <input type="color" aria-label={`${label}, picker`} value={kColour.test(text) ? text : '#808080'}
+        <input type="color" aria-label={`${label}, picker`} aria-describedby={about}
+            value={kColour.test(text) ? text : '#808080'}
             onInput={(event) => {
-                gesture ??= beginGesture();
-                gesture.update([{ path: field.path, value: event.currentTarget.value }]);
+                gesture.current ??= beginGesture();
+                gesture.current.update([{ path: field.path, value: event.currentTarget.value }]);
             }}
-            onChange={() => {
-                gesture?.commit(titleOf(field));
-                gesture = null;
-            }} />
+            onChange={commit} onBlur={commit} />
     );
 }
 
@@ -74,41 +101,60 @@ function suggestions(types: readonly ValueType[]): string[] {
                         ...type.of.includes('surface') ? names.surfaces : []]);
 }
 
-function Text({ field, label }: { field: Field; label: string }) {
+/// A text that is typed, and kept while messages of the server draw the page again.
+function Text({ field, label, about }: Properties) {
+    const [draft, setDraft] = useState<string | null>(null);
+    const [isRefused, setRefused] = useState(false);
     const type = numberType(field.types);
-    const text = field.source?.text ?? '';
-    const number = steppable(text || (field.info?.usual ?? ''), type);
+    const text = shownText(field.source);
+    const usual = field.info?.usual ?? '';
     const words = suggestions(field.types);
     const list = words.length > 0 ? `words-${field.path.join('-')}` : undefined;
-    const share = shareOf(field.source ? number : null);
-    const onKey = (event: KeyboardEvent) => {
+    const share = shareOf(field.source ? steppable(text, type) : null);
+    const forget = () => {
+        setDraft(null);
+        setRefused(false);
+    };
+    const commit = (typedText: string) => {
+        const next = typed(typedText, text || usual, type);
+        if (next === '' && field.origin === 'shot' && !field.info?.isRequired) {
+            removeValue(field.path, `Reset ${field.name}`);
+        } else if (next !== '' && next !== text) {
+            const { value, problem } = typedValue(next, field.types);
+            if (value === null) {
+                notice.value = { kind: 'error', text: problem };
+                setRefused(true);
+                return;
+            }
+            write(field, value);
+        }
+        forget();
+    };
+    const onKey = (event: TargetedKeyboardEvent<HTMLInputElement>) => {
         const direction = { ArrowUp: 1, ArrowDown: -1 }[event.key];
-        if (direction && number && !list) {
+        const from = steppable(typed(draft ?? '', text || usual, type) || text || usual, type);
+        if (direction && from && !list) {
             event.preventDefault();
-            applyChanges([stepped(field.path, number, direction, fineness(event))], titleOf(field));
+            step(field, from, direction, fineness(event));
+            forget();
         } else if (event.key === 'Escape') {
-            (event.currentTarget as HTMLInputElement).value = text;
-            (event.currentTarget as HTMLInputElement).blur();
+            event.currentTarget.value = text;
+            forget();
+            event.currentTarget.blur();
             event.stopPropagation();
         }
     };
     return (
         <span class="text">
-            <input value={text} placeholder={field.info?.usual || '—'} aria-label={label}
+            <input value={draft ?? text} placeholder={usual || '—'} aria-label={label}
+                aria-describedby={about} aria-invalid={isRefused || undefined}
                 list={list} spellcheck={false} autocomplete="off"
                 style={share === null ? undefined
                     : { '--share': `${Math.round(100 * Math.min(1, Math.max(0, share)))}%` }}
                 class={share === null ? '' : 'level'} onKeyDown={onKey}
-                onChange={(event) => {
-                    const next = typed(event.currentTarget.value, text || (field.info?.usual ?? ''), type);
-                    if (next === '' && field.origin === 'shot' && !field.info?.isRequired) {
-                        removeValue(field.path, `Reset ${field.name}`);
-                    } else if (next === '') {
-                        event.currentTarget.value = text;
-                    } else if (next !== text) {
-                        write(field, next);
-                    }
-                }} />
+                onInput={(event) => setDraft(event.currentTarget.value)}
+                onChange={(event) => commit(event.currentTarget.value)}
+                onBlur={() => { if (!isRefused) { setDraft(null); } }} />
             {list ? <datalist id={list}>{words.map((word) => <option key={word} value={word} />)}</datalist>
                 : null}
         </span>
@@ -116,7 +162,7 @@ function Text({ field, label }: { field: Field; label: string }) {
 }
 
 /// The control of a value that is no map, or a grey text if it cannot be written here.
-export function ValueInput({ field, label }: { field: Field; label: string }) {
+export function ValueInput({ field, label, about }: Properties) {
     const { types, origin } = field;
     const choice = types.find((type) => type.kind === 'choice');
     const isScalar = types.some((type) => type.kind !== 'map' && type.kind !== 'list'
@@ -125,17 +171,17 @@ export function ValueInput({ field, label }: { field: Field; label: string }) {
         return <output aria-label={label}>{field.source?.text || field.info?.usual || 'none'}</output>;
     }
     if (types.some((type) => type.kind === 'boolean')) {
-        return <Switch field={field} label={label} />;
+        return <Switch field={field} label={label} about={about} />;
     }
     if (choice?.kind === 'choice' && !types.some((type) => type.kind === 'number'
         || type.kind === 'name')) {
-        return <Choice field={field} label={label} words={choice.words} />;
+        return <Choice field={field} label={label} about={about} words={choice.words} />;
     }
     const isColour = types.some((type) => type.kind === 'text' && type.pattern.startsWith('^#'));
     return (
         <span class="value">
-            {isColour ? <Swatch field={field} label={label} /> : null}
-            <Text field={field} label={label} />
+            {isColour ? <Swatch field={field} label={label} about={about} /> : null}
+            <Text field={field} label={label} about={about} />
         </span>
     );
 }

@@ -1,5 +1,6 @@
 /// Numbers that are changed by dragging their name to the left and right: one step of undo a drag.
 import { beginGesture, type Gesture } from '../edit/edit';
+import { dragFrom } from '../input/element_drag';
 import type { KeyPath } from '../protocol';
 import { stepped, type Steppable } from './number_text';
 
@@ -15,35 +16,24 @@ export function fineness(event: { shiftKey: boolean; altKey: boolean }): number 
 export function dragNumber(
     event: PointerEvent, path: KeyPath, from: Steppable | null, onClick: () => void,
 ): void {
-    const element = event.currentTarget as HTMLElement;
     const start = event.clientX;
     let gesture: Gesture | null = null;
-    if (event.button !== 0) {
-        return;
-    }
-    event.preventDefault();
-    element.setPointerCapture(event.pointerId);
-    element.onpointermove = (move) => {
-        const way = move.clientX - start;
-        if (from && (gesture || Math.abs(way) > kStart)) {
-            gesture ??= beginGesture();
-            gesture.update([stepped(path, from, Math.round(way / kPixels), fineness(move))]);
-        }
-    };
-    const end = (isDone: boolean) => {
-        element.onpointermove = null;
-        element.onpointerup = null;
-        element.onpointercancel = null;
-        if (!gesture) {
-            if (isDone) {
+    dragFrom(event, {
+        move: (move) => {
+            const way = move.clientX - start;
+            if (from && (gesture || Math.abs(way) > kStart)) {
+                gesture ??= beginGesture();
+                gesture.update([stepped(path, from, Math.round(way / kPixels), fineness(move))]);
+            }
+        },
+        end: (isDone) => {
+            if (!isDone) {
+                gesture?.cancel();
+            } else if (gesture) {
+                gesture.commit(`Change ${path[path.length - 1]}`);
+            } else {
                 onClick();
             }
-        } else if (isDone) {
-            gesture.commit(`Change ${path[path.length - 1]}`);
-        } else {
-            gesture.cancel();
-        }
-    };
-    element.onpointerup = () => end(true);
-    element.onpointercancel = () => end(false);
+        },
+    });
 }

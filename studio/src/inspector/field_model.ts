@@ -73,3 +73,25 @@ export function matching(fields: readonly Field[], word: string): Field[] {
         return parts.length > 0 ? [{ ...field, parts }] : [];
     });
 }
+
+/// The path of a field as one word.
+export function keyOf(field: Field): string {
+    return field.path.join('/');
+}
+
+/// The fields with those that were among the defaults back in their places there. `held` are the
+/// keys of the defaults as they were.
+export function inPlace(
+    fields: { given: Field[]; more: Field[] }, held: readonly string[],
+): { given: Field[]; more: Field[] } {
+    const rank = (field: Field) => {
+        const at = held.indexOf(keyOf(field));
+        return at < 0 ? held.length : at;
+    };
+    const isHeld = (field: Field) => held.includes(keyOf(field));
+    const moved = fields.given.filter(isHeld);
+    return {
+        given: fields.given.filter((field) => !isHeld(field)),
+        more: [...fields.more, ...moved].sort((a, b) => rank(a) - rank(b)),
+    };
+}

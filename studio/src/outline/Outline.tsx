@@ -137,7 +137,7 @@ function Head() {
                 onClick={duplicateSelected}>
                 <Copy size={14} strokeWidth={1.75} aria-hidden="true" />
             </button>
-            <button type="button" title="Delete (Delete)" aria-label="Delete" disabled={!hasThing}
+            <button type="button" title="Delete (Del)" aria-label="Delete" disabled={!hasThing}
                 onClick={deleteSelected}>
                 <Trash2 size={14} strokeWidth={1.75} aria-hidden="true" />
             </button>
@@ -159,7 +159,7 @@ export function Outline() {
             <div class="tree" role="tree" aria-label="The shot" onKeyDown={onKey}>
                 {groups.map((group) => <Group key={group.name} group={group} reached={reached} />)}
             </div>
-            {groups.length === 0 && word.value !== '' ? <p class="none">Nothing has this name.</p> : null}
+            {groups.length === 0 && word.value !== '' ? <p class="none">No matches.</p> : null}
         </div>
     );
 }

@@ -7,7 +7,7 @@ import { hovered, playing, sceneTime, selection, shot } from '../state/state';
 
 const current = signal('');
 
-/// "cue, ball, 0.75 m left, 0.12 m back": where it is at the play head.
+/// "ball cue at -0.75, 0.12, 0.03 m": where it is at the play head, or at the start while it plays.
 function describe(object: SceneObject): string {
     const time = playing.value ? null : sceneTime.value;
     const [x, y, z] = time === null ? object.position

@@ -7,20 +7,11 @@ import { onCommand } from '../state/keys';
 import { notice, selection, shot } from '../state/state';
 import { kNoNames } from '../text/complete/candidates';
 import { snippetsFor } from '../text/complete/snippets';
-import { originalText } from './original_text';
+import { freeName } from './free_name';
+import { atEnd, lengthOf, originalText } from './original_text';
 
+const kNewCamera = 3; // s
 const kLists = new Set(['events', 'cameras']);
-
-/// A name that none of `taken` has: "box", "box_2" ...
-export function freeName(wanted: string, taken: readonly string[]): string {
-    const stem = wanted.replace(/_\d+$/, '');
-    for (let i = 1; ; i += 1) {
-        const name = i === 1 ? wanted : `${stem}_${i}`;
-        if (!taken.includes(name)) {
-            return name;
-        }
-    }
-}
 
 /// A place on the cloth where a ball fits, m.
 export function freePlace(state: ShotState): [number, number] {
@@ -66,6 +57,18 @@ function done(result: { ok: boolean; message: string }, path: KeyPath): void {
     }
 }
 
+/// Adds an entry at the end of a list.
+function addItem(section: string, state: ShotState, yaml: string, label: string): void {
+    const length = lengthOf(section, (section === 'cameras' ? state.cameras : state.events).length);
+    done(insertItem([section], length, yaml, label), [section, String(length)]);
+}
+
+/// A new camera films after the others, under a name of its own.
+function newCamera(yaml: string, state: ShotState): string {
+    const name = /^name: (.*)$/m.exec(yaml)?.[1] ?? 'camera';
+    return atEnd(yaml, name, { numerator: kNewCamera, denominator: 1 }, state);
+}
+
 /// What can be added to a section of the shot.
 export function templatesOf(section: string): Template[] {
     const state = shot.peek();
@@ -77,9 +80,8 @@ export function templatesOf(section: string): Template[] {
         run: () => {
             const plain = snippet.yaml.replace(/\$\{([^}]*)\}/g, '$1');
             if (kLists.has(section)) {
-                const list = section === 'events' ? state.events : state.cameras;
-                done(insertItem([section], list.length, plain, `Add ${snippet.label}`),
-                    [section, String(list.length)]);
+                addItem(section, state, section === 'cameras' ? newCamera(plain, state) : plain,
+                    `Add ${snippet.label}`);
                 return;
             }
             const [, wanted = 'new', value = '{}'] = /^([^:]+): ([\s\S]*)$/.exec(plain) ?? [];
@@ -107,7 +109,7 @@ export function deleteSelected(): void {
     const what = isPoint ? path : path.slice(0, 2);
     if (!sourceOf(what)) {
         notice.value = { kind: 'info',
-            text: `The text does not name '${what.join('.')}': it comes from a rack or a preset.` };
+            text: `'${what.join('.')}' is not in the text: it comes from a rack or a preset.` };
         return;
     }
     const result = removeValue(what, `Delete ${what[what.length - 1]}`);
@@ -126,9 +128,7 @@ export function duplicateSelected(): void {
         return;
     }
     if (kLists.has(section)) {
-        const list = section === 'cameras' ? state.cameras : state.events;
-        done(insertItem([section], list.length, text, `Duplicate ${section.replace(/s$/, '')}`),
-            [section, String(list.length)]);
+        addItem(section, state, text, `Duplicate ${section.replace(/s$/, '')}`);
         return;
     }
     const name = freeName(`${key}_2`, namesTaken(state));

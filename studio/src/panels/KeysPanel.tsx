@@ -12,7 +12,7 @@ const kFurther: Readonly<Record<KeyBinding['group'], readonly (readonly [string,
         ['arrows', 'On a handle of the strip: move it by a frame, with Shift by ten']],
     View: [],
     Selection: [['arrows', 'Move the selected ball or object by 1 mm, with Alt by 0.1 mm, with Shift by 10 mm'],
-        ['x y z', 'While dragging: along this axis']],
+        ['x y z', 'While dragging: move along this axis only']],
     Text: [['ctrl+space', 'Complete'], ['ctrl+f', 'Find and replace']],
     Page: [],
 };

@@ -94,7 +94,7 @@ export function Palette() {
             onClose={() => { if (panel.peek() === 'palette') { panel.value = null; } }}
             onClick={(event) => { if (event.target === dialog.current) { dialog.current?.close(); } }}>
             <input type="text" role="combobox" aria-label="Find a command" autofocus spellcheck={false}
-                placeholder="Find a command, a thing of the shot, or what to add"
+                placeholder="Find a command, an object, or something to add"
                 aria-expanded aria-controls="palette-list" aria-activedescendant={`palette-${at.value}`}
                 value={word.value} onKeyDown={onKey}
                 onInput={(event) => { word.value = event.currentTarget.value; at.value = 0; }} />
@@ -102,7 +102,7 @@ export function Palette() {
                 {entries.map((entry, i) => (
                     <Option key={`${entry.group} ${entry.text} ${i}`} entry={entry} index={i} onRun={run} />
                 ))}
-                {entries.length === 0 ? <p>Nothing has these words.</p> : null}
+                {entries.length === 0 ? <p>No matches.</p> : null}
             </div>
         </dialog>
     );

@@ -1,5 +1,6 @@
-/// A line between two areas that is dragged, or moved by the arrow keys; a double click folds.
-import { resize, toggle, type Area } from './layout';
+/// A line between two areas that is dragged, or moved by the arrow keys; a double click folds. Escape cancels a drag.
+import { dragFrom } from '../input/element_drag';
+import { resize, toggle, unfoldTo, type Area } from './layout';
 
 interface Properties {
     area: Area;
@@ -15,13 +16,18 @@ const kStep = 16;  // pixels of an arrow key
 export function Splitter({ area, label, isLevel = false, isAfter = false }: Properties) {
     const sign = isAfter ? -1 : 1;
     const drag = (event: PointerEvent) => {
-        const line = event.currentTarget as HTMLElement;
         const from = isLevel ? event.clientY : event.clientX;
         const size = area.size.value;
-        line.setPointerCapture(event.pointerId);
-        line.onpointermove = (move) =>
-            resize(area, size + sign * ((isLevel ? move.clientY : move.clientX) - from));
-        line.onlostpointercapture = () => { line.onpointermove = null; };
+        dragFrom(event, {
+            move: (move) => resize(area, size + sign * ((isLevel ? move.clientY : move.clientX) - from)),
+            end: (isDone) => {
+                if (!isDone) {
+                    area.size.value = size;
+                } else if (area.size.value === 0 && size > 0) {
+                    unfoldTo(area, size);
+                }
+            },
+        });
     };
     const press = (event: KeyboardEvent) => {
         const towards = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];

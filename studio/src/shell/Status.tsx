@@ -62,7 +62,7 @@ function Film() {
     const film = shot.value?.film;
     return film ? (
         <span title="The film">
-            {film.width} × {film.height}, {film.frames} frames, {film.fps} a second
+            {film.width} × {film.height}, {film.frames} frames, {Number(film.fps.toFixed(3))} fps
         </span>
     ) : null;
 }

@@ -2,7 +2,7 @@ import {
     CircleHelp, Clapperboard, Map as MapIcon, Moon, PanelLeft, PanelRight, Redo2, Save, Sun, TriangleAlert, Undo2,
     type LucideIcon,
 } from 'lucide-preact';
-import { panel, problems, shot, theme, welcome } from '../state/state';
+import { panel, problems, shot, welcome } from '../state/state';
 import { openDocuments } from '../documents/documents_state';
 import { film, isMaking } from '../films/film_state';
 import { hintOf } from '../state/keys';
@@ -13,7 +13,7 @@ import { showRange } from '../text/show';
 import { redoable, redoTitle, undoable, undoTitle } from '../text/steps';
 import { undoStep } from '../text/undo_commands';
 import { outlineArea, textArea, toggle } from './layout';
-import { switchTheme } from './theme';
+import { shownTheme, switchTheme } from './theme';
 
 interface ToolProperties {
     icon: LucideIcon;
@@ -51,7 +51,7 @@ export function Toolbar() {
     const isDirty = buffers.value.some((buffer) => buffer.writable && isChanged(buffer));
     const count = problems.value?.list.length ?? 0;
     const first = problems.value?.list[0];
-    const isDark = theme.value !== 'light';
+    const isDark = shownTheme.value === 'dark';
     return (
         <header class="toolbar">
             <Tool icon={PanelLeft} label="Outline" isPressed={outlineArea.size.value > 0}
@@ -77,7 +77,7 @@ export function Toolbar() {
                 <Tool icon={TriangleAlert} label="Show the first problem" isDisabled={!first}
                     text={count > 0 ? String(count) : ''}
                     onClick={() => first && showRange(first.place)} />
-                <Tool icon={isDark ? Sun : Moon} label="Dark or light" onClick={switchTheme} />
+                <Tool icon={isDark ? Sun : Moon} label={isDark ? 'Switch to light' : 'Switch to dark'} onClick={switchTheme} />
                 <Tool icon={CircleHelp} label="Keys (?)" isPressed={panel.value === 'keys'}
                     onClick={() => togglePanel('keys')} />
                 <Tool icon={PanelRight} label="Text" isPressed={textArea.size.value > 0}

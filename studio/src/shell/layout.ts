@@ -6,15 +6,29 @@ interface Area {
     least: number;
     most: number;
     size: Signal<number>;
-    /// The size before it was folded away.
+    /// The size that it unfolds to: that before it was folded away.
     usual: number;
 }
 
 function makeArea(name: string, usual: number, least: number, most: number): Area {
-    const stored = Number(localStorage.getItem(`carom.size.${name}`) ?? NaN);
-    const size = signal(Number.isFinite(stored) ? stored : usual);
-    size.subscribe((value) => localStorage.setItem(`carom.size.${name}`, String(value)));
-    return { name, least, most, size, usual };
+    const key = `carom.size.${name}`;
+    const stored = (word: string) => Number(localStorage.getItem(word) ?? NaN);
+    const before = stored(`${key}.unfolded`);
+    const size = signal(Number.isFinite(stored(key)) ? stored(key) : usual);
+    const area = { name, least, most, size, usual: before > 0 ? before : usual };
+    size.subscribe((value) => {
+        localStorage.setItem(key, String(value));
+        if (value > 0) {
+            unfoldTo(area, value);
+        }
+    });
+    return area;
+}
+
+/// Says which size an area has when it is unfolded.
+export function unfoldTo(area: Area, size: number): void {
+    area.usual = size;
+    localStorage.setItem(`carom.size.${area.name}.unfolded`, String(size));
 }
 
 export type { Area };

@@ -46,13 +46,13 @@ interface Properties {
     label: string;
     files: readonly StartFile[];
     chosen: StartFile | null;
-    /// Whether the group has the chosen card; otherwise its first one can be reached by Tab.
     onChoose(file: StartFile): void;
     onBegin(file: StartFile): void;
 }
 
 export function Cards({ label, files, chosen, onChoose, onBegin }: Properties) {
     const grid = useRef<HTMLDivElement>(null);
+    // A group without the chosen card is reached by Tab at its first one.
     const has = files.some(({ file }) => file === chosen?.file);
     const move = (event: KeyboardEvent) => {
         const cards = [...grid.current?.querySelectorAll<HTMLElement>('.card') ?? []];

@@ -1,9 +1,9 @@
 /// The start page: templates, examples and recent shots.
 import { FileInput, FolderOpen, Moon, Sun } from 'lucide-preact';
 import { useState } from 'preact/hooks';
-import { switchTheme } from '../shell/theme';
+import { shownTheme, switchTheme } from '../shell/theme';
 import type { StartFile } from '../protocol';
-import { connection, notice, start, theme, welcome } from '../state/state';
+import { connection, notice, start, welcome } from '../state/state';
 import { Cards } from './Cards';
 import { beginShot } from './file_actions';
 import { chooseScene } from './import_scene';
@@ -13,7 +13,7 @@ import { RecentShots } from './RecentShots';
 import './start.css';
 
 function Top() {
-    const isDark = theme.value !== 'light';
+    const isDark = shownTheme.value === 'dark';
     const Icon = isDark ? Sun : Moon;
     return (
         <header>

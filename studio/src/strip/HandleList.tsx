@@ -1,7 +1,7 @@
 /// The strip's handles for the keyboard and screen readers: sliders that are not seen, in the order
 /// of the canvas. One of them is reached by Tab; Page Up and Page Down go from one to the next.
 import { signal } from '@preact/signals';
-import { applyChanges } from '../edit/edit';
+import { isKeyRun, keyStep } from '../input/key_run';
 import { selection } from '../state/state';
 import { activeHandle, shownHandles } from './handles/all_handles';
 import type { Handle } from './handles/handle';
@@ -12,11 +12,21 @@ const kArrows: Record<string, readonly [number, number]> = {
     ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1],
 };
 
-/// Moves a handle by steps of time and value; ten with shift.
-export function nudge(handle: Handle, [time, value]: readonly [number, number]): void {
-    const changes = handle.change(
-        handle.time + time * handle.step.time, (handle.value ?? 0) + value * handle.step.value);
-    applyChanges(changes, `Move ${handle.label}`);
+/// The handle as it was at the first press of a run of keys: what it writes follows from the text
+/// before the run.
+let held: Handle | null = null;
+
+/// Moves a handle by steps of time and value.
+function nudge(handle: Handle, [time, value]: readonly [number, number]): void {
+    const id = `strip ${handle.id}`;
+    const first = held && held.id === handle.id && isKeyRun(id) ? held : handle;
+    held = first;
+    keyStep({
+        id, label: `Move ${handle.label}`, start: [first.time, first.value ?? 0] as const,
+        next: ([seconds, height]) =>
+            [seconds + time * first.step.time, height + value * first.step.value] as const,
+        changes: ([seconds, height]) => first.change(seconds, height),
+    });
 }
 
 function onKey(event: KeyboardEvent, handle: Handle): void {

@@ -47,8 +47,8 @@ function Instants() {
     const cameras = shot.value?.cameras ?? [];
     const fps = shot.value?.film.fps ?? 24;
     return otherInstants.value.length === 0 ? null : (
-        <select class="instants" aria-label="Instants of the film that show this time of the scene"
-            title="Other instants of the film that show this time of the scene" value=""
+        <select class="instants" aria-label="Other moments of the film that show this scene time"
+            title="Other moments of the film that show this scene time" value=""
             onChange={(event) => { goToFilmTime(Number(event.currentTarget.value)); }}>
             <option value="">also in {otherInstants.value.length}</option>
             {otherInstants.value.map(({ time, camera }) => (
@@ -93,11 +93,11 @@ export function Transport() {
             <Step icon={ChevronsLeft} label="Previous event ([)" command="eventBack" />
             <Step icon={ChevronLeft} label="One frame back (←)" command="frameBack" />
             <Step icon={playing.value ? Pause : Play} command="play"
-                label={playing.value ? 'Pause (space)' : 'Play (space)'} />
-            <Step icon={ChevronRight} label="One frame on (→)" command="frameForward" />
+                label={playing.value ? 'Pause (Space)' : 'Play (Space)'} />
+            <Step icon={ChevronRight} label="One frame forward (→)" command="frameForward" />
             <Step icon={ChevronsRight} label="Next event (])" command="eventForward" />
             <Step icon={Repeat} label="Repeat (L)" command="loop" isPressed={loops.value} />
-            <select aria-label="Speed of playing" value={String(speed.value)}
+            <select aria-label="Playback speed" value={String(speed.value)}
                 onChange={(event) => { speed.value = Number(event.currentTarget.value); }}>
                 {kSpeeds.map((choice) => (
                     <option key={choice} value={String(choice)}>{speedText(choice)}</option>
@@ -107,7 +107,7 @@ export function Transport() {
             <Instants />
             <div class="spring" />
             <EventFilter />
-            <select aria-label="Curve of the cameras" value={curveName.value}
+            <select aria-label="Camera curve" value={curveName.value}
                 onChange={(event) => {
                     curveName.value = event.currentTarget.value as CurveName;
                 }}>

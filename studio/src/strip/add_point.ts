@@ -27,6 +27,6 @@ export function addPointAt(layout: Layout, { x, y }: { x: number; y: number }): 
     const source = key ? sourceOf([...camera.path, key]) : null;
     if (key && source?.kind === 'scalar') {
         applyChanges([{ path: [...camera.path, key],
-            value: { yaml: `[${source.text}, ${source.text}]` } }], `Let ${key} change`);
+            value: { yaml: `[${source.text}, ${source.text}]` } }], `Let ${key} change over time`);
     }
 }

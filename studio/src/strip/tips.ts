@@ -41,12 +41,12 @@ export function tipOf(
     layout: Layout, { x, y }: { x: number; y: number }, handle: Handle | undefined,
 ): Tip | null {
     const lines = handle ? [`${handle.label}: ${handle.text}`,
-        handle.remove ? 'drag to move it, Delete takes it away' : 'drag to move it']
+        handle.remove ? 'drag to move it, Delete to remove it' : 'drag to move it']
         : isIn(layout.events, y) ? eventLines(layout, x)
             : isIn(layout.motion, y)
                 ? [sceneClock(timeAt(layout.scene, x)), ...fastestAt(timeAt(layout.scene, x), 5)]
                 : isIn(layout.clips, y) ? clipLines(layout, x)
                     : isIn(layout.curve, y) && curveName.peek() === 'speed'
-                        ? [...clipLines(layout, x).slice(0, 1), 'double click adds a point'] : [];
+                        ? [...clipLines(layout, x).slice(0, 1), 'double-click to add a point'] : [];
     return lines.length > 0 && x >= layout.film.left ? { x, y, text: lines.join('\n') } : null;
 }

@@ -27,6 +27,7 @@ export async function check({ page }) {
     equal(second.start > 2.76, true, 'the second camera begins later');
     isWhole(second.start, 'the edge');
     equal(first.end, second.start, 'the first camera ends there');
+    equal(await handleOf(page, 'cameras/0 start') ?? null, null, "a handle of the film's start");
     equal(changedLines(before, await textOf(page)).length, 2, 'changed lines');
     await noErrors();
     await undo(page, before, 'the edge');
@@ -67,7 +68,7 @@ export async function check({ page }) {
     await undo(page, before, 'the strike');
 
     await page.evaluate(() => { window.studio.state.selection.value = ['cameras', '1']; });
-    await page.getByLabel('Curve of the cameras').selectOption('fov');
+    await page.getByLabel('Camera curve').selectOption('fov');
     const lens = await pixelOfHandle(page, 'cameras/1/fov/1');
     await dragPixels(page, lens, [lens[0], lens[1] - 9]);
     const [changed] = changedLines(before, await textOf(page));
@@ -81,12 +82,30 @@ export async function check({ page }) {
     equal(Math.round((await cameras())[1].start * 24), 67, 'the frame after an arrow key');
     await undo(page, before, 'an arrow key');
 
+    // Frame 67 is no decimal number of seconds: it belongs to the camera that begins there.
+    await page.locator('[data-handle="cameras/1 start"]').focus();
+    await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('ArrowLeft');
+    await page.waitForFunction(() => !window.studio.state.dragging.value);
+    await settle(page);
+    equal(changedLines(before, await textOf(page)).map((line) => line.trim()),
+        ['video: [0 s, 67 / 24 s]', 'video: [67 / 24 s, 6.5 s]'], 'the written times');
+    const filmed = await page.evaluate(() => {
+        const { head, numbers } = window.studio.state.cameraFrames.value;
+        const size = numbers.length / head.entries;
+        return [66, 67].map((frame) => [...Array(head.entries).keys()]
+            .filter((i) => numbers[i * size] === frame).map((i) => numbers[i * size + 1]));
+    });
+    equal(filmed, [[0], [1]], 'the cameras of frames 66 and 67');
+    await undo(page, before, 'a run of keys');
+
     // Both clocks move together; a time of the scene that two cameras show is a choice.
     await page.mouse.click(...await pixelOnStrip(page, 'sceneRuler', 0.8, false));
     const others = await page.evaluate(() => window.studio.strip.others.value.map((one) => one.camera));
     equal(others, [1, 2], 'the other cameras that show it');
     const filmTimeThen = await page.evaluate(() => window.studio.state.filmTime.value);
-    await page.getByLabel('Instants of the film that show this time of the scene')
+    await page.getByLabel('Other moments of the film that show this scene time')
         .selectOption({ index: 1 });
     const now = await page.evaluate(() => [window.studio.state.filmTime.value,
         window.studio.state.sceneTime.value]);

@@ -59,13 +59,13 @@ export async function check(context) {
         `frames when it was stopped (${stopped.finished})`);
     equal(statSync(film).size, 23, 'the size of the file that was there before');
 
-    await page.getByRole('button', { name: 'Go on' }).click();
+    await page.getByRole('button', { name: 'Resume' }).click();
     await page.getByRole('button', { name: 'Overwrite' }).click();
     await waitFor(page, 'done');
     const done = await filmState(page);
     equal([done.finished, done.frames], [frames, frames], 'finished frames');
     equal(done.reused >= stopped.finished && done.reused < frames, true,
-        `frames from the store (${done.reused}, ${stopped.finished} before)`);
+        `frames from before (${done.reused}, ${stopped.finished} before)`);
     await page.waitForFunction((count) => window.studio.films.thumbnails.value.size === count, frames);
     equal(existsSync(film), true, 'the film');
 
@@ -92,10 +92,19 @@ export async function check(context) {
     const first = await shownPicture(page);
     const distance = (a, b) => a.reduce((sum, x, i) => sum + Math.abs(x - b[i]), 0) / a.length;
     await page.getByRole('slider', { name: 'Frame' }).fill(String(wanted - 1));
-    await page.getByRole('button', { name: 'One frame on', exact: true }).click();
+    await page.getByRole('button', { name: 'One frame forward', exact: true }).click();
     await seeked(page);
     equal(distance(await shownPicture(page), before), 0, 'the same frame after a step');
     equal(distance(first, before) > 0, true, 'another picture at the start');
+
+    // A format that the browser does not know is said, and can be downloaded.
+    await video.evaluate((one) => one.dispatchEvent(new Event('error')));
+    await page.getByText('This browser cannot play the film').waitFor();
+    equal(await page.getByRole('link', { name: 'Download' }).count(), 1, 'links to download it');
+    await page.getByLabel('Size').fill('100');
+    equal(await page.getByRole('button', { name: 'Render', exact: true }).isDisabled(), true,
+        'whether a film of a wrong size can be begun');
+    await page.getByLabel('Size').fill('');
 
     // Its frames are on the strip, and the texts were not touched.
     await page.keyboard.press('Escape');

@@ -95,7 +95,7 @@ export async function check({ page }) {
     await reach(page, 'Tab', 'Stop');
     await page.keyboard.press('Enter');
     await page.waitForFunction(() => window.studio.films.film.value?.state === 'stopped');
-    await hasFocus(page, 'Go on');
+    await hasFocus(page, 'Resume');
     await page.keyboard.press('Escape');
 
     await page.evaluate(axe);

@@ -27,10 +27,21 @@ export async function check({ page, path, folder, carom }) {
     await page.getByText('it never rises between force events').waitFor();
     await tab('Speeds and energy');
     await page.waitForFunction(() => document.querySelector('img.plot')?.naturalWidth > 0);
+    // Looking at the contact sheet saves nothing and renders nothing.
+    await page.evaluate(() => window.studio.edit.applyChanges(
+        [{ path: ['render', 'samples'], value: 4 }], 'Set samples'));
+    await page.evaluate(() => window.studio.idle());
+    const saved = readFileSync(path, 'utf8');
     await tab('Contact sheet');
+    await page.getByText('have to be rendered').waitFor();
+    await page.evaluate(() => window.studio.idle());
+    equal(readFileSync(path, 'utf8'), saved, 'the file after a look at the contact sheet');
+    equal(await page.getByText('Stop').count(), 0, 'what is being made');
+    await page.getByRole('button', { name: 'Save and make' }).click();
     await page.waitForFunction(() => document.querySelector('img.contact_sheet')?.naturalWidth > 0,
         null, { timeout: 120_000 });
     const width = await page.evaluate(() => document.querySelector('img.contact_sheet').naturalWidth);
+    equal(readFileSync(path, 'utf8') !== saved, true, 'whether the shot was saved for the sheet');
     equal(width > 1280, true, `width of the contact sheet (${width})`);
 
     await tab('Export');
@@ -43,21 +54,21 @@ export async function check({ page, path, folder, carom }) {
         ['Events as a table', 'e.csv', ['export', '--events']],
         ['The frame at the play head', 'f.png', ['frame', '-o']]]) {
         await page.getByRole('radio', { name: label }).check();
-        await page.getByLabel('File, beside the shot').fill(name);
+        await page.getByLabel('File (in the shot\'s folder)').fill(name);
         await page.getByRole('button', { name: 'Write', exact: true }).click();
         const file = join(dirname(path), name);
-        await page.getByText(`${file} is written.`).first().waitFor({ timeout: 60_000 });
+        await page.getByText(`${file} was written.`).first().waitFor({ timeout: 60_000 });
         equal(readFileSync(file).equals(direct(words, name)), true, `the bytes of ${name}`);
         count.written += 1;
     }
     const mine = join(dirname(path), 'mine.csv');
     writeFileSync(mine, 'mine');
     await page.getByRole('radio', { name: 'Motion as a table' }).check();
-    await page.getByLabel('File, beside the shot').fill('mine.csv');
+    await page.getByLabel('File (in the shot\'s folder)').fill('mine.csv');
     await page.getByRole('button', { name: 'Write', exact: true }).click();
     await page.getByRole('button', { name: 'Keep it' }).click();
     equal(readFileSync(mine, 'utf8'), 'mine', 'a file that was there before');
-    await page.getByLabel('File, beside the shot').fill('../../elsewhere.csv');
+    await page.getByLabel('File (in the shot\'s folder)').fill('../../elsewhere.csv');
     await page.getByRole('button', { name: 'Write', exact: true }).click();
     await page.getByRole('alert').filter({ hasText: 'files can be written below' }).waitFor();
     equal(existsSync(join(dirname(folder), 'elsewhere.csv')), false, 'a file elsewhere');

@@ -98,7 +98,7 @@ TEST_F(StudioFilm, SecondFilm_UsesTheFramesOfTheFirst) {
     EXPECT_EQ(wait_for_state("done").finished, 3);
     wait_for_frames(3);
     forget();
-    say(StartFilm{});
+    say(StartFilm{.overwrite = true});
     const FilmState done = wait_for_state("done");
     EXPECT_EQ(done.finished, kFrames);
     EXPECT_EQ(done.reused, 3);
@@ -146,16 +146,58 @@ TEST_F(StudioFilm, ForeignFile_IsReplacedOnlyIfAllowed) {
     EXPECT_TRUE(pipeline::is_made_by_carom(path("shot.mp4")));
 }
 
-TEST_F(StudioFilm, ImageSequence_IsMadeAgainWithoutAQuestion) {
+TEST_F(StudioFilm, FinishedFilm_IsReplacedOnlyIfAllowed) {
     start_with(1);
-    for (int i = 0; i < 2; ++i) {
+    say(StartFilm{});
+    wait_for_state("done");
+    wait_for_frames(kFrames);
+    forget();
+    say(StartFilm{});
+    EXPECT_EQ(wait_for<Exists>().name, "shot.mp4");
+    say(StartFilm{.overwrite = true});
+    EXPECT_EQ(wait_for_state("done").reused, kFrames);
+}
+
+TEST_F(StudioFilm, StoppedFilmOverAFinishedOne_GoesOnWithoutAnotherQuestion) {
+    start_with(1000);
+    say(StartFilm{.frames = "0"});
+    wait_for_state("done");
+    forget();
+    say(StartFilm{.overwrite = true});
+    wait_for<FilmState>(
+        [](const FilmState& state) { return state.stage == "render" && state.finished > 1; });
+    say(StopFilm{});
+    wait_for_state("stopped");
+    EXPECT_TRUE(fs::exists(path("shot.mp4")));
+    forget();
+    say(StartFilm{});
+    EXPECT_EQ(wait_for_state("done").finished, kFrames);
+}
+
+TEST_F(StudioFilm, ImageSequence_IsReplacedOnlyIfAllowed) {
+    start_with(1);
+    for (const bool overwrite : {false, true}) {
         forget();
-        say(StartFilm{.output = "still_####.png", .frames = "1,3"});
+        say(StartFilm{.output = "still_####.png", .frames = "1,3", .overwrite = overwrite});
         EXPECT_EQ(wait_for_state("done").address, "");
         wait_for_frames(2);
     }
     EXPECT_TRUE(fs::exists(path("still_0003.png")));
     EXPECT_FALSE(fs::exists(path("still_0000.png")));
+    forget();
+    say(StartFilm{.output = "still_####.png", .frames = "1,3"});
+    EXPECT_EQ(wait_for<Exists>().name, "still_0001.png");
+}
+
+TEST_F(StudioFilm, Size_ReplacesTheShots) {
+    start_with(1);
+    say(StartFilm{.frames = "0", .size = std::vector{48, 32}});
+    const FilmState done = wait_for_state("done");
+    EXPECT_EQ(done.width, 48);
+    EXPECT_EQ(done.height, 32);
+    forget();
+    say(StartFilm{.size = std::vector{48}, .overwrite = true});
+    EXPECT_EQ(wait_for<Failed>().what, "film");
 }
 
 TEST_F(StudioFilm, RequestsThatCannotBeMet_AreRefused) {

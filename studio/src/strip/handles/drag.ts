@@ -48,5 +48,6 @@ export function dragOf(handle: Handle, from: Place, row: CurveRow): HandleDrag {
 }
 
 function valueText(value: Change['value']): string {
-    return typeof value === 'number' ? String(Number(value.toFixed(4))) : String(value);
+    return typeof value === 'number' ? String(Number(value.toFixed(4)))
+        : typeof value === 'object' && 'yaml' in value ? value.yaml : String(value);
 }

@@ -11,7 +11,7 @@ export function eventHandles(layout: Layout, shot: ShotState): Handle[] {
     return shot.events.filter((event) => !event.triggered).map((event) => ({
         id: event.path.join('/'), path: event.path, axis: scene, time: event.time,
         y: events.y + 5, value: null, mark: 'action', colour: 'event', reach: { x: 7, y: 6 },
-        step: { time: 0.01, value: 0 },
+        step: { time: Math.max(resolved(scene, event.time).step, 0.01), value: 0 },
         label: `time of the ${event.kind} of ${event.object}`, text: sceneClock(event.time),
         change: (time) => {
             const { time: value, step } = resolved(scene, Math.max(0, time));

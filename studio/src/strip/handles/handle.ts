@@ -29,9 +29,9 @@ export interface Handle {
     remove?: () => void;
 }
 
-/// A film time as a whole frame between two others, s.
-export function frameTime(time: number, fps: number, least: number, most: number): number {
+/// The frame nearest to a film time, between two other times.
+export function frameNear(time: number, fps: number, least: number, most: number): number {
     const first = Math.ceil(least * fps - 1e-6);
     const last = Math.max(first, Math.floor(most * fps + 1e-6));
-    return Math.min(Math.max(Math.round(time * fps), first), last) / fps;
+    return Math.min(Math.max(Math.round(time * fps), first), last);
 }

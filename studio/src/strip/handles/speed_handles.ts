@@ -8,12 +8,16 @@ import { filmClock, speedText } from '../clock_text';
 import { clipColourName } from '../colours';
 import { roundSpeed, speedAsText } from '../curve_values';
 import type { CurveRow } from '../curve_row';
+import {
+    fractionOf, oldTexts, secondsOf, timeChange, timeOfFrame, timeText, type OldTexts,
+} from '../film_time';
 import type { Layout } from '../layout';
-import { frameTime, type Handle } from './handle';
+import { frameNear, type Handle } from './handle';
 
 /// The edits that move a point of a ramp; its order among the others does not change.
 export function speedChanges(
     shot: ShotState, camera: Camera, index: number, time: number, speed: number,
+    old: OldTexts = oldTexts(),
 ): Change[] {
     const { fps } = shot.film;
     const point = camera.speeds[index];
@@ -23,11 +27,9 @@ export function speedChanges(
     const least = (camera.speeds[index - 1]?.video_time ?? -1 / fps) + 1 / fps;
     const most = (camera.speeds[index + 1]?.video_time ?? 3600) - 1 / fps;
     const isMoved = Math.abs(time - point.video_time) > 0.25 / fps;
-    return [
-        { path: [...point.path, '0'], precision: 1 / fps,
-            value: isMoved ? frameTime(time, fps, least, most) : point.video_time },
-        { path: [...point.path, '1'], value: speed },
-    ];
+    const own: Change = { path: [...point.path, '1'], value: speed };
+    const at = timeOfFrame(frameNear(time, fps, least, most), fps);
+    return isMoved ? [timeChange([...point.path, '0'], at, old), own] : [own];
 }
 
 /// The handles of the ramp of one camera, in the row of curves.
@@ -35,6 +37,7 @@ export function speedHandles(
     layout: Layout, shot: ShotState, index: number, row: CurveRow,
 ): Handle[] {
     const camera = shot.cameras[index];
+    const old = oldTexts();
     return (camera?.speeds ?? []).map((point, i): Handle => ({
         id: point.path.join('/'), path: point.path, axis: layout.film, time: point.video_time,
         y: row.yOf(point.speed), value: point.speed, mark: 'point', colour: clipColourName(index),
@@ -42,7 +45,7 @@ export function speedHandles(
         label: `point ${i + 1} of the speed ramp of camera ${camera?.name}`,
         text: `${speedText(point.speed)} at ${filmClock(point.video_time)}`,
         change: (time, value) =>
-            speedChanges(shot, camera as Camera, i, time, roundSpeed(value, row.perPixel)),
+            speedChanges(shot, camera as Camera, i, time, roundSpeed(value, row.perPixel), old),
         remove: () => {
             removeValue(point.path, 'Delete point of the speed ramp');
         },
@@ -52,24 +55,23 @@ export function speedHandles(
 /// Adds a point to the ramp of a camera at a film time; a camera without a ramp gets one.
 export function addSpeedPoint(shot: ShotState, camera: Camera, time: number): void {
     const { fps } = shot.film;
-    const at = frameTime(time, fps, camera.video_start, camera.video_end);
-    const speed = speedAt(camera, at);
-    const text = (seconds: number) => `${Number(seconds.toFixed(4))} s`;
-    const point = (seconds: number, value: number) => `[${text(seconds)}, ${speedAsText(value)}]`;
-    if (camera.speeds.some((one) => Math.abs(one.video_time - at) < 0.5 / fps)) {
+    const at = timeOfFrame(frameNear(time, fps, camera.video_start, camera.video_end), fps);
+    const seconds = secondsOf(at);
+    const speed = speedAt(camera, seconds);
+    if (camera.speeds.some((one) => Math.abs(one.video_time - seconds) < 0.5 / fps)) {
         return;
     }
+    const point = (text: string) => `[${text}, ${speedAsText(speed)}]`;
+    const here = point(timeText(at, null));
     if (camera.speeds.length > 0) {
-        const before = camera.speeds.filter((one) => one.video_time < at).length;
-        insertItem([...camera.path, 'scene', 'speeds'], before, point(at, speed),
-            'Add point to the speed ramp');
+        const before = camera.speeds.filter((one) => one.video_time < seconds).length;
+        insertItem([...camera.path, 'scene', 'speeds'], before, here, 'Add point to the speed ramp');
         return;
     }
+    const text = (value: number) => timeText(fractionOf(value), null);
     const from = sourceOf([...camera.path, 'scene', '0'])?.text
         ?? sourceOf([...camera.path, 'scene'])?.text ?? text(camera.scene_start);
-    const points = [...new Set([camera.video_start, at, camera.video_end])]
-        .map((seconds) => point(seconds, speed));
+    const points = [...new Set([point(text(camera.video_start)), here, point(text(camera.video_end))])];
     applyChanges([{ path: [...camera.path, 'scene'],
         value: { yaml: `{from: ${from}, speeds: [${points.join(', ')}]}` } }], 'Add speed ramp');
 }
-
