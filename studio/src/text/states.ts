@@ -14,11 +14,14 @@ export function lineBreak(text: string): string {
     return /\r\n/.test(text) && !/(^|[^\r])\n/.test(text) ? '\r\n' : '\n';
 }
 
+/// A history that forgets steps by itself would no longer fit the steps over all files.
+const kUnlimited = 1e9;
+
 function extensionsOf(text: string, writable: boolean): Extension {
     return [
         EditorState.lineSeparator.of(lineBreak(text)),
         EditorState.readOnly.of(!writable),
-        history(),
+        history({ minDepth: kUnlimited }),
         extensions(writable),
     ];
 }
