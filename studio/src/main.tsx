@@ -27,6 +27,7 @@ import { focusProblems } from './text/ProblemList';
 import { saveAll, watchFiles } from './text/saving';
 import { watchAnswers } from './text/sending';
 import { keepTexts } from './text/session_store';
+import { undoable } from './text/steps';
 import { undoStep } from './text/undo_commands';
 import './style/main.css';
 
@@ -44,7 +45,7 @@ const app = document.getElementById('app');
 if (app) {
     exposeStudio();
     window.studio['edit'] = {
-        ...edit, travel, text: activeText,
+        ...edit, travel, text: activeText, steps: () => undoable.value.length,
         type: (from: number, to: number, insert: string) =>
             typeStep([{ file: activeFile.value, changes: { from, to, insert } }]),
     };

@@ -53,7 +53,7 @@ export function openMerge(first: Conflict, save: ((file: string) => void) | null
             { label: `${words} the merged text`, kind: 'primary',
                 run: () => finish(merged, `Merge ${name}`) },
             { label: 'Keep mine unchanged', run: () => finish(own, '') },
-            { label: "Take the disk's", run: () => finish(now().text, `Take ${name} from disk`) },
+            { label: 'Use the version on disk', run: () => finish(now().text, `Take ${name} from disk`) },
         ],
     });
     // If the conflict ends in another way, there is nothing left to ask.

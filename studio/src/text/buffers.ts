@@ -6,7 +6,8 @@ import type { EditorView } from '@codemirror/view';
 import { signal } from '@preact/signals';
 import { difference } from '../edit/text_edit';
 import { endDrag, makeWay } from './live_drag';
-import { addStep, moveStep } from './steps';
+import { joinsLast } from './states';
+import { addStep, isLastStep, moveStep } from './steps';
 
 export interface Buffer {
     file: string;
@@ -114,12 +115,15 @@ export function restore(file: string, state: EditorState): void {
 
 type FileChange = { file: string; changes: ChangeSpec };
 
-function writeStep(changes: readonly FileChange[], label: string): void {
+/// With `isOneWithLast`, the step is one with the last one if that is recent and of the same kind.
+function writeStep(changes: readonly FileChange[], label: string, isOneWithLast = false): void {
+    const isSame = isOneWithLast && isLastStep(changes.map(({ file }) => file), label);
     grouped = [];
     for (const one of changes) {
         dispatch(one.file, (state) => state.update({
-            changes: one.changes, annotations: isolateHistory.of('full'), userEvent: 'input',
-            scrollIntoView: false,
+            changes: one.changes, scrollIntoView: false, userEvent: isOneWithLast ? undefined : 'input',
+            annotations: isSame ? joinsLast.of(true)
+                : isolateHistory.of(isOneWithLast ? 'before' : 'full'),
         }));
     }
     if (grouped.length > 0) {
@@ -171,13 +175,14 @@ export function setDisk(file: string, text: string, hash: string): void {
     }
 }
 
-/// Gives a file another text, as one step of undo. `text` has the line breaks of the file.
-export function setText(file: string, text: string, label: string): void {
+/// Gives a file another text, as one step of undo, or as one with the last one if that was a recent
+/// one of the same kind. `text` has the line breaks of the file.
+export function setText(file: string, text: string, label: string, isOneWithLast = false): void {
     makeWay(file);
     const buffer = bufferOf(file);
     const change = buffer && difference(buffer.state.doc.toString(),
         buffer.state.lineBreak === '\r\n' ? text.replace(/\r\n/g, '\n') : text);
     if (change) {
-        writeStep([{ file, changes: change }], label);
+        writeStep([{ file, changes: change }], label, isOneWithLast);
     }
 }

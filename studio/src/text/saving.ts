@@ -2,8 +2,7 @@
 import { onMessage } from '../connection/receive';
 import { send } from '../connection/socket';
 import { files, notice } from '../state/state';
-import { difference } from '../edit/text_edit';
-import { bufferOf, buffers, isChanged, textOf, typeOutside } from './buffers';
+import { bufferOf, buffers, isChanged, textOf } from './buffers';
 import { openMerge } from '../dialogs/merge_dialog';
 import { conflictOf, forgetConflict, noteDisk } from './disk_conflicts';
 import { sendSoon } from './sending';
@@ -42,13 +41,6 @@ export function watchFiles(): void {
     files.subscribe((list) => {
         for (const file of takeFiles(list)) {
             sendSoon(file);
-        }
-    });
-    onMessage('text_changed', ({ file, text }) => {
-        const buffer = bufferOf(file);
-        const change = buffer && difference(textOf(buffer), text);
-        if (change) {
-            typeOutside(file, change);
         }
     });
     onMessage('saved', ({ file, hash }) => {

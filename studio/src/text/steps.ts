@@ -30,6 +30,13 @@ export function addStep(step: Step): void {
     undoable.value = [...undoable.value, step].slice(-kMostSteps);
 }
 
+/// Whether the last step has this label and changed these files, and nothing is undone.
+export function isLastStep(files: readonly string[], label: string): boolean {
+    const last = undoable.value[undoable.value.length - 1];
+    return redoable.value.length === 0 && last?.label === label
+        && last.files.join('\n') === files.join('\n');
+}
+
 /// Moves the last step from one stack to the other. Returns it, or null if there is none.
 export function moveStep(back: boolean): Step | null {
     const [from, to] = back ? [undoable, redoable] : [redoable, undoable];

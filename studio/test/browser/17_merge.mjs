@@ -61,7 +61,7 @@ export async function check({ page, path }) {
     const own = await textOf(page);
     writeFileSync(path, theirs);
     await page.locator('.conflict button').click();
-    await dialog.getByRole('button', { name: "Take the disk's" }).click();
+    await dialog.getByRole('button', { name: 'Use the version on disk' }).click();
     await settle(page);
     equal(await textOf(page), theirs, "the other program's text");
     equal(await page.locator('.toolbar .dirty').count(), 0, 'signs of unsaved changes');
