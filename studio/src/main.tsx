@@ -23,6 +23,7 @@ import { StartScreen } from './start/StartScreen';
 import { activeFile, bufferOf, textOf, travel, typeStep } from './text/buffers';
 import { loadConfigFiles } from './text/complete/config_files';
 import { labelsAt } from './text/complete/source';
+import { watchLeaving } from './text/discard';
 import { focusProblems } from './text/ProblemList';
 import { saveAll, watchFiles } from './text/saving';
 import { watchAnswers } from './text/sending';
@@ -56,6 +57,7 @@ if (app) {
     watchTheme();
     watchFiles();
     watchAnswers();
+    watchLeaving();
     keepTexts();
     watchRecovery();
     watchQuestions();

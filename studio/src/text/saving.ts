@@ -5,27 +5,32 @@ import { files, notice } from '../state/state';
 import { bufferOf, buffers, isChanged, textOf } from './buffers';
 import { openMerge } from '../dialogs/merge_dialog';
 import { conflictOf, forgetConflict, noteDisk } from './disk_conflicts';
+import { endDrag } from './live_drag';
+import { isLeaving } from './discard';
 import { sendSoon } from './sending';
 import { takeFiles } from './take_files';
 
 /// The texts that are being written, by file.
 const underWay = new Map<string, string>();
 
-/// Asks the server to write every changed file.
-export function saveAll(): void {
+/// Asks the server to write every changed file. `onFailure` is called if one cannot be asked for, or
+/// the user does not say which text of it to save.
+export function saveAll(onFailure: () => void = () => undefined): void {
+    endDrag(true);
     for (const { file } of buffers.value.filter((one) => one.writable && isChanged(one))) {
         const conflict = conflictOf(file);
         if (conflict) {
-            openMerge(conflict, saveFile);
+            openMerge(conflict, (one) => saveFile(one, onFailure), onFailure);
         } else {
-            saveFile(file);
+            saveFile(file, onFailure);
         }
     }
 }
 
-function saveFile(file: string): void {
+function saveFile(file: string, onFailure: () => void = () => undefined): void {
     const buffer = bufferOf(file);
     if (!buffer) {
+        onFailure();
         return;
     }
     const text = textOf(buffer);
@@ -33,14 +38,16 @@ function saveFile(file: string): void {
         underWay.set(file, text);
     } else {
         notice.value = { kind: 'error', text: 'There is no connection: nothing was saved.' };
+        onFailure();
     }
 }
 
 /// Takes over what the server says about files; to be called once.
 export function watchFiles(): void {
     files.subscribe((list) => {
-        for (const file of takeFiles(list)) {
-            sendSoon(file);
+        const kept = takeFiles(list);
+        if (!isLeaving()) {
+            kept.forEach(sendSoon);
         }
     });
     onMessage('saved', ({ file, hash }) => {
