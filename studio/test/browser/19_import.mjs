@@ -8,16 +8,16 @@ import { equal, settle, textOf } from './harness.mjs';
 const kScene = join(dirname(fileURLToPath(import.meta.url)),
     '../../../tests/examples/sample_scene.txt');
 
-/// Drops a file with that text on the middle of the page.
-function drop(page, name, text) {
-    return page.evaluate(([file, content]) => {
+/// Drops a file with that text on the middle of the page, or elsewhere.
+function drop(page, name, text, place = '.middle') {
+    return page.evaluate(([file, content, on]) => {
         const transfer = new DataTransfer();
         transfer.items.add(new File([content], file, { type: 'text/plain' }));
         for (const type of ['dragover', 'drop']) {
-            document.querySelector('.middle').dispatchEvent(new DragEvent(type,
+            document.querySelector(on).dispatchEvent(new DragEvent(type,
                 { dataTransfer: transfer, bubbles: true, cancelable: true }));
         }
-    }, [name, text]);
+    }, [name, text, place]);
 }
 
 async function keep(page, name) {
@@ -96,7 +96,7 @@ export async function check({ page, folder }) {
     equal(await textOf(page), before, 'the text after undo');
     await settle(page);
 
-    await drop(page, 'broken.txt', 'object {');
+    await drop(page, 'broken.txt', 'object {', '.cm-content');
     await dialog.locator('.notes.errors').waitFor();
     await dialog.locator('button:has-text("Close")').last().click();
     equal(await textOf(page), before, 'the text after a scene with errors');
