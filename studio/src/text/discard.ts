@@ -4,17 +4,12 @@ import { onMessage } from '../connection/receive';
 import { send } from '../connection/socket';
 import { textVersion } from '../state/state';
 import { buffers, isChanged } from './buffers';
-import { sendSoon } from './sending';
+import { holdSending, sendSoon } from './sending';
 import { forgetStored } from './session_store';
 import { setSteps } from './steps';
 
 let leaving = '';  // the shot that is being left without saving; empty: none
 let isAgain = false;  // it is to be opened anew
-
-/// Whether texts that the server lacks are kept from it, because they are to be forgotten.
-export function isLeaving(): boolean {
-    return leaving !== '';
-}
 
 function changedFiles(): string[] {
     return buffers.value.filter((one) => one.writable && isChanged(one)).map(({ file }) => file);
@@ -25,6 +20,7 @@ function changedFiles(): string[] {
 export function leaveTexts(next: string): void {
     leaving = buffers.value[0]?.file ?? '';
     isAgain = next === leaving;
+    holdSending(true);
     for (const file of changedFiles()) {
         textVersion.value += 1;
         send('revert', { v: textVersion.value, file });
@@ -37,6 +33,7 @@ function forgetTexts(): void {
     leaving = '';
     buffers.value = [];
     setSteps([], []);
+    holdSending(false);
 }
 
 /// The server gets the texts again.
@@ -44,6 +41,7 @@ function stay(): void {
     if (leaving !== '') {
         leaving = '';
         changedFiles().forEach(sendSoon);
+        holdSending(false);
     }
 }
 

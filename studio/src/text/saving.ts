@@ -6,7 +6,6 @@ import { bufferOf, buffers, isChanged, textOf } from './buffers';
 import { openMerge } from '../dialogs/merge_dialog';
 import { conflictOf, forgetConflict, noteDisk } from './disk_conflicts';
 import { endDrag } from './live_drag';
-import { isLeaving } from './discard';
 import { sendSoon } from './sending';
 import { takeFiles } from './take_files';
 
@@ -45,10 +44,7 @@ function saveFile(file: string, onFailure: () => void = () => undefined): void {
 /// Takes over what the server says about files; to be called once.
 export function watchFiles(): void {
     files.subscribe((list) => {
-        const kept = takeFiles(list);
-        if (!isLeaving()) {
-            kept.forEach(sendSoon);
-        }
+        takeFiles(list).forEach(sendSoon);
     });
     onMessage('saved', ({ file, hash }) => {
         const buffer = bufferOf(file);

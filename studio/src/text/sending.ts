@@ -21,6 +21,7 @@ interface Known {
 const waiting = new Set<string>();
 const known = new Map<string, Known>();
 let asked = 0;  // the version under way; 0: none
+let isHeld = false;
 
 /// The next text that the server does not have.
 function nextWaiting(): Buffer | null {
@@ -35,7 +36,8 @@ function nextWaiting(): Buffer | null {
 }
 
 function sendNext(): void {
-    const buffer = asked === 0 && connection.value === 'open' ? nextWaiting() : null;
+    const isFree = asked === 0 && !isHeld && connection.value === 'open';
+    const buffer = isFree ? nextWaiting() : null;
     if (buffer) {
         const v = textVersion.value + 1;
         const text = textOf(buffer);
@@ -54,6 +56,12 @@ function sendNext(): void {
 export function sendSoon(file: string): void {
     waiting.add(file);
     textUnderWay.value = true;
+    queueMicrotask(sendNext);
+}
+
+/// Lets texts wait, or sends them again: while the server forgets those that it has.
+export function holdSending(isOn: boolean): void {
+    isHeld = isOn;
     queueMicrotask(sendNext);
 }
 
@@ -112,6 +120,7 @@ export function watchAnswers(): void {
         for (const { file, text } of files) {
             known.set(file, { sentAs: 0, ...known.get(file), text, taken: null });
         }
+        queueMicrotask(sendNext);  // what waited for a connection
     });
     onMessage('welcome', forget);
     // After a connection was lost, the files that the server tells anew show which texts it lacks.
