@@ -37,12 +37,12 @@ export function done(file: string): EditResult {
 function aliasChoices({ subject, shown }: Undecided, { again, answers }: Attempt): Choice[] {
     const everywhere = () => again(new Map([...answers, [subject, 'anchor']]));
     return [
-        { label: 'Change it everywhere', about: `All places that repeat '&${shown}' follow.`,
+        { label: 'Everywhere', about: `All places that repeat '&${shown}' follow.`,
             apply: everywhere },
         { label: 'Only here', about: 'A copy of the value is put here.',
             apply: () => again(new Map([...answers, [subject, 'copy']])) },
-        { label: 'Always everywhere',
-            about: `'&${shown}' is not asked about again while this shot is open.`,
+        { label: 'Always',
+            about: `Everywhere, and '&${shown}' is not asked about again while this shot is open.`,
             apply: () => {
                 keepAnswer(subject, 'anchor');
                 everywhere();

@@ -86,6 +86,13 @@ export async function check({ page }) {
     await settle(page);
     equal(/tip: \[-0\.1, 0\.2\]/.test(await textOf(page)), true, 'the tip');
 
+    await page.getByLabel('Speed of playing').focus();
+    await page.keyboard.press('Control+z');
+    await settle(page);
+    equal(/tip: \[0, 0\.2\]/.test(await textOf(page)), true, 'the tip after undo in a choice');
+    await page.keyboard.press('Control+y');
+    await settle(page);
+
     // Scrubbing, and the palette of commands.
     await reach(page, 'F6', 'Play head');
     await page.keyboard.press('Shift+ArrowRight');
