@@ -23,10 +23,12 @@ import { StartScreen } from './start/StartScreen';
 import { activeFile, bufferOf, textOf, travel, typeStep } from './text/buffers';
 import { loadConfigFiles } from './text/complete/config_files';
 import { labelsAt } from './text/complete/source';
+import { watchLeaving } from './text/discard';
 import { focusProblems } from './text/ProblemList';
 import { saveAll, watchFiles } from './text/saving';
 import { watchAnswers } from './text/sending';
 import { keepTexts } from './text/session_store';
+import { undoable } from './text/steps';
 import { undoStep } from './text/undo_commands';
 import './style/main.css';
 
@@ -44,7 +46,7 @@ const app = document.getElementById('app');
 if (app) {
     exposeStudio();
     window.studio['edit'] = {
-        ...edit, travel, text: activeText,
+        ...edit, travel, text: activeText, steps: () => undoable.value.length,
         type: (from: number, to: number, insert: string) =>
             typeStep([{ file: activeFile.value, changes: { from, to, insert } }]),
     };
@@ -55,6 +57,7 @@ if (app) {
     watchTheme();
     watchFiles();
     watchAnswers();
+    watchLeaving();
     keepTexts();
     watchRecovery();
     watchQuestions();

@@ -13,8 +13,11 @@ function baseName(name: string): string {
 }
 
 /// Shows both texts of a file, for the user to choose or to merge. `save` is called with the file
-/// after the user chose a text that is not the one on disk, if the file was to be saved.
-export function openMerge(first: Conflict, save: ((file: string) => void) | null): void {
+/// after the user chose a text that is not the one on disk, if the file was to be saved; `onDismiss`
+/// if the user chose none.
+export function openMerge(
+    first: Conflict, save: ((file: string) => void) | null, onDismiss: () => void = () => undefined,
+): void {
     close?.();
     const buffer = bufferOf(first.file);
     if (!buffer) {
@@ -25,16 +28,24 @@ export function openMerge(first: Conflict, save: ((file: string) => void) | null
     const start = mergeLines(buffer.savedText, own, first.text);
     let merged = start.text;
     const now = () => conflictOf(first.file) ?? first;
-    const finish = (text: string, label: string) => {
+    let isOpen = true;
+    const finished = (then: () => void) => {
+        if (isOpen) {
+            isOpen = false;
+            then();
+        }
+    };
+    const finish = (text: string, label: string) => finished(() => {
         resolveConflict(now(), text, label);
         if (text !== now().text) {
             save?.(first.file);
         }
-    };
+    });
     const words = save ? 'Save' : 'Use';
     const end = openDialog({
         title: `${name} changed on disk`,
         size: 'full',
+        onDismiss: () => finished(onDismiss),
         body: () => (
             <>
                 <p>
@@ -53,7 +64,7 @@ export function openMerge(first: Conflict, save: ((file: string) => void) | null
             { label: `${words} the merged text`, kind: 'primary',
                 run: () => finish(merged, `Merge ${name}`) },
             { label: 'Keep mine unchanged', run: () => finish(own, '') },
-            { label: "Take the disk's", run: () => finish(now().text, `Take ${name} from disk`) },
+            { label: 'Use the version on disk', run: () => finish(now().text, `Take ${name} from disk`) },
         ],
     });
     // If the conflict ends in another way, there is nothing left to ask.
@@ -66,5 +77,6 @@ export function openMerge(first: Conflict, save: ((file: string) => void) | null
         close = null;
         stop();
         end();
+        finished(onDismiss);
     };
 }

@@ -4,13 +4,10 @@ import type { KeyPath } from '../protocol';
 import { shot } from '../state/state';
 import { currentFiles } from './current_files';
 import type { Origin } from './edit_types';
+import { isPrefix } from './key_path';
 import { locate } from './layers';
 import { lineStart } from './text_edit';
 import { flowText } from './write_value';
-
-function isPrefix(prefix: KeyPath, path: KeyPath): boolean {
-    return prefix.length <= path.length && prefix.every((key, i) => key === path[i]);
-}
 
 /// Where the value of a key path comes from.
 export function originOf(path: KeyPath): Origin {

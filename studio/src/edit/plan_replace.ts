@@ -2,16 +2,11 @@
 import type { Pair } from 'yaml';
 import type { KeyPath } from '../protocol';
 import type { SourceFile, Value } from './edit_types';
+import { withEdits } from './file_edits';
 import { locate } from './layers';
-import { planRemove, planSet, type Decisions, type FileEdits } from './plan';
-import { applyEdits } from './text_edit';
+import { planRemove, planSet, type Decisions } from './plan';
 import { itemEnd, itemStart, parseWhole, walk } from './yaml_tree';
 import { writeValue, type NumberStyle } from './write_value';
-
-function withEdits(files: readonly SourceFile[], { file, edits }: FileEdits): SourceFile[] {
-    return files.map((one) => one.file === file.file
-        ? { ...one, text: applyEdits(one.text, edits) } : one);
-}
 
 /// The files with the value at `path` set and without the sibling key `old`, in whose place it is
 /// written if the sibling stands in the shot's own text. Throws as planSet does.

@@ -1,5 +1,5 @@
 /// Gives a node of a text another value, with the fewest bytes changed.
-import { isMap, isScalar, isSeq, type Node, type YAMLSeq } from 'yaml';
+import { isAlias, isMap, isScalar, isSeq, type Alias, type Node, type YAMLSeq } from 'yaml';
 import type { Value } from './edit_types';
 import { addItems } from './add_entry';
 import { parseQuantity, writeLike } from './quantity';
@@ -53,15 +53,34 @@ function removeRest(text: string, list: YAMLSeq, count: number): TextEdit {
         : { from: lineEnd(text, kept), to: lineEnd(text, last), insert: '' };
 }
 
+/// What is done with an alias among the items of a list that gets another value: the anchor gets it,
+/// or it stands in the alias's place.
+export type Decide = (alias: Alias) => 'anchor' | 'copy';
+
+/// Sets an item of a list. One that repeats a value and keeps it stays as it is.
+function setItem(
+    tree: Tree, steps: Step[], holder: YAMLSeq, node: Node, value: Value, style: NumberStyle,
+    decide: Decide,
+): TextEdit[] {
+    const repeated = isAlias(node) ? node.resolve(tree.document) : undefined;
+    const own: Step = { node: repeated ?? node, pair: null, holder, alias: null };
+    const edits = setNode(tree, [...steps, own], value, style, decide);
+    if (!isAlias(node) || !repeated || edits.length === 0 || decide(node) === 'anchor') {
+        return edits;
+    }
+    return setNode(tree, [...steps, { ...own, alias: node }], value, style, decide);
+}
+
 /// Sets a list item by item; items that are too many are taken out.
-function setList(tree: Tree, steps: Step[], list: YAMLSeq, value: Value[], style: NumberStyle) {
+function setList(
+    tree: Tree, steps: Step[], list: YAMLSeq, value: Value[], style: NumberStyle, decide: Decide,
+) {
     const edits: TextEdit[] = [];
-    const holder = list;
     for (const [i, item] of value.entries()) {
         const node = list.items[i] as Node | undefined;
         if (node) {
-            const step: Step = { node, pair: null, holder, alias: null };
-            edits.push(...setNode(tree, [...steps, step], item, style));
+            edits.push(...setItem(tree, steps, list, node, item, style, decide).filter((edit) =>
+                !edits.some(({ from, to }) => from < edit.to && edit.from < to)));
         }
     }
     if (value.length > list.items.length) {
@@ -91,7 +110,9 @@ function replaceWhole(tree: Tree, step: Step, value: Value, style: NumberStyle):
 
 /// The edits that give the last of `steps` a value. Numbers keep their unit and way of writing,
 /// texts their quotes, lists the place of their items. Empty if the value is there already.
-export function setNode(tree: Tree, steps: Step[], value: Value, style: NumberStyle): TextEdit[] {
+export function setNode(
+    tree: Tree, steps: Step[], value: Value, style: NumberStyle, decide: Decide = () => 'copy',
+): TextEdit[] {
     const step = steps[steps.length - 1] as Step;
     const { node } = step;
     if (step.alias === null && isScalar(node) && !isEmpty(node)) {
@@ -103,7 +124,7 @@ export function setNode(tree: Tree, steps: Step[], value: Value, style: NumberSt
     }
     if (step.alias === null && isSeq(node) && Array.isArray(value) && node.items.length > 0
         && value.length > 0) {
-        return setList(tree, steps, node, value, style);
+        return setList(tree, steps, node, value, style, decide);
     }
     const edits = replaceWhole(tree, step, value, style);
     const isSame = edits.every((edit) => tree.text.slice(edit.from, edit.to) === edit.insert);

@@ -57,7 +57,7 @@ export function parseWhole(text: string, name: string): Tree {
     const tree = parseTree(text);
     if (tree.mistake !== '') {
         const where = tree.mistake.split('\n')[0] ?? '';
-        throw new EditError(`${name} has a mistake that must be mended first: ${where}`);
+        throw new EditError(`${name} has a mistake that must be fixed first: ${where}`);
     }
     return tree;
 }

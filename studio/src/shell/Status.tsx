@@ -4,19 +4,9 @@ import {
     connection, deferred, hasErrors, isDeferred, isStale, notice, problems, shot, timeline,
     welcome, work,
 } from '../state/state';
-import { activeFile, bufferOf, textOf } from '../text/buffers';
+import { copyShownText } from '../text/copy_text';
 
 const kConnection = { connecting: 'connecting', open: 'connected', lost: 'connection lost' };
-
-/// Puts the shown text on the clipboard, for when the server is gone.
-function copyText(): void {
-    const buffer = bufferOf(activeFile.value);
-    if (buffer) {
-        void navigator.clipboard.writeText(textOf(buffer)).then(() => {
-            notice.value = { kind: 'info', text: `The text of ${buffer.name} is copied.` };
-        });
-    }
-}
 
 /// A line above the work while the server does not answer.
 export function LostConnection() {
@@ -24,7 +14,7 @@ export function LostConnection() {
         <div class="lost" role="alert">
             <span>The connection to carom studio is lost. The texts are still here; the page connects
                 again as soon as the server answers.</span>
-            <button type="button" onClick={copyText}>Copy text</button>
+            <button type="button" onClick={copyShownText}>Copy the text</button>
         </div>
     );
 }

@@ -83,7 +83,8 @@ async function offer(imported: Imported): Promise<void> {
     }
 }
 
-/// Takes a file that is dropped on the page, or a YAML file's parts. To be called once.
+/// Takes a file that is dropped on the page, or a YAML file's parts, before the text editor does, which
+/// would type its text. To be called once.
 export function watchDrops(): void {
     onMessage('imported', (imported) => { void offer(imported); });
     const isFile = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
@@ -98,12 +99,13 @@ export function watchDrops(): void {
             return;
         }
         event.preventDefault();
+        event.stopPropagation();
         if (/\.ya?ml$/.test(file.name)) {
             void file.text().then((text) => isStarting.value
                 ? writeShot(file.name, text) : addParts({ file: '', text, name: file.name }));
         } else {
             void importFile(file);
         }
-    });
+    }, true);
 }
 

@@ -6,8 +6,7 @@ export function existsQuestion(name: string) {
 export function unsavedQuestion() {
     return (
         <p>
-            The open shot has changes that are in no file yet. Without saving they are kept, and
-            offered when you open the shot again.
+            The open shot has changes that are in no file yet. They are lost if you do not save them.
         </p>
     );
 }

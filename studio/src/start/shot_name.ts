@@ -7,7 +7,7 @@ export function problemOfName(name: string): string {
         return 'Give the new shot a name.';
     }
     if (last === '' || last.startsWith('.')) {
-        return 'A name may neither be empty nor begin with a point.';
+        return 'A name may neither be empty nor start with a dot.';
     }
     if (/[\u0000-\u001f\u007f\\:*?"<>|]/.test(name)) {
         return 'A name may not have any of \\ : * ? " < > |';

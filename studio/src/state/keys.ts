@@ -1,6 +1,8 @@
 /// The keys of the page: one table, which the keys page shows, and one listener on the window. Parts
 /// of the page say with `onCommand` what a command does.
 
+import { hasOwnUndo, watchDrafts } from './drafts';
+
 /// One command and the keys that give it. A key is written as "ctrl+shift+z": modifiers in the order
 /// ctrl, alt, shift, then KeyboardEvent.key in lower case ("space" for the space bar). The command
 /// key of a Mac counts as ctrl. For signs such as "?" shift is not written.
@@ -165,12 +167,12 @@ const kUsesArrows = '[role=tree], [role=listbox], [role=menu], [role=tablist], [
 const kUsesEnter = 'button, a[href], summary, [role=button], [role=menuitem], input[type=checkbox]';
 
 /// Whether the element with the focus uses the key itself.
-function isTaken(target: EventTarget | null, key: string, everywhere: boolean): boolean {
-    if (everywhere || !(target instanceof Element)) {
+function isTaken(target: EventTarget | null, key: string, binding: KeyBinding): boolean {
+    if (binding.everywhere || !(target instanceof Element)) {
         return false;
     }
     if (target.closest(kTypes)) {
-        return true;
+        return (binding.command !== 'undo' && binding.command !== 'redo') || hasOwnUndo(target);
     }
     if (/arrow|home|end$/.test(key)) {
         return target.closest(kUsesArrows) !== null;
@@ -185,7 +187,7 @@ function onKeyDown(event: KeyboardEvent): void {
     // An open dialog has all keys for itself, also Escape, which closes it.
     const isDialogOpen = document.querySelector('dialog:modal') !== null;
     if (!binding || event.defaultPrevented || event.isComposing || isDialogOpen
-        || isTaken(event.target, key, binding.everywhere ?? false)) {
+        || isTaken(event.target, key, binding)) {
         return;
     }
     if (runCommand(binding.command as Command)) {
@@ -195,6 +197,10 @@ function onKeyDown(event: KeyboardEvent): void {
 
 /// Listens to the keys of the whole page. Returns a function that ends this.
 export function listenToKeys(): () => void {
+    const stopDrafts = watchDrafts();
     window.addEventListener('keydown', onKeyDown);
-    return () => window.removeEventListener('keydown', onKeyDown);
+    return () => {
+        stopDrafts();
+        window.removeEventListener('keydown', onKeyDown);
+    };
 }

@@ -46,7 +46,7 @@ function Line({ problem }: { problem: Problem }) {
             </button>
             {canFix(problem) ? (
                 <button class="fix" onClick={() => fix(problem)}>
-                    Replace by <code>{problem.suggestion}</code>
+                    Replace with <code>{problem.suggestion}</code>
                 </button>
             ) : null}
         </li>

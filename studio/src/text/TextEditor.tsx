@@ -6,7 +6,7 @@ import {
     bracketMatching, codeFolding, foldGutter, foldKeymap, indentOnInput,
 } from '@codemirror/language';
 import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
-import { EditorState } from '@codemirror/state';
+import { EditorState, Prec } from '@codemirror/state';
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
 import {
     drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers,
@@ -28,7 +28,6 @@ import { goToMeaning } from './go_to';
 import { yamlLook } from './highlight';
 import { hoverAbout } from './hover';
 import { indentGuides } from './indent_guides';
-import { LostBar } from './LostBar';
 import { pageNonce } from './nonce';
 import { marksIn, marksOf } from './problem_marks';
 import { ProblemList } from './ProblemList';
@@ -58,9 +57,23 @@ const keys = keymap.of([
     { key: 'Mod-y', run: () => undoStep(false), preventDefault: true },
     { key: 'Mod-Shift-z', run: () => undoStep(false), preventDefault: true },
     { key: 'Mod-s', run: () => (saveAll(), true), preventDefault: true },
-    ...closeBracketsKeymap, ...searchKeymap, ...foldKeymap, ...lintKeymap,
+    ...closeBracketsKeymap, ...searchKeymap, ...foldKeymap,
+    ...lintKeymap.filter(({ key }) => key === 'F8'),  // Ctrl-Shift-M is the page's own list
     ...defaultKeymap.filter(({ key }) => key !== 'Mod-Enter'), indentWithTab,
 ]);
+
+/// The undo and redo of the browser's menus.
+const menuUndo = Prec.highest(EditorView.domEventHandlers({
+    beforeinput: (event) => {
+        const isUndo = event.inputType === 'historyUndo';
+        if (!isUndo && event.inputType !== 'historyRedo') {
+            return false;
+        }
+        event.preventDefault();
+        undoStep(isUndo);
+        return true;
+    },
+}));
 
 setExtensions(() => [
     EditorView.cspNonce.of(pageNonce()),
@@ -68,7 +81,7 @@ setExtensions(() => [
     highlightSelectionMatches(), bracketMatching(), indentOnInput(), lintGutter(),
     completion(), closeBrackets(), dashInput, yaml(), yamlLook, tooltipLook, hoverAbout, editorLook,
     codeFolding(), foldGutter({ markerDOM: foldMarker }), search({ top: true, createPanel: findPanel }), indentGuides,
-    swatches, scrub, goToMeaning, keys, selectAtCursor,
+    swatches, scrub, goToMeaning, keys, menuUndo, selectAtCursor,
     EditorView.contentAttributes.of({ 'aria-label': 'Text of the shot', tabindex: '0' }),
 ]);
 setChangeListener(sendSoon);
@@ -166,7 +179,6 @@ export function TextEditor() {
     return (
         <section class="text" aria-label="Text">
             <Tabs />
-            <LostBar />
             <ConflictBar />
             <div class="text-view" ref={parent} />
             <ProblemList />

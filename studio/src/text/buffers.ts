@@ -5,8 +5,9 @@ import { Transaction, type ChangeSpec, type EditorState } from '@codemirror/stat
 import type { EditorView } from '@codemirror/view';
 import { signal } from '@preact/signals';
 import { difference } from '../edit/text_edit';
-import { lineBreak } from './states';
-import { addStep, moveStep } from './steps';
+import { endDrag, makeWay } from './live_drag';
+import { joinsLast } from './states';
+import { addStep, isLastStep, moveStep } from './steps';
 
 export interface Buffer {
     file: string;
@@ -89,44 +90,40 @@ function dispatch(file: string, change: (state: EditorState) => Transaction): vo
     }
 }
 
-/// Types into a text outside of the history.
+/// Types into a text outside of the history; for src/text/outside_typing.ts only.
 export function typeOutside(file: string, changes: ChangeSpec): void {
     dispatch(file, (state) => state.update({
         changes, annotations: Transaction.addToHistory.of(false), userEvent: 'move.drag',
     }));
 }
 
-/// The texts with their histories as they are now, for `restore`.
-export function snapshot(): ReadonlyMap<string, EditorState> {
-    return new Map(buffers.value.map(({ file, state }) => [file, state]));
-}
-
-/// Takes back what was typed outside of the histories since a snapshot, with the histories of then:
-/// typed back instead, it would move the places of older steps that changed the same characters.
-export function restore(states: ReadonlyMap<string, EditorState>): void {
-    for (const buffer of buffers.value) {
-        const state = states.get(buffer.file);
-        if (!state || state === buffer.state) {
-            continue;
-        }
-        if (view && view.state === buffer.state) {
-            const { scrollTop, scrollLeft } = view.scrollDOM;
-            view.setState(state);
-            view.scrollDOM.scrollTo(scrollLeft, scrollTop);
-        }
-        buffer.state = state;
-        onChange(buffer.file);
+/// Gives a file an earlier state with its history.
+export function restore(file: string, state: EditorState): void {
+    const buffer = bufferOf(file);
+    if (!buffer || buffer.state === state) {
+        return;
     }
+    if (view && view.state === buffer.state) {
+        const { scrollTop, scrollLeft } = view.scrollDOM;
+        view.setState(state);
+        view.scrollDOM.scrollTo(scrollLeft, scrollTop);
+    }
+    buffer.state = state;
     buffers.value = [...buffers.value];
+    onChange(file);
 }
 
-/// Changes texts as one step of undo; `label` says what it does: "Move cue".
-export function typeStep(changes: { file: string; changes: ChangeSpec }[], label = ''): void {
+type FileChange = { file: string; changes: ChangeSpec };
+
+/// With `isOneWithLast`, the step is one with the last one if that is recent and of the same kind.
+function writeStep(changes: readonly FileChange[], label: string, isOneWithLast = false): void {
+    const isSame = isOneWithLast && isLastStep(changes.map(({ file }) => file), label);
     grouped = [];
     for (const one of changes) {
         dispatch(one.file, (state) => state.update({
-            changes: one.changes, annotations: isolateHistory.of('full'), userEvent: 'input',
-            scrollIntoView: false,
+            changes: one.changes, scrollIntoView: false, userEvent: isOneWithLast ? undefined : 'input',
+            annotations: isSame ? joinsLast.of(true)
+                : isolateHistory.of(isOneWithLast ? 'before' : 'full'),
         }));
     }
     if (grouped.length > 0) {
@@ -135,8 +132,15 @@ export function typeStep(changes: { file: string; changes: ChangeSpec }[], label
     grouped = null;
 }
 
+/// Changes texts as one step of undo, after a drag in progress. `label` says what it does: "Move cue".
+export function typeStep(changes: readonly FileChange[], label = ''): void {
+    endDrag(true);
+    writeStep(changes, label);
+}
+
 /// Undoes (or redoes) the last step of any file. Returns whether there was one.
 export function travel(back: boolean): boolean {
+    endDrag(true);
     const step = moveStep(back);
     if (!step) {
         return false;
@@ -171,13 +175,14 @@ export function setDisk(file: string, text: string, hash: string): void {
     }
 }
 
-/// Gives a file another text, as one step of undo.
-export function setText(file: string, text: string, label: string): void {
+/// Gives a file another text, as one step of undo, or as one with the last one if that was a recent
+/// one of the same kind. `text` has the line breaks of the file.
+export function setText(file: string, text: string, label: string, isOneWithLast = false): void {
+    makeWay(file);
     const buffer = bufferOf(file);
-    const plain = (one: string) => one.replace(/\r\n/g, '\n');
     const change = buffer && difference(buffer.state.doc.toString(),
-        lineBreak(textOf(buffer)) === '\r\n' ? plain(text) : text);
+        buffer.state.lineBreak === '\r\n' ? text.replace(/\r\n/g, '\n') : text);
     if (change) {
-        typeStep([{ file, changes: change }], label);
+        writeStep([{ file, changes: change }], label, isOneWithLast);
     }
 }

@@ -1,6 +1,8 @@
 /// The cursor in the text and the selection of the page follow each other.
 import { EditorView } from '@codemirror/view';
 import { isMap, isSeq, type Node, type Pair } from 'yaml';
+import { untracked } from '@preact/signals';
+import { currentFiles } from '../edit/current_files';
 import { itemEnd, itemStart, keyText, parseTree } from '../edit/yaml_tree';
 import { locate } from '../edit/layers';
 import type { KeyPath } from '../protocol';
@@ -47,9 +49,7 @@ export const selectAtCursor = EditorView.updateListener.of((update) => {
 /// Shows the selected value in `view` from now on, without taking the focus. Returns what ends it.
 export function showSelection(view: EditorView): () => void {
     return selection.subscribe((path) => {
-        const files = buffers.peek().map(({ file, name, writable, state }) =>
-            ({ file, name, writable, text: state.doc.toString() }));
-        const found = path && path !== told ? locate(files, path) : null;
+        const found = path && path !== told ? locate(untracked(currentFiles), path) : null;
         const steps = found?.way.steps ?? [];
         const step = steps[steps.length - 1];
         if (found && step && found.file.file === activeFile.peek()) {

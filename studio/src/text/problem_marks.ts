@@ -1,24 +1,11 @@
 /// The compiler's problems as marks in the text, with a fix by one click where it knows one.
 import { forEachDiagnostic, type Diagnostic } from '@codemirror/lint';
-import type { EditorView } from '@codemirror/view';
 import type { EditorState, Text } from '@codemirror/state';
-import type { Problem, TextRange } from '../protocol';
+import type { Problem } from '../protocol';
+import { offsetsOf } from './offsets';
+import { canFix, fix, fixTitle } from './problem_fix';
 
-/// The offsets of a range; columns and lengths are in code points.
-export function offsetsOf(doc: Text, place: TextRange): { from: number; to: number } | null {
-    if (place.line < 1) {
-        return { from: 0, to: 0 };  // of the whole file
-    }
-    if (place.line > doc.lines) {
-        return null;
-    }
-    const line = doc.line(place.line);
-    const characters = [...line.text];
-    const start = Math.max(0, place.column - 1);
-    const before = characters.slice(0, start).join('').length;
-    const inside = characters.slice(start, start + place.length).join('').length;
-    return { from: line.from + before, to: line.from + before + inside };
-}
+export { offsetsOf } from './offsets';
 
 /// The marks of the problems that lie in `file`.
 export function marksOf(doc: Text, file: string, problems: readonly Problem[]): Diagnostic[] {
@@ -28,11 +15,8 @@ export function marksOf(doc: Text, file: string, problems: readonly Problem[]): 
             return [];
         }
         const severity = problem.severity === 'error' ? 'error' : 'warning';
-        const actions = problem.suggestion === '' ? [] : [{
-            name: `Replace by '${problem.suggestion}'`,
-            apply: (view: EditorView, from: number, to: number) =>
-                view.dispatch({ changes: { from, to, insert: problem.suggestion } }),
-        }];
+        const actions = canFix(problem)
+            ? [{ name: fixTitle(problem), apply: () => fix(problem) }] : [];
         return [{ ...range, severity, message: problem.message, actions }];
     });
 }

@@ -2,31 +2,34 @@
 import { onMessage } from '../connection/receive';
 import { send } from '../connection/socket';
 import { files, notice } from '../state/state';
-import { difference } from '../edit/text_edit';
-import { bufferOf, buffers, isChanged, textOf, typeOutside } from './buffers';
+import { bufferOf, buffers, isChanged, textOf } from './buffers';
 import { openMerge } from '../dialogs/merge_dialog';
 import { conflictOf, forgetConflict, noteDisk } from './disk_conflicts';
+import { endDrag } from './live_drag';
 import { sendSoon } from './sending';
 import { takeFiles } from './take_files';
 
 /// The texts that are being written, by file.
 const underWay = new Map<string, string>();
 
-/// Asks the server to write every changed file.
-export function saveAll(): void {
+/// Asks the server to write every changed file. `onFailure` is called if one cannot be asked for, or
+/// the user does not say which text of it to save.
+export function saveAll(onFailure: () => void = () => undefined): void {
+    endDrag(true);
     for (const { file } of buffers.value.filter((one) => one.writable && isChanged(one))) {
         const conflict = conflictOf(file);
         if (conflict) {
-            openMerge(conflict, saveFile);
+            openMerge(conflict, (one) => saveFile(one, onFailure), onFailure);
         } else {
-            saveFile(file);
+            saveFile(file, onFailure);
         }
     }
 }
 
-function saveFile(file: string): void {
+function saveFile(file: string, onFailure: () => void = () => undefined): void {
     const buffer = bufferOf(file);
     if (!buffer) {
+        onFailure();
         return;
     }
     const text = textOf(buffer);
@@ -34,22 +37,14 @@ function saveFile(file: string): void {
         underWay.set(file, text);
     } else {
         notice.value = { kind: 'error', text: 'There is no connection: nothing was saved.' };
+        onFailure();
     }
 }
 
 /// Takes over what the server says about files; to be called once.
 export function watchFiles(): void {
     files.subscribe((list) => {
-        for (const file of takeFiles(list)) {
-            sendSoon(file);
-        }
-    });
-    onMessage('text_changed', ({ file, text }) => {
-        const buffer = bufferOf(file);
-        const change = buffer && difference(textOf(buffer), text);
-        if (change) {
-            typeOutside(file, change);
-        }
+        takeFiles(list).forEach(sendSoon);
     });
     onMessage('saved', ({ file, hash }) => {
         const buffer = bufferOf(file);

@@ -2,11 +2,11 @@
 /// last digit, ten with Shift.
 import type { EditorState, Extension } from '@codemirror/state';
 import { EditorView, keymap } from '@codemirror/view';
-import { send } from '../connection/socket';
 import { parseQuantity, writeLike } from '../edit/quantity';
-import { dragging } from '../state/state';
-import { activeFile, restore, snapshot, typeOutside, typeStep } from './buffers';
+import { activeFile, typeStep } from './buffers';
 import { hoveredAt } from './hover';
+import { startDrag, stopDrag, type LiveDrag } from './live_drag';
+import { OutsideTyping } from './outside_typing';
 
 interface NumberInText {
     from: number;
@@ -44,43 +44,48 @@ export function stepped(text: string, steps: number): string {
 /// A drag of a number: it is typed outside of the history, and once as a step at the end.
 function drag(start: MouseEvent, number: NumberInText): void {
     const file = activeFile.value;
-    const before = snapshot();
+    const typing = new OutsideTyping();
     let shown = number.text;
-    const show = (text: string) => {
-        if (text !== shown) {
-            typeOutside(file, { from: number.from, to: number.from + shown.length, insert: text });
+    const move = (event: MouseEvent) => {
+        const steps = Math.round((event.clientX - start.clientX) / kPixels);
+        const text = stepped(number.text, steps * (event.shiftKey ? 10 : 1));
+        if (!typing.isAlone) {
+            live.end(false);  // the number may be elsewhere now
+        } else if (text !== shown) {
+            typing.type(file,
+                { from: number.from, to: number.from + shown.length, insert: text });
             shown = text;
         }
     };
-    const move = (event: MouseEvent) => {
-        const steps = Math.round((event.clientX - start.clientX) / kPixels);
-        show(stepped(number.text, steps * (event.shiftKey ? 10 : 1)));
-    };
-    const end = (isKept: boolean) => {
-        const text = shown;
-        removeEventListener('mousemove', move);
-        removeEventListener('mouseup', up);
-        removeEventListener('keydown', press, true);
-        document.body.classList.remove('scrubbing');
-        dragging.value = false;
-        send('dragging', { on: false });
-        restore(before);
-        if (isKept && text !== number.text) {
-            const changes = { from: number.from, to: number.from + number.text.length, insert: text };
-            typeStep([{ file, changes }], `Change ${number.name}`);
-        }
-    };
-    const up = () => end(true);
+    const up = () => live.end(true);
     const press = (event: KeyboardEvent) => {
         if (event.key === 'Escape') {
             event.preventDefault();
             event.stopPropagation();
-            end(false);
+            live.end(false);
         }
     };
+    const live: LiveDrag = {
+        hasTyped: (one) => one === file,
+        end: (isKept) => {
+            if (!stopDrag(live)) {
+                return;
+            }
+            removeEventListener('mousemove', move);
+            removeEventListener('mouseup', up);
+            removeEventListener('keydown', press, true);
+            document.body.classList.remove('scrubbing');
+            const isWhole = typing.isAlone;
+            typing.takeBack();
+            if (isKept && isWhole && shown !== number.text) {
+                const to = number.from + number.text.length;
+                typeStep([{ file, changes: { from: number.from, to, insert: shown } }],
+                    `Change ${number.name}`);
+            }
+        },
+    };
+    startDrag(live);
     document.body.classList.add('scrubbing');
-    dragging.value = true;
-    send('dragging', { on: true });
     addEventListener('mousemove', move);
     addEventListener('mouseup', up);
     addEventListener('keydown', press, true);

@@ -53,7 +53,7 @@ class FindPanel implements Panel {
     readonly dom: HTMLElement;
     readonly top = true;
     private readonly search = field('Find', 'search');
-    private readonly replace = field('Replace by', 'replace');
+    private readonly replace = field('Replace with', 'replace');
     private readonly count = element('span', { class: 'find-count', 'aria-live': 'polite' });
     private readonly switches: Record<'caseSensitive' | 'wholeWord' | 'regexp', HTMLButtonElement>;
     private query: SearchQuery;

@@ -1,28 +1,55 @@
-/// Sends changed texts to the server: one is under way, and of each file the newest waits.
-import { connection, deferred, problems, textUnderWay, textVersion } from '../state/state';
+/// Sends changed texts to the server: one is under way, and of each file the newest waits. Takes
+/// those that another window on the same shot sent.
+import { onMessage } from '../connection/receive';
 import { send } from '../connection/socket';
-import { bufferOf, textOf } from './buffers';
+import type { Text } from '@codemirror/state';
+import { mergeLines } from '../edit/merge_lines';
+import type { TextChanged } from '../protocol';
+import { connection, deferred, problems, textUnderWay, textVersion } from '../state/state';
+import { bufferOf, setText, textOf, type Buffer } from './buffers';
+import { makeWay } from './live_drag';
+
+/// What is known of the server's text of a file.
+interface Known {
+    text: string;
+    /// The version under which this page sent it or an earlier one; 0: never.
+    sentAs: number;
+    /// What the text is in the page if another window sent it, and nothing was typed since.
+    taken: Text | null;
+}
 
 const waiting = new Set<string>();
+const known = new Map<string, Known>();
 let asked = 0;  // the version under way; 0: none
+let isHeld = false;
+
+/// The next text that the server does not have.
+function nextWaiting(): Buffer | null {
+    for (const file of waiting) {
+        waiting.delete(file);
+        const buffer = bufferOf(file);
+        if (buffer && buffer.state.doc !== known.get(file)?.taken) {
+            return buffer;
+        }
+    }
+    return null;
+}
 
 function sendNext(): void {
-    const [file] = waiting;
-    const buffer = file === undefined ? undefined : bufferOf(file);
-    if (file === undefined || asked !== 0 || connection.value !== 'open') {
-        return;
+    const isFree = asked === 0 && !isHeld && connection.value === 'open';
+    const buffer = isFree ? nextWaiting() : null;
+    if (buffer) {
+        const v = textVersion.value + 1;
+        const text = textOf(buffer);
+        if (send('text', { v, file: buffer.file, text })) {
+            known.set(buffer.file, { text, sentAs: v, taken: null });
+            asked = v;
+            textVersion.value = v;
+        } else {
+            waiting.add(buffer.file);
+        }
     }
-    waiting.delete(file);
-    if (!buffer) {
-        return;
-    }
-    const v = textVersion.value + 1;
-    if (send('text', { v, file, text: textOf(buffer) })) {
-        asked = v;
-        textVersion.value = v;
-    } else {
-        waiting.add(file);
-    }
+    textUnderWay.value = asked !== 0 || waiting.size > 0;
 }
 
 /// Sends the text of a file as soon as the server has answered the one before.
@@ -32,10 +59,42 @@ export function sendSoon(file: string): void {
     queueMicrotask(sendNext);
 }
 
+/// Lets texts wait, or sends them again: while the server forgets those that it has.
+export function holdSending(isOn: boolean): void {
+    isHeld = isOn;
+    queueMicrotask(sendNext);
+}
+
 function answered(): void {
     asked = 0;
-    textUnderWay.value = waiting.size > 0;
     sendNext();
+}
+
+/// Takes the text that another window sent, as a step of undo; a drag of it is as one step. What
+/// was typed here and not sent yet is merged with it.
+function takeText({ v, file, text }: TextChanged): void {
+    const last = known.get(file);
+    if (last && (v <= last.sentAs || text === last.text)) {
+        return;  // the server had this page's own text later, or tells it
+    }
+    makeWay(file);
+    const buffer = bufferOf(file);
+    if (!buffer) {
+        return;
+    }
+    const own = textOf(buffer);
+    const isNewer = last !== undefined && waiting.has(file);
+    setText(file, isNewer ? mergeLines(last.text, own, text).text : text,
+        'Change in another window', true);
+    const taken = textOf(buffer) === text ? buffer.state.doc : null;
+    known.set(file, { text, sentAs: last?.sentAs ?? 0, taken });
+}
+
+/// Forgets what the server has: a new connection or another shot begins with versions of its own.
+function forget(): void {
+    asked = 0;
+    known.clear();
+    textUnderWay.value = waiting.size > 0;
 }
 
 /// Takes note of the server's answers; to be called once.
@@ -50,11 +109,20 @@ export function watchAnswers(): void {
             answered();
         }
     });
-    // After a connection was lost, the files that the server tells anew show which texts it lacks.
-    connection.subscribe((state) => {
-        if (state !== 'open') {
-            asked = 0;
-            textUnderWay.value = waiting.size > 0;
+    onMessage('failed', ({ what, v }) => {
+        if (what === 'text' && asked !== 0) {
+            textVersion.value = v;  // the refused text has none
+            answered();
         }
     });
+    onMessage('text_changed', takeText);
+    onMessage('files', ({ files }) => {
+        for (const { file, text } of files) {
+            known.set(file, { sentAs: 0, ...known.get(file), text, taken: null });
+        }
+        queueMicrotask(sendNext);  // what waited for a connection
+    });
+    onMessage('welcome', forget);
+    // After a connection was lost, the files that the server tells anew show which texts it lacks.
+    connection.subscribe((state) => state !== 'open' && forget());
 }

@@ -2,7 +2,7 @@
 import { EditorView } from '@codemirror/view';
 import type { TextRange } from '../protocol';
 import { activeFile, bufferOf } from './buffers';
-import { offsetsOf } from './problem_marks';
+import { offsetsOf } from './offsets';
 
 let view: EditorView | null = null;
 

@@ -1,6 +1,6 @@
 /// States of the editor: new ones, and those that a page left behind.
 import { history, historyField } from '@codemirror/commands';
-import { EditorState, type Extension } from '@codemirror/state';
+import { Annotation, EditorState, type Extension } from '@codemirror/state';
 
 let extensions: (writable: boolean) => Extension = () => [];
 
@@ -14,11 +14,19 @@ export function lineBreak(text: string): string {
     return /\r\n/.test(text) && !/(^|[^\r])\n/.test(text) ? '\r\n' : '\n';
 }
 
+/// Says that a change soon after the last event of its history becomes one with that.
+export const joinsLast = Annotation.define<boolean>();
+
+/// A history that forgets steps by itself would no longer fit the steps over all files.
+const kUnlimited = 1e9;
+
 function extensionsOf(text: string, writable: boolean): Extension {
     return [
         EditorState.lineSeparator.of(lineBreak(text)),
         EditorState.readOnly.of(!writable),
-        history(),
+        history({ minDepth: kUnlimited,
+            joinToEvent: (transaction, isAdjacent) =>
+                isAdjacent || transaction.annotation(joinsLast) === true }),
         extensions(writable),
     ];
 }

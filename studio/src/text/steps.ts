@@ -7,7 +7,7 @@ export interface Step {
     label: string;
 }
 
-/// The steps that can be undone and done again, the oldest first.
+/// The steps that can be undone and redone, the oldest first.
 export const undoable = signal<readonly Step[]>([]);
 export const redoable = signal<readonly Step[]>([]);
 
@@ -21,10 +21,20 @@ function title(word: string, steps: readonly Step[]): string {
 export const undoTitle = computed(() => title('Undo', undoable.value));
 export const redoTitle = computed(() => title('Redo', redoable.value));
 
+/// The oldest of more steps are forgotten. Each file's own history is longer than this.
+export const kMostSteps = 5000;
+
 /// A new step; what was undone before can no longer be done again.
 export function addStep(step: Step): void {
     redoable.value = [];
-    undoable.value = [...undoable.value, step];
+    undoable.value = [...undoable.value, step].slice(-kMostSteps);
+}
+
+/// Whether the last step has this label and changed these files, and nothing is undone.
+export function isLastStep(files: readonly string[], label: string): boolean {
+    const last = undoable.value[undoable.value.length - 1];
+    return redoable.value.length === 0 && last?.label === label
+        && last.files.join('\n') === files.join('\n');
 }
 
 /// Moves the last step from one stack to the other. Returns it, or null if there is none.

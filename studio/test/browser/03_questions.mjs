@@ -29,7 +29,7 @@ export async function check({ page }) {
     const aliased = await textOf(page);
     equal(await apply(page, ['cameras', '2', 'aperture'], 0.005), false, 'an unanswered edit');
     await dialog.waitFor();
-    equal(await page.evaluate(() => document.activeElement.textContent), 'Change it everywhere',
+    equal(await page.evaluate(() => document.activeElement.textContent), 'Everywhere',
         'what has the focus');
     await page.keyboard.press('Escape');
     await dialog.waitFor({ state: 'detached' });

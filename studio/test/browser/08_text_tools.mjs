@@ -47,6 +47,33 @@ export async function check({ page }) {
     await page.keyboard.up('Alt');
     equal(await textOf(page), before, 'the text after Escape');
 
+    // Undo ends the drag, which no longer follows the pointer; redo brings it back.
+    await page.mouse.move(x, y);
+    await page.keyboard.down('Alt');
+    await page.mouse.down();
+    await page.mouse.move(x + 40, y);
+    await page.keyboard.up('Alt');
+    await page.keyboard.press('Control+z');
+    await page.mouse.move(x + 80, y);
+    await page.mouse.up();
+    await settle(page);
+    equal(await textOf(page), before, 'undo while a number is dragged');
+    await page.keyboard.press('Control+y');
+    equal(await textOf(page), before.replace('0.12]', '0.22]'), 'redo of the drag');
+
+    // The undo of the browser's own menu.
+    const menu = (inputType) => page.evaluate((type) => document.querySelector('.cm-content')
+        .dispatchEvent(new InputEvent('beforeinput', { inputType: type, bubbles: true, cancelable: true })),
+    inputType);
+    equal(await menu('historyUndo'), false, 'whether the browser undoes itself');
+    equal(await textOf(page), before, "undo by the browser's menu");
+    await menu('historyRedo');
+    equal(await textOf(page), before.replace('0.12]', '0.22]'), "redo by the browser's menu");
+    await undone('undo by the key after that');
+
+    await page.keyboard.press('Control+Shift+m');
+    equal(await page.locator('.cm-panel-lint').count(), 0, "lists of problems of the editor's own");
+
     await at(page, '30 deg', 1);
     await page.keyboard.press('Control+Shift+ArrowUp');
     equal(await textOf(page), before.replace('30 deg', '40 deg'), 'the nudged angle');

@@ -34,6 +34,15 @@ export async function check({ page, path }) {
     await dialog.waitFor({ state: 'detached' });
     equal([readFileSync(path, 'utf8'), await textOf(page)], [theirs, mine], 'both texts');
 
+    // Another shot is not opened, also not later, if the user does not say what to save.
+    const asked = page.evaluate((file) => window.studio.open(file),
+        path.replace('nine_ball_break', 'jump_shot'));
+    await dialog.getByRole('button', { name: 'Save', exact: true }).click();
+    await dialog.locator('.take').first().waitFor();
+    await page.keyboard.press('Escape');
+    await asked;
+    equal(await textOf(page), mine, 'the text after another shot was not opened');
+
     // Both changes are in the merged text, which is saved. What differs can be taken over.
     await page.keyboard.press('Control+s');
     const texts = () => dialog.locator('.cm-merge-b .cm-line').allTextContents();
@@ -61,12 +70,13 @@ export async function check({ page, path }) {
     const own = await textOf(page);
     writeFileSync(path, theirs);
     await page.locator('.conflict button').click();
-    await dialog.getByRole('button', { name: "Take the disk's" }).click();
+    await dialog.getByRole('button', { name: 'Use the version on disk' }).click();
     await settle(page);
     equal(await textOf(page), theirs, "the other program's text");
     equal(await page.locator('.toolbar .dirty').count(), 0, 'signs of unsaved changes');
     await page.keyboard.press('Control+z');
     await settle(page);
     equal(await textOf(page), own, 'the own text after undo');
+    equal(await page.evaluate(() => window.studio.state.welcome.value.shot), path, 'the open shot');
     return 'saving is refused, both texts are shown, neither is lost';
 }

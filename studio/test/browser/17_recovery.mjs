@@ -27,6 +27,7 @@ async function crash({ page, server, browser, carom, path, folder }) {
     await server.kill();
     await page.waitForFunction(() => window.studio.state.connection.value === 'lost');
     equal((await textOf(page)).includes(kMine), true, 'the text without a server');
+    equal(await page.locator('[role=alert]').count(), 1, 'bars that say so');
     equal(await page.getByRole('button', { name: 'Copy the text' }).count(), 1, 'buttons to copy it');
     await page.close();
     const again = await serve(carom, path, folder);

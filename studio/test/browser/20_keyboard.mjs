@@ -64,14 +64,34 @@ export async function check({ page }) {
     await page.keyboard.press('ArrowDown');
     await page.keyboard.press('Enter');
     equal(await state('selection'), ['events', '0'], 'the selection');
-    await page.locator('.inspector').getByLabel('speed', { exact: true }).focus();
+    const speed = page.locator('.inspector').getByLabel('speed', { exact: true });
+    await speed.focus();
     await page.keyboard.press('ArrowUp');
     await settle(page);
     equal(/speed: 8\.1 m\/s/.test(await textOf(page)), true, 'the speed after an arrow key');
+    // Undo works in a field that shows the text; what is typed into it has an undo of its own.
+    await page.keyboard.press('Control+z');
+    await settle(page);
+    equal(/speed: 8 m\/s/.test(await textOf(page)), true, 'the speed after undo in its field');
+    await page.keyboard.press('Control+y');
+    await settle(page);
+    await page.keyboard.type('9');
+    equal(await speed.inputValue() === '8.1 m/s', false, 'a draft');
+    await page.keyboard.press('Control+z');
+    await settle(page);
+    equal([await speed.inputValue(), /speed: 8\.1 m\/s/.test(await textOf(page))], ['8.1 m/s', true],
+        'the field and the text after undo of a draft');
     await reach(page, 'Shift+Tab', 'Where the tip hits the ball');
     await page.keyboard.press('Shift+ArrowLeft');
     await settle(page);
     equal(/tip: \[-0\.1, 0\.2\]/.test(await textOf(page)), true, 'the tip');
+
+    await page.getByLabel('Speed of playing').focus();
+    await page.keyboard.press('Control+z');
+    await settle(page);
+    equal(/tip: \[0, 0\.2\]/.test(await textOf(page)), true, 'the tip after undo in a choice');
+    await page.keyboard.press('Control+y');
+    await settle(page);
 
     // Scrubbing, and the palette of commands.
     await reach(page, 'F6', 'Play head');

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { aliasKey } from '../../src/edit/decisions';
 import { EditError } from '../../src/edit/edit_error';
 import type { SourceFile, Value } from '../../src/edit/edit_types';
 import {
@@ -13,6 +14,10 @@ function files(shot: string, config = '', writable = false): SourceFile[] {
         { file: '/shots/a.yaml', name: 'a.yaml', text: shot, writable: true },
         { file: '/carom/configs/x.yaml', name: 'x.yaml', text: config, writable },
     ];
+}
+
+function decided(decision: 'anchor' | 'copy') {
+    return new Map([[aliasKey('/shots/a.yaml', 'n'), decision]]);
 }
 
 function made({ file, edits }: FileEdits): string {
@@ -39,8 +44,6 @@ test('PlanSet_ValueOfAnInclude_IsLaidOverInTheShot', () => {
     const all = files('include: x.yaml\n', 'rack: {gap: 1 mm}\nlist: [{a: 1}, {a: 2}]\n');
     assert.equal(set(all, 'rack.gap', 2), 'a.yaml\ninclude: x.yaml\nrack: {gap: 2}\n');
     assert.throws(() => set(all, 'list.1.a', 3), Undecided);
-    assert.equal(set(all, 'list.1.a', 3, { takenLists: new Set(['list']) }),
-        'a.yaml\ninclude: x.yaml\nlist: [{a: 1}, {a: 3}]\n');
     const own = files('include: x.yaml\n', 'list: [{a: 1}, {a: 2}]\n', true);
     assert.equal(set(own, 'list.1.a', 3), 'x.yaml\nlist: [{a: 1}, {a: 3}]\n');
 });
@@ -55,9 +58,9 @@ test('PlanSet_Rig_IsChangedBesideItsInclude', () => {
 test('PlanSet_Alias_AsksThenChangesTheAnchorOrCopies', () => {
     const all = files('a: &n {b: 1, c: 2}\nd: *n\n');
     assert.throws(() => set(all, 'd.b', 3), Undecided);
-    assert.equal(set(all, 'd.b', 3, { aliases: new Map([['n', 'anchor']]) }),
+    assert.equal(set(all, 'd.b', 3, { aliases: decided('anchor') }),
         'a.yaml\na: &n {b: 3, c: 2}\nd: *n\n');
-    assert.equal(set(all, 'd.b', 3, { aliases: new Map([['n', 'copy']]) }),
+    assert.equal(set(all, 'd.b', 3, { aliases: decided('copy') }),
         'a.yaml\na: &n {b: 1, c: 2}\nd: {b: 3, c: 2}\n');
 });
 
@@ -120,4 +123,74 @@ test('PlanTakeList_ListOfAnInclude_IsCopiedAsItIsWritten', () => {
 test('PlanRemove_RepeatedValue_IsRefused', () => {
     assert.throws(() => planRemove(files('a: &n 1\nb: *n\n'), ['a']), EditError);
     assert.equal(made(planRemove(files('a: &n 1\nb: *n\n'), ['b'])), 'a.yaml\na: &n 1\n');
+});
+
+test('PlanSet_AbsentKeyInAListOfAnInclude_KeepsTheList', () => {
+    const config = 'cameras:\n  - {name: a, video: [0, 1]}\n  - {name: b, video: [1, 2]}\n'
+        + 'events:\n  - strike: {ball: cue}\n';
+    const writable = files('include: x.yaml\n', config, true);
+    assert.equal(set(writable, 'cameras.1.fade', 0.5),
+        `x.yaml\n${config.replace('[1, 2]}', '[1, 2], fade: 0.5}')}`);
+    assert.equal(set(writable, 'events.0.strike.tip', [0, 1]),
+        `x.yaml\n${config.replace('cue}', 'cue, tip: [0, 1]}')}`);
+    assert.equal(set(writable, 'events.1.force.on', 'cue'),
+        `x.yaml\n${config}  - {force: {on: cue}}\n`);
+    const locked = files('include: x.yaml\n', config, false);
+    for (const path of ['cameras.1.fade', 'events.0.strike.tip', 'events.1.force.on']) {
+        const list = path.split('.')[0];
+        assert.throws(() => set(locked, path, 1), (error) => error instanceof Undecided
+            && error.kind === 'list' && error.subject === list, path);
+    }
+    const taken = [{ ...locked[0], text: applyEdits(locked[0]!.text,
+        planTakeList(locked, ['events']).edits) }, locked[1]] as SourceFile[];
+    assert.equal(set(taken, 'events.0.strike.speed', 2),
+        'a.yaml\ninclude: x.yaml\nevents: [{strike: {ball: cue, speed: 2}}]\n');
+    assert.throws(() => planEntry(locked, ['cameras', '0'], 'focus', 'auto'), Undecided);
+    assert.throws(() => planInsert(locked, ['cameras', '0', 'speed'], 0, '1'), Undecided);
+    assert.equal(set(locked, 'rack.gap', 1), 'a.yaml\ninclude: x.yaml\nrack: {gap: 1}\n');
+});
+
+test('PlanSet_RigOfAnIncludedCamera_IsChangedBesideItsInclude', () => {
+    const all = (writable: boolean): SourceFile[] => [
+        { file: '/s/a.yaml', name: 'a.yaml', text: 'include: x.yaml\n', writable: true },
+        { file: '/s/x.yaml', name: 'x.yaml', writable, text: 'cameras:\n  - {include: rig.yaml}\n' },
+        { file: '/s/rig.yaml', name: 'rig.yaml', writable: true, text: 'cameras:\n  - fov: 1\n' },
+    ];
+    for (const [path, key] of [['cameras.0.fov', 'fov'], ['cameras.0.fade', 'fade']] as const) {
+        assert.equal(set(all(true), path, 2),
+            `x.yaml\ncameras:\n  - {include: rig.yaml, ${key}: 2}\n`);
+        assert.throws(() => set(all(false), path, 2), (error) => error instanceof Undecided
+            && error.subject === 'cameras');
+    }
+});
+
+test('PlanSet_ListWithAliases_AsksOnlyForThoseThatChange', () => {
+    const all = files('x: &n 0.1\nballs:\n  a: {at: [*n, 0.3]}\n');
+    assert.equal(set(all, 'balls.a.at', [0.1, 0.4]),
+        'a.yaml\nx: &n 0.1\nballs:\n  a: {at: [*n, 0.4]}\n');
+    assert.throws(() => set(all, 'balls.a.at', [0.2, 0.4]), Undecided);
+    assert.equal(set(all, 'balls.a.at', [0.2, 0.4], { aliases: decided('copy') }),
+        'a.yaml\nx: &n 0.1\nballs:\n  a: {at: [0.2, 0.4]}\n');
+    assert.equal(set(all, 'balls.a.at', [0.2, 0.4], { aliases: decided('anchor') }),
+        'a.yaml\nx: &n 0.2\nballs:\n  a: {at: [*n, 0.4]}\n');
+});
+
+test('PlanRemove_KeyOfARig_IsHiddenBesideTheInclude', () => {
+    const shot = 'cameras:\n  - {include: x.yaml, video: [0, 1]}\n';
+    const rig = 'cameras:\n  - name: o\n    fov: 46 deg\n    speed: [1, 2]\n';
+    for (const writable of [true, false]) {
+        const all = files(shot, rig, writable);
+        assert.equal(made(planRemove(all, ['cameras', '0', 'fov'])),
+            `a.yaml\n${shot.replace('[0, 1]', '[0, 1], fov: null')}`);
+    }
+    assert.throws(() => planRemove(files(shot, rig), ['cameras', '0', 'speed', '1']),
+        (error) => error instanceof Undecided && error.subject === 'cameras/0/speed');
+});
+
+test('PlanRemove_LastItem_LeavesNothingOfAnIncludedList', () => {
+    const shot = 'include: x.yaml\nevents:\n  - strike: {ball: cue}\nrack: {}\n';
+    assert.equal(made(planRemove(files(shot, 'events: [{force: {}}]\n'), ['events', '0'])),
+        'a.yaml\ninclude: x.yaml\nevents: []\nrack: {}\n');
+    assert.equal(made(planRemove(files(shot, 'balls: {}\n'), ['events', '0'])),
+        'a.yaml\ninclude: x.yaml\nrack: {}\n');
 });

@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { isAlias, isMap, isScalar, isSeq, type Document, type Node } from 'yaml';
+import { aliasKey } from '../../src/edit/decisions';
 import { EditError } from '../../src/edit/edit_error';
 import type { SourceFile, Value } from '../../src/edit/edit_types';
 import {
@@ -208,7 +209,8 @@ const counts = { done: 0, refused: 0 };
 function tryEdit(name: string, text: string, edit: Edit): string {
     const where = `${name}: ${edit.what}`;
     const anchors = [...text.matchAll(/&([\w-]+)/g)].map((found) => found[1] ?? '');
-    const decisions: Decisions = { aliases: new Map(anchors.map((one) => [one, 'copy' as const])) };
+    const decisions: Decisions = { aliases: new Map(anchors.map((one) =>
+        [aliasKey('/a.yaml', one), 'copy' as const])) };
     const file: SourceFile = { file: '/a.yaml', name, text, writable: true };
     let edits;
     try {

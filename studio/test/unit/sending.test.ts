@@ -1,0 +1,97 @@
+/// What is sent to the server, over a socket that only listens.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { receive } from '../../src/connection/receive';
+import { connect } from '../../src/connection/socket';
+import type { Problem } from '../../src/protocol';
+import { textUnderWay, textVersion } from '../../src/state/state';
+import { buffers, setChangeListener, textOf, typeStep } from '../../src/text/buffers';
+import { marksOf } from '../../src/text/problem_marks';
+import { sendSoon, watchAnswers } from '../../src/text/sending';
+import { undoTitle } from '../../src/text/steps';
+import { takeFiles } from '../../src/text/take_files';
+
+const kText = 'balls: {cue: {att: [0, 0]}}\n';
+const sent: { t: string; v: number; text: string }[] = [];
+
+class Listening {
+    static readonly OPEN = 1;
+    readonly readyState = 1;
+    onopen: (() => void) | null = null;
+    constructor() {
+        queueMicrotask(() => this.onopen?.());
+    }
+    send(text: string): void {
+        sent.push(JSON.parse(text));
+    }
+}
+
+function tell(t: string, message: object): void {
+    receive(JSON.stringify({ t, ...message }));
+}
+
+async function open(writable = true): Promise<void> {
+    Object.assign(globalThis, { WebSocket: Listening, location: { protocol: 'http:', host: 'x' } });
+    connect();
+    await Promise.resolve();
+    buffers.value = [];
+    tell('welcome', { protocol: '', version: '', v: 1, shot: '/a.yaml', root: '/' });
+    const files = [{ file: '/a.yaml', name: 'a', text: kText, hash: 'a', writable, changed: false }];
+    tell('files', { v: 1, files });
+    takeFiles(files);
+    sent.length = 0;
+}
+
+async function type(insert: string): Promise<void> {
+    typeStep([{ file: '/a.yaml', changes: { from: 0, insert } }]);
+    await Promise.resolve();
+}
+
+const texts = () => sent.filter(({ t }) => t === 'text');
+
+watchAnswers();
+setChangeListener(sendSoon);
+
+test('Sending_RefusedText_DoesNotStopLaterOnes', async () => {
+    await open();
+    await type('#1\n');
+    await type('#2\n');
+    assert.deepEqual(texts().map(({ v }) => v), [2]);
+    tell('failed', { what: 'text', v: 1, message: 'no' });
+    assert.deepEqual(texts().map(({ v, text }) => [v, text]),
+        [[2, `#1\n${kText}`], [2, `#2\n#1\n${kText}`]]);
+    tell('problems', { v: 2, complete: true, list: [] });
+    assert.equal(textUnderWay.value, false);
+    assert.equal(textVersion.value, 2);
+});
+
+test('Sending_TextOfAnotherWindow_IsNotSentBack', async () => {
+    await open();
+    tell('text_changed', { v: 2, file: '/a.yaml', text: `#theirs\n${kText}` });
+    await Promise.resolve();
+    assert.equal(texts().length, 0);
+    assert.equal(textUnderWay.value, false);
+    await type('#1\n');
+    assert.deepEqual(texts().map(({ v, text }) => [v, text]), [[3, `#1\n#theirs\n${kText}`]]);
+    // The server had that one before it got the text under way.
+    tell('text_changed', { v: 3, file: '/a.yaml', text: `#late\n${kText}` });
+    assert.equal(textOf(buffers.value[0]!), `#1\n#theirs\n${kText}`);
+    tell('text_changed', { v: 4, file: '/a.yaml', text: `#1\n#theirs\n${kText}` });
+    tell('problems', { v: 4, complete: true, list: [] });
+    await Promise.resolve();
+    assert.equal(texts().length, 1);
+    assert.equal(textUnderWay.value, false);
+});
+
+test('QuickFix_OfALockedFile_IsNotOffered_ElseItIsOneStep', async () => {
+    const problem = { severity: 'error', message: 'unknown key', suggestion: 'at',
+        place: { file: '/a.yaml', line: 1, column: 15, length: 3 } } as Problem;
+    const marks = () => marksOf(buffers.value[0]!.state.doc, '/a.yaml', [problem]);
+    await open(false);
+    assert.deepEqual(marks()[0]?.actions, []);
+    await open();
+    const [action] = marks()[0]?.actions ?? [];
+    action?.apply(null as never, 0, 0);
+    assert.equal(textOf(buffers.value[0]!), kText.replace('att', 'at'));
+    assert.equal(undoTitle.value, "Undo: Replace with 'at'");
+});
