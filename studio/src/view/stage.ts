@@ -2,7 +2,7 @@
 import { effect, signal } from '@preact/signals';
 import { DirectionalLight, Group, HemisphereLight, Scene } from 'three';
 import type { CameraPose } from '../motion/camera';
-import { framesOfCameras, tracks } from '../motion/clock';
+import { cameraLookedThrough, framesOfCameras, tracks } from '../motion/clock';
 import { filmTime, lookThrough, meshes, sceneTime, shot } from '../state/state';
 import { kAllParts } from './all_parts';
 import { CameraLock } from './camera_gizmos/camera_lock';
@@ -129,7 +129,7 @@ export class Stage {
                 }
             }),
             effect(() => {
-                void [filmTime.value, lookThrough.value, framesOfCameras.value];
+                void [filmTime.value, lookThrough.value, cameraLookedThrough.value, framesOfCameras.value];
                 this.aim();
             }),
         );
@@ -181,9 +181,7 @@ export class Stage {
 
     /// Of the camera of the shot that is looked through; null in the free view.
     private poseNow(): CameraPose | null {
-        const index = shot.peek()?.cameras
-            .findIndex(({ name }) => name === lookThrough.peek()) ?? -1;
-        return framesOfCameras.peek()[index]?.poseAt(filmTime.peek()) ?? null;
+        return framesOfCameras.peek()[cameraLookedThrough.peek()]?.poseAt(filmTime.peek()) ?? null;
     }
 
     private tellMoved(): void {

@@ -5,12 +5,13 @@ import { PerspectiveCamera } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { beginGesture, type Gesture } from '../../edit/edit';
 import type { CameraPose } from '../../motion/camera';
+import { cameraLookedThrough } from '../../motion/clock';
 import { subtract } from '../../motion/vectors';
 import type { Camera, Triple } from '../../protocol';
 import { onCommand } from '../../state/keys';
 import { lookThrough } from '../../state/state';
 import { isCameraLocked } from '../../state/view_state';
-import { activeLens } from './camera_part';
+import { activeCamera, activeLens } from './camera_part';
 import { movePath } from './move_path';
 
 const kWheelPause = 400; // ms; wheel steps with shorter pauses are one step of undo
@@ -87,7 +88,7 @@ export class CameraLock {
 
     private change(): void {
         const lens = activeLens.peek();
-        if (!this.isHeld || (!this.move && (!lens || lens.camera.name !== lookThrough.peek()))) {
+        if (!this.isHeld || (!this.move && (!lens || activeCamera.peek() !== cameraLookedThrough.peek()))) {
             return;
         }
         if (!this.move && lens) {

@@ -1,6 +1,6 @@
 /// The cameras of the shot in the view: paths, the lens at the play head, and all handles.
 import { computed, effect } from '@preact/signals';
-import { filmCamera, framesOfCameras } from '../../motion/clock';
+import { cameraLookedThrough, filmCamera, framesOfCameras } from '../../motion/clock';
 import type { KeyPath } from '../../protocol';
 import { filmTime, lookThrough, selection, shot } from '../../state/state';
 import { showCameras } from '../../state/view_state';
@@ -29,7 +29,7 @@ const selectedCamera = computed(() => {
 /// The camera that is drawn in full: the one that is looked through, the selected one, or that of the
 /// play head.
 export const activeCamera = computed(() => {
-    const through = shot.value?.cameras.findIndex(({ name }) => name === lookThrough.value) ?? -1;
+    const through = cameraLookedThrough.value;
     return through >= 0 ? through
         : selectedCamera.value >= 0 ? selectedCamera.value : filmCamera.value;
 });
@@ -63,7 +63,7 @@ const handles = computed((): Handle[] => {
     }
     const paths = drawnPaths(camera, cameraColour(index), targetColour(index));
     if (lookThrough.value !== null) {
-        return camera.name === lookThrough.value
+        return index === cameraLookedThrough.value
             ? paths.filter(({ part }) => part === 'target').flatMap(pathHandles) : [];
     }
     const lens = activeLens.value;
@@ -83,7 +83,7 @@ const figure = computed(() => {
         const colour = cameraColour(i);
         const drawn = drawnPaths(camera, colour, targetColour(i)).filter(({ part }) =>
             through === null ? isSelected || part === 'position'
-                : isActive && part === 'target' && camera.name === through);
+                : isActive && part === 'target' && i === cameraLookedThrough.value);
         const frames = framesOfCameras.value[i];
         const ticks = through === null && frames ? [tickFigure(frames, colour, isActive)] : [];
         return [...drawn.map((path) => pathFigure(path, isSelected)), ...ticks];

@@ -1,10 +1,11 @@
 /// The path-traced picture of what the view shows: the film's own frame while the view looks
 /// through the film's camera, otherwise the view itself, without depth of field.
-import { batch, computed, effect } from '@preact/signals';
+import { batch, computed, effect, signal } from '@preact/signals';
 import { send } from '../../connection/socket';
-import { filmCamera, filmDuration } from '../../motion/clock';
+import { cameraLookedThrough, filmCamera, filmDuration } from '../../motion/clock';
 import {
-    filmTime, isStale, lookThrough, notice, picture, pictureAsked, playing, sceneTime, shot, welcome,
+    connection, dragging, filmTime, isStale, lookThrough, notice, picture, pictureAsked, playing, sceneTime, shot,
+    timeline, waitsForButton, welcome,
 } from '../../state/state';
 import { onCommand } from '../../state/keys';
 import { letterbox, type Rectangle } from '../letterbox';
@@ -16,12 +17,22 @@ import { frameAt, sizeOfView, viewOf, type Shown } from './question';
 const kStaleOpacity = 0.35;
 
 let question = 0;
+/// The number of the question that the server answers; 0: none.
+const openQuestion = signal(0);
 
 /// Whether the view looks through the film's own camera at the play head.
-const looksAsFilm = computed(() => {
-    const camera = shot.value?.cameras[filmCamera.value];
-    return camera !== undefined && lookThrough.value === camera.name;
-});
+const looksAsFilm = computed(() => lookThrough.value !== null && filmCamera.value >= 0
+    && cameraLookedThrough.value === filmCamera.value);
+
+/// Whether the page is seen at all: nobody looks at the pictures of a hidden one.
+const isPageSeen = signal(document.visibilityState !== 'hidden');
+
+function watchPage(): () => void {
+    const changed = () => { isPageSeen.value = document.visibilityState !== 'hidden'; };
+    document.addEventListener('visibilitychange', changed);
+    changed();
+    return () => document.removeEventListener('visibilitychange', changed);
+}
 
 function filmsFrame(): number | null {
     const film = shot.value?.film;
@@ -32,7 +43,8 @@ function filmsFrame(): number | null {
 /// What the view shows now; null while it plays, or if it cannot be traced.
 function shown(context: ViewContext): Shown | null {
     void context.moved.value;
-    if (playing.value || !shot.value) {
+    if (playing.value || !shot.value || !isPageSeen.value
+        || connection.value !== 'open') {
         return null;
     }
     const frame = filmsFrame();
@@ -56,11 +68,23 @@ function boxOf({ canvas }: ViewContext): Rectangle {
 function ask(wanted: Shown | null): void {
     question += 1;
     shownPicture.value = null;
-    pictureAsked.value = wanted
+    const isAsked = wanted !== null
         ? send('see', {
             q: question, v: shot.peek()?.v ?? 0, samples: 0, channel: channel.peek(), ...wanted,
         })
         : send('unsee', {}) && false;
+    openQuestion.value = isAsked ? question : 0;
+}
+
+/// Whether the shown picture is of older texts than the motion. The server makes it anew by itself.
+function isPictureOld(): boolean {
+    return (shownPicture.value?.head.v ?? Infinity) < (timeline.value?.head.v ?? 0);
+}
+
+/// Whether a picture will come.
+function isAwaited(): boolean {
+    const isDone = (shownPicture.value?.head.complete ?? false) && !isPictureOld();
+    return openQuestion.value > 0 && !waitsForButton.value && !isDone;
 }
 
 export const makeTracedPicture: MakePart = (context) => {
@@ -69,6 +93,7 @@ export const makeTracedPicture: MakePart = (context) => {
     let asked = '';
 
     const ends = [
+        watchPage(),
         effect(() => {
             const wanted = isRefining.value ? shown(context) : null;
             const key = JSON.stringify([wanted, channel.value, welcome.value?.shot]);
@@ -80,19 +105,18 @@ export const makeTracedPicture: MakePart = (context) => {
         }),
         effect(() => {
             const one = picture.value;
-            if (one && one.head.q === question && isRefining.peek()) {
-                batch(() => {
-                    shownPicture.value = one;
-                    pictureAsked.value = !one.head.complete;
-                });
+            if (one && one.head.q === openQuestion.peek()) {
+                shownPicture.value = one;
             }
         }),
+        effect(() => { pictureAsked.value = isAwaited(); }),
         effect(() => {
             void context.moved.value;
             const { clientWidth: width, clientHeight: height } = context.canvas;
             quad.place(boxOf(context), { width, height });
-            quad.show(shownPicture.value, keptPicture.value, wipe.value,
-                isStale.value ? kStaleOpacity : 1);
+            const one = dragging.value ? null : shownPicture.value; // it would hide what moves
+            const isOld = isStale.value || isPictureOld();
+            quad.show(one, keptPicture.value, wipe.value, isOld ? kStaleOpacity : 1);
             context.ask();
         }),
         onCommand('refine', () => {
