@@ -3,7 +3,7 @@ import { effect, signal } from '@preact/signals';
 import { DirectionalLight, Group, HemisphereLight, Scene } from 'three';
 import type { CameraPose } from '../motion/camera';
 import { cameraLookedThrough, framesOfCameras, tracks } from '../motion/clock';
-import { filmTime, lookThrough, meshes, sceneTime, shot } from '../state/state';
+import { connection, filmTime, lookThrough, meshes, notice, sceneTime, shot } from '../state/state';
 import { kAllParts } from './all_parts';
 import { CameraLock } from './camera_gizmos/camera_lock';
 import { Cameras } from './cameras';
@@ -15,7 +15,7 @@ import { objectIds } from './object_ids';
 import type { ViewCamera, ViewContext } from './parts';
 import { arbitratePointer } from './pointer';
 import { SceneMeshes } from './scene_meshes';
-import { pickedBy, selectByClick } from './selecting';
+import { pickedBy, selectByClick, traceByDoubleClick } from './selecting';
 import { answerViewKeys, lookAtAll } from './view_keys';
 import { followVisibility } from './visibility';
 
@@ -42,6 +42,7 @@ export class Stage {
     private readonly loaded = signal(0); // how often meshes were loaded
     private readonly lock: CameraLock;
     private readonly ends: (() => void)[] = [];
+    private missing: string | null = null; // meshes that could not be loaded
     private seen: string | null = null; // the shot that the free view was turned to
 
     private constructor(
@@ -77,6 +78,7 @@ export class Stage {
                 return pickedBy(parts, pixel)
                     ?? (!object || object.kind === 'table' ? null : object.path);
             }),
+            traceByDoubleClick(canvas, parts),
             answerContextMenu(this.context, parts),
             answerViewKeys(cameras, this.context, () => this.aim()),
             followVisibility(scene, this.meshes, this.loaded, () => drawing.ask()),
@@ -118,6 +120,11 @@ export class Stage {
         this.ends.push(
             effect(() => this.load(meshes.value)),
             effect(() => {
+                if (connection.value === 'open' && this.missing !== null) {
+                    this.load(this.missing);
+                }
+            }),
+            effect(() => {
                 if (shot.value) {
                     this.meshes.pose(shot.value, tracks.value, sceneTime.value);
                 }
@@ -148,6 +155,7 @@ export class Stage {
         if (hash === null) {
             return;
         }
+        this.missing = null;
         this.meshes.load(hash).then((isShown) => {
             const state = shot.peek();
             if (isShown && state) {
@@ -157,7 +165,15 @@ export class Stage {
                 this.loaded.value += 1;
             }
             this.drawing.ask();
-        }, (error: unknown) => console.error(error));
+        }, () => {
+            this.missing = hash === meshes.peek() ? hash : null;
+            if (this.missing !== null) {
+                notice.value = {
+                    kind: 'error', text: 'The shapes of the shot could not be loaded. The page tries '
+                        + 'it again when it has connected to the server anew.',
+                };
+            }
+        });
     }
 
     /// Looks from where the view's own or the chosen camera is.
