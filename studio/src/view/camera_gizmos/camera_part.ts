@@ -13,7 +13,7 @@ import { handleSet } from '../handles/handle_part';
 import { kHandlePriority, type MakePart, type Pixel, type ViewContext } from '../parts';
 import { cameraColour, targetColour } from './camera_colours';
 import { lensFigure, lensHandles, type LensNow } from './lens_handles';
-import { pathFigure, tickFigure } from './path_figure';
+import { lookFigure, pathFigure, tickFigure } from './path_figure';
 import { drawnPaths, pathHandles } from './path_handles';
 
 const kPathReach = 6; // CSS pixels from a path that is clicked
@@ -70,11 +70,11 @@ const handles = computed((): Handle[] => {
     return [...(lens ? lensHandles(lens) : []), ...paths.flatMap(pathHandles)];
 });
 
-const figure = computed(() => {
+/// What stands still while the play head moves.
+const pathsFigure = computed(() => {
     if (!showCameras.value) {
         return {};
     }
-    const lens = activeLens.value;
     const through = lookThrough.value;
     const cameras = shot.value?.cameras ?? [];
     const paths = cameras.flatMap((camera, i) => {
@@ -86,9 +86,15 @@ const figure = computed(() => {
                 : isActive && part === 'target' && i === cameraLookedThrough.value);
         const frames = framesOfCameras.value[i];
         const ticks = through === null && frames ? [tickFigure(frames, colour, isActive)] : [];
-        return [...drawn.map((path) => pathFigure(path, isSelected)), ...ticks];
+        const looks = through === null && frames && isSelected ? [lookFigure(frames, colour)] : [];
+        return [...drawn.map((path) => pathFigure(path, isSelected)), ...ticks, ...looks];
     });
-    return together(...paths, through === null && lens ? lensFigure(lens, selectedCamera.value >= 0) : {});
+    return together(...paths);
+});
+
+const lensNowFigure = computed(() => {
+    const lens = showCameras.value && lookThrough.value === null ? activeLens.value : null;
+    return lens ? lensFigure(lens, selectedCamera.value >= 0) : {};
 });
 
 /// The camera whose path is at a pixel.
@@ -117,8 +123,9 @@ export const makeCameras: MakePart = (context) => {
     const set = handleSet(handles, context);
     const ends = [
         followAxisKeys(),
-        effect(() => sketch.show('cameras', figure.value)),
-        effect(() => sketch.show('camera handles', set.figure())),
+        effect(() => sketch.show('cameras', pathsFigure.value)),
+        effect(() => sketch.show('lens', lensNowFigure.value, 'moving')),
+        effect(() => sketch.show('camera handles', set.figure(), 'moving')),
     ];
     if (window.studio) {
         window.studio['cameraHandles'] = set.shown; // for tests
