@@ -1,11 +1,13 @@
 /// The tools of the path-traced picture, at the lower edge of the view.
-import { Aperture, SquareSplitHorizontal, X } from 'lucide-preact';
+import { Aperture, Download, SquareSplitHorizontal, X } from 'lucide-preact';
 import { send } from '../../connection/socket';
-import { deferred, isStale, pictureAsked, shot, waitsForButton } from '../../state/state';
+import { deferred, pictureAsked, shot, waitsForButton } from '../../state/state';
 import { runCommand } from '../../state/keys';
 import {
     channel, isRefining, kChannels, keptPicture, shownPicture, wipe,
 } from './picture_state';
+import { isPictureOld } from './asking';
+import { savePicture } from './save_picture';
 import './picture_bar.css';
 
 /// How far the picture is, as a sentence.
@@ -29,7 +31,7 @@ function Progress() {
         </span>
     ) : (
         <span class="progress" role="status">
-            {isStale.value && shownPicture.value ? 'out of date' : progressText()}
+            {shownPicture.value && isPictureOld() ? 'out of date' : progressText()}
         </span>
     );
 }
@@ -79,6 +81,10 @@ export function PictureBar() {
                         ))}
                     </select>
                     <Compare />
+                    <button class="tool" disabled={!shownPicture.value} title="Save the picture as PNG"
+                        onClick={() => shownPicture.value && savePicture(shownPicture.value)}>
+                        <Download size={15} aria-hidden="true" /> Save
+                    </button>
                     <Progress />
                     {head?.legend ? <span class="legend">{head.legend}</span> : null}
                     {head && !head.complete
