@@ -67,7 +67,8 @@ export class Stage {
         const lamp = new DirectionalLight(0xffffff, 1.6);
         lamp.position.set(0.4, -0.8, 2);
         scene.add(new HemisphereLight(0xffffff, 0x404840, 1.8), lamp, this.meshes.group,
-            overlay);
+            this.meshes.instances.group, overlay);
+        scene.onBeforeRender = () => this.meshes.instances.place();
 
         const parts = kAllParts.map((make) => make(this.context));
         this.ends.push(

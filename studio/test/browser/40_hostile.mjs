@@ -37,6 +37,19 @@ export async function check(context) {
     equal(await page.evaluate(() => window.studio.state.shot.value.objects.length > 90), true,
         'whether all boxes are shown');
 
+    // The boxes are drawn with one call, and each is found by the pointer and outlined all the same.
+    await page.waitForFunction(() => window.studio.view.context.meshNode('box_81'));
+    const [calls, name] = await page.evaluate(() => {
+        const { context, drawing, camera, canvas } = window.studio.view;
+        drawing.renderer.render(drawing.scene, camera);
+        const box = canvas.getBoundingClientRect();
+        const [x, y] = context.toScreen(window.studio.state.shot.value.objects
+            .find((one) => one.name === 'box_81').position);
+        return [drawing.renderer.info.render.calls,
+            context.objectAt({ clientX: x + box.left, clientY: y + box.top })?.name];
+    });
+    equal([calls < 40, name], [true, 'box_81'], `${calls} draw calls; what is at a box`);
+
     // A picture has to wait, and says for what.
     await page.locator('canvas[aria-label="The scene"]').focus();
     await page.keyboard.press('c');
