@@ -173,21 +173,12 @@ try {
     line('drag while a traced picture refines: to the new motion', refining.answered);
     if (camera) {
         await page.keyboard.press('c');
-        await page.evaluate(() => {
-            const { state } = window.studio;
-            window.follow = state.filmTime.subscribe((time) => {
-                const one = state.shot.value.cameras.find(
-                    (one) => time >= one.video_start && time < one.video_end);
-                state.lookThrough.value = one?.name ?? state.lookThrough.value;
-            });
-        });
         const pictures = await watchPictures(page, kFrames);
         line('play head to the first traced picture', pictures.first);
         line('play head to the film\'s size, 1 sample', pictures.full);
         line('play head to the film\'s size, 4 samples', pictures.four);
     }
     await page.keyboard.press('r');
-    await page.evaluate(() => window.follow?.());
     await settle(page);
     const played = await play(page);
     line('playing: script that draws a frame', played.times);

@@ -1,6 +1,8 @@
 /// The motion of the newest version as signals, and the play head: both clocks always agree.
 import { batch, computed } from '@preact/signals';
-import { cameraFrames, filmTime, sceneTime, shot, timeline } from '../state/state';
+import {
+    cameraFrames, filmTime, kTheFilm, lookThrough, sceneTime, shot, timeline,
+} from '../state/state';
 import { CameraFramesOf } from './camera_frames';
 import { cameraAt, nearestInstant, sceneTimeAt } from './time_map';
 import { Track } from './track';
@@ -23,6 +25,13 @@ export const framesOfCameras = computed<readonly CameraFramesOf[]>(() => {
 
 /// The index of the camera that the film shows at the play head; -1 without cameras.
 export const filmCamera = computed(() => cameraAt(shot.value?.cameras ?? [], filmTime.value));
+
+/// The index of the camera that the view looks through; -1 in the free view.
+export const cameraLookedThrough = computed(() => {
+    const name = lookThrough.value;
+    return name === kTheFilm ? filmCamera.value
+        : shot.value?.cameras.findIndex((camera) => camera.name === name) ?? -1;
+});
 
 /// The film's duration, s; without cameras that of the motion.
 export const filmDuration = computed(() => {

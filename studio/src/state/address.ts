@@ -2,18 +2,20 @@
 /// camera is a step of the browser's history; the time only replaces the last one.
 import { effect } from '@preact/signals';
 import { goToFilmTime } from '../motion/clock';
-import { filmTime, lookThrough, playing, selection, shot } from './state';
+import { filmTime, kTheFilm, lookThrough, playing, selection, shot } from './state';
+
+const kFilmInAddress = 'film'; // camera=film: the one that the film shows
 
 export interface Address {
     time: number; // of the film, s
-    camera: string | null;
+    camera: string | null; // as state.lookThrough has it
     select: string[] | null;
 }
 
 export function writeAddress({ time, camera, select }: Address): string {
     const parts = [
         time > 0 ? `t=${Number(time.toFixed(3))}` : '',
-        camera !== null ? `camera=${encodeURIComponent(camera)}` : '',
+        camera !== null ? `camera=${camera === kTheFilm ? kFilmInAddress : encodeURIComponent(camera)}` : '',
         select !== null ? `select=${select.map(encodeURIComponent).join('/')}` : '',
     ].filter((part) => part !== '');
     return parts.length > 0 ? `#${parts.join('&')}` : '';
@@ -36,7 +38,7 @@ export function readAddress(hash: string): Address {
     const select = values.get('select');
     return {
         time: Number.isFinite(time) && time > 0 ? time : 0,
-        camera: camera ? decode(camera) : null,
+        camera: camera === kFilmInAddress ? kTheFilm : camera ? decode(camera) : null,
         select: select ? select.split('/').map(decode) : null,
     };
 }
@@ -52,7 +54,9 @@ function restore(): void {
     const cameras = shot.peek()?.cameras ?? [];
     playing.value = false;
     goToFilmTime(time);
-    lookThrough.value = cameras.some((one) => one.name === camera) ? camera : null;
+    const isThere = camera === kTheFilm ? cameras.length > 0
+        : cameras.some((one) => one.name === camera);
+    lookThrough.value = isThere ? camera : null;
     selection.value = select;
 }
 

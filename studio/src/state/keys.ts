@@ -36,7 +36,7 @@ export const kKeyBindings = [
 
     { command: 'frameSelection', keys: ['f'], group: 'View', about: 'Frame the selection' },
     { command: 'refine', keys: ['r'], group: 'View', about: 'Show the path-traced picture' },
-    { command: 'lookThrough', keys: ['c'], group: 'View', about: 'Look through the camera' },
+    { command: 'lookThrough', keys: ['c'], group: 'View', about: 'Look through the film’s camera' },
     { command: 'viewTop', keys: ['1'], group: 'View', about: 'View from above' },
     { command: 'viewAboveCamera', keys: [], group: 'View',
         about: 'View from above the camera, turned as it is' },

@@ -65,6 +65,10 @@ export const isDeferred = computed(() => {
     return v >= textVersion.value && (timeline.value?.head.v ?? -1) < v;
 });
 
+/// Whether they wait for the user, because simulating them takes longer than happens by itself.
+export const waitsForButton = computed(() =>
+    isDeferred.value && deferred.value?.reason === 'limit');
+
 /// Whether the newest texts have an error, as far as the server has answered.
 export const hasErrors = computed(
     () => problems.value?.list.some((problem) => problem.severity === 'error') ?? false,
@@ -83,8 +87,10 @@ export const hovered = signal<KeyPath | null>(null);
 export const filmTime = signal(0);
 export const sceneTime = signal(0);
 export const playing = signal(false);
-/// The name of the camera that the view looks through; null: the free view.
+/// The name of the camera that the view looks through, or kTheFilm; null: the free view.
 export const lookThrough = signal<string | null>(null);
+/// The value of `lookThrough` for the film: at each time the camera that the film shows.
+export const kTheFilm = '(film)';
 
 /// The view's own camera; null while the view looks through a camera of the shot.
 export const freePose = signal<FreePose | null>(null);

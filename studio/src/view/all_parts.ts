@@ -4,6 +4,7 @@ import { makeCameras } from './camera_gizmos/camera_part';
 import { makeArrows } from './gizmos/arrows';
 import { makeEventPins } from './gizmos/event_pins';
 import { makeFan } from './gizmos/fan';
+import { makeMotionKeys } from './gizmos/motion_keys';
 import { makeNudge } from './gizmos/nudge';
 import { makeObjectBodies, makeObjectHandles } from './gizmos/objects';
 import { makeProblemMarks } from './gizmos/problem_marks';
@@ -27,6 +28,7 @@ export const kAllParts: readonly MakePart[] = [
     makeArrows,
     makeEventPins,
     makeFan,
+    makeMotionKeys,
     makeObjectHandles,
     makeObjectBodies,
 ];

@@ -8,7 +8,7 @@ import { sceneTime, selection, shot } from '../state/state';
 import { kBodyPriority, type Drag, type MakePart, type ViewContext } from './parts';
 import { ballItems } from './gizmos/ball_menu';
 import { snapBall, tablePlan, type OtherBall, type Snap } from './gizmos/ball_snap';
-import { editDrag, follower } from './gizmos/dragging';
+import { editDrag, follower, hasShift } from './gizmos/dragging';
 import { kColours, type Figure } from './gizmos/figure';
 import { followAxisKeys, heldAxis } from './gizmos/held_axis';
 import { stepOf } from './gizmos/rays';
@@ -72,7 +72,7 @@ function dragBall(ball: SceneObject, start: PointerEvent, context: ViewContext):
     const show = (place: Triple, snap: Snap) =>
         sketch.show('ball-drag', dragFigure(ball, place, snap, seen));
     const around = (event: PointerEvent): Change[] | null => {
-        const to = follow(event, 'level', event.shiftKey);
+        const to = follow(event, 'level', hasShift(event));
         if (!to || !partner) {
             return null;
         }
@@ -93,7 +93,7 @@ function dragBall(ball: SceneObject, start: PointerEvent, context: ViewContext):
         }];
     };
     const freely = (event: PointerEvent): Change[] | null => {
-        const to = follow(event, event.altKey && !partner ? 'view' : 'level', event.shiftKey);
+        const to = follow(event, event.altKey && !partner ? 'view' : 'level', hasShift(event));
         if (!to) {
             return null;
         }
@@ -111,7 +111,7 @@ function dragBall(ball: SceneObject, start: PointerEvent, context: ViewContext):
         const place: Triple = [...snap.place, free[2]];
         show(place, snap);
         const value = isLow && count === 2 ? place.slice(0, 2) : place;
-        const precision = snap.to.length > 0 ? kSnapPrecision : event.shiftKey
+        const precision = snap.to.length > 0 ? kSnapPrecision : hasShift(event)
             ? stepOf(context.metresPerPixel(to) / 10, 1e-6, kPrecision) : kPrecision;
         return [{ path: [...ball.path, 'at'], value, precision, insteadOf: 'touching' }];
     };

@@ -40,6 +40,7 @@ export class Cameras {
     constructor(canvas: HTMLCanvasElement, changed: () => void) {
         this.free.up.set(0, 0, 1);
         this.orbit = new OrbitControls(this.free, canvas);
+        this.orbit.mouseButtons = { LEFT: MOUSE.ROTATE, MIDDLE: MOUSE.PAN, RIGHT: MOUSE.PAN };
         this.pan = new OrbitControls(this.flat, canvas);
         this.pan.enableRotate = false;
         this.pan.mouseButtons = { LEFT: MOUSE.PAN, MIDDLE: MOUSE.PAN, RIGHT: MOUSE.PAN };

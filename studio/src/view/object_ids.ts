@@ -6,6 +6,7 @@ import {
 } from 'three';
 import type { CameraPose } from '../motion/camera';
 import type { ShotState } from '../protocol';
+import { kInstancedLayer } from './instances';
 import type { SceneMeshes } from './scene_meshes';
 
 /// The colour that stands for a number in the target, which has no transfer function.
@@ -44,6 +45,7 @@ export function objectIds(
     camera.fov = (pose.verticalFov * 180) / Math.PI;
     camera.aspect = width / height;
     camera.near = 1e-3;
+    camera.layers.enable(kInstancedLayer);
     camera.updateProjectionMatrix();
     const target = new WebGLRenderTarget(width, height);
     const pixels = new Uint8Array(4 * width * height);

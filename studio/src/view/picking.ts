@@ -2,12 +2,14 @@
 import { Plane, Raycaster, Vector2, Vector3 } from 'three';
 import type { Camera, Object3D, Ray } from 'three';
 import type { SceneObject } from '../protocol';
+import { kInstancedLayer } from './instances';
 import type { Pixel } from './parts';
 
 /// The ray through the pointer's place on the canvas.
 export function rayAt(event: Pixel, canvas: HTMLElement, camera: Camera): Raycaster {
     const box = canvas.getBoundingClientRect();
     const ray = new Raycaster();
+    ray.layers.enable(kInstancedLayer);
     ray.setFromCamera(new Vector2(
         ((event.clientX - box.left) / box.width) * 2 - 1,
         1 - ((event.clientY - box.top) / box.height) * 2), camera);

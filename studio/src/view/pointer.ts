@@ -1,6 +1,6 @@
 /// Which part of the view gets the pointer.
 import { onCommand } from '../state/keys';
-import type { Drag, ViewPart } from './parts';
+import { kBodyPriority, type Drag, type ViewPart } from './parts';
 
 /// Gives presses, drags and hovering to the parts, before all other listeners of the canvas. A press
 /// that no part wants is left to them. Returns a function that ends this.
@@ -78,6 +78,12 @@ export function arbitratePointer(
         listeners.forEach(([name, listener]) =>
             canvas.removeEventListener(name, listener, { capture: true }));
     };
+}
+
+/// Whether a handle, not only a body of the scene, would get a press of the pointer.
+export function isHandleAt(parts: readonly ViewPart[], event: MouseEvent): boolean {
+    return parts.some((part) => part.priority > kBodyPriority
+        && (part.hover?.(event as PointerEvent) ?? null) !== null);
 }
 
 function cursorAt(parts: readonly ViewPart[], event: PointerEvent): string | null {

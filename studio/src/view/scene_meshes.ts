@@ -6,11 +6,19 @@ import type { Material, Object3D } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import type { Track } from '../motion/track';
 import type { ShotState, Triple, Turn } from '../protocol';
+import { Instances } from './instances';
 
 const kLampPrefix = 'light '; // before the names of lamps in the list of nodes
 
-/// The same colour without reflections, for pictures that the processor draws.
-function simpler(material: Material): Material {
+/// The same colour without reflections, for pictures that the processor draws. What shares a material
+/// shares the simpler one, too.
+function simpler(material: Material, made: Map<Material, Material>): Material {
+    const one = made.get(material) ?? simplified(material);
+    made.set(material, one);
+    return one;
+}
+
+function simplified(material: Material): Material {
     if (!(material instanceof MeshStandardMaterial)) {
         return material;
     }
@@ -33,6 +41,8 @@ function release(object: Object3D): void {
 export class SceneMeshes {
     /// In world axes: the file's Y axis points up, the world's Z axis.
     readonly group = new Group();
+    /// Draws what is alike among them.
+    readonly instances = new Instances();
     private readonly nodes = new Map<string, Object3D>();
     private hash: string | null = null;
 
@@ -50,11 +60,14 @@ export class SceneMeshes {
             return false;
         }
         release(this.group);
+        this.instances.clear();
         this.group.clear();
         this.nodes.clear();
+        const made = new Map<Material, Material>();
         for (const node of [...scene.children]) {
-            this.adopt(node);
+            this.adopt(node, made);
         }
+        this.instances.take(this.group);
         return true;
     }
 
@@ -100,7 +113,7 @@ export class SceneMeshes {
         }
     }
 
-    private adopt(node: Object3D): void {
+    private adopt(node: Object3D, made: Map<Material, Material>): void {
         // The loader changes names that it cannot use in paths, and keeps the file's in userData.
         const given: unknown = node.userData['name'];
         const name = typeof given === 'string' ? given : node.name;
@@ -110,7 +123,8 @@ export class SceneMeshes {
                 part.visible = false; // its watts are meant for the renderer
             } else if (part instanceof Mesh && this.isFast) {
                 part.material = Array.isArray(part.material)
-                    ? part.material.map(simpler) : simpler(part.material as Material);
+                    ? part.material.map((one) => simpler(one, made))
+                    : simpler(part.material as Material, made);
             }
         });
         this.group.add(node);

@@ -1,7 +1,9 @@
-/// A click on the canvas selects what is there.
+/// A click on the canvas selects what is there, a double click traces the picture.
 import type { KeyPath } from '../protocol';
+import { runCommand } from '../state/keys';
 import { selection } from '../state/state';
 import type { Pixel, ViewPart } from './parts';
+import { isHandleAt } from './pointer';
 
 const kClickDistance = 4; // CSS pixels; a longer way is a drag
 
@@ -39,4 +41,15 @@ export function pickedBy(parts: readonly ViewPart[], pixel: Pixel): KeyPath | nu
         }
     }
     return null;
+}
+
+/// A double click shows the traced picture as R does, unless it meets a handle.
+export function traceByDoubleClick(canvas: HTMLCanvasElement, parts: readonly ViewPart[]): () => void {
+    const listener = (event: MouseEvent) => {
+        if (!isHandleAt(parts, event)) {
+            runCommand('refine');
+        }
+    };
+    canvas.addEventListener('dblclick', listener);
+    return () => canvas.removeEventListener('dblclick', listener);
 }

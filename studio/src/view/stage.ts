@@ -2,8 +2,8 @@
 import { effect, signal } from '@preact/signals';
 import { DirectionalLight, Group, HemisphereLight, Scene } from 'three';
 import type { CameraPose } from '../motion/camera';
-import { framesOfCameras, tracks } from '../motion/clock';
-import { filmTime, lookThrough, meshes, sceneTime, shot } from '../state/state';
+import { cameraLookedThrough, framesOfCameras, tracks } from '../motion/clock';
+import { connection, filmTime, lookThrough, meshes, notice, sceneTime, shot } from '../state/state';
 import { kAllParts } from './all_parts';
 import { CameraLock } from './camera_gizmos/camera_lock';
 import { Cameras } from './cameras';
@@ -15,7 +15,7 @@ import { objectIds } from './object_ids';
 import type { ViewCamera, ViewContext } from './parts';
 import { arbitratePointer } from './pointer';
 import { SceneMeshes } from './scene_meshes';
-import { pickedBy, selectByClick } from './selecting';
+import { pickedBy, selectByClick, traceByDoubleClick } from './selecting';
 import { answerViewKeys, lookAtAll } from './view_keys';
 import { followVisibility } from './visibility';
 
@@ -42,6 +42,7 @@ export class Stage {
     private readonly loaded = signal(0); // how often meshes were loaded
     private readonly lock: CameraLock;
     private readonly ends: (() => void)[] = [];
+    private missing: string | null = null; // meshes that could not be loaded
     private seen: string | null = null; // the shot that the free view was turned to
 
     private constructor(
@@ -66,7 +67,8 @@ export class Stage {
         const lamp = new DirectionalLight(0xffffff, 1.6);
         lamp.position.set(0.4, -0.8, 2);
         scene.add(new HemisphereLight(0xffffff, 0x404840, 1.8), lamp, this.meshes.group,
-            overlay);
+            this.meshes.instances.group, overlay);
+        scene.onBeforeRender = () => this.meshes.instances.place();
 
         const parts = kAllParts.map((make) => make(this.context));
         this.ends.push(
@@ -77,6 +79,7 @@ export class Stage {
                 return pickedBy(parts, pixel)
                     ?? (!object || object.kind === 'table' ? null : object.path);
             }),
+            traceByDoubleClick(canvas, parts),
             answerContextMenu(this.context, parts),
             answerViewKeys(cameras, this.context, () => this.aim()),
             followVisibility(scene, this.meshes, this.loaded, () => drawing.ask()),
@@ -118,6 +121,11 @@ export class Stage {
         this.ends.push(
             effect(() => this.load(meshes.value)),
             effect(() => {
+                if (connection.value === 'open' && this.missing !== null) {
+                    this.load(this.missing);
+                }
+            }),
+            effect(() => {
                 if (shot.value) {
                     this.meshes.pose(shot.value, tracks.value, sceneTime.value);
                 }
@@ -129,7 +137,7 @@ export class Stage {
                 }
             }),
             effect(() => {
-                void [filmTime.value, lookThrough.value, framesOfCameras.value];
+                void [filmTime.value, lookThrough.value, cameraLookedThrough.value, framesOfCameras.value];
                 this.aim();
             }),
         );
@@ -148,6 +156,7 @@ export class Stage {
         if (hash === null) {
             return;
         }
+        this.missing = null;
         this.meshes.load(hash).then((isShown) => {
             const state = shot.peek();
             if (isShown && state) {
@@ -157,7 +166,15 @@ export class Stage {
                 this.loaded.value += 1;
             }
             this.drawing.ask();
-        }, (error: unknown) => console.error(error));
+        }, () => {
+            this.missing = hash === meshes.peek() ? hash : null;
+            if (this.missing !== null) {
+                notice.value = {
+                    kind: 'error', text: 'The shapes of the shot could not be loaded. The page tries '
+                        + 'it again when it has connected to the server anew.',
+                };
+            }
+        });
     }
 
     /// Looks from where the view's own or the chosen camera is.
@@ -181,9 +198,7 @@ export class Stage {
 
     /// Of the camera of the shot that is looked through; null in the free view.
     private poseNow(): CameraPose | null {
-        const index = shot.peek()?.cameras
-            .findIndex(({ name }) => name === lookThrough.peek()) ?? -1;
-        return framesOfCameras.peek()[index]?.poseAt(filmTime.peek()) ?? null;
+        return framesOfCameras.peek()[cameraLookedThrough.peek()]?.poseAt(filmTime.peek()) ?? null;
     }
 
     private tellMoved(): void {

@@ -62,6 +62,15 @@ class Trails {
         set(this.dots, dots, dotColours);
     }
 
+    dispose(): void {
+        for (const drawn of [this.lines, this.dots]) {
+            drawn.removeFromParent();
+            drawn.geometry.dispose();
+            drawn.material.dispose();
+        }
+        this.dots.material.map?.dispose();
+    }
+
     show(isShown: boolean, hasDots = isShown): void {
         this.lines.visible = isShown;
         this.dots.visible = hasDots;
@@ -117,7 +126,9 @@ export const makeTrails: MakePart = (context) => {
             ask();
         }),
         effect(() => {
-            sketch.show('pinned', { balls: pinnedBalls(sceneTime.value) });
+            sketch.show('pinned', {
+                balls: pinned.value ? pinnedBalls(sceneTime.value) : [],
+            }, 'moving');
         }),
         onCommand('pinGhost', togglePin),
     ];
@@ -125,7 +136,8 @@ export const makeTrails: MakePart = (context) => {
         priority: kDrawingPriority,
         dispose: () => {
             ends.forEach((end) => end());
-            scene.remove(trails.lines, trails.dots, old.lines);
+            trails.dispose();
+            old.dispose();
             sketch.dispose();
         },
     };

@@ -1,10 +1,9 @@
 /// What the keys of the view do.
-import { filmCamera } from '../motion/clock';
 import { cameraAxes } from '../motion/camera';
 import { scale } from '../motion/vectors';
 import type { ShotState } from '../protocol';
 import { onCommand } from '../state/keys';
-import { lookThrough, selection, shot } from '../state/state';
+import { kTheFilm, lookThrough, selection, shot } from '../state/state';
 import { isWireframe, viewKind } from '../state/view_state';
 import { boundsOf, wholeScene } from './bounds';
 import { activeLens } from './camera_gizmos/camera_part';
@@ -45,8 +44,8 @@ export function answerViewKeys(
             }
         }),
         onCommand('lookThrough', () => {
-            const camera = shot.peek()?.cameras[filmCamera.peek()];
-            lookThrough.value = lookThrough.peek() === null ? camera?.name ?? null : null;
+            const hasCamera = (shot.peek()?.cameras.length ?? 0) > 0;
+            lookThrough.value = lookThrough.peek() === null && hasCamera ? kTheFilm : null;
         }),
         onCommand('frameSelection', freely(null, () => {
             const state = shot.peek();

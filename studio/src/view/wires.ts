@@ -36,31 +36,37 @@ function setSurfaces(of: Object3D, isVisible: boolean): void {
 
 export class Wires {
     private readonly lines: LineSegments[] = [];
+    private readonly materials: LineBasicMaterial[] = [];
     private material = new LineBasicMaterial();
     private of: Object3D | null = null;
 
     /// Shows the edges of everything in `of` instead of its surfaces; null: surfaces again.
     show(of: Object3D | null, colours: ViewColours, shot: ShotState | null): void {
         this.clear();
-        const plain = new LineBasicMaterial({ color: new Color(colours.faint) });
         if (!of) {
             return;
         }
+        const plain = this.paint(new Color(colours.faint));
         this.of = of;
         setSurfaces(of, false);
         const balls = new Map(shot?.objects.filter((one) => one.kind === 'ball')
             .map((ball) => [ball.name, ball]));
         for (const node of of.children) {
             const ball = balls.get(String(node.userData['name'] ?? node.name));
-            this.material = ball ? new LineBasicMaterial({
-                color: new Color(...ball.colour).lerp(new Color(colours.text), 0.35),
-            }) : plain;
+            this.material = ball
+                ? this.paint(new Color(...ball.colour).lerp(new Color(colours.text), 0.35)) : plain;
             if (ball) {
                 this.add(node, circles(ball.radius));
             } else {
                 this.addEdges(node);
             }
         }
+    }
+
+    private paint(color: Color): LineBasicMaterial {
+        const material = new LineBasicMaterial({ color });
+        this.materials.push(material);
+        return material;
     }
 
     private addEdges(node: Object3D): void {
@@ -85,6 +91,7 @@ export class Wires {
             lines.removeFromParent();
             lines.geometry.dispose();
         }
+        this.materials.splice(0).forEach((material) => material.dispose());
         if (this.of) {
             setSurfaces(this.of, true);
             this.of = null;

@@ -59,7 +59,8 @@ async function checkShot(page, carom, path) {
     let count = 0;
     for (const camera of cameras) {
         await frame(page, camera);
-        const free = (all) => all.filter((one) => one.way === 'free');
+        const free = (all) => all.filter((one) =>
+            one.way === 'free' && !one.key.endsWith('/turn'));
         const points = free(await handlesOf(page));
         for (const { key } of points) {
             await frame(page, points.find((one) => one.key === key).path);

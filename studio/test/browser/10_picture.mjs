@@ -30,6 +30,27 @@ function rowsOfBitmap(bytes) {
     return rows;
 }
 
+/// The line between both pictures is dragged in the view, and Save keeps what is shown.
+async function dragLine(page) {
+    const slider = page.getByRole('slider', { name: /^Place of the line/ });
+    const box = await page.evaluate(() => {
+        const { left, top, width, height } = window.studio.view.context.box();
+        const canvas = window.studio.view.canvas.getBoundingClientRect();
+        return { x: canvas.left + left, y: canvas.top + top, width, height };
+    });
+    const y = box.y + 0.2 * box.height;
+    await page.mouse.move(box.x + 0.5 * box.width, y);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 0.6 * box.width, y);
+    await page.mouse.move(box.x + 0.75 * box.width, y);
+    await page.mouse.up();
+    const place = Number(await slider.inputValue());
+    equal(Math.abs(place - 0.75) < 0.01, true, `the line is at ${place}`);
+    const [download] = await Promise.all([page.waitForEvent('download'),
+        page.getByTitle('Save the picture as PNG').click()]);
+    equal(download.suggestedFilename(), 'nine_ball_break_84_object_id.png', 'the name of the picture');
+}
+
 export async function check({ page, path, folder, carom }) {
     const cache = join(folder, 'cache');
     await page.evaluate(() => window.studio.state.filmTime.value = 3.5);
@@ -68,6 +89,7 @@ export async function check({ page, path, folder, carom }) {
     const ids = await traced(page);
     equal([ids.channel, ids.stored, ids.legend !== ''], ['object_id', false, true], 'the channel');
     equal(await page.getByRole('slider', { name: /^Place of the line/ }).count(), 1, 'wipes');
+    await dragLine(page);
     await page.getByLabel('What the picture shows').selectOption('');
     await page.locator('canvas[aria-label="The scene"]').focus();
     await page.keyboard.press('3');

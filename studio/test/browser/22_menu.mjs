@@ -19,6 +19,26 @@ function changedLines(before, after) {
     return after.split('\n').filter((line, i) => line !== old[i]);
 }
 
+/// A point of a path that belongs to a ball becomes a place.
+async function freeByMenu(page) {
+    const at = await page.evaluate(() => {
+        const { cameras } = window.studio.state.shot.value;
+        const camera = cameras.find(({ position }) => position.points.some(({ of }) => of !== ''));
+        const point = camera.position.points.find(({ of }) => of !== '');
+        window.studio.state.selection.value = point.path;
+        const { context } = window.studio.view;
+        const box = context.canvas.getBoundingClientRect();
+        const [x, y] = context.toScreen(point.position);
+        return [box.left + x, box.top + y];
+    });
+    await page.mouse.click(...at, { button: 'right' });
+    await page.getByRole('menuitem', { name: 'Free this point' }).click();
+    await settle(page);
+    const text = await textOf(page);
+    equal(text.includes('{of: cue, at: 0.3 s'), false, 'the point of the ball');
+    equal(await page.evaluate(() => window.studio.state.hasErrors.value), false, 'errors');
+}
+
 export async function check({ page }) {
     await page.waitForFunction(() => window.studio.view.context.meshNode('cue'));
     const before = await textOf(page);
@@ -42,7 +62,7 @@ export async function check({ page }) {
         'the selection');
 
     await open();
-    await page.getByRole('menuitem', { name: 'look at nine as it moves' }).click();
+    await page.getByRole('menuitem', { name: 'Track nine with “break”' }).click();
     await settle(page);
     equal(changedLines(before, await textOf(page)), ['    target: {follow: nine}'], 'looking at it');
     const kind = await page.evaluate(() => window.studio.state.shot.value.cameras[0].target.kind);
@@ -73,6 +93,8 @@ export async function check({ page }) {
     const points = await page.evaluate(() =>
         window.studio.state.shot.value.cameras[0].position.points.length);
     equal(points, 4, 'points of the path');
+    await undo();
+    await freeByMenu(page);
     await undo();
     return labels.map((label) => label.split('\n')[0]).join(', ');
 }

@@ -50,7 +50,52 @@ function drawn(page) {
     });
 }
 
-export async function check({ page }) {
+/// The middle button moves the free view, and a double click traces it.
+async function mouseRows(page) {
+    const box = await page.locator(kScene).boundingBox();
+    const [x, y] = [box.x + 0.7 * box.width, box.y + 0.7 * box.height];
+    const look = () => page.evaluate(() => {
+        const { position, target } = window.studio.state.freePose.value;
+        return { target, way: target.map((value, i) => value - position[i]) };
+    });
+    const before = await look();
+    await page.mouse.move(x, y);
+    await page.mouse.down({ button: 'middle' });
+    await page.mouse.move(x + 40, y);
+    await page.mouse.up({ button: 'middle' });
+    const after = await look();
+    const far = (a, b) => Math.hypot(...a.map((value, i) => value - b[i]));
+    equal([far(before.target, after.target) > 1e-3, far(before.way, after.way) < 1e-9], [true, true],
+        'the view is moved, not turned');
+    const traced = page.getByRole('button', { name: 'Traced' });
+    await page.mouse.dblclick(x, y);
+    equal(await traced.getAttribute('aria-pressed'), 'true', 'traced after a double click');
+    await page.mouse.dblclick(x, y);
+    equal(await traced.getAttribute('aria-pressed'), 'false', 'traced after another');
+}
+
+/// Shapes that could not be loaded are loaded when the connection is there again.
+async function loadAgain(page, complaints) {
+    const loaded = () => page.evaluate(() => window.studio.view.loaded.value);
+    const count = await loaded();
+    await page.route('**/scene/*.glb', (route) => route.abort());
+    await page.evaluate(() => {
+        const { meshes } = window.studio.state;
+        const hash = meshes.value;
+        meshes.value = null;
+        meshes.value = hash;
+    });
+    await page.getByText('The shapes of the shot could not be loaded').waitFor();
+    await page.unroute('**/scene/*.glb');
+    await page.evaluate(() => {
+        window.studio.state.connection.value = 'lost';
+        window.studio.state.connection.value = 'open';
+    });
+    await page.waitForFunction((old) => window.studio.view.loaded.value > old, count);
+    complaints.length = 0; // the request that was broken on purpose
+}
+
+export async function check({ page, complaints }) {
     await page.waitForFunction(() => window.studio.view.context.meshNode('cue'));
     const press = async (key) => {
         await page.locator(kScene).focus();
@@ -128,6 +173,9 @@ export async function check({ page }) {
             off: Math.hypot(x - context.canvas.clientWidth / 2, y - context.canvas.clientHeight / 2) };
     });
     equal(size.radius > 60 && size.off < 2, true, `the framed ball: ${JSON.stringify(size)}`);
+
+    await mouseRows(page);
+    await loadAgain(page, complaints);
 
     await press('c');
     await settle(page);

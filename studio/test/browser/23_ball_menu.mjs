@@ -39,6 +39,6 @@ export async function check({ page }) {
         await pixelOf(page, [0.2, -0.3, kRadius]));
     const dragged = await textOf(page);
     equal(/\n {2}nine: \{at: \[0\.\d+, -0\.\d+\]\}\n/.test(dragged), true, dragged);
-    equal(await choose('nine', 'Back to the rack with nine'), before, 'the text with nine in the rack again');
+    equal(await choose('nine', 'Return nine to the rack'), before, 'the text with nine in the rack again');
     return `aim, strike, against ${other}, an entry of its own and back to the rack`;
 }

@@ -88,6 +88,18 @@ export async function check(context) {
     const said = sure.labels.find((text) => / is potted in \d of 8$/.test(text));
     equal(said !== undefined, true, sure.labels.join(' | '));
     await shoot('fan');
+    // What stands still is not drawn anew while time passes.
+    const drawn = await page.evaluate(async () => {
+        const { state, gizmos } = window.studio;
+        const still = gizmos.draws('still');
+        for (const time of [0.3, 0.4, 0.5]) {
+            state.filmTime.value = time;
+            state.sceneTime.value = time;
+            await new Promise((done) => requestAnimationFrame(done));
+        }
+        return gizmos.draws('still') - still;
+    });
+    equal(drawn, 0, 'drawings of what stands still');
     const calls = await page.evaluate(() => window.studio.view.drawing.renderer.info.render);
     equal(calls.calls <= 150 && calls.triangles <= 60000, true, JSON.stringify(calls));
     await page.keyboard.press('v');

@@ -21,6 +21,10 @@ export async function check({ page }) {
     await page.evaluate(() => { location.hash = '#t=3.5&camera=slow&select=balls/cue'; });
     await page.waitForFunction(() => window.studio.state.lookThrough.value === 'slow');
     equal(await look(page), [3.5, 'slow', 'balls/cue'], 'what the address says');
+    await page.evaluate(() => { location.hash = '#camera=film'; });
+    await page.waitForFunction(() => window.studio.state.lookThrough.value === '(film)');
+    await page.evaluate(() => { location.hash = '#t=3.5&camera=slow&select=balls/cue'; });
+    await page.waitForFunction(() => window.studio.state.lookThrough.value === 'slow');
     await page.reload();
     await page.waitForFunction(() => window.studio?.state.problems.value?.complete);
     await settle(page);

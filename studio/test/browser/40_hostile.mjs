@@ -37,6 +37,29 @@ export async function check(context) {
     equal(await page.evaluate(() => window.studio.state.shot.value.objects.length > 90), true,
         'whether all boxes are shown');
 
+    // The boxes are drawn with one call, and each is found by the pointer and outlined all the same.
+    await page.waitForFunction(() => window.studio.view.context.meshNode('box_81'));
+    const [calls, name] = await page.evaluate(() => {
+        const { context, drawing, camera, canvas } = window.studio.view;
+        drawing.renderer.render(drawing.scene, camera);
+        const box = canvas.getBoundingClientRect();
+        const [x, y] = context.toScreen(window.studio.state.shot.value.objects
+            .find((one) => one.name === 'box_81').position);
+        return [drawing.renderer.info.render.calls,
+            context.objectAt({ clientX: x + box.left, clientY: y + box.top })?.name];
+    });
+    equal([calls < 40, name], [true, 'box_81'], `${calls} draw calls; what is at a box`);
+
+    // A picture has to wait, and says for what.
+    await page.locator('canvas[aria-label="The scene"]').focus();
+    await page.keyboard.press('c');
+    await page.keyboard.press('r');
+    await page.getByRole('status').filter({ hasText: 'The motion has not been simulated yet.' })
+        .waitFor();
+    await settle(page); // nothing is asked for that cannot come
+    await page.locator('canvas[aria-label="The scene"]').focus();
+    await page.keyboard.press('r');
+
     const replace = async (from, to) => {
         await page.evaluate(([a, b]) => {
             const text = window.studio.edit.text();
@@ -58,7 +81,6 @@ export async function check(context) {
 
     // The picture of its 268 million pixels begins small.
     await page.locator('canvas[aria-label="The scene"]').focus();
-    await page.keyboard.press('c');
     await page.evaluate(() => window.studio.state.picture.subscribe((picture) => {
         window.firstHead ??= picture?.head;
     }));
@@ -71,6 +93,6 @@ export async function check(context) {
     equal(readFileSync(join(folder, 'examples', 'hostile.yaml'), 'utf8'), kText, 'the file');
     equal(complaints, [], 'what the console says');
     await end();
-    return `1000 s wait for a button, the mesh is refused, the next text moves, and the picture begins with `
+    return `1000 s and their picture wait for a button, the mesh is refused, the next text moves, and the picture begins with `
         + `${width}x${height}`;
 }

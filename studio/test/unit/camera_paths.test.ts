@@ -2,9 +2,14 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { bernstein, leadingPoint, movePath } from '../../src/view/camera_gizmos/move_path';
-import { movePoint, onOrbit, writtenAt } from '../../src/view/camera_gizmos/path_handles';
+import { freePoint } from '../../src/view/camera_gizmos/free_point';
+import { distanceOfReach, focusReach } from '../../src/view/camera_gizmos/lens_handles';
+import { axisEnd, onOrbit, tiltChanges } from '../../src/view/camera_gizmos/orbit_handles';
+import { movePoint, writtenAt } from '../../src/view/camera_gizmos/path_handles';
+import { turnOfAngles } from '../../src/view/gizmos/object_frame';
+import { rotate } from '../../src/motion/vectors';
 import { boxOf } from '../../src/view/bounds';
-import type { PathPoint, PathShape, Triple } from '../../src/protocol';
+import type { Camera, Orbit, PathPoint, PathShape, Triple } from '../../src/protocol';
 
 function point(position: Triple, more: Partial<PathPoint> = {}): PathPoint {
     return { path: ['cameras', '0', 'position', 'bezier', '0'], position, of: '', at: 0,
@@ -69,4 +74,53 @@ test('OnOrbit_TurnedByAQuarter_LiesOnTheTurnedAxis', () => {
 test('BoxOf_NoPoints_IsNull', () => {
     assert.equal(boxOf([]), null);
     assert.deepEqual(boxOf([[0, 1, 2], [3, -1, 2]], 1), { low: [-1, -2, 1], high: [4, 2, 3] });
+});
+
+function cameraWith(position: PathShape): Camera {
+    return { name: 'slow', path: ['cameras', '0'], position } as Camera;
+}
+
+test('FreePoint_OfACurve_IsAPlaceInItsList', () => {
+    const own = point([1, 1, 1], { of: 'cue', offset: [0, 0, 0.5] });
+    const camera = cameraWith({ ...kCurve, points: [own] });
+    assert.deepEqual(freePoint(camera, 'position', own, [1, 2, 3], 1e-3),
+        [{ path: ['cameras', '0', 'position', 'bezier', '0'], value: [1, 2, 3], precision: 1e-3 }]);
+});
+
+test('FreePoint_OfACameraThatFollows_ReplacesThePath', () => {
+    const own = point([1, 1, 1], { of: 'cue', path: ['cameras', '0', 'position', 'offset'] });
+    const camera = cameraWith({ kind: 'follow', curve: [], points: [own] });
+    assert.deepEqual(freePoint(camera, 'position', own, [1, 2, 3], 1e-3),
+        [{ path: ['cameras', '0', 'position'], value: [1, 2, 3], precision: 1e-3 }]);
+});
+
+test('FreePoint_CentreOfAnOrbit_KeepsItsOffset', () => {
+    const own = point([1, 1, 1], {
+        of: 'cue', path: ['cameras', '0', 'position', 'offset'], offset: [0, 0, 0.5],
+    });
+    const camera = cameraWith({ kind: 'orbit', curve: [], points: [own] });
+    assert.deepEqual(freePoint(camera, 'position', own, [1, 2, 3], 1e-3),
+        [{ path: ['cameras', '0', 'position', 'orbit'], value: [1, 2, 2.5], precision: 1e-3 }]);
+});
+
+test('FocusReach_OfAnyDistance_IsInvertedAndGrowsSlowly', () => {
+    for (const distance of [0.1, 3, 6, 7, 50, 1000]) {
+        assert.ok(Math.abs(distanceOfReach(focusReach(distance)) - distance) < 1e-9 * distance);
+    }
+    assert.equal(focusReach(3), 3);
+    assert.ok(focusReach(20) > focusReach(10) && focusReach(1000) < 40);
+});
+
+test('TiltChanges_OfAnOrbit_PutTheAxisThroughThePlace', () => {
+    const orbit: Orbit = { radii: [2, 1], angles: [0, 1], turn: turnOfAngles([0.2, -0.1, 0.4]) };
+    const centre: Triple = [1, 2, 3];
+    const to: Triple = [1.5, 2.2, 4];
+    const [change] = tiltChanges(orbit, centre, to, ['cameras', '0', 'position', 'turn']);
+    assert.deepEqual(change?.path, ['cameras', '0', 'position', 'turn']);
+    const turn = turnOfAngles(change?.value as Triple);
+    const end = axisEnd({ ...orbit, turn }, centre);
+    const way = [0.5, 0.2, 1].map((value) => value / Math.hypot(0.5, 0.2, 1));
+    const axis = rotate(turn, [0, 0, 1]);
+    axis.forEach((value, i) => assert.ok(Math.abs(value - (way[i] ?? 0)) < 1e-9));
+    assert.ok(Math.abs(Math.hypot(...end.map((value, i) => value - (centre[i] ?? 0))) - 1) < 1e-9);
 });

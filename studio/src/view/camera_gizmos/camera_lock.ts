@@ -1,16 +1,17 @@
 /// While the view looks through a camera of the shot and is locked to it, turning, panning and
 /// zooming the view moves the camera: one gesture of edits.
 import { effect } from '@preact/signals';
-import { PerspectiveCamera } from 'three';
+import { PerspectiveCamera, Quaternion, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { beginGesture, type Gesture } from '../../edit/edit';
 import type { CameraPose } from '../../motion/camera';
+import { cameraLookedThrough } from '../../motion/clock';
 import { subtract } from '../../motion/vectors';
 import type { Camera, Triple } from '../../protocol';
 import { onCommand } from '../../state/keys';
 import { lookThrough } from '../../state/state';
 import { isCameraLocked } from '../../state/view_state';
-import { activeLens } from './camera_part';
+import { activeCamera, activeLens } from './camera_part';
 import { movePath } from './move_path';
 
 const kWheelPause = 400; // ms; wheel steps with shorter pauses are one step of undo
@@ -28,6 +29,7 @@ export class CameraLock {
     private readonly ends: (() => void)[];
     private move: Move | null = null;
     private isHeld = false;
+    private readonly home = { position: new Vector3(), turn: new Quaternion(), target: new Vector3() };
     private lastWheel = -Infinity; // ms
     private readonly timer = { id: 0, forget: () => {} };
 
@@ -64,20 +66,27 @@ export class CameraLock {
         if (this.isHeld || this.isMoving) {
             return;
         }
-        this.camera.position.copy(through.position);
-        this.camera.quaternion.copy(through.quaternion);
+        this.home.position.copy(through.position);
+        this.home.turn.copy(through.quaternion);
+        this.home.target.set(...target);
+        this.goHome();
         this.camera.fov = through.fov;
         this.camera.aspect = through.aspect;
         this.camera.near = through.near;
         this.camera.far = through.far;
         this.camera.updateProjectionMatrix();
-        this.controls.target.set(...target);
     }
 
     dispose(): void {
         this.finish((gesture) => gesture.cancel());
         this.ends.forEach((end) => end());
         this.controls.dispose();
+    }
+
+    private goHome(): void {
+        this.camera.position.copy(this.home.position);
+        this.camera.quaternion.copy(this.home.turn);
+        this.controls.target.copy(this.home.target);
     }
 
     private begin(): void {
@@ -87,13 +96,19 @@ export class CameraLock {
 
     private change(): void {
         const lens = activeLens.peek();
-        if (!this.isHeld || (!this.move && (!lens || lens.camera.name !== lookThrough.peek()))) {
+        if (!this.isHeld) {
+            this.goHome(); // Escape was pressed: the pointer moves nothing until it is pressed anew
+            return;
+        }
+        if ( !this.move && (!lens || activeCamera.peek() !== cameraLookedThrough.peek())) {
             return;
         }
         if (!this.move && lens) {
             this.move = { gesture: beginGesture(), camera: lens.camera, pose: lens.pose };
-            this.timer.forget = onCommand('cancel', () =>
-                this.finish((gesture) => gesture.cancel()));
+            this.timer.forget = onCommand('cancel', () => {
+                this.isHeld = false;
+                this.finish((gesture) => gesture.cancel());
+            });
         }
         const move = this.move as Move;
         const { camera, pose } = move;

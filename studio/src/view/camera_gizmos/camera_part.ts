@@ -1,6 +1,6 @@
 /// The cameras of the shot in the view: paths, the lens at the play head, and all handles.
 import { computed, effect } from '@preact/signals';
-import { filmCamera, framesOfCameras } from '../../motion/clock';
+import { cameraLookedThrough, filmCamera, framesOfCameras } from '../../motion/clock';
 import type { KeyPath } from '../../protocol';
 import { filmTime, lookThrough, selection, shot } from '../../state/state';
 import { showCameras } from '../../state/view_state';
@@ -13,7 +13,7 @@ import { handleSet } from '../handles/handle_part';
 import { kHandlePriority, type MakePart, type Pixel, type ViewContext } from '../parts';
 import { cameraColour, targetColour } from './camera_colours';
 import { lensFigure, lensHandles, type LensNow } from './lens_handles';
-import { pathFigure, tickFigure } from './path_figure';
+import { lookFigure, pathFigure, tickFigure } from './path_figure';
 import { drawnPaths, pathHandles } from './path_handles';
 
 const kPathReach = 6; // CSS pixels from a path that is clicked
@@ -29,7 +29,7 @@ const selectedCamera = computed(() => {
 /// The camera that is drawn in full: the one that is looked through, the selected one, or that of the
 /// play head.
 export const activeCamera = computed(() => {
-    const through = shot.value?.cameras.findIndex(({ name }) => name === lookThrough.value) ?? -1;
+    const through = cameraLookedThrough.value;
     return through >= 0 ? through
         : selectedCamera.value >= 0 ? selectedCamera.value : filmCamera.value;
 });
@@ -63,18 +63,18 @@ const handles = computed((): Handle[] => {
     }
     const paths = drawnPaths(camera, cameraColour(index), targetColour(index));
     if (lookThrough.value !== null) {
-        return camera.name === lookThrough.value
+        return index === cameraLookedThrough.value
             ? paths.filter(({ part }) => part === 'target').flatMap(pathHandles) : [];
     }
     const lens = activeLens.value;
     return [...(lens ? lensHandles(lens) : []), ...paths.flatMap(pathHandles)];
 });
 
-const figure = computed(() => {
+/// What stands still while the play head moves.
+const pathsFigure = computed(() => {
     if (!showCameras.value) {
         return {};
     }
-    const lens = activeLens.value;
     const through = lookThrough.value;
     const cameras = shot.value?.cameras ?? [];
     const paths = cameras.flatMap((camera, i) => {
@@ -83,12 +83,18 @@ const figure = computed(() => {
         const colour = cameraColour(i);
         const drawn = drawnPaths(camera, colour, targetColour(i)).filter(({ part }) =>
             through === null ? isSelected || part === 'position'
-                : isActive && part === 'target' && camera.name === through);
+                : isActive && part === 'target' && i === cameraLookedThrough.value);
         const frames = framesOfCameras.value[i];
         const ticks = through === null && frames ? [tickFigure(frames, colour, isActive)] : [];
-        return [...drawn.map((path) => pathFigure(path, isSelected)), ...ticks];
+        const looks = through === null && frames && isSelected ? [lookFigure(frames, colour)] : [];
+        return [...drawn.map((path) => pathFigure(path, isSelected)), ...ticks, ...looks];
     });
-    return together(...paths, through === null && lens ? lensFigure(lens, selectedCamera.value >= 0) : {});
+    return together(...paths);
+});
+
+const lensNowFigure = computed(() => {
+    const lens = showCameras.value && lookThrough.value === null ? activeLens.value : null;
+    return lens ? lensFigure(lens, selectedCamera.value >= 0) : {};
 });
 
 /// The camera whose path is at a pixel.
@@ -117,8 +123,9 @@ export const makeCameras: MakePart = (context) => {
     const set = handleSet(handles, context);
     const ends = [
         followAxisKeys(),
-        effect(() => sketch.show('cameras', figure.value)),
-        effect(() => sketch.show('camera handles', set.figure())),
+        effect(() => sketch.show('cameras', pathsFigure.value)),
+        effect(() => sketch.show('lens', lensNowFigure.value, 'moving')),
+        effect(() => sketch.show('camera handles', set.figure(), 'moving')),
     ];
     if (window.studio) {
         window.studio['cameraHandles'] = set.shown; // for tests

@@ -9,7 +9,7 @@ import { easedChange } from './eased_value';
 
 const kDegree = Math.PI / 180;
 const kBody = 0.12; // m, the depth of the frustum that stands for the camera
-const kFarthest = 6; // m; a plane in focus further away is not drawn
+const kFarthest = 6; // m; a plane in focus further away is not drawn, its handle is nearer than it
 const kFovs: [number, number] = [0.5 * kDegree, 175 * kDegree];
 const kNearest = 0.01; // m, of a plane in focus
 const kFovPrecision = 0.1 * kDegree;
@@ -60,7 +60,8 @@ export function lensFigure(lens: LensNow, isSelected: boolean): Figure {
     }
     lines.push({ from: pose.position, to: pose.target, colour, isFaint: true });
     if (pose.focusDistance > kFarthest) {
-        return { lines };
+        const to = add(pose.position, scale(-focusReach(pose.focusDistance), axes.back));
+        return { lines: [...lines, { from: pose.position, to, colour, isFaint: true }] };
     }
     const focus = cornersAt(lens, pose.focusDistance);
     return {
@@ -110,20 +111,30 @@ export function focusChange(lens: LensNow, distance: number, precision: number) 
     return { ...change, value: Math.max(kNearest, change.value), precision };
 }
 
+/// How far from the camera the handle of a plane in focus is: up to some metres there, then by the
+/// logarithm of the distance, so that it stays within reach.
+export function focusReach(distance: number): number {
+    return distance <= kFarthest ? distance : kFarthest * (1 + Math.log(distance / kFarthest));
+}
+
+/// The inverse.
+export function distanceOfReach(reach: number): number {
+    return reach <= kFarthest ? reach : kFarthest * Math.exp(reach / kFarthest - 1);
+}
+
 function focusHandle(lens: LensNow): Handle {
     const { camera, pose, colour } = lens;
     const { back } = cameraAxes(pose);
     return {
         key: [...camera.path, 'focus'].join('/'), path: [...camera.path, 'focus'], colour,
-        at: add(pose.position, scale(-pose.focusDistance, back)), shape: 'ring', size: 12,
+        at: add(pose.position, scale(-focusReach(pose.focusDistance), back)), shape: 'ring', size: 12,
         label: `${camera.name}: focus at ${pose.focusDistance.toFixed(2)} m`,
         way: { kind: 'line', along: scale(-1, back) },
-        changes: (to, precision) =>
-            [focusChange(lens, -dot(subtract(to, pose.position), back), precision)],
+        changes: (to, precision) => [focusChange(lens,
+            distanceOfReach(-dot(subtract(to, pose.position), back)), precision)],
     };
 }
 
 export function lensHandles(lens: LensNow): Handle[] {
-    return lens.pose.focusDistance > kFarthest ? [fovHandle(lens)]
-        : [fovHandle(lens), focusHandle(lens)];
+    return [fovHandle(lens), focusHandle(lens)];
 }

@@ -9,7 +9,7 @@ import { kHandlePriority, type MakePart } from '../parts';
 import {
     arrowFigure, arrowScales, arrowTip, kUnits, type Arrow, type ArrowKind,
 } from './arrow_figure';
-import { editDrag, follower, nearestHandle } from './dragging';
+import { editDrag, follower, hasShift, nearestHandle } from './dragging';
 import { followAxisKeys } from './held_axis';
 import { stepOf } from './rays';
 import { tripleOf, valueAt } from './shot_values';
@@ -118,14 +118,14 @@ export const makeArrows: MakePart = (context) => {
             return editDrag(start, {
                 label: `Change the ${arrow.kind}`,
                 changes: (event) => {
-                    const to = follow(event, event.altKey ? 'view' : 'level', event.shiftKey);
+                    const to = follow(event, event.altKey ? 'view' : 'level', hasShift(event));
                     if (!to) {
                         return null;
                     }
                     const world = scale(1 / unit, subtract(to, arrow.base));
                     const own = arrow.turn ? rotate(inverse(arrow.turn), world) : world;
                     const count = own[2] === 0 ? arrow.count : 3;
-                    const pixel = (context.metresPerPixel(at) / unit) * (event.shiftKey ? 0.1 : 1);
+                    const pixel = (context.metresPerPixel(at) / unit) * (hasShift(event) ? 0.1 : 1);
                     return [{
                         path: arrow.path, value: own.slice(0, count),
                         precision: stepOf(pixel, 1e-9, 1e6),

@@ -80,7 +80,7 @@ function rackItems(ball: SceneObject): MenuItem[] {
     }
     const isAll = typeof entry === 'object' && Object.keys(entry).length === 1;
     return [{
-        label: `Back to the rack with ${ball.name}`,
+        label: `Return ${ball.name} to the rack`,
         run: () => { removeValue(isAll ? ball.path : [...ball.path, key], `Rack ${ball.name}`); },
     }];
 }

@@ -3,6 +3,7 @@ import { Vector3 } from 'three';
 import { beginGesture, type Change, type EditResult, type Gesture } from '../../edit/edit';
 import type { Triple } from '../../protocol';
 import { add, scale, subtract } from '../../motion/vectors';
+import { files, notice } from '../../state/state';
 import type { Drag, Pixel, ViewContext } from '../parts';
 import { heldAxis } from './held_axis';
 import { kAxes } from './object_frame';
@@ -31,18 +32,43 @@ export interface EditDrag {
     ended?(moved: boolean): void;
 }
 
+type Keys = Pick<MouseEvent, 'shiftKey' | 'ctrlKey' | 'metaKey'>;
+
+/// Whether a value of a file that the shot includes is changed there: with Ctrl and Shift.
+export function isIntoInclude(event: Keys): boolean {
+    return event.shiftKey && (event.ctrlKey || event.metaKey);
+}
+
+/// Shift alone: finer, or level.
+export function hasShift(event: Keys): boolean {
+    return event.shiftKey && !isIntoInclude(event);
+}
+
+/// Tells that an edit went to another file than the shot.
+function tellFile({ ok, file }: EditResult): void {
+    const [own, ...others] = files.peek();
+    const name = others.find((one) => one.file === file && file !== own?.file)?.name;
+    if (ok && name !== undefined) {
+        notice.value = { kind: 'info', text: `This changes ${name}, which the shot includes.` };
+    }
+}
+
 /// A drag that edits the shot.
 export function editDrag(start: Pixel, drag: EditDrag): Drag {
     let gesture: Gesture | null = null;
+    let toldFile = '';
     return {
         move: (event) => {
             const way = Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY);
             const changes = gesture || way >= kDragDistance ? drag.changes(event) : null;
             if (changes) {
                 gesture ??= beginGesture();
-                // With Shift a value of a file that the shot includes is changed there.
-                const intoInclude = event.shiftKey;
+                const intoInclude = isIntoInclude(event);
                 const result = gesture.update(changes.map((one) => ({ ...one, intoInclude })));
+                if (result.file !== toldFile) {
+                    toldFile = result.file;
+                    tellFile(result);
+                }
                 drag.after?.(result);
             }
         },

@@ -82,6 +82,8 @@ export const makeFan: MakePart = ({ scene, ask }) => {
         dispose: () => {
             ends.forEach((end) => end());
             lines.removeFromParent();
+            lines.geometry.dispose();
+            lines.material.dispose();
         },
     };
 };

@@ -3,7 +3,7 @@ import type { Change } from '../../edit/edit';
 import type { KeyPath, Triple, Turn } from '../../protocol';
 import { add, length, scale, subtract } from '../../motion/vectors';
 import type { Drag, Pixel, ViewContext } from '../parts';
-import { editDrag, follower, rayThrough } from './dragging';
+import { editDrag, follower, hasShift, rayThrough } from './dragging';
 import { turned, kAxes, toLocal, type RotationText } from './object_frame';
 import { measureAxis, type ObjectHandle, type Selected } from './object_handles';
 import { alongAxis, angleAround, shortAngle, stepOf } from './rays';
@@ -56,7 +56,7 @@ export function dragBody(
     return editDrag(start, {
         label: `Move ${name}`,
         changes: (event) => {
-            const to = follow(event, event.shiftKey ? 'level' : 'view');
+            const to = follow(event, hasShift(event) ? 'level' : 'view');
             if (!to) {
                 return null;
             }
@@ -94,7 +94,7 @@ export function dragRing(
             }
             total += shortAngle(angle - last);
             last = angle;
-            const by = event.shiftKey ? kTurnSteps * Math.round(total / kTurnSteps) : total;
+            const by = hasShift(event) ? kTurnSteps * Math.round(total / kTurnSteps) : total;
             const rounded = kAngleStep * Math.round(by / kAngleStep);
             say(rounded);
             return turned(text, direction, rounded, now).map(({ key, value }): Change => ({
@@ -118,7 +118,7 @@ export function dragHandle(
         return editDrag(start, {
             label: `Move a corner of ${name}`, ended,
             changes: (event) => {
-                const to = follow(event, event.shiftKey ? 'level' : 'view');
+                const to = follow(event, hasShift(event) ? 'level' : 'view');
                 const local = to && toLocal(selected.frame, to);
                 return local && [{
                     path: [...path, selected.shape, String(handle.index)], value: local,

@@ -21,7 +21,7 @@ export function togglePin(): void {
     const state = shot.peek();
     if (pinned.peek() || !state) {
         pinned.value = null;
-        notice.value = { kind: 'info', text: 'The pinned paths are taken away.' };
+        notice.value = { kind: 'info', text: 'Paths unpinned.' };
         return;
     }
     pinned.value = { objects: state.objects, tracks: tracks.peek() };

@@ -46,7 +46,12 @@ export function rotationText(object: KeyPath): RotationText {
     if (columns.length === 3 && columns.every((one) => one !== null)) {
         return { kind: 'axes', axes: columns as [Triple, Triple, Triple] };
     }
-    const rotate = valueAt([...object, 'rotate']);
+    return rotationAt([...object, 'rotate']);
+}
+
+/// What the text says about a rotation.
+export function rotationAt(path: KeyPath): RotationText {
+    const rotate = valueAt(path);
     const angles = tripleOf(rotate);
     if (angles) {
         return { kind: 'angles', angles };

@@ -1,20 +1,10 @@
-/// Draws the figures of all gizmos with one draw call for each kind of thing in them.
+/// Draws the figures of all gizmos, those that move with the play head apart from the others.
 import { effect } from '@preact/signals';
-import {
-    Color, ConeGeometry, DynamicDrawUsage, Group, InstancedMesh, Matrix4, MeshBasicMaterial,
-    MeshLambertMaterial, Quaternion, SphereGeometry, Vector3,
-} from 'three';
-import type { BufferGeometry, Material, Object3D } from 'three';
-import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
-import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
-import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import type { Object3D } from 'three';
 import type { ViewContext } from '../parts';
-import { DotCloud } from './dot_cloud';
-import { together, type Figure, type GhostBall, type Line, type Tip } from './figure';
+import type { Figure } from './figure';
 import { Labels } from './labels';
-
-const kTipSize = 13; // CSS pixels
-const kAbove = 10; // drawn after everything else of the scene
+import { Layer } from './layer';
 
 /// What browser checks see of the gizmos: `window.studio.gizmos`.
 export const forTests: Record<string, unknown> = {};
@@ -28,52 +18,57 @@ export function sketchOf(context: ViewContext): Sketch {
     return sketch;
 }
 
+/// Figures that move with the play head are drawn apart from those that stand still, which are then
+/// not built anew for each frame.
+export type Pace = 'still' | 'moving';
+
+function isEmpty(figure: Figure | undefined): boolean {
+    return !figure || Object.values(figure).every((list: unknown[]) => list.length === 0);
+}
+
 export class Sketch {
-    private readonly group = new Group();
-    private readonly figures = new Map<string, Figure>();
-    private readonly strong = makeLines(2.2, 1);
-    private readonly faint = makeLines(1.4, 0.45);
-    private readonly dots = new DotCloud();
+    private readonly layers: Record<Pace, Layer>;
     private readonly labels: Labels;
-    private tips = makeInstances(kTip, kTipMaterial, 0);
-    private balls = makeInstances(kBall, kBallMaterial, 0);
-    private whole: Figure = {};
-    private isWaiting = false;
+    private readonly waiting = new Set<Layer>();
     private readonly end: () => void;
 
     constructor(private readonly context: ViewContext) {
+        this.layers = { still: new Layer(context), moving: new Layer(context) };
         this.labels = new Labels(context);
         forTests['figure'] = (name: string) => this.figure(name);
+        forTests['draws'] = (pace: Pace) => this.layers[pace].draws;
         if (window.studio) {
             window.studio['gizmos'] = forTests;
         }
-        this.group.add(this.faint, this.strong, this.dots.points, this.tips, this.balls);
-        this.dots.points.renderOrder = kAbove + 2;
-        context.scene.add(this.group);
         this.end = effect(() => {
             void context.moved.value;
-            this.placeTips();
+            Object.values(this.layers).forEach((layer) => layer.placeTips());
             this.labels.place();
         });
     }
 
-    /// Shows a figure in place of the one of the same name.
-    show(name: string, figure: Figure): void {
-        this.figures.set(name, figure);
-        if (!this.isWaiting) {
-            this.isWaiting = true;
+    /// Shows a figure in place of the one of the same name, which has the same pace.
+    show(name: string, figure: Figure, pace: Pace = 'still'): void {
+        const layer = this.layers[pace];
+        const isNothingNew = isEmpty(figure) && isEmpty(layer.figures.get(name));
+        layer.figures.set(name, figure);
+        if (isNothingNew) {
+            return;
+        }
+        if (this.waiting.size === 0) {
             queueMicrotask(() => this.draw());
         }
+        this.waiting.add(layer);
     }
 
     /// What is shown under a name, for tests.
     figure(name: string): Figure {
-        return this.figures.get(name) ?? {};
+        const layer = Object.values(this.layers).find(({ figures }) => figures.has(name));
+        return layer?.figures.get(name) ?? {};
     }
 
-    hide(name: string): void {
-        this.figures.delete(name);
-        this.show(name, {});
+    hide(name: string, pace: Pace = 'still'): void {
+        this.show(name, {}, pace);
     }
 
     /// Ends everything. Called by each part that used it; the first call counts.
@@ -82,113 +77,14 @@ export class Sketch {
             sketches.delete(this.context.scene);
             this.end();
             this.labels.dispose();
-            this.group.removeFromParent();
+            Object.values(this.layers).forEach((layer) => layer.dispose());
         }
     }
 
     private draw(): void {
-        this.isWaiting = false;
-        this.whole = together(...this.figures.values());
-        const lines = this.whole.lines ?? [];
-        setLines(this.strong, lines.filter((line) => !line.isFaint));
-        setLines(this.faint, lines.filter((line) => line.isFaint));
-        this.dots.update(this.whole.dots ?? []);
-        this.placeBalls(this.whole.balls ?? []);
-        this.placeTips();
-        this.labels.update(this.whole.labels ?? []);
+        this.waiting.forEach((layer) => layer.draw());
+        this.waiting.clear();
+        this.labels.update(Object.values(this.layers).flatMap((layer) => layer.labels));
         this.context.ask();
     }
-
-    private placeBalls(balls: readonly GhostBall[]): void {
-        this.balls = enough(this.balls, balls.length);
-        balls.forEach((ball, i) => {
-            this.balls.setMatrixAt(i, new Matrix4().makeScale(ball.radius, ball.radius, ball.radius)
-                .setPosition(...ball.at));
-            this.balls.setColorAt(i, new Color(ball.colour));
-        });
-        written(this.balls, balls.length);
-    }
-
-    private placeTips(): void {
-        const tips: readonly Tip[] = this.whole.tips ?? [];
-        this.tips = enough(this.tips, tips.length);
-        const up = new Vector3(0, 1, 0);
-        tips.forEach((tip, i) => {
-            const along = new Vector3(...tip.along).normalize();
-            const size = (tip.size ?? kTipSize) * this.context.metresPerPixel(tip.at);
-            const turn = new Quaternion().setFromUnitVectors(up, along);
-            this.tips.setMatrixAt(i, new Matrix4().compose(
-                new Vector3(...tip.at), turn, new Vector3(size, size, size)));
-            this.tips.setColorAt(i, new Color(tip.colour));
-        });
-        written(this.tips, tips.length);
-    }
-}
-
-/// A cone with its tip at the origin, along y.
-const kTip = new ConeGeometry(0.36, 1, 12).translate(0, -0.5, 0);
-const kTipMaterial = new MeshBasicMaterial({ depthTest: false, transparent: true });
-const kBall = new SphereGeometry(1, 24, 16);
-const kBallMaterial = new MeshLambertMaterial({
-    transparent: true, opacity: 0.42, depthWrite: false,
-});
-
-type Instances = InstancedMesh<BufferGeometry, Material>;
-
-function makeInstances(geometry: BufferGeometry, material: Material, count: number): Instances {
-    const mesh = new InstancedMesh(geometry, material, Math.max(count, 4));
-    mesh.instanceMatrix.setUsage(DynamicDrawUsage);
-    mesh.frustumCulled = false;
-    mesh.renderOrder = kAbove + 1;
-    mesh.count = 0;
-    mesh.visible = false;
-    // Without it the first colours would not be in the shader.
-    mesh.setColorAt(0, new Color(0xffffff));
-    return mesh;
-}
-
-/// The instances, or larger ones in their place.
-function enough(mesh: Instances, count: number): Instances {
-    if (count <= mesh.instanceMatrix.count) {
-        return mesh;
-    }
-    const larger = makeInstances(mesh.geometry, mesh.material, 2 * count);
-    mesh.parent?.add(larger);
-    mesh.removeFromParent();
-    mesh.dispose();
-    return larger;
-}
-
-function written(mesh: Instances, count: number): void {
-    mesh.count = count;
-    mesh.visible = count > 0;
-    mesh.instanceMatrix.needsUpdate = true;
-    if (mesh.instanceColor) {
-        mesh.instanceColor.needsUpdate = true;
-    }
-}
-
-function makeLines(width: number, opacity: number): LineSegments2 {
-    const lines = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial({
-        vertexColors: true, linewidth: width, transparent: true, opacity, depthTest: false,
-    }));
-    lines.frustumCulled = false;
-    lines.visible = false;
-    lines.renderOrder = kAbove;
-    return lines;
-}
-
-function setLines(drawn: LineSegments2, lines: readonly Line[]): void {
-    drawn.visible = lines.length > 0;
-    if (lines.length === 0) {
-        return;
-    }
-    drawn.geometry.dispose();
-    const geometry = new LineSegmentsGeometry();
-    geometry.setPositions(lines.flatMap(({ from, to }) => [...from, ...to]));
-    geometry.setColors(lines.flatMap(({ colour }) => {
-        const one = new Color(colour).toArray();
-        return [...one, ...one];
-    }));
-    drawn.geometry = geometry;
 }

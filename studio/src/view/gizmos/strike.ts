@@ -9,7 +9,7 @@ import { lookThrough, playing, selection, shot } from '../../state/state';
 import { kHandlePriority, type Drag, type MakePart, type ViewContext } from '../parts';
 import { tablePlan, type OtherBall } from './ball_snap';
 import {
-    editDrag, nearestHandle, pixelDistance, rayThrough, viewDirection,
+    editDrag, hasShift, nearestHandle, pixelDistance, rayThrough, viewDirection,
 } from './dragging';
 import type { Parsed } from './measures';
 import { alongAxis, onPlane, shortAngle, stepOf } from './rays';
@@ -146,7 +146,7 @@ function aimChange(
         });
     const [x, y] = view.centre;
     const aimed = target ? Math.atan2(target.place[1] - y, target.place[0] - x)
-        : event.shiftKey ? view.direction + 0.1 * shortAngle(to.angle - from.angle) : to.angle;
+        : hasShift(event) ? view.direction + 0.1 * shortAngle(to.angle - from.angle) : to.angle;
     const direction = view.direction + shortAngle(aimed - view.direction);
     dragged.value = { direction };
     if (Array.isArray(toward) && toward.every((one) => typeof one === 'number')) {
@@ -158,7 +158,7 @@ function aimChange(
         return [{ path: [...path, 'toward'], value: target.name }];
     }
     const pixel = (context.metresPerPixel(view.centre) / to.reach / kDegree)
-        * (event.shiftKey ? 0.1 : 1);
+        * (hasShift(event) ? 0.1 : 1);
     const precision = target ? 1e-3 : stepOf(pixel, 1e-3, 0.1);
     return [{
         path: [...path, 'direction'], value: direction, precision: precision * kDegree,
@@ -174,10 +174,10 @@ const speedChange: HowToChange = (event, view, path, start, context) => {
     if (to === null || from === null) {
         return null;
     }
-    const way = (event.shiftKey ? 0.1 : 1) * (speedOfLength(to) - speedOfLength(from));
+    const way = (hasShift(event) ? 0.1 : 1) * (speedOfLength(to) - speedOfLength(from));
     const speed = Math.max(kSlowest, view.speed + way);
     dragged.value = { speed };
-    const precision = event.shiftKey ? 0.01 : stepOf(speed / 20, 0.01, 0.1);
+    const precision = hasShift(event) ? 0.01 : stepOf(speed / 20, 0.01, 0.1);
     const key = view.isBallSpeed ? 'ball_speed' : 'speed';
     return [{ path: [...path, key], value: speed, precision }];
 };

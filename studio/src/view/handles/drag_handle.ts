@@ -1,7 +1,7 @@
 /// Dragging a handle: one gesture of edits.
 import { add, scale, subtract } from '../../motion/vectors';
 import type { Triple } from '../../protocol';
-import { editDrag, follower, rayThrough } from '../gizmos/dragging';
+import { editDrag, follower, hasShift, rayThrough } from '../gizmos/dragging';
 import { alongAxis, onPlane, stepOf } from '../gizmos/rays';
 import type { Drag, Pixel, ViewContext } from '../parts';
 import type { Handle } from './handle';
@@ -29,7 +29,7 @@ function placeFor(handle: Handle, start: Pixel, context: ViewContext) {
             const [a, b] = [onPlane(from, at, way.normal), onPlane(to, at, way.normal)];
             return a && b && add(at, subtract(b, a));
         }
-        return free(event, event.shiftKey ? 'level' : 'view');
+        return free(event, hasShift(event) ? 'level' : 'view');
     };
 }
 
@@ -44,7 +44,7 @@ export function dragHandle(
         changes: (event) => {
             const at = place(event);
             moved(at ?? handle.at);
-            return at && handle.changes(at, precision);
+            return at && handle.changes(at, precision, event.altKey);
         },
         ended: () => moved(null),
     });

@@ -21,8 +21,9 @@ export interface Handle {
     colour: number;
     size: number;
     way: HandleWay;
-    /// What to write for a place; lengths not finer than `precision`, m.
-    changes(to: Triple, precision: number): Change[];
+    /// What to write for a place; lengths not finer than `precision`, m. `isFreed`: a place that belongs
+    /// to an object becomes one of its own.
+    changes(to: Triple, precision: number, isFreed: boolean): Change[];
 }
 
 const kSelected = 0xffffff;

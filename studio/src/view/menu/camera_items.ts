@@ -31,7 +31,7 @@ export function objectItems(lens: LensNow, object: SceneObject): MenuItem[] {
     return [
         change(`Aim “${camera.name}” at ${object.name}`,
             [{ path: target, value: placeNow(object), precision: kPrecision }], true),
-        change(`Let “${camera.name}” look at ${object.name} as it moves`,
+        change(`Track ${object.name} with “${camera.name}”`,
             [{ path: target, value: { yaml: `{follow: ${object.name}}` } }]),
         change(`Let “${camera.name}” move with ${object.name}`, [{
             path: [...camera.path, 'position'],

@@ -1,13 +1,14 @@
 /// The menu of a place of the view: by the right button without a drag, by a long touch, and by the
 /// menu key for what is selected.
 import { Vector3 } from 'three';
-import { removeValue } from '../../edit/edit';
+import { applyChanges, removeValue } from '../../edit/edit';
 import type { Camera, KeyPath, SceneObject, Triple } from '../../protocol';
 import { runCommand } from '../../state/keys';
 import { lookThrough, selection, shot } from '../../state/state';
 import { showPath } from '../../text/show_path';
 import { boundsOf } from '../bounds';
 import { activeLens } from '../camera_gizmos/camera_part';
+import { freePoint, isDerived } from '../camera_gizmos/free_point';
 import { rayThrough, viewDirection } from '../gizmos/dragging';
 import { onPlane } from '../gizmos/rays';
 import type { Pixel, ViewContext, ViewPart } from '../parts';
@@ -15,6 +16,7 @@ import { pickedBy } from '../selecting';
 import { addItem, objectItems, placeItems } from './camera_items';
 import { openMenu, type MenuItem } from './menu_state';
 
+const kPrecision = 1e-3; // m, of a place that is written
 const kClickDistance = 4; // CSS pixels; a longer way is a drag
 
 /// Where the ray of a pixel meets an object.
@@ -44,6 +46,22 @@ function nameOf(path: KeyPath): string {
     return camera ? [`camera ${camera.name}`, ...path.slice(2)].join(' ') : path.slice(1).join(' ');
 }
 
+/// For a point that belongs to an object: it stays where it is now.
+function freeItems(camera: Camera, path: KeyPath): MenuItem[] {
+    const lens = activeLens.peek();
+    return (['position', 'target'] as const).flatMap((part) => {
+        const { kind, points } = camera[part];
+        const point = points.find((one) => one.path.join('/') === path.join('/') && isDerived(one));
+        const moves = kind === 'follow' || kind === 'along';
+        const at = moves && lens?.camera === camera ? lens.pose[part] : point?.position;
+        return !point || !at ? [] : [{
+            label: 'Free this point', hint: 'Alt-drag', run: () => {
+                applyChanges(freePoint(camera, part, point, at, kPrecision), 'Free a point');
+            },
+        }];
+    });
+}
+
 function pathItems(path: KeyPath): MenuItem[] {
     const camera = path[0] === 'cameras' ? shot.peek()?.cameras[Number(path[1])] : undefined;
     const points = camera ? [camera.position, camera.target].find((shape) =>
@@ -61,6 +79,7 @@ function pathItems(path: KeyPath): MenuItem[] {
                 runCommand('viewAboveCamera');
             },
         }] : [],
+        ...camera ? freeItems(camera, path) : [],
         ...isRemovable ? [{
             label: 'Remove this point', run: () => { removeValue(path, 'Remove a point'); },
         }] : [],

@@ -1,10 +1,13 @@
 /// The tools of the path-traced picture, at the lower edge of the view.
-import { Aperture, SquareSplitHorizontal, X } from 'lucide-preact';
-import { isStale, pictureAsked, shot } from '../../state/state';
+import { Aperture, Download, SquareSplitHorizontal, X } from 'lucide-preact';
+import { send } from '../../connection/socket';
+import { deferred, pictureAsked, shot, waitsForButton } from '../../state/state';
 import { runCommand } from '../../state/keys';
 import {
     channel, isRefining, kChannels, keptPicture, shownPicture, wipe,
 } from './picture_state';
+import { isPictureOld } from './asking';
+import { savePicture } from './save_picture';
 import './picture_bar.css';
 
 /// How far the picture is, as a sentence.
@@ -17,6 +20,20 @@ function progressText(): string {
         return `${head.samples} samples${head.stored ? ', kept for the film' : ''}`;
     }
     return `${head.samples} of ${head.of_samples} samples`;
+}
+
+function Progress() {
+    const waits = deferred.value;
+    return waitsForButton.value && waits ? (
+        <span class="progress" role="status">
+            The motion has not been simulated yet.{' '}
+            <button class="link" onClick={() => send('simulate', { v: waits.v })}>Simulate it</button>
+        </span>
+    ) : (
+        <span class="progress" role="status">
+            {shownPicture.value && isPictureOld() ? 'out of date' : progressText()}
+        </span>
+    );
 }
 
 function Compare() {
@@ -64,9 +81,11 @@ export function PictureBar() {
                         ))}
                     </select>
                     <Compare />
-                    <span class="progress" role="status">
-                        {isStale.value ? 'of an earlier text' : progressText()}
-                    </span>
+                    <button class="tool" disabled={!shownPicture.value} title="Save the picture as PNG"
+                        onClick={() => shownPicture.value && savePicture(shownPicture.value)}>
+                        <Download size={15} aria-hidden="true" /> Save
+                    </button>
+                    <Progress />
                     {head?.legend ? <span class="legend">{head.legend}</span> : null}
                     {head && !head.complete
                         ? <progress max={head.of_samples} value={head.samples} /> : null}

@@ -23,6 +23,8 @@ export const isRefining = signal(false);
 export const channel = signal('');
 /// The newest round of the newest question; null while the view shows something else.
 export const shownPicture = signal<Picture | null>(null);
+/// The film's frame that it shows; null for a view of its own.
+export const shownFrame = signal<number | null>(null);
 /// A picture that is kept to compare with, at the left of the line.
 export const keptPicture = signal<Picture | null>(null);
 /// Where the line between both is, as a fraction of the picture's width.

@@ -1,4 +1,6 @@
 /// The question for the picture of what the view shows.
+import { filmDuration } from '../../motion/clock';
+import { filmTime, shot } from '../../state/state';
 import type { ViewCamera } from '../parts';
 import { PerspectiveCamera, Vector3 } from 'three';
 import type { FreeView, See } from '../../protocol';
@@ -13,6 +15,14 @@ const kMostPixels = 1_500_000;
 export function frameAt(filmTime: number, film: { frames: number; fps: number }): number {
     const last = Math.max(0, film.frames - 1);
     return Math.max(0, Math.min(last, Math.floor(filmTime * film.fps + 1e-6)));
+}
+
+/// The film's frame at the play head; null without a film.
+export function filmsFrame(): Shown | null {
+    const film = shot.value?.film;
+    return film && filmDuration.value > 0 && shot.value && shot.value.cameras.length > 0
+        ? { frame: frameAt(Math.min(filmTime.value, filmDuration.value), film), width: 0, height: 0 }
+        : null;
 }
 
 /// The largest size with the proportions of the view that is not too large to be traced.

@@ -1,43 +1,28 @@
 /// The path-traced picture of what the view shows: the film's own frame while the view looks
 /// through the film's camera, otherwise the view itself, without depth of field.
-import { batch, computed, effect } from '@preact/signals';
-import { send } from '../../connection/socket';
-import { filmCamera, filmDuration } from '../../motion/clock';
-import {
-    filmTime, isStale, lookThrough, notice, picture, pictureAsked, playing, sceneTime, shot, welcome,
-} from '../../state/state';
+import { computed, effect } from '@preact/signals';
+import { cameraLookedThrough, filmCamera } from '../../motion/clock';
+import { dragging, lookThrough, notice, sceneTime, shot } from '../../state/state';
 import { onCommand } from '../../state/keys';
 import { letterbox, type Rectangle } from '../letterbox';
-import { kDrawingPriority, type MakePart, type ViewContext } from '../parts';
-import { channel, isRefining, keptPicture, shownPicture, wipe } from './picture_state';
+import { kHandlePriority, type MakePart, type ViewContext } from '../parts';
+import { followShown, isPictureOld } from './asking';
+import { isRefining, keptPicture, shownPicture, wipe } from './picture_state';
 import { PictureQuad } from './quad';
-import { frameAt, sizeOfView, viewOf, type Shown } from './question';
+import { filmsFrame, sizeOfView, viewOf, type Shown } from './question';
+import { dragLine, isOnLine } from './wipe_line';
 
 const kStaleOpacity = 0.35;
 
-let question = 0;
-
 /// Whether the view looks through the film's own camera at the play head.
-const looksAsFilm = computed(() => {
-    const camera = shot.value?.cameras[filmCamera.value];
-    return camera !== undefined && lookThrough.value === camera.name;
-});
+const looksAsFilm = computed(() => lookThrough.value !== null && filmCamera.value >= 0
+    && cameraLookedThrough.value === filmCamera.value);
 
-function filmsFrame(): number | null {
-    const film = shot.value?.film;
-    return film && looksAsFilm.value
-        ? frameAt(Math.min(filmTime.value, filmDuration.value), film) : null;
-}
-
-/// What the view shows now; null while it plays, or if it cannot be traced.
+/// What the view shows now; null if it cannot be traced.
 function shown(context: ViewContext): Shown | null {
     void context.moved.value;
-    if (playing.value || !shot.value) {
-        return null;
-    }
-    const frame = filmsFrame();
-    if (frame !== null) {
-        return { frame, width: 0, height: 0 };
+    if (looksAsFilm.value) {
+        return filmsFrame();
     }
     const view = viewOf(context.camera(), sceneTime.value);
     const { clientWidth, clientHeight } = context.canvas;
@@ -52,47 +37,17 @@ function boxOf({ canvas }: ViewContext): Rectangle {
         ? letterbox(size, film.width / film.height) : { left: 0, top: 0, ...size };
 }
 
-/// Asks for what is shown, once for each change.
-function ask(wanted: Shown | null): void {
-    question += 1;
-    shownPicture.value = null;
-    pictureAsked.value = wanted
-        ? send('see', {
-            q: question, v: shot.peek()?.v ?? 0, samples: 0, channel: channel.peek(), ...wanted,
-        })
-        : send('unsee', {}) && false;
-}
-
 export const makeTracedPicture: MakePart = (context) => {
     const quad = new PictureQuad();
     context.scene.parent?.add(quad.group);
-    let asked = '';
-
     const ends = [
-        effect(() => {
-            const wanted = isRefining.value ? shown(context) : null;
-            const key = JSON.stringify([wanted, channel.value, welcome.value?.shot]);
-            const isNew = key !== asked && (wanted !== null || question > 0);
-            asked = key;
-            if (isNew) {
-                batch(() => ask(wanted));
-            }
-        }),
-        effect(() => {
-            const one = picture.value;
-            if (one && one.head.q === question && isRefining.peek()) {
-                batch(() => {
-                    shownPicture.value = one;
-                    pictureAsked.value = !one.head.complete;
-                });
-            }
-        }),
+        followShown(() => shown(context)),
         effect(() => {
             void context.moved.value;
             const { clientWidth: width, clientHeight: height } = context.canvas;
             quad.place(boxOf(context), { width, height });
-            quad.show(shownPicture.value, keptPicture.value, wipe.value,
-                isStale.value ? kStaleOpacity : 1);
+            const one = dragging.value ? null : shownPicture.value; // it would hide what moves
+            quad.show(one, keptPicture.value, wipe.value, isPictureOld() ? kStaleOpacity : 1);
             context.ask();
         }),
         onCommand('refine', () => {
@@ -107,7 +62,10 @@ export const makeTracedPicture: MakePart = (context) => {
         }),
     ];
     return {
-        priority: kDrawingPriority,
+        priority: kHandlePriority,
+        grab: (event) => isOnLine(event, context, boxOf(context))
+            ? dragLine(context, boxOf(context)) : null,
+        hover: (event) => isOnLine(event, context, boxOf(context)) ? 'ew-resize' : null,
         dispose: () => {
             ends.forEach((end) => end());
             quad.dispose();

@@ -4,7 +4,7 @@ import {
     type LucideIcon,
 } from 'lucide-preact';
 import { runCommand } from '../../state/keys';
-import { lookThrough, shot } from '../../state/state';
+import { kTheFilm, lookThrough, shot } from '../../state/state';
 import {
     isCameraLocked, isWireframe, lampsChosen, showCameras, showLamps, showLights, showTrails,
     viewKind,
@@ -67,11 +67,14 @@ function CameraTools() {
     const locked = isCameraLocked.value;
     return (
         <div class="group">
-            <Tool icon={Video} label="Look through the camera (C)" isPressed={isThrough}
+            <Tool icon={Video} label="Look through the film’s camera (C)" isPressed={isThrough}
                 onClick={() => runCommand('lookThrough')} />
             <select class="choice" aria-label="Look through" value={lookThrough.value ?? ''}
                 onChange={(event) => { lookThrough.value = event.currentTarget.value || null; }}>
                 <option value="">no camera</option>
+                {cameras.length > 0 ? (
+                    <option value={kTheFilm} title="The camera at the play head">the film</option>
+                ) : null}
                 {cameras.map(({ name }) => <option key={name} value={name}>{name}</option>)}
             </select>
             {isThrough ? (
