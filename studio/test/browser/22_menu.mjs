@@ -1,5 +1,5 @@
 // The menu of a place: for the pointer and the keyboard, with what a camera can do with an object.
-import { equal, settle, textOf } from './harness.mjs';
+import { dragPixels, equal, settle, textOf } from './harness.mjs';
 
 const kScene = 'canvas[aria-label="The scene"]';
 
@@ -19,9 +19,9 @@ function changedLines(before, after) {
     return after.split('\n').filter((line, i) => line !== old[i]);
 }
 
-/// A point of a path that belongs to a ball becomes a place.
-async function freeByMenu(page) {
-    const at = await page.evaluate(() => {
+/// Selects a point of a path that belongs to a ball, and returns where it is on the page.
+function pointOfBall(page) {
+    return page.evaluate(() => {
         const { cameras } = window.studio.state.shot.value;
         const camera = cameras.find(({ position }) => position.points.some(({ of }) => of !== ''));
         const point = camera.position.points.find(({ of }) => of !== '');
@@ -31,8 +31,19 @@ async function freeByMenu(page) {
         const [x, y] = context.toScreen(point.position);
         return [box.left + x, box.top + y];
     });
-    await page.mouse.click(...at, { button: 'right' });
-    await page.getByRole('menuitem', { name: 'Free this point' }).click();
+}
+
+/// A point of a path that belongs to a ball becomes a place: by the menu, or by a drag with Alt.
+async function freePoint(page, how) {
+    const [x, y] = await pointOfBall(page);
+    if (how === 'menu') {
+        await page.mouse.click(x, y, { button: 'right' });
+        await page.getByRole('menuitem', { name: 'Free this point' }).click();
+    } else {
+        await page.keyboard.down('Alt');
+        await dragPixels(page, [x, y], [x + 20, y + 10]);
+        await page.keyboard.up('Alt');
+    }
     await settle(page);
     const text = await textOf(page);
     equal(text.includes('{of: cue, at: 0.3 s'), false, 'the point of the ball');
@@ -94,7 +105,9 @@ export async function check({ page }) {
         window.studio.state.shot.value.cameras[0].position.points.length);
     equal(points, 4, 'points of the path');
     await undo();
-    await freeByMenu(page);
+    await freePoint(page, 'menu');
+    await undo();
+    await freePoint(page, 'drag');
     await undo();
     return labels.map((label) => label.split('\n')[0]).join(', ');
 }

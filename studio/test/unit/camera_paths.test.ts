@@ -5,9 +5,11 @@ import { bernstein, leadingPoint, movePath } from '../../src/view/camera_gizmos/
 import { freePoint } from '../../src/view/camera_gizmos/free_point';
 import { distanceOfReach, focusReach } from '../../src/view/camera_gizmos/lens_handles';
 import { axisEnd, onOrbit, tiltChanges } from '../../src/view/camera_gizmos/orbit_handles';
+import { lookFigure } from '../../src/view/camera_gizmos/path_figure';
 import { movePoint, writtenAt } from '../../src/view/camera_gizmos/path_handles';
 import { turnOfAngles } from '../../src/view/gizmos/object_frame';
 import { rotate } from '../../src/motion/vectors';
+import { CameraFramesOf } from '../../src/motion/camera_frames';
 import { boxOf } from '../../src/view/bounds';
 import type { Camera, Orbit, PathPoint, PathShape, Triple } from '../../src/protocol';
 
@@ -123,4 +125,19 @@ test('TiltChanges_OfAnOrbit_PutTheAxisThroughThePlace', () => {
     const axis = rotate(turn, [0, 0, 1]);
     axis.forEach((value, i) => assert.ok(Math.abs(value - (way[i] ?? 0)) < 1e-9));
     assert.ok(Math.abs(Math.hypot(...end.map((value, i) => value - (centre[i] ?? 0))) - 1) < 1e-9);
+});
+
+test('LookFigure_OfManyFrames_IsAFewShortLinesTowardsTheTarget', () => {
+    const frames = 240;
+    const numbers = new Float64Array(21 * frames);
+    for (let i = 0; i < frames; ++i) {
+        numbers.set([i, 0, 1, i / 24, i / 24, 0, 0, 1, i / 100, -2, 1, 0, 0, 1], 21 * i);
+    }
+    const lines = lookFigure(new CameraFramesOf(numbers, 0), 0xffffff).lines ?? [];
+    assert.ok(lines.length > 10 && lines.length <= 24);
+    for (const { from, to } of lines) {
+        const way = to.map((value, i) => value - (from[i] ?? 0));
+        assert.ok(Math.abs(Math.hypot(...way) - 0.12) < 1e-9);
+        assert.ok((way[1] ?? 0) > 0);
+    }
 });

@@ -17,7 +17,7 @@ function progressText(): string {
         return pictureAsked.value ? 'Tracing …' : '';
     }
     if (head.complete) {
-        return `${head.samples} samples${head.stored ? ', kept for the film' : ''}`;
+        return `${head.samples} ${head.samples === 1 ? 'sample' : 'samples'}${head.stored ? ', kept for the film' : ''}`;
     }
     return `${head.samples} of ${head.of_samples} samples`;
 }

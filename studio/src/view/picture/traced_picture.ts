@@ -5,7 +5,7 @@ import { cameraLookedThrough, filmCamera } from '../../motion/clock';
 import { dragging, lookThrough, notice, sceneTime, shot } from '../../state/state';
 import { onCommand } from '../../state/keys';
 import { letterbox, type Rectangle } from '../letterbox';
-import { kHandlePriority, type MakePart, type ViewContext } from '../parts';
+import { kGizmoPriority, type MakePart, type ViewContext } from '../parts';
 import { followShown, isPictureOld } from './asking';
 import { isRefining, keptPicture, shownPicture, wipe } from './picture_state';
 import { PictureQuad } from './quad';
@@ -62,7 +62,7 @@ export const makeTracedPicture: MakePart = (context) => {
         }),
     ];
     return {
-        priority: kHandlePriority,
+        priority: kGizmoPriority,
         grab: (event) => isOnLine(event, context, boxOf(context))
             ? dragLine(context, boxOf(context)) : null,
         hover: (event) => isOnLine(event, context, boxOf(context)) ? 'ew-resize' : null,
