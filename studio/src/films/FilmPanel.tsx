@@ -98,7 +98,8 @@ function Choices() {
                 {problem || (size && choice.quality.value === ''
                     ? `The shot has ${size.width} × ${size.height}, ${counted(size.frames, 'frame')}, `
                         + `${rateText(size.fps)} frames per second, ${counted(size.samples, 'sample')} per pixel.`
-                    : "The film is written to the shot's folder; the ending of its name chooses the format.")}
+                    : "The film is written to the shot's folder; the ending of its name chooses "
+                        + 'the format.')}
             </p>
         </>
     );

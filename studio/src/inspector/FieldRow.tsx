@@ -46,7 +46,8 @@ function Origin({ field }: { field: Field }) {
     const badge = kBadges[field.origin];
     return (
         <span class="tail">
-            {badge ? <button type="button" class="badge" title={`From ${kOrigins[field.origin]}: show it in the text`}
+            {badge ? <button type="button" class="badge"
+                title={`From ${kOrigins[field.origin]}: show it in the text`}
                 onClick={() => show(field)}>{badge}</button> : null}
             {field.origin === 'shot' && !field.info?.isRequired && !/^\d+$/.test(field.path.at(-1) ?? '')
                 ? (

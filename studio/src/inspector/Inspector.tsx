@@ -91,7 +91,9 @@ export function Inspector() {
     return (
         <div class="inspector" role="region" aria-label="Values of the selection">
             {chosen === null
-                ? <p class="hint">Select a ball, an event, a camera or anything else in the shot to see its values.</p>
+                ? <p class="hint">
+                    Select a ball, an event, a camera or anything else in the shot to see its values.
+                </p>
                 : (
                     <>
                         <header>

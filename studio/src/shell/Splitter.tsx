@@ -1,4 +1,5 @@
-/// A line between two areas that is dragged, or moved by the arrow keys; a double click folds. Escape cancels a drag.
+/// A line between two areas that is dragged, or moved by the arrow keys; a double click folds.
+/// Escape cancels a drag.
 import { dragFrom } from '../input/element_drag';
 import { resize, toggle, unfoldTo, type Area } from './layout';
 

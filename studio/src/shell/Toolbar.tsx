@@ -77,7 +77,8 @@ export function Toolbar() {
                 <Tool icon={TriangleAlert} label="Show the first problem" isDisabled={!first}
                     text={count > 0 ? String(count) : ''}
                     onClick={() => first && showRange(first.place)} />
-                <Tool icon={isDark ? Sun : Moon} label={isDark ? 'Switch to light' : 'Switch to dark'} onClick={switchTheme} />
+                <Tool icon={isDark ? Sun : Moon}
+                    label={isDark ? 'Switch to light' : 'Switch to dark'} onClick={switchTheme} />
                 <Tool icon={CircleHelp} label="Keys (?)" isPressed={panel.value === 'keys'}
                     onClick={() => togglePanel('keys')} />
                 <Tool icon={PanelRight} label="Text" isPressed={textArea.size.value > 0}

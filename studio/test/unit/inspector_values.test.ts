@@ -79,7 +79,8 @@ test('Describe_AKey_SaysMeaningUnitRangeDefaultAndOrigin', () => {
 });
 
 test('InPlace_ADefaultThatGotAValue_KeepsItsPlace', () => {
-    const [a, b, c, d] = ['a', 'b', 'c', 'd'].map((name) => field(['x', name])) as [Field, Field, Field, Field];
+    const [a, b, c, d] = ['a', 'b', 'c', 'd'].map((name) => field(['x', name])) as
+        [Field, Field, Field, Field];
     const { given, more } = inPlace({ given: [a, c], more: [b, d] }, ['x/b', 'x/c', 'x/d']);
     assert.deepEqual(given, [a]);
     assert.deepEqual(more, [b, c, d]);

@@ -93,5 +93,6 @@ test('ClipHandles_TheFirstCamera_HasNoStart', () => {
     const ids = clipHandles(layout as unknown as Layout, shot, -1).map(({ id }) => id);
     assert.deepEqual(ids.sort(), ['cameras/0 end', 'cameras/0 fade', 'cameras/0 start']);
     const [own, before] = startChanges(shot, 0, 1.5, none);
-    assert.deepEqual([own?.path, before?.path], [['cameras', '0', 'video', '0'], ['cameras', '1', 'video', '1']]);
+    assert.deepEqual([own?.path, before?.path],
+        [['cameras', '0', 'video', '0'], ['cameras', '1', 'video', '1']]);
 });
