@@ -97,6 +97,13 @@ export async function check(context) {
 
     // Arms: only that coordinate changes.
     const moved = await drag(page, 'block', ({ kind, axis }) => kind === 'axis' && axis === 0, [40, 0]);
+    // From above, the arrow that points at the viewer would hide the object.
+    await page.keyboard.press('1');
+    await page.waitForFunction(() => window.studio.view.camera.isOrthographicCamera);
+    equal((await handlesOf(page, ['objects', 'block'])).filter(({ kind }) => kind === 'axis')
+        .map(({ axis }) => axis), [0, 1], 'arrows of the view from above');
+    await page.keyboard.press('3');
+    await page.waitForFunction(() => window.studio.view.camera.isPerspectiveCamera);
     equal(/^ {2}block: \{box: \[40 mm, 120 mm, 40 mm\], at: \[-?0\.\d+, -0\.3, 0\.02\], rotate: \[0, 0, 30 deg\]\} {2}# a block$/
         .test(moved), true, moved);
     // The body itself: in the view's plane; with y held along y.

@@ -128,7 +128,7 @@ test('Fan_OutcomesInWords_AndPathsOfTheShownBalls', () => {
 
 test('ObjectHandles_OfATool_AreItsArmsMeasuresOrCorners', () => {
     const selected = (shape: string, text: string, tool: Selected['tool']): Selected => ({
-        shape, value: parseValue(text), tool, metresPerPixel: 0.001, isBall: false,
+        shape, value: parseValue(text), tool, metresPerPixel: 0.001, isBall: false, hiddenAxes: [],
         frame: frameOf([1, 0, 0], { kind: 'none' }, [2, 1, 1]),
     });
     const kinds = (one: Selected) => objectHandles(one).map(({ kind }) => kind);

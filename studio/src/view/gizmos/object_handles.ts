@@ -9,7 +9,7 @@ import { kAxes, toWorld, type ObjectFrame } from './object_frame';
 import { planeAxes } from './rays';
 import type { Tool } from './tool_state';
 
-const kArmPixels = 74;
+export const kArmPixels = 74;
 const kRingPixels = 66;
 const kRingPieces = 48;
 const kAxisColours = [kColours.x, kColours.y, kColours.z];
@@ -29,18 +29,21 @@ export interface Selected {
     /// That one CSS pixel shows at the origin, m.
     metresPerPixel: number;
     isBall: boolean;
+    /// Axes that point at the viewer: an arrow along them would hide the object.
+    hiddenAxes: readonly number[];
 }
 
 /// The handles that are points.
 export function objectHandles(selected: Selected): ObjectHandle[] {
-    const { shape, value, frame, tool, metresPerPixel, isBall } = selected;
+    const { shape, value, frame, tool, metresPerPixel, isBall, hiddenAxes } = selected;
     const vertices = kPointShapes.has(shape)
         ? pointsOf(value).map((point, index): ObjectHandle =>
             ({ kind: 'vertex', index, at: toWorld(frame, point) })) : [];
     if (tool === 'move') {
         const reach = kArmPixels * metresPerPixel;
-        return [...vertices, ...kAxes.map((axis, i): ObjectHandle =>
-            ({ kind: 'axis', axis: i, at: add(frame.origin, scale(reach, axis)) }))];
+        const arrows = kAxes.map((axis, i): ObjectHandle =>
+            ({ kind: 'axis', axis: i, at: add(frame.origin, scale(reach, axis)) }));
+        return [...vertices, ...arrows.filter((_, i) => !hiddenAxes.includes(i))];
     }
     if (tool === 'turn' || isBall) {
         return vertices;

@@ -3,6 +3,7 @@
 import { computed, effect, signal } from '@preact/signals';
 import { Box3, Sphere } from 'three';
 import { tracks } from '../../motion/clock';
+import { add, scale } from '../../motion/vectors';
 import type { SceneObject, Triple } from '../../protocol';
 import { onCommand } from '../../state/keys';
 import { sceneTime, selection, shot } from '../../state/state';
@@ -10,12 +11,16 @@ import { kBodyPriority, kHandlePriority, type MakePart, type ViewContext } from 
 import { nearestHandle, pixelDistance, reachOf } from './dragging';
 import { followAxisKeys } from './held_axis';
 import { selectedObject } from './nudge';
-import { objectFigure, objectHandles, ringPoints, type Selected } from './object_handles';
+import {
+    kArmPixels, objectFigure, objectHandles, ringPoints, type Selected,
+} from './object_handles';
+import { kAxes } from './object_frame';
 import { dragBody, dragHandle, dragRing, placePath } from './object_drags';
 import { objectFrame, rotationText, tripleOf, valueAt } from './shot_values';
 import { forTests, sketchOf } from './sketch';
 import { tool } from './tool_state';
 
+const kLeastArm = 20; // CSS pixels, of an arrow that can be dragged
 const kLargest = 0.5; // m, radius of objects that are moved by dragging themselves
 
 const kShapeKeys = ['hull', 'rounded_box', 'cone', 'capsule', 'cylinder', 'mesh'];
@@ -43,7 +48,18 @@ function selectedState(object: SceneObject, context: ViewContext): Selected | nu
     return {
         shape, value: valueAt([...object.path, shape]), tool: tool.value,
         frame: { ...frame, origin }, metresPerPixel: context.metresPerPixel(origin), isBall,
+        hiddenAxes: axesTowardsViewer(origin, context),
     };
+}
+
+/// The axes whose arrows are nearly points in this view.
+function axesTowardsViewer(origin: Triple, context: ViewContext): number[] {
+    const reach = kArmPixels * context.metresPerPixel(origin);
+    const [x, y] = context.toScreen(origin);
+    return [0, 1, 2].filter((i) => {
+        const [tipX, tipY] = context.toScreen(add(origin, scale(reach, kAxes[i] ?? [0, 0, 1])));
+        return Math.hypot(tipX - x, tipY - y) < kLeastArm;
+    });
 }
 
 /// Handles of the selection: grabbed before everything else.
