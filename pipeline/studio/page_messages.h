@@ -205,7 +205,7 @@ struct Make {
     bool overwrite = false;
 };
 
-/// Stops what the question asked for.
+/// Stops what the question asked for, unless it is a drawing or the report to look at.
 struct StopMaking {
     static constexpr const char* kName = "stop_making";
     std::int64_t q = 0;

@@ -182,7 +182,8 @@ struct ShotState {
     std::vector<ValuePlace> places{};
 };
 
-/// The meshes of a version: GET /scene/HASH.glb. Sent when the hash changes. Nodes are named as in
+/// The meshes of a version: GET /scene/HASH.glb. Sent with every version that is shown; the meshes
+/// are others only if the hash is. Nodes are named as in
 /// ShotState; their transformations are those of the start and replaced by the page.
 struct SceneMeshes {
     static constexpr const char* kName = "scene";
