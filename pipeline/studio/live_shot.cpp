@@ -1,9 +1,7 @@
 #include "pipeline/studio/live_shot.h"
 
 #include <chrono>
-#include <condition_variable>
 #include <limits>
-#include <mutex>
 #include <stop_token>
 #include <thread>
 #include <utility>
@@ -13,6 +11,7 @@
 #include "pipeline/job/film_job.h"
 #include "pipeline/studio/live_bake.h"
 #include "pipeline/studio/live_messages.h"
+#include "pipeline/studio/live_requests.h"
 #include "sim/bake.h"
 #include "sim/billiards/table_memo.h"
 
@@ -43,7 +42,8 @@ class LiveShot::Worker {
         : options_(with_defaults(std::move(options))),
           output_(std::move(output)),
           messages_(output_, options_.root),
-          bake_(options_.clock) {
+          bake_(options_.clock),
+          requests_(bake_) {
         thread_ = std::jthread([this](const std::stop_token& end) { run(end); });
     }
 
@@ -57,66 +57,29 @@ class LiveShot::Worker {
     Worker(Worker&&) = delete;
     Worker& operator=(Worker&&) = delete;
 
-    void offer(TextsOfVersion texts) {
-        const std::lock_guard lock(mutex_);
-        newest_ = texts;
-        waiting_ = Request{std::move(texts), false};
-        deferred_ = false;
-        bake_.stop_for_newer();
-        wake_.notify_one();
-    }
-
-    void set_dragging(bool on) {
-        const std::lock_guard lock(mutex_);
-        dragging_ = on;
-        if (!on && deferred_ && !waiting_) {
-            waiting_ = Request{newest_, false};
-            deferred_ = false;
-            wake_.notify_one();
-        }
-    }
-
-    void simulate() {
-        const std::lock_guard lock(mutex_);
-        if (!newest_.shot.empty()) {
-            waiting_ = Request{newest_, true};
-            wake_.notify_one();
-        }
-    }
+    void offer(TextsOfVersion texts) { requests_.offer(std::move(texts)); }
+    void set_dragging(bool on) { requests_.set_dragging(on); }
+    void simulate() { requests_.simulate(); }
 
   private:
-    struct Request {
-        TextsOfVersion texts;
-        bool unlimited = false;
-    };
-
     void run(const std::stop_token& end) {
-        for (;;) {
-            Request request;
-            {
-                std::unique_lock lock(mutex_);
-                if (!wake_.wait(lock, end, [&] { return waiting_.has_value(); }) ||
-                    bake_.has_ended()) {
-                    return;
-                }
-                request = std::move(*std::exchange(waiting_, {}));
-            }
+        while (const std::optional<LiveRequest> request = requests_.next(end)) {
             try {
-                answer(request);
+                answer(*request);
             } catch (const Stopped&) {
                 continue;
             } catch (const std::exception& error) {
-                fail(request, error.what());
+                fail(*request, error.what());
             }
         }
     }
 
-    void fail(const Request& request, const std::string& message) {
+    void fail(const LiveRequest& request, const std::string& message) {
         output_.text(Failed{"bake", request.texts.v, message});
         messages_.complete_problems(request.texts.v);
     }
 
-    void answer(const Request& request) {
+    void answer(const LiveRequest& request) {
         const double start = thread_cpu_seconds();
         const std::int64_t v = request.texts.v;
         pipeline::LoadResult loaded = load(request.texts);
@@ -140,15 +103,15 @@ class LiveShot::Worker {
         const auto timeline = std::make_shared<const sim::Timeline>(std::move(bake.timeline));
         messages_.show(v, *shot, *loaded.source, *timeline, kept, start);
         output_.answer({v, shot, loaded.source, timeline});
-        if (!has_newer()) {
+        if (!requests_.has_newer()) {
             messages_.add_motion_problems(v, *shot, loaded, *timeline);
         }
     }
 
     /// Bakes the world into timeline_. False if it is left for later, which the page is told.
-    bool simulate(const Request& request, const pipeline::Shot& shot, const Hash128& hash) {
+    bool simulate(const LiveRequest& request, const pipeline::Shot& shot, const Hash128& hash) {
         const std::int64_t v = request.texts.v;
-        if (!request.unlimited && is_deferred()) {
+        if (!request.unlimited && requests_.defer(timeline_.has_value())) {
             messages_.defer_to_end_of_drag(v);
             return false;
         }
@@ -167,7 +130,8 @@ class LiveShot::Worker {
     }
 
     /// Empty if the simulation takes too many steps. Throws Stopped if newer texts wait.
-    std::optional<sim::Timeline> bake(const Request& request, const sim::WorldDescription& world) {
+    std::optional<sim::Timeline> bake(const LiveRequest& request,
+                                      const sim::WorldDescription& world) {
         bool has_reported = false;
         std::int64_t looked_at = request.texts.v;
         const WorkContext context{.progress =
@@ -201,11 +165,11 @@ class LiveShot::Worker {
         return timeline;
     }
 
-    void stop_if_outdated(const Request& request, const sim::WorldDescription& world,
+    void stop_if_outdated(const LiveRequest& request, const sim::WorldDescription& world,
                           std::int64_t& looked_at) {
         if (request.unlimited) {
             stop_for_other_world(world, looked_at);
-        } else if (has_newer()) {
+        } else if (requests_.has_newer()) {
             bake_.stop_for_newer();
         }
     }
@@ -214,16 +178,12 @@ class LiveShot::Worker {
     /// another world only: not by those that are being typed and have errors, nor by an edit of a
     /// camera. `looked_at`: the newest version that was compared.
     void stop_for_other_world(const sim::WorldDescription& world, std::int64_t& looked_at) {
-        TextsOfVersion newer;
-        {
-            const std::lock_guard lock(mutex_);
-            if (!waiting_ || waiting_->texts.v == looked_at) {
-                return;
-            }
-            newer = waiting_->texts;
+        const std::optional<TextsOfVersion> newer = requests_.other_than(looked_at);
+        if (!newer) {
+            return;
         }
-        looked_at = newer.v;
-        const pipeline::LoadResult loaded = load(newer);
+        looked_at = newer->v;
+        const pipeline::LoadResult loaded = load(*newer);
         if (loaded.shot && sim::physics_hash(loaded.shot->world) != sim::physics_hash(world)) {
             bake_.stop();
         }
@@ -238,29 +198,11 @@ class LiveShot::Worker {
                                                 .tables = &tables_});
     }
 
-    [[nodiscard]] bool has_newer() {
-        const std::lock_guard lock(mutex_);
-        return waiting_.has_value() || bake_.has_ended();
-    }
-
-    /// Whether the shot has to wait for the end of the drag.
-    [[nodiscard]] bool is_deferred() {
-        const std::lock_guard lock(mutex_);
-        deferred_ = dragging_ && bake_.was_slow() && timeline_.has_value();
-        return deferred_;
-    }
-
     LiveOptions options_;
     LiveOutput output_;
     LiveMessages messages_;  // of the thread
-    LiveBake bake_;          // its mutex is taken after the one below
-
-    std::mutex mutex_;  // of the members up to deferred_
-    std::condition_variable_any wake_;
-    std::optional<Request> waiting_;
-    TextsOfVersion newest_;
-    bool dragging_ = false;
-    bool deferred_ = false;  // the newest texts wait for the end of the drag
+    LiveBake bake_;
+    LiveRequests requests_;
 
     // Of the thread.
     sim::billiards::TableMemo tables_;
