@@ -75,7 +75,7 @@ void LiveMessages::show(std::int64_t v, const pipeline::Shot& shot,
         has_cameras_ = true;
         cameras_ = cameras.numbers;
         cameras.head.v = v;
-        output_.binary(std::move(cameras.head), std::move(cameras.numbers));
+        output_.binary(cameras.head, std::move(cameras.numbers));
     }
     Numbers<TimelineHead> motion = timeline_message(timeline);
     motion.head.v = v;
