@@ -34,6 +34,12 @@ constexpr milliseconds kPoll{2'000};  // between looks where inotify does not wo
 constexpr std::uint32_t kEvents = IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE |
                                   IN_CREATE | IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
 
+/// Whether the system watches no folder, or none more, or not this one. A folder that is gone is
+/// tried again instead.
+bool is_refused(int error) {
+    return error == ENOSPC || error == ENOMEM || error == EACCES;
+}
+
 class Descriptor {
   public:
     explicit Descriptor(int number) : number_(number) {}
@@ -118,7 +124,7 @@ class DiskWatch::Thread {
             if (folder.number < 0 && inotify_.get() >= 0) {
                 folder.number = ::inotify_add_watch(inotify_.get(), path.c_str(), kEvents);
                 has_added = has_added || folder.number >= 0;
-                if (folder.number < 0 && (errno == ENOSPC || errno == ENOMEM)) {
+                if (folder.number < 0 && is_refused(errno)) {
                     polls_ = true;
                 }
             }

@@ -8,8 +8,9 @@
 
 namespace carom::studio {
 
-/// Watches the folders of files with inotify; where the system refuses that, it looks every two
-/// seconds. All functions may be called from any thread.
+/// Watches the folders of files with inotify. Where the system refuses that (there is no inotify,
+/// there are too many watches, or a folder may not be read), it looks every two seconds. All
+/// functions may be called from any thread.
 class DiskWatch {
   public:
     /// `look` is called from a thread of the watch soon after something happened to a file. It

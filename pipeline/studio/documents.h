@@ -39,10 +39,11 @@ class Documents {
     /// Throws Error if the request is not a valid one, or if too much was asked for.
     void make(PageId page, const Make& request, const std::string& shot, const std::string& root);
 
-    /// Stops what this page asked for.
+    /// Stops the program if it makes what this page asked for, or keeps it from being started. A
+    /// drawing, or the report to look at, is made all the same.
     void stop(PageId page, std::int64_t q);
 
-    /// Stops what this page wanted to look at. Its exports are finished.
+    /// Stops the program if it makes what this page wanted to look at. Its exports are finished.
     void closed(PageId page);
 
     /// What was made to look at, at "/made/…"; of older documents nothing is kept.

@@ -62,9 +62,10 @@ std::vector<Point> path_of(const sim::Track& track) {
     std::vector<Point> points;
     const double step = std::max(kSampleStep, (keys.back().time - keys.front().time) / kMostPoints);
     for (const sim::Key& key : keys) {
-        for (double time = points.empty() ? key.time : points.back().time + step; time < key.time;
-             time += step) {
+        double time = points.empty() ? key.time : points.back().time + step;
+        while (time < key.time) {
             points.push_back({time, track.sample(time).position});
+            time += step;
         }
         points.push_back({key.time, key.position});
     }

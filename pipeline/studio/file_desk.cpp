@@ -53,7 +53,7 @@ std::string sentence_of(const pipeline::Problem& problem) {
 
 }  // namespace
 
-FileDesk::FileDesk(std::string state_folder, Send send)
+FileDesk::FileDesk(const std::string& state_folder, Send send)
     : send_(std::move(send)),
       recent_(state_folder.empty() ? default_state_folder() : state_folder),
       page_(std::make_unique<StartPage>([this] { send_(0, start()); })) {}

@@ -30,7 +30,7 @@ class FileDesk {
     /// Sends to the page of that number, or to all (0). Called from any thread.
     using Send = std::function<void(std::uint64_t page, const ServerMessage& message)>;
 
-    FileDesk(std::string state_folder, Send send);
+    FileDesk(const std::string& state_folder, Send send);
 
     /// What the start page offers; more pictures follow by themselves.
     [[nodiscard]] Start start();

@@ -27,6 +27,7 @@ std::vector<std::string> files_of(const std::string& path,
         return {path};
     }
     std::vector<std::string> files;
+    files.reserve(frames.size());
     for (const std::int64_t frame : frames) {
         files.push_back(pipeline::path_in_sequence(path, frame));
     }

@@ -33,9 +33,9 @@ struct PreparedFilm {
     std::vector<std::int64_t> frames;
 };
 
-/// What the film is made from, or the file that it would replace. `stopped`: the path of a film that
-/// was stopped; what it left of carom's own files may be replaced. Reads the shot's files, which
-/// takes a while. Throws Error if no film can be made of them.
+/// What the film is made from, or the file that it would replace. `stopped`: the path of a film
+/// that was stopped; what it left of carom's own files may be replaced. Reads the shot's files,
+/// which takes a while. Throws Error if no film can be made of them.
 [[nodiscard]] std::variant<PreparedFilm, Exists> prepare_film(const FilmRequest& request,
                                                               const FilmRunOptions& options,
                                                               const std::string& stopped);

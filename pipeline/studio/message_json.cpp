@@ -73,7 +73,8 @@ class JsonReader {
                 is_known = is_known || field.name == key;
             });
             if (!is_known) {
-                fail(path.empty() ? name : path + "." + name, "is unknown");
+                std::string place = path.empty() ? "" : path + ".";
+                fail(place += name, "is unknown");
             }
         }
         fail(path, "has unknown members");

@@ -6,7 +6,6 @@
 #include <iterator>
 #include <map>
 #include <optional>
-#include <ranges>
 #include <span>
 #include <system_error>
 #include <utility>
@@ -75,8 +74,8 @@ class Copier {
         Edits edits;
         visit(*root, sources, from, to, edits);
         std::string result = text;
-        for (const auto& [offset, edit] : edits | std::views::reverse) {
-            result.replace(offset, edit.length, edit.text);
+        for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit) {
+            result.replace(edit->first, edit->second.length, edit->second.text);
         }
         return config::has_schema_line(result) && from != to
                    ? config::with_schema_line(std::move(result), to)

@@ -1,0 +1,110 @@
+// The heads of the binary messages of the server. messages.h says how they are sent.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "pipeline/studio/message_values.h"
+
+namespace carom::studio {
+
+struct TrackHead {
+    std::string name{};
+    std::int64_t first = 0;  // index of the first of its numbers in the payload
+    std::int64_t keys = 0;
+};
+
+struct TimelineEvent {
+    std::string kind{};  // "impact", "rolling", "potted" ... (sim/timeline/event.h)
+    double time = 0;
+    double end_time = 0;
+    std::string a{};
+    std::string b{};
+    Triple place{};
+    double impulse = 0;  // N s, of an impact
+    std::string text{};  // a phrase for people: "cue hits one"
+};
+
+/// Binary, type 1. Payload: 64-bit floats, kNumbersPerKey for each key: time; position; orientation
+/// (w, x, y, z); velocity in; velocity out; angular velocity in; angular velocity out. The curve
+/// between keys: docs/timeline.md.
+struct TimelineHead {
+    static constexpr const char* kName = "timeline";
+    static constexpr std::uint32_t kType = 1;
+    static constexpr int kNumbersPerKey = 20;
+    std::int64_t v = 0;
+    bool kept = false;  // the same motion as that of the version before (no bake was needed)
+    double start = 0;
+    double end = 0;
+    std::vector<TrackHead> tracks{};
+    std::vector<TimelineEvent> events{};
+    std::vector<double>
+        energy{};             // time, kinetic, potential of each sample; thinned to at most 500
+    double milliseconds = 0;  // CPU time from the text to this message
+};
+
+/// Binary, type 2. Payload: 64-bit floats, kNumbersPerFrame for each entry: frame; camera (index in
+/// ShotState); weight; video time; scene time; shutter opens; shutter closes (scene times); speed;
+/// position; target; up; roll; vertical field of view; distance of focus; lens radius. Poses are
+/// those in the middle of the shutter. A frame of a cross-fade has two entries. Frames without a
+/// valid view have none, and of a film of more than 20,000 frames only every second, third ...
+/// frame has one.
+struct CamerasHead {
+    static constexpr const char* kName = "cameras";
+    static constexpr std::uint32_t kType = 2;
+    static constexpr int kNumbersPerFrame = 21;
+    std::int64_t v = 0;
+    std::int64_t entries = 0;
+};
+
+/// The path of an object in one run of a fan.
+struct FanTrack {
+    std::string name{};
+    int run = 0;             // from 0
+    std::int64_t first = 0;  // index of the first of its numbers in the payload
+    std::int64_t points = 0;
+};
+
+/// What happened in some of the runs.
+struct FanOutcome {
+    std::string kind{};  // as in TimelineEvent
+    std::string a{};
+    std::string b{};
+    std::string text{};  // "nine is potted"
+    int runs = 0;        // in how many of those that are finished
+    double first = 0;    // earliest and latest time
+    double last = 0;
+};
+
+/// Binary, type 4. Payload: 64-bit floats, kNumbersPerPoint for each point: time; position. The
+/// paths are those of what moves, with as few points as show them to a millimetre.
+struct FanHead {
+    static constexpr const char* kName = "fan";
+    static constexpr std::uint32_t kType = 4;
+    static constexpr int kNumbersPerPoint = 4;
+    std::int64_t v = 0;
+    int runs = 0;
+    int finished = 0;  // of them
+    std::vector<FanTrack> tracks{};
+    std::vector<FanOutcome> outcomes{};  // sorted by their earliest time
+};
+
+/// Binary, type 3. Payload: RGBA, 8 bits each, row by row from the top left. Each question gets
+/// pictures of growing size and then of growing number of samples, until one is `complete`.
+struct PictureHead {
+    static constexpr const char* kName = "picture";
+    static constexpr std::uint32_t kType = 3;
+    std::int64_t q = 0;
+    std::int64_t v = 0;  // of the texts that it shows
+    int width = 0;
+    int height = 0;
+    int samples = 0;        // per pixel, that it consists of; the mean if it is complete
+    int of_samples = 0;     // that the last one will have
+    bool complete = false;  // nothing more will come
+    bool stored = false;    // the film's own frame, which is in the cache: `carom render` uses it
+    std::string channel;    // of the question
+    std::string legend;     // what the shades of a channel mean, a sentence; empty for colours
+};
+
+}  // namespace carom::studio

@@ -1,0 +1,149 @@
+// The open shot of a session, and what the threads that work on it have to say.
+#include <filesystem>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "pipeline/config/shot_source.h"
+#include "pipeline/studio/message_json.h"
+#include "pipeline/studio/paths.h"
+#include "pipeline/studio/session_state.h"
+
+namespace carom::studio {
+
+void Session::State::open_shot(const std::string& path) {
+    // A recent shot may be elsewhere if no root was given.
+    std::error_code ignored;
+    const bool is_elsewhere =
+        options_.root.empty() &&
+        !is_below(std::filesystem::weakly_canonical(path, ignored).string(), root_);
+    auto shot = std::make_shared<OpenedShot>(path, is_elsewhere ? "" : root_);
+    const int opening = close_shot();
+    shot_ = std::move(shot);
+    desk_->opened(shot_->files().shot());
+    shot_->open_journal(options_.cache_folder);
+    live_ = std::make_unique<LiveShot>(LiveOptions{.overrides = options_.overrides,
+                                                   .quality = options_.quality,
+                                                   .root = shot_->files().root()},
+                                       output_of(opening));
+    watch_->watch(shot_->files().watched());
+    offer();
+}
+
+/// Returns the number of the shot that may be opened next.
+int Session::State::close_shot() {
+    ended_ = std::move(live_);
+    pictures_->cancel_all();
+    fan_->cancel();
+    show(nullptr, nullptr, 0);
+    watch_->watch({});
+    shot_.reset();
+    messages_.begin(++opening_);
+    return opening_;
+}
+
+/// What pictures, documents and the fan show.
+void Session::State::show(const std::shared_ptr<const pipeline::Shot>& shot,
+                          const std::shared_ptr<const sim::Timeline>& timeline, std::int64_t v) {
+    pictures_->set_shot(shot, timeline, v);
+    documents_->set_shot(shot, timeline, v);
+    fan_->set_shot(shot, timeline, v);
+}
+
+/// The live shot gets the newest texts. Pictures wait until those are answered.
+void Session::State::offer() {
+    pictures_->hold(Hold::texts, true);
+    fan_->cancel();
+    const Workspace& files = shot_->files();
+    live_->offer({files.version(), files.shot(), files.texts()});
+}
+
+/// What the thread of a shot has to say; it is dropped once another shot is open.
+LiveOutput Session::State::output_of(int opening) {
+    LiveOutput output;
+    output.text = [this, opening](const ServerMessage& message) { take_text(opening, message); };
+    output.binary = [this, opening](const BinaryHead& head, const std::vector<double>& numbers) {
+        messages_.send_newest(opening, head, std::as_bytes(std::span(numbers)));
+    };
+    output.files = [this, opening](std::int64_t /*v*/, const std::vector<pipeline::ReadFile>& files,
+                                   const std::vector<std::string>& missing) {
+        take_files(opening, files, missing);
+    };
+    output.answer = [this, opening](const LiveAnswer& answer) { take_answer(opening, answer); };
+    output.shown = [this, opening](std::int64_t v, const pipeline::Shot& shot) {
+        messages_.send_newest(opening, SceneMeshes{v, meshes_.add(shot)});
+    };
+    return output;
+}
+
+void Session::State::take_text(int opening, const ServerMessage& message) {
+    const auto* problems = std::get_if<Problems>(&message);
+    if (problems != nullptr && problems->complete) {
+        const std::lock_guard lock(mutex_);
+        if (opening == opening_) {
+            pictures_->hold(Hold::texts, false);
+        }
+    }
+    messages_.send_newest(opening, message);
+}
+
+void Session::State::take_files(int opening, const std::vector<pipeline::ReadFile>& files,
+                                const std::vector<std::string>& missing) {
+    const std::lock_guard lock(mutex_);
+    if (opening != opening_) {
+        return;
+    }
+    Workspace& own = shot_->files();
+    const bool has_others = own.set_files(files);
+    if (has_others) {
+        messages_.send(0, own.files());
+    }
+    if (own.set_missing(missing) || has_others) {
+        watch_->watch(own.watched());
+    }
+}
+
+void Session::State::take_answer(int opening, const LiveAnswer& answer) {
+    std::vector<std::string> assets;
+    for (const auto& [node, path] : answer.source->files()) {
+        assets.push_back(path);
+    }
+    const std::lock_guard lock(mutex_);
+    if (opening != opening_) {
+        return;
+    }
+    if (shot_->files().set_assets(std::move(assets))) {
+        watch_->watch(shot_->files().watched());
+    }
+    show(answer.shot, answer.timeline, answer.v);
+}
+
+void Session::State::send_picture(PageId page, const Picture& picture) {
+    if (!picture.problem.empty()) {
+        messages_.send(page, Failed{"picture", picture.head.v, picture.problem});
+        return;
+    }
+    messages_.send(page, picture.head, std::as_bytes(std::span(picture.rgba)));
+}
+
+/// Returns whether a file is missing and may come again.
+bool Session::State::look_at_disk() {
+    const std::lock_guard lock(mutex_);
+    if (!shot_) {
+        return false;
+    }
+    const Workspace::DiskChanges changes = shot_->files().look_at_disk();
+    if (changes.reloaded) {
+        messages_.send(0, shot_->files().files());
+    }
+    for (const DiskChanged& one : changes.conflicting) {
+        messages_.send(0, one);
+    }
+    if (changes.reloaded || changes.assets) {
+        offer();
+    }
+    shot_->keep_unsaved();
+    return changes.missing;
+}
+
+}  // namespace carom::studio
