@@ -45,8 +45,8 @@ std::optional<std::string> existing_file(const std::vector<std::string>& files, 
 /// The values that replace those of the shot.
 std::vector<std::string> overrides_of(const FilmRequest& request, const FilmRunOptions& options) {
     std::vector<std::string> all = options.overrides;
-    if (const auto& size = request.start.size) {
-        all.push_back(fmt::format("render.size=[{}]", fmt::join(*size, ", ")));
+    if (const std::vector<int>& size = request.start.size; !size.empty()) {
+        all.push_back(fmt::format("render.size=[{}]", fmt::join(size, ", ")));
     }
     return all;
 }

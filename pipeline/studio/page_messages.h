@@ -179,10 +179,10 @@ struct Unsee {
 /// Exists, unless `overwrite`, or if carom made the file and the film was stopped before.
 struct StartFilm {
     static constexpr const char* kName = "film";
-    std::string output{};                    // path or name; empty: beside the shot, named after it
-    std::string quality{};                   // a preset, or empty
-    std::string frames{};                    // ranges such as "0-47x2,60", or empty
-    std::optional<std::vector<int>> size{};  // width and height, pixels; empty: the shot's
+    std::string output{};     // path or name; empty: beside the shot, named after it
+    std::string quality{};    // a preset, or empty
+    std::string frames{};     // ranges such as "0-47x2,60", or empty
+    std::vector<int> size{};  // width and height, pixels; empty: the shot's
     bool overwrite = false;
 };
 

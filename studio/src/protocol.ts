@@ -126,7 +126,7 @@ export interface StartFilm {
     output: string;
     quality: string;
     frames: string;
-    size?: number[];
+    size: number[];
     overwrite: boolean;
 }
 

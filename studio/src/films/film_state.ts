@@ -61,7 +61,7 @@ function begin(overwrite: boolean): void {
     const size = sizeOf(choice.size.value);
     isAsked.value = send('film', { output: choice.output.value.trim(),
         quality: choice.quality.value, frames: choice.frames.value.replaceAll(' ', ''),
-        ...size && { size }, overwrite });
+        size: size ?? [], overwrite });
     if (!isAsked.value) {
         filmProblem.value = 'There is no connection to the server.';
     }

@@ -191,12 +191,12 @@ TEST_F(StudioFilm, ImageSequence_IsReplacedOnlyIfAllowed) {
 
 TEST_F(StudioFilm, Size_ReplacesTheShots) {
     start_with(1);
-    say(StartFilm{.frames = "0", .size = std::vector{48, 32}});
+    say(StartFilm{.frames = "0", .size = {48, 32}});
     const FilmState done = wait_for_state("done");
     EXPECT_EQ(done.width, 48);
     EXPECT_EQ(done.height, 32);
     forget();
-    say(StartFilm{.size = std::vector{48}, .overwrite = true});
+    say(StartFilm{.size = {48}, .overwrite = true});
     EXPECT_EQ(wait_for<Failed>().what, "film");
 }
 
