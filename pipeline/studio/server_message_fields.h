@@ -9,7 +9,8 @@ namespace carom::studio {
 constexpr auto fields_of(Describes<Welcome>) {
     return fields<Welcome>(field("protocol", &Welcome::protocol),
                            field("version", &Welcome::version), field("v", &Welcome::v),
-                           field("shot", &Welcome::shot), field("root", &Welcome::root));
+                           field("shot", &Welcome::shot), field("root", &Welcome::root),
+                           field("output", &Welcome::output));
 }
 
 constexpr auto fields_of(Describes<StartFile>) {

@@ -16,6 +16,7 @@ struct Welcome {
     std::int64_t v = 0;     // the version of the texts
     std::string shot{};     // the path of the shot's file; empty: the start page
     std::string root{};     // the folder below which files may be written
+    std::string output{};   // the folder of films and exports; empty: that of the shot
 };
 
 /// A file to start from.

@@ -64,7 +64,7 @@ void Session::State::set_dragging(PageId page, bool on) {
 
 void Session::State::send_welcome(PageId page) {
     messages_.send(page, Welcome{kProtocol, CAROM_VERSION, version(),
-                                 shot_ ? shot_->files().shot() : "", root()});
+                                 shot_ ? shot_->files().shot() : "", root(), options_.output});
 }
 
 /// Of the open shot, and what a page may recover of them.
