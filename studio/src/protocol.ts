@@ -179,6 +179,7 @@ export interface Welcome {
     v: number;
     shot: string;
     root: string;
+    output: string;
 }
 
 export interface StartFile {

@@ -9,6 +9,7 @@ const [carom, shot = 'nine_ball_break.yaml'] = process.argv.slice(2);
 const kMoves = 80;
 const kFrames = 24;
 const kIdleSeconds = 5;
+const kRenders = 3;  // beside the idle page, and without it
 
 function percentile(values, part) {
     const sorted = [...values].sort((a, b) => a - b);
@@ -109,17 +110,57 @@ function watchPictures(page, frames) {
     }, frames);
 }
 
-async function play(page) {
+/// Moves the play head while the picture before is still refined: from the change to the first picture.
+function watchInterrupted(page, frames) {
+    return page.evaluate(async (frames) => {
+        const { state } = window.studio;
+        const rest = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+        const times = [];
+        for (let i = 0; i < frames; ++i) {
+            const { fps, duration } = state.shot.value.film;
+            const asked = state.picture.value?.head.q ?? 0;
+            const start = performance.now();
+            state.filmTime.value = (Math.floor(duration * fps * ((i + 0.5) / frames)) + 1) / fps;
+            await new Promise((resolve) => {
+                const end = state.picture.subscribe((picture) => {
+                    if (picture && picture.head.q > asked) {
+                        times.push(performance.now() - start);
+                        queueMicrotask(() => { end(); resolve(); });
+                    }
+                });
+            });
+            await rest(150 + 13 * (i % 7)); // the larger rounds are in work
+        }
+        return times;
+    }, frames);
+}
+
+/// Plays the film for three seconds in a view of this size. The times are those of all scripts of a frame:
+/// motion, gizmos, strip and drawing.
+async function play(page, width, height) {
+    const box = await page.locator('canvas[aria-label="The scene"]').boundingBox();
+    const size = page.viewportSize();
+    await page.setViewportSize({
+        width: Math.round(size.width + width - box.width), height: Math.round(size.height + height - box.height),
+    });
+    await settle(page);
     return page.evaluate(async () => {
         const { state, view } = window.studio;
-        const { renderer } = view.drawing;
-        const render = renderer.render.bind(renderer);
         const times = [];
-        renderer.render = (...words) => {
+        const ask = window.requestAnimationFrame.bind(window);
+        let frame = 0;
+        window.requestAnimationFrame = (action) => ask((time) => {
             const begin = performance.now();
-            render(...words);
-            times.push(performance.now() - begin);
-        };
+            action(time);
+            const took = performance.now() - begin;
+            if (time === frame) {
+                times[times.length - 1] += took;  // several actions of the same frame
+            } else {
+                times.push(took);
+            }
+            frame = time;
+        });
+        const before = view.drawing.frames;
         state.lookThrough.value = null;
         state.filmTime.value = 0;
         state.playing.value = true;
@@ -127,10 +168,23 @@ async function play(page) {
         await new Promise((resolve) => setTimeout(resolve, 3000));
         const seconds = (performance.now() - start) / 1000;
         state.playing.value = false;
-        renderer.render = render;
-        const { calls, triangles } = renderer.info.render;
-        return { times, calls, triangles, rate: times.length / seconds };
+        window.requestAnimationFrame = ask;
+        const { calls, triangles } = view.drawing.renderer.info.render;
+        return { times, calls, triangles, rate: (view.drawing.frames - before) / seconds,
+            size: `${view.canvas.clientWidth}x${view.canvas.clientHeight}` };
     });
+}
+
+/// CPU seconds of a render in a cache of its own.
+function renderSeconds(folder) {
+    const cache = join(folder, `render_${Math.random()}`);
+    const words = [resolve(carom), 'render', join(folder, 'examples', shot), '--quality', 'draft', '--frames', '0-23x3',
+        '--cache', cache, '-o', join(folder, 'render.mp4')];
+    const said = execFileSync('bash', ['-c', '"$@" >/dev/null 2>&1; times', 'bash', ...words], { encoding: 'utf8' });
+    return said.trim().split('\n')[1].split(' ').reduce((sum, one) => {
+        const [, minutes, seconds] = /^(\d+)m([\d.]+)s$/.exec(one);
+        return sum + 60 * Number(minutes) + Number(seconds);
+    }, 0);
 }
 
 /// CPU seconds that a process and its children have taken.
@@ -177,11 +231,12 @@ try {
         line('play head to the first traced picture', pictures.first);
         line('play head to the film\'s size, 1 sample', pictures.full);
         line('play head to the film\'s size, 4 samples', pictures.four);
+        line('the same while the picture before is refined: to the first', await watchInterrupted(page, kFrames));
     }
     await page.keyboard.press('r');
     await settle(page);
-    const played = await play(page);
-    line('playing: script that draws a frame', played.times);
+    const played = await play(page, 640, 400);
+    line('playing: all scripts of a frame', played.times);
     const processes = [browser.process?.()?.pid ?? process.pid];
     const idleShare = async () => {
         const before = cpuSeconds(processes[0]);
@@ -190,11 +245,14 @@ try {
     };
     await new Promise((done) => setTimeout(done, 2000));
     const idle = await idleShare();
+    const pairs = Array.from({ length: kRenders }, () => renderSeconds(folder));
     await page.goto('about:blank');
     await new Promise((done) => setTimeout(done, 2000));
     const empty = await idleShare();
-    console.log(`\nPlaying draws ${played.rate.toFixed(0)} frames a second with ${played.calls} draw calls and ${played.triangles} triangles.`);
+    const alone = Array.from({ length: kRenders }, () => renderSeconds(folder));
+    console.log(`\nPlaying in a view of ${played.size} draws ${played.rate.toFixed(0)} frames a second with ${played.calls} draw calls and ${played.triangles} triangles.`);
     console.log(`An idle page, its browser and the server take ${idle.toFixed(1)} % of a core; an empty page\ninstead of it ${empty.toFixed(1)} %.`);
+    console.log(`A render beside the idle page takes ${(percentile(pairs, 0.5) / percentile(alone, 0.5)).toFixed(3)} of the CPU time that it takes alone (${pairs.map((one) => one.toFixed(2)).join(', ')} s; ${alone.map((one) => one.toFixed(2)).join(', ')} s).`);
 } finally {
     await browser.close();
     await end();

@@ -69,8 +69,13 @@ function openRecovery(files: readonly RecoveredText[]): void {
     });
 }
 
-/// Asks whenever the server has such texts; to be called once.
+/// Asks whenever the server has such texts; to be called once. The question ends with the shot that it
+/// is about.
 export function watchRecovery(): void {
+    onMessage('welcome', () => {
+        close?.();
+        close = null;
+    });
     onMessage('recovered', ({ files }) => {
         if (files.length > 0) {
             openRecovery(files);

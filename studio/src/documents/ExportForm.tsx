@@ -1,6 +1,6 @@
 /// Chooses the format and the name of a file, and has it written.
 import { useSignal } from '@preact/signals';
-import { filmTime, shot, welcome } from '../state/state';
+import { filmTime, folderOfFiles, shot, welcome } from '../state/state';
 import { hasUnsaved } from '../start/file_actions';
 import { write, type DocumentKind } from './documents_state';
 import { kFormats, problemOfOutput, withEnding, type Format } from './formats';
@@ -66,7 +66,7 @@ export function ExportForm({ kind, isOff }: Properties) {
             )}
             <div class="file" onKeyDown={onKey}>
                 <label class="name">
-                    <span>File (in the shot's folder)</span>
+                    <span>File (in {folderOfFiles.value})</span>
                     <input type="text" value={name} spellcheck={false} autocomplete="off"
                         aria-invalid={problem !== ''}
                         onInput={(event) => { typed.value = event.currentTarget.value; }} />

@@ -3,7 +3,7 @@ import { Dialog, type DialogAction } from '../dialogs/Dialog';
 import { goToFrame } from '../motion/clock';
 import type { FilmState } from '../protocol';
 import { filmThumbnails } from '../state/film_thumbnails';
-import { hasErrors, panel, shot, welcome } from '../state/state';
+import { folderOfFiles, hasErrors, panel, shot, welcome } from '../state/state';
 import { hasUnsaved } from '../start/file_actions';
 import { configFiles } from '../text/complete/config_files';
 import { counted, durationText } from './durations';
@@ -98,8 +98,7 @@ function Choices() {
                 {problem || (size && choice.quality.value === ''
                     ? `The shot has ${size.width} × ${size.height}, ${counted(size.frames, 'frame')}, `
                         + `${rateText(size.fps)} frames per second, ${counted(size.samples, 'sample')} per pixel.`
-                    : "The film is written to the shot's folder; the ending of its name chooses "
-                        + 'the format.')}
+                    : `The film is written to ${folderOfFiles.value}; the ending of its name chooses the format.`)}
             </p>
         </>
     );

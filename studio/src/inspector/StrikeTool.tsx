@@ -74,7 +74,7 @@ function TipDisc({ event }: { event: ShotEvent }) {
         if (arrow) {
             const step = key.shiftKey ? 0.1 : kStep;
             key.preventDefault();
-            keyStep({
+            keyStep<readonly [number, number]>({
                 id: `${event.path.join('/')} tip`, label: 'Move tip', start: tipInText(event),
                 next: ([right, up]) => [right + arrow[0] * step, up + arrow[1] * step],
                 changes: ([right, up]) => tipChanges(event.path, right, up),

@@ -6,6 +6,7 @@ import type { Camera, KeyPath, SceneObject, ShotState } from '../protocol';
 import { shot } from '../state/state';
 import { fractionOf, minus, sum, timeText, type Fraction } from '../strip/film_time';
 import { parseValue, valueAt } from '../view/gizmos/shot_values';
+import type { Parsed } from '../view/gizmos/measures';
 import { freeName } from './free_name';
 
 /// Text in YAML of its own, to be edited by the paths within it.
@@ -36,7 +37,9 @@ function hasKey(yaml: string, key: string): boolean {
 /// The cameras as the text has them, which may be newer than the server's answer.
 function camerasInText(): Record<string, unknown>[] {
     const list = valueAt(['cameras']);
-    return Array.isArray(list) ? list.filter((one) => typeof one === 'object' && !Array.isArray(one)) : [];
+    return Array.isArray(list)
+        ? list.filter((one): one is Record<string, Parsed> => typeof one === 'object' && !Array.isArray(one))
+        : [];
 }
 
 /// How many entries a list of the shot has in the text.

@@ -4,6 +4,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { templatesOf } from '../outline/commands';
 import { outlineGroups } from '../outline/outline_groups';
 import { isBound, keyWords, kKeyBindings, runCommand, type KeyBinding } from '../state/keys';
+import { fileItems } from '../start/FileMenu';
 import { lookThrough, panel, selection, shot } from '../state/state';
 import './palette.css';
 
@@ -33,7 +34,9 @@ function allEntries(): Entry[] {
             ({ text: `Add ${label}`, group: 'Add', key: '', run })));
     const things = groups.flatMap((group) => group.items.map((item): Entry => ({ key: '',
         text: `Select ${item.name}`, group: group.name, run: () => { selection.value = item.path; } })));
-    return [...commands, ...cameras, ...adds, ...things];
+    const files = fileItems().filter(({ hint = '', isDisabled }) => !isDisabled && !hint.startsWith('Ctrl+'))
+        .map(({ label, run }): Entry => ({ text: label, group: 'File', key: '', run }));
+    return [...commands, ...files, ...cameras, ...adds, ...things];
 }
 
 /// The entries with all words of a text, those that begin with it first.

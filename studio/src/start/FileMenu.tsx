@@ -13,7 +13,8 @@ import { saveAs } from './SaveAs';
 
 const kMostRecent = 6;
 
-function items(): MenuItem[] {
+/// What can be done with files, and the recent shots.
+export function fileItems(): MenuItem[] {
     const recent = (start.value?.recent ?? [])
         .filter(({ file }) => file !== welcome.value?.shot).slice(0, kMostRecent);
     return [
@@ -38,7 +39,7 @@ function items(): MenuItem[] {
 function show(button: HTMLElement): void {
     send('offer', {});  // the recent shots
     const { left, bottom } = button.getBoundingClientRect();
-    openMenu({ title: 'File', x: left, y: bottom + 4, items });
+    openMenu({ title: 'File', x: left, y: bottom + 4, items: fileItems });
 }
 
 export function FileMenu() {

@@ -39,6 +39,8 @@ export const welcome = signal<Welcome | null>(null);
 export const start = signal<Start | null>(null);
 /// Whether no shot is open: the start page is shown.
 export const isStarting = computed(() => welcome.value?.shot === '');
+/// Where films and exports are written, as words of a sentence.
+export const folderOfFiles = computed(() => welcome.value?.output || "the shot's folder");
 /// The shot's file, first, and those that it includes, as the server last told.
 export const files = signal<OpenFile[]>([]);
 /// The newest version of the texts.

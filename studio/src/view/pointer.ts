@@ -2,16 +2,21 @@
 import { onCommand } from '../state/keys';
 import { kBodyPriority, type Drag, type ViewPart } from './parts';
 
+const kLongPress = 500; // ms, of a finger that stays where it is
+const kStill = 8; // CSS pixels, that such a finger may move
+
 /// Gives presses, drags and hovering to the parts, before all other listeners of the canvas. A press
-/// that no part wants is left to them. Returns a function that ends this.
+/// that no part wants is left to them. A finger that stays where it is ends the drag that it began:
+/// `longPress` is called. Returns a function that ends this.
 export function arbitratePointer(
-    canvas: HTMLCanvasElement, parts: readonly ViewPart[],
+    canvas: HTMLCanvasElement, parts: readonly ViewPart[], longPress: (at: PointerEvent) => void,
 ): () => void {
     const inOrder = [...parts].sort((a, b) => b.priority - a.priority);
     let drag: Drag | null = null;
     let pointer: number | null = null; // pressed by a part; its drag may have been cancelled
     let forgetCancel = () => {};
     let hovering = 0;
+    let finger: { at: PointerEvent; timer: number } | null = null;
 
     const finish = (how: (drag: Drag) => void) => {
         const ended = drag;
@@ -22,7 +27,21 @@ export function arbitratePointer(
             how(ended);
         }
     };
+    const watchFinger = (event: PointerEvent) => {
+        const isFirst = finger === null && event.pointerType === 'touch' && event.isPrimary;
+        forgetFinger();
+        finger = isFirst ? { at: event, timer: window.setTimeout(() => {
+            finger = null;
+            finish((one) => one.cancel());
+            longPress(event);
+        }, kLongPress) } : null;
+    };
+    const forgetFinger = () => {
+        window.clearTimeout(finger?.timer);
+        finger = null;
+    };
     const down = (event: PointerEvent) => {
+        watchFinger(event);
         cancelAnimationFrame(hovering);
         if (pointer !== null) {
             event.stopImmediatePropagation();
@@ -43,6 +62,9 @@ export function arbitratePointer(
         }
     };
     const move = (event: PointerEvent) => {
+        if (finger && Math.hypot(event.clientX - finger.at.clientX, event.clientY - finger.at.clientY) > kStill) {
+            forgetFinger();
+        }
         if (pointer === event.pointerId) {
             event.stopImmediatePropagation();
             drag?.move(event);
@@ -54,6 +76,7 @@ export function arbitratePointer(
         }
     };
     const up = (event: PointerEvent) => {
+        forgetFinger();
         if (pointer === event.pointerId) {
             event.stopImmediatePropagation();
             pointer = null;
@@ -61,6 +84,7 @@ export function arbitratePointer(
         }
     };
     const lost = (event: PointerEvent) => {
+        forgetFinger();
         if (pointer === event.pointerId) {
             pointer = null;
             finish((one) => one.cancel());
@@ -74,6 +98,7 @@ export function arbitratePointer(
         canvas.addEventListener(name, listener, { capture: true }));
     return () => {
         cancelAnimationFrame(hovering);
+        forgetFinger();
         finish((one) => one.cancel());
         listeners.forEach(([name, listener]) =>
             canvas.removeEventListener(name, listener, { capture: true }));

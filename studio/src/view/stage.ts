@@ -10,7 +10,7 @@ import { Cameras } from './cameras';
 import { makeContext } from './context';
 import { Drawing } from './drawing';
 import { FilmMask } from './film_mask';
-import { answerContextMenu } from './menu/context_menu';
+import { answerContextMenu, openContextMenu } from './menu/context_menu';
 import { objectIds } from './object_ids';
 import type { ViewCamera, ViewContext } from './parts';
 import { arbitratePointer } from './pointer';
@@ -72,7 +72,7 @@ export class Stage {
 
         const parts = kAllParts.map((make) => make(this.context));
         this.ends.push(
-            arbitratePointer(canvas, parts),
+            arbitratePointer(canvas, parts, (at) => openContextMenu(this.context, parts, at)),
             ...parts.map((part) => () => part.dispose()),
             selectByClick(canvas, (pixel) => {
                 const object = this.context.objectAt(pixel);

@@ -22,9 +22,15 @@ export async function tour(page) {
     await keep(page, 'strike');
     await select(page, null);
     await documents(page);
-    for (const [words, name] of [['Open another', 'open'], ['Save as', 'save_as'], ['Add from', 'add_parts']]) {
-        await command(page, words);
-        await page.locator('[role=dialog]').waitFor();
+    const dialogs = [
+        ['open', () => page.keyboard.press('Control+o')],
+        ['save_as', () => page.keyboard.press('Control+Shift+s')],
+        ['add_parts', () => command(page, 'Add from file')],
+    ];
+    for (const [name, act] of dialogs) {
+        await toView(page);
+        await act();
+        await page.getByRole('dialog').first().waitFor();
         await keep(page, name);
         await page.keyboard.press('Escape');
     }

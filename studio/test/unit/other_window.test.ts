@@ -19,7 +19,7 @@ setChangeListener(sendSoon);
 
 function open(text = kText): void {
     buffers.value = [];
-    receive(JSON.stringify({ t: 'welcome', protocol: '', version: '', v: 1, shot: '/a', root: '/' }));
+    receive(JSON.stringify({ t: 'welcome', protocol: '', version: '', v: 1, shot: '/a', root: '/', output: '' }));
     const files = [{ file: '/a.yaml', name: 'a', text, hash: 'a', writable: true, changed: false }];
     receive(JSON.stringify({ t: 'files', v: 1, files }));
     takeFiles(files);

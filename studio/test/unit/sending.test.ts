@@ -35,7 +35,7 @@ async function open(writable = true): Promise<void> {
     connect();
     await Promise.resolve();
     buffers.value = [];
-    tell('welcome', { protocol: '', version: '', v: 1, shot: '/a.yaml', root: '/' });
+    tell('welcome', { protocol: '', version: '', v: 1, shot: '/a.yaml', root: '/', output: '' });
     const files = [{ file: '/a.yaml', name: 'a', text: kText, hash: 'a', writable, changed: false }];
     tell('files', { v: 1, files });
     takeFiles(files);

@@ -1,5 +1,6 @@
 /// Whole entries of lists and maps. ${...} are places to fill in, in their order.
 import type { KeyPath, Names } from '../../protocol';
+import { fractionOf, sum, timeText } from '../../strip/film_time';
 
 export interface Snippet {
     label: string;
@@ -33,8 +34,9 @@ function events(names: Names): Snippet[] {
 }
 
 function cameras(names: Names, filmEnd: number): Snippet[] {
-    const start = `${Number(filmEnd.toFixed(4))} s`;
-    const end = `${Number((filmEnd + 3).toFixed(4))} s`;
+    const from = fractionOf(filmEnd);
+    const start = timeText(from, null);
+    const end = timeText(sum(from, { numerator: 3, denominator: 1 }), null);
     const times = `video: [\${${start}}, \${${end}}]\nscene: [\${0 s}, \${3 s}]\n`;
     const cue = ball(names);
     return [
@@ -49,7 +51,7 @@ function cameras(names: Names, filmEnd: number): Snippet[] {
             yaml: `name: \${follow}\n${times}position: [\${-0.4}, \${-1.6}, \${0.9}]\n`
                 + `target: {follow: \${${cue}}}\nfov: \${30 deg}` },
         { label: 'camera of a rig', about: 'A ready camera from a file.',
-            yaml: `include: \${rigs/overhead.yaml}\nname: \${overhead}\n${times.trim()}` },
+            yaml: `include: \${rigs/orbit.yaml}\nname: \${orbit}\n${times.trim()}` },
     ];
 }
 

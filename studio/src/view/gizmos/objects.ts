@@ -55,10 +55,10 @@ function selectedState(object: SceneObject, context: ViewContext): Selected | nu
 /// The axes whose arrows are nearly points in this view.
 function axesTowardsViewer(origin: Triple, context: ViewContext): number[] {
     const reach = kArmPixels * context.metresPerPixel(origin);
-    const [x, y] = context.toScreen(origin);
+    const foot = context.toScreen(origin);
     return [0, 1, 2].filter((i) => {
-        const [tipX, tipY] = context.toScreen(add(origin, scale(reach, kAxes[i] ?? [0, 0, 1])));
-        return Math.hypot(tipX - x, tipY - y) < kLeastArm;
+        const tip = context.toScreen(add(origin, scale(reach, kAxes[i] ?? [0, 0, 1])));
+        return foot && tip && Math.hypot(tip[0] - foot[0], tip[1] - foot[1]) < kLeastArm;
     });
 }
 

@@ -1,5 +1,5 @@
-/// The menu of a place of the view: by the right button without a drag, by a long touch, and by the
-/// menu key for what is selected.
+/// The menu of a place of the view: by the right button without a drag, by a long touch (pointer.ts),
+/// and by the menu key for what is selected.
 import { Vector3 } from 'three';
 import { applyChanges, removeValue } from '../../edit/edit';
 import type { Camera, KeyPath, SceneObject, Triple } from '../../protocol';
@@ -136,26 +136,32 @@ function placeOfSelection(context: ViewContext): Pixel {
     return { clientX: box.left + x, clientY: box.top + y };
 }
 
-/// Listens until the returned function is called.
+/// Opens the menu of what is at a pixel, or of `known`.
+export function openContextMenu(
+    context: ViewContext, parts: readonly ViewPart[], pixel: Pixel, known: KeyPath | null = null,
+): void {
+    const object = context.objectAt(pixel);
+    const body = object && object.kind !== 'table' ? object.path : null;
+    const path = known ?? pickedBy(parts, pixel) ?? body;
+    const items = itemsAt(context, parts, pixel, path);
+    if (path) {
+        selection.value = path;
+    }
+    if (items.length > 0) {
+        openMenu({
+            title: path ? nameOf(path) : 'Here', x: pixel.clientX, y: pixel.clientY,
+            items: () => items,
+        });
+    }
+}
+
+/// Opens the menu by the right button and by the menu key, until the returned function is called.
 export function answerContextMenu(
     context: ViewContext, parts: readonly ViewPart[],
 ): () => void {
     const { canvas } = context;
-    const open = (pixel: Pixel, known: KeyPath | null = null) => {
-        const object = context.objectAt(pixel);
-        const body = object && object.kind !== 'table' ? object.path : null;
-        const path = known ?? pickedBy(parts, pixel) ?? body;
-        const items = itemsAt(context, parts, pixel, path);
-        if (path) {
-            selection.value = path;
-        }
-        if (items.length > 0) {
-            openMenu({
-                title: path ? nameOf(path) : 'Here', x: pixel.clientX, y: pixel.clientY,
-                items: () => items,
-            });
-        }
-    };
+    const open = (pixel: Pixel, known: KeyPath | null = null) =>
+        openContextMenu(context, parts, pixel, known);
     let start: Pixel | null = null;
     const down = (event: PointerEvent) => {
         start = event.button === 2 ? { clientX: event.clientX, clientY: event.clientY } : null;
@@ -168,12 +174,7 @@ export function answerContextMenu(
             open(event);
         }
     };
-    const asked = (event: MouseEvent) => {
-        event.preventDefault();
-        if (event instanceof PointerEvent && event.pointerType === 'touch') {
-            open(event);
-        }
-    };
+    const asked = (event: MouseEvent) => event.preventDefault();
     const key = (event: KeyboardEvent) => {
         if (event.key === 'ContextMenu' || (event.key === 'F10' && event.shiftKey)) {
             event.preventDefault();
