@@ -86,7 +86,7 @@ export async function check({ page }) {
     await settle(page);
     equal(/tip: \[-0\.1, 0\.2\]/.test(await textOf(page)), true, 'the tip');
 
-    await page.getByLabel('Speed of playing').focus();
+    await page.getByLabel('Playback speed').focus();
     await page.keyboard.press('Control+z');
     await settle(page);
     equal(/tip: \[0, 0\.2\]/.test(await textOf(page)), true, 'the tip after undo in a choice');

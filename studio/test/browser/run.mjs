@@ -1,4 +1,4 @@
-// Runs the checks NN_name.mjs of this folder in a real browser: `node run.mjs CAROM [WORD...]`, with
+// Runs the checks NN_name.mjs of this folder, two at a time, in real browsers: `node run.mjs CAROM [WORD...]`, with
 // the path of the program carom and words of which one must be in a check's name. Prints a line for
 // each, and ends with 1 if one failed. With CAROM_STUDIO_SHOTS=FOLDER, pictures are kept there.
 import { readdirSync } from 'node:fs';
@@ -6,6 +6,7 @@ import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { copyShots, launch, open, remove, serve } from './harness.mjs';
 
+const kWorkers = 2;
 const here = dirname(fileURLToPath(import.meta.url));
 const [carom, ...words] = process.argv.slice(2);
 if (!carom) {
@@ -40,21 +41,27 @@ async function run(browser, name) {
     }
 }
 
-const browser = await launch();
-const start = Date.now();
-let failures = 0;
-try {
-    for (const name of names) {
-        try {
-            console.log(await run(browser, name));
-        } catch (error) {
-            failures += 1;
-            console.log(`FAILED  ${name.replace('.mjs', '')}: ${error.message}`);
+/// Runs checks, one after the other, in a browser of its own.
+async function work(waiting) {
+    const browser = await launch();
+    try {
+        for (let name = waiting.shift(); name; name = waiting.shift()) {
+            const start = Date.now();
+            const line = await run(browser, name).catch((error) => {
+                failures += 1;
+                return `FAILED  ${name.replace('.mjs', '')}: ${error.message}`;
+            });
+            console.log(`${line} (${((Date.now() - start) / 1000).toFixed(0)} s)`);
         }
+    } finally {
+        await browser.close();
     }
-} finally {
-    await browser.close();
 }
+
+let failures = 0;
+const start = Date.now();
+const waiting = [...names];
+await Promise.all(Array.from({ length: Math.min(kWorkers, names.length) }, () => work(waiting)));
 const seconds = Math.round((Date.now() - start) / 1000);
 console.log(`${names.length - failures} of ${names.length} checks passed in ${seconds} s`);
 process.exit(failures > 0 || names.length === 0 ? 1 : 0);
