@@ -88,6 +88,8 @@ async function checkShot(page, carom, path) {
     return count;
 }
 
+export const ownPage = true; // it opens one itself
+
 export async function check({ browser, folder, carom }) {
     const all = readdirSync(join(folder, 'examples')).filter((name) => name.endsWith('.yaml'));
     const named = process.env.CAROM_STUDIO_ALL;

@@ -74,6 +74,8 @@ function compare(page) {
     }, [kSmall, kLeast, kApart]);
 }
 
+export const ownPage = true; // it opens one itself
+
 export async function check({ browser, folder, carom }) {
     const named = process.env.CAROM_STUDIO_ALL;
     const all = readdirSync(join(folder, 'examples')).filter((name) => name.endsWith('.yaml')

@@ -35,6 +35,8 @@ async function openSmall(context) {
     return openText(context, 'small.yaml', text);
 }
 
+export const ownPage = true; // it opens one itself
+
 export async function check(context) {
     const { page, path, end, complaints } = await openSmall(context);
     const frames = await page.evaluate(() => window.studio.state.shot.value.film.frames);
@@ -42,6 +44,7 @@ export async function check(context) {
     writeFileSync(film, 'somebody made this film');
     await page.getByRole('button', { name: /^Make a film/ }).click();
     await page.getByLabel('Quality').selectOption('draft');
+    await page.getByLabel('Size').fill('416 x 234');
     await page.getByRole('button', { name: 'Render', exact: true }).click();
     await page.getByRole('button', { name: 'Keep it' }).click();
     equal(await filmState(page), null, 'the film of which the file was kept');
@@ -75,7 +78,7 @@ export async function check(context) {
     const { duration, width } = await video.evaluate((one) =>
         ({ duration: one.duration, width: one.videoWidth }));
     equal(Math.abs(duration - frames / done.fps) < 0.02, true, `duration (${duration} s)`);
-    equal(width, done.width, 'width');
+    equal([width, done.width], [416, 416], 'width');
     await page.getByRole('button', { name: 'Play', exact: true }).click();
     await page.waitForFunction(() => document.querySelector('video').currentTime > 0.2);
     await page.getByRole('button', { name: 'Pause', exact: true }).click();

@@ -36,6 +36,8 @@ async function crash({ page, server, browser, carom, path, folder }) {
     return { ...opened, server: again };
 }
 
+export const ownPage = true; // it opens one itself
+
 export async function check({ browser, path, folder, carom }) {
     const before = readFileSync(path, 'utf8');
     const server = await serve(carom, path, folder);

@@ -82,6 +82,8 @@ async function drag(page, name, choose, by, key) {
     return lines[0];
 }
 
+export const ownPage = true; // it opens one itself
+
 export async function check(context) {
     const { page, complaints, end } = await openText(context, 'shapes.yaml', kShot);
     await page.waitForFunction(() => window.studio.view.context.meshNode('block'));

@@ -31,6 +31,8 @@ async function dragCue(page, to, key) {
     }
 }
 
+export const ownPage = true; // it opens one itself
+
 export async function check(context) {
     const { page, complaints, end } = await openText(context, 'places.yaml', kShot);
     await page.waitForFunction(() => window.studio.view.context.meshNode('cue'));

@@ -13,6 +13,8 @@ cameras:
 
 export const shot = 'bank_shot.yaml';
 
+export const ownPage = true; // it opens one itself
+
 export async function check(context) {
     writeFileSync(join(context.folder, 'examples', 'own_balls.yaml'), kBalls);
     const { page, end } = await openText(context, 'including.yaml', kShot);

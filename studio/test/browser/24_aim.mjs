@@ -42,6 +42,8 @@ async function drag(page, kind, to, key) {
     return text.split('\n')[8];
 }
 
+export const ownPage = true; // it opens one itself
+
 export async function check(context) {
     const { page, complaints, end } = await openText(context, 'aim.yaml', kShot);
     const faint = await drawn(page);

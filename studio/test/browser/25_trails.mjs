@@ -24,6 +24,8 @@ function now(page) {
     });
 }
 
+export const ownPage = true; // it opens one itself
+
 export async function check(context) {
     const { page, complaints, end } = await openText(context, 'trails.yaml', kShot);
     await page.waitForFunction(() => window.studio.view.context.meshNode('cue'));

@@ -42,6 +42,8 @@ async function drag(page, path, by, key) {
     return { line: lines[0], off: Math.hypot(at[0] - to[0], at[1] - to[1]) };
 }
 
+export const ownPage = true; // it opens one itself
+
 export async function check(context) {
     const { page, complaints, end } = await openText(context, 'arrows.yaml', kShot);
     const impulse = await drag(page, ['events', '0'], [30, -15]);

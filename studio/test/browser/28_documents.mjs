@@ -29,7 +29,8 @@ export async function check({ page, path, folder, carom }) {
     await page.waitForFunction(() => document.querySelector('img.plot')?.naturalWidth > 0);
     // Looking at the contact sheet saves nothing and renders nothing.
     await page.evaluate(() => window.studio.edit.applyChanges(
-        [{ path: ['render', 'samples'], value: 4 }], 'Set samples'));
+        [{ path: ['render', 'size'], value: [320, 180] }, { path: ['render', 'samples'], value: 4 }],
+        'Make it smaller'));
     await page.evaluate(() => window.studio.idle());
     const saved = readFileSync(path, 'utf8');
     await tab('Contact sheet');

@@ -25,6 +25,8 @@ render: {size: [16384, 16384], fps: 24, samples: 4096}
 
 export const shot = 'bank_shot.yaml';
 
+export const ownPage = true; // it opens one itself
+
 export async function check(context) {
     const { folder } = context;
     const mesh = join(folder, 'examples', 'huge.obj');
