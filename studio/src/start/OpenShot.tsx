@@ -1,6 +1,7 @@
 /// The dialog that leads through the folders below the root to a shot.
 import { signal } from '@preact/signals';
 import { ChevronRight, FileText, Folder as FolderIcon } from 'lucide-preact';
+import { useEffect, useRef } from 'preact/hooks';
 import { onMessage } from '../connection/receive';
 import { send } from '../connection/socket';
 import { openDialog } from '../dialogs/open_dialogs';
@@ -52,6 +53,8 @@ function walk(event: KeyboardEvent): void {
 
 function Browser({ choose }: { choose(entry: FolderEntry): void }) {
     const shown = folder.value;
+    const list = useRef<HTMLUListElement>(null);
+    useEffect(() => list.current?.querySelector('button')?.focus(), [shown?.folder]);
     if (!shown) {
         return <p>…</p>;
     }
@@ -67,7 +70,7 @@ function Browser({ choose }: { choose(entry: FolderEntry): void }) {
                     </>
                 ))}
             </nav>
-            <ul class="entries" aria-label="Shots and folders" onKeyDown={walk}>
+            <ul class="entries" ref={list} aria-label="Shots and folders" onKeyDown={walk}>
                 {shown.entries.map((entry) => (
                     <Entry key={entry.file} entry={entry} choose={choose} />
                 ))}

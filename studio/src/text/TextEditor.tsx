@@ -177,7 +177,7 @@ export function TextEditor() {
     const parent = useRef<HTMLDivElement>(null);
     useEffect(() => (parent.current ? openView(parent.current) : undefined), []);
     return (
-        <section class="text" aria-label="Text">
+        <section class="text-area" aria-label="Text">
             <Tabs />
             <ConflictBar />
             <div class="text-view" ref={parent} />

@@ -76,6 +76,7 @@ export async function check({ page, folder }) {
     await page.click('[role=menuitem]:has-text("Open")');
     await dialog('Open a shot').locator('.entries button').first().waitFor();
     await keep(page, '01_open');
+    await page.waitForFunction(() => document.activeElement.closest('.entries') !== null);
     await page.click('.ways_to button >> nth=0');
     await page.click('.entries button:has-text("first.yaml")');
     await shows(page, 'first.yaml');

@@ -35,7 +35,7 @@ export async function tour(page) {
         await page.keyboard.press('Escape');
     }
     await page.keyboard.press('Control+k');
-    await page.keyboard.type('cam');
+    await page.getByRole('combobox', { name: 'Find a command' }).fill('cam');
     await keep(page, 'palette');
     await page.keyboard.press('Escape');
     await page.evaluate(() => {

@@ -12,11 +12,11 @@ export function pictures() {
 /// Hides where the shots of the tour are.
 async function hidePlaces(page) {
     await page.evaluate(() => {
-        for (const node of document.querySelectorAll('.where, .head p, footer, .written, .cm-line span')) {
+        for (const node of document.querySelectorAll('.where, .head p, footer, .written, .cm-line span, .ways_to button')) {
             for (const text of node.childNodes) {
                 if (text.nodeType === Node.TEXT_NODE) {
                     text.data = text.data.replace(/\/\S*carom-studio-\w+/, '~/shots')
-                        .replace(/=\/\S*\/configs\//, '=configs/');
+                        .replace(/=\/\S*\/configs\//, '=configs/').replace(/^carom-studio-\w+$/, 'shots');
                 }
             }
         }
