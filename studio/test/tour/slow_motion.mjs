@@ -48,5 +48,4 @@ export async function tour(page) {
     await page.keyboard.press('r');
     await film(page, 'draft');
     await filmDone(page, 20);
-    await keep(page, 'slow_5_film');
 }

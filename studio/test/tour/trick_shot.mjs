@@ -1,6 +1,6 @@
 // A trick shot with three cameras, from the template that has two: a box to knock over is added, and a camera that
-// shows it again from above, slowly.
-import { dragPixels, equal, pixelOf, settle, textOf } from '../browser/harness.mjs';
+// shows it again, slowly, on its way around the table.
+import { dragPixels, equal, pixelOf, settle } from '../browser/harness.mjs';
 import { pixelOfHandle } from '../browser/strip_harness.mjs';
 import {
     command, film, filmDone, keep, placeOf, scheme, select, toView,
@@ -43,8 +43,6 @@ export async function tour(page) {
     await toView(page);
     await page.keyboard.press('3');
     await keep(page, 'trick_3_cameras');
-    console.log((await textOf(page)).split('\n').slice(-12).join('\n'));
-
     await select(page, null);
     await film(page, 'draft');
     await filmDone(page, 130);
