@@ -4,7 +4,9 @@ import { DirectionalLight, Group, HemisphereLight, Scene } from 'three';
 import type { CameraPose } from '../motion/camera';
 import { cameraLookedThrough, framesOfCameras, tracks } from '../motion/clock';
 import { connection, filmTime, lookThrough, meshes, notice, sceneTime, shot } from '../state/state';
+import { isWireframe } from '../state/view_state';
 import { kAllParts } from './all_parts';
+import { BallFigures } from './ball_figures';
 import { CameraLock } from './camera_gizmos/camera_lock';
 import { Cameras } from './cameras';
 import { makeContext } from './context';
@@ -37,6 +39,7 @@ export class Stage {
 
     readonly context: ViewContext;
     private readonly meshes: SceneMeshes;
+    private readonly figures = new BallFigures();
     private readonly mask: FilmMask;
     private readonly moved = signal(0);
     private readonly loaded = signal(0); // how often meshes were loaded
@@ -67,8 +70,11 @@ export class Stage {
         const lamp = new DirectionalLight(0xffffff, 1.6);
         lamp.position.set(0.4, -0.8, 2);
         scene.add(new HemisphereLight(0xffffff, 0x404840, 1.8), lamp, this.meshes.group,
-            this.meshes.instances.group, overlay);
-        scene.onBeforeRender = () => this.meshes.instances.place();
+            this.meshes.instances.group, this.figures.group, overlay);
+        scene.onBeforeRender = () => {
+            this.meshes.instances.place();
+            this.figures.place((name) => this.meshes.node(name), !isWireframe.peek());
+        };
 
         const parts = kAllParts.map((make) => make(this.context));
         this.ends.push(
@@ -111,6 +117,7 @@ export class Stage {
 
     dispose(): void {
         this.ends.forEach((end) => end());
+        this.figures.dispose();
         this.mask.dispose();
         this.lock.dispose();
         this.cameras.dispose();
@@ -127,6 +134,7 @@ export class Stage {
             }),
             effect(() => {
                 if (shot.value) {
+                    this.figures.take(shot.value);
                     this.meshes.pose(shot.value, tracks.value, sceneTime.value);
                 }
                 this.drawing.ask();
@@ -160,6 +168,7 @@ export class Stage {
         this.meshes.load(hash).then((isShown) => {
             const state = shot.peek();
             if (isShown && state) {
+                this.figures.take(state);
                 this.meshes.pose(state, tracks.peek(), sceneTime.peek());
             }
             if (isShown) {

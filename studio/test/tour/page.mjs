@@ -33,6 +33,7 @@ export async function tour(page) {
     await page.getByRole('tab', { name: 'Export' }).click();
     await keep(page, 'export');
     await page.keyboard.press('Escape');
-    await command(page, 'Show this page of keys');
+    await command(page, 'Show the keys');
+    await page.getByRole('dialog').first().waitFor();
     await keep(page, 'keys');
 }
