@@ -26,12 +26,14 @@ function look(path: string): void {
     send('list', { folder: path });
 }
 
-function Entry({ entry, choose }: { entry: FolderEntry; choose(entry: FolderEntry): void }) {
+function Entry({ entry, isFirst, choose }: {
+    entry: FolderEntry; isFirst: boolean; choose(entry: FolderEntry): void;
+}) {
     const Icon = entry.is_folder ? FolderIcon : FileText;
     const isOpen = entry.file === welcome.value?.shot;
     return (
         <li>
-            <button type="button" onClick={() => choose(entry)}>
+            <button type="button" data-focus={isFirst || undefined} onClick={() => choose(entry)}>
                 <Icon size={16} strokeWidth={1.5} aria-hidden="true" />
                 <span>{entry.name}</span>
                 {isOpen ? <span class="hint">open</span> : null}
@@ -71,8 +73,8 @@ function Browser({ choose }: { choose(entry: FolderEntry): void }) {
                 ))}
             </nav>
             <ul class="entries" ref={list} aria-label="Shots and folders" onKeyDown={walk}>
-                {shown.entries.map((entry) => (
-                    <Entry key={entry.file} entry={entry} choose={choose} />
+                {shown.entries.map((entry, i) => (
+                    <Entry key={entry.file} entry={entry} isFirst={i === 0} choose={choose} />
                 ))}
                 {shown.entries.length === 0
                     ? <li class="nothing">There is no shot in this folder.</li> : null}

@@ -72,6 +72,7 @@ export async function serve(carom, shot, folder) {
 /// are what the page wrote to the console as errors.
 export async function open(browser, address, size = { width: 1280, height: 720 }) {
     const page = await browser.newPage({ viewport: size, deviceScaleFactor: 1 });
+    page.setDefaultTimeout(60_000); // of a wait for a state: two checks share the processor
     const complaints = [];
     page.on('console', (message) => {
         if (message.type() === 'error') {
