@@ -35,14 +35,7 @@ void Outbox::add_to(Queue& queue, const std::shared_ptr<const Message>& message)
     }
     queue.has_changed = true;
     if (!message->slot.empty()) {
-        const auto waiting =
-            std::find_if(queue.messages.begin(), queue.messages.end(),
-                         [&](const auto& other) { return other->slot == message->slot; });
-        if (waiting != queue.messages.end()) {
-            *waiting = message;
-            return;
-        }
-        queue.messages.push_back(message);
+        add_to_slot(queue, message);
         return;
     }
     queue.messages.push_back(message);
@@ -51,6 +44,26 @@ void Outbox::add_to(Queue& queue, const std::shared_ptr<const Message>& message)
     if (queue.bounded_messages > most_messages_ || queue.bounded_bytes > most_bytes_) {
         queue.is_overfilled = true;
         queue.messages.clear();
+    }
+}
+
+void Outbox::add_to_slot(Queue& queue, const std::shared_ptr<const Message>& message) {
+    auto& messages = queue.messages;
+    const auto waiting = std::find_if(messages.begin(), messages.end(), [&](const auto& other) {
+        return other->slot == message->slot;
+    });
+    if (waiting == messages.end()) {
+        messages.push_back(message);
+        return;
+    }
+    // What has no slot, such as the message that another shot is open, is not overtaken.
+    const bool may_stay = std::all_of(waiting, messages.end(),
+                                      [](const auto& later) { return !later->slot.empty(); });
+    if (may_stay) {
+        *waiting = message;
+    } else {
+        messages.erase(waiting);
+        messages.push_back(message);
     }
 }
 

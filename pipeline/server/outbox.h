@@ -45,6 +45,7 @@ class Outbox {
         bool is_overfilled = false;
     };
     void add_to(Queue& queue, const std::shared_ptr<const Message>& message) const;
+    static void add_to_slot(Queue& queue, const std::shared_ptr<const Message>& message);
 
     std::size_t most_messages_;
     std::size_t most_bytes_;

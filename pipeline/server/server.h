@@ -22,8 +22,9 @@ using SocketId = std::uint64_t;
 struct Message {
     bool binary = false;
     std::string data;
-    /// A newer message of the same slot replaces one that waits to be sent, and takes its place in
-    /// the queue. Empty: every message is delivered, in order.
+    /// A newer message of the same slot replaces one that waits to be sent. It takes its place in
+    /// the queue, unless it would overtake a message without a slot. Empty: every message is
+    /// delivered, in order.
     std::string slot;
 };
 

@@ -3,7 +3,7 @@
 // come is measured by bench/studio.
 import { equal, pixelOf, settle } from './harness.mjs';
 
-const kMoves = 40;
+const kMoves = 24;
 const kFewest = 5;  // answers during a drag
 
 /// Notes the versions of all motions that come from now on.

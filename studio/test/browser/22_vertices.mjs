@@ -2,6 +2,7 @@
 // changes in exactly that corner; boxes, spheres and cylinders are moved, turned and measured.
 import { changedLines, dragPixels, equal, openText, pixelOf, settle, textOf } from './harness.mjs';
 
+const kMoves = 3; // of a drag: each makes other meshes
 const kShot = `carom: 1  # shapes
 table: {kind: pool}
 simulation: {duration: 1 s}
@@ -37,7 +38,7 @@ async function corners(page, name, shape) {
         const vertex = (await handlesOf(page, ['objects', name])).find((one) => one.index === index);
         const from = await pixelOf(page, vertex.at);
         const to = [from[0] + 37, from[1] - 23];
-        await dragPixels(page, from, to, 5);
+        await dragPixels(page, from, to, kMoves);
         const after = await textOf(page);
         const lines = changedLines(before, after);
         equal(lines.length, 1, `lines changed by corner ${index} of ${name}: ${lines.join(' | ')}`);
@@ -71,7 +72,7 @@ async function drag(page, name, choose, by, key) {
     if (key) {
         await page.keyboard.down(key);
     }
-    await dragPixels(page, from, [from[0] + by[0], from[1] + by[1]]);
+    await dragPixels(page, from, [from[0] + by[0], from[1] + by[1]], kMoves);
     if (key) {
         await page.keyboard.up(key);
     }

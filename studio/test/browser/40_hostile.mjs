@@ -89,7 +89,7 @@ export async function check(context) {
     await page.keyboard.press('r');
     await page.waitForFunction(() => window.firstHead, null, { timeout: 60_000 });
     const { width, height } = await page.evaluate(() => window.firstHead);
-    equal(width * height <= 36000, true, `the size of the first picture (${width}x${height})`);
+    equal(width * height <= 360_000, true, `the size of the first picture (${width}x${height})`);
     await page.keyboard.press('r');
     equal(await textOf(page), kText.replace('1000 s', '0.2 s'), 'the text');
     equal(readFileSync(join(folder, 'examples', 'hostile.yaml'), 'utf8'), kText, 'the file');

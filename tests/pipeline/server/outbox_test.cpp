@@ -23,14 +23,27 @@ std::vector<std::string> taken(Outbox& outbox, SocketId socket) {
 TEST(Outbox, SameSlot_TakesThePlaceOfTheOlder) {
     Outbox outbox(10, 1000);
     outbox.open(1);
-    outbox.add(1, {false, "a1", "a"});
     outbox.add(1, {false, "one", ""});
+    outbox.add(1, {false, "a1", "a"});
     outbox.add(1, {false, "b1", "b"});
     outbox.add(1, {false, "a2", "a"});
     outbox.add(1, {false, "two", ""});
-    EXPECT_THAT(taken(outbox, 1), ElementsAre("a2", "one", "b1", "two"));
+    EXPECT_THAT(taken(outbox, 1), ElementsAre("one", "a2", "b1", "two"));
     outbox.add(1, {false, "a3", "a"});  // nothing waits in the slot any more
     EXPECT_THAT(taken(outbox, 1), ElementsAre("a3"));
+}
+
+// A page begins anew with a welcome: what comes after it must not arrive before it.
+TEST(Outbox, SameSlot_DoesNotOvertakeAMessageWithoutASlot) {
+    Outbox outbox(10, 1000);
+    outbox.open(1);
+    outbox.add(1, {false, "old problems", "problems"});
+    outbox.add(1, {false, "old shot", "shot"});
+    outbox.add(1, {false, "welcome", ""});
+    outbox.add(1, {false, "problems", "problems"});
+    outbox.add(1, {false, "shot", "shot"});
+    outbox.add(1, {false, "newer problems", "problems"});
+    EXPECT_THAT(taken(outbox, 1), ElementsAre("welcome", "newer problems", "shot"));
 }
 
 TEST(Outbox, All_AreTheOpenSockets) {
