@@ -14,6 +14,8 @@ function handlesOf(page) {
     });
 }
 
+export const isExtra = true; // only in scripts/test --all, or by name
+
 export async function check({ page }) {
     const original = await textOf(page);
     const scene = page.locator('canvas[aria-label="The scene"]');

@@ -33,6 +33,8 @@ async function dragCue(page, to, key) {
 
 export const ownPage = true; // it opens one itself
 
+export const isExtra = true; // only in scripts/test --all, or by name
+
 export async function check(context) {
     const { page, complaints, end } = await openText(context, 'places.yaml', kShot);
     await page.waitForFunction(() => window.studio.view.context.meshNode('cue'));

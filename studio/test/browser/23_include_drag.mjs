@@ -15,6 +15,8 @@ export const shot = 'bank_shot.yaml';
 
 export const ownPage = true; // it opens one itself
 
+export const isExtra = true; // only in scripts/test --all, or by name
+
 export async function check(context) {
     writeFileSync(join(context.folder, 'examples', 'own_balls.yaml'), kBalls);
     const { page, end } = await openText(context, 'including.yaml', kShot);

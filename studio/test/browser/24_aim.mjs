@@ -44,6 +44,8 @@ async function drag(page, kind, to, key) {
 
 export const ownPage = true; // it opens one itself
 
+export const isExtra = true; // only in scripts/test --all, or by name
+
 export async function check(context) {
     const { page, complaints, end } = await openText(context, 'aim.yaml', kShot);
     const faint = await drawn(page);

@@ -44,6 +44,8 @@ async function drag(page, path, by, key) {
 
 export const ownPage = true; // it opens one itself
 
+export const isExtra = true; // only in scripts/test --all, or by name
+
 export async function check(context) {
     const { page, complaints, end } = await openText(context, 'arrows.yaml', kShot);
     const impulse = await drag(page, ['events', '0'], [30, -15]);

@@ -3,6 +3,8 @@ import { changedLines, dragPixels, equal, pixelOf, settle, textOf } from './harn
 
 export const shot = 'turnstile.yaml';
 
+export const isExtra = true; // only in scripts/test --all, or by name
+
 export async function check({ page }) {
     await page.waitForFunction(() => window.studio.view.context.meshNode('plank'));
     await page.evaluate(() => { window.studio.state.selection.value = ['objects', 'plank']; });

@@ -4,6 +4,8 @@ import { equal, settle } from './harness.mjs';
 
 export const shot = 'bank_shot.yaml';
 
+export const isExtra = true; // only in scripts/test --all, or by name
+
 export async function check({ browser, address }) {
     const page = await browser.newPage({ viewport: { width: 1280, height: 720 }, deviceScaleFactor: 1 });
     const errors = [];
