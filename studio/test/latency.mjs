@@ -213,6 +213,14 @@ try {
     const { page } = await open(browser, address, { width: 1180, height: 700 });
     await page.waitForFunction(() => window.studio.view.drawing.frames > 0);
     await page.waitForTimeout(1000);
+    const processes = [browser.process?.()?.pid ?? process.pid];
+    const idleShare = async () => {
+        const before = cpuSeconds(processes[0]);
+        await new Promise((done) => setTimeout(done, kIdleSeconds * 1000));
+        return (100 * (cpuSeconds(processes[0]) - before)) / kIdleSeconds;
+    };
+    await page.waitForTimeout(3000);
+    const idle = await idleShare();
     console.log(`${shot}, view of ${await page.evaluate(() => `${window.studio.view.canvas.width}x${window.studio.view.canvas.height}`)}, drawn by the processor\n`);
     console.log('| from, to | median | 95 % | tries |\n|---|---|---|---|');
     await watchMotion(page);
@@ -237,14 +245,6 @@ try {
     await settle(page);
     const played = await play(page, 640, 400);
     line('playing: all scripts of a frame', played.times);
-    const processes = [browser.process?.()?.pid ?? process.pid];
-    const idleShare = async () => {
-        const before = cpuSeconds(processes[0]);
-        await new Promise((done) => setTimeout(done, kIdleSeconds * 1000));
-        return (100 * (cpuSeconds(processes[0]) - before)) / kIdleSeconds;
-    };
-    await new Promise((done) => setTimeout(done, 2000));
-    const idle = await idleShare();
     const pairs = Array.from({ length: kRenders }, () => renderSeconds(folder));
     await page.goto('about:blank');
     await new Promise((done) => setTimeout(done, 2000));
