@@ -44,7 +44,7 @@ const DocumentKind& kind_of(const Make& request) {
 }
 
 std::vector<std::string> document_words(const DocumentKind& kind, const DocumentRequest& request,
-                                        const DocumentOptions& options, const std::string& file) {
+                                        const ProgramOptions& options, const std::string& file) {
     std::vector<std::string> all{std::string(kind.command),
                                  "--log",
                                  "json",

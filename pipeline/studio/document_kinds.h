@@ -7,17 +7,10 @@
 
 #include "pipeline/shot/shot.h"
 #include "pipeline/studio/messages.h"
+#include "pipeline/studio/program_options.h"
 #include "sim/timeline/timeline.h"
 
 namespace carom::studio {
-
-struct DocumentOptions {
-    std::string program{};  // carom
-    std::vector<std::string> overrides{};
-    std::string quality{};
-    std::string output{};        // folder of what is written; empty: that of the shot
-    std::string cache_folder{};  // empty: the usual one
-};
 
 /// What a page asked for, and the files that it showed.
 struct DocumentRequest {
@@ -40,7 +33,7 @@ struct DocumentKind {
 /// The words after "carom" that make the file.
 [[nodiscard]] std::vector<std::string> document_words(const DocumentKind& kind,
                                                       const DocumentRequest& request,
-                                                      const DocumentOptions& options,
+                                                      const ProgramOptions& options,
                                                       const std::string& file);
 
 /// A drawing as SVG, or the report as a text, to look at. `kind` is not rendered, and no export.

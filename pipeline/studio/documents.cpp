@@ -50,7 +50,7 @@ struct Scene {
 
 class Documents::State {
   public:
-    State(DocumentOptions options, Send send)
+    State(ProgramOptions options, Send send)
         : options_(std::move(options)), send_(std::move(send)) {
         if (options_.cache_folder.empty()) {
             options_.cache_folder = pipeline::default_cache_folder();
@@ -191,7 +191,7 @@ class Documents::State {
         }
     }
 
-    DocumentOptions options_;
+    ProgramOptions options_;
     Send send_;
     KeptDocuments kept_;
 
@@ -206,7 +206,7 @@ class Documents::State {
     Errands drawings_;
 };
 
-Documents::Documents(DocumentOptions options, Send send)
+Documents::Documents(ProgramOptions options, Send send)
     : state_(std::make_unique<State>(std::move(options), std::move(send))) {}
 
 Documents::~Documents() = default;

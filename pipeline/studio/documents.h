@@ -24,7 +24,7 @@ class Documents {
     /// Sends to a page. Called from any thread. It must not call the documents.
     using Send = std::function<void(PageId page, const ServerMessage& message)>;
 
-    Documents(DocumentOptions options, Send send);
+    Documents(ProgramOptions options, Send send);
     /// Stops what is being made.
     ~Documents();
     Documents(const Documents&) = delete;

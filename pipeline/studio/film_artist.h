@@ -33,7 +33,7 @@ class FilmArtist {
     /// addresses. draw() must not run.
     void begin(int film);
 
-    /// A frame is finished. The pages are told of it by draw().
+    /// A frame is finished; draw() sends it to the pages.
     void add(FilmFrame frame);
 
     /// Draws the frames that were added and tells the pages of them, until all are drawn and

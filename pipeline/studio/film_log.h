@@ -1,4 +1,4 @@
-// What the pages are told of a film while its program runs.
+// The progress of a film, read from the log of the program that makes it.
 #pragma once
 
 #include <optional>

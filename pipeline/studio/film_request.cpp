@@ -43,7 +43,7 @@ std::optional<std::string> existing_file(const std::vector<std::string>& files, 
 }
 
 /// The values that replace those of the shot.
-std::vector<std::string> overrides_of(const FilmRequest& request, const FilmRunOptions& options) {
+std::vector<std::string> overrides_of(const FilmRequest& request, const ProgramOptions& options) {
     std::vector<std::string> all = options.overrides;
     if (const std::vector<int>& size = request.start.size; !size.empty()) {
         all.push_back(fmt::format("render.size=[{}]", fmt::join(size, ", ")));
@@ -51,7 +51,7 @@ std::vector<std::string> overrides_of(const FilmRequest& request, const FilmRunO
     return all;
 }
 
-const std::string& quality_of(const FilmRequest& request, const FilmRunOptions& options) {
+const std::string& quality_of(const FilmRequest& request, const ProgramOptions& options) {
     return request.start.quality.empty() ? options.quality : request.start.quality;
 }
 
@@ -68,7 +68,7 @@ std::vector<std::int64_t> frames_of(const FilmRequest& request, const pipeline::
     return frames;
 }
 
-std::string path_of(const FilmRequest& request, const FilmRunOptions& options,
+std::string path_of(const FilmRequest& request, const ProgramOptions& options,
                     const pipeline::Shot& shot) {
     std::string path = output_path(request.start.output, request.shot, options.output, request.root,
                                    pipeline::default_extension(shot.output));
@@ -83,7 +83,7 @@ std::string path_of(const FilmRequest& request, const FilmRunOptions& options,
 }  // namespace
 
 std::variant<PreparedFilm, Exists> prepare_film(const FilmRequest& request,
-                                                const FilmRunOptions& options,
+                                                const ProgramOptions& options,
                                                 const std::string& stopped) {
     pipeline::LoadResult loaded =
         pipeline::load_shot(request.shot, {.overrides = overrides_of(request, options),
@@ -105,7 +105,7 @@ std::variant<PreparedFilm, Exists> prepare_film(const FilmRequest& request,
     return PreparedFilm{std::move(shot), std::move(path), std::move(frames)};
 }
 
-std::vector<std::string> film_words(const FilmRequest& request, const FilmRunOptions& options,
+std::vector<std::string> film_words(const FilmRequest& request, const ProgramOptions& options,
                                     const std::string& path) {
     std::vector<std::string> all{"render", "--log", "json",   "--cache",   options.cache_folder,
                                  "-o",     path,    "--root", request.root};

@@ -8,16 +8,9 @@
 
 #include "pipeline/shot/shot.h"
 #include "pipeline/studio/messages.h"
+#include "pipeline/studio/program_options.h"
 
 namespace carom::studio {
-
-struct FilmRunOptions {
-    std::string program{};  // carom
-    std::vector<std::string> overrides{};
-    std::string quality{};       // of requests without one
-    std::string output{};        // folder of films; empty: that of the shot
-    std::string cache_folder{};  // empty: the usual one
-};
 
 /// What a page asked for, and the files that it showed.
 struct FilmRequest {
@@ -37,12 +30,12 @@ struct PreparedFilm {
 /// that was stopped; what it left of carom's own files may be replaced. Reads the shot's files,
 /// which takes a while. Throws Error if no film can be made of them.
 [[nodiscard]] std::variant<PreparedFilm, Exists> prepare_film(const FilmRequest& request,
-                                                              const FilmRunOptions& options,
+                                                              const ProgramOptions& options,
                                                               const std::string& stopped);
 
 /// The words after "carom" that make the film as the file `path`.
 [[nodiscard]] std::vector<std::string> film_words(const FilmRequest& request,
-                                                  const FilmRunOptions& options,
+                                                  const ProgramOptions& options,
                                                   const std::string& path);
 
 }  // namespace carom::studio

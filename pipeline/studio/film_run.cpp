@@ -17,7 +17,7 @@
 namespace carom::studio {
 namespace {
 
-FilmRunOptions with_cache_folder(FilmRunOptions options) {
+ProgramOptions with_cache_folder(ProgramOptions options) {
     if (options.cache_folder.empty()) {
         options.cache_folder = pipeline::default_cache_folder();
     }
@@ -28,7 +28,7 @@ FilmRunOptions with_cache_folder(FilmRunOptions options) {
 
 class FilmRun::State {
   public:
-    State(FilmRunOptions options, Output output)
+    State(ProgramOptions options, Output output)
         : options_(with_cache_folder(std::move(options))),
           output_(std::move(output)),
           artist_(options_.cache_folder, output_.send) {}
@@ -189,7 +189,7 @@ class FilmRun::State {
         output_.send(0, state_);
     }
 
-    FilmRunOptions options_;
+    ProgramOptions options_;
     Output output_;
     FilmArtist artist_;  // its mutex is taken after the one below
 
@@ -204,7 +204,7 @@ class FilmRun::State {
     std::jthread worker_;  // ends first; the program that it starts ends with it
 };
 
-FilmRun::FilmRun(FilmRunOptions options, Output output)
+FilmRun::FilmRun(ProgramOptions options, Output output)
     : state_(std::make_unique<State>(std::move(options), std::move(output))) {}
 
 FilmRun::~FilmRun() = default;

@@ -24,7 +24,7 @@ class FilmRun {
         std::function<void(bool running)> running;
     };
 
-    FilmRun(FilmRunOptions options, Output output);
+    FilmRun(ProgramOptions options, Output output);
     /// Stops the film and waits for its end.
     ~FilmRun();
     FilmRun(const FilmRun&) = delete;

@@ -175,7 +175,7 @@ struct Unsee {
 
 /// Starts to make a film of the shot's files as they are on disk: the page saves first. The answers
 /// are FilmStates and FilmFrames. Frames that are in the cache are used again, so that the same
-/// request goes on where a film was stopped. If a file of the output's name exists, the answer is
+/// request resumes a film that was stopped. If a file of the output's name exists, the answer is
 /// Exists, unless `overwrite`, or if carom made the file and the film was stopped before.
 struct StartFilm {
     static constexpr const char* kName = "film";

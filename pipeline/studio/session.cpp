@@ -50,10 +50,10 @@ void Session::State::start_workers() {
         [this](const ServerMessage& message) { messages_.send(0, message); });
     desk_ = std::make_unique<FileDesk>(o.state_folder, send);
     film_ = std::make_unique<FilmRun>(
-        FilmRunOptions{o.program, o.overrides, o.quality, o.output, o.cache_folder},
+        ProgramOptions{o.program, o.overrides, o.quality, o.output, o.cache_folder},
         FilmRun::Output{send, [this](bool running) { pictures_->set_film_running(running); }});
     documents_ = std::make_unique<Documents>(
-        DocumentOptions{o.program, o.overrides, o.quality, o.output, o.cache_folder}, send);
+        ProgramOptions{o.program, o.overrides, o.quality, o.output, o.cache_folder}, send);
     watch_ = std::make_unique<DiskWatch>([this] { return look_at_disk(); });
 }
 
