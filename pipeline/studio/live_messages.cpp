@@ -69,18 +69,19 @@ void LiveMessages::show(std::int64_t v, const pipeline::Shot& shot,
                         bool kept, double start) {
     ShotState state = shot_state(shot, source, timeline, root_);
     state.v = v;
-    output_.text(std::move(state));
+    state.moves = true;
     Numbers<CamerasHead> cameras = cameras_message(shot, timeline);
-    if (cameras.numbers != cameras_ || !has_cameras_) {  // the page keeps them
-        has_cameras_ = true;
-        cameras_ = cameras.numbers;
-        cameras.head.v = v;
-        output_.binary(cameras.head, std::move(cameras.numbers));
-    }
+    cameras.head.v = v;
     Numbers<TimelineHead> motion = timeline_message(timeline);
     motion.head.v = v;
     motion.head.kept = kept;
     motion.head.milliseconds = 1e3 * (thread_cpu_seconds() - start);
+    output_.text(std::move(state));
+    if (cameras.numbers != cameras_ || !has_cameras_) {  // the page keeps them
+        has_cameras_ = true;
+        cameras_ = cameras.numbers;
+        output_.binary(cameras.head, std::move(cameras.numbers));
+    }
     output_.binary(std::move(motion.head), std::move(motion.numbers));
     output_.shown(v, shot);
 }

@@ -117,7 +117,8 @@ constexpr auto fields_of(Describes<Names>) {
 
 constexpr auto fields_of(Describes<ShotState>) {
     return fields<ShotState>(
-        field("v", &ShotState::v), field("name", &ShotState::name), field("film", &ShotState::film),
+        field("v", &ShotState::v), field("moves", &ShotState::moves),
+        field("name", &ShotState::name), field("film", &ShotState::film),
         field("table", &ShotState::table), field("noses", &ShotState::noses),
         field("pockets", &ShotState::pockets), field("objects", &ShotState::objects),
         field("lights", &ShotState::lights), field("cameras", &ShotState::cameras),

@@ -169,6 +169,7 @@ struct Names {
 struct ShotState {
     static constexpr const char* kName = "shot";
     std::int64_t v = 0;
+    bool moves{};  // the motion of this version follows at once, to be shown together with it
     std::string name{};
     Film film{};
     std::optional<Table> table{};

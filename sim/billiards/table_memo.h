@@ -1,10 +1,10 @@
 // Tables that were built before, for programs that load similar shots again and again.
 #pragma once
 
-#include <deque>
 #include <memory>
-#include <mutex>
+#include <utility>
 
+#include "core/recently_used.h"
 #include "sim/billiards/table.h"
 
 namespace carom::sim::billiards {
@@ -17,13 +17,7 @@ class TableMemo {
                                                              double ball_radius);
 
   private:
-    struct Entry {
-        TableMeasures measures;
-        double ball_radius = 0;
-        std::shared_ptr<const TableGeometry> geometry;
-    };
-    std::mutex mutex_;
-    std::deque<Entry> entries_;  // the last used ones at the end
+    RecentlyUsed<std::pair<TableMeasures, double>, TableGeometry> tables_{4};
 };
 
 }  // namespace carom::sim::billiards

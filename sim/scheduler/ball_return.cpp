@@ -15,7 +15,7 @@ constexpr double kBelowFloor = 0.02;
 }  // namespace
 
 BallReturn::BallReturn(const StaticEnvironment& environment, const std::vector<Ball>& balls)
-    : environment_(environment), balls_(balls), potted_(environment.table.pockets.size()) {
+    : environment_(environment), balls_(balls), potted_(environment.table().pockets.size()) {
     // Without gravity straight down, nothing falls through a floor.
     if (!environment.has_ball_return || environment.downward_gravity <= 0 || balls.empty()) {
         return;
@@ -24,7 +24,7 @@ BallReturn::BallReturn(const StaticEnvironment& environment, const std::vector<B
     for (const Ball& ball : balls) {
         largest = std::max(largest, ball.radius);
     }
-    for (const billiards::Pocket& pocket : environment.table.pockets) {
+    for (const billiards::Pocket& pocket : environment.table().pockets) {
         capacity_.push_back(capacity(pocket.radius, pocket.drop, largest));
     }
 }
@@ -60,7 +60,7 @@ std::vector<std::uint32_t> BallReturn::balls_in(std::size_t pocket, double time)
 }
 
 void BallReturn::let_go(std::uint32_t ball, std::size_t pocket) {
-    const double drop = environment_.table.pockets[pocket].drop;
+    const double drop = environment_.table().pockets[pocket].drop;
     due_.push_back({ball, -drop - balls_[ball].radius - kBelowFloor});
 }
 

@@ -226,7 +226,7 @@ void Balls::log_below_cloth(std::uint32_t index, double time, const Vec3& centre
     if (pocket >= 0) {
         ball.is_potted = true;
         recorder_.log(EventKind::potted, time, ball.name, centre,
-                      environment_.table.pockets[static_cast<std::size_t>(pocket)].name);
+                      environment_.table().pockets[static_cast<std::size_t>(pocket)].name);
         return_.note_potted(index, static_cast<std::size_t>(pocket), time);
     } else {
         ball.is_off_table = true;
@@ -251,7 +251,7 @@ void Balls::warn_of_balls_in_pocket_mouths() const {
         }
         recorder_.warn({Subject::body(ball.name), "",
                         "'" + ball.name + "' is not potted: it rests in the mouth of the pocket '" +
-                            environment_.table.pockets[static_cast<std::size_t>(pocket)].name +
+                            environment_.table().pockets[static_cast<std::size_t>(pocket)].name +
                             "', held by other balls"});
     }
 }

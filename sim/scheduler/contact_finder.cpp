@@ -87,8 +87,8 @@ void ContactFinder::find_for_ball(int number, const StepBody& ball,
         SurfaceContact contact;
         contact.depth = -1;
         if (pocket >= 0) {
-            contact =
-                environment_.rims[static_cast<std::size_t>(pocket)].contact(centre, ball.radius);
+            contact = environment_.collided->rims[static_cast<std::size_t>(pocket)].contact(
+                centre, ball.radius);
         } else if (environment_.is_over_cloth(centre)) {
             contact = {Vec3(centre.x, centre.y, 0), Vec3(0, 0, 1), ball.radius - centre.z, 0};
         }
@@ -105,7 +105,7 @@ void ContactFinder::find_for_ball(int number, const StepBody& ball,
                 found);
         }
     }
-    for (const StaticMesh* mesh : {&environment_.table_mesh, &environment_.scenery_mesh}) {
+    for (const StaticMesh* mesh : {&environment_.collided->mesh, &environment_.scenery_mesh}) {
         for (const SurfaceContact& contact : mesh->contacts(centre, ball.radius, kMargin)) {
             add(number, ball, kFirstSurface - static_cast<int>(contact.surface),
                 environment_.surfaces[contact.surface].material, contact, found);
@@ -184,7 +184,7 @@ void ContactFinder::find_box_meshes(int number, const StepBody& box, const Aabb&
 
 void ContactFinder::find_meshes(int number, const StepBody& body, const Aabb& bounds,
                                 std::vector<BodyContact>& found) const {
-    for (const StaticMesh* mesh : {&environment_.table_mesh, &environment_.scenery_mesh}) {
+    for (const StaticMesh* mesh : {&environment_.collided->mesh, &environment_.scenery_mesh}) {
         for (const SurfaceContact& contact :
              mesh_contacts(body.placed(), *mesh, bounds, ode::kBoxMargin)) {
             // Solids with flat sides are tested as solids, not as meshes.

@@ -283,7 +283,7 @@ void EventPredictor::predict_cloth_events(std::uint32_t index, double now, doubl
     const Ball& ball = balls_[index];
     const double z = ball.segment.state.position.z;
     const double distance = nose_contact_distance(ball.radius, z, environment_.nose_height);
-    const billiards::TableGeometry& table = environment_.table;
+    const billiards::TableGeometry& table = environment_.table();
     for (std::size_t i = 0; i < table.faces.size(); ++i) {
         push(queue, ball, index, PredictedEventKind::cushion_face, i,
              level_face_impact_time(ball.segment, table.faces[i], distance, now, until));
@@ -335,11 +335,12 @@ void EventPredictor::predict_flight_events(std::uint32_t index, double now, doub
         }
     }
     if (const auto impact =
-            environment_.table_mesh.first_impact(ball.segment, ball.radius, now, until)) {
+            environment_.collided->mesh.first_impact(ball.segment, ball.radius, now, until)) {
         push(queue, ball, index, PredictedEventKind::table_feature, impact->feature, impact->time);
     }
-    for (std::size_t i = 0; i < environment_.rims.size(); ++i) {
-        const auto time = environment_.rims[i].impact_time(ball.segment, ball.radius, now, until);
+    for (std::size_t i = 0; i < environment_.collided->rims.size(); ++i) {
+        const auto time =
+            environment_.collided->rims[i].impact_time(ball.segment, ball.radius, now, until);
         // Over the cloth the ball touches the plane, not the rim.
         if (time &&
             environment_.pocket_below(ball.segment.position_at(*time)) == static_cast<int>(i)) {

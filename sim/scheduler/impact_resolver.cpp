@@ -51,7 +51,7 @@ void ImpactResolver::resolve(const PredictedEvent& event) {
             return resolve_face_impact(event, level);
         case PredictedEventKind::cushion_corner:
             return resolve_cushion_impact(
-                event, nearest_on(environment_.table.corners[event.second], level),
+                event, nearest_on(environment_.table().corners[event.second], level),
                 environment_.law.ball_cushion);
         case PredictedEventKind::pocket_edge:
             return enter_pocket(event);
@@ -175,7 +175,7 @@ void ImpactResolver::resolve_surface_impact(const PredictedEvent& event) {
     const Ball& ball = balls_[event.first];
     const Vec3 centre = ball.segment.position_at(event.time);
     if (event.kind == PredictedEventKind::rim) {
-        bounce(event, environment_.rims[event.second].contact(centre, ball.radius),
+        bounce(event, environment_.collided->rims[event.second].contact(centre, ball.radius),
                {"cloth", MaterialId::cloth});
     } else if (event.kind == PredictedEventKind::fixed_sphere) {
         const FixedSphere& sphere = environment_.spheres[event.second];
@@ -186,7 +186,7 @@ void ImpactResolver::resolve_surface_impact(const PredictedEvent& event) {
         bounce(event, convex_contact(*solid.shape, solid.pose, centre, ball.radius), solid.info);
     } else {
         const bool is_table = event.kind == PredictedEventKind::table_feature;
-        const StaticMesh& mesh = is_table ? environment_.table_mesh : environment_.scenery_mesh;
+        const StaticMesh& mesh = is_table ? environment_.collided->mesh : environment_.scenery_mesh;
         const SurfaceContact contact = mesh.contact(event.second, centre, ball.radius);
         bounce(event, contact, environment_.surfaces[contact.surface]);
     }
@@ -228,7 +228,7 @@ void ImpactResolver::bounce(const PredictedEvent& event, const SurfaceContact& c
 }
 
 void ImpactResolver::resolve_face_impact(const PredictedEvent& event, const Vec2& centre) {
-    const billiards::CushionFace& face = environment_.table.faces[event.second];
+    const billiards::CushionFace& face = environment_.table().faces[event.second];
     resolve_cushion_impact(event, nearest_on(face, centre),
                            face.is_jaw ? environment_.jaw : environment_.law.ball_cushion);
 }
@@ -270,7 +270,7 @@ void ImpactResolver::resolve_cushion_impact(const PredictedEvent& event, const V
 void ImpactResolver::enter_pocket(const PredictedEvent& event) {
     const Ball& ball = balls_[event.first];
     const Vec3 centre = ball.segment.position_at(event.time);
-    const billiards::Pocket& pocket = environment_.table.pockets[event.second];
+    const billiards::Pocket& pocket = environment_.table().pockets[event.second];
     const Vec3 inward = unit(Vec3(pocket.centre.x - centre.x, pocket.centre.y - centre.y, 0));
     const double speed = ball.segment.velocity_at(event.time).dot(inward);
     if (speed * speed > environment_.downward_gravity * ball.radius) {

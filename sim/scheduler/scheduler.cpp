@@ -43,7 +43,7 @@ Scheduler::Scheduler(const WorldDescription& world)
 
 bool Scheduler::run(const WorkContext& context, std::uint64_t max_steps) {
     const auto overlaps =
-        find_start_overlaps(world_, environment_.has_cushions ? &environment_.table : nullptr);
+        find_start_overlaps(world_, environment_.has_cushions ? &environment_.table() : nullptr);
     if (!overlaps.empty()) {
         throw Error("body '" + overlaps[0].ball + "' " + overlaps[0].sentence() + " at the start");
     }

@@ -11,11 +11,6 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-// Holes are drawn as polygons with 96 corners on their circle. Balls fall over the circle inside
-// that polygon (cos(pi / 96), a fortieth of a millimetre less), so that they do not hit the drawn
-// edge first.
-constexpr double kInsideOfPolygon = 0.99946;
-
 /// The ball radius for which the table's cushions are drawn: that of the first ball.
 double table_ball_radius(const WorldDescription& world) {
     for (const Body& body : world.bodies) {
@@ -25,26 +20,6 @@ double table_ball_radius(const WorldDescription& world) {
         }
     }
     return Sphere{}.radius;
-}
-
-/// Material of a surface that balls in the air can hit; empty for others. The cloth itself is a
-/// plane with holes.
-std::optional<std::string> material_of(billiards::SurfacePart part) {
-    switch (part) {
-        case billiards::SurfacePart::cushion:
-            return "cushion";
-        case billiards::SurfacePart::rail:
-            return "rail";
-        case billiards::SurfacePart::pocket_liner:
-        case billiards::SurfacePart::pocket_floor:
-            return "pocket";
-        case billiards::SurfacePart::cloth:
-        case billiards::SurfacePart::apron:
-        case billiards::SurfacePart::leg:
-        case billiards::SurfacePart::sight:
-            break;
-    }
-    return std::nullopt;
 }
 
 struct Triangles {
@@ -98,6 +73,11 @@ Aabb bounds_of(const std::vector<Vec3>& vertices) {
     return box;
 }
 
+std::shared_ptr<const CollidedTable> no_table() {
+    static const auto none = std::make_shared<const CollidedTable>();
+    return none;
+}
+
 }  // namespace
 
 StaticEnvironment::StaticEnvironment(const WorldDescription& world)
@@ -105,6 +85,7 @@ StaticEnvironment::StaticEnvironment(const WorldDescription& world)
       law(world.contact_law),
       jaw(world.contact_law.ball_cushion),
       contacts(law),
+      collided(no_table()),
       floor_height(world.floor_height) {
     if (gravity.x == 0 && gravity.y == 0 && gravity.z < 0) {
         downward_gravity = -gravity.z;
@@ -132,25 +113,16 @@ void StaticEnvironment::add_table(const WorldDescription& world, bool has_boxes)
     if (!has_cushions) {
         return;
     }
-    table = billiards::build_table(*world.table, table_ball_radius(world),
-                                   billiards::TableParts::collided);
-    for (const billiards::Surface& surface : table.surfaces) {
-        const auto material = material_of(surface.part);
-        if (!material || surface.triangles.empty()) {
-            continue;
-        }
+    collided = collided_table(*world.table, table_ball_radius(world));
+    for (const CollidedTable::Part& part : collided->parts) {
         const auto number = static_cast<std::uint32_t>(surfaces.size());
-        table_mesh.add(surface.vertices, surface.triangles, number);
-        surfaces.push_back({*material, contacts.id_of(*material)});
+        surfaces.push_back({part.material, contacts.id_of(part.material)});
         if (has_boxes) {
+            const billiards::Surface& surface = collided->geometry.surfaces[part.surface];
             box_obstacles.push_back({surfaces.back(), number,
                                      ode::TriangleSurface(surface.vertices, surface.triangles),
                                      bounds_of(surface.vertices)});
         }
-    }
-    for (billiards::Pocket& pocket : table.pockets) {
-        pocket.radius *= kInsideOfPolygon;
-        rims.push_back({Vec3(pocket.centre.x, pocket.centre.y, 0), pocket.radius});
     }
 }
 
@@ -204,8 +176,8 @@ bool StaticEnvironment::is_over_cloth(const Vec3& centre) const {
 }
 
 int StaticEnvironment::pocket_below(const Vec3& centre) const {
-    for (std::size_t i = 0; i < table.pockets.size(); ++i) {
-        const billiards::Pocket& pocket = table.pockets[i];
+    for (std::size_t i = 0; i < table().pockets.size(); ++i) {
+        const billiards::Pocket& pocket = table().pockets[i];
         const Vec2 d = Vec2(centre.x, centre.y) - pocket.centre;
         if (d.dot(d) < pocket.radius * pocket.radius) {
             return static_cast<int>(i);

@@ -7,11 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "sim/billiards/table.h"
 #include "sim/ode/box_collider.h"
+#include "sim/scheduler/collided_table.h"
 #include "sim/scheduler/contact_table.h"
 #include "sim/solid_shape.h"
-#include "sim/spatial/rim.h"
 #include "sim/spatial/static_mesh.h"
 #include "sim/world.h"
 
@@ -67,13 +66,11 @@ struct StaticEnvironment {
     bool has_ball_return = false;
     Vec2 cloth_half_extent{0, 0};  // the cloth lies under |x|, |y| up to these
     double nose_height = 0;
-    billiards::TableGeometry table;
-    std::vector<Rim> rims;  // of the pockets' holes, in their order
+    std::shared_ptr<const CollidedTable> collided;  // without any part if there are no cushions
     std::optional<double> floor_height;
 
-    // Triangle surfaces for balls: those of the table (not used for balls on the cloth) and of
-    // other fixed bodies. Their `surface` numbers are indices into `surfaces`.
-    StaticMesh table_mesh;
+    // Triangle surfaces for balls, beside those of the table, which are not used for balls on the
+    // cloth. The `surface` numbers of both are indices into `surfaces`.
     StaticMesh scenery_mesh;
     std::vector<SurfaceInfo> surfaces;
     std::vector<FixedSphere> spheres;
@@ -81,6 +78,7 @@ struct StaticEnvironment {
     // Meshes for moving boxes; empty if no box moves.
     std::vector<BoxObstacle> box_obstacles;
 
+    [[nodiscard]] const billiards::TableGeometry& table() const { return collided->geometry; }
     [[nodiscard]] bool is_over_cloth(const Vec3& centre) const;
     /// Index of the pocket whose hole lies below `centre`, or -1.
     [[nodiscard]] int pocket_below(const Vec3& centre) const;

@@ -83,7 +83,8 @@ void StaticMesh::add(std::vector<Vec3> vertices, std::vector<MeshTriangle> trian
     if (triangles.empty()) {
         return;
     }
-    Part part;
+    const auto added = std::make_shared<Part>();
+    Part& part = *added;
     part.bounds = {vertices[triangles[0][0]], vertices[triangles[0][0]]};
     for (const MeshTriangle& t : triangles) {
         for (const std::uint32_t index : t) {
@@ -95,28 +96,26 @@ void StaticMesh::add(std::vector<Vec3> vertices, std::vector<MeshTriangle> trian
     part.surface = surface;
     part.first_feature = next_feature_;
     next_feature_ += static_cast<std::uint32_t>(7 * part.triangles.size());
-    parts_.push_back(std::move(part));
+    parts_.push_back(added);
 }
 
-void StaticMesh::prepare(Part& part) {
-    if (part.is_prepared) {
-        return;
-    }
-    part.is_prepared = true;
-    part.features = mesh_features(part.vertices, part.triangles);
-    std::vector<Aabb> boxes;
-    boxes.reserve(part.features.size());
-    for (const MeshFeature& feature : part.features) {
-        boxes.push_back(bounds_of(feature));
-    }
-    part.tree = AabbTree(std::move(boxes));
+void StaticMesh::prepare(const Part& part) {
+    std::call_once(part.is_prepared, [&] {
+        part.features = mesh_features(part.vertices, part.triangles);
+        std::vector<Aabb> boxes;
+        boxes.reserve(part.features.size());
+        for (const MeshFeature& feature : part.features) {
+            boxes.push_back(bounds_of(feature));
+        }
+        part.tree = AabbTree(std::move(boxes));
+    });
 }
 
 const StaticMesh::Part& StaticMesh::part_of(std::uint32_t feature) const {
     const auto next =
         std::upper_bound(parts_.begin(), parts_.end(), feature,
-                         [](std::uint32_t f, const Part& part) { return f < part.first_feature; });
-    return *std::prev(next);
+                         [](std::uint32_t f, const auto& part) { return f < part->first_feature; });
+    return **std::prev(next);
 }
 
 std::optional<StaticMesh::FeatureImpact> StaticMesh::first_impact(const MotionSegment& ball,
@@ -126,7 +125,8 @@ std::optional<StaticMesh::FeatureImpact> StaticMesh::first_impact(const MotionSe
     Aabb bounds = swept_bounds(ball, now, until);
     bounds.grow(radius + 1e-9);
     std::vector<std::uint32_t> near;
-    for (Part& part : parts_) {
+    for (const auto& each : parts_) {
+        const Part& part = *each;
         if (!part.bounds.overlaps(bounds)) {
             continue;
         }
@@ -156,7 +156,8 @@ std::vector<SurfaceContact> StaticMesh::contacts(const Vec3& centre, double radi
     const double distance = (radius + margin) * (1 + 1e-12);
     std::vector<std::uint32_t> near;
     std::vector<SurfaceContact> found;
-    for (Part& part : parts_) {
+    for (const auto& each : parts_) {
+        const Part& part = *each;
         if (part.bounds.squared_distance(centre) > distance * distance) {
             continue;
         }
@@ -187,7 +188,8 @@ std::vector<SurfaceContact> StaticMesh::contacts(const Vec3& centre, double radi
 std::vector<StaticMesh::Triangle> StaticMesh::triangles_near(const Aabb& bounds) const {
     std::vector<Triangle> found;
     std::vector<std::uint32_t> near;
-    for (Part& part : parts_) {
+    for (const auto& each : parts_) {
+        const Part& part = *each;
         if (!part.bounds.overlaps(bounds)) {
             continue;
         }

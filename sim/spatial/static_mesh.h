@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -21,7 +23,8 @@ struct SurfaceContact {
 };
 
 /// A set of surfaces. Each one is decomposed into features when a body first comes near it: a table
-/// has tens of thousands of triangles, of which a shot uses few. Not thread-safe.
+/// has tens of thousands of triangles, of which a shot uses few.
+/// Copies share what was decomposed. Const methods may be called by several threads.
 class StaticMesh {
   public:
     /// `surface`: the caller's number of the surface, which contacts return.
@@ -65,14 +68,14 @@ class StaticMesh {
         std::uint32_t surface = 0;
         std::uint32_t first_feature = 0;  // features are counted through all parts
         Aabb bounds;
-        bool is_prepared = false;
-        std::vector<MeshFeature> features;
-        AabbTree tree;
+        mutable std::once_flag is_prepared;
+        mutable std::vector<MeshFeature> features;
+        mutable AabbTree tree;
     };
-    static void prepare(Part& part);
+    static void prepare(const Part& part);
     [[nodiscard]] const Part& part_of(std::uint32_t feature) const;
 
-    mutable std::vector<Part> parts_;
+    std::vector<std::shared_ptr<const Part>> parts_;
     std::uint32_t next_feature_ = 0;
 };
 

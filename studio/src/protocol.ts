@@ -443,6 +443,7 @@ export interface ValuePlace {
 
 export interface ShotState {
     v: number;
+    moves: boolean;
     name: string;
     film: Film;
     table?: Table;

@@ -5,11 +5,20 @@ import type { BinaryToPage, ToPage } from '../protocol';
 import { kBinaryTypes } from '../protocol';
 import {
     cameraFrames, deferred, fan, files, meshes, picture, pictureAsked, problems, shot, start, textVersion, timeline, welcome, work,
+    type CameraFrames,
 } from '../state/state';
 import { asFloat64, decodeBinary } from './decode';
 
 type Listener<Name extends keyof ToPage> = (message: ToPage[Name]) => void;
+/// A version of the shot whose motion has not come yet, and its cameras.
+interface Awaited {
+    shot: ToPage['shot'];
+    cameras: CameraFrames | null;
+}
+
 type Handlers<Map> = { [Name in keyof Map]?: (message: Map[Name], payload: ArrayBuffer) => void };
+
+let awaited: Awaited | null = null;
 
 const listeners = new Map<keyof ToPage, Set<Listener<never>>>();
 
@@ -27,6 +36,15 @@ export function onMessage<Name extends keyof ToPage>(
 /// Whether a message of version `v` is at least as new as what is shown.
 function isNewer(v: number, shown: number | undefined): boolean {
     return shown === undefined || v >= shown;
+}
+
+/// Shows the shot of a version whose motion came: everything that depends on both is done once.
+function showAwaited(v: number): void {
+    if (awaited?.shot.v === v) {
+        shot.value = awaited.shot;
+        cameraFrames.value = awaited.cameras ?? cameraFrames.value;
+        awaited = null;
+    }
 }
 
 const texts: Handlers<ToPage> = {
@@ -52,7 +70,8 @@ const texts: Handlers<ToPage> = {
     },
     shot: (message) => {
         if (isNewer(message.v, shot.value?.v)) {
-            shot.value = message;
+            awaited = message.moves ? { shot: message, cameras: null } : null;
+            shot.value = message.moves ? shot.value : message;
         }
     },
     scene: (message) => {
@@ -74,12 +93,18 @@ const texts: Handlers<ToPage> = {
 const binaries: Handlers<BinaryToPage> = {
     timeline: (head, payload) => {
         if (isNewer(head.v, timeline.value?.head.v)) {
+            showAwaited(head.v);
             timeline.value = { head, numbers: asFloat64(payload) };
         }
     },
     cameras: (head, payload) => {
         if (isNewer(head.v, cameraFrames.value?.head.v)) {
-            cameraFrames.value = { head, numbers: asFloat64(payload) };
+            const frames = { head, numbers: asFloat64(payload) };
+            if (awaited?.shot.v === head.v) {
+                awaited.cameras = frames;
+            } else {
+                cameraFrames.value = frames;
+            }
         }
     },
     fan: (head, payload) => {
@@ -119,6 +144,7 @@ export function receive(data: string | ArrayBuffer): void {
 /// Forgets what was told about the shot, because a new connection tells it again with versions that
 /// may begin anew.
 export function forgetVersions(): void {
+    awaited = null;
     batch(() => {
         problems.value = null;
         shot.value = null;

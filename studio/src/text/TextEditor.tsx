@@ -5,7 +5,7 @@ import { yaml } from '@codemirror/lang-yaml';
 import {
     bracketMatching, codeFolding, foldGutter, foldKeymap, indentOnInput,
 } from '@codemirror/language';
-import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
+import { diagnosticCount, lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
 import { EditorState, Prec } from '@codemirror/state';
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
 import {
@@ -106,7 +106,9 @@ function openView(parent: HTMLElement): () => void {
         const list = problems.peek()?.list ?? [];
         if (shown) {
             const marks = marksOf(view.state.doc, shown.file, list);
-            view.dispatch(setDiagnostics(view.state, marks));
+            if (marks.length > 0 || diagnosticCount(view.state) > 0) {
+                view.dispatch(setDiagnostics(view.state, marks));
+            }
         }
     };
     const stopFile = effect(() => {

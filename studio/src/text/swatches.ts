@@ -69,7 +69,19 @@ function coloursOf(node: Node | null, path: string[]): Colour[] {
     return [];
 }
 
-function write(view: EditorView, colour: Colour, chosen: string): void {
+/// The colours of the whole text in their order; none while it is not well formed.
+function coloursIn(view: EditorView): Colour[] {
+    const tree = parseTree(view.state.doc.toString());
+    const all = tree.mistake === '' ? coloursOf(tree.document.contents as Node | null, []) : [];
+    return all.sort((a, b) => a.from - b.from);
+}
+
+/// Writes a colour over the one that begins at an offset of the text.
+function write(view: EditorView, offset: number, chosen: string): void {
+    const colour = coloursIn(view).find(({ from }) => from === offset);
+    if (!colour) {
+        return;
+    }
     const light = [1, 3, 5].map((at) => toLight(parseInt(chosen.slice(at, at + 2), 16) / 255));
     const insert = colour.scale === 0
         ? view.state.sliceDoc(colour.from, colour.to).replace(/#[0-9a-fA-F]{6}/, chosen)
@@ -79,24 +91,23 @@ function write(view: EditorView, colour: Colour, chosen: string): void {
 }
 
 class Swatch extends WidgetType {
-    constructor(private readonly colour: Colour) {
+    constructor(private readonly shown: string) {
         super();
     }
 
     override eq(other: Swatch): boolean {
-        return other.colour.shown === this.colour.shown && other.colour.from === this.colour.from
-            && other.colour.to === this.colour.to;
+        return other.shown === this.shown;
     }
 
     override toDOM(view: EditorView): HTMLElement {
         const input = document.createElement('input');
         input.type = 'color';
         input.className = 'cm-swatch';
-        input.value = this.colour.shown;
+        input.value = this.shown;
         input.disabled = view.state.readOnly;
         input.tabIndex = -1;
-        input.setAttribute('aria-label', `Colour ${this.colour.shown}`);
-        input.addEventListener('change', () => write(view, this.colour, input.value));
+        input.setAttribute('aria-label', `Colour ${this.shown}`);
+        input.addEventListener('change', () => write(view, view.posAtDOM(input), input.value));
         return input;
     }
 
@@ -107,11 +118,8 @@ class Swatch extends WidgetType {
 
 function decorations(view: EditorView): DecorationSet {
     const builder = new RangeSetBuilder<Decoration>();
-    const tree = parseTree(view.state.doc.toString());
-    const all = tree.mistake === '' ? coloursOf(tree.document.contents as Node | null, []) : [];
-    for (const colour of all.sort((a, b) => a.from - b.from)) {
-        builder.add(colour.from, colour.from,
-            Decoration.widget({ widget: new Swatch(colour), side: -1 }));
+    for (const { from, shown } of coloursIn(view)) {
+        builder.add(from, from, Decoration.widget({ widget: new Swatch(shown), side: -1 }));
     }
     return builder.finish();
 }

@@ -21,6 +21,7 @@ export function makeContext(
         rayAt: (pixel) => raycasterAt(pixel).ray,
         toScreen: (point) => toScreen(point, cameras),
         metresPerPixel: (point) => metresPerPixel(point, cameras),
+        size: () => cameras.size,
         box: () => cameras.box(),
         meshNode: (name) => meshes.node(name) ?? null,
         objectAt: (pixel) => pick(

@@ -1,6 +1,7 @@
 /// The canvas of the view: draws on demand, never in an idle loop.
 import type { Camera, Scene } from 'three';
 import { WebGLRenderer } from 'three';
+import { dragging, hasErrors, isDeferred, isStale } from '../state/state';
 
 /// Whether pictures are made by the processor: then without antialiasing and with simple materials.
 /// The address option #fast asks for it.
@@ -25,11 +26,14 @@ function makeRenderer(canvas: HTMLCanvasElement): WebGLRenderer | null {
     }
 }
 
+const kLongestWait = 120; // ms, between two pictures of a drag
+
 export class Drawing {
     readonly renderer: WebGLRenderer;
     readonly isFast: boolean;
     frames = 0; // drawn so far, for tests
     private asked = 0;
+    private drawn = 0; // when, ms
 
     private constructor(
         renderer: WebGLRenderer, private readonly scene: Scene,
@@ -49,11 +53,25 @@ export class Drawing {
 
     /// Draws once at the display's next frame, however often it is called until then.
     ask(): void {
-        this.asked ||= requestAnimationFrame(() => {
-            this.asked = 0;
-            this.renderer.render(this.scene, this.camera());
-            this.frames += 1;
-        });
+        this.asked ||= requestAnimationFrame((now) => this.draw(now));
+    }
+
+    private draw(now: number): void {
+        this.asked = 0;
+        if (this.mayWait(now)) {
+            this.ask();
+            return;
+        }
+        this.drawn = now;
+        this.renderer.render(this.scene, this.camera());
+        this.frames += 1;
+    }
+
+    /// Whether the new motion of a dragged body is about to come. Where the processor draws, a
+    /// picture without it would only delay the one with it.
+    private mayWait(now: number): boolean {
+        return this.isFast && dragging.peek() && isStale.peek() && !hasErrors.peek()
+            && !isDeferred.peek() && now - this.drawn < kLongestWait;
     }
 
     /// Sizes in CSS pixels.

@@ -132,8 +132,8 @@ export const makeOutlines: MakePart = (context) => {
         }),
         effect(() => {
             void [context.moved.value, context.loaded.value];
-            const { clientWidth, clientHeight } = context.canvas;
-            [selected, pointedAt].forEach((one) => one.setSize(clientWidth, clientHeight));
+            const { width, height } = context.size();
+            [selected, pointedAt].forEach((one) => one.setSize(width, height));
         }),
         effect(() => {
             void context.loaded.value;

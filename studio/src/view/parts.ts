@@ -35,6 +35,8 @@ export interface ViewContext {
     toScreen(point: Triple): [number, number] | null;
     /// The length that one CSS pixel shows at that point, m.
     metresPerPixel(point: Triple): number;
+    /// Of the canvas, CSS pixels.
+    size(): { width: number; height: number };
     /// The film's rectangle in CSS pixels of the canvas; the whole canvas in the free view.
     box(): Rectangle;
     /// The meshes of an object of the shot; null until they are loaded.

@@ -71,6 +71,9 @@ function problemFigure(errors: readonly Problem[], objects: readonly SceneObject
         }
     }
     const wrong = [...marked.values()];
+    if (wrong.length === 0) {
+        return {};
+    }
     // The other ball of a pair that overlaps.
     const others = objects.filter((one) => one.kind === 'ball' && !marked.has(one.path.join('/')))
         .map((one) => ({ at: placeOf(one.path, one) ?? one.position, radius: one.radius }))

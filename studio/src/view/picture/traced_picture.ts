@@ -25,13 +25,13 @@ function shown(context: ViewContext): Shown | null {
         return filmsFrame();
     }
     const view = viewOf(context.camera(), sceneTime.value);
-    const { clientWidth, clientHeight } = context.canvas;
-    return view && { view, ...sizeOfView(clientWidth, clientHeight) };
+    const { width, height } = context.size();
+    return view && { view, ...sizeOfView(width, height) };
 }
 
 /// The part of the canvas that the picture fills, CSS pixels.
-function boxOf({ canvas }: ViewContext): Rectangle {
-    const size = { width: canvas.clientWidth, height: canvas.clientHeight };
+function boxOf(context: ViewContext): Rectangle {
+    const size = context.size();
     const film = shot.peek()?.film;
     return film && film.height > 0 && looksAsFilm.peek()
         ? letterbox(size, film.width / film.height) : { left: 0, top: 0, ...size };
@@ -44,8 +44,7 @@ export const makeTracedPicture: MakePart = (context) => {
         followShown(() => shown(context)),
         effect(() => {
             void context.moved.value;
-            const { clientWidth: width, clientHeight: height } = context.canvas;
-            quad.place(boxOf(context), { width, height });
+            quad.place(boxOf(context), context.size());
             const one = dragging.value ? null : shownPicture.value; // it would hide what moves
             quad.show(one, keptPicture.value, wipe.value, isPictureOld() ? kStaleOpacity : 1);
             context.ask();
