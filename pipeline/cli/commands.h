@@ -78,6 +78,34 @@ struct CacheCommand {
 void describe(CacheCommand& command, CommandDescription& description);
 void run(const CacheCommand& command, CommandContext& context);
 
+/// Films on a cluster. Strings are as typed.
+struct FarmCommand {
+    enum class Action { submit, status, cancel, logs, resume, work, finish };
+    Action action = Action::submit;
+    InputOptions input;
+    std::string store;   // the cache that all machines share; empty: the default
+    std::string output;  // submit
+    std::string frames;
+    std::string job;  // all others: the film, the job's folder or a number of Slurm's
+    std::string partition;
+    std::string account;
+    std::string time;
+    std::string memory = "auto";
+    std::string budget = "10 min";
+    std::string dead_after = "30 s";
+    int workers = 0;        // 0: as many as the film has work for
+    int tasks_at_once = 0;  // 0: as many as the cluster has room for
+    int processors = 1;
+    bool dry_run = false;
+    bool wait = false;
+    bool is_shared = false;
+    bool json = false;  // status
+    std::string sheet;  // status: a picture of the film so far
+    int lines = 20;     // logs
+};
+void describe(FarmCommand& command, CommandDescription& description);
+void run(const FarmCommand& command, CommandContext& context);
+
 /// Films an existing shot at another speed. The strings are as typed.
 struct RetimeCommand {
     RenderCommand render;
@@ -296,6 +324,8 @@ inline constexpr std::tuple kCommandTable{
                               "Film a shot again: slower, backwards, or a part of it."},
     CommandRow<MuxCommand>{"mux", Group::film, Program::film,
                            "Write a film from frames that are already rendered."},
+    CommandRow<FarmCommand>{"farm", Group::film, Program::film,
+                            "Render a film on a Slurm cluster, and follow it."},
     CommandRow<BakeCommand>{"bake", Group::keep, Program::carom,
                             "Simulate a shot and write its motion to a bake file."},
     CommandRow<ExportCommand>{"export", Group::keep, Program::carom,

@@ -13,7 +13,7 @@ CachedRender CachedRenderer::render(const FilmPlan::Picture& picture, const Work
     if (store_.contains(picture.key)) {
         return {RenderOrigin::stored};
     }
-    const std::optional<FrameClaim> claim = store_.claim(picture.key);
+    std::optional<Claim> claim = store_.claim(picture.key);
     if (!claim) {
         return {RenderOrigin::claimed_elsewhere};
     }
@@ -37,11 +37,13 @@ CachedRender CachedRenderer::render(const FilmPlan::Picture& picture, const Work
     render::Film film = render_(inputs, frame_context);
     const render::RenderStatistics counts = film.statistics;
     const render::ImageMetadata metadata = stored_frame_metadata(source_.shot(), counts);
+    const bool twice = store_.contains(picture.key);
     store_.write(picture.key, film, metadata);
+    claim->finish();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     expected_seconds_ = elapsed.count();  // of the next one
     return {RenderOrigin::rendered, elapsed.count(), counts,
-            render::as_stored(std::move(film), metadata)};
+            render::as_stored(std::move(film), metadata), twice};
 }
 
 }  // namespace carom::pipeline

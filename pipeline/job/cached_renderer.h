@@ -21,6 +21,7 @@ struct CachedRender {
     double seconds = 0;  // spent on rendering
     render::RenderStatistics counts{};
     std::optional<render::Film> film{};  // as it is stored, if it was rendered now
+    bool twice = false;                  // somebody else had rendered it, too
 
     [[nodiscard]] std::uint64_t rays() const {
         return counts.camera_rays + counts.scattered_rays + counts.shadow_rays;

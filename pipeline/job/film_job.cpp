@@ -19,24 +19,6 @@
 namespace carom::pipeline {
 namespace {
 
-FrameStore open_store(const FilmJobOptions& options, ThreadSafeObserver& observer,
-                      DamageReport& damages) {
-    FrameStore store(frames_folder(options),
-                     [&damages](const std::string& path, const std::string& damage) {
-                         damages.add(path, damage);
-                     });
-    if (!store.can_claim()) {
-        observer.warning("the file system of the cache '" + frames_folder(options) +
-                         "' has no locks; another process may render the same frames again");
-    }
-    return store;
-}
-
-RenderFunction renderer_of(const Shot& shot, const FilmJobOptions& options) {
-    return options.renderer ? options.renderer
-                            : make_scene_renderer(shot, options.threads, options.factory);
-}
-
 void mark_used(const FilmPlan& plan, const FrameStore& store) {
     for (const FilmPlan::Picture& picture : plan.pictures) {
         store.mark_used(picture.key);
@@ -124,8 +106,8 @@ FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOp
     const std::vector<std::int64_t> frames = job_frames(shot, options);
     ThreadSafeObserver safe_observer(observer);
     DamageReport damages(safe_observer);
-    const FrameStore store = open_store(options, safe_observer, damages);
-    const FilmSource source(shot, bake.timeline);
+    const FrameStore store = open_store(options, damages);
+    const FilmSource source(shot, bake.timeline, options.tier);
     const FilmPlan plan = plan_film(source, frames, stop);
     CachePruner pruner(cache_folder_of(options), options.cache_limit, safe_observer);
     mark_whole_film(source, plan, options, store, stop);
@@ -168,8 +150,8 @@ render::Film make_frame(const Shot& shot, const sim::Bake& bake, std::int64_t fr
                         const std::stop_token& stop) {
     ThreadSafeObserver safe_observer(observer);
     DamageReport damages(safe_observer);
-    const FrameStore store = open_store(options, safe_observer, damages);
-    const FilmSource source(shot, bake.timeline);
+    const FrameStore store = open_store(options, damages);
+    const FilmSource source(shot, bake.timeline, options.tier);
     const FilmPlan plan = plan_film(source, {frame}, stop);
     CachePruner pruner(cache_folder_of(options), options.cache_limit, safe_observer);
     mark_whole_film(source, plan, options, store, stop);

@@ -13,6 +13,7 @@
 #include "pipeline/job/frame_range.h"
 #include "pipeline/shot/shot.h"
 #include "pipeline/store/cache_maintenance.h"
+#include "pipeline/store/claims.h"
 #include "render/acceleration/structure_factory.h"
 #include "render/film/film.h"
 #include "sim/timeline/bake_file.h"
@@ -41,6 +42,10 @@ struct FilmJobOptions {
     std::uint64_t cache_limit = kNoLimit;        // bytes; removes the least recently used first
     int threads = 0;                             // 0: one per processor
     render::StructureFactory factory = nullptr;  // of structures that the renderer does not have
+    /// The instruction set with which all frames have to be rendered (render::simd_tier()); empty:
+    /// this machine's. Frames of another one can be encoded, but not rendered.
+    std::string tier{};
+    ClaimTimes claim_times{};  // of the frames that are being rendered
     /// Renders the pictures instead of render_frame; `threads` and `factory` are ignored then.
     std::function<render::Film(const FrameInputs&, const WorkContext&)> renderer{};
 };

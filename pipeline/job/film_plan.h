@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "core/hash.h"
@@ -16,8 +17,8 @@ namespace carom::pipeline {
 /// A shot, its timeline and the data that all its frames share. Refers to both.
 class FilmSource {
   public:
-    /// Reads the scene's files to hash them. Throws Error.
-    FilmSource(const Shot& shot, const sim::Timeline& timeline);
+    /// Reads the scene's files to hash them. `tier` as in frame_key. Throws Error.
+    FilmSource(const Shot& shot, const sim::Timeline& timeline, std::string tier = {});
 
     [[nodiscard]] const Shot& shot() const { return shot_; }
     [[nodiscard]] const sim::Timeline& timeline() const { return timeline_; }
@@ -42,6 +43,7 @@ class FilmSource {
     const sim::Timeline& timeline_;
     std::vector<CameraRig> cameras_;  // of the shot, with paths that are fitted to the timeline
     Hash128 scene_hash_;
+    std::string tier_;
 };
 
 /// The frames of a film in order. Frames that show the same share one picture.

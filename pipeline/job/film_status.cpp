@@ -39,7 +39,7 @@ FilmStatus status_of(const FilmPlan& plan, const FrameStore& store, const std::s
 
 FilmStatus film_status(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
                        const std::stop_token& stop) {
-    const FilmSource source(shot, bake.timeline);
+    const FilmSource source(shot, bake.timeline, options.tier);
     const FilmPlan plan = plan_film(source, job_frames(shot, options), stop);
     return status_of(plan, FrameStore(frames_folder(options)), stop);
 }

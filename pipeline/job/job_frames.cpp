@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/store/cache_folder.h"
+#include "render/acceleration/analytic_kernels.h"
 
 namespace carom::pipeline {
 
@@ -23,6 +24,29 @@ std::string cache_folder_of(const FilmJobOptions& options) {
 
 std::string frames_folder(const FilmJobOptions& options) {
     return cache_folder_of(options) + "/frames";
+}
+
+FrameStore open_store(const FilmJobOptions& options, DamageReport& damages) {
+    return FrameStore(
+        frames_folder(options),
+        [&damages](const std::string& path, const std::string& damage) {
+            damages.add(path, damage);
+        },
+        options.claim_times);
+}
+
+RenderFunction renderer_of(const Shot& shot, const FilmJobOptions& options) {
+    if (options.renderer) {
+        return options.renderer;
+    }
+    if (!options.tier.empty() && options.tier != render::simd_tier()) {
+        return [tier = options.tier](const FrameInputs&, const WorkContext&) -> render::Film {
+            throw Error(fmt::format(
+                "the film's frames need {} instructions, and this machine renders with {}", tier,
+                render::simd_tier()));
+        };
+    }
+    return make_scene_renderer(shot, options.threads, options.factory);
 }
 
 }  // namespace carom::pipeline

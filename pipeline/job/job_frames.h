@@ -1,11 +1,14 @@
-// The frames and folders that a job's options select.
+// The frames, the folders, the store and the renderer that a job's options select.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "pipeline/job/damage_report.h"
 #include "pipeline/job/film_job.h"
+#include "pipeline/job/scene_renderer.h"
+#include "pipeline/store/frame_store.h"
 
 namespace carom::pipeline {
 
@@ -16,5 +19,11 @@ namespace carom::pipeline {
 /// The folders of the cache and of its frames.
 [[nodiscard]] std::string cache_folder_of(const FilmJobOptions& options);
 [[nodiscard]] std::string frames_folder(const FilmJobOptions& options);
+
+/// The store of the job's frames, whose damaged ones are reported. Throws Error.
+[[nodiscard]] FrameStore open_store(const FilmJobOptions& options, DamageReport& damages);
+
+/// What renders the job's pictures. It throws Error if the job needs another machine.
+[[nodiscard]] RenderFunction renderer_of(const Shot& shot, const FilmJobOptions& options);
 
 }  // namespace carom::pipeline

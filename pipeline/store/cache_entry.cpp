@@ -11,6 +11,8 @@
 #include <unistd.h>
 
 #include "core/error.h"
+#include "pipeline/store/claims.h"
+#include "pipeline/store/lock_file.h"
 
 namespace carom::pipeline {
 namespace {
@@ -83,6 +85,11 @@ std::vector<CacheEntry> list_cache(const std::string& folder) {
 
 void mark_used(const std::string& path) {
     static_cast<void>(::utimensat(AT_FDCWD, path.c_str(), nullptr, 0));
+}
+
+void remove_leftovers(const std::string& frames_folder) {
+    Claims(frames_folder + "/locks").remove_dead();
+    remove_abandoned_files(frames_folder + "/partial", host_prefix());
 }
 
 bool remove_entry(const CacheEntry& entry) {

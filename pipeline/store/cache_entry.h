@@ -28,6 +28,10 @@ struct CacheEntry {
 /// ignored, so that a read-only cache works, too.
 void mark_used(const std::string& path);
 
+/// Removes claims and half-written frames that killed processes of this machine left in the folder
+/// of the frames. Locks may not be seen by other machines, so that each removes its own.
+void remove_leftovers(const std::string& frames_folder);
+
 /// Removes the entry, and the file of warnings that older versions of carom kept beside a bake.
 /// False if the entry could not be removed.
 [[nodiscard]] bool remove_entry(const CacheEntry& entry);

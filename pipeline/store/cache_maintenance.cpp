@@ -4,7 +4,6 @@
 
 #include "core/error.h"
 #include "pipeline/store/frame_checksum.h"
-#include "pipeline/store/lock_file.h"
 #include "sim/timeline/bake_file.h"
 
 namespace carom::pipeline {
@@ -46,8 +45,7 @@ PruneResult prune_cache(const std::string& folder, const PruneOptions& options) 
         }
     }
     if (!options.dry_run) {  // leftovers of killed processes
-        remove_abandoned_files(folder + "/frames/locks");
-        remove_abandoned_files(folder + "/frames/partial");
+        remove_leftovers(folder + "/frames");
     }
     return result;
 }

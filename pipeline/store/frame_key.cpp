@@ -89,10 +89,12 @@ void add_motion(FieldHasher& hasher, const render::SceneDescription& scene,
 }  // namespace
 
 Hash128 frame_key(const FrameInputs& inputs, const render::SceneDescription& scene,
-                  const Hash128& scene_hash, const render::RenderSettings& settings) {
+                  const Hash128& scene_hash, const render::RenderSettings& settings,
+                  std::string_view tier) {
     FieldHasher hasher;
     hasher.add("carom frame, key format 3");
-    hasher.add(std::int32_t{render::kRendererRevision}).add(render::simd_tier());
+    hasher.add(std::int32_t{render::kRendererRevision})
+        .add(tier.empty() ? render::simd_tier() : tier);
     hasher.add(scene_hash);
     hasher.add_value(used_settings(settings));
     if (std::any_of(settings.aovs.begin(), settings.aovs.end(), render::is_matte)) {

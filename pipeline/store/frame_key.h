@@ -1,6 +1,8 @@
 // The key of a frame: the hash of its own inputs and of nothing else.
 #pragma once
 
+#include <string_view>
+
 #include "core/hash.h"
 #include "pipeline/store/frame_inputs.h"
 #include "render/scene/render_settings.h"
@@ -14,8 +16,10 @@ namespace carom::pipeline {
 
 /// Hash of the motion of the tracks while the shutter is open, the camera values, `scene_hash`, the
 /// render settings, the renderer's revision and its SIMD tier. Neither the bake nor names nor the
-/// frame's number enter. The frame's seed follows from these (frame_seed.h).
+/// frame's number enter. The frame's seed follows from these (frame_seed.h). `tier`: that of the
+/// machine that renders the frame; empty: this one's (simd_tier()).
 [[nodiscard]] Hash128 frame_key(const FrameInputs& inputs, const render::SceneDescription& scene,
-                                const Hash128& scene_hash, const render::RenderSettings& settings);
+                                const Hash128& scene_hash, const render::RenderSettings& settings,
+                                std::string_view tier = {});
 
 }  // namespace carom::pipeline

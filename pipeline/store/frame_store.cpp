@@ -20,11 +20,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The name is unique among all writers that now run on this machine and, because of the key, almost
-// certainly among those on other machines.
+// The name is unique among all writers that now run.
 std::string partial_name(const Hash128& key) {
     static std::atomic<std::uint64_t> count{0};
-    return fmt::format("{}-{}-{}", key.to_string(), ::getpid(), ++count);
+    return fmt::format("{}{}-{}-{}", host_prefix(), key.to_string(), ::getpid(), ++count);
 }
 
 // A file that is being written. It is locked so that no process takes it for a leftover of a killed
@@ -63,27 +62,14 @@ class PartialFile {
     LockAttempt lock_;
 };
 
-bool supports_locks(const std::string& folder) {
-    const std::string path = fmt::format("{}/test-{}", folder, ::getpid());
-    try {
-        const LockAttempt attempt = try_lock(path);
-        ::unlink(path.c_str());
-        return attempt.state != LockState::unsupported;
-    } catch (const Error&) {
-        return false;  // the folder is read-only
-    }
-}
-
 }  // namespace
 
-FrameStore::FrameStore(std::string folder, DamageObserver on_damage)
-    : folder_(std::move(folder)), on_damage_(std::move(on_damage)) {
+FrameStore::FrameStore(std::string folder, DamageObserver on_damage, ClaimTimes times)
+    : folder_(std::move(folder)),
+      on_damage_(std::move(on_damage)),
+      claims_(std::make_unique<Claims>(folder_ + "/locks", times)) {
     create_folder(folder_);
-    can_claim_ = supports_locks(folder_ + "/locks");
-    if (can_claim_) {
-        remove_abandoned_files(folder_ + "/locks");
-        remove_abandoned_files(folder_ + "/partial");
-    }
+    remove_leftovers(folder_);
 }
 
 std::string FrameStore::path_of(const Hash128& key) const {
@@ -144,16 +130,8 @@ void FrameStore::write(const Hash128& key, const render::Film& film,
     partial.rename_to(path_of(key));
 }
 
-std::optional<FrameClaim> FrameStore::claim(const Hash128& key) const {
-    if (!can_claim_) {
-        return FrameClaim(-1, {});
-    }
-    const std::string path = folder_ + "/locks/" + key.to_string();
-    LockAttempt attempt = try_lock(path);
-    if (attempt.state == LockState::busy) {
-        return std::nullopt;
-    }
-    return FrameClaim(attempt.descriptor.release(), path);
+std::optional<Claim> FrameStore::claim(const Hash128& key) const {
+    return claims_->claim(key.to_string());
 }
 
 }  // namespace carom::pipeline

@@ -8,31 +8,16 @@
 
 #include "core/hash.h"
 #include "pipeline/store/cache_folder.h"
+#include "pipeline/store/claims.h"
 #include "render/film/film.h"
 #include "render/film/image_file.h"
 
 namespace carom::pipeline {
 
-/// A lock on a frame that is being rendered. It is released when this object is destroyed or the
-/// process is killed.
-class FrameClaim {
-  public:
-    FrameClaim(int lock_descriptor, std::string path);
-    ~FrameClaim();
-    FrameClaim(FrameClaim&& other) noexcept;
-    FrameClaim& operator=(FrameClaim&& other) noexcept;
-    FrameClaim(const FrameClaim&) = delete;
-    FrameClaim& operator=(const FrameClaim&) = delete;
-
-  private:
-    int lock_descriptor_ = -1;
-    std::string path_;
-};
-
 /// A folder of EXR files, one per key. Several threads and processes may share it.
 ///   FOLDER/ab/abcdef....exr   finished frames, sorted by the first two digits of the key
 ///   FOLDER/partial/           frames being written; leftovers of killed writers are removed
-///   FOLDER/locks/             claims
+///   FOLDER/locks/             claims (claims.h)
 class FrameStore {
   public:
     /// Called for a stored frame that turned out to be damaged, before its file is removed. The
@@ -41,11 +26,7 @@ class FrameStore {
     using DamageObserver = std::function<void(const std::string& path, const std::string& damage)>;
 
     /// Creates the folder if need be; throws Error if that fails.
-    explicit FrameStore(std::string folder, DamageObserver on_damage = {});
-
-    /// Whether claims exclude other processes; false if the file system has no locks. Every claim
-    /// is granted then, and the same frame may be rendered twice.
-    [[nodiscard]] bool can_claim() const { return can_claim_; }
+    explicit FrameStore(std::string folder, DamageObserver on_damage = {}, ClaimTimes times = {});
 
     /// Whether a file exists for the key (it may still turn out to be damaged).
     [[nodiscard]] bool contains(const Hash128& key) const;
@@ -68,8 +49,13 @@ class FrameStore {
     void write(const Hash128& key, const render::Film& film,
                const render::ImageMetadata& metadata) const;
 
-    /// The right to render this frame, or nothing if another process has claimed it.
-    [[nodiscard]] std::optional<FrameClaim> claim(const Hash128& key) const;
+    /// The right to render this frame, or nothing if another process has claimed it or finished it
+    /// on another machine. The store must outlive it. Throws Error if the folder cannot be written
+    /// to.
+    [[nodiscard]] std::optional<Claim> claim(const Hash128& key) const;
+
+    /// Removes the claims on a frame that all machines see.
+    void forget_claims(const Hash128& key) const { claims_->forget(key.to_string()); }
 
     [[nodiscard]] std::string path_of(const Hash128& key) const;
 
@@ -78,7 +64,7 @@ class FrameStore {
 
     std::string folder_;
     DamageObserver on_damage_;
-    bool can_claim_ = true;
+    std::unique_ptr<Claims> claims_;
 };
 
 }  // namespace carom::pipeline

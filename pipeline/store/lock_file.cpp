@@ -71,13 +71,15 @@ LockAttempt try_lock(const std::string& path) {
     }
 }
 
-void remove_abandoned_files(const std::string& folder) {
+void remove_abandoned_files(const std::string& folder, const std::string& prefix) {
     // The folder is listed first, so that files which other processes create or remove meanwhile do
     // not matter.
     std::error_code ignored;
     std::vector<std::string> paths;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-        paths.push_back(entry.path().string());
+        if (entry.path().filename().string().starts_with(prefix)) {
+            paths.push_back(entry.path().string());
+        }
     }
     for (const std::string& path : paths) {
         const FileDescriptor file = open_file(path, 0);

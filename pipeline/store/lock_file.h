@@ -24,7 +24,8 @@ struct LockAttempt {
 /// the file cannot be opened.
 [[nodiscard]] LockAttempt try_lock(const std::string& path);
 
-/// Unlinks the files in `folder` that no process has locked: leftovers of killed processes.
-void remove_abandoned_files(const std::string& folder);
+/// Unlinks the files in `folder` whose names begin with `prefix` and that no process has locked:
+/// leftovers of killed processes.
+void remove_abandoned_files(const std::string& folder, const std::string& prefix);
 
 }  // namespace carom::pipeline

@@ -233,8 +233,9 @@ void PictureRounds::store(Work& work) {
         const render::ImageMetadata metadata =
             pipeline::stored_frame_metadata(work.question.shot, film.statistics);
         if (!store_->contains(key)) {
-            if (const auto claim = store_->claim(key)) {
+            if (auto claim = store_->claim(key)) {
                 store_->write(key, film, metadata);
+                claim->finish();
                 counts_.frames_stored += 1;
             }
         }

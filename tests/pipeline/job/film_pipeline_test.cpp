@@ -248,7 +248,7 @@ TEST(FilmPipeline, FrameClaimedElsewhere_IsDeferredAndThenRead) {
     (void)plain.film();
     const FrameStore store = job.store();
     const Hash128 claimed_key = job.key(1);
-    std::optional<FrameClaim> claim = store.claim(claimed_key);
+    std::optional<Claim> claim = store.claim(claimed_key);
     ASSERT_TRUE(claim);
     const FilmSource source(job.shot, job.timeline);
     int calls = 0;
@@ -267,7 +267,7 @@ TEST(FilmPipeline, FrameClaimedElsewhere_IsDeferredAndThenRead) {
 TEST(FilmPipeline, ClaimThatIsReleased_LeavesTheFrameToThisJob) {
     JobFixture job;
     const FrameStore store = job.store();
-    std::optional<FrameClaim> claim = store.claim(job.key(0));
+    std::optional<Claim> claim = store.claim(job.key(0));
     const RenderFunction usual = job.renderer.function();
     int calls = 0;
     const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext& context) {

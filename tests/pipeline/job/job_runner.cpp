@@ -1,9 +1,11 @@
-// Runs run_logged_job with its arguments: cache folder, video, log. With a fourth argument flock
-// fails with ENOLCK, as on a file system without locks. The exit code is 1 if the job fails.
+// Runs run_logged_job with its arguments: cache folder, video, log. With a fourth argument
+// "without flock" flock fails with ENOLCK, as on a file system without locks; with "shared" the
+// store is that of several machines. The exit code is 1 if the job fails.
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>
 #include <exception>
+#include <string_view>
 
 #include <linux/filter.h>
 #include <linux/seccomp.h>
@@ -29,11 +31,12 @@ bool forbid_flock() {
 }  // namespace
 
 int main(int count, char** arguments) {
-    if (count > 4 && !forbid_flock()) {
+    const std::string_view how = count > 4 ? arguments[4] : "";
+    if (how == "without flock" && !forbid_flock()) {
         return 77;
     }
     try {
-        carom::testing::run_logged_job(arguments[1], arguments[2], arguments[3]);
+        carom::testing::run_logged_job(arguments[1], arguments[2], arguments[3], how == "shared");
     } catch (const std::exception& error) {
         std::puts(error.what());
         return 1;

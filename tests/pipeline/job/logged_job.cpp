@@ -13,7 +13,8 @@
 
 namespace carom::testing {
 
-void run_logged_job(const std::string& cache, const std::string& video, const std::string& log) {
+void run_logged_job(const std::string& cache, const std::string& video, const std::string& log,
+                    bool is_shared) {
     const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
     const pipeline::Shot shot = tiny_shot();
     const sim::Timeline timeline = tiny_timeline();
@@ -29,6 +30,7 @@ void run_logged_job(const std::string& cache, const std::string& video, const st
     pipeline::FilmJobOptions options;
     options.cache_folder = cache;
     options.output = video;
+    options.claim_times.keeps_finished = is_shared;
     pipeline::JobObserver observer;
     observer.on_warning = [&](const std::string& text) {
         std::ofstream(log + ".warnings", std::ios::app) << text << '\n';

@@ -122,7 +122,7 @@ TEST(PruneCache, Bake_IsRemovedWithItsOldWarnings) {
 TEST(PruneCache, LeftoversOfKilledProcesses_AreRemoved) {
     const Cache cache;
     fs::create_directories(cache.path() + "/frames/partial");
-    write_text(cache.path() + "/frames/partial/half", "a frame");
+    write_text(cache.path() + "/frames/partial/" + host_prefix() + "half", "a frame");
     PruneOptions options;
     options.dry_run = true;
     (void)prune_cache(cache.path(), options);

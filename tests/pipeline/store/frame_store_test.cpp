@@ -141,13 +141,12 @@ TEST(FrameStore, FolderThatCannotBeCreated_IsAnErrorWithItsName) {
 TEST(FrameClaim, SecondClaim_IsDeniedUntilTheFirstEnds) {
     const ScratchFolder folder;
     const FrameStore store(folder.path());
-    ASSERT_TRUE(store.can_claim());
     {
-        std::optional<FrameClaim> first = store.claim(make_key(1));
+        std::optional<Claim> first = store.claim(make_key(1));
         ASSERT_TRUE(first);
         EXPECT_FALSE(store.claim(make_key(1)));
         EXPECT_TRUE(store.claim(make_key(2)));
-        const FrameClaim moved = std::move(*first);
+        const Claim moved = std::move(*first);
         first.reset();
         EXPECT_FALSE(store.claim(make_key(1)));
     }
@@ -172,11 +171,11 @@ TEST(FrameClaim, LockOfAKilledOwner_IsRemovedByTheNextStore) {
     const ScratchFolder folder;
     { const FrameStore store(folder.path()); }
     write_text(folder.path("locks/") + make_key(7).to_string(), "");
-    write_text(folder.path("partial/left"), "half a frame");
+    write_text(folder.path("partial/") + host_prefix() + "left", "half a frame");
     const FrameStore owner(folder.path());
     EXPECT_THAT(names_in(folder.path("locks")), IsEmpty());
     EXPECT_THAT(names_in(folder.path("partial")), IsEmpty());
-    const std::optional<FrameClaim> claim = owner.claim(make_key(7));
+    const std::optional<Claim> claim = owner.claim(make_key(7));
     const FrameStore next(folder.path());
     EXPECT_FALSE(next.claim(make_key(7)));
 }

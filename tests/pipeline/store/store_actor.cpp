@@ -15,7 +15,7 @@
 
 namespace {
 
-using carom::pipeline::FrameClaim;
+using carom::pipeline::Claim;
 using carom::pipeline::FrameStore;
 using carom::testing::make_key;
 
@@ -27,7 +27,7 @@ void write_without_end(const FrameStore& store) {
 }
 
 int claim_and_sleep(const FrameStore& store, const char* file) {
-    const std::optional<FrameClaim> claim = store.claim(make_key(1));
+    const std::optional<Claim> claim = store.claim(make_key(1));
     if (!claim || ::close(::open(file, O_CREAT | O_WRONLY, 0600)) != 0) {
         return 1;
     }
@@ -37,7 +37,7 @@ int claim_and_sleep(const FrameStore& store, const char* file) {
 
 int claim_repeatedly(const FrameStore& store, const char* folder) {
     for (int granted = 0; granted < 300;) {
-        const std::optional<FrameClaim> claim = store.claim(make_key(1));
+        const std::optional<Claim> claim = store.claim(make_key(1));
         if (!claim) {
             std::this_thread::yield();
             continue;

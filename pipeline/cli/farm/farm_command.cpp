@@ -1,0 +1,24 @@
+#include "pipeline/cli/farm/farm_actions.h"
+
+namespace carom::cli {
+
+void run(const FarmCommand& command, CommandContext& context) {
+    switch (command.action) {
+        case FarmCommand::Action::submit:
+            return farm_submit(command, context);
+        case FarmCommand::Action::status:
+            return farm_status(command, context);
+        case FarmCommand::Action::cancel:
+            return farm_cancel(command, context);
+        case FarmCommand::Action::logs:
+            return farm_logs(command, context);
+        case FarmCommand::Action::resume:
+            return farm_resume(command, context);
+        case FarmCommand::Action::work:
+            return farm_work(command, context);
+        case FarmCommand::Action::finish:
+            return farm_finish(command, context);
+    }
+}
+
+}  // namespace carom::cli

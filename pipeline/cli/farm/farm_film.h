@@ -1,0 +1,54 @@
+// The film of a job of the farm.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "pipeline/cli/commands.h"
+#include "pipeline/cli/run_program.h"
+#include "pipeline/cli/shot_input.h"
+#include "pipeline/farm/farm_job.h"
+#include "pipeline/job/film_job.h"
+#include "pipeline/job/film_plan.h"
+#include "sim/timeline/bake_file.h"
+
+namespace carom::cli {
+
+/// The store that the command names, absolute.
+[[nodiscard]] std::string store_of(const FarmCommand& command);
+
+/// The job that the command names. Throws InputError if there is none.
+[[nodiscard]] farm::FarmJob find_job(const FarmCommand& command);
+
+/// A job's shot and motion, and the options with which its frames are rendered and encoded.
+struct FarmFilm {
+    ShotInput input;
+    sim::Bake bake;
+    pipeline::FilmJobOptions options;
+};
+[[nodiscard]] FarmFilm read_film(const farm::FarmJob& job, CommandContext& context);
+
+/// Which frames of a job are there, without reading them.
+class FarmFrames {
+  public:
+    FarmFrames(const FarmFilm& film, const std::stop_token& stop);
+
+    /// How many of the job's frames are stored.
+    [[nodiscard]] std::int64_t stored() const;
+    [[nodiscard]] std::int64_t count() const { return std::ssize(plan_.frames); }
+    /// The stored frames, ascending.
+    [[nodiscard]] std::vector<std::int64_t> stored_frames() const;
+    /// Removes all claims on the frames, which are there for everybody.
+    void forget_claims() const;
+
+  private:
+    std::string folder_;
+    pipeline::FilmPlan plan_;
+};
+
+/// Writes a picture with some of the stored frames. Throws Error.
+void write_sheet(const FarmFilm& film, const std::vector<std::int64_t>& stored,
+                 const std::string& path, CommandContext& context);
+
+}  // namespace carom::cli

@@ -1,0 +1,219 @@
+// How far a job is.
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include <fmt/core.h>
+
+#include "pipeline/cli/farm/farm_actions.h"
+#include "pipeline/cli/farm/farm_film.h"
+#include "pipeline/cli/terminal/duration_text.h"
+#include "pipeline/farm/slurm.h"
+#include "pipeline/farm/worker_file.h"
+
+namespace carom::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using farm::FarmJob;
+
+constexpr std::chrono::milliseconds kPollInterval{500};
+
+/// All that is known of a job.
+struct State {
+    std::string state;  // "waiting", "running", "complete", "stopped", "failed"
+    std::string message;
+    std::int64_t frames = 0;
+    std::int64_t finished = 0;
+    std::int64_t twice = 0;
+    farm::SlurmJobs slurm;
+    std::vector<farm::WorkerNote> workers;
+};
+
+std::string state_in_queue(const farm::SlurmJobs& slurm, std::string& message) {
+    std::string problem;
+    const auto counts = farm::count_tasks({slurm.frames, slurm.film}, problem);
+    if (!counts) {
+        message = "Slurm does not answer: " + problem;
+        return "running";
+    }
+    if (counts->running > 0) {
+        return "running";
+    }
+    if (counts->waiting > 0) {
+        return "waiting";
+    }
+    message = "Slurm's queue has nothing of this job; 'carom farm resume' submits it again";
+    return "failed";
+}
+
+State state_of(const FarmJob& job, const FarmFrames& frames) {
+    State state;
+    state.frames = frames.count();
+    state.finished = frames.stored();
+    state.slurm = farm::read_slurm_jobs(job).value_or(farm::SlurmJobs{});
+    state.workers = farm::read_workers(job);
+    for (const farm::WorkerNote& worker : state.workers) {
+        state.twice += worker.twice;
+    }
+    if (const auto end = farm::read_end(job)) {
+        state.state = end->state;
+        state.message = end->message;
+        return state;
+    }
+    state.state = state_in_queue(state.slurm, state.message);
+    // The last task may have ended between the two questions.
+    if (const auto end = farm::read_end(job)) {
+        state.state = end->state;
+        state.message = end->message;
+    }
+    return state;
+}
+
+std::string worker_json(const farm::WorkerNote& worker) {
+    JsonMembers members;
+    members.add("name", worker.name)
+        .add("host", worker.host)
+        .add("state", worker.state)
+        .add("frame", worker.frame)
+        .add("heartbeat", worker.heartbeat)
+        .add("seconds_left", worker.seconds_left)
+        .add("rendered", worker.rendered)
+        .add("rendered_twice", worker.twice)
+        .add("problem", worker.problem);
+    return members.object();
+}
+
+std::string json_of(const FarmJob& job, const State& state) {
+    JsonMembers members;
+    members.add("state", state.state)
+        .add("message", state.message)
+        .add("film", job.film)
+        .add("folder", job.folder)
+        .add("frames", state.frames)
+        .add("finished", state.finished)
+        .add("rendered_twice", state.twice)
+        .add("round", state.slurm.round);
+    JsonMembers slurm;
+    slurm.add("frames", state.slurm.frames).add("film", state.slurm.film);
+    std::string workers;
+    for (const farm::WorkerNote& worker : state.workers) {
+        workers += (workers.empty() ? "" : ",") + worker_json(worker);
+    }
+    return fmt::format("{{{},\"slurm\":{},\"workers\":[{}]}}\n", members.text(), slurm.object(),
+                       workers);
+}
+
+std::string worker_text(const farm::WorkerNote& worker) {
+    const std::string work =
+        worker.frame >= 0 ? fmt::format("frame {}, {:.0f} %", worker.frame, 100 * worker.fraction)
+                          : worker.state;
+    std::string text = fmt::format("  {:12} {:16} {:18} {:4} rendered", worker.name,
+                                   worker.host.substr(0, 16), work, worker.rendered);
+    if (worker.state != "ended") {
+        text += fmt::format(", {} left, heartbeat {}", duration_text(worker.seconds_left),
+                            worker.heartbeat);
+    }
+    return text + (worker.problem.empty() ? "" : ": " + worker.problem) + "\n";
+}
+
+std::string text_of(const FarmJob& job, const State& state) {
+    std::string text = fmt::format("{}: {}, {} of {} frames\n", job.film, state.state,
+                                   state.finished, state.frames);
+    if (state.twice > 0) {
+        text += fmt::format("{} frames were rendered twice\n", state.twice);
+    }
+    if (!state.message.empty()) {
+        text += state.message + "\n";
+    }
+    for (const farm::WorkerNote& worker : state.workers) {
+        text += worker_text(worker);
+    }
+    return text;
+}
+
+/// The last lines of a file.
+std::string end_of(const fs::path& path, int lines) {
+    std::ifstream file(path);
+    std::vector<std::string> all;
+    for (std::string line; std::getline(file, line);) {
+        all.push_back(std::move(line));
+    }
+    std::string text;
+    const std::ptrdiff_t first = std::max<std::ptrdiff_t>(0, std::ssize(all) - lines);
+    for (auto line = all.begin() + first; line != all.end(); ++line) {
+        text += *line + "\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+void farm_status(const FarmCommand& command, CommandContext& context) {
+    const FarmJob job = find_job(command);
+    if (command.wait) {
+        return wait_for_job(job, context);
+    }
+    const FarmFilm film = read_film(job, context);
+    const FarmFrames frames(film, context.stop);
+    const State state = state_of(job, frames);
+    print_text(command.json ? json_of(job, state) : text_of(job, state));
+    if (!command.sheet.empty()) {
+        write_sheet(film, frames.stored_frames(), command.sheet, context);
+    }
+}
+
+void wait_for_job(const FarmJob& job, CommandContext& context) {
+    const FarmFilm film = read_film(job, context);
+    const FarmFrames frames(film, context.stop);
+    const auto begin = std::chrono::steady_clock::now();
+    const std::int64_t found = frames.stored();
+    while (true) {
+        const State state = state_of(job, frames);
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+        ProgressSnapshot progress;
+        progress.stage = "render";
+        progress.frames_total = state.frames;
+        progress.frames_done = state.finished;
+        progress.frames_found = found;
+        progress.fraction = static_cast<double>(state.finished) /
+                            static_cast<double>(std::max<std::int64_t>(1, state.frames));
+        progress.elapsed = elapsed.count();
+        if (state.finished > found) {
+            progress.left = elapsed.count() * static_cast<double>(state.frames - state.finished) /
+                            static_cast<double>(state.finished - found);
+        }
+        context.console.progress(progress);
+        if (state.state == "complete") {
+            return context.console.end_progress();
+        }
+        if (state.state == "failed" || state.state == "stopped") {
+            context.console.end_progress();
+            throw Error("the job " + state.state + ": " + state.message);
+        }
+        std::this_thread::sleep_for(kPollInterval);
+        if (context.stop.stop_requested()) {
+            context.console.end_progress();
+            context.console.info("the job goes on; stop it with 'carom farm cancel'");
+            throw Stopped();
+        }
+    }
+}
+
+void farm_logs(const FarmCommand& command, CommandContext&) {
+    const FarmJob job = find_job(command);
+    std::vector<fs::path> logs;
+    for (const fs::directory_entry& entry : fs::directory_iterator(job.folder + "/logs")) {
+        logs.push_back(entry.path());
+    }
+    std::sort(logs.begin(), logs.end());
+    std::string text;
+    for (const fs::path& log : logs) {
+        text += log.string() + ":\n" + end_of(log, command.lines) + "\n";
+    }
+    print_text(text);
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,214 @@
+// The tasks of a job: its workers, and the last one that writes the film.
+#include <cstdlib>
+#include <optional>
+#include <thread>
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include "pipeline/cli/farm/farm_actions.h"
+#include "pipeline/cli/farm/farm_film.h"
+#include "pipeline/cli/job_observer.h"
+#include "pipeline/farm/slurm.h"
+#include "pipeline/farm/worker_file.h"
+#include "pipeline/job/film_status.h"
+#include "pipeline/job/film_worker.h"
+#include "pipeline/job/job_frames.h"
+#include "render/acceleration/analytic_kernels.h"
+
+namespace carom::cli {
+namespace {
+
+using farm::FarmJob;
+using farm::SlurmJobs;
+using farm::WorkerNote;
+
+constexpr int kAttempts = 3;     // of a worker whose store fails
+constexpr int kMostRounds = 20;  // of workers, and of attempts to write the film
+constexpr int kPause = 10;       // seconds, before another attempt to write the film
+
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value != nullptr ? value : "";
+}
+
+std::int64_t task_number() {
+    return std::strtoll(variable("SLURM_ARRAY_TASK_ID").c_str(), nullptr, 10);
+}
+
+/// Of the worker: that of its task.
+std::string own_name() {
+    const std::string job = variable("SLURM_ARRAY_JOB_ID");
+    return job.empty() ? fmt::format("{}-{}", pipeline::host_prefix(), ::getpid())
+                       : fmt::format("{}_{}", job, task_number());
+}
+
+std::string own_host() {
+    const std::string node = variable("SLURMD_NODENAME");
+    return node.empty() ? pipeline::this_host() : node;
+}
+
+void refuse_other_machines(const FarmJob& job) {
+    if (job.tier != render::simd_tier()) {
+        throw Error(fmt::format(
+            "this machine renders with {} instructions, and the frames of '{}' need {}; choose "
+            "other machines, for example with --partition",
+            render::simd_tier(), job.film, job.tier));
+    }
+}
+
+/// The note of a worker, written again when its state has changed.
+class Note {
+  public:
+    explicit Note(const FarmJob& job) : job_(job) {
+        note_.name = own_name();
+        note_.host = own_host();
+    }
+
+    void tell(const pipeline::WorkerState& state) {
+        note_.state = state.frame >= 0 ? "working" : "waiting";
+        note_.frame = state.frame;
+        note_.fraction = state.fraction;
+        note_.seconds_left = state.seconds_left;
+        note_.rendered = earlier_ + state.rendered;
+        note_.twice = earlier_twice_ + state.twice;
+        write();
+    }
+
+    /// Another attempt begins to count anew.
+    void begin_again(const std::string& problem) {
+        earlier_ = note_.rendered;
+        earlier_twice_ = note_.twice;
+        note_.problem = problem;
+        write();
+    }
+
+    void end(const std::string& problem) {
+        note_.state = "ended";
+        note_.frame = -1;
+        note_.problem = problem;
+        write();
+    }
+
+  private:
+    // The note is for people: a store that does not take it does not end the work.
+    void write() {
+        ++note_.heartbeat;
+        try {
+            farm::write_worker(job_, note_);
+        } catch (const Error&) {
+            return;
+        }
+    }
+
+    const FarmJob& job_;
+    WorkerNote note_;
+    std::int64_t earlier_ = 0;
+    std::int64_t earlier_twice_ = 0;
+};
+
+void sleep_for(int seconds, const std::stop_token& stop) {
+    for (int i = 0; i < 10 * seconds && !stop.stop_requested(); ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    if (stop.stop_requested()) {
+        throw Stopped();
+    }
+}
+
+pipeline::WorkerResult work(const FarmJob& job, const FarmFilm& film, Note& note,
+                            CommandContext& context) {
+    const std::int64_t at_once =
+        job.tasks_at_once > 0 ? std::min(job.tasks_at_once, job.workers) : job.workers;
+    pipeline::WorkerOptions options;
+    options.of = static_cast<std::size_t>(at_once);
+    options.number = static_cast<std::size_t>(task_number() % at_once);
+    options.budget = std::chrono::duration<double>(job.budget);
+    return pipeline::work_on_film(
+        film.input.shot, film.bake, film.options, options, make_console_observer(context.console),
+        [&](const pipeline::WorkerState& state) { note.tell(state); }, context.stop);
+}
+
+/// The rest of a round: what is to be done if frames are missing or the film cannot be written.
+void submit_again(const FarmJob& job, SlurmJobs slurm, std::int64_t missing,
+                  const std::string& problem, CommandContext& context) {
+    if (farm::read_end(job)) {
+        throw Error(problem + "; the job was cancelled");
+    }
+    if (slurm.round >= kMostRounds) {
+        farm::write_end(job, {"failed", problem});
+        throw Error(problem + "; this was the last attempt");
+    }
+    const std::int64_t round = slurm.round + 1;
+    if (missing > 0) {
+        slurm = farm::submit_all(job);
+    } else {
+        slurm.film = farm::submit_film(job, kPause);
+    }
+    slurm.round = round;
+    slurm.missing = missing;
+    farm::write_slurm_jobs(job, slurm);
+    context.console.warning(problem + "; submitted again");
+}
+
+}  // namespace
+
+void farm_work(const FarmCommand& command, CommandContext& context) {
+    const FarmJob job = find_job(command);
+    refuse_other_machines(job);
+    Note note(job);
+    for (int attempt = 1;; ++attempt) {
+        try {
+            const FarmFilm film = read_film(job, context);
+            const pipeline::WorkerResult result = work(job, film, note, context);
+            note.end("");
+            context.console.info(fmt::format("{} pictures rendered, {} of them twice",
+                                             result.state.rendered, result.state.twice));
+            return;
+        } catch (const InputError&) {
+            throw;
+        } catch (const Stopped&) {
+            note.end("stopped");
+            throw;
+        } catch (const Error& error) {
+            if (attempt == kAttempts) {
+                note.end(error.what());
+                throw;
+            }
+            context.console.warning(std::string(error.what()) + "; the worker tries again");
+            note.begin_again(error.what());
+            sleep_for(2 * attempt, context.stop);
+        }
+    }
+}
+
+void farm_finish(const FarmCommand& command, CommandContext& context) {
+    const FarmJob job = find_job(command);
+    const SlurmJobs slurm = farm::read_slurm_jobs(job).value_or(SlurmJobs{});
+    FarmFilm film = read_film(job, context);
+    film.options.output = job.film;
+    const pipeline::FilmStatus status =
+        pipeline::film_status(film.input.shot, film.bake, film.options, context.stop);
+    const auto missing = std::ssize(status.missing);
+    if (missing > 0) {
+        const std::string problem =
+            fmt::format("{} of {} frames are missing: {}", missing, std::ssize(status.frames),
+                        pipeline::frames_text(status.missing));
+        return submit_again(job, slurm, missing, problem, context);
+    }
+    try {
+        (void)pipeline::mux_film(film.input.shot, film.bake, film.options,
+                                 make_console_observer(context.console, std::ssize(status.frames)),
+                                 context.stop);
+    } catch (const Stopped&) {
+        throw;
+    } catch (const Error& error) {
+        return submit_again(job, slurm, 0, error.what(), context);
+    }
+    context.console.end_progress();
+    FarmFrames(film, context.stop).forget_claims();
+    farm::write_end(job, {"complete", ""});
+    print_path(job.film);
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,108 @@
+// The options of carom farm.
+#include "pipeline/cli/options/shared_options.h"
+
+namespace carom::cli {
+namespace {
+
+void add_store(CommandDescription& description, FarmCommand& farm) {
+    description
+        .option("--store", &farm.store, "DIR",
+                "The folder of bakes, frames and jobs. All machines have to see it under this "
+                "name. The default is the cache.")
+        .offers(Offer::folders);
+}
+
+/// A subcommand for a job that exists.
+CommandDescription& add_action(CommandDescription& description, FarmCommand& farm, const char* name,
+                               const char* summary, FarmCommand::Action action) {
+    CommandDescription& added = description.command(name, summary);
+    added.chosen = [&farm, action] { farm.action = action; };
+    added.argument("JOB", farm.job, "The film, the job's folder or a number of Slurm's.");
+    add_store(added, farm);
+    return added;
+}
+
+void add_cluster(CommandDescription& submit, FarmCommand& farm) {
+    submit.option("--partition", &farm.partition, "NAME", "Slurm's partition.");
+    submit.option("--account", &farm.account, "NAME", "The account that pays.");
+    submit.option("--time", &farm.time, "TIME",
+                  "The time limit of a task, as Slurm writes it: 30, 1:00:00. The default is the "
+                  "budget and 20 minutes.");
+    submit.option("--cpus", &farm.processors, "N", "The processors of a worker (default 1).")
+        .between(1, 1024);
+    submit.option("--mem", &farm.memory, "SIZE",
+                  "The memory of a worker: 2GB, or auto (the default) for what the film needs.");
+    submit
+        .option("--workers", &farm.workers, "N",
+                "The number of workers. The default has work for all of them.")
+        .between(1, 10000);
+    submit
+        .option("--tasks-at-once", &farm.tasks_at_once, "N",
+                "At most so many workers run at a time. The default is as many as there is room "
+                "for.")
+        .between(1, 10000);
+    submit.option("--budget", &farm.budget, "TIME",
+                  "A worker begins no frame after this time (default 10 min): short tasks find "
+                  "room sooner.");
+    submit.option("--dead-after", &farm.dead_after, "TIME",
+                  "A worker whose heartbeat stands still for so long is dead, and another renders "
+                  "its frame (default 30 s).");
+}
+
+void describe_submit(CommandDescription& description, FarmCommand& farm) {
+    CommandDescription& submit =
+        description.command("submit", "Simulate a shot and render its film on a cluster.");
+    submit.chosen = [&farm] { farm.action = FarmCommand::Action::submit; };
+    submit.details = {
+        "The shot is simulated once. Then workers render the frames, each the next one that nobody "
+        "has, and a last task writes the film. If frames are missing then, it asks for workers "
+        "again. The film has the same bytes as one of 'carom render'.",
+        "The result is the job's folder and the numbers of its two jobs in Slurm's queue."};
+    add_input(submit, farm.input);
+    add_changes(submit, farm.input);
+    add_camera_file(submit, farm.input);
+    add_output(submit, farm.output,
+               "The film. The default is the shot's name in the current folder.");
+    add_frames(submit, farm.frames);
+    add_store(submit, farm);
+    add_cluster(submit, farm);
+    submit.flag("--shared", farm.is_shared,
+                "Others may read the job's folder; without it only its owner may.");
+    submit.flag("--dry-run", farm.dry_run, "Only print what would be submitted.");
+    submit.flag("--wait", farm.wait, "Show the progress until the film is there.");
+    submit.examples = {{"carom farm submit break.yaml -o break.mp4 --partition short --wait",
+                        "The film, made by a cluster."}};
+}
+
+}  // namespace
+
+void describe(FarmCommand& command, CommandDescription& description) {
+    using Action = FarmCommand::Action;
+    description.details = {
+        "The machines share one folder (--store). All commands can be given on any of them."};
+    describe_submit(description, command);
+    CommandDescription& status =
+        add_action(description, command, "status", "Print how far a job is.", Action::status);
+    status.flag("--json", command.json, "Print one JSON object.");
+    status
+        .option("--sheet", &command.sheet, "FILE",
+                "Also write a picture with frames of the film so far: .png or .jpg.")
+        .offers(Offer::files, {"png", "jpg"});
+    status.flag("--wait", command.wait, "Show the progress until the film is there.");
+    status.examples = {{"carom farm status break.mp4", "The workers and their frames."}};
+    add_action(description, command, "cancel", "Stop a job; its frames are kept.", Action::cancel);
+    add_action(description, command, "logs", "Print the ends of a job's logs.", Action::logs)
+        .option("--lines", &command.lines, "N", "So many lines of each (default 20).")
+        .between(1, 100000);
+    add_action(description, command, "resume", "Submit a job again that was stopped or has failed.",
+               Action::resume);
+    add_action(description, command, "work", "Be a worker of a job; its tasks do this.",
+               Action::work);
+    add_action(description, command, "finish",
+               "Write a job's film if all frames are there; its last task does this.",
+               Action::finish);
+    description.examples = {{"carom farm submit break.yaml -o break.mp4", "Submit a film."},
+                            {"carom farm status break.mp4", "See how far it is."}};
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,178 @@
+#include "pipeline/farm/farm_job.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/core.h>
+#include <sys/stat.h>
+
+#include "core/error.h"
+#include "core/hash.h"
+#include "pipeline/farm/record.h"
+#include "pipeline/store/file_descriptor.h"
+
+namespace carom::farm {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kFormat = 1;
+constexpr int kMostJobs = 10000;  // of one film in one store
+
+std::string farm_folder(const std::string& store) {
+    return store + "/farm";
+}
+
+/// The film's name with the characters that need no care in shells and in Slurm's patterns.
+std::string simple_name(const std::string& film) {
+    std::string name = fs::path(film).stem().string().substr(0, 40);
+    for (char& c : name) {
+        const bool is_simple = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                               (c >= '0' && c <= '9') || c == '_' || c == '-';
+        c = is_simple ? c : '_';
+    }
+    return name.empty() ? "film" : name;
+}
+
+std::string text_of(const std::optional<Record>& record, const char* name) {
+    return record->text(name);
+}
+
+}  // namespace
+
+void write_job(const FarmJob& job) {
+    JsonMembers members;
+    members.add("carom_farm_job", kFormat)
+        .add("film", job.film)
+        .add("shot", job.shot)
+        .add("name", job.name)
+        .add("store", job.store)
+        .add("root", job.root)
+        .add("frames", job.frames)
+        .add("tier", job.tier)
+        .add("workers", job.workers)
+        .add("tasks_at_once", job.tasks_at_once)
+        .add("processors", job.processors)
+        .add("memory_mb", job.memory)
+        .add("budget_seconds", job.budget)
+        .add("dead_after_seconds", job.dead_after)
+        .add("partition", job.partition)
+        .add("account", job.account)
+        .add("time", job.time);
+    write_record(job.folder + "/job.json", members);
+}
+
+FarmJob read_job(const std::string& folder) {
+    const std::string path = folder + "/job.json";
+    const std::optional<Record> record = Record::read(path);
+    if (!record) {
+        throw Error("'" + folder + "' is not the folder of a job: it has no job.json");
+    }
+    if (record->integer("carom_farm_job") != kFormat) {
+        throw Error("'" + path +
+                    "' was written by another version of carom; submit the film again");
+    }
+    FarmJob job;
+    job.folder = fs::absolute(folder).lexically_normal().string();
+    job.film = text_of(record, "film");
+    job.shot = text_of(record, "shot");
+    job.name = text_of(record, "name");
+    job.store = text_of(record, "store");
+    job.root = text_of(record, "root");
+    job.frames = text_of(record, "frames");
+    job.tier = text_of(record, "tier");
+    job.workers = record->integer("workers");
+    job.tasks_at_once = record->integer("tasks_at_once");
+    job.processors = record->integer("processors");
+    job.memory = record->integer("memory_mb");
+    job.budget = record->number("budget_seconds");
+    job.dead_after = record->number("dead_after_seconds");
+    job.partition = text_of(record, "partition");
+    job.account = text_of(record, "account");
+    job.time = text_of(record, "time");
+    return job;
+}
+
+bool is_job_folder(const std::string& folder) {
+    std::error_code ignored;
+    return fs::exists(folder + "/job.json", ignored);
+}
+
+std::string bake_path(const FarmJob& job) {
+    return job.folder + "/" + job.name + ".bake";
+}
+
+std::vector<std::string> job_folders(const std::string& store) {
+    std::vector<std::pair<fs::file_time_type, std::string>> found;
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(farm_folder(store), ignored)) {
+        if (is_job_folder(entry.path().string())) {
+            found.emplace_back(fs::last_write_time(entry.path() / "job.json", ignored),
+                               entry.path().string());
+        }
+    }
+    std::sort(found.begin(), found.end(), std::greater<>());
+    std::vector<std::string> folders;
+    for (const auto& [time, folder] : found) {
+        folders.push_back(folder);
+    }
+    return folders;
+}
+
+std::string make_job_folder(const std::string& store, const std::string& film, bool is_private) {
+    const std::string farm = farm_folder(store);
+    pipeline::create_folder(farm);
+    const Hash128 hash = hash_bytes(std::as_bytes(std::span(film)));
+    const std::string name = simple_name(film) + "-" + hash.to_string().substr(0, 6);
+    for (int number = 1; number <= kMostJobs; ++number) {
+        const std::string folder = fmt::format("{}/{}-{}", farm, name, number);
+        if (::mkdir(folder.c_str(), is_private ? 0700 : 0755) == 0) {
+            pipeline::create_folder(folder + "/logs");
+            pipeline::create_folder(folder + "/workers");
+            return folder;
+        }
+        if (errno != EEXIST) {
+            throw Error(pipeline::system_problem(folder, "the job's folder cannot be made"));
+        }
+    }
+    throw Error("'" + farm + "' has too many jobs of this film; remove the old ones");
+}
+
+void write_slurm_jobs(const FarmJob& job, const SlurmJobs& jobs) {
+    JsonMembers members;
+    members.add("frames", jobs.frames)
+        .add("film", jobs.film)
+        .add("round", jobs.round)
+        .add("missing", jobs.missing);
+    write_record(job.folder + "/slurm.json", members);
+}
+
+std::optional<SlurmJobs> read_slurm_jobs(const FarmJob& job) {
+    const std::optional<Record> record = Record::read(job.folder + "/slurm.json");
+    if (!record) {
+        return std::nullopt;
+    }
+    return SlurmJobs{record->integer("frames"), record->integer("film"), record->integer("round"),
+                     record->integer("missing")};
+}
+
+void write_end(const FarmJob& job, const JobEnd& end) {
+    JsonMembers members;
+    members.add("state", end.state).add("message", end.message);
+    write_record(job.folder + "/end.json", members);
+}
+
+void remove_end(const FarmJob& job) {
+    std::error_code ignored;
+    fs::remove(job.folder + "/end.json", ignored);
+}
+
+std::optional<JobEnd> read_end(const FarmJob& job) {
+    const std::optional<Record> record = Record::read(job.folder + "/end.json");
+    return record ? std::optional(JobEnd{record->text("state"), record->text("message")})
+                  : std::nullopt;
+}
+
+}  // namespace carom::farm

@@ -1,0 +1,80 @@
+// A job of the farm: what its folder says, which is all that its workers need.
+//   FOLDER/job.json      this file
+//   FOLDER/NAME.bake     the motion, with the shot's text; NAME is the shot's, which films tell
+//   FOLDER/workers/      what each worker does now
+//   FOLDER/logs/         what the tasks print
+//   FOLDER/slurm.json    the numbers of the tasks in Slurm's queue
+//   FOLDER/end.json      how the job ended
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace carom::farm {
+
+struct FarmJob {
+    std::string folder;        // absolute; not in the file
+    std::string film;          // absolute
+    std::string shot;          // as it was given, for people
+    std::string name;          // of the shot
+    std::string store;         // the cache of bakes and frames that all workers share, absolute
+    std::string root;          // the folder in which the shot's files must lie; empty: anywhere
+    std::string frames;        // "0-47x2"; empty: all
+    std::string tier;          // the instruction set of all frames
+    std::int64_t workers = 1;  // tasks of the array
+    std::int64_t tasks_at_once = 0;  // of them; 0: as many as the cluster has room for
+    std::int64_t processors = 1;     // of each
+    std::int64_t memory = 0;         // of each, MB
+    double budget = 600;             // of each, seconds
+    double dead_after = 30;          // seconds without a heartbeat
+    std::string partition;           // Slurm's; empty: its default
+    std::string account;
+    std::string time;  // the limit of a task; empty: what the budget needs
+
+    bool operator==(const FarmJob&) const = default;
+};
+
+/// Writes job.json. Throws Error.
+void write_job(const FarmJob& job);
+
+/// Reads the job of a folder. Throws Error that names the file and what is wrong with it.
+[[nodiscard]] FarmJob read_job(const std::string& folder);
+
+[[nodiscard]] bool is_job_folder(const std::string& folder);
+
+[[nodiscard]] std::string bake_path(const FarmJob& job);
+[[nodiscard]] std::string worker_log_pattern(const FarmJob& job);
+
+/// The folders of all jobs of a store, the newest first.
+[[nodiscard]] std::vector<std::string> job_folders(const std::string& store);
+
+/// Makes a new folder for a job that makes this film. Throws Error.
+[[nodiscard]] std::string make_job_folder(const std::string& store, const std::string& film,
+                                          bool is_private);
+
+/// The jobs that Slurm runs for a job, and in which round: after each one that leaves frames
+/// missing another is submitted.
+struct SlurmJobs {
+    std::int64_t frames = 0;
+    std::int64_t film = 0;
+    std::int64_t round = 1;
+    std::int64_t missing = 0;  // frames, when the round began
+
+    bool operator==(const SlurmJobs&) const = default;
+};
+void write_slurm_jobs(const FarmJob& job, const SlurmJobs& jobs);
+/// Empty if the job was never submitted. Throws Error.
+[[nodiscard]] std::optional<SlurmJobs> read_slurm_jobs(const FarmJob& job);
+
+/// How a job ended.
+struct JobEnd {
+    std::string state;  // "complete", "stopped", "failed"
+    std::string message;
+};
+void write_end(const FarmJob& job, const JobEnd& end);
+void remove_end(const FarmJob& job);
+[[nodiscard]] std::optional<JobEnd> read_end(const FarmJob& job);
+
+}  // namespace carom::farm

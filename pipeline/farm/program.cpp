@@ -1,0 +1,76 @@
+#include "pipeline/farm/program.h"
+
+#include <array>
+#include <cerrno>
+#include <system_error>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "pipeline/store/file_descriptor.h"
+
+extern char** environ;  // NOLINT(readability-redundant-declaration)
+
+namespace carom::farm {
+namespace {
+
+using pipeline::FileDescriptor;
+
+/// Unlike a pipe, a file in memory never blocks the program that writes.
+FileDescriptor memory_file() {
+    return FileDescriptor(::memfd_create("carom", MFD_CLOEXEC));
+}
+
+std::string content(const FileDescriptor& file) {
+    std::string text;
+    std::array<char, 1 << 16> block{};
+    off_t at = 0;
+    while (true) {
+        const ssize_t size = ::pread(file.get(), block.data(), block.size(), at);
+        if (size <= 0) {
+            return text;
+        }
+        text.append(block.data(), static_cast<std::size_t>(size));
+        at += size;
+    }
+}
+
+int wait_for(pid_t process) {
+    int status = 0;
+    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+}  // namespace
+
+ProgramResult run_program(const std::vector<std::string>& words) {
+    const FileDescriptor output = memory_file();
+    const FileDescriptor errors = memory_file();
+    std::vector<char*> arguments;
+    for (const std::string& word : words) {
+        arguments.push_back(const_cast<char*>(word.c_str()));  // the system does not change them
+    }
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t files;
+    ::posix_spawn_file_actions_init(&files);
+    ::posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    ::posix_spawn_file_actions_adddup2(&files, output.get(), STDOUT_FILENO);
+    ::posix_spawn_file_actions_adddup2(&files, errors.get(), STDERR_FILENO);
+    pid_t process = 0;
+    const int failure =
+        ::posix_spawnp(&process, arguments[0], &files, nullptr, arguments.data(), environ);
+    ::posix_spawn_file_actions_destroy(&files);
+    if (failure != 0) {
+        return {
+            127, "",
+            "'" + words[0] + "' cannot be started: " + std::generic_category().message(failure)};
+    }
+    const int code = wait_for(process);
+    return {code, content(output), content(errors)};
+}
+
+}  // namespace carom::farm

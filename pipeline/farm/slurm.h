@@ -1,0 +1,54 @@
+// Slurm, through its own programs: sbatch, squeue, scancel.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/farm/farm_job.h"
+
+namespace carom::farm {
+
+/// A stage of a job: what Slurm runs for it, one after the other. Another stage is another entry of
+/// stages().
+struct Stage {
+    std::string name;       // "frames"; of the job in the queue: carom-frames
+    std::string script;     // in the job's folder
+    bool is_array = false;  // of as many tasks as the job has workers
+};
+[[nodiscard]] const std::vector<Stage>& stages();
+
+/// Writes the scripts of all stages into the job's folder. They run this program, `carom`, again.
+/// Throws Error.
+void write_scripts(const FarmJob& job, const std::string& carom);
+
+/// The words of the command that submits a stage. `after`: the number of the job that has to end
+/// before, whichever way; `delay`: seconds to wait.
+[[nodiscard]] std::vector<std::string> submission(const FarmJob& job, const Stage& stage,
+                                                  std::optional<std::int64_t> after, int delay);
+
+/// Submits the frames, and the film after them. Throws Error with Slurm's own message; what was
+/// submitted until then is cancelled.
+[[nodiscard]] SlurmJobs submit_all(const FarmJob& job);
+
+/// Submits the film's stage alone. Returns its number. Throws Error.
+[[nodiscard]] std::int64_t submit_film(const FarmJob& job, int delay);
+
+/// How many tasks of these jobs wait in the queue or run.
+struct QueueCounts {
+    std::int64_t waiting = 0;
+    std::int64_t running = 0;
+};
+
+/// Empty if Slurm does not answer; `problem` is its message then.
+[[nodiscard]] std::optional<QueueCounts> count_tasks(const std::vector<std::int64_t>& jobs,
+                                                     std::string& problem);
+
+/// Takes the jobs out of the queue and stops what runs. Throws Error.
+void cancel(const std::vector<std::int64_t>& jobs);
+
+/// The text as one word of a shell's command.
+[[nodiscard]] std::string shell_word(const std::string& text);
+
+}  // namespace carom::farm

@@ -1,0 +1,52 @@
+// One of several workers on any number of machines that render the frames of a film together.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "pipeline/job/film_job.h"
+
+namespace carom::pipeline {
+
+struct WorkerOptions {
+    std::size_t number = 0;  // of this worker: where it begins, so that few want the same frame
+    std::size_t of = 1;
+    std::chrono::duration<double> budget{600};  // no frame is begun afterwards
+};
+
+/// What a worker does now.
+struct WorkerState {
+    std::int64_t frame = -1;    // that it renders; -1: it waits for frames of others
+    double fraction = 0;        // of that frame
+    double seconds_left = 0;    // of its budget
+    std::int64_t rendered = 0;  // pictures
+    std::int64_t twice = 0;     // of these, pictures that another worker had rendered, too
+    std::int64_t finished = 0;  // pictures of the film that are known to be in the store
+    std::int64_t pictures = 0;  // of the film
+};
+
+struct WorkerResult {
+    WorkerState state;
+    bool is_complete = false;  // all pictures are in the store
+};
+
+/// The numbers 0 to count - 1 in bit-reversed order: 0, 4, 2, 6, 1, 5, 3, 7. The first few are
+/// spread over the whole film, wherever one stops.
+[[nodiscard]] std::vector<std::size_t> bit_reversed_order(std::size_t count);
+
+/// Renders pictures that nobody has rendered or claimed, one after the other, until all are there
+/// or the budget is over. A worker begins with its own share of the bit-reversed order and goes on
+/// with what is left of the others'. It waits for pictures that others have claimed, and renders
+/// those whose workers have died. `on_state` is called when the state changes, and every second at
+/// least. Throws Error, Stopped.
+WorkerResult work_on_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
+                          const WorkerOptions& worker, const JobObserver& observer,
+                          const std::function<void(const WorkerState&)>& on_state,
+                          const std::stop_token& stop);
+
+}  // namespace carom::pipeline
