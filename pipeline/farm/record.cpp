@@ -5,8 +5,8 @@
 #include <fstream>
 #include <sstream>
 
+#include <nlohmann/json.hpp>
 #include <unistd.h>
-#include <yaml-cpp/yaml.h>
 
 #include "core/atomic_file.h"
 #include "core/error.h"
@@ -29,24 +29,19 @@ std::optional<std::string> text_of_file(const std::string& path) {
 
 }  // namespace
 
-// JSON is YAML, for flat objects without control characters at least.
 std::optional<Record> Record::read(const std::string& path) {
     const std::optional<std::string> text = text_of_file(path);
     if (!text) {
         return std::nullopt;
     }
+    const auto root = nlohmann::json::parse(*text, nullptr, false);
+    if (!root.is_object()) {
+        throw Error("'" + path + "' is no JSON object");
+    }
     Record record;
     record.path_ = path;
-    try {
-        const YAML::Node root = YAML::Load(*text);
-        if (!root.IsMap()) {
-            throw Error("'" + path + "' is no JSON object");
-        }
-        for (const auto& member : root) {
-            record.members_[member.first.as<std::string>()] = member.second.as<std::string>();
-        }
-    } catch (const YAML::Exception& error) {
-        throw Error("'" + path + "' is no JSON object: " + error.what());
+    for (const auto& [name, value] : root.items()) {
+        record.members_[name] = value.is_string() ? value.get<std::string>() : value.dump();
     }
     return record;
 }

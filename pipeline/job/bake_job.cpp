@@ -1,11 +1,14 @@
 // The bake of a shot, simulated or read from the cache, where its physics hash is its name.
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include "core/error.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/store/cache_entry.h"
 #include "pipeline/store/cache_folder.h"
+#include "pipeline/store/claims.h"
 #include "sim/bake.h"
 
 namespace carom::pipeline {
@@ -95,6 +98,34 @@ std::optional<sim::Bake> find_cached_bake(const Shot& shot, const std::string& c
     return cached;
 }
 
+namespace {
+
+constexpr std::chrono::milliseconds kPollInterval{100};
+
+/// Waits while another process, perhaps on another machine, simulates the same world. Returns the
+/// claim to do it now, or nothing if the bake is there, or if the cache cannot be written to.
+std::optional<Claim> claim_bake(Claims& claims, const Hash128& physics_hash,
+                                const std::string& path, const std::stop_token& stop) {
+    while (true) {
+        if (stop.stop_requested()) {
+            throw Stopped();
+        }
+        std::optional<Claim> claim;
+        try {
+            claim = claims.claim(physics_hash.to_string());
+        } catch (const Error&) {
+            return std::nullopt;
+        }
+        std::error_code ignored;
+        if (claim || fs::exists(path, ignored)) {
+            return claim;
+        }
+        std::this_thread::sleep_for(kPollInterval);
+    }
+}
+
+}  // namespace
+
 BakedShot bake_or_reuse(const Shot& shot, const std::string& cache_folder,
                         const JobObserver& observer, const std::stop_token& stop) {
     const Hash128 physics_hash = sim::physics_hash(shot.world);
@@ -103,6 +134,14 @@ BakedShot bake_or_reuse(const Shot& shot, const std::string& cache_folder,
     if (std::optional<sim::Bake> cached = find_cached_bake(shot, cache_folder, observer)) {
         return {std::move(*cached), BakeOrigin::cached};
     }
+    const std::string path = bake_path(cache_folder, physics_hash);
+    Claims claims(fs::path(path).parent_path().parent_path().string() + "/locks");
+    const std::optional<Claim> claim = claim_bake(claims, physics_hash, path, stop);
+    if (!existed && fs::exists(path, ignored)) {  // made by another process meanwhile
+        if (std::optional<sim::Bake> cached = find_cached_bake(shot, cache_folder, observer)) {
+            return {std::move(*cached), BakeOrigin::cached};
+        }
+    }
     WorkContext context;
     context.stop = stop;
     if (observer.on_progress) {
@@ -110,7 +149,7 @@ BakedShot bake_or_reuse(const Shot& shot, const std::string& cache_folder,
     }
     sim::Bake bake = simulate(shot, context);
     try {
-        save(bake, bake_path(cache_folder, physics_hash));
+        save(bake, path);
     } catch (const Error& error) {
         warn(observer, std::string("the bake cannot be saved in the cache: ") + error.what());
     }

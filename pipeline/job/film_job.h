@@ -13,7 +13,7 @@
 #include "pipeline/job/frame_range.h"
 #include "pipeline/shot/shot.h"
 #include "pipeline/store/cache_maintenance.h"
-#include "pipeline/store/claims.h"
+#include "pipeline/store/claim_times.h"
 #include "render/acceleration/structure_factory.h"
 #include "render/film/film.h"
 #include "sim/timeline/bake_file.h"

@@ -149,10 +149,6 @@ bool Claim::replaces_dead_one() const {
     return held_->number > 0;
 }
 
-ClaimTimes claim_times(std::chrono::milliseconds dead_after) {
-    return {dead_after / 6, dead_after};
-}
-
 Claims::Claims(std::string folder, ClaimTimes times) : folder_(std::move(folder)), times_(times) {}
 
 Claims::~Claims() {

@@ -23,20 +23,10 @@
 #include <vector>
 
 #include "pipeline/store/claim_note.h"
+#include "pipeline/store/claim_times.h"
 #include "pipeline/store/file_descriptor.h"
 
 namespace carom::pipeline {
-
-struct ClaimTimes {
-    std::chrono::milliseconds beat{5000};         // between two counts
-    std::chrono::milliseconds dead_after{30000};  // without a new count; several times `beat`
-    /// Whether finished claims stay when the process ends, for machines that see results late.
-    /// Somebody has to remove them (Claims::forget).
-    bool keeps_finished = false;
-};
-
-/// A beat of a sixth of `dead_after`.
-[[nodiscard]] ClaimTimes claim_times(std::chrono::milliseconds dead_after);
 
 /// Owned by the process until it is destroyed.
 class Claim {

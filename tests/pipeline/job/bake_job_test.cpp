@@ -1,4 +1,6 @@
+#include <atomic>
 #include <filesystem>
+#include <thread>
 
 #include <gmock/gmock.h>
 
@@ -178,6 +180,22 @@ TEST(BakeJob, CacheThatCannotBeWritten_StillGivesTheBake) {
     const Baking result = run(make_shot(), cache.path());
     EXPECT_TRUE(result.baked);
     EXPECT_THAT(result.warnings, ElementsAre(HasSubstr("the bake cannot be saved in the cache: ")));
+}
+
+TEST(BakeJob, AtTheSameTime_TheShotIsSimulatedOnce) {
+    const ScratchFolder cache;
+    const Shot shot = make_shot();
+    std::atomic<int> simulated = 0;
+    {
+        std::vector<std::jthread> jobs;
+        for (int i = 0; i < 4; ++i) {
+            jobs.emplace_back([&] {
+                simulated +=
+                    bake_or_reuse(shot, cache.path(), {}, {}).origin == BakeOrigin::cached ? 0 : 1;
+            });
+        }
+    }
+    EXPECT_EQ(simulated, 1);
 }
 
 TEST(BakeJob, Stopped_LeavesNothing) {

@@ -1,0 +1,105 @@
+#include "pipeline/job/film_worker.h"
+
+#include <atomic>
+#include <set>
+#include <thread>
+
+#include <gmock/gmock.h>
+
+#include "core/error.h"
+#include "pipeline/job/film_status.h"
+#include "tests/pipeline/job/tiny_shot.h"
+#include "tests/pipeline/video/scratch_folder.h"
+
+namespace carom::pipeline {
+namespace {
+
+using carom::testing::ScratchFolder;
+using ::testing::ElementsAre;
+
+TEST(BitReversedOrder, OrdersOfSmallFilms_AreAsWritten) {
+    EXPECT_THAT(bit_reversed_order(8), ElementsAre(0, 4, 2, 6, 1, 5, 3, 7));
+    EXPECT_THAT(bit_reversed_order(5), ElementsAre(0, 4, 2, 1, 3));
+    EXPECT_THAT(bit_reversed_order(1), ElementsAre(0));
+    EXPECT_TRUE(bit_reversed_order(0).empty());
+}
+
+TEST(BitReversedOrder, FirstFrames_AreSpreadOverTheFilm) {
+    for (const std::size_t count : {100U, 255U, 1000U}) {
+        const std::vector<std::size_t> order = bit_reversed_order(count);
+        EXPECT_EQ(std::set<std::size_t>(order.begin(), order.end()).size(), count);
+        const std::set<std::size_t> some(order.begin(), order.begin() + 25);
+        std::size_t last = 0;
+        for (const std::size_t frame : some) {
+            EXPECT_LE(frame - last, count / 8) << count;
+            last = frame;
+        }
+    }
+}
+
+/// Workers of the tiny film with a renderer that counts.
+struct Farm {
+    ScratchFolder folder;
+    Shot shot = carom::testing::tiny_shot();
+    sim::Bake bake{carom::testing::tiny_timeline(), {}, {}, {}};
+    std::atomic<int> rendered = 0;
+
+    FilmJobOptions options() {
+        FilmJobOptions options;
+        options.cache_folder = folder.path("cache");
+        options.renderer = [this](const FrameInputs& inputs, const WorkContext&) {
+            ++rendered;
+            return carom::testing::fake_picture(shot, inputs);
+        };
+        return options;
+    }
+
+    WorkerResult work(const WorkerOptions& worker) {
+        return work_on_film(shot, bake, options(), worker, {}, {}, {});
+    }
+};
+
+TEST(FilmWorker, ThreeAtOnce_RenderEachPictureOnce) {
+    Farm farm;
+    std::atomic<int> complete = 0;
+    std::atomic<std::int64_t> twice = 0;
+    {
+        std::vector<std::jthread> workers;
+        for (std::size_t i = 0; i < 3; ++i) {
+            workers.emplace_back([&, i] {
+                const WorkerResult result = farm.work({i, 3, std::chrono::seconds(60)});
+                complete += result.is_complete ? 1 : 0;
+                twice += result.state.twice;
+            });
+        }
+    }
+    EXPECT_EQ(complete, 3);
+    EXPECT_EQ(twice, 0);
+    const FilmStatus status = film_status(farm.shot, farm.bake, farm.options(), {});
+    EXPECT_TRUE(status.missing.empty());
+    EXPECT_EQ(farm.work({}).state.rendered, 0);
+}
+
+TEST(FilmWorker, BudgetThatIsOver_BeginsNothing) {
+    Farm farm;
+    const WorkerResult result = farm.work({0, 1, std::chrono::seconds(0)});
+    EXPECT_FALSE(result.is_complete);
+    EXPECT_EQ(farm.rendered, 0);
+}
+
+TEST(FilmWorker, TierOfAnotherMachine_IsRefusedWithBothNames) {
+    Farm farm;
+    FilmJobOptions options = farm.options();
+    options.renderer = nullptr;
+    options.tier = "ABACUS";
+    try {
+        (void)work_on_film(farm.shot, farm.bake, options, {}, {}, {}, {});
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(),
+                    ::testing::HasSubstr("need ABACUS instructions, and this machine"));
+    }
+}
+
+}  // namespace
+}  // namespace carom::pipeline
