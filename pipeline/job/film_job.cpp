@@ -15,6 +15,7 @@
 #include "pipeline/job/job_frames.h"
 #include "pipeline/job/mixed_film.h"
 #include "pipeline/job/scene_renderer.h"
+#include "pipeline/store/pins.h"
 
 namespace carom::pipeline {
 namespace {
@@ -109,6 +110,7 @@ FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOp
     const FrameStore store = open_store(options, damages);
     const FilmSource source(shot, bake.timeline, options.tier);
     const FilmPlan plan = plan_film(source, frames, stop);
+    const Pin pin(cache_folder_of(options), keys_of(plan, bake));
     CachePruner pruner(cache_folder_of(options), options.cache_limit, safe_observer);
     mark_whole_film(source, plan, options, store, stop);
     pruner.prune();
@@ -153,6 +155,7 @@ render::Film make_frame(const Shot& shot, const sim::Bake& bake, std::int64_t fr
     const FrameStore store = open_store(options, damages);
     const FilmSource source(shot, bake.timeline, options.tier);
     const FilmPlan plan = plan_film(source, {frame}, stop);
+    const Pin pin(cache_folder_of(options), keys_of(plan, bake));
     CachePruner pruner(cache_folder_of(options), options.cache_limit, safe_observer);
     mark_whole_film(source, plan, options, store, stop);
     pruner.prune();

@@ -35,6 +35,14 @@ FrameStore open_store(const FilmJobOptions& options, DamageReport& damages) {
         options.claim_times);
 }
 
+std::vector<Hash128> keys_of(const FilmPlan& plan, const sim::Bake& bake) {
+    std::vector<Hash128> keys{bake.physics_hash};
+    for (const FilmPlan::Picture& picture : plan.pictures) {
+        keys.push_back(picture.key);
+    }
+    return keys;
+}
+
 RenderFunction renderer_of(const Shot& shot, const FilmJobOptions& options) {
     if (options.renderer) {
         return options.renderer;

@@ -7,6 +7,7 @@
 
 #include "pipeline/job/damage_report.h"
 #include "pipeline/job/film_job.h"
+#include "pipeline/job/film_plan.h"
 #include "pipeline/job/scene_renderer.h"
 #include "pipeline/store/frame_store.h"
 
@@ -22,6 +23,9 @@ namespace carom::pipeline {
 
 /// The store of the job's frames, whose damaged ones are reported. Throws Error.
 [[nodiscard]] FrameStore open_store(const FilmJobOptions& options, DamageReport& damages);
+
+/// The keys of all files of the cache that a job needs: of its pictures and its bake.
+[[nodiscard]] std::vector<Hash128> keys_of(const FilmPlan& plan, const sim::Bake& bake);
 
 /// What renders the job's pictures. It throws Error if the job needs another machine.
 [[nodiscard]] RenderFunction renderer_of(const Shot& shot, const FilmJobOptions& options);

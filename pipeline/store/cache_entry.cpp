@@ -19,20 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<Hash128> parse_hash(const std::string& digits) {
-    if (digits.size() != 32) {
-        return std::nullopt;
-    }
-    Hash128 hash;
-    const char* text = digits.data();
-    const auto high = std::from_chars(text, text + 16, hash.high, 16);
-    const auto low = std::from_chars(text + 16, text + 32, hash.low, 16);
-    if (high.ptr != text + 16 || low.ptr != text + 32 || hash.to_string() != digits) {
-        return std::nullopt;
-    }
-    return hash;
-}
-
 /// Version 1 of the bake format kept the warnings in a separate file beside the bake.
 std::string old_warnings_path(const std::string& bake) {
     return bake + ".warnings";
@@ -41,7 +27,7 @@ std::string old_warnings_path(const std::string& bake) {
 /// The entry of a file. Empty if the file is not an entry or was removed in the meantime.
 std::optional<CacheEntry> read_entry(const fs::path& path, CacheEntry::Kind kind) {
     struct stat status {};
-    const std::optional<Hash128> key = parse_hash(path.stem().string());
+    const std::optional<Hash128> key = parse_key(path.stem().string());
     if (!key || ::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) {
         return std::nullopt;
     }
@@ -72,6 +58,20 @@ void collect_entries(const fs::path& folder, const char* extension, CacheEntry::
 }
 
 }  // namespace
+
+std::optional<Hash128> parse_key(const std::string& digits) {
+    if (digits.size() != 32) {
+        return std::nullopt;
+    }
+    Hash128 hash;
+    const char* text = digits.data();
+    const auto high = std::from_chars(text, text + 16, hash.high, 16);
+    const auto low = std::from_chars(text + 16, text + 32, hash.low, 16);
+    if (high.ptr != text + 16 || low.ptr != text + 32 || hash.to_string() != digits) {
+        return std::nullopt;
+    }
+    return hash;
+}
 
 std::vector<CacheEntry> list_cache(const std::string& folder) {
     std::vector<CacheEntry> entries;

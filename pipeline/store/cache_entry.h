@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct CacheEntry {
     std::uint64_t bytes = 0;
     std::chrono::system_clock::time_point last_used;
 };
+
+/// The key that 32 lower-case hexadecimal digits stand for.
+[[nodiscard]] std::optional<Hash128> parse_key(const std::string& digits);
 
 /// All entries, the least recently used one first. Files with other names and files that are being
 /// written are not entries. A folder that does not exist has no entries. Throws Error if the folder

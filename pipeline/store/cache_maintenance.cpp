@@ -1,9 +1,11 @@
 #include "pipeline/store/cache_maintenance.h"
 
 #include <filesystem>
+#include <set>
 
 #include "core/error.h"
 #include "pipeline/store/frame_checksum.h"
+#include "pipeline/store/pins.h"
 #include "sim/timeline/bake_file.h"
 
 namespace carom::pipeline {
@@ -30,6 +32,7 @@ PruneResult prune_cache(const std::string& folder, const PruneOptions& options) 
         ++result.kept;
         result.kept_bytes += entry.bytes;
     }
+    const std::set<Hash128> pinned = pinned_keys(folder);
     for (const CacheEntry& entry : entries) {
         const bool is_old = entry.last_used < options.remove_before;
         const bool exceeds_limit =
@@ -37,7 +40,7 @@ PruneResult prune_cache(const std::string& folder, const PruneOptions& options) 
         if (!is_old && !exceeds_limit) {
             break;  // all following entries were used later
         }
-        if (options.dry_run || remove_entry(entry)) {
+        if (!pinned.contains(entry.key) && (options.dry_run || remove_entry(entry))) {
             ++result.removed;
             result.removed_bytes += entry.bytes;
             --result.kept;

@@ -44,8 +44,9 @@ struct PruneResult {
     std::uint64_t kept_bytes = 0;
 };
 
-/// Removes the least recently used entries until the rest fits. A job that needs a removed frame
-/// renders it again. Throws Error if the folder cannot be read.
+/// Removes the least recently used entries until the rest fits, except what running jobs need
+/// (pins.h). A job that needs a removed frame renders it again. Throws Error if the folder cannot
+/// be read.
 PruneResult prune_cache(const std::string& folder, const PruneOptions& options);
 
 struct VerifyResult {

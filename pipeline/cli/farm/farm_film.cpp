@@ -8,6 +8,7 @@
 #include "pipeline/cli/film_input.h"
 #include "pipeline/job/job_frames.h"
 #include "pipeline/store/cache_folder.h"
+#include "pipeline/store/pins.h"
 
 namespace carom::cli {
 namespace {
@@ -92,6 +93,15 @@ std::vector<std::int64_t> FarmFrames::stored_frames() const {
         }
     }
     return frames;
+}
+
+void FarmFrames::pin(const FarmJob& job, const FarmFilm& film) const {
+    pipeline::write_job_pin(job.store, fs::path(job.folder).filename().string(),
+                            pipeline::keys_of(plan_, film.bake));
+}
+
+void FarmFrames::unpin(const FarmJob& job) {
+    pipeline::remove_job_pin(job.store, fs::path(job.folder).filename().string());
 }
 
 void FarmFrames::forget_claims() const {

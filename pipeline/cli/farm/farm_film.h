@@ -39,6 +39,10 @@ class FarmFrames {
     [[nodiscard]] std::int64_t count() const { return std::ssize(plan_.frames); }
     /// The stored frames, ascending.
     [[nodiscard]] std::vector<std::int64_t> stored_frames() const;
+    /// Protects the frames and the bake from being pruned until unpin().
+    void pin(const farm::FarmJob& job, const FarmFilm& film) const;
+    static void unpin(const farm::FarmJob& job);
+
     /// Removes all claims on the frames, which are there for everybody.
     void forget_claims() const;
 

@@ -157,9 +157,12 @@ void farm_submit(const FarmCommand& command, CommandContext& context) {
         sim::write_bake(bake, farm::bake_path(job));
         farm::write_job(job);
         farm::write_scripts(job, own_program());
+        const FarmFilm film = read_film(job, context);
+        FarmFrames(film, context.stop).pin(job, film);
         const SlurmJobs slurm = submit_now(job, 1, std::ssize(status.missing));
         print_job(job, slurm);
     } catch (...) {
+        FarmFrames::unpin(job);
         std::error_code ignored;
         fs::remove_all(job.folder, ignored);
         throw;
@@ -190,6 +193,7 @@ void farm_resume(const FarmCommand& command, CommandContext& context) {
     farm::write_scripts(job, own_program());
     const FarmFilm film = read_film(job, context);
     const FarmFrames frames(film, context.stop);
+    frames.pin(job, film);
     print_job(job, submit_now(job, 1, frames.count() - frames.stored()));
     tell_how_to_look(job, context);
 }
@@ -201,6 +205,7 @@ void farm_cancel(const FarmCommand& command, CommandContext& context) {
     if (const std::optional<SlurmJobs> slurm = farm::read_slurm_jobs(job)) {
         farm::cancel({slurm->film, slurm->frames});
     }
+    FarmFrames::unpin(job);
     context.console.info("the job is stopped; 'carom farm resume' goes on with it");
 }
 

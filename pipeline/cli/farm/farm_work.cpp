@@ -207,6 +207,7 @@ void farm_finish(const FarmCommand& command, CommandContext& context) {
     }
     context.console.end_progress();
     FarmFrames(film, context.stop).forget_claims();
+    FarmFrames::unpin(job);
     farm::write_end(job, {"complete", ""});
     print_path(job.film);
 }

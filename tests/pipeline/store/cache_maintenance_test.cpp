@@ -6,8 +6,10 @@
 #include <stdlib.h>
 
 #include "core/error.h"
+#include "pipeline/store/claim_note.h"
 #include "pipeline/store/frame_checksum.h"
 #include "pipeline/store/frame_store.h"
+#include "pipeline/store/pins.h"
 #include "sim/timeline/bake_file.h"
 #include "tests/pipeline/video/scratch_folder.h"
 
@@ -117,6 +119,42 @@ TEST(PruneCache, Bake_IsRemovedWithItsOldWarnings) {
     options.limit = 0;
     EXPECT_EQ(prune_cache(cache.path(), options).removed, 1U);
     EXPECT_TRUE(fs::is_empty(cache.path() + "/bakes"));
+}
+
+TEST(PruneCache, PinnedFiles_AreKept) {
+    const Cache cache;
+    const std::string pinned = cache.add_frame(1, 30);
+    const std::string other = cache.add_frame(2, 20);
+    const std::string of_job = cache.add_frame(3, 10);
+    PruneOptions options;
+    options.limit = 0;
+    write_job_pin(cache.path(), "film-1", std::vector{Hash128{3, 7}});
+    {
+        const Pin pin(cache.path(), std::vector{Hash128{1, 7}});
+        EXPECT_EQ(prune_cache(cache.path(), options).removed, 1U);
+        EXPECT_TRUE(fs::exists(pinned));
+        EXPECT_FALSE(fs::exists(other));
+    }
+    EXPECT_EQ(prune_cache(cache.path(), options).removed, 1U);
+    EXPECT_FALSE(fs::exists(pinned));
+    EXPECT_TRUE(fs::exists(of_job));
+    remove_job_pin(cache.path(), "film-1");
+    EXPECT_EQ(prune_cache(cache.path(), options).removed, 1U);
+    EXPECT_TRUE(fs::is_empty(cache.path() + "/pins"));
+}
+
+TEST(PruneCache, PinsOfKilledProcessesAndOfOldJobs_DoNotCount) {
+    const Cache cache;
+    (void)cache.add_frame(1, 1);
+    const std::string key = Hash128{1, 7}.to_string() + "\n";
+    fs::create_directories(cache.path() + "/pins");
+    write_text(cache.path() + "/pins/" + host_prefix() + "1-1", key);
+    write_text(cache.path() + "/pins/job-old", key);
+    Cache::set_age(cache.path() + "/pins/job-old", 24 * 31);
+    PruneOptions options;
+    options.limit = 0;
+    EXPECT_EQ(prune_cache(cache.path(), options).removed, 1U);
+    EXPECT_TRUE(fs::is_empty(cache.path() + "/pins"));
 }
 
 TEST(PruneCache, LeftoversOfKilledProcesses_AreRemoved) {
