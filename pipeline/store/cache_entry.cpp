@@ -87,8 +87,8 @@ void mark_used(const std::string& path) {
     static_cast<void>(::utimensat(AT_FDCWD, path.c_str(), nullptr, 0));
 }
 
-void remove_leftovers(const std::string& frames_folder) {
-    Claims(frames_folder + "/locks").remove_dead();
+void remove_leftovers(const std::string& frames_folder, const ClaimTimes& times) {
+    Claims(frames_folder + "/locks", times).remove_dead();
     remove_abandoned_files(frames_folder + "/partial", host_prefix());
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/hash.h"
+#include "pipeline/store/claim_times.h"
 
 namespace carom::pipeline {
 
@@ -34,7 +35,7 @@ void mark_used(const std::string& path);
 
 /// Removes claims and half-written frames that killed processes of this machine left in the folder
 /// of the frames. Locks may not be seen by other machines, so that each removes its own.
-void remove_leftovers(const std::string& frames_folder);
+void remove_leftovers(const std::string& frames_folder, const ClaimTimes& times = {});
 
 /// Removes the entry, and the file of warnings that older versions of carom kept beside a bake.
 /// False if the entry could not be removed.

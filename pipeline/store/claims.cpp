@@ -257,7 +257,8 @@ void Claims::remove_dead() const {
     for (const std::string& path : paths) {
         const std::optional<ClaimNote> note = read_claim_note(path);
         const bool is_own = note && (note->host.empty() || note->host == this_host());
-        if (is_own && note->state == State::working && is_abandoned(path)) {
+        const bool is_kept = times_.keeps_finished && note && note->state == State::finished;
+        if (is_own && !is_kept && is_abandoned(path)) {
             ::unlink(path.c_str());
         }
     }

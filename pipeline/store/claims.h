@@ -69,7 +69,8 @@ class Claims {
     /// Removes all claims on `name`, whose result is there for all machines.
     void forget(const std::string& name) const;
 
-    /// Removes the claims of processes of this machine that have ended, but not finished ones.
+    /// Removes the claims of processes of this machine that have ended, except finished ones that
+    /// are kept.
     void remove_dead() const;
 
   private:

@@ -69,7 +69,7 @@ FrameStore::FrameStore(std::string folder, DamageObserver on_damage, ClaimTimes 
       on_damage_(std::move(on_damage)),
       claims_(std::make_unique<Claims>(folder_ + "/locks", times)) {
     create_folder(folder_);
-    remove_leftovers(folder_);
+    remove_leftovers(folder_, times);
 }
 
 std::string FrameStore::path_of(const Hash128& key) const {
