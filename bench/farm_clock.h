@@ -15,6 +15,8 @@ enum class Step {
     none,
     start,
     read,
+    note,
+    noted,
     loaded,
     looked,
     tried,

@@ -12,21 +12,26 @@
 namespace carom::bench {
 namespace {
 
-// Requests that an NFS client sends for each action of the design. To open a file is one more than
-// its reads and writes; a commit is what fsync() sends.
+// Requests that an NFS client sends for each action, counted from the calls of pipeline/store and
+// pipeline/farm. To open a file is one more than its reads and writes; a commit is what fsync() and
+// the closing of a written file send.
 constexpr double kLook = 1;
-// link; open and read the file that is there
-constexpr double kFailedClaim = 3;
-// create, write and commit a file; link; open and read; remove the file's first name
-constexpr double kClaim = 7;
-// open, write, commit
-constexpr double kBeat = 3;
-// open, read
-constexpr double kReadClaim = 2;
-// create, commit and rename the frame; remove the claim; and its writes, of up to 1 MiB each, which
-// is the most that Linux' NFS client sends at once
-constexpr double kPublish = 4;
+// open and read the claim; open the one of the next number, which does not exist
+constexpr double kReadClaim = 3;
+// open the claim, which does not exist; create, write and commit a draft; open, lock, link and
+// remove it; open and read the claim
+constexpr double kClaim = 10;
+// write, commit
+constexpr double kBeat = 2;
+// create and lock; open, write and commit the checksum; rename, unlock; write, commit, unlock and
+// remove the claim; and the frame's writes and commit, of up to 1 MiB each, which is the most that
+// Linux' NFS client sends at once
+constexpr double kPublish = 12;
 constexpr double kBytesPerRequest = 1 << 20U;
+// look for the old one; create, write, commit, rename; open the folder
+constexpr double kNote = 6;
+// open and read
+constexpr double kReadLeftover = 2;
 // A guess: names in one answer to the question for a list of the folder.
 constexpr double kNamesPerRequest = 200;
 
@@ -42,12 +47,27 @@ struct Worker {
     int frame = -1;  // that it renders
     double render_started = 0;
     double render_seconds = 0;
-    std::size_t position = 0;   // in the order of the film
+    std::vector<int> order;  // of the film's frames: its own share first
+    std::size_t position = 0;
+    int claim_files = 0;
     double waiting_since = -1;  // -1: it is not waiting
     double poll = 0;
     ClaimWatch watch;
     SplitMix64 random{0};
 };
+
+/// Every `of`th frame from `number` on, then the rest, which each worker begins elsewhere.
+std::vector<int> own_share_first(const std::vector<int>& order, int number, int of) {
+    std::vector<int> own;
+    std::vector<int> others;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        (static_cast<int>(i % of) == number ? own : others).push_back(order[i]);
+    }
+    const auto first = static_cast<std::ptrdiff_t>(number * others.size() / of);
+    std::rotate(others.begin(), others.begin() + first, others.end());
+    own.insert(own.end(), others.begin(), others.end());
+    return own;
+}
 
 class Farm {
   public:
@@ -99,6 +119,10 @@ class Farm {
                 return start_task(action.worker);
             case Step::read:
                 return after(settings_.load_seconds, Step::loaded, action.worker);
+            case Step::note:
+                return write_note(action.worker);
+            case Step::noted:
+                return after(settings_.note_seconds, Step::note, action.worker);
             case Step::loaded:
                 return look(action.worker);
             case Step::looked:
@@ -137,7 +161,20 @@ class Farm {
         it.slowness = is_slow ? settings_.slow_factor : 1.0;
         result_.tasks += 1;
         plan_end(index);
-        clock_.ask({settings_.load_requests, settings_.load_bytes}, action(Step::read, index));
+        if (!is_listing()) {
+            it.order = own_share_first(frames_.order(), index, settings_.workers);
+        }
+        const double leftovers = is_listing() ? 0 : kReadLeftover * claim_files_;
+        clock_.ask({settings_.load_requests + leftovers, settings_.load_bytes},
+                   action(Step::read, index));
+        write_note(index);
+    }
+
+    /// A worker tells about itself while it runs.
+    void write_note(int index) {
+        if (settings_.note_seconds > 0) {
+            ask(kNote, Step::noted, index);
+        }
     }
 
     void plan_end(int index) {
@@ -155,6 +192,7 @@ class Farm {
         Worker& it = worker(index);
         result_.worker_seconds += clock_.now() - it.task_started;
         it.is_running = false;
+        claim_files_ -= it.claim_files;
         ++it.task;
         after(delay, Step::start, index);
     }
@@ -172,7 +210,7 @@ class Farm {
         if (is_listing()) {
             return ask(list_requests(), Step::looked, index);
         }
-        if (it.position == frames_.order().size()) {
+        if (it.position == it.order.size()) {
             return wait(index);
         }
         ask(kLook, Step::looked, index);
@@ -180,7 +218,7 @@ class Farm {
 
     void looked(int index) {
         Worker& it = worker(index);
-        const int number = is_listing() ? choose_listed(index) : frames_.order()[it.position++];
+        const int number = is_listing() ? choose_listed(index) : it.order[it.position++];
         if (number < 0) {
             return wait(index);
         }
@@ -200,7 +238,7 @@ class Farm {
 
     void try_claim(int index, int number) {
         const bool is_open = frames_[number].state == FrameState::open;
-        ask(is_open ? kClaim : kFailedClaim, Step::tried, index, number);
+        ask(is_open ? kClaim : kReadClaim, Step::tried, index, number);
     }
 
     void tried(int index, int number) {
@@ -217,6 +255,8 @@ class Farm {
             result_.frames_again += 1;
         }
         frames_.claim(number, index, clock_.now());
+        ++worker(index).claim_files;
+        ++claim_files_;
         claim_load_.add(clock_.now(), clock_.now(), 1);
         render(index, number);
     }
@@ -350,6 +390,7 @@ class Farm {
     PeakPerSecond claim_load_;
     FarmResult result_;
     double median_seconds_ = 0;
+    int claim_files_ = 0;  // a task removes its own when it ends
 };
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace carom::bench {
 
 /// How a worker finds frames that nobody has claimed.
 enum class Search {
-    walk,  // looks at every frame of the film in turn; when it waits, at every claim
+    walk,  // looks at every frame of the film in turn, its own share first; when it waits, at every
+           // claim that is left; before all this it reads the claims once, to find leftovers
     list,  // reads the list of claims and frames; when it waits, also a few claims of its choice
 };
 
@@ -29,6 +30,7 @@ struct FarmSettings {
     double slow_nodes = 0;           // share of the nodes
     double slow_factor = 20;         // how much longer a slow node renders
     double heartbeat = 5;            // s
+    double note_seconds = 1;         // between two notes of a worker about itself; 0 = never
     double expiry = 30;              // s without a heartbeat after which a claim is dead
     double poll = 1;                 // s between two looks of a worker that waits
     double longest_poll = 1;         // each wait is twice the one before, up to this, s

@@ -28,7 +28,7 @@ struct Options {
     double film_seconds = 10;
     double frames_per_second = 24;
     double cpus = 1;               // of a worker
-    double encode_seconds = 0.27;  // CPU s to read and encode a frame in the last job
+    double encode_seconds = 0.30;  // CPU s to read and encode a frame in the last job
     std::vector<int> workers = {10, 100, 1000, 10000};
     std::vector<double> budgets = {10};  // min
     double time_limit = 0;               // min
@@ -246,6 +246,8 @@ void describe_store(CLI::App& app, Options& options) {
         ->capture_default_str();
     app.add_option("--heartbeat", farm.heartbeat, "s")->capture_default_str();
     app.add_option("--expiry", farm.expiry, "s until a claim is dead")->capture_default_str();
+    app.add_option("--note", farm.note_seconds, "s between two notes of a worker about itself")
+        ->capture_default_str();
     app.add_option("--poll", farm.poll, "s between two looks of a waiting worker")
         ->capture_default_str();
     app.add_option("--longest-poll", farm.longest_poll, "s; waits double up to this")
