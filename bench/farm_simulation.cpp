@@ -206,7 +206,9 @@ void describe_film(CLI::App& app, Options& options) {
     app.add_option("--quality", options.quality, "draft, preview or final")
         ->capture_default_str()
         ->check(CLI::IsMember({"draft", "preview", "final"}));
-    app.add_option("--film", options.film_seconds, "length of the film, s")->capture_default_str();
+    app.add_option("--film", options.film_seconds, "length of the film, s")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 3600.0));
     app.add_option("--fps", options.frames_per_second)->capture_default_str();
     app.add_option("--frame-bytes", options.farm.frame_bytes)->capture_default_str();
     app.add_option("--encode", options.encode_seconds, "CPU s a frame in the last job")
@@ -215,16 +217,26 @@ void describe_film(CLI::App& app, Options& options) {
 }
 
 void describe_farm(CLI::App& app, Options& options) {
-    app.add_option("--workers", options.workers, "list")->capture_default_str()->delimiter(',');
-    app.add_option("--budget", options.budgets, "list, min")->capture_default_str()->delimiter(',');
-    app.add_option("--cpus", options.cpus, "of a worker")->capture_default_str();
+    app.add_option("--workers", options.workers, "list")
+        ->capture_default_str()
+        ->delimiter(',')
+        ->check(CLI::Range(1, 1'000'000));
+    app.add_option("--budget", options.budgets, "list, min")
+        ->capture_default_str()
+        ->delimiter(',')
+        ->check(CLI::PositiveNumber);
+    app.add_option("--cpus", options.cpus, "of a worker")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
     app.add_option("--time-limit", options.time_limit,
                    "min after which a task is stopped and hands its frame over; 0 = never")
         ->capture_default_str();
     app.add_option("--nodes-lost-per-hour", options.lost_percent, "%")->capture_default_str();
     app.add_option("--slow-nodes", options.slow_percent, "%")->capture_default_str();
     app.add_option("--slow-factor", options.farm.slow_factor)->capture_default_str();
-    app.add_option("--runs", options.runs, "with different random numbers")->capture_default_str();
+    app.add_option("--runs", options.runs, "with different random numbers")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000));
     app.add_option("--starts-per-second", options.farm.starts_per_second, "of tasks")
         ->capture_default_str();
     app.add_option("--next-task", options.farm.next_task_delay, "s from a task to the next")
@@ -237,19 +249,24 @@ void describe_farm(CLI::App& app, Options& options) {
 
 void describe_store(CLI::App& app, Options& options) {
     FarmSettings& farm = options.farm;
-    app.add_option("--latency", farm.store.latency, "s")->capture_default_str();
+    app.add_option("--latency", farm.store.latency, "s")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
     app.add_option("--store-requests", farm.store.requests_per_second, "per second; 0 = any")
         ->capture_default_str();
     app.add_option("--store-bytes", farm.store.bytes_per_second, "per second; 0 = any")
         ->capture_default_str();
     app.add_option("--load-bytes", farm.load_bytes, "that a task reads first")
         ->capture_default_str();
-    app.add_option("--heartbeat", farm.heartbeat, "s")->capture_default_str();
+    app.add_option("--heartbeat", farm.heartbeat, "s")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
     app.add_option("--expiry", farm.expiry, "s until a claim is dead")->capture_default_str();
     app.add_option("--note", farm.note_seconds, "s between two notes of a worker about itself")
         ->capture_default_str();
     app.add_option("--poll", farm.poll, "s between two looks of a waiting worker")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
     app.add_option("--longest-poll", farm.longest_poll, "s; waits double up to this")
         ->capture_default_str();
     app.add_option(
