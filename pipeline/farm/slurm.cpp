@@ -2,6 +2,8 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
+#include <set>
 #include <sstream>
 
 #include <fmt/core.h>
@@ -9,6 +11,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/hash.h"
 #include "pipeline/farm/program.h"
 
 namespace carom::farm {
@@ -20,6 +23,11 @@ constexpr int kGrace = 30;
 
 // Beyond the budget, after which a worker only finishes its frame.
 constexpr double kLastFrame = 1200;
+
+/// Of a stage's job in the queue.
+std::string name_of(const Stage& stage) {
+    return "carom-" + stage.name;
+}
 
 /// A path in a pattern of Slurm, where % begins a replacement.
 std::string pattern_of(const std::string& path) {
@@ -62,12 +70,41 @@ std::int64_t submit(const std::vector<std::string>& words) {
     return number;
 }
 
-std::string comma_separated(const std::vector<std::int64_t>& numbers) {
-    std::string text;
-    for (const std::int64_t number : numbers) {
-        text += (text.empty() ? "" : ",") + std::to_string(number);
+/// Tells the job's tasks from all others in the queue, also if Slurm has lost its numbers and gives
+/// them to others.
+std::string tag_of(const FarmJob& job) {
+    return "carom-" + hash_bytes(std::as_bytes(std::span(job.folder))).to_string();
+}
+
+struct QueuedTask {
+    std::string number;  // of the job
+    std::string state;
+};
+
+/// Empty if Slurm does not answer.
+std::optional<std::vector<QueuedTask>> tasks_of(const FarmJob& job, std::string& problem) {
+    std::string names;
+    for (const Stage& stage : stages()) {
+        names += (names.empty() ? "" : ",") + name_of(stage);
     }
-    return text;
+    const ProgramResult result =
+        run_program({"squeue", "--noheader", "--array", "--name=" + names, "--format=%F %T %k"});
+    if (result.exit_code != 0) {
+        problem = complaint(result);
+        return std::nullopt;
+    }
+    std::vector<QueuedTask> tasks;
+    std::istringstream lines(result.output);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        QueuedTask task;
+        std::string tag;
+        words >> task.number >> task.state >> tag;
+        if (tag == tag_of(job)) {
+            tasks.push_back(std::move(task));
+        }
+    }
+    return tasks;
 }
 
 std::string time_limit(const FarmJob& job) {
@@ -104,12 +141,13 @@ void write_scripts(const FarmJob& job, const std::string& carom) {
 }
 
 std::vector<std::string> submission(const FarmJob& job, const Stage& stage,
-                                    std::optional<std::int64_t> after, int delay) {
+                                    const std::string& after, int delay) {
     std::vector<std::string> words{"sbatch",
                                    "--parsable",
-                                   "--job-name=carom-" + stage.name,
+                                   "--job-name=" + name_of(stage),
                                    "--requeue",
                                    "--open-mode=append",
+                                   "--comment=" + tag_of(job),
                                    fmt::format("--signal=B:TERM@{}", kGrace),
                                    fmt::format("--cpus-per-task={}", job.processors),
                                    fmt::format("--mem={}M", job.memory),
@@ -129,8 +167,8 @@ std::vector<std::string> submission(const FarmJob& job, const Stage& stage,
     if (!job.account.empty()) {
         words.push_back("--account=" + job.account);
     }
-    if (after) {
-        words.push_back(fmt::format("--dependency=afterany:{}", *after));
+    if (!after.empty()) {
+        words.push_back("--dependency=afterany:" + after);
     }
     if (delay > 0) {
         words.push_back(fmt::format("--begin=now+{}seconds", delay));
@@ -143,7 +181,7 @@ SlurmJobs submit_all(const FarmJob& job) {
     SlurmJobs jobs;
     jobs.frames = submit(submission(job, stages()[0], {}, 0));
     try {
-        jobs.film = submit(submission(job, stages()[1], jobs.frames, 0));
+        jobs.film = submit(submission(job, stages()[1], std::to_string(jobs.frames), 0));
     } catch (const Error&) {
         (void)run_program({"scancel", std::to_string(jobs.frames)});
         throw;
@@ -155,40 +193,47 @@ std::int64_t submit_film(const FarmJob& job, int delay) {
     return submit(submission(job, stages()[1], {}, delay));
 }
 
-std::optional<QueueCounts> count_tasks(const std::vector<std::int64_t>& jobs,
-                                       std::string& problem) {
-    const ProgramResult result = run_program(
-        {"squeue", "--noheader", "--array", "--jobs=" + comma_separated(jobs), "--format=%T"});
-    // Slurm forgets jobs some minutes after their end.
-    if (result.exit_code != 0 && result.errors.find("Invalid job id") != std::string::npos) {
-        return QueueCounts{};
-    }
-    if (result.exit_code != 0) {
-        problem = complaint(result);
+std::optional<QueueCounts> count_tasks(const FarmJob& job, std::string& problem) {
+    const std::optional<std::vector<QueuedTask>> tasks = tasks_of(job, problem);
+    if (!tasks) {
         return std::nullopt;
     }
     QueueCounts counts;
-    std::istringstream lines(result.output);
-    for (std::string state; std::getline(lines, state);) {
-        if (state == "PENDING" || state == "REQUEUED" || state == "REQUEUE_HOLD" ||
-            state == "SUSPENDED") {
+    for (const QueuedTask& task : *tasks) {
+        if (task.state == "PENDING" || task.state == "REQUEUED" || task.state == "REQUEUE_HOLD" ||
+            task.state == "SUSPENDED") {
             ++counts.waiting;
-        } else if (state == "RUNNING" || state == "CONFIGURING" || state == "COMPLETING" ||
-                   state == "STOPPED") {
+        } else if (task.state == "RUNNING" || task.state == "CONFIGURING" ||
+                   task.state == "COMPLETING" || task.state == "STOPPED") {
             ++counts.running;
         }
     }
     return counts;
 }
 
-void cancel(const std::vector<std::int64_t>& jobs) {
-    for (const std::int64_t number : jobs) {
-        const ProgramResult result = run_program({"scancel", std::to_string(number)});
-        if (result.exit_code != 0 && result.errors.find("Invalid job id") == std::string::npos &&
-            result.errors.find("already completing or completed") == std::string::npos) {
-            throw Error("Slurm did not cancel job " + std::to_string(number) + ": " +
-                        complaint(result));
+void cancel(const FarmJob& job) {
+    std::string problem;
+    const std::optional<std::vector<QueuedTask>> tasks = tasks_of(job, problem);
+    if (!tasks) {
+        throw Error("Slurm does not answer: " + problem);
+    }
+    std::set<std::string> numbers;
+    for (const QueuedTask& task : *tasks) {
+        numbers.insert(task.number);
+    }
+    for (const std::string& number : numbers) {
+        const ProgramResult result = run_program({"scancel", number});
+        if (result.exit_code != 0) {
+            throw Error("Slurm did not cancel job " + number + ": " + complaint(result));
         }
+    }
+}
+
+void requeue_own_task() {
+    const char* job = std::getenv("SLURM_ARRAY_JOB_ID");
+    const char* task = std::getenv("SLURM_ARRAY_TASK_ID");
+    if (job != nullptr && task != nullptr) {
+        (void)run_program({"scontrol", "requeue", std::string(job) + "_" + task});
     }
 }
 

@@ -24,9 +24,9 @@ struct Stage {
 void write_scripts(const FarmJob& job, const std::string& carom);
 
 /// The words of the command that submits a stage. `after`: the number of the job that has to end
-/// before, whichever way; `delay`: seconds to wait.
+/// before, whichever way, or empty; `delay`: seconds to wait.
 [[nodiscard]] std::vector<std::string> submission(const FarmJob& job, const Stage& stage,
-                                                  std::optional<std::int64_t> after, int delay);
+                                                  const std::string& after, int delay);
 
 /// Submits the frames, and the film after them. Throws Error with Slurm's own message; what was
 /// submitted until then is cancelled.
@@ -35,18 +35,20 @@ void write_scripts(const FarmJob& job, const std::string& carom);
 /// Submits the film's stage alone. Returns its number. Throws Error.
 [[nodiscard]] std::int64_t submit_film(const FarmJob& job, int delay);
 
-/// How many tasks of these jobs wait in the queue or run.
+/// How many tasks of a job wait in the queue or run.
 struct QueueCounts {
     std::int64_t waiting = 0;
     std::int64_t running = 0;
 };
 
 /// Empty if Slurm does not answer; `problem` is its message then.
-[[nodiscard]] std::optional<QueueCounts> count_tasks(const std::vector<std::int64_t>& jobs,
-                                                     std::string& problem);
+[[nodiscard]] std::optional<QueueCounts> count_tasks(const FarmJob& job, std::string& problem);
 
-/// Takes the jobs out of the queue and stops what runs. Throws Error.
-void cancel(const std::vector<std::int64_t>& jobs);
+/// Takes all tasks of the job out of the queue and stops those that run. Throws Error.
+void cancel(const FarmJob& job);
+
+/// Asks Slurm to run the task again in which this program runs, if it is one of an array.
+void requeue_own_task();
 
 /// The text as one word of a shell's command.
 [[nodiscard]] std::string shell_word(const std::string& text);

@@ -180,13 +180,15 @@ std::optional<Claim> Claims::claim(const std::string& name) {
 
 /// The file of a claim under a name of its own, locked.
 FileDescriptor Claims::make_draft(const std::string& path, const ClaimNote& note) const {
-    if (!write_new(path, text_of(note))) {
-        if (errno == ENOENT) {
-            create_folder(folder_);
-        }
-        if (!write_new(path, text_of(note))) {
-            throw Error(system_problem(path, "a claim cannot be written"));
-        }
+    bool is_written = write_new(path, text_of(note));
+    if (!is_written && errno == ENOENT) {
+        create_folder(folder_);
+        is_written = write_new(path, text_of(note));
+    }
+    if (!is_written) {
+        const std::string problem = system_problem(path, "a claim cannot be written");
+        ::unlink(path.c_str());
+        throw Error(problem);
     }
     FileDescriptor file(::open(path.c_str(), O_RDWR | O_CLOEXEC));
     lock_own(file.get());

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <system_error>
 #include <thread>
 
 #include <fmt/core.h>
@@ -12,6 +13,7 @@
 #include "pipeline/cli/terminal/duration_text.h"
 #include "pipeline/farm/slurm.h"
 #include "pipeline/farm/worker_file.h"
+#include "pipeline/store/cache_maintenance.h"
 
 namespace carom::cli {
 namespace {
@@ -32,9 +34,9 @@ struct State {
     std::vector<farm::WorkerNote> workers;
 };
 
-std::string state_in_queue(const farm::SlurmJobs& slurm, std::string& message) {
+std::string state_in_queue(const FarmJob& job, std::string& message) {
     std::string problem;
-    const auto counts = farm::count_tasks({slurm.frames, slurm.film}, problem);
+    const auto counts = farm::count_tasks(job, problem);
     if (!counts) {
         message = "Slurm does not answer: " + problem;
         return "running";
@@ -47,6 +49,17 @@ std::string state_in_queue(const farm::SlurmJobs& slurm, std::string& message) {
     }
     message = "Slurm's queue has nothing of this job; 'carom farm resume' submits it again";
     return "failed";
+}
+
+/// Workers cannot note why they ended if the store is full.
+std::string problem_of_store(const FarmJob& job) {
+    constexpr std::uintmax_t kLeast = 10000000;  // bytes
+    std::error_code failure;
+    const fs::space_info space = fs::space(job.store, failure);
+    return !failure && space.available < kLeast
+               ? fmt::format("; the store '{}' has only {} of space left", job.store,
+                             pipeline::size_text(space.available))
+               : std::string();
 }
 
 State state_of(const FarmJob& job, const FarmFrames& frames) {
@@ -63,7 +76,16 @@ State state_of(const FarmJob& job, const FarmFrames& frames) {
         state.message = end->message;
         return state;
     }
-    state.state = state_in_queue(state.slurm, state.message);
+    state.state = state_in_queue(job, state.message);
+    if (state.state == "failed") {
+        state.message += problem_of_store(job);
+    }
+    for (const farm::WorkerNote& worker : state.workers) {
+        if (state.state == "failed" && !worker.problem.empty()) {
+            state.message += "; worker " + worker.name + ": " + worker.problem;
+            break;
+        }
+    }
     // The last task may have ended between the two questions.
     if (const auto end = farm::read_end(job)) {
         state.state = end->state;

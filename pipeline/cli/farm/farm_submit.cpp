@@ -50,7 +50,9 @@ std::int64_t megabytes_of(const FarmCommand& command, const pipeline::Shot& shot
         return static_cast<std::int64_t>(bytes / kMegabyte) + 100;
     }
     try {
-        return static_cast<std::int64_t>(pipeline::parse_cache_size(command.memory) / kMegabyte);
+        const bool is_short = !command.memory.empty() && command.memory.back() != 'B';
+        const std::string size = command.memory + (is_short ? "B" : "");  // Slurm's "500M"
+        return static_cast<std::int64_t>(pipeline::parse_cache_size(size) / kMegabyte);
     } catch (const Error& error) {
         throw InputError(std::string("--mem: ") + error.what());
     }
@@ -111,17 +113,23 @@ void print_submissions(FarmJob job) {
     job.folder = job.store + "/farm/JOB";
     std::string text;
     for (const farm::Stage& stage : farm::stages()) {
-        text += command_text(farm::submission(job, stage, {}, 0)) + "\n";
+        text +=
+            command_text(farm::submission(job, stage, stage.is_array ? "" : "FRAMES", 0)) + "\n";
     }
     print_text(text);
 }
 
-/// Submits a job that has its folder.
-SlurmJobs submit_now(const FarmJob& job, std::int64_t round, std::int64_t missing) {
+/// Submits a job that has its folder. The record is there before Slurm has anything to run: a store
+/// that cannot be written to must not lead to tasks of which nobody knows.
+SlurmJobs submit_now(const FarmJob& job, std::int64_t missing) {
+    farm::write_slurm_jobs(job, {0, 0, 1, missing});
     SlurmJobs slurm = farm::submit_all(job);
-    slurm.round = round;
     slurm.missing = missing;
-    farm::write_slurm_jobs(job, slurm);
+    const std::optional<SlurmJobs> known = farm::read_slurm_jobs(job);
+    if (known &&
+        known->round == slurm.round) {  // else the last task was quicker, and submitted again
+        farm::write_slurm_jobs(job, slurm);
+    }
     return slurm;
 }
 
@@ -142,6 +150,7 @@ void farm_submit(const FarmCommand& command, CommandContext& context) {
     const CacheOptions cache{store_of(command), "none"};
     pipeline::FilmJobOptions options = job_options(cache, command.frames, "");
     (void)count_job_frames(input.shot, options, command.frames, context.console);
+    (void)job_of(command, input, 0);  // its problems before the simulation
     sim::Bake bake = obtain_bake(input, command.input, cache, context);
     const pipeline::FilmStatus status =
         pipeline::film_status(input.shot, bake, options, context.stop);
@@ -159,7 +168,7 @@ void farm_submit(const FarmCommand& command, CommandContext& context) {
         farm::write_scripts(job, own_program());
         const FarmFilm film = read_film(job, context);
         FarmFrames(film, context.stop).pin(job, film);
-        const SlurmJobs slurm = submit_now(job, 1, std::ssize(status.missing));
+        const SlurmJobs slurm = submit_now(job, std::ssize(status.missing));
         print_job(job, slurm);
     } catch (...) {
         FarmFrames::unpin(job);
@@ -176,34 +185,43 @@ void farm_submit(const FarmCommand& command, CommandContext& context) {
 
 void farm_resume(const FarmCommand& command, CommandContext& context) {
     const FarmJob job = find_job(command);
-    const std::optional<SlurmJobs> known = farm::read_slurm_jobs(job);
-    if (known) {
-        std::string problem;
-        const auto counts = farm::count_tasks({known->frames, known->film}, problem);
-        if (!counts) {
-            throw Error("Slurm does not answer: " + problem);
-        }
-        if (counts->running + counts->waiting > 0 && !farm::read_end(job)) {
-            context.console.info("the job is in Slurm's queue");
-            return print_job(job, *known);
-        }
-        farm::cancel({known->frames, known->film});
+    std::string problem;
+    const auto counts = farm::count_tasks(job, problem);
+    if (!counts) {
+        throw Error("Slurm does not answer: " + problem);
     }
+    if (counts->running + counts->waiting > 0 && !farm::read_end(job)) {
+        context.console.info("the job is in Slurm's queue");
+        return print_job(job, farm::read_slurm_jobs(job).value_or(SlurmJobs{}));
+    }
+    farm::cancel(job);
     farm::remove_end(job);
     farm::write_scripts(job, own_program());
     const FarmFilm film = read_film(job, context);
     const FarmFrames frames(film, context.stop);
     frames.pin(job, film);
-    print_job(job, submit_now(job, 1, frames.count() - frames.stored()));
+    print_job(job, submit_now(job, frames.count() - frames.stored()));
     tell_how_to_look(job, context);
 }
 
 void farm_cancel(const FarmCommand& command, CommandContext& context) {
     const FarmJob job = find_job(command);
-    // First, so that a last task that runs just now does not submit workers again.
-    farm::write_end(job, {"stopped", "the job was cancelled"});
-    if (const std::optional<SlurmJobs> slurm = farm::read_slurm_jobs(job)) {
-        farm::cancel({slurm->film, slurm->frames});
+    const auto known = farm::read_end(job);
+    if (known && known->state == "complete") {
+        context.console.info("the film is complete");
+        return;
+    }
+    // First, so that a last task that runs just now does not submit workers again. What runs is
+    // stopped even if the store is full.
+    std::string problem;
+    try {
+        farm::write_end(job, {"stopped", "the job was cancelled"});
+    } catch (const Error& error) {
+        problem = error.what();
+    }
+    farm::cancel(job);
+    if (!problem.empty()) {
+        throw Error("the job's tasks are stopped, but its record cannot be written: " + problem);
     }
     FarmFrames::unpin(job);
     context.console.info("the job is stopped; 'carom farm resume' goes on with it");

@@ -25,7 +25,9 @@ using farm::WorkerNote;
 
 constexpr int kAttempts = 3;     // of a worker whose store fails
 constexpr int kMostRounds = 20;  // of workers, and of attempts to write the film
-constexpr int kPause = 10;       // seconds, before another attempt to write the film
+constexpr int kRoundsWithoutProgress = 3;
+constexpr int kMostRestarts = 100;  // of a task that Slurm stops
+constexpr int kPause = 10;          // seconds, before another attempt to write the film
 
 std::string variable(const char* name) {
     const char* value = std::getenv(name);
@@ -129,26 +131,71 @@ pipeline::WorkerResult work(const FarmJob& job, const FarmFilm& film, Note& note
         [&](const pipeline::WorkerState& state) { note.tell(state); }, context.stop);
 }
 
-/// The rest of a round: what is to be done if frames are missing or the film cannot be written.
+[[noreturn]] void give_up(const FarmJob& job, const std::string& problem) {
+    farm::write_end(job, {"failed", problem});
+    throw Error(problem);
+}
+
+/// The problem of a worker, if there is one.
+std::string problem_of_workers(const FarmJob& job) {
+    for (const WorkerNote& note : farm::read_workers(job)) {
+        if (!note.problem.empty()) {
+            return "; worker " + note.name + ": " + note.problem;
+        }
+    }
+    return "";
+}
+
+/// What is to be done if frames are missing or the film cannot be written. The next round is noted
+/// before it is submitted: a store that cannot be written to ends the job.
 void submit_again(const FarmJob& job, SlurmJobs slurm, std::int64_t missing,
                   const std::string& problem, CommandContext& context) {
     if (farm::read_end(job)) {
         throw Error(problem + "; the job was cancelled");
     }
     if (slurm.round >= kMostRounds) {
-        farm::write_end(job, {"failed", problem});
-        throw Error(problem + "; this was the last attempt");
+        give_up(job, problem + "; this was the last attempt");
     }
-    const std::int64_t round = slurm.round + 1;
+    if (missing > 0 && missing >= slurm.missing && slurm.round >= kRoundsWithoutProgress) {
+        give_up(job, problem + "; the last workers finished no frame" + problem_of_workers(job));
+    }
+    ++slurm.round;
+    slurm.missing = missing;
+    farm::write_slurm_jobs(job, slurm);
     if (missing > 0) {
-        slurm = farm::submit_all(job);
+        const SlurmJobs submitted = farm::submit_all(job);
+        slurm.frames = submitted.frames;
+        slurm.film = submitted.film;
     } else {
         slurm.film = farm::submit_film(job, kPause);
     }
-    slurm.round = round;
-    slurm.missing = missing;
     farm::write_slurm_jobs(job, slurm);
     context.console.warning(problem + "; submitted again");
+}
+
+/// Writes the film. Returns the frames that are missing, and writes nothing then.
+std::vector<std::int64_t> write_film(const FarmJob& job, CommandContext& context) {
+    FarmFilm film = read_film(job, context);
+    film.options.output = job.film;
+    const pipeline::FilmStatus status =
+        pipeline::film_status(film.input.shot, film.bake, film.options, context.stop);
+    if (!status.missing.empty()) {
+        return status.missing;
+    }
+    (void)pipeline::mux_film(film.input.shot, film.bake, film.options,
+                             make_console_observer(context.console, std::ssize(status.frames)),
+                             context.stop);
+    context.console.end_progress();
+    FarmFrames(film, context.stop).forget_claims();
+    return {};
+}
+
+/// Slurm runs a stopped worker again, unless the user has stopped the job.
+void ask_for_another_run(const FarmJob& job) {
+    const std::int64_t runs = std::strtoll(variable("SLURM_RESTART_COUNT").c_str(), nullptr, 10);
+    if (runs < kMostRestarts && !farm::read_end(job)) {
+        farm::requeue_own_task();
+    }
 }
 
 }  // namespace
@@ -169,6 +216,7 @@ void farm_work(const FarmCommand& command, CommandContext& context) {
             throw;
         } catch (const Stopped&) {
             note.end("stopped");
+            ask_for_another_run(job);
             throw;
         } catch (const Error& error) {
             if (attempt == kAttempts) {
@@ -185,28 +233,22 @@ void farm_work(const FarmCommand& command, CommandContext& context) {
 void farm_finish(const FarmCommand& command, CommandContext& context) {
     const FarmJob job = find_job(command);
     const SlurmJobs slurm = farm::read_slurm_jobs(job).value_or(SlurmJobs{});
-    FarmFilm film = read_film(job, context);
-    film.options.output = job.film;
-    const pipeline::FilmStatus status =
-        pipeline::film_status(film.input.shot, film.bake, film.options, context.stop);
-    const auto missing = std::ssize(status.missing);
-    if (missing > 0) {
-        const std::string problem =
-            fmt::format("{} of {} frames are missing: {}", missing, std::ssize(status.frames),
-                        pipeline::frames_text(status.missing));
-        return submit_again(job, slurm, missing, problem, context);
-    }
+    std::vector<std::int64_t> missing;
+    std::string problem;
     try {
-        (void)pipeline::mux_film(film.input.shot, film.bake, film.options,
-                                 make_console_observer(context.console, std::ssize(status.frames)),
-                                 context.stop);
+        missing = write_film(job, context);
     } catch (const Stopped&) {
         throw;
     } catch (const Error& error) {
-        return submit_again(job, slurm, 0, error.what(), context);
+        problem = error.what();
     }
-    context.console.end_progress();
-    FarmFrames(film, context.stop).forget_claims();
+    if (!missing.empty()) {
+        problem = fmt::format("{} frames are missing: {}", missing.size(),
+                              pipeline::frames_text(missing));
+    }
+    if (!problem.empty()) {
+        return submit_again(job, slurm, std::ssize(missing), problem, context);
+    }
     FarmFrames::unpin(job);
     farm::write_end(job, {"complete", ""});
     print_path(job.film);
