@@ -8,9 +8,9 @@
 namespace carom::pipeline {
 namespace {
 
-constexpr int kBlocksAtOnce = 4;       // per frame
-constexpr int kFewestBlocks = 12;      // per frame of a sequence, so that its size can be scaled up
-constexpr int kMostBlocks = 64;        // per frame: more tell little that is new
+constexpr int kBlocksAtOnce = 2;       // per frame
+constexpr int kFewestBlocks = 6;       // per frame of a sequence, so that its size can be scaled up
+constexpr int kMostBlocks = 20;        // per frame: more tell little that is new
 constexpr int kSequence = 4;           // pictures
 constexpr double kCertain = 0.01;      // relative standard error of a frame's time
 constexpr double kPart = 0.1;          // of a film's time that its forecast may take ...

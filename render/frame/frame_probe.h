@@ -19,12 +19,12 @@ struct ProbeCost {
 };
 
 /// Renders blocks of a frame with all of their samples, exactly as render_frame does, in an order
-/// that spreads them over the frame. With adaptive sampling the blocks that are measured together
-/// stand for the frame when samples are planned. For one thread at a time; work runs in the arena
-/// of the caller.
+/// that spreads them over the frame. With adaptive sampling all blocks measured so far stand for
+/// the frame when samples are planned. For one thread at a time; work runs in the arena of the
+/// caller.
 class FrameProbe {
   public:
-    static constexpr int kBlockSize = 32;  // pixels a side: 2 x 2 tiles
+    static constexpr int kBlockSize = 64;  // pixels a side: 4 x 4 tiles
 
     /// `scene` must outlive it; the other arguments need not. Throws as render_frame does.
     FrameProbe(const PreparedScene& scene, std::span<const sim::Track> tracks,
