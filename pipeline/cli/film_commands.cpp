@@ -176,7 +176,7 @@ void film_shot(ShotInput input, const std::string& path, const RenderCommand& co
         const pipeline::FilmStatus status =
             pipeline::film_status(input.shot, bake, options, context.stop);
         print_status(status);
-        if (!status.missing.empty()) {
+        if (!status.missing.empty() && context.console.prints_info()) {
             report_forecast(
                 pipeline::forecast_film(input.shot, bake, status.missing, options, context.stop),
                 pipeline::thread_count(options.threads), context.console);

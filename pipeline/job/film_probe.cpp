@@ -162,9 +162,11 @@ void FilmProbe::measure(const render::PreparedScene& scene, bool sequences, doub
     }
     for (int count = kFewestBlocks; count <= kMostBlocks; count += kBlocksAtOnce) {
         for (SiteMeasurement& site : sites_) {
-            const bool is_needed = count == kFewestBlocks ||
-                                   (!is_certain(site) && process_cpu_seconds() - begin < budget);
-            if (!site.frames.empty() && is_needed) {
+            if (site.frames.empty()) {
+                continue;
+            }
+            if (count == kFewestBlocks ||
+                (!is_certain(site) && process_cpu_seconds() - begin < budget)) {
                 add_blocks(site, count, limit);
             }
         }
