@@ -121,14 +121,16 @@ FilmForecast forecast_film(const Shot& shot, const sim::Bake& bake,
         return forecast;
     }
     const double begin = process_cpu_seconds();
-    CpuLimit limit(settings.cpu_limit, stop);
+    constexpr double kForBlocks = 0.93;  // of the time; the rest is for measuring files
+    const double seconds = kForBlocks * settings.cpu_limit;
+    CpuLimit limit(seconds, stop);
     render::ThreadArena arena(options.threads);
     arena.execute([&] {
         const render::PreparedScene scene(shot.scene, shot.render, options.factory);
         forecast.preparation_seconds = process_cpu_seconds() - begin;
         FilmProbe probe(source, plan, pictures);
         probe.measure(scene, has_sequences(shot, options.output),
-                      settings.cpu_limit - forecast.preparation_seconds, limit.token());
+                      seconds - forecast.preparation_seconds, limit.token());
         if (stop.stop_requested()) {
             throw Stopped();
         }

@@ -1,6 +1,7 @@
 #include "pipeline/job/film_probe.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/cpu_time.h"
@@ -8,9 +9,10 @@
 namespace carom::pipeline {
 namespace {
 
-constexpr int kBlocksAtOnce = 2;       // per frame
-constexpr int kFewestBlocks = 6;       // per frame of a sequence, so that its size can be scaled up
-constexpr int kMostBlocks = 20;        // per frame: more tell little that is new
+/// Blocks of one size. Large ones tell most about the size of a film, small ones suffice for time.
+constexpr std::array kPlans{BlockPlan{64, 2, 6, 20}, BlockPlan{32, 4, 12, 64},
+                            BlockPlan{16, 4, 24, 200}};
+constexpr double kMostFrames = 1000;   // in sequences, of all sites
 constexpr int kSequence = 4;           // pictures
 constexpr double kCertain = 0.01;      // relative standard error of a frame's time
 constexpr double kPart = 0.1;          // of a film's time that its forecast may take ...
@@ -54,7 +56,7 @@ std::size_t SiteMeasurement::common_blocks() const {
 
 FilmProbe::FilmProbe(const FilmSource& source, const FilmPlan& plan,
                      const std::vector<std::size_t>& pictures)
-    : source_(source), plan_(plan) {
+    : source_(source), plan_(plan), plan_of_blocks_(kPlans.back()) {
     for (const std::size_t picture : pictures) {
         const FilmPlan::Picture& planned = plan.pictures[picture];
         const std::string rig = source.layers(planned.frame).at(planned.layer).rig;
@@ -98,7 +100,8 @@ bool FilmProbe::open_frame(SiteMeasurement& site, const render::PreparedScene& s
     }
     const FilmPlan::Picture& picture = plan_.pictures[site.site.pictures[site.frames.size()]];
     const FrameInputs inputs = source_.inputs(source_.layers(picture.frame).at(picture.layer));
-    site.frames.emplace_back(scene, inputs.tracks, inputs.frame, source_.shot().render);
+    site.frames.emplace_back(scene, inputs.tracks, inputs.frame, source_.shot().render,
+                             plan_of_blocks_.size);
     site.blocks.emplace_back();
     return true;
 }
@@ -109,7 +112,7 @@ void FilmProbe::add_blocks(SiteMeasurement& site, int count, const std::stop_tok
         while (std::ssize(site.blocks[i]) < count && site.frames[i].blocks_left() > 0 &&
                !limit.stop_requested()) {
             std::vector<render::Film> more =
-                site.frames[i].render_blocks(kBlocksAtOnce, {{}, limit});
+                site.frames[i].render_blocks(plan_of_blocks_.at_once, {{}, limit});
             std::move(more.begin(), more.end(), std::back_inserter(site.blocks[i]));
         }
     }
@@ -144,28 +147,57 @@ void FilmProbe::extend_sequences(const render::PreparedScene& scene, std::size_t
     }
 }
 
+/// Measures a few small blocks of each site, replaces them by blocks of a size that the budget
+/// allows, and returns the budget in CPU seconds.
+double FilmProbe::scout(const render::PreparedScene& scene, double seconds,
+                        const std::stop_token& limit) {
+    for (SiteMeasurement& site : sites_) {
+        if (!limit.stop_requested() && open_frame(site, scene)) {
+            add_blocks(site, kPlans.back().at_once, limit);
+        }
+    }
+    const double film = film_seconds();
+    const double budget = std::min(seconds, std::max(kLeastSeconds, kPart * film));
+    double pictures = 0;
+    for (const ProbeCamera& camera : cameras_) {
+        pictures += static_cast<double>(camera.pictures.size());
+    }
+    const render::RenderSettings& settings = source_.shot().render;
+    const double per_pixel = film / pictures / settings.width / settings.height;
+    const auto found = std::find_if(kPlans.begin(), kPlans.end(), [&](const BlockPlan& plan) {
+        return per_pixel * plan.size * plan.size * plan.fewest *
+                   static_cast<double>(sites_.size()) <
+               kSequencePart * budget;
+    });
+    if (found != kPlans.end() && found->size > plan_of_blocks_.size) {
+        plan_of_blocks_ = *found;
+        for (SiteMeasurement& site : sites_) {
+            site.frames.clear();
+            site.blocks.clear();
+            if (!limit.stop_requested()) {
+                (void)open_frame(site, scene);
+            }
+        }
+    }
+    per_frame_ = per_pixel * plan_of_blocks_.size * plan_of_blocks_.size * plan_of_blocks_.fewest;
+    return budget;
+}
+
 void FilmProbe::measure(const render::PreparedScene& scene, bool sequences, double seconds,
                         const std::stop_token& limit) {
     const double begin = process_cpu_seconds();
-    for (SiteMeasurement& site : sites_) {
-        if (!limit.stop_requested() && open_frame(site, scene)) {
-            add_blocks(site, kBlocksAtOnce, limit);
-        }
+    const double budget = scout(scene, seconds, limit);
+    if (sequences && per_frame_ > 0) {
+        const double frames = kSequencePart * budget / per_frame_;
+        extend_sequences(scene, static_cast<std::size_t>(std::min(frames, kMostFrames)), limit);
     }
-    const double per_site = (process_cpu_seconds() - begin) / static_cast<double>(sites_.size());
-    const double budget = std::min(seconds, std::max(kLeastSeconds, kPart * film_seconds()));
-    if (sequences) {
-        // What a site costs decides how many pictures in a row can be afforded.
-        const double per_frame = per_site * kFewestBlocks / kBlocksAtOnce;
-        extend_sequences(scene, static_cast<std::size_t>(kSequencePart * budget / per_frame),
-                         limit);
-    }
-    for (int count = kFewestBlocks; count <= kMostBlocks; count += kBlocksAtOnce) {
+    for (int count = plan_of_blocks_.at_once; count <= plan_of_blocks_.most;
+         count += plan_of_blocks_.at_once) {
         for (SiteMeasurement& site : sites_) {
             if (site.frames.empty()) {
                 continue;
             }
-            if (count == kFewestBlocks ||
+            if (count <= plan_of_blocks_.fewest ||
                 (!is_certain(site) && process_cpu_seconds() - begin < budget)) {
                 add_blocks(site, count, limit);
             }

@@ -33,6 +33,14 @@ struct SiteMeasurement {
     [[nodiscard]] std::size_t common_blocks() const;
 };
 
+/// Blocks of one size, and how many of them are measured of a frame.
+struct BlockPlan {
+    int size = 0;     // pixels a side
+    int at_once = 0;  // rendered
+    int fewest = 0;   // so that sizes can be scaled up
+    int most = 0;     // more tell little that is new
+};
+
 /// Measures a film within a limit of CPU time. Refers to its arguments. For one thread.
 class FilmProbe {
   public:
@@ -46,6 +54,9 @@ class FilmProbe {
     void measure(const render::PreparedScene& scene, bool sequences, double seconds,
                  const std::stop_token& limit);
 
+    /// Of the blocks, pixels a side.
+    [[nodiscard]] int block_size() const { return plan_of_blocks_.size; }
+
     [[nodiscard]] const std::vector<ProbeCamera>& cameras() const { return cameras_; }
     /// Of those sites of which at least one block was measured.
     [[nodiscard]] const std::vector<SiteMeasurement>& sites() const { return sites_; }
@@ -54,6 +65,7 @@ class FilmProbe {
     void choose_sites();
     bool open_frame(SiteMeasurement& site, const render::PreparedScene& scene);
     [[nodiscard]] double film_seconds() const;
+    double scout(const render::PreparedScene& scene, double seconds, const std::stop_token& limit);
     void extend_sequences(const render::PreparedScene& scene, std::size_t frames,
                           const std::stop_token& limit);
     void add_blocks(SiteMeasurement& site, int count, const std::stop_token& limit);
@@ -62,6 +74,8 @@ class FilmProbe {
     const FilmPlan& plan_;
     std::vector<ProbeCamera> cameras_;
     std::vector<SiteMeasurement> sites_;
+    BlockPlan plan_of_blocks_;
+    double per_frame_ = 0;  // s, of the fewest blocks
 };
 
 /// Blocks side by side, in rows of `columns`. All blocks have the same size and channels.

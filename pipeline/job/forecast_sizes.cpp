@@ -137,7 +137,7 @@ double count_changes(const FilmPlan& plan) {
 }
 
 double film_bytes(const Shot& shot, const FilmPlan& plan, const std::string& output,
-                  const FilmPixelCost& cost) {
+                  const FilmPixelCost& cost, int block_size) {
     const double pixels = static_cast<double>(shot.render.width) * shot.render.height;
     const auto frames = static_cast<double>(plan.frames.size());
     const double fps = shot.timing.fps.to_double();
@@ -151,11 +151,12 @@ double film_bytes(const Shot& shot, const FilmPlan& plan, const std::string& out
     }
     constexpr double kSecondsBetweenKeyFrames = 2;  // as in encoder_options.cpp
     // At the edges of its blocks a mosaic has nothing to predict the next picture from, so the film
-    // needs less: 0.76 to 1.05 times as much in five films (docs/developers/forecast.md).
-    constexpr double kWithoutEdges = 0.9;
+    // needs less: 0.76 to 1.05 times as much with blocks of 64 pixels in five films, 0.42 to 0.95
+    // times with blocks of 32 (docs/developers/forecast.md). That of 16 is extrapolated.
+    const double without_edges = block_size >= 64 ? 0.9 : block_size >= 32 ? 0.65 : 0.4;
     // If a film is too expensive to measure two pictures in a row.
     constexpr double kFurtherPerKey = 0.3;
-    const double per_pixel = cost.further_bytes > 0 ? kWithoutEdges * cost.further_bytes
+    const double per_pixel = cost.further_bytes > 0 ? without_edges * cost.further_bytes
                                                     : kFurtherPerKey * cost.key_bytes;
     const double keys = std::ceil(frames / (kSecondsBetweenKeyFrames * fps));
     const double further = std::max(0.0, count_changes(plan) - keys);
@@ -184,7 +185,8 @@ void add_film(const FilmSource& source, const FilmPlan& plan, const FilmProbe& p
     const FilmPixelCost cost = mean_cost<FilmPixelCost>(
         probe, {&FilmPixelCost::key_bytes, &FilmPixelCost::further_bytes, &FilmPixelCost::seconds},
         [&](const SiteMeasurement& site) { return sequence_cost(site, shot, view, output); });
-    forecast.film_bytes = static_cast<std::uint64_t>(film_bytes(shot, plan, output, cost));
+    forecast.film_bytes =
+        static_cast<std::uint64_t>(film_bytes(shot, plan, output, cost, probe.block_size()));
     forecast.encoding_seconds = frames * pixels * cost.seconds;
 }
 

@@ -15,14 +15,16 @@ namespace carom::render {
 namespace {
 
 constexpr int kSide = TileRenderer::kTileSize;
+static_assert(kSide == FrameProbe::kSmallestBlock);
 constexpr std::size_t kTilePixels = std::size_t{kSide} * kSide;
 
 }  // namespace
 
 struct FrameProbe::Data {
     Data(const PreparedScene& scene, std::span<const sim::Track> tracks, const FrameInput& frame,
-         const RenderSettings& settings)
-        : work(scene, tracks, frame, settings), blocks(settings.width, settings.height) {}
+         const RenderSettings& settings, int block_size)
+        : work(scene, tracks, frame, settings),
+          blocks(settings.width, settings.height, block_size) {}
 
     [[nodiscard]] bool sample(std::size_t first, const SampleLimit& limit,
                               const std::stop_token& stop);
@@ -119,7 +121,7 @@ std::vector<Film> FrameProbe::Data::films(const std::vector<ProbeBlock>& chosen,
     std::vector<Film> films;
     films.reserve(chosen.size());
     for (const ProbeBlock& block : chosen) {
-        films.push_back(cut_block(whole, block));
+        films.push_back(cut_block(whole, block, blocks.size()));
     }
     return films;
 }
@@ -162,10 +164,11 @@ double FrameProbe::Data::reflection_seconds() const {
 }
 
 FrameProbe::FrameProbe(const PreparedScene& scene, std::span<const sim::Track> tracks,
-                       const FrameInput& frame, const RenderSettings& settings) {
+                       const FrameInput& frame, const RenderSettings& settings, int block_size) {
+    CAROM_ASSERT(block_size > 0 && block_size % kSmallestBlock == 0);
     const FlushDenormals flush;  // while Embree builds
     const double begin = process_cpu_seconds();
-    data_ = std::make_unique<Data>(scene, tracks, frame, settings);
+    data_ = std::make_unique<Data>(scene, tracks, frame, settings, block_size);
     data_->preparation = process_cpu_seconds() - begin;
 }
 
@@ -191,7 +194,7 @@ std::vector<Film> FrameProbe::render_blocks(int count, const WorkContext& contex
         const std::vector<int> plan = data.plan();
         is_complete = data.sample(first, SampleLimit::planned(plan), context.stop);
     }
-    const std::vector<Film> films = is_complete ? data.films(chosen, first) : std::vector<Film>();
+    std::vector<Film> films = is_complete ? data.films(chosen, first) : std::vector<Film>();
     data.update_cost();
     return films;
 }

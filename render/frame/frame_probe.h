@@ -24,11 +24,12 @@ struct ProbeCost {
 /// caller.
 class FrameProbe {
   public:
-    static constexpr int kBlockSize = 64;  // pixels a side: 4 x 4 tiles
+    static constexpr int kSmallestBlock = 16;  // pixels a side: one tile
 
-    /// `scene` must outlive it; the other arguments need not. Throws as render_frame does.
+    /// `block_size`: a multiple of the smallest. `scene` must outlive it; the other arguments need
+    /// not. Throws as render_frame does.
     FrameProbe(const PreparedScene& scene, std::span<const sim::Track> tracks,
-               const FrameInput& frame, const RenderSettings& settings);
+               const FrameInput& frame, const RenderSettings& settings, int block_size);
     ~FrameProbe();
     FrameProbe(FrameProbe&&) noexcept;
     FrameProbe& operator=(FrameProbe&&) noexcept;

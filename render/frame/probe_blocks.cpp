@@ -4,15 +4,12 @@
 #include <array>
 #include <cmath>
 
-#include "render/frame/frame_probe.h"
 #include "render/frame/tile_renderer.h"
 
 namespace carom::render {
 namespace {
 
 constexpr int kSide = TileRenderer::kTileSize;
-constexpr int kBlock = FrameProbe::kBlockSize;
-constexpr int kTilesAcross = kBlock / kSide;
 
 int divided_up(int value, int by) {
     return (value + by - 1) / by;
@@ -32,11 +29,12 @@ std::array<double, 2> even_point(int n) {
 
 }  // namespace
 
-ProbeBlocks::ProbeBlocks(int width, int height)
+ProbeBlocks::ProbeBlocks(int width, int height, int size)
     : width_(width),
       height_(height),
-      columns_(divided_up(width, kBlock)),
-      rows_(divided_up(height, kBlock)) {}
+      size_(size),
+      columns_(divided_up(width, size)),
+      rows_(divided_up(height, size)) {}
 
 int ProbeBlocks::left() const {
     return columns_ * rows_ - static_cast<int>(used_.size());
@@ -58,9 +56,10 @@ std::vector<ProbeBlock> ProbeBlocks::next(int count) {
 
 void ProbeBlocks::add_tiles(const ProbeBlock& block, std::size_t number,
                             std::vector<ProbedTile>& tiles) const {
-    for (int i = 0; i < kTilesAcross * kTilesAcross; ++i) {
-        const int x = block.x * kTilesAcross + i % kTilesAcross;  // counted in tiles
-        const int y = block.y * kTilesAcross + i / kTilesAcross;
+    const int across = size_ / kSide;
+    for (int i = 0; i < across * across; ++i) {
+        const int x = block.x * across + i % across;  // counted in tiles
+        const int y = block.y * across + i / across;
         ProbedTile tile;
         tile.index = y * divided_up(width_, kSide) + x;
         tile.left = x * kSide;
@@ -74,16 +73,16 @@ void ProbeBlocks::add_tiles(const ProbeBlock& block, std::size_t number,
     }
 }
 
-Film cut_block(const Film& whole, const ProbeBlock& block) {
+Film cut_block(const Film& whole, const ProbeBlock& block, int size) {
     Film film;
-    film.width = kBlock;
-    film.height = kBlock;
+    film.width = size;
+    film.height = size;
     for (const Channel& channel : whole.aovs) {
         film.aovs.push_back({channel.name, {}});
     }
-    for (int i = 0; i < kBlock * kBlock; ++i) {
-        const int x = std::min(block.x * kBlock + i % kBlock, whole.width - 1);
-        const int y = std::min(block.y * kBlock + i / kBlock, whole.height - 1);
+    for (int i = 0; i < size * size; ++i) {
+        const int x = std::min(block.x * size + i % size, whole.width - 1);
+        const int y = std::min(block.y * size + i / size, whole.height - 1);
         const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(whole.width) +
                            static_cast<std::size_t>(x);
         const float* rgba = &whole.rgba[4 * pixel];

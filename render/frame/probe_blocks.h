@@ -34,7 +34,9 @@ struct ProbedTile {
 /// Chooses blocks in an order that spreads them over the frame.
 class ProbeBlocks {
   public:
-    ProbeBlocks(int width, int height);
+    /// `size`: of a block, in pixels; a multiple of a tile's.
+    ProbeBlocks(int width, int height, int size);
+    [[nodiscard]] int size() const { return size_; }
 
     /// The next `count` blocks, or all that are left if these are fewer.
     [[nodiscard]] std::vector<ProbeBlock> next(int count);
@@ -47,6 +49,7 @@ class ProbeBlocks {
   private:
     int width_;  // of the frame, pixels
     int height_;
+    int size_;     // of a block, pixels
     int columns_;  // of blocks
     int rows_;
     int next_ = 0;  // point of the sequence
@@ -54,6 +57,6 @@ class ProbeBlocks {
 };
 
 /// The pixels of a block; beyond the frame's edge those at the edge.
-[[nodiscard]] Film cut_block(const Film& whole, const ProbeBlock& block);
+[[nodiscard]] Film cut_block(const Film& whole, const ProbeBlock& block, int size);
 
 }  // namespace carom::render

@@ -16,6 +16,8 @@ using test::small_settings;
 using test::table_frame;
 using test::table_tracks;
 
+constexpr int kBlock = 64;  // pixels
+
 /// Neither edge is a multiple of a tile.
 RenderSettings two_by_two_blocks() {
     RenderSettings settings = small_settings(100, 70, 4);
@@ -58,7 +60,7 @@ TEST(FrameProbe, AllBlocks_ShowTheFrame) {
     const RenderSettings settings = two_by_two_blocks();
     const PreparedScene scene = open_air(settings);
     const Film frame = render_frame(scene, table_tracks(), table_frame(), settings);
-    FrameProbe probe(scene, table_tracks(), table_frame(), settings);
+    FrameProbe probe(scene, table_tracks(), table_frame(), settings, kBlock);
     ASSERT_EQ(probe.blocks_left(), 4);
     std::vector<Film> blocks = probe.render_blocks(3, {});
     ASSERT_EQ(blocks.size(), 3U);
@@ -66,8 +68,8 @@ TEST(FrameProbe, AllBlocks_ShowTheFrame) {
     const std::vector<Film> last = probe.render_blocks(3, {});
     ASSERT_EQ(last.size(), 1U) << "no more are left";
     blocks.push_back(last.front());
-    for (const int top : {0, FrameProbe::kBlockSize}) {
-        for (const int left : {0, FrameProbe::kBlockSize}) {
+    for (const int top : {0, kBlock}) {
+        for (const int left : {0, kBlock}) {
             EXPECT_EQ(
                 std::count_if(blocks.begin(), blocks.end(),
                               [&](const Film& block) { return shows(block, frame, left, top); }),
@@ -86,7 +88,7 @@ TEST(FrameProbe, AdaptiveSamplingThatNeedsNoMore_ShowsTheFrame) {
     settings.max_samples = 8;
     const PreparedScene scene = open_air(settings);
     const Film frame = render_frame(scene, table_tracks(), table_frame(), settings);
-    FrameProbe probe(scene, table_tracks(), table_frame(), settings);
+    FrameProbe probe(scene, table_tracks(), table_frame(), settings, kBlock);
     const std::vector<Film> blocks = probe.render_blocks(4, {});
     ASSERT_EQ(blocks.size(), 4U);
     EXPECT_EQ(std::count_if(blocks.begin(), blocks.end(),
@@ -97,7 +99,7 @@ TEST(FrameProbe, AdaptiveSamplingThatNeedsNoMore_ShowsTheFrame) {
 TEST(FrameProbe, StopRequested_ReturnsNoBlocks) {
     const RenderSettings settings = two_by_two_blocks();
     const PreparedScene scene = open_air(settings);
-    FrameProbe probe(scene, table_tracks(), table_frame(), settings);
+    FrameProbe probe(scene, table_tracks(), table_frame(), settings, kBlock);
     std::stop_source stop;
     stop.request_stop();
     EXPECT_TRUE(probe.render_blocks(2, {{}, stop.get_token()}).empty());
