@@ -10,12 +10,14 @@
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/film_input.h"
+#include "pipeline/cli/forecast_report.h"
 #include "pipeline/cli/job_observer.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/cli/terminal/duration_text.h"
 #include "pipeline/cli/time_text.h"
+#include "pipeline/job/film_forecast.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/job/film_status.h"
 #include "pipeline/job/job_metadata.h"
@@ -171,7 +173,14 @@ void film_shot(ShotInput input, const std::string& path, const RenderCommand& co
     const sim::Bake bake = obtain_bake(input, command.input, command.cache, context);
     report_fitted_paths(input.shot, bake.timeline, context.console);
     if (command.dry_run) {
-        print_status(pipeline::film_status(input.shot, bake, options, context.stop));
+        const pipeline::FilmStatus status =
+            pipeline::film_status(input.shot, bake, options, context.stop);
+        print_status(status);
+        if (!status.missing.empty() && context.console.prints_info()) {
+            report_forecast(
+                pipeline::forecast_film(input.shot, bake, status.missing, options, context.stop),
+                pipeline::thread_count(options.threads), context.console);
+        }
         return;
     }
     const pipeline::FilmJobResult result = pipeline::make_film(

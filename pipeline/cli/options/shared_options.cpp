@@ -58,7 +58,9 @@ void add_frames(CommandDescription& description, std::string& frames) {
 
 void add_dry_run(CommandDescription& description, bool& dry_run) {
     description.flag("--dry-run", dry_run,
-                     "Only print which frames are stored and which would be rendered.");
+                     "Only print which frames are stored, which would be rendered, and a forecast: "
+                     "time, memory, and the sizes of the stored frames and of the film. The "
+                     "forecast takes at most 20 s of processor time; --quiet omits it.");
 }
 
 void add_threads(CommandDescription& description, int& threads) {

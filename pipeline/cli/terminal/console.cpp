@@ -112,6 +112,10 @@ void Console::info(const std::string& message) {
     }
 }
 
+bool Console::prints_info() const {
+    return !state_->screen.settings().quiet;
+}
+
 void Console::warning(const std::string& message) {
     state_->write_message("warning", warning_word("warning:") + " ", message);
 }

@@ -39,6 +39,9 @@ class Console {
     void warning(const std::string& message);
     void error(const std::string& message);
 
+    /// Whether info() prints anything: not in quiet mode.
+    [[nodiscard]] bool prints_info() const;
+
     /// `word` in the colour of such messages, if the console uses colour.
     [[nodiscard]] std::string error_word(const std::string& word) const;
     [[nodiscard]] std::string warning_word(const std::string& word) const;

@@ -6,9 +6,11 @@ namespace {
 
 using carom::testing::EndToEnd;
 using carom::testing::RunResult;
+using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 class CacheCommands : public EndToEnd {
@@ -42,6 +44,26 @@ TEST_F(CacheCommands, ChunksAndMux_GiveTheFilm) {
     EXPECT_EQ(mux.exit_code, 0) << mux.err;
     EXPECT_EQ(mux.out, "film.mp4\n");
     EXPECT_EQ(text_of("film.mp4"), text_of("whole.mp4"));
+}
+
+TEST_F(CacheCommands, DryRun_ForecastsWhatIsMissing) {
+    const RunResult film = run({"render", "tiny.yaml", "-o", "film.mp4", "--dry-run"});
+    EXPECT_EQ(film.exit_code, 0) << film.err;
+    EXPECT_EQ(film.out, "to render: 0-5\n6 frames, 0 stored, 6 to render\n");
+    EXPECT_THAT(film.err, ContainsRegex("carom: about [0-9]+ s of processor time "
+                                        "\\(give or take [0-9]+ %\\), [0-9]+ s on [0-9]+ "
+                                        "processors?; [0-9]+ MB of memory, [0-9.]+ [kM]?B in the "
+                                        "cache, a film of [0-9.]+ [kM]?B\n"));
+    EXPECT_EQ(stored_frames(), 0);
+    const RunResult chunk =
+        run({"render", "tiny.yaml", "--chunk", "1/2", "--dry-run", "--log", "json"});
+    EXPECT_THAT(chunk.err, HasSubstr("\"event\":\"forecast\",\"frames\":3,\"pictures\":3,"
+                                     "\"cpu_seconds\":"));
+    EXPECT_THAT(chunk.err, HasSubstr("\"film_bytes\":0,")) << "a chunk writes no film";
+    EXPECT_THAT(run({"render", "tiny.yaml", "--dry-run", "--quiet"}).err, IsEmpty());
+    ASSERT_EQ(run({"render", "tiny.yaml", "-o", "film.mp4"}).exit_code, 0);
+    EXPECT_THAT(run({"render", "tiny.yaml", "--dry-run"}).err, Not(HasSubstr("of processor time")))
+        << "nothing is missing";
 }
 
 TEST_F(CacheCommands, ChunkAsAFilm_IsRejected) {
