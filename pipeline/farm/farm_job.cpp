@@ -60,7 +60,8 @@ void write_job(const FarmJob& job) {
         .add("dead_after_seconds", job.dead_after)
         .add("partition", job.partition)
         .add("account", job.account)
-        .add("time", job.time);
+        .add("time", job.time)
+        .add("film_time", job.film_time);
     write_record(job.folder + "/job.json", members);
 }
 
@@ -92,6 +93,7 @@ FarmJob read_job(const std::string& folder) {
     job.partition = text_of(record, "partition");
     job.account = text_of(record, "account");
     job.time = text_of(record, "time");
+    job.film_time = text_of(record, "film_time");
     return job;
 }
 

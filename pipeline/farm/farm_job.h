@@ -31,7 +31,8 @@ struct FarmJob {
     double dead_after = 30;          // seconds without a heartbeat
     std::string partition;           // Slurm's; empty: its default
     std::string account;
-    std::string time;  // the limit of a task; empty: what the budget needs
+    std::string time;       // the limit of a task; empty: what the budget needs
+    std::string film_time;  // the limit of the task that writes the film
 
     bool operator==(const FarmJob&) const = default;
 };

@@ -21,9 +21,6 @@ namespace {
 // down meanwhile.
 constexpr int kGrace = 30;
 
-// Beyond the budget, after which a worker only finishes its frame.
-constexpr double kLastFrame = 1200;
-
 /// Of a stage's job in the queue.
 std::string name_of(const Stage& stage) {
     return "carom-" + stage.name;
@@ -107,11 +104,6 @@ std::optional<std::vector<QueuedTask>> tasks_of(const FarmJob& job, std::string&
     return tasks;
 }
 
-std::string time_limit(const FarmJob& job) {
-    const double minutes = std::ceil((job.budget + kLastFrame) / 60);
-    return job.time.empty() ? fmt::format("{:.0f}", minutes) : job.time;
-}
-
 }  // namespace
 
 const std::vector<Stage>& stages() {
@@ -151,7 +143,7 @@ std::vector<std::string> submission(const FarmJob& job, const Stage& stage,
                                    fmt::format("--signal=B:TERM@{}", kGrace),
                                    fmt::format("--cpus-per-task={}", job.processors),
                                    fmt::format("--mem={}M", job.memory),
-                                   "--time=" + time_limit(job)};
+                                   "--time=" + (stage.is_array ? job.time : job.film_time)};
     const std::string logs = pattern_of(job.folder) + "/logs/" + stage.name;
     if (stage.is_array) {
         words.push_back(fmt::format(

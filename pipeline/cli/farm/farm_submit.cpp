@@ -11,10 +11,12 @@
 #include "pipeline/cli/farm/farm_actions.h"
 #include "pipeline/cli/farm/farm_film.h"
 #include "pipeline/cli/film_input.h"
+#include "pipeline/cli/forecast_report.h"
 #include "pipeline/cli/output_file.h"
+#include "pipeline/cli/terminal/duration_text.h"
 #include "pipeline/farm/slurm.h"
+#include "pipeline/job/film_forecast.h"
 #include "pipeline/job/film_status.h"
-#include "pipeline/job/memory_forecast.h"
 #include "pipeline/store/cache_maintenance.h"
 #include "render/acceleration/analytic_kernels.h"
 
@@ -25,8 +27,7 @@ namespace fs = std::filesystem;
 using farm::FarmJob;
 using farm::SlurmJobs;
 
-constexpr std::int64_t kFramesOfAWorker = 4;  // at least, unless the user wants more workers
-constexpr std::int64_t kMostWorkers = 200;    // unless the user wants more
+constexpr std::int64_t kMostWorkers = 1000;  // Slurm's usual limit of an array
 constexpr std::uint64_t kMegabyte = 1000000;
 
 std::string absolute(const std::string& path) {
@@ -43,11 +44,10 @@ std::string own_program() {
     return program.string();
 }
 
-std::int64_t megabytes_of(const FarmCommand& command, const pipeline::Shot& shot) {
+/// Of a worker, MB. `needed`: bytes, as forecast; it may be a quarter too small.
+std::int64_t megabytes_of(const FarmCommand& command, std::uint64_t needed) {
     if (command.memory == "auto") {
-        // The forecast may be a quarter too small.
-        const double bytes = 1.3 * static_cast<double>(pipeline::forecast_memory(shot, ""));
-        return static_cast<std::int64_t>(bytes / kMegabyte) + 100;
+        return static_cast<std::int64_t>(1.3 * static_cast<double>(needed) / kMegabyte) + 100;
     }
     try {
         const bool is_short = !command.memory.empty() && command.memory.back() != 'B';
@@ -58,7 +58,32 @@ std::int64_t megabytes_of(const FarmCommand& command, const pipeline::Shot& shot
     }
 }
 
-FarmJob job_of(const FarmCommand& command, const ShotInput& input, std::int64_t missing) {
+/// So many that each one's budget is used, but not more than there are pictures.
+std::int64_t workers_for(const FarmJob& job, const pipeline::FilmForecast& forecast) {
+    const double work = static_cast<double>(forecast.pictures) * forecast.seconds_per_picture;
+    const double of_one = job.budget * static_cast<double>(job.processors);
+    const auto wanted = static_cast<std::int64_t>(std::ceil(work / std::max(1.0, of_one)));
+    // At least one for each of a few nodes, so that short films are quick, too.
+    const std::int64_t least = std::min<std::int64_t>(8, forecast.pictures);
+    return std::clamp<std::int64_t>(
+        std::max(wanted, least), 1,
+        std::max<std::int64_t>(1, std::min(kMostWorkers, forecast.pictures)));
+}
+
+/// Minutes for the budget and a frame that was begun just before its end.
+std::string time_for(const FarmJob& job, const pipeline::FilmForecast& forecast) {
+    const double frame = forecast.seconds_per_picture * (1 + forecast.error);
+    return fmt::format("{:.0f}",
+                       std::ceil((job.budget + 2 * frame + forecast.preparation_seconds) / 60) + 5);
+}
+
+/// Minutes to read all frames and to encode them.
+std::string time_for_film(const pipeline::FilmForecast& forecast) {
+    return fmt::format("{:.0f}", std::ceil(3 * forecast.encoding_seconds / 60) + 15);
+}
+
+FarmJob job_of(const FarmCommand& command, const ShotInput& input,
+               const pipeline::FilmForecast& forecast) {
     FarmJob job;
     job.film = absolute(film_path(command.output, command.input, input.shot));
     job.shot = command.input.path;
@@ -67,25 +92,17 @@ FarmJob job_of(const FarmCommand& command, const ShotInput& input, std::int64_t 
     job.root = command.input.root.empty() ? "" : absolute(command.input.root);
     job.frames = command.frames;
     job.tier = std::string(render::simd_tier());
-    job.workers = command.workers > 0
-                      ? command.workers
-                      : std::clamp<std::int64_t>(missing / kFramesOfAWorker, 1, kMostWorkers);
     job.tasks_at_once = command.tasks_at_once;
     job.processors = command.processors;
-    job.memory = megabytes_of(command, input.shot);
+    job.memory = megabytes_of(command, forecast.memory_bytes);
     job.budget = parse_duration(command.budget).count();
     job.dead_after = parse_duration(command.dead_after).count();
     job.partition = command.partition;
     job.account = command.account;
-    job.time = command.time;
+    job.workers = command.workers > 0 ? command.workers : workers_for(job, forecast);
+    job.time = command.time.empty() ? time_for(job, forecast) : command.time;
+    job.film_time = command.time.empty() ? time_for_film(forecast) : command.time;
     return job;
-}
-
-/// Bytes that the frames of a film will take, at most about so many.
-std::uint64_t bytes_of_frames(const pipeline::Shot& shot, std::int64_t pictures) {
-    const std::uint64_t channels = 4 + 3 * shot.render.aovs.size();
-    return static_cast<std::uint64_t>(pictures) * static_cast<std::uint64_t>(shot.render.width) *
-           static_cast<std::uint64_t>(shot.render.height) * channels * 2;
 }
 
 void check_space(const std::string& store, std::uint64_t needed) {
@@ -133,6 +150,21 @@ SlurmJobs submit_now(const FarmJob& job, std::int64_t missing) {
     return slurm;
 }
 
+void tell_forecast(const FarmJob& job, const pipeline::FilmForecast& forecast,
+                   CommandContext& context) {
+    if (forecast.pictures == 0) {
+        return;
+    }
+    const std::int64_t at_once =
+        job.tasks_at_once > 0 ? std::min(job.tasks_at_once, job.workers) : job.workers;
+    context.console.info(
+        fmt::format("{}; about {} if {} workers run at once",
+                    forecast_text(forecast, static_cast<int>(job.processors)),
+                    duration_text(forecast.elapsed_seconds(static_cast<int>(at_once),
+                                                           static_cast<int>(job.processors))),
+                    at_once));
+}
+
 void tell_how_to_look(const FarmJob& job, CommandContext& context) {
     context.console.info("look with: carom farm status " + command_text({job.folder}));
 }
@@ -150,15 +182,20 @@ void farm_submit(const FarmCommand& command, CommandContext& context) {
     const CacheOptions cache{store_of(command), "none"};
     pipeline::FilmJobOptions options = job_options(cache, command.frames, "");
     (void)count_job_frames(input.shot, options, command.frames, context.console);
-    (void)job_of(command, input, 0);  // its problems before the simulation
+    (void)job_of(command, input, {});  // its problems before the simulation
     sim::Bake bake = obtain_bake(input, command.input, cache, context);
     const pipeline::FilmStatus status =
         pipeline::film_status(input.shot, bake, options, context.stop);
-    FarmJob job = job_of(command, input, std::ssize(status.missing));
+    options.output = absolute(film_path(command.output, command.input, input.shot));
+    options.threads = command.processors;
+    const pipeline::FilmForecast forecast =
+        pipeline::forecast_film(input.shot, bake, status.missing, options, context.stop);
+    FarmJob job = job_of(command, input, forecast);
+    tell_forecast(job, forecast, context);
     if (command.dry_run) {
         return print_submissions(job);
     }
-    check_space(job.store, bytes_of_frames(input.shot, status.pictures));
+    check_space(job.store, forecast.store_bytes + forecast.store_bytes / 4);
     job.folder = farm::make_job_folder(job.store, job.film, !command.is_shared);
     try {
         bake.shot_text = input.shot.resolved_text;

@@ -25,16 +25,17 @@ CommandDescription& add_action(CommandDescription& description, FarmCommand& far
 void add_cluster(CommandDescription& submit, FarmCommand& farm) {
     submit.option("--partition", &farm.partition, "NAME", "Slurm's partition.");
     submit.option("--account", &farm.account, "NAME", "The account that pays.");
-    submit.option("--time", &farm.time, "TIME",
-                  "The time limit of a task, as Slurm writes it: 30, 1:00:00. The default is the "
-                  "budget and 20 minutes.");
+    submit.option(
+        "--time", &farm.time, "TIME",
+        "The time limit of a task, as Slurm writes it: 30, 1:00:00. The default is what the "
+        "budget and the last frame need.");
     submit.option("--cpus", &farm.processors, "N", "The processors of a worker (default 1).")
         .between(1, 1024);
     submit.option("--mem", &farm.memory, "SIZE",
                   "The memory of a worker: 2GB, or auto (the default) for what the film needs.");
     submit
         .option("--workers", &farm.workers, "N",
-                "The number of workers. The default has work for all of them.")
+                "The number of workers. The default uses the budget of each.")
         .between(1, 10000);
     submit
         .option("--tasks-at-once", &farm.tasks_at_once, "N",
