@@ -60,6 +60,7 @@ struct MuxCommand {
     CacheOptions cache;
     std::string output;
     std::string frames;
+    bool so_far = false;
 };
 void describe(MuxCommand& command, CommandDescription& description);
 void run(const MuxCommand& command, CommandContext& context);
@@ -80,11 +81,13 @@ void run(const CacheCommand& command, CommandContext& context);
 
 /// Films on a cluster. Strings are as typed.
 struct FarmCommand {
-    enum class Action { submit, status, cancel, logs, resume, work, finish };
+    enum class Action { submit, export_job, status, cancel, logs, resume, work, finish };
     Action action = Action::submit;
     InputOptions input;
     std::string store;   // the cache that all machines share; empty: the default
     std::string output;  // submit
+    std::string folder;  // export
+    std::string format = "slurm";
     std::string frames;
     std::string job;  // all others: the film, the job's folder or a number of Slurm's
     std::string partition;

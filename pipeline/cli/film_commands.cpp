@@ -201,13 +201,17 @@ void run(const MuxCommand& command, CommandContext& context) {
     check_film(input, path, context.console);
     FilmJobOptions options = job_options(command.cache, command.frames, {});
     options.output = path;
+    options.so_far = command.so_far;
     const std::int64_t frames =
         count_job_frames(input.shot, options, command.frames, context.console);
     const sim::Bake bake = obtain_bake(input, command.input, command.cache, context);
     const pipeline::FilmJobResult result = pipeline::mux_film(
         input.shot, bake, options, make_console_observer(context.console, frames), context.stop);
     context.console.end_progress();
-    context.console.info(fmt::format("{} frames", result.frames));
+    context.console.info(
+        command.so_far && result.pictures < result.frames
+            ? fmt::format("{} frames, of {} different pictures", result.frames, result.pictures)
+            : fmt::format("{} frames", result.frames));
     print_path(path);
 }
 

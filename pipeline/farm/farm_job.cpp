@@ -61,7 +61,9 @@ void write_job(const FarmJob& job) {
         .add("partition", job.partition)
         .add("account", job.account)
         .add("time", job.time)
-        .add("film_time", job.film_time);
+        .add("film_time", job.film_time)
+        .add("engine", job.engine)
+        .add("portable", job.is_portable ? 1 : 0);
     write_record(job.folder + "/job.json", members);
 }
 
@@ -76,11 +78,13 @@ FarmJob read_job(const std::string& folder) {
                     "' was written by another version of carom; submit the film again");
     }
     FarmJob job;
-    job.folder = fs::absolute(folder).lexically_normal().string();
-    job.film = text_of(record, "film");
+    const fs::path absolute = fs::absolute(folder).lexically_normal();
+    job.folder = (absolute.has_filename() ? absolute : absolute.parent_path()).string();
+    // Absolute, unless the job is portable.
+    job.film = (fs::path(job.folder) / text_of(record, "film")).string();
     job.shot = text_of(record, "shot");
     job.name = text_of(record, "name");
-    job.store = text_of(record, "store");
+    job.store = (fs::path(job.folder) / text_of(record, "store")).string();
     job.root = text_of(record, "root");
     job.frames = text_of(record, "frames");
     job.tier = text_of(record, "tier");
@@ -94,6 +98,8 @@ FarmJob read_job(const std::string& folder) {
     job.account = text_of(record, "account");
     job.time = text_of(record, "time");
     job.film_time = text_of(record, "film_time");
+    job.engine = text_of(record, "engine");
+    job.is_portable = record->integer("portable") != 0;
     return job;
 }
 

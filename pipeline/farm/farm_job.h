@@ -31,8 +31,10 @@ struct FarmJob {
     double dead_after = 30;          // seconds without a heartbeat
     std::string partition;           // Slurm's; empty: its default
     std::string account;
-    std::string time;       // the limit of a task; empty: what the budget needs
-    std::string film_time;  // the limit of the task that writes the film
+    std::string time;              // the limit of a task; empty: what the budget needs
+    std::string film_time;         // the limit of the task that writes the film
+    std::string engine = "slurm";  // or "parallel", which submits nothing by itself
+    bool is_portable = false;      // the folder may be copied: its scripts and paths are relative
 
     bool operator==(const FarmJob&) const = default;
 };

@@ -104,6 +104,21 @@ std::optional<std::vector<QueuedTask>> tasks_of(const FarmJob& job, std::string&
     return tasks;
 }
 
+const char* action_of(const Stage& stage) {
+    return stage.is_array ? "work" : "finish";
+}
+
+void write_script(const FarmJob& job, const Stage& stage, const std::string& commands) {
+    const std::string path = job.folder + "/" + stage.script;
+    const std::string text = fmt::format(
+        "#!/bin/sh\n# {}\n{}",
+        stage.is_array ? "Renders frames until its time is over or all are there."
+                       : "Writes the film if all frames are there, else asks for the missing.",
+        commands);
+    write_file_atomically(path, std::as_bytes(std::span(text)));
+    ::chmod(path.c_str(), 0755);
+}
+
 }  // namespace
 
 const std::vector<Stage>& stages() {
@@ -121,14 +136,19 @@ std::string shell_word(const std::string& text) {
 
 void write_scripts(const FarmJob& job, const std::string& carom) {
     for (const Stage& stage : stages()) {
-        const std::string path = job.folder + "/" + stage.script;
-        const std::string text = fmt::format(
-            "#!/bin/sh\n# {}\nexec {} farm {} {}\n",
-            stage.is_array ? "Renders frames until its time is over or all are there."
-                           : "Writes the film if all frames are there, else asks for the missing.",
-            shell_word(carom), stage.is_array ? "work" : "finish", shell_word(job.folder));
-        write_file_atomically(path, std::as_bytes(std::span(text)));
-        ::chmod(path.c_str(), 0755);
+        write_script(job, stage,
+                     fmt::format("exec {} farm {} {}\n", shell_word(carom), action_of(stage),
+                                 shell_word(job.folder)));
+    }
+}
+
+void write_portable_scripts(const FarmJob& job) {
+    for (const Stage& stage : stages()) {
+        // Slurm runs a copy of the script.
+        write_script(job, stage,
+                     fmt::format("cd \"${{SLURM_SUBMIT_DIR:-$(dirname \"$0\")}}\" || exit 1\n"
+                                 "exec \"${{CAROM:-carom}}\" farm {} .\n",
+                                 action_of(stage)));
     }
 }
 

@@ -23,6 +23,9 @@ struct Stage {
 /// Throws Error.
 void write_scripts(const FarmJob& job, const std::string& carom);
 
+/// The same for a folder that may be copied: the scripts are started in it and run $CAROM.
+void write_portable_scripts(const FarmJob& job);
+
 /// The words of the command that submits a stage. `after`: the number of the job that has to end
 /// before, whichever way, or empty; `delay`: seconds to wait.
 [[nodiscard]] std::vector<std::string> submission(const FarmJob& job, const Stage& stage,

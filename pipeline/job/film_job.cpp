@@ -11,6 +11,7 @@
 #include "pipeline/job/damage_report.h"
 #include "pipeline/job/exported_frame.h"
 #include "pipeline/job/film_encoder.h"
+#include "pipeline/job/film_so_far.h"
 #include "pipeline/job/frame_scheduler.h"
 #include "pipeline/job/job_frames.h"
 #include "pipeline/job/mixed_film.h"
@@ -109,7 +110,10 @@ FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOp
     DamageReport damages(safe_observer);
     const FrameStore store = open_store(options, damages);
     const FilmSource source(shot, bake.timeline, options.tier);
-    const FilmPlan plan = plan_film(source, frames, stop);
+    FilmPlan plan = plan_film(source, frames, stop);
+    if (options.so_far) {
+        plan = plan_so_far(plan, [&](const Hash128& key) { return store.contains(key); });
+    }
     const Pin pin(cache_folder_of(options), keys_of(plan, bake));
     CachePruner pruner(cache_folder_of(options), options.cache_limit, safe_observer);
     mark_whole_film(source, plan, options, store, stop);

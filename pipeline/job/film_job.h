@@ -45,6 +45,9 @@ struct FilmJobOptions {
     /// The instruction set with which all frames have to be rendered (render::simd_tier()); empty:
     /// this machine's. Frames of another one can be encoded, but not rendered.
     std::string tier{};
+    /// Frames that are not stored show the nearest stored one before them (film_so_far.h); nothing
+    /// is rendered.
+    bool so_far = false;
     ClaimTimes claim_times{};  // of the frames that are being rendered
     /// Renders the pictures instead of render_frame; `threads` and `factory` are ignored then.
     std::function<render::Film(const FrameInputs&, const WorkContext&)> renderer{};

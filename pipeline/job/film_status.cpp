@@ -35,6 +35,19 @@ FilmStatus status_of(const FilmPlan& plan, const FrameStore& store, const std::s
     return status;
 }
 
+void check_that_all_are_stored(const FilmStatus& status) {
+    if (!status.missing.empty()) {
+        throw Error(
+            fmt::format("{} of {} frames {} not in the cache: {}{}; 'carom render' renders {}",
+                        status.missing.size(), status.frames.size(),
+                        status.missing.size() == 1 ? "is" : "are", frames_text(status.missing),
+                        (status.damaged.empty()
+                             ? ""
+                             : " (stored, but damaged: " + frames_text(status.damaged) + ")"),
+                        status.missing.size() == 1 ? "it" : "them"));
+    }
+}
+
 }  // namespace
 
 FilmStatus film_status(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
@@ -46,16 +59,8 @@ FilmStatus film_status(const Shot& shot, const sim::Bake& bake, const FilmJobOpt
 
 FilmJobResult mux_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
                        const JobObserver& observer, const std::stop_token& stop) {
-    const FilmStatus status = film_status(shot, bake, options, stop);
-    if (!status.missing.empty()) {
-        throw Error(
-            fmt::format("{} of {} frames {} not in the cache: {}{}; 'carom render' renders {}",
-                        status.missing.size(), status.frames.size(),
-                        status.missing.size() == 1 ? "is" : "are", frames_text(status.missing),
-                        (status.damaged.empty()
-                             ? ""
-                             : " (stored, but damaged: " + frames_text(status.damaged) + ")"),
-                        status.missing.size() == 1 ? "it" : "them"));
+    if (!options.so_far) {
+        check_that_all_are_stored(film_status(shot, bake, options, stop));
     }
     FilmJobOptions without_renderer = options;
     without_renderer.renderer = [](const FrameInputs&, const WorkContext&) -> render::Film {

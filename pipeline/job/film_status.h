@@ -21,7 +21,8 @@ struct FilmStatus {
 [[nodiscard]] FilmStatus film_status(const Shot& shot, const sim::Bake& bake,
                                      const FilmJobOptions& options, const std::stop_token& stop);
 
-/// Like make_film, but only with stored frames. Throws an Error that names the missing frames.
+/// Like make_film, but only with stored frames. Throws an Error that names the missing frames,
+/// unless the film so far is wanted.
 FilmJobResult mux_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
                        const JobObserver& observer, const std::stop_token& stop);
 

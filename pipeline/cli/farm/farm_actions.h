@@ -8,6 +8,7 @@
 namespace carom::cli {
 
 void farm_submit(const FarmCommand& command, CommandContext& context);
+void farm_export(const FarmCommand& command, CommandContext& context);
 void farm_resume(const FarmCommand& command, CommandContext& context);
 void farm_status(const FarmCommand& command, CommandContext& context);
 void farm_cancel(const FarmCommand& command, CommandContext& context);

@@ -6,6 +6,8 @@ void run(const FarmCommand& command, CommandContext& context) {
     switch (command.action) {
         case FarmCommand::Action::submit:
             return farm_submit(command, context);
+        case FarmCommand::Action::export_job:
+            return farm_export(command, context);
         case FarmCommand::Action::status:
             return farm_status(command, context);
         case FarmCommand::Action::cancel:

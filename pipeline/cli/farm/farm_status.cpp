@@ -35,6 +35,9 @@ struct State {
 };
 
 std::string state_in_queue(const FarmJob& job, std::string& message) {
+    if (job.engine != "slurm") {
+        return "running";
+    }
     std::string problem;
     const auto counts = farm::count_tasks(job, problem);
     if (!counts) {

@@ -34,14 +34,17 @@ std::string variable(const char* name) {
     return value != nullptr ? value : "";
 }
 
+/// From 0: Slurm's, or that of GNU parallel, which counts from 1.
 std::int64_t task_number() {
-    return std::strtoll(variable("SLURM_ARRAY_TASK_ID").c_str(), nullptr, 10);
+    const std::string in_parallel = variable("PARALLEL_SEQ");
+    return in_parallel.empty() ? std::strtoll(variable("SLURM_ARRAY_TASK_ID").c_str(), nullptr, 10)
+                               : std::strtoll(in_parallel.c_str(), nullptr, 10) - 1;
 }
 
 /// Of the worker: that of its task.
 std::string own_name() {
     const std::string job = variable("SLURM_ARRAY_JOB_ID");
-    return job.empty() ? fmt::format("{}-{}", pipeline::host_prefix(), ::getpid())
+    return job.empty() ? fmt::format("{}{}", pipeline::host_prefix(), ::getpid())
                        : fmt::format("{}_{}", job, task_number());
 }
 
@@ -152,6 +155,9 @@ void submit_again(const FarmJob& job, SlurmJobs slurm, std::int64_t missing,
                   const std::string& problem, CommandContext& context) {
     if (farm::read_end(job)) {
         throw Error(problem + "; the job was cancelled");
+    }
+    if (job.engine != "slurm") {
+        throw Error(problem);
     }
     if (slurm.round >= kMostRounds) {
         give_up(job, problem + "; this was the last attempt");

@@ -75,6 +75,27 @@ void describe_submit(CommandDescription& description, FarmCommand& farm) {
                         "The film, made by a cluster."}};
 }
 
+void describe_export(CommandDescription& description, FarmCommand& farm) {
+    CommandDescription& exported = description.command(
+        "export", "Write a film's job to a folder, to be run elsewhere or without Slurm.");
+    exported.chosen = [&farm] { farm.action = FarmCommand::Action::export_job; };
+    exported.details = {
+        "The folder has the simulated shot, scripts and a README; frames and film will be in it."};
+    add_input(exported, farm.input);
+    add_changes(exported, farm.input);
+    add_camera_file(exported, farm.input);
+    exported
+        .option("--format", &farm.format, "NAME",
+                "What runs the job: slurm (the default) or parallel, which is GNU parallel.")
+        .one_of({"slurm", "parallel"});
+    exported.option("-o,--output", &farm.folder, "DIR", "The folder, which must not exist yet.")
+        .is_required = true;
+    add_frames(exported, farm.frames);
+    add_cluster(exported, farm);
+    exported.examples = {{"carom farm export break.yaml --format parallel -o break_job",
+                          "A folder whose run.sh renders the film with GNU parallel."}};
+}
+
 }  // namespace
 
 void describe(FarmCommand& command, CommandDescription& description) {
@@ -82,6 +103,7 @@ void describe(FarmCommand& command, CommandDescription& description) {
     description.details = {
         "The machines share one folder (--store). All commands can be given on any of them."};
     describe_submit(description, command);
+    describe_export(description, command);
     CommandDescription& status =
         add_action(description, command, "status", "Print how far a job is.", Action::status);
     status.flag("--json", command.json, "Print one JSON object.");

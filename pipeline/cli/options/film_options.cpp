@@ -133,6 +133,9 @@ void describe(MuxCommand& command, CommandDescription& description) {
     add_camera_file(description, command.input);
     add_output(description, command.output, kFilmFile);
     add_frames(description, command.frames);
+    description.flag("--so-far", command.so_far,
+                     "Write the film although frames are missing: each shows the last rendered one "
+                     "before it.");
     add_cache(description, command.cache);
     description.examples = {
         {"carom render break.yaml --chunk 1/2 && carom render break.yaml --chunk 2/2",

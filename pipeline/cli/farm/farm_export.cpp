@@ -1,0 +1,97 @@
+// A job in a folder of its own, to be run elsewhere.
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/core.h>
+#include <sys/stat.h>
+
+#include "core/atomic_file.h"
+#include "pipeline/cli/farm/farm_actions.h"
+#include "pipeline/cli/farm/farm_plan.h"
+#include "pipeline/farm/slurm.h"
+#include "pipeline/store/file_descriptor.h"
+
+namespace carom::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write_script(const std::string& path, const std::string& text) {
+    write_file_atomically(path, std::as_bytes(std::span(text)));
+    ::chmod(path.c_str(), 0755);
+}
+
+std::string readme_text(const farm::FarmJob& job, const std::string& start) {
+    return fmt::format(
+        "# The film {}\n\n"
+        "This folder has all that is needed to render the film of {}, except carom itself and the\n"
+        "files that the shot names (textures, meshes), which are read from where they were.\n\n"
+        "    {}\n\n"
+        "renders its frames and writes the film into this folder. It may be stopped at any time "
+        "and\n"
+        "started again: finished frames are in store/. The folder may be copied; all machines "
+        "that\n"
+        "take part have to see it. If carom is not found by its name, say where it is:\n\n"
+        "    CAROM=/path/to/carom {}\n\n"
+        "`carom farm status .` tells how far it is.\n",
+        fs::path(job.film).filename().string(), job.name, start, start);
+}
+
+std::string parallel_script(const farm::FarmJob& job) {
+    return fmt::format(
+        "#!/bin/sh\n"
+        "# Renders the film with GNU parallel. JOBS: workers at a time (one for each processor).\n"
+        "cd \"$(dirname \"$0\")\" || exit 1\n"
+        "round=0\n"
+        "while [ $round -lt 20 ]; do\n"
+        "  round=$((round + 1))\n"
+        "  seq {} | parallel --jobs \"${{JOBS:-100%}}\" -N0 ./worker.sh\n"
+        "  ./film.sh && exit 0\n"
+        "done\n"
+        "exit 1\n",
+        job.workers);
+}
+
+constexpr const char* kSlurmScript =
+    "#!/bin/sh\n"
+    "# Submits the film to Slurm.\n"
+    "cd \"$(dirname \"$0\")\" || exit 1\n"
+    "exec \"${CAROM:-carom}\" farm resume .\n";
+
+}  // namespace
+
+void farm_export(const FarmCommand& command, CommandContext& context) {
+    const std::string folder = fs::absolute(command.folder).lexically_normal().string();
+    if (::mkdir(folder.c_str(), 0755) != 0) {
+        throw InputError(errno == EEXIST ? "'" + folder + "' exists; choose another folder"
+                                         : pipeline::system_problem(folder, "it cannot be made"));
+    }
+    try {
+        FarmCommand inside = command;
+        inside.store = folder + "/store";
+        PlannedFarm planned = plan_farm(inside, context);
+        farm::FarmJob& job = planned.job;
+        job.folder = folder;
+        job.store = "store";
+        job.film = fs::path(job.film).filename().string();
+        job.engine = command.format;
+        job.is_portable = true;
+        pipeline::create_folder(folder + "/logs");
+        pipeline::create_folder(folder + "/workers");
+        write_folder(planned);
+        farm::write_portable_scripts(job);
+        const bool is_slurm = command.format == "slurm";
+        const std::string start = is_slurm ? "submit.sh" : "run.sh";
+        write_script(folder + "/" + start, is_slurm ? kSlurmScript : parallel_script(job));
+        const std::string readme = readme_text(job, "./" + start);
+        write_file_atomically(folder + "/README.md", std::as_bytes(std::span(readme)));
+        print_path(folder + "/" + start);
+    } catch (...) {
+        std::error_code ignored;
+        fs::remove_all(folder, ignored);
+        throw;
+    }
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,130 @@
+#include "pipeline/farm/farm_job.h"
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include "core/error.h"
+#include "pipeline/farm/worker_file.h"
+#include "tests/pipeline/video/scratch_folder.h"
+
+namespace carom::farm {
+namespace {
+
+using carom::testing::ScratchFolder;
+using carom::testing::write_text;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::string normal(const std::string& path) {
+    return std::filesystem::path(path).lexically_normal().string();
+}
+
+FarmJob make_job(const std::string& folder) {
+    FarmJob job;
+    job.folder = normal(folder);
+    job.film = "/films/a \"film\" 100 %.mp4";
+    job.shot = "shots/break.yaml";
+    job.name = "break";
+    job.store = "/store";
+    job.frames = "0-9x2";
+    job.tier = "AVX2";
+    job.workers = 7;
+    job.tasks_at_once = 3;
+    job.processors = 2;
+    job.memory = 500;
+    job.budget = 12.5;
+    job.dead_after = 3;
+    job.partition = "short";
+    job.time = "22";
+    job.film_time = "15";
+    return job;
+}
+
+TEST(FarmJob, File_IsReadAgainWithEveryField) {
+    const ScratchFolder folder;
+    const FarmJob job = make_job(folder.path());
+    EXPECT_FALSE(is_job_folder(folder.path()));
+    write_job(job);
+    EXPECT_TRUE(is_job_folder(folder.path()));
+    EXPECT_EQ(read_job(folder.path()), job);
+}
+
+TEST(FarmJob, PortableJob_IsWhereItsFolderIs) {
+    const ScratchFolder folder;
+    FarmJob job = make_job(folder.path());
+    job.film = "film.mp4";
+    job.store = "store";
+    job.is_portable = true;
+    write_job(job);
+    const FarmJob read = read_job(folder.path());
+    EXPECT_EQ(read.film, normal(folder.path("film.mp4")));
+    EXPECT_EQ(read.store, normal(folder.path("store")));
+}
+
+TEST(FarmJob, OtherFolders_AreErrorsThatSayWhy) {
+    const ScratchFolder folder;
+    const auto problem = [&] {
+        try {
+            (void)read_job(folder.path());
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_THAT(problem(), HasSubstr("is not the folder of a job: it has no job.json"));
+    write_text(folder.path("job.json"), "{\"carom_farm_job\": 2}");
+    EXPECT_THAT(problem(), HasSubstr("was written by another version of carom"));
+    write_text(folder.path("job.json"), "[1, 2");
+    EXPECT_THAT(problem(), HasSubstr("is no JSON object"));
+    write_text(folder.path("job.json"), "{\"carom_farm_job\": 1, \"workers\": \"many\"}");
+    EXPECT_THAT(problem(), HasSubstr("'workers' is no number: many"));
+}
+
+TEST(FarmJob, Folders_AreNamedAfterTheFilmWithSimpleCharacters) {
+    const ScratchFolder store;
+    const std::string film = "/films/it's $HOME 100 %j.mp4";
+    const std::string first = make_job_folder(store.path(), film, true);
+    const std::string second = make_job_folder(store.path(), film, true);
+    EXPECT_THAT(first, ::testing::MatchesRegex(".*/farm/it_s__HOME_100__j-[0-9a-f]{6}-1"));
+    EXPECT_NE(first, second);
+    const auto permissions = std::filesystem::status(first).permissions();
+    EXPECT_EQ(permissions, std::filesystem::perms::owner_all);
+    write_job(make_job(first));
+    EXPECT_THAT(job_folders(store.path()), ElementsAre(first));
+}
+
+TEST(FarmJob, Records_AreReadAgain) {
+    const ScratchFolder folder;
+    const FarmJob job = make_job(folder.path());
+    EXPECT_FALSE(read_slurm_jobs(job));
+    write_slurm_jobs(job, {11, 12, 3, 40});
+    EXPECT_EQ(read_slurm_jobs(job), (SlurmJobs{11, 12, 3, 40}));
+    EXPECT_FALSE(read_end(job));
+    write_end(job, {"failed", "no \"space\" left"});
+    EXPECT_EQ(read_end(job)->message, "no \"space\" left");
+    remove_end(job);
+    EXPECT_FALSE(read_end(job));
+}
+
+TEST(WorkerFile, Notes_AreReadByNameAndBrokenOnesLeftOut) {
+    const ScratchFolder folder;
+    const FarmJob job = make_job(folder.path());
+    std::filesystem::create_directory(folder.path("workers"));
+    WorkerNote note;
+    note.state = "working";
+    note.frame = 5;
+    note.heartbeat = 9;
+    for (const char* name : {"2_1", "2_0"}) {
+        note.name = name;
+        write_worker(job, note);
+    }
+    write_text(folder.path("workers/3.json"), "{\"name\":");
+    const std::vector<WorkerNote> notes = read_workers(job);
+    ASSERT_EQ(notes.size(), 2U);
+    EXPECT_EQ(notes[0].name, "2_0");
+    EXPECT_EQ(notes[1].heartbeat, 9);
+}
+
+}  // namespace
+}  // namespace carom::farm
