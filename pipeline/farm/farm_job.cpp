@@ -123,6 +123,7 @@ std::vector<std::string> job_folders(const std::string& store) {
     }
     std::sort(found.begin(), found.end(), std::greater<>());
     std::vector<std::string> folders;
+    folders.reserve(found.size());
     for (const auto& [time, folder] : found) {
         folders.push_back(folder);
     }
@@ -135,7 +136,7 @@ std::string make_job_folder(const std::string& store, const std::string& film, b
     const Hash128 hash = hash_bytes(std::as_bytes(std::span(film)));
     const std::string name = simple_name(film) + "-" + hash.to_string().substr(0, 6);
     for (int number = 1; number <= kMostJobs; ++number) {
-        const std::string folder = fmt::format("{}/{}-{}", farm, name, number);
+        std::string folder = fmt::format("{}/{}-{}", farm, name, number);
         if (::mkdir(folder.c_str(), is_private ? 0700 : 0755) == 0) {
             pipeline::create_folder(folder + "/logs");
             pipeline::create_folder(folder + "/workers");

@@ -51,6 +51,7 @@ ProgramResult run_program(const std::vector<std::string>& words) {
     const FileDescriptor output = memory_file();
     const FileDescriptor errors = memory_file();
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (const std::string& word : words) {
         arguments.push_back(const_cast<char*>(word.c_str()));  // the system does not change them
     }

@@ -48,7 +48,7 @@ FarmJob find_job(const FarmCommand& command) {
     }
     const std::string store = store_of(command);
     for (const std::string& folder : farm::job_folders(store)) {
-        const FarmJob job = farm::read_job(folder);
+        FarmJob job = farm::read_job(folder);
         if (is_named(job, command.job, absolute(command.job))) {
             return job;
         }
