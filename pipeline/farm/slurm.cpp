@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <set>
 #include <sstream>
 
@@ -238,14 +237,6 @@ void cancel(const FarmJob& job) {
         if (result.exit_code != 0) {
             throw Error("Slurm did not cancel job " + number + ": " + complaint(result));
         }
-    }
-}
-
-void requeue_own_task() {
-    const char* job = std::getenv("SLURM_ARRAY_JOB_ID");
-    const char* task = std::getenv("SLURM_ARRAY_TASK_ID");
-    if (job != nullptr && task != nullptr) {
-        (void)run_program({"scontrol", "requeue", std::string(job) + "_" + task});
     }
 }
 

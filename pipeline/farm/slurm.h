@@ -50,9 +50,6 @@ struct QueueCounts {
 /// Takes all tasks of the job out of the queue and stops those that run. Throws Error.
 void cancel(const FarmJob& job);
 
-/// Asks Slurm to run the task again in which this program runs, if it is one of an array.
-void requeue_own_task();
-
 /// The text as one word of a shell's command.
 [[nodiscard]] std::string shell_word(const std::string& text);
 

@@ -26,7 +26,7 @@ using farm::WorkerNote;
 constexpr int kAttempts = 3;     // of a worker whose store fails
 constexpr int kMostRounds = 20;  // of workers, and of attempts to write the film
 constexpr int kRoundsWithoutProgress = 3;
-constexpr int kMostRestarts = 100;  // of a task that Slurm stops
+constexpr int kLongestGrace = 120;  // seconds
 constexpr int kPause = 10;          // seconds, before another attempt to write the film
 
 std::string variable(const char* name) {
@@ -196,11 +196,12 @@ std::vector<std::int64_t> write_film(const FarmJob& job, CommandContext& context
     return {};
 }
 
-/// Slurm runs a stopped worker again, unless the user has stopped the job.
-void ask_for_another_run(const FarmJob& job) {
-    const std::int64_t runs = std::strtoll(variable("SLURM_RESTART_COUNT").c_str(), nullptr, 10);
-    if (runs < kMostRestarts && !farm::read_end(job)) {
-        farm::requeue_own_task();
+/// For Slurm a task that ends by itself is done. One that is still there when its grace is over is
+/// run again if it was pre-empted, and not if its user has cancelled it.
+void leave_the_end_to_slurm(const FarmJob& job) {
+    const bool is_task = !variable("SLURM_JOB_ID").empty();
+    for (int second = 0; is_task && second < kLongestGrace && !farm::read_end(job); ++second) {
+        std::this_thread::sleep_for(std::chrono::seconds(1));
     }
 }
 
@@ -218,11 +219,9 @@ void farm_work(const FarmCommand& command, CommandContext& context) {
             context.console.info(fmt::format("{} pictures rendered, {} of them twice",
                                              result.state.rendered, result.state.twice));
             return;
-        } catch (const InputError&) {
-            throw;
         } catch (const Stopped&) {
             note.end("stopped");
-            ask_for_another_run(job);
+            leave_the_end_to_slurm(job);
             throw;
         } catch (const Error& error) {
             if (attempt == kAttempts) {
