@@ -26,6 +26,8 @@
 namespace carom::render {
 namespace {
 
+constexpr const char* kNoDate = "1970:01:01 00:00:00";
+
 constexpr float kLargestHalf = 65504;
 constexpr int kMaxEdge = 65'536;  // pixels
 constexpr int kMaxChannels = 256;
@@ -214,6 +216,9 @@ void write_exr(const Film& film, const std::string& path, const ImageMetadata& m
         }
     }
     spec.attribute("compression", "zip");
+    // Otherwise OpenImageIO writes the time of the day, and the same picture has other bytes a
+    // second later.
+    spec.attribute("DateTime", kNoDate);
     spec.attribute("oiio:ColorSpace", "Linear");
     add_metadata(spec, metadata);
     add_metadata(spec, film.notes);
