@@ -199,8 +199,7 @@ std::unique_ptr<Claim::Held> Claims::make(const std::string& name, int number,
                                           const std::optional<ClaimNote>& replaced) {
     ClaimNote note{this_host(), new_claim_process(), 0, State::working};
     const std::string own = path(name, number);
-    const std::string draft =
-        fmt::format("{}/new-{:x}-{}", folder_, std::hash<std::string>()(note.host), note.process);
+    const std::string draft = fmt::format("{}/new-{}{}", folder_, host_prefix(), note.process);
     FileDescriptor file = make_draft(draft, note);
     const bool is_linked = ::link(draft.c_str(), own.c_str()) == 0;
     const int failure = errno;

@@ -183,16 +183,16 @@ void submit_again(const FarmJob& job, SlurmJobs slurm, std::int64_t missing,
 std::vector<std::int64_t> write_film(const FarmJob& job, CommandContext& context) {
     FarmFilm film = read_film(job, context);
     film.options.output = job.film;
-    const pipeline::FilmStatus status =
-        pipeline::film_status(film.input.shot, film.bake, film.options, context.stop);
-    if (!status.missing.empty()) {
-        return status.missing;
+    const FarmFrames frames(film, context.stop);
+    frames.remove_damaged();
+    std::vector<std::int64_t> missing = frames.missing_frames();
+    if (!missing.empty()) {
+        return missing;
     }
     (void)pipeline::mux_film(film.input.shot, film.bake, film.options,
-                             make_console_observer(context.console, std::ssize(status.frames)),
-                             context.stop);
+                             make_console_observer(context.console, frames.count()), context.stop);
     context.console.end_progress();
-    FarmFrames(film, context.stop).forget_claims();
+    frames.forget_claims();
     return {};
 }
 
