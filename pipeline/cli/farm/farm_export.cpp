@@ -8,6 +8,7 @@
 
 #include "core/atomic_file.h"
 #include "pipeline/cli/farm/farm_actions.h"
+#include "pipeline/cli/farm/farm_film.h"
 #include "pipeline/cli/farm/farm_plan.h"
 #include "pipeline/farm/slurm.h"
 #include "pipeline/store/file_descriptor.h"
@@ -62,7 +63,7 @@ constexpr const char* kSlurmScript =
 }  // namespace
 
 void farm_export(const FarmCommand& command, CommandContext& context) {
-    const std::string folder = fs::absolute(command.folder).lexically_normal().string();
+    const std::string folder = absolute_path(command.folder);
     if (::mkdir(folder.c_str(), 0755) != 0) {
         throw InputError(errno == EEXIST ? "'" + folder + "' exists; choose another folder"
                                          : pipeline::system_problem(folder, "it cannot be made"));

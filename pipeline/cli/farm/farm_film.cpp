@@ -18,10 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using farm::FarmJob;
 
-std::string absolute(const std::string& path) {
-    return fs::absolute(path).lexically_normal().string();
-}
-
 std::optional<std::int64_t> number_of(const std::string& text) {
     std::int64_t number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -40,8 +36,12 @@ bool is_named(const FarmJob& job, const std::string& name, const std::string& fi
 
 }  // namespace
 
+std::string absolute_path(const std::string& path) {
+    return fs::absolute(path).lexically_normal().string();
+}
+
 std::string store_of(const FarmCommand& command) {
-    return absolute(command.store.empty() ? pipeline::default_cache_folder() : command.store);
+    return absolute_path(command.store.empty() ? pipeline::default_cache_folder() : command.store);
 }
 
 FarmJob find_job(const FarmCommand& command) {
@@ -51,7 +51,7 @@ FarmJob find_job(const FarmCommand& command) {
     const std::string store = store_of(command);
     for (const std::string& folder : farm::job_folders(store)) {
         FarmJob job = farm::read_job(folder);
-        if (is_named(job, command.job, absolute(command.job))) {
+        if (is_named(job, command.job, absolute_path(command.job))) {
             return job;
         }
     }

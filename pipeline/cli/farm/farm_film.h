@@ -15,6 +15,9 @@
 
 namespace carom::cli {
 
+/// The same path from the root, without "." and "..".
+[[nodiscard]] std::string absolute_path(const std::string& path);
+
 /// The store that the command names, absolute.
 [[nodiscard]] std::string store_of(const FarmCommand& command);
 

@@ -26,10 +26,6 @@ using farm::FarmJob;
 constexpr std::int64_t kMostWorkers = 1000;  // Slurm's usual limit of an array
 constexpr std::uint64_t kMegabyte = 1000000;
 
-std::string absolute(const std::string& path) {
-    return fs::absolute(path).lexically_normal().string();
-}
-
 /// Of a worker, MB. `needed`: bytes, as forecast; it may be a quarter too small.
 std::int64_t megabytes_of(const FarmCommand& command, std::uint64_t needed) {
     if (command.memory == "auto") {
@@ -71,11 +67,11 @@ std::string time_for_film(const pipeline::FilmForecast& forecast) {
 FarmJob job_of(const FarmCommand& command, const ShotInput& input,
                const pipeline::FilmForecast& forecast) {
     FarmJob job;
-    job.film = absolute(film_path(command.output, command.input, input.shot));
+    job.film = absolute_path(film_path(command.output, command.input, input.shot));
     job.shot = command.input.path;
     job.name = input.shot.name;
     job.store = store_of(command);
-    job.root = command.input.root.empty() ? "" : absolute(command.input.root);
+    job.root = command.input.root.empty() ? "" : absolute_path(command.input.root);
     job.frames = command.frames;
     job.tier = std::string(render::simd_tier());
     job.tasks_at_once = command.tasks_at_once;
@@ -120,7 +116,7 @@ PlannedFarm plan_farm(const FarmCommand& command, CommandContext& context) {
     const pipeline::FilmStatus status =
         pipeline::film_status(input.shot, planned.bake, options, context.stop);
     planned.missing = std::ssize(status.missing);
-    options.output = absolute(film_path(command.output, command.input, input.shot));
+    options.output = absolute_path(film_path(command.output, command.input, input.shot));
     options.threads = command.processors;
     planned.forecast =
         pipeline::forecast_film(input.shot, planned.bake, status.missing, options, context.stop);
