@@ -27,7 +27,7 @@ MeasuredFrame FrameMeter::measure(render::RenderSettings settings, AccelerationK
         }
         const double start = process_cpu_seconds();
         (void)render::render_frame(*prepared_, scene_.tracks, scene_.frame, settings, context,
-                                   &probe);
+                                   nullptr, &probe);
         result.cpu_seconds = process_cpu_seconds() - start - probe.cost.frame_build_seconds;
     });
     result.cost = probe.cost;

@@ -71,7 +71,15 @@ std::string total_text(const std::vector<CacheEntry>& entries, CacheEntry::Kind 
 }
 
 const char* name_of(CacheEntry::Kind kind) {
-    return kind == CacheEntry::Kind::frame ? "frame" : "bake";
+    switch (kind) {
+        case CacheEntry::Kind::frame:
+            return "frame";
+        case CacheEntry::Kind::sums:
+            return "stopped frame";
+        case CacheEntry::Kind::bake:
+            break;
+    }
+    return "bake";
 }
 
 std::string entry_json(const CacheEntry& entry) {
@@ -96,6 +104,9 @@ void list(const CacheCommand& command) {
         text = folder + ": limit " + pipeline::size_text(limit_of(command.cache)) + "\n" +
                total_text(entries, CacheEntry::Kind::frame, "frame") +
                total_text(entries, CacheEntry::Kind::bake, "bake");
+        if (total_of(entries, CacheEntry::Kind::sums).count > 0) {
+            text += total_text(entries, CacheEntry::Kind::sums, "stopped frame");
+        }
     }
     print_text(text);
 }

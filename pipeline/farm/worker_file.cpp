@@ -23,7 +23,8 @@ std::optional<WorkerNote> read_worker(const std::string& path) {
                           record->text("state"),          record->integer("frame"),
                           record->number("fraction"),     record->integer("heartbeat"),
                           record->number("seconds_left"), record->integer("rendered"),
-                          record->integer("twice"),       record->text("problem")};
+                          record->integer("twice"),       record->integer("continued"),
+                          record->text("problem")};
     } catch (const Error&) {
         return std::nullopt;
     }
@@ -42,6 +43,7 @@ void write_worker(const FarmJob& job, const WorkerNote& note) {
         .add("seconds_left", note.seconds_left)
         .add("rendered", note.rendered)
         .add("twice", note.twice)
+        .add("continued", note.continued)
         .add("problem", note.problem);
     write_record(job.folder + "/workers/" + note.name + ".json", members);
 }

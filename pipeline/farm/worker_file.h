@@ -19,6 +19,7 @@ struct WorkerNote {
     double seconds_left = 0;     // of its budget
     std::int64_t rendered = 0;   // pictures
     std::int64_t twice = 0;      // of these, pictures that another worker had rendered, too
+    std::int64_t continued = 0;  // of these, pictures that another worker had begun
     std::string problem;         // why it ended; empty: it did its work
 };
 

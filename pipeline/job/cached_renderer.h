@@ -22,6 +22,7 @@ struct CachedRender {
     render::RenderStatistics counts{};
     std::optional<render::Film> film{};  // as it is stored, if it was rendered now
     bool twice = false;                  // somebody else had rendered it, too
+    bool continued = false;              // another attempt had begun it
 
     [[nodiscard]] std::uint64_t rays() const {
         return counts.camera_rays + counts.scattered_rays + counts.shadow_rays;
@@ -32,17 +33,27 @@ struct CachedRender {
 /// at a time. Refers to its arguments.
 class CachedRenderer {
   public:
-    CachedRenderer(const FilmSource& source, const FrameStore& store, RenderFunction render)
-        : source_(source), store_(store), render_(std::move(render)) {}
+    /// `keeps_sums`: that of FilmJobOptions.
+    CachedRenderer(const FilmSource& source, const FrameStore& store, RenderFunction render,
+                   bool keeps_sums)
+        : source_(source), store_(store), render_(std::move(render)), keeps_sums_(keeps_sums) {}
 
     /// Ensures that the store has the picture, unless another process is rendering it. When
-    /// stopped, a picture that needs less than two more seconds is finished. Throws Error, Stopped.
+    /// stopped, a picture that needs less than two more seconds is finished; the samples of one
+    /// that needs longer are stored if they are kept, and whoever renders it next goes on with
+    /// them. Throws Error, Stopped.
     CachedRender render(const FilmPlan::Picture& picture, const WorkContext& context);
 
   private:
+    [[nodiscard]] render::Film render_from(render::FrameSums& sums,
+                                           const FilmPlan::Picture& picture,
+                                           const WorkContext& context) const;
+    void keep(const render::FrameSums& sums, const Hash128& key) const;
+
     const FilmSource& source_;
     const FrameStore& store_;
     RenderFunction render_;
+    bool keeps_sums_;
     double expected_seconds_ = 0;
 };
 

@@ -110,7 +110,7 @@ FilmForecast forecast_film(const Shot& shot, const sim::Bake& bake,
                            const std::vector<std::int64_t>& missing, const FilmJobOptions& options,
                            const std::stop_token& stop, const ForecastSettings& settings) {
     FilmForecast forecast;
-    forecast.memory_bytes = forecast_memory(shot, options.output);
+    forecast.memory_bytes = forecast_memory(shot, options.output, options.keeps_sums);
     const FilmSource source(shot, bake.timeline);
     const FilmPlan plan = plan_film(source, job_frames(shot, options), stop);
     forecast.frames = std::ssize(plan.frames);

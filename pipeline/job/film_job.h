@@ -16,6 +16,7 @@
 #include "pipeline/store/claim_times.h"
 #include "render/acceleration/structure_factory.h"
 #include "render/film/film.h"
+#include "render/frame/frame_sums.h"
 #include "sim/timeline/bake_file.h"
 
 namespace carom::pipeline {
@@ -48,9 +49,13 @@ struct FilmJobOptions {
     /// Frames that are not stored show the nearest stored one before them (film_so_far.h); nothing
     /// is rendered.
     bool so_far = false;
+    /// Evenly sampled pictures keep the sums of their samples in memory (144 bytes a pixel), too,
+    /// so that one that is stopped is gone on with; adaptively sampled ones do anyway.
+    bool keeps_sums = false;
     ClaimTimes claim_times{};  // of the frames that are being rendered
     /// Renders the pictures instead of render_frame; `threads` and `factory` are ignored then.
-    std::function<render::Film(const FrameInputs&, const WorkContext&)> renderer{};
+    std::function<render::Film(const FrameInputs&, const WorkContext&, render::FrameSums*)>
+        renderer{};
 };
 
 struct FilmJobResult {

@@ -63,7 +63,8 @@ FilmJobResult mux_film(const Shot& shot, const sim::Bake& bake, const FilmJobOpt
         check_that_all_are_stored(film_status(shot, bake, options, stop));
     }
     FilmJobOptions without_renderer = options;
-    without_renderer.renderer = [](const FrameInputs&, const WorkContext&) -> render::Film {
+    without_renderer.renderer = [](const FrameInputs&, const WorkContext&,
+                                   render::FrameSums*) -> render::Film {
         throw Error(
             "a frame disappeared from the cache while the film was being written; 'carom render' "
             "renders it again");

@@ -107,6 +107,7 @@ class Worker {
         if (result.origin == RenderOrigin::rendered) {
             ++state_.rendered;
             state_.twice += result.twice ? 1 : 0;
+            state_.continued += result.continued ? 1 : 0;
             tell(frame, 1);
         }
         return true;
@@ -162,7 +163,7 @@ WorkerResult work_on_film(const Shot& shot, const sim::Bake& bake, const FilmJob
     const FrameStore store = open_store(options, damages);
     const FilmSource source(shot, bake.timeline, options.tier);
     const FilmPlan plan = plan_film(source, job_frames(shot, options), stop);
-    CachedRenderer renderer(source, store, renderer_of(shot, options));
+    CachedRenderer renderer(source, store, renderer_of(shot, options), options.keeps_sums);
     return Worker(plan, renderer, worker, on_state).run(stop);
 }
 

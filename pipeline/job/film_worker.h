@@ -21,13 +21,14 @@ struct WorkerOptions {
 
 /// What a worker does now.
 struct WorkerState {
-    std::int64_t frame = -1;    // that it renders; -1: it waits for frames of others
-    double fraction = 0;        // of that frame
-    double seconds_left = 0;    // of its budget
-    std::int64_t rendered = 0;  // pictures
-    std::int64_t twice = 0;     // of these, pictures that another worker had rendered, too
-    std::int64_t finished = 0;  // pictures of the film that are known to be in the store
-    std::int64_t pictures = 0;  // of the film
+    std::int64_t frame = -1;     // that it renders; -1: it waits for frames of others
+    double fraction = 0;         // of that frame
+    double seconds_left = 0;     // of its budget
+    std::int64_t rendered = 0;   // pictures
+    std::int64_t twice = 0;      // of these, pictures that another worker had rendered, too
+    std::int64_t continued = 0;  // of these, pictures that another attempt had begun
+    std::int64_t finished = 0;   // pictures of the film that are known to be in the store
+    std::int64_t pictures = 0;   // of the film
 };
 
 struct WorkerResult {

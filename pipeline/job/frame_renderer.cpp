@@ -27,10 +27,11 @@ FrameRenderer make_frame_renderer(const Shot& shot, const sim::Timeline& timelin
     return [source, render = make_scene_renderer(shot, threads, nullptr)](
                std::int64_t frame, const WorkContext& context) {
         const std::vector<PlannedFrame> layers = source->layers(frame);
-        render::Film film = render(source->inputs(layers[0]), step_of(context, 0, layers.size()));
+        render::Film film =
+            render(source->inputs(layers[0]), step_of(context, 0, layers.size()), nullptr);
         if (layers.size() > 1) {
             const render::Film other =
-                render(source->inputs(layers[1]), step_of(context, 1, layers.size()));
+                render(source->inputs(layers[1]), step_of(context, 1, layers.size()), nullptr);
             mix_in(other, layers[1].weight, film);
             film.statistics += other.statistics;
         }

@@ -48,7 +48,8 @@ RenderFunction renderer_of(const Shot& shot, const FilmJobOptions& options) {
         return options.renderer;
     }
     if (!options.tier.empty() && options.tier != render::simd_tier()) {
-        return [tier = options.tier](const FrameInputs&, const WorkContext&) -> render::Film {
+        return [tier = options.tier](const FrameInputs&, const WorkContext&,
+                                     render::FrameSums*) -> render::Film {
             throw Error(fmt::format(
                 "the film's frames need {} instructions, and this machine renders with {}", tier,
                 render::simd_tier()));

@@ -23,6 +23,8 @@ namespace {
 constexpr double kProgram = 180e6;
 /// The film of a frame, its tiles, the frame that is being stored, and its view transform.
 constexpr double kPicturePerPixel = 62;
+/// The sums of all samples of a frame that can be gone on with (render/frame/frame_sums.h).
+constexpr double kSumsPerPixel = 144;
 /// One AOV, while it is rendered and while it is stored.
 constexpr double kPerPixelAndAov = 20;
 
@@ -77,12 +79,15 @@ double encoder_bytes(const Shot& shot, const std::string& output, double pixels)
 
 }  // namespace
 
-std::uint64_t forecast_memory(const Shot& shot, const std::string& output) {
+std::uint64_t forecast_memory(const Shot& shot, const std::string& output, bool keeps_sums) {
     const double pixels = static_cast<double>(shot.render.width) * shot.render.height;
     const auto aovs = static_cast<double>(shot.render.aovs.size());
-    const double bytes = kProgram + scene_bytes(shot) +
-                         pixels * (kPicturePerPixel + aovs * kPerPixelAndAov) +
-                         encoder_bytes(shot, output, pixels);
+    const double bytes =
+        kProgram + scene_bytes(shot) +
+        pixels * (kPicturePerPixel +
+                  (keeps_sums || render::is_adaptive(shot.render) ? kSumsPerPixel : 0) +
+                  aovs * kPerPixelAndAov) +
+        encoder_bytes(shot, output, pixels);
     return static_cast<std::uint64_t>(std::llround(bytes));
 }
 

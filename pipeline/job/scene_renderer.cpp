@@ -14,13 +14,14 @@ class SceneRenderer {
     SceneRenderer(const Shot& shot, int threads, render::StructureFactory factory)
         : shot_(shot), arena_(threads), factory_(factory) {}
 
-    render::Film render(const FrameInputs& inputs, const WorkContext& context) {
+    render::Film render(const FrameInputs& inputs, const WorkContext& context,
+                        render::FrameSums* sums) {
         return arena_.execute([&] {
             if (!scene_) {
                 scene_.emplace(shot_.scene, shot_.render, factory_);
             }
-            return render::render_frame(*scene_, inputs.tracks, inputs.frame, shot_.render,
-                                        context);
+            return render::render_frame(*scene_, inputs.tracks, inputs.frame, shot_.render, context,
+                                        sums);
         });
     }
 
@@ -36,9 +37,8 @@ class SceneRenderer {
 RenderFunction make_scene_renderer(const Shot& shot, int threads,
                                    render::StructureFactory factory) {
     const auto renderer = std::make_shared<SceneRenderer>(shot, threads, factory);
-    return [renderer](const FrameInputs& inputs, const WorkContext& context) {
-        return renderer->render(inputs, context);
-    };
+    return [renderer](const FrameInputs& inputs, const WorkContext& context,
+                      render::FrameSums* sums) { return renderer->render(inputs, context, sums); };
 }
 
 }  // namespace carom::pipeline

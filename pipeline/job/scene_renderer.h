@@ -8,12 +8,15 @@
 #include "pipeline/store/frame_inputs.h"
 #include "render/acceleration/structure_factory.h"
 #include "render/film/film.h"
+#include "render/frame/frame_sums.h"
 
 namespace carom::pipeline {
 
-/// Renders the picture of a frame from its inputs. The same inputs give the same picture. A job
+/// Renders the picture of a frame from its inputs. The same inputs give the same picture. If sums
+/// are given, the picture goes on with them and keeps its samples there when it is stopped. A job
 /// renders one picture at a time.
-using RenderFunction = std::function<render::Film(const FrameInputs&, const WorkContext&)>;
+using RenderFunction =
+    std::function<render::Film(const FrameInputs&, const WorkContext&, render::FrameSums*)>;
 
 /// Calls render_frame on `threads` threads (0: one per processor). The scene is prepared for the
 /// first picture. Refers to `shot`; `factory` as for PreparedScene.

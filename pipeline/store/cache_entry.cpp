@@ -76,6 +76,7 @@ std::optional<Hash128> parse_key(const std::string& digits) {
 std::vector<CacheEntry> list_cache(const std::string& folder) {
     std::vector<CacheEntry> entries;
     collect_entries(fs::path(folder) / "frames", ".exr", CacheEntry::Kind::frame, entries);
+    collect_entries(fs::path(folder) / "frames", ".sums", CacheEntry::Kind::sums, entries);
     collect_entries(fs::path(folder) / "bakes", ".bake", CacheEntry::Kind::bake, entries);
     std::sort(entries.begin(), entries.end(), [](const CacheEntry& a, const CacheEntry& b) {
         return a.last_used != b.last_used ? a.last_used < b.last_used : a.path < b.path;

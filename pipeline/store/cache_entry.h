@@ -1,4 +1,4 @@
-// The entries of the cache: finished frames and bakes.
+// The entries of the cache: finished frames, samples of frames that were stopped, and bakes.
 #pragma once
 
 #include <chrono>
@@ -13,7 +13,7 @@
 namespace carom::pipeline {
 
 struct CacheEntry {
-    enum class Kind { frame, bake };
+    enum class Kind { frame, bake, sums };  // sums: of a frame that was stopped
     Kind kind = Kind::frame;
     std::string path;
     Hash128 key;  // a frame's key or a bake's physics hash, which is also the file's name

@@ -1,69 +1,14 @@
 #include "pipeline/store/frame_store.h"
 
-#include <atomic>
-#include <chrono>
-#include <filesystem>
-#include <thread>
 #include <utility>
 
-#include <fmt/core.h>
 #include <unistd.h>
 
 #include "core/error.h"
 #include "pipeline/store/cache_entry.h"
-#include "pipeline/store/file_descriptor.h"
 #include "pipeline/store/frame_checksum.h"
-#include "pipeline/store/lock_file.h"
 
 namespace carom::pipeline {
-namespace {
-
-namespace fs = std::filesystem;
-
-// The name is unique among all writers that now run.
-std::string partial_name(const Hash128& key) {
-    static std::atomic<std::uint64_t> count{0};
-    return fmt::format("{}{}-{}-{}", host_prefix(), key.to_string(), ::getpid(), ++count);
-}
-
-// A file that is being written. It is locked so that no process takes it for a leftover of a killed
-// writer, and removed unless it was renamed.
-class PartialFile {
-  public:
-    explicit PartialFile(std::string path) : path_(std::move(path)), lock_(try_lock(path_)) {
-        // No other writer uses this name. Only remove_abandoned_files may lock it for a moment.
-        while (lock_.state == LockState::busy) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-            lock_ = try_lock(path_);
-        }
-    }
-    ~PartialFile() {
-        if (!path_.empty()) {
-            ::unlink(path_.c_str());
-        }
-    }
-    PartialFile(const PartialFile&) = delete;
-    PartialFile& operator=(const PartialFile&) = delete;
-    PartialFile(PartialFile&&) = delete;
-    PartialFile& operator=(PartialFile&&) = delete;
-
-    [[nodiscard]] const std::string& path() const { return path_; }
-
-    void rename_to(const std::string& final_path) {
-        create_folder(fs::path(final_path).parent_path().string());
-        if (::rename(path_.c_str(), final_path.c_str()) != 0) {
-            throw Error(system_problem(final_path, "the finished frame cannot be moved here"));
-        }
-        path_.clear();
-    }
-
-  private:
-    std::string path_;
-    LockAttempt lock_;
-};
-
-}  // namespace
-
 FrameStore::FrameStore(std::string folder, DamageObserver on_damage, ClaimTimes times)
     : folder_(std::move(folder)),
       on_damage_(std::move(on_damage)),
@@ -73,8 +18,12 @@ FrameStore::FrameStore(std::string folder, DamageObserver on_damage, ClaimTimes 
 }
 
 std::string FrameStore::path_of(const Hash128& key) const {
+    return file_of(key, ".exr");
+}
+
+std::string FrameStore::file_of(const Hash128& key, const char* extension) const {
     const std::string digits = key.to_string();
-    return folder_ + "/" + digits.substr(0, 2) + "/" + digits + ".exr";
+    return folder_ + "/" + digits.substr(0, 2) + "/" + digits + extension;
 }
 
 bool FrameStore::contains(const Hash128& key) const {
@@ -124,10 +73,14 @@ std::optional<render::Film> FrameStore::read(const Hash128& key) const {
 
 void FrameStore::write(const Hash128& key, const render::Film& film,
                        const render::ImageMetadata& metadata) const {
-    PartialFile partial(folder_ + "/partial/" + partial_name(key));
+    PartialFile partial = begin_file(key);
     render::write_exr(film, partial.path(), metadata);
     append_checksum(partial.path(), key);
     partial.rename_to(path_of(key));
+}
+
+PartialFile FrameStore::begin_file(const Hash128& key) const {
+    return PartialFile(folder_ + "/partial", key.to_string());
 }
 
 std::optional<Claim> FrameStore::claim(const Hash128& key) const {

@@ -9,6 +9,7 @@
 #include "core/hash.h"
 #include "pipeline/store/cache_folder.h"
 #include "pipeline/store/claims.h"
+#include "pipeline/store/partial_file.h"
 #include "render/film/film.h"
 #include "render/film/image_file.h"
 
@@ -16,7 +17,8 @@ namespace carom::pipeline {
 
 /// A folder of EXR files, one per key. Several threads and processes may share it.
 ///   FOLDER/ab/abcdef....exr   finished frames, sorted by the first two digits of the key
-///   FOLDER/partial/           frames being written; leftovers of killed writers are removed
+///   FOLDER/ab/abcdef....sums  samples of frames that were stopped (sums_file.h)
+///   FOLDER/partial/           files being written; leftovers of killed writers are removed
 ///   FOLDER/locks/             claims (claims.h)
 class FrameStore {
   public:
@@ -58,6 +60,10 @@ class FrameStore {
     void forget_claims(const Hash128& key) const { claims_->forget(key.to_string()); }
 
     [[nodiscard]] std::string path_of(const Hash128& key) const;
+    /// The path of another file about the frame.
+    [[nodiscard]] std::string file_of(const Hash128& key, const char* extension) const;
+    /// A file about the frame, to be written. Throws Error if it cannot be made.
+    [[nodiscard]] PartialFile begin_file(const Hash128& key) const;
 
   private:
     void discard(const std::string& path, const std::string& damage) const;

@@ -15,6 +15,7 @@
 
 namespace carom::render {
 
+class FrameSums;        // render/frame/frame_sums.h
 struct StructureProbe;  // render/acceleration/structure_cost.h
 
 /// Incremented whenever the renderer's pixels change for the same inputs.
@@ -56,10 +57,12 @@ class PreparedScene {
 /// Renders one frame, tiles in parallel on oneTBB: settings.width x settings.height pixels of
 /// linear light. The pixels depend only on the arguments, not on threads; any number of threads
 /// may call at the same time. `tracks` must contain the tracks that the scene names; a missing
-/// track is an Error, and so are settings with problems. Throws Stopped. `probe`: if given, the
-/// cost of intersection is measured; the pixels stay the same.
+/// track is an Error, and so are settings with problems. Throws Stopped. `sums`: if given, the
+/// frame goes on with them and keeps all samples in them, also when it is stopped. `probe`: if
+/// given, the cost of intersection is measured. The pixels are the same with either.
 [[nodiscard]] Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks,
                                 const FrameInput& frame, const RenderSettings& settings,
-                                const WorkContext& context = {}, StructureProbe* probe = nullptr);
+                                const WorkContext& context = {}, FrameSums* sums = nullptr,
+                                StructureProbe* probe = nullptr);
 
 }  // namespace carom::render

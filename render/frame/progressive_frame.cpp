@@ -6,6 +6,7 @@
 #include "core/assert.h"
 #include "core/error.h"
 #include "render/acceleration/flush_denormals.h"
+#include "render/frame/frame_sums_data.h"
 #include "render/frame/frame_work.h"
 #include "render/frame/sample_plan.h"
 #include "render/frame/tile_loop.h"
@@ -29,23 +30,23 @@ WorkContext part_of(const WorkContext& context, double from, double to) {
 struct ProgressiveFrame::Data {
     Data(const PreparedScene& scene, std::span<const sim::Track> tracks, const FrameInput& frame,
          const RenderSettings& settings)
-        : work(scene, tracks, frame, settings), sums(work.pixel_count()) {}
+        : work(scene, tracks, frame, settings) {
+        sums.pixels.resize(work.pixel_count());
+    }
 
     FrameWork work;
-    std::vector<PixelSums> sums;  // row by row
-    std::vector<int> plan;        // with adaptive sampling, once the first samples are taken
-    int samples = 0;              // that all pixels have, unless they have all of their own
-    RenderStatistics statistics;
+    FrameSums::Data sums;
+    int samples = 0;  // that all pixels have, unless they have all of their own
 
     [[nodiscard]] const TileRenderer& tiles() const { return work.tiles(); }
-    [[nodiscard]] bool lacks_plan() const { return tiles().is_adaptive() && plan.empty(); }
+    [[nodiscard]] bool lacks_plan() const { return tiles().is_adaptive() && sums.plan.empty(); }
     [[nodiscard]] int most_samples() const {
         if (!tiles().is_adaptive()) {
             return tiles().samples();
         }
         const RenderSettings& settings = work.settings();
         return lacks_plan() ? std::max(settings.samples, settings.max_samples)
-                            : *std::max_element(plan.begin(), plan.end());
+                            : *std::max_element(sums.plan.begin(), sums.plan.end());
     }
 
     void add_samples(int up_to, const WorkContext& context);
@@ -57,12 +58,13 @@ void ProgressiveFrame::Data::add_samples(int up_to, const WorkContext& context) 
     if (up_to <= samples) {
         return;
     }
-    const SampleLimit limit{up_to, plan.empty() ? nullptr : &plan};
+    const SampleLimit limit{up_to, sums.plan.empty() ? nullptr : &sums.plan};
     TileProgress progress(context.progress, tiles().tile_count());
     for_all_tiles(
-        tiles().tile_count(), context, statistics,
+        tiles().tile_count(), context, sums.statistics,
         [&](int tile) {
-            return tiles().add_samples(tile, tiles().sums_of(tile, sums), limit, context.stop);
+            return tiles().add_samples(tile, tiles().sums_of(tile, sums.pixels), limit,
+                                       context.stop);
         },
         [&](int) { progress.finish_tile(); });
     samples = up_to;
@@ -74,7 +76,7 @@ void ProgressiveFrame::Data::write_tiles(const WorkContext& context, const Write
     for_all_tiles(
         tiles().tile_count(), context, none,
         [&](int tile) {
-            write(tile, tiles().sums_of(tile, sums));
+            write(tile, tiles().sums_of(tile, sums.pixels));
             return RenderStatistics{};
         },
         [](int) {});
@@ -97,7 +99,7 @@ void ProgressiveFrame::refine(int up_to_samples, const WorkContext& context) {
         done = up_to_samples > first ? 0.5 : 1;
         data_->add_samples(std::min(up_to_samples, first), part_of(context, 0, done));
         if (data_->samples == first) {
-            data_->plan = plan_samples(data_->sums, data_->work.settings());
+            data_->sums.plan = plan_samples(data_->sums.pixels, data_->work.settings());
         }
     }
     if (!data_->lacks_plan()) {
@@ -119,14 +121,14 @@ bool ProgressiveFrame::finished() const {
 }
 
 const RenderStatistics& ProgressiveFrame::statistics() const {
-    return data_->statistics;
+    return data_->sums.statistics;
 }
 
 Film ProgressiveFrame::picture(const WorkContext& context) const {
     Film film = data_->work.empty_film();
     data_->write_tiles(
         context, [&](int tile, const TileSums& sums) { data_->tiles().write(tile, sums, film); });
-    film.statistics = data_->statistics;
+    film.statistics = data_->sums.statistics;
     data_->work.add_reflections(film, context);
     return film;
 }

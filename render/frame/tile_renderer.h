@@ -52,9 +52,7 @@ class TileRenderer {
     [[nodiscard]] int tile_count() const { return tiles_x_ * tiles_y_; }
     /// Samples of every pixel; with adaptive sampling, the first ones of every pixel.
     [[nodiscard]] int samples() const { return samples_; }
-    [[nodiscard]] bool is_adaptive() const {
-        return settings_.integrator == IntegratorKind::path && settings_.noise > 0;
-    }
+    [[nodiscard]] bool is_adaptive() const { return render::is_adaptive(settings_); }
 
     /// The sums of a tile in those of the whole picture, which are stored row by row.
     [[nodiscard]] TileSums sums_of(int tile, std::vector<PixelSums>& picture) const;

@@ -49,4 +49,9 @@ struct RenderSettings {
     bool operator==(const RenderSettings&) const = default;
 };
 
+/// Whether the samples of a pixel depend on the noise of its first ones.
+[[nodiscard]] inline bool is_adaptive(const RenderSettings& settings) {
+    return settings.integrator == IntegratorKind::path && settings.noise > 0;
+}
+
 }  // namespace carom::render

@@ -72,6 +72,7 @@ FarmFilm read_film(const FarmJob& job, CommandContext& context) {
     film.options.claim_times = pipeline::claim_times(
         std::chrono::milliseconds(static_cast<std::int64_t>(1000 * job.dead_after)));
     film.options.claim_times.keeps_finished = true;
+    film.options.keeps_sums = true;
     return film;
 }
 

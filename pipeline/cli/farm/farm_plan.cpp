@@ -118,6 +118,7 @@ PlannedFarm plan_farm(const FarmCommand& command, CommandContext& context) {
     planned.missing = std::ssize(status.missing);
     options.output = absolute_path(film_path(command.output, command.input, input.shot));
     options.threads = command.processors;
+    options.keeps_sums = true;
     planned.forecast =
         pipeline::forecast_film(input.shot, planned.bake, status.missing, options, context.stop);
     planned.job = job_of(command, input, planned.forecast);

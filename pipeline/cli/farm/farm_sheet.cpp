@@ -69,7 +69,8 @@ void write_sheet(const FarmFilm& film, const std::vector<std::int64_t>& stored,
     const pipeline::Shot& shot = film.input.shot;
     const pipeline::DisplayView view(shot.output);
     pipeline::FilmJobOptions options = film.options;
-    options.renderer = [](const pipeline::FrameInputs&, const WorkContext&) -> render::Film {
+    options.renderer = [](const pipeline::FrameInputs&, const WorkContext&,
+                          render::FrameSums*) -> render::Film {
         throw Error("a frame disappeared from the store");
     };
     const std::vector<pipeline::CameraRig> rigs =

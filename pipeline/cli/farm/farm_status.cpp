@@ -30,6 +30,7 @@ struct State {
     std::int64_t frames = 0;
     std::int64_t finished = 0;
     std::int64_t twice = 0;
+    std::int64_t continued = 0;
     farm::SlurmJobs slurm;
     std::vector<farm::WorkerNote> workers;
 };
@@ -73,6 +74,7 @@ State state_of(const FarmJob& job, const FarmFrames& frames) {
     state.workers = farm::read_workers(job);
     for (const farm::WorkerNote& worker : state.workers) {
         state.twice += worker.twice;
+        state.continued += worker.continued;
     }
     if (const auto end = farm::read_end(job)) {
         state.state = end->state;
@@ -107,6 +109,7 @@ std::string worker_json(const farm::WorkerNote& worker) {
         .add("seconds_left", worker.seconds_left)
         .add("rendered", worker.rendered)
         .add("rendered_twice", worker.twice)
+        .add("continued", worker.continued)
         .add("problem", worker.problem);
     return members.object();
 }
@@ -120,6 +123,7 @@ std::string json_of(const FarmJob& job, const State& state) {
         .add("frames", state.frames)
         .add("finished", state.finished)
         .add("rendered_twice", state.twice)
+        .add("continued", state.continued)
         .add("round", state.slurm.round);
     JsonMembers slurm;
     slurm.add("frames", state.slurm.frames).add("film", state.slurm.film);
@@ -149,6 +153,10 @@ std::string text_of(const FarmJob& job, const State& state) {
                                    state.finished, state.frames);
     if (state.twice > 0) {
         text += fmt::format("{} frames were rendered twice\n", state.twice);
+    }
+    if (state.continued > 0) {
+        text += fmt::format("{} frames were begun by one worker and completed by another\n",
+                            state.continued);
     }
     if (!state.message.empty()) {
         text += state.message + "\n";

@@ -77,6 +77,7 @@ class Note {
         note_.seconds_left = state.seconds_left;
         note_.rendered = earlier_ + state.rendered;
         note_.twice = earlier_twice_ + state.twice;
+        note_.continued = earlier_continued_ + state.continued;
         write();
     }
 
@@ -84,6 +85,7 @@ class Note {
     void begin_again(const std::string& problem) {
         earlier_ = note_.rendered;
         earlier_twice_ = note_.twice;
+        earlier_continued_ = note_.continued;
         note_.problem = problem;
         write();
     }
@@ -110,6 +112,7 @@ class Note {
     WorkerNote note_;
     std::int64_t earlier_ = 0;
     std::int64_t earlier_twice_ = 0;
+    std::int64_t earlier_continued_ = 0;
 };
 
 void sleep_for(int seconds, const std::stop_token& stop) {
@@ -216,8 +219,9 @@ void farm_work(const FarmCommand& command, CommandContext& context) {
             const FarmFilm film = read_film(job, context);
             const pipeline::WorkerResult result = work(job, film, note, context);
             note.end("");
-            context.console.info(fmt::format("{} pictures rendered, {} of them twice",
-                                             result.state.rendered, result.state.twice));
+            context.console.info(fmt::format(
+                "{} pictures rendered, {} of them twice, {} of them begun by other workers",
+                result.state.rendered, result.state.twice, result.state.continued));
             return;
         } catch (const Stopped&) {
             note.end("stopped");

@@ -47,7 +47,7 @@ struct FadeJob {
         return options;
     }
     [[nodiscard]] RenderFunction renderer() const {
-        return [this](const FrameInputs& inputs, const WorkContext&) {
+        return [this](const FrameInputs& inputs, const WorkContext&, render::FrameSums*) {
             render::Film film;
             film.width = shot.render.width;
             film.height = shot.render.height;

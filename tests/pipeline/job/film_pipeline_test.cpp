@@ -111,7 +111,7 @@ TEST(FilmPipeline, RunInPieces_GivesTheSameFilm) {
 // Renders colours that half precision cannot represent, and channels, so slowly that the encoder
 // has to wait.
 RenderFunction slow_and_fine(const Shot& shot) {
-    return [&shot](const FrameInputs& inputs, const WorkContext&) {
+    return [&shot](const FrameInputs& inputs, const WorkContext&, render::FrameSums*) {
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
         render::Film film = fake_picture(shot, inputs);
         film.rgba[0] = 70000;
@@ -232,7 +232,8 @@ TEST(FilmPipeline, CacheThatIsRemovedMidway_IsFilledAgain) {
     JobFixture plain, job;
     (void)plain.film();
     int calls = 0;
-    const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext&) {
+    const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext&,
+                                      render::FrameSums*) {
         ++calls;
         if (calls == 5) {
             fs::remove_all(job.folder.path("cache"));
@@ -252,7 +253,8 @@ TEST(FilmPipeline, FrameClaimedElsewhere_IsDeferredAndThenRead) {
     ASSERT_TRUE(claim);
     const FilmSource source(job.shot, job.timeline);
     int calls = 0;
-    const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext&) {
+    const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext&,
+                                      render::FrameSums*) {
         ++calls;
         if (calls == kPictures - 1) {  // all others are finished
             store.write(claimed_key, fake_picture(job.shot, source.inputs(1)), {});
@@ -270,12 +272,13 @@ TEST(FilmPipeline, ClaimThatIsReleased_LeavesTheFrameToThisJob) {
     std::optional<Claim> claim = store.claim(job.key(0));
     const RenderFunction usual = job.renderer.function();
     int calls = 0;
-    const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext& context) {
+    const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext& context,
+                                      render::FrameSums*) {
         ++calls;
         if (calls == kPictures - 1) {  // all others are finished
             claim.reset();
         }
-        return usual(inputs, context);
+        return usual(inputs, context, nullptr);
     };
     EXPECT_EQ(job.film(render, job.options()).rendered, kPictures);
     EXPECT_EQ(job.renderer.rendered().back(), Rational(-1, 96).to_double());
@@ -283,9 +286,10 @@ TEST(FilmPipeline, ClaimThatIsReleased_LeavesTheFrameToThisJob) {
 
 TEST(FilmPipeline, TwoConcurrentJobs_RenderEachPictureOnce) {
     JobFixture job;
-    const auto slow = [&](const FrameInputs& inputs, const WorkContext& context) {
+    const auto slow = [&](const FrameInputs& inputs, const WorkContext& context,
+                          render::FrameSums*) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        return job.renderer.function()(inputs, context);
+        return job.renderer.function()(inputs, context, nullptr);
     };
     FilmJobResult other;
     std::thread second([&] {
@@ -301,7 +305,8 @@ TEST(FilmPipeline, Stopped_LeavesNoVideoAndResumesLater) {
     JobFixture plain, job;
     (void)plain.film();
     int calls = 0;
-    const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext& context) {
+    const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext& context,
+                                      render::FrameSums*) {
         ++calls;
         if (calls == 4) {
             context.progress(1e-9);  // the rest would take hours
@@ -320,7 +325,8 @@ TEST(FilmPipeline, Stopped_LeavesNoVideoAndResumesLater) {
 
 TEST(FilmPipeline, StoppedShortlyBeforeTheEndOfAFrame_StoresTheFrame) {
     JobFixture job;
-    const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext& context) {
+    const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext& context,
+                                      render::FrameSums*) {
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
         context.progress(0.5);  // 10 ms more
         job.stop.request_stop();
@@ -336,8 +342,8 @@ TEST(FilmPipeline, StoppedShortlyBeforeTheEndOfAFrame_StoresTheFrame) {
 TEST(FilmPipeline, FrameThatExceedsItsGracePeriod_IsStopped) {
     JobFixture job;
     const auto begin = std::chrono::steady_clock::now();
-    const RenderFunction render = [&](const FrameInputs&,
-                                      const WorkContext& context) -> render::Film {
+    const RenderFunction render = [&](const FrameInputs&, const WorkContext& context,
+                                      render::FrameSums*) -> render::Film {
         context.progress(0.999);  // almost finished, but then it hangs
         job.stop.request_stop();
         while (!context.stop.stop_requested() &&
@@ -381,7 +387,7 @@ TEST(FilmPipeline, EncoderThatNeverReads_DoesNotDelayTheRendering) {
     const FrameStore store = job.store();
     ThreadSafeObserver safe_observer(job.observer);
     FrameQueue queue(plan.pictures.size());
-    CachedRenderer renderer(source, store, job.renderer.function());
+    CachedRenderer renderer(source, store, job.renderer.function(), false);
     FrameScheduler scheduler(plan, renderer, queue, safe_observer);
     std::thread rendering([&] { scheduler.run({}); });
     for (std::size_t i = 0; i < plan.pictures.size(); ++i) {
@@ -395,7 +401,8 @@ TEST(FilmPipeline, EncoderThatNeverReads_DoesNotDelayTheRendering) {
 TEST(FilmPipeline, RendererThatFails_IsReportedAndLeavesNoVideo) {
     JobFixture job;
     write_text(job.folder.path("film.mkv"), "the old film");
-    const RenderFunction render = [](const FrameInputs&, const WorkContext&) -> render::Film {
+    const RenderFunction render = [](const FrameInputs&, const WorkContext&,
+                                     render::FrameSums*) -> render::Film {
         throw Error("the lamp is broken");
     };
     try {
@@ -411,8 +418,8 @@ TEST(FilmPipeline, RendererThatFails_IsReportedAndLeavesNoVideo) {
 TEST(FilmPipeline, EncoderThatFails_StopsTheRendering) {
     JobFixture job;
     std::atomic<int> calls{0};
-    const RenderFunction render = [&](const FrameInputs&,
-                                      const WorkContext& context) -> render::Film {
+    const RenderFunction render = [&](const FrameInputs&, const WorkContext& context,
+                                      render::FrameSums*) -> render::Film {
         ++calls;
         while (!context.stop.stop_requested()) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -35,7 +35,8 @@ struct Export {
         if (!frames.empty()) {
             options.frames = parse_frame_range(frames);
         }
-        const auto render = [this](const FrameInputs& inputs, const WorkContext&) {
+        const auto render = [this](const FrameInputs& inputs, const WorkContext&,
+                                   render::FrameSums*) {
             render::Film film = fake_picture(shot, inputs);
             const std::size_t pixels = film.rgba.size() / 4;
             film.aovs = {{"motion.X", std::vector<float>(pixels, 3)},
@@ -103,7 +104,7 @@ TEST(Hdr10, Film_ContainsTheLightLevelsOfItsBrightestFrames) {
     options.output = path;
     options.cache_folder = job.folder.path("cache");
     std::atomic<int> rendered = 0;
-    const auto render = [&](const FrameInputs& inputs, const WorkContext&) {
+    const auto render = [&](const FrameInputs& inputs, const WorkContext&, render::FrameSums*) {
         render::Film film = fake_picture(job.shot, inputs);
         std::fill(film.rgba.begin(), film.rgba.end(), 0.1F * static_cast<float>(++rendered));
         std::fill_n(film.rgba.begin(), 4, 1.0F);

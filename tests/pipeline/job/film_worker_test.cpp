@@ -1,6 +1,7 @@
 #include "pipeline/job/film_worker.h"
 
 #include <atomic>
+#include <filesystem>
 #include <set>
 #include <thread>
 
@@ -8,6 +9,7 @@
 
 #include "core/error.h"
 #include "pipeline/job/film_status.h"
+#include "render/frame/frame_sums_data.h"
 #include "tests/pipeline/job/tiny_shot.h"
 #include "tests/pipeline/video/scratch_folder.h"
 
@@ -47,7 +49,8 @@ struct Farm {
     FilmJobOptions options() {
         FilmJobOptions options;
         options.cache_folder = folder.path("cache");
-        options.renderer = [this](const FrameInputs& inputs, const WorkContext&) {
+        options.renderer = [this](const FrameInputs& inputs, const WorkContext&,
+                                  render::FrameSums*) {
             ++rendered;
             return carom::testing::fake_picture(shot, inputs);
         };
@@ -78,6 +81,40 @@ TEST(FilmWorker, ThreeAtOnce_RenderEachPictureOnce) {
     const FilmStatus status = film_status(farm.shot, farm.bake, farm.options(), {});
     EXPECT_TRUE(status.missing.empty());
     EXPECT_EQ(farm.work({}).state.rendered, 0);
+}
+
+TEST(FilmWorker, StoppedPicture_IsGoneOnWithByTheNextWorker) {
+    Farm farm;
+    FilmJobOptions options = farm.options();
+    options.keeps_sums = true;
+    std::stop_source stop;
+    int found = 0;
+    options.renderer = [&](const FrameInputs& inputs, const WorkContext&,
+                           render::FrameSums* sums) -> render::Film {
+        std::vector<render::PixelSums>& pixels = sums->data().pixels;
+        if (farm.rendered++ == 3) {
+            stop.request_stop();
+            pixels.resize(std::size_t{32} * 18);
+            pixels[0].samples = 5;
+            throw Stopped();
+        }
+        if (!pixels.empty()) {
+            ++found;
+            EXPECT_EQ(sums->samples(), 5U);
+        }
+        return carom::testing::fake_picture(farm.shot, inputs);
+    };
+    EXPECT_THROW((void)work_on_film(farm.shot, farm.bake, options, {}, {}, {}, stop.get_token()),
+                 Stopped);
+    const WorkerResult result = work_on_film(farm.shot, farm.bake, options, {}, {}, {}, {});
+    EXPECT_TRUE(result.is_complete);
+    EXPECT_EQ(found, 1);
+    EXPECT_EQ(result.state.continued, 1);
+    EXPECT_EQ(result.state.twice, 0);
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(farm.folder.path("cache"))) {
+        EXPECT_NE(entry.path().extension(), ".sums") << "sums of a finished frame stay";
+    }
 }
 
 TEST(FilmWorker, BudgetThatIsOver_BeginsNothing) {

@@ -19,7 +19,8 @@ void run_logged_job(const std::string& cache, const std::string& video, const st
     const pipeline::Shot shot = tiny_shot();
     const sim::Timeline timeline = tiny_timeline();
     const pipeline::FilmSource source(shot, timeline);
-    const auto render = [&](const pipeline::FrameInputs& inputs, const WorkContext&) {
+    const auto render = [&](const pipeline::FrameInputs& inputs, const WorkContext&,
+                            render::FrameSums*) {
         const std::string line = source.key(inputs).to_string() + "\n";
         if (::write(file, line.data(), line.size()) < 0) {
             ::_exit(2);

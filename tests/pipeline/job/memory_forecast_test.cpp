@@ -39,6 +39,14 @@ TEST(ForecastMemory_OfMeasuredJobs, IsLessThanAQuarterAboveAndNeverMuchBelow) {
     expect_near(megabytes(encoded_with(1920, 1080, Codec::vp9, "medium"), "f.webm"), 480);
 }
 
+TEST(ForecastMemory_OfAFilmThatKeepsSums, CountsThem) {
+    Shot shot = film_of(1000, 1000);
+    const std::uint64_t plain = forecast_memory(shot, "f.mp4");
+    EXPECT_EQ(forecast_memory(shot, "f.mp4", true), plain + 144'000'000);
+    shot.render.noise = 0.05;
+    EXPECT_EQ(forecast_memory(shot, "f.mp4"), plain + 144'000'000);
+}
+
 TEST(ForecastMemory_OfDeepColour, IsMore) {
     Shot shot = encoded_with(1280, 720, Codec::hevc, "medium");
     const double usual = megabytes(shot, "f.mp4");

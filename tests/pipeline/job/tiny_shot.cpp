@@ -72,7 +72,8 @@ render::Film make_frame_with(const pipeline::RenderFunction& render, const pipel
 }
 
 pipeline::RenderFunction FakeRenderer::function() {
-    return [this](const pipeline::FrameInputs& inputs, const WorkContext& context) {
+    return [this](const pipeline::FrameInputs& inputs, const WorkContext& context,
+                  render::FrameSums*) {
         {
             const std::scoped_lock lock(mutex_);
             rendered_.push_back(inputs.frame.scene_open);

@@ -1,7 +1,6 @@
 // Frames in rounds: whatever the rounds and stops, the film is that of render_frame.
 #include "render/frame/progressive_frame.h"
 
-#include <array>
 #include <cmath>
 #include <stop_token>
 #include <string>
@@ -11,53 +10,16 @@
 #include "core/error.h"
 #include "render/threads/thread_arena.h"
 #include "tests/render/frame/table_scene.h"
+#include "tests/render/frame/ways_to_sample.h"
 
 namespace carom::render {
 namespace {
 
-using test::small_settings;
+using test::adaptive_settings;
+using test::expect_same;
 using test::table;
 using test::table_frame;
 using test::table_tracks;
-
-RenderSettings settings_with_channels() {
-    RenderSettings settings = small_settings(50, 37, 8);
-    settings.filter = PixelFilter::blackman_harris;
-    settings.filter_width = 1.5;
-    settings.aovs = {"depth", "cryptomatte_object", "normal", "variance", "object_id"};
-    return settings;
-}
-
-RenderSettings adaptive_settings() {
-    RenderSettings settings = settings_with_channels();
-    settings.noise = 0.02;
-    settings.max_samples = 40;
-    return settings;
-}
-
-RenderSettings distributed_settings() {
-    RenderSettings settings = small_settings(40, 30, 1);
-    settings.integrator = IntegratorKind::distributed;
-    settings.distributed.pixel_samples = 3;
-    settings.distributed.blur_samples = 2;
-    settings.distributed.shadow_samples = 2;
-    return settings;
-}
-
-void expect_same(const Film& film, const Film& expected) {
-    EXPECT_EQ(film.width, expected.width);
-    EXPECT_EQ(film.height, expected.height);
-    EXPECT_EQ(film.rgba, expected.rgba);
-    ASSERT_EQ(film.aovs.size(), expected.aovs.size());
-    for (std::size_t i = 0; i < film.aovs.size(); ++i) {
-        EXPECT_EQ(film.aovs[i].name, expected.aovs[i].name);
-        EXPECT_EQ(film.aovs[i].values, expected.aovs[i].values) << film.aovs[i].name;
-    }
-    EXPECT_EQ(film.notes, expected.notes);
-    EXPECT_EQ(film.statistics.camera_rays, expected.statistics.camera_rays);
-    EXPECT_EQ(film.statistics.scattered_rays, expected.statistics.scattered_rays);
-    EXPECT_EQ(film.statistics.shadow_rays, expected.statistics.shadow_rays);
-}
 
 class Progressive : public testing::TestWithParam<RenderSettings> {
   protected:
@@ -153,14 +115,8 @@ TEST(ProgressiveFrame, Progress_NeverFallsAndEndsAtOneInEachRound) {
     }
 }
 
-std::string name_of(const testing::TestParamInfo<RenderSettings>& tested) {
-    return std::array{"Even", "Adaptive", "Distributed"}.at(tested.index);
-}
-
-INSTANTIATE_TEST_SUITE_P(All, Progressive,
-                         testing::Values(settings_with_channels(), adaptive_settings(),
-                                         distributed_settings()),
-                         name_of);
+INSTANTIATE_TEST_SUITE_P(All, Progressive, testing::ValuesIn(test::ways_to_sample()),
+                         test::name_of_way);
 
 }  // namespace
 }  // namespace carom::render
