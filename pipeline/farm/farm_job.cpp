@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/hash.h"
 #include "pipeline/farm/record.h"
+#include "pipeline/farm/shell_text.h"
 #include "pipeline/store/file_descriptor.h"
 
 namespace carom::farm {
@@ -25,14 +26,9 @@ std::string farm_folder(const std::string& store) {
     return store + "/farm";
 }
 
-/// The film's name with the characters that need no care in shells and in Slurm's patterns.
-std::string simple_name(const std::string& film) {
-    std::string name = fs::path(film).stem().string().substr(0, 40);
-    for (char& c : name) {
-        const bool is_simple = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                               (c >= '0' && c <= '9') || c == '_' || c == '-';
-        c = is_simple ? c : '_';
-    }
+/// The film's name in that of its job's folder.
+std::string name_of_film(const std::string& film) {
+    const std::string name = simple_name(fs::path(film).stem().string());
     return name.empty() ? "film" : name;
 }
 
@@ -86,6 +82,9 @@ FarmJob read_job(const std::string& folder) {
     job.name = text_of(record, "name");
     job.store = (fs::path(job.folder) / text_of(record, "store")).string();
     job.root = text_of(record, "root");
+    if (!job.root.empty()) {
+        job.root = (fs::path(job.folder) / job.root).lexically_normal().string();
+    }
     job.frames = text_of(record, "frames");
     job.tier = text_of(record, "tier");
     job.workers = record->integer("workers");
@@ -134,7 +133,7 @@ std::string make_job_folder(const std::string& store, const std::string& film, b
     const std::string farm = farm_folder(store);
     pipeline::create_folder(farm);
     const Hash128 hash = hash_bytes(std::as_bytes(std::span(film)));
-    const std::string name = simple_name(film) + "-" + hash.to_string().substr(0, 6);
+    const std::string name = name_of_film(film) + "-" + hash.to_string().substr(0, 6);
     for (int number = 1; number <= kMostJobs; ++number) {
         std::string folder = fmt::format("{}/{}-{}", farm, name, number);
         if (::mkdir(folder.c_str(), is_private ? 0700 : 0755) == 0) {

@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/hash.h"
 #include "pipeline/farm/program.h"
+#include "pipeline/farm/shell_text.h"
 
 namespace carom::farm {
 namespace {
@@ -123,14 +124,6 @@ void write_script(const FarmJob& job, const Stage& stage, const std::string& com
 const std::vector<Stage>& stages() {
     static const std::vector<Stage> all{{"frames", "worker.sh", true}, {"film", "film.sh", false}};
     return all;
-}
-
-std::string shell_word(const std::string& text) {
-    std::string word = "'";
-    for (const char c : text) {
-        word += c == '\'' ? "'\\''" : std::string(1, c);
-    }
-    return word + "'";
 }
 
 void write_scripts(const FarmJob& job, const std::string& carom) {

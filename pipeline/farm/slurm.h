@@ -50,7 +50,4 @@ struct QueueCounts {
 /// Takes all tasks of the job out of the queue and stops those that run. Throws Error.
 void cancel(const FarmJob& job);
 
-/// The text as one word of a shell's command.
-[[nodiscard]] std::string shell_word(const std::string& text);
-
 }  // namespace carom::farm

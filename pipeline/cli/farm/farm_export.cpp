@@ -8,6 +8,7 @@
 
 #include "core/atomic_file.h"
 #include "pipeline/cli/farm/farm_actions.h"
+#include "pipeline/cli/farm/farm_files.h"
 #include "pipeline/cli/farm/farm_film.h"
 #include "pipeline/cli/farm/farm_plan.h"
 #include "pipeline/farm/slurm.h"
@@ -23,20 +24,26 @@ void write_script(const std::string& path, const std::string& text) {
     ::chmod(path.c_str(), 0755);
 }
 
-std::string readme_text(const farm::FarmJob& job, const std::string& start) {
+std::string readme_text(const PlannedFarm& planned, const std::string& start) {
+    const farm::FarmJob& job = planned.job;
+    const bool is_ocio = planned.input.shot.output.view == pipeline::ViewTransform::ocio;
     return fmt::format(
         "# The film {}\n\n"
-        "This folder has all that is needed to render the film of {}, except carom itself and the\n"
-        "files that the shot names (textures, meshes), which are read from where they were.\n\n"
+        "This folder has all that is needed to render the film of {}, except carom itself. The\n"
+        "files that the shot names (meshes, pictures) are in files/, and no others are read.\n\n"
         "    {}\n\n"
         "renders its frames and writes the film into this folder. It may be stopped at any time "
         "and\n"
-        "started again: finished frames are in store/. The folder may be copied; all machines "
-        "that\n"
-        "take part have to see it. If carom is not found by its name, say where it is:\n\n"
+        "started again: finished frames are in store/. The folder may be moved or copied to other\n"
+        "machines; all that take part have to see it. Their processors need {} instructions, so\n"
+        "that the frames have the same bytes everywhere. If carom is not found by its name, say\n"
+        "where it is:\n\n"
         "    CAROM=/path/to/carom {}\n\n"
-        "`carom farm status .` tells how far it is.\n",
-        fs::path(job.film).filename().string(), job.name, start, start);
+        "{}`carom farm status .` tells how far it is.\n",
+        fs::path(job.film).filename().string(), job.name, start, job.tier, start,
+        is_ocio ? "The environment variable OCIO has to name the shot's OpenColorIO "
+                  "configuration.\n\n"
+                : "");
 }
 
 std::string parallel_script(const farm::FarmJob& job) {
@@ -72,20 +79,23 @@ void farm_export(const FarmCommand& command, CommandContext& context) {
         FarmCommand inside = command;
         inside.store = folder + "/store";
         PlannedFarm planned = plan_farm(inside, context);
+        fs::remove_all(inside.store);  // its bake names files where they were, and is not needed
         farm::FarmJob& job = planned.job;
         job.folder = folder;
         job.store = "store";
         job.film = fs::path(job.film).filename().string();
+        job.root = ".";
         job.engine = command.format;
         job.is_portable = true;
         pipeline::create_folder(folder + "/logs");
         pipeline::create_folder(folder + "/workers");
+        copy_files(planned.input, planned.bake, folder);
         write_folder(planned);
         farm::write_portable_scripts(job);
         const bool is_slurm = command.format == "slurm";
         const std::string start = is_slurm ? "submit.sh" : "run.sh";
         write_script(folder + "/" + start, is_slurm ? kSlurmScript : parallel_script(job));
-        const std::string readme = readme_text(job, "./" + start);
+        const std::string readme = readme_text(planned, "./" + start);
         write_file_atomically(folder + "/README.md", std::as_bytes(std::span(readme)));
         print_path(folder + "/" + start);
     } catch (...) {

@@ -125,6 +125,7 @@ PlannedFarm plan_farm(const FarmCommand& command, CommandContext& context) {
     planned.bake.shot_text = input.shot.resolved_text;
     planned.bake.assets = input.shot.assets;
     tell_forecast(planned.job, planned.forecast, context);
+    planned.input = std::move(input);
     return planned;
 }
 

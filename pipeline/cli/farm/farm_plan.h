@@ -5,6 +5,7 @@
 
 #include "pipeline/cli/commands.h"
 #include "pipeline/cli/run_program.h"
+#include "pipeline/cli/shot_input.h"
 #include "pipeline/farm/farm_job.h"
 #include "pipeline/job/film_forecast.h"
 #include "sim/timeline/bake_file.h"
@@ -13,6 +14,7 @@ namespace carom::cli {
 
 struct PlannedFarm {
     farm::FarmJob job;  // without a folder
+    ShotInput input;    // without a bake
     sim::Bake bake;     // with the shot as the options have changed it
     pipeline::FilmForecast forecast;
     std::int64_t missing = 0;  // frames

@@ -7,6 +7,7 @@
 #include "pipeline/cli/farm/farm_actions.h"
 #include "pipeline/cli/farm/farm_film.h"
 #include "pipeline/cli/farm/farm_plan.h"
+#include "pipeline/farm/shell_text.h"
 #include "pipeline/farm/slurm.h"
 
 namespace carom::cli {

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "pipeline/farm/program.h"
+#include "pipeline/farm/shell_text.h"
 #include "tests/pipeline/video/scratch_folder.h"
 
 namespace carom::farm {

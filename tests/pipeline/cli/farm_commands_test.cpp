@@ -1,0 +1,115 @@
+// Jobs of the farm that need no cluster.
+#include "core/hash.h"
+#include "tests/pipeline/cli/end_to_end.h"
+
+namespace carom::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// A picture of 8 x 4 pixels in one colour, which OpenImageIO reads whatever its name ends in.
+std::string picture(const std::string& colour) {
+    std::string text = "P6\n8 4\n255\n";
+    for (int pixel = 0; pixel < 32; ++pixel) {
+        text += colour;
+    }
+    return text;
+}
+
+class FarmExport : public EndToEnd {
+  protected:
+    /// A shot with an environment, a texture and a mesh. Two of its files have the same name.
+    FarmExport() {
+        for (const char* folder : {"shot", "shot/one", "shot/other one"}) {
+            fs::create_directory(path(folder));
+        }
+        write_text(path("shot/one/it's $HOME.ppm"), picture("\x90\xA0\xF0"));
+        write_text(path("shot/other one/it's $HOME.ppm"), picture("\xF0\x40\x20"));
+        write_text(path("shot/wedge.obj"),
+                   "v 0 0 0\nv .3 0 0\nv 0 .3 0\nv 0 0 .3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+        write_text(path("shot/files.yaml"), tiny_shot() + R"(
+materials:
+  painted: {standard: {base: {image: "other one/it's $HOME.ppm"}}}
+objects:
+  wedge: {mesh: wedge.obj, at: [0, 0.2, 0.02], material: painted}
+  tile: {box: [10 cm, 10 cm, 1 cm], at: [0.3, 0.2, 0.02], material: painted}
+)");
+        replace("shot/files.yaml",
+                "lights:", "lights:\n  sky: {environment: \"one/it's $HOME.ppm\"}");
+    }
+
+    void replace(const std::string& name, const std::string& old, const std::string& by) const {
+        std::string text = text_of(name);
+        ASSERT_NE(text.find(old), std::string::npos);
+        write_text(path(name), text.replace(text.find(old), old.size(), by));
+    }
+
+    [[nodiscard]] RunResult export_job(const std::vector<std::string>& options = {}) const {
+        std::vector<std::string> words{"farm", "export", "shot/files.yaml", "--format", "parallel",
+                                       "-o",   "made"};
+        words.insert(words.end(), options.begin(), options.end());
+        return run(words);
+    }
+
+    /// The contents of a store's frames, by their keys.
+    [[nodiscard]] std::map<std::string, Hash128> frames_of(const std::string& store) const {
+        std::map<std::string, Hash128> frames;
+        for (const auto& entry : fs::recursive_directory_iterator(path(store))) {
+            if (entry.path().extension() == ".exr") {
+                frames[entry.path().filename()] = hash_file(entry.path());
+            }
+        }
+        return frames;
+    }
+
+    [[nodiscard]] Hash128 hash_of(const std::string& name) const { return hash_file(path(name)); }
+};
+
+TEST_F(FarmExport, MovedFolderWithoutTheOriginals_GivesTheBytesOfRender) {
+    ASSERT_EQ(run({"render", "shot/files.yaml", "-o", "film.mp4"}).exit_code, 0);
+    const RunResult exported = export_job();
+    ASSERT_EQ(exported.exit_code, 0) << exported.err;
+    fs::remove_all(path("shot"));
+    fs::rename(path("made"), path("a job's $HOME"));
+    for (const char* task : {"work", "finish"}) {
+        const RunResult done = run({"farm", task, "a job's $HOME"});
+        ASSERT_EQ(done.exit_code, 0) << done.err;
+    }
+    EXPECT_EQ(frames_of("a job's $HOME/store"), frames_of("cache"));
+    EXPECT_EQ(hash_of("a job's $HOME/files.mp4"), hash_of("film.mp4"));
+}
+
+TEST_F(FarmExport, Files_AreCopiedUnderNamesOfTheirOwn) {
+    ASSERT_EQ(export_job().exit_code, 0);
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(path("made/files"))) {
+        names.push_back(entry.path().filename());
+    }
+    EXPECT_THAT(names,
+                ::testing::UnorderedElementsAre("it_s__HOME.ppm", "it_s__HOME-2.ppm", "wedge.obj"));
+    const RunResult info = run({"info", "made/files.bake", "--resolved"});
+    EXPECT_THAT(info.out, HasSubstr("/made/files/wedge.obj"));
+    EXPECT_THAT(info.out, Not(HasSubstr("/shot/")));
+}
+
+TEST_F(FarmExport, ChangedCopy_IsNotTakenFromElsewhere) {
+    ASSERT_EQ(export_job().exit_code, 0);
+    fs::remove(path("made/files/wedge.obj"));
+    fs::create_symlink(path("shot/wedge.obj"), path("made/files/wedge.obj"));
+    const RunResult status = run({"farm", "status", "made"});
+    EXPECT_NE(status.exit_code, 0);
+    EXPECT_THAT(status.err, HasSubstr("--root allows only files inside that folder"));
+}
+
+TEST_F(FarmExport, Root_RefusesFilesOutsideAndLeavesNoFolder) {
+    const RunResult result = export_job({"--root", "shot/one"});
+    EXPECT_NE(result.exit_code, 0);
+    EXPECT_THAT(result.err, HasSubstr("is outside 'shot/one'"));
+    EXPECT_FALSE(exists("made"));
+    EXPECT_EQ(export_job({"--root", "shot"}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace carom::testing
