@@ -148,12 +148,17 @@ std::string make_job_folder(const std::string& store, const std::string& film, b
     throw Error("'" + farm + "' has too many jobs of this film; remove the old ones");
 }
 
-void write_slurm_jobs(const FarmJob& job, const SlurmJobs& jobs) {
+JsonMembers members_of(const SlurmJobs& jobs) {
     JsonMembers members;
-    members.add("frames", jobs.frames)
-        .add("film", jobs.film)
-        .add("round", jobs.round)
-        .add("missing", jobs.missing);
+    for (std::size_t i = 0; i < jobs.numbers.size(); ++i) {
+        members.add(stages()[i].name, jobs.numbers[i]);
+    }
+    return members;
+}
+
+void write_slurm_jobs(const FarmJob& job, const SlurmJobs& jobs) {
+    JsonMembers members = members_of(jobs);
+    members.add("round", jobs.round).add("missing", jobs.missing);
     write_record(job.folder + "/slurm.json", members);
 }
 
@@ -162,8 +167,13 @@ std::optional<SlurmJobs> read_slurm_jobs(const FarmJob& job) {
     if (!record) {
         return std::nullopt;
     }
-    return SlurmJobs{record->integer("frames"), record->integer("film"), record->integer("round"),
-                     record->integer("missing")};
+    SlurmJobs jobs;
+    for (std::size_t i = 0; i < jobs.numbers.size(); ++i) {
+        jobs.numbers[i] = record->integer(stages()[i].name);
+    }
+    jobs.round = record->integer("round");
+    jobs.missing = record->integer("missing");
+    return jobs;
 }
 
 void write_end(const FarmJob& job, const JobEnd& end) {

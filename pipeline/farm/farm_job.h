@@ -12,6 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "core/json_text.h"
+#include "pipeline/farm/stages.h"
+
 namespace carom::farm {
 
 struct FarmJob {
@@ -60,13 +63,14 @@ void write_job(const FarmJob& job);
 /// The jobs that Slurm runs for a job, and in which round: after each one that leaves frames
 /// missing another is submitted.
 struct SlurmJobs {
-    std::int64_t frames = 0;
-    std::int64_t film = 0;
+    std::vector<std::int64_t> numbers = std::vector<std::int64_t>(stages().size());  // of stages()
     std::int64_t round = 1;
     std::int64_t missing = 0;  // frames, when the round began
 
     bool operator==(const SlurmJobs&) const = default;
 };
+/// The numbers by the names of the stages.
+[[nodiscard]] JsonMembers members_of(const SlurmJobs& jobs);
 void write_slurm_jobs(const FarmJob& job, const SlurmJobs& jobs);
 /// Empty if the job was never submitted. Throws Error.
 [[nodiscard]] std::optional<SlurmJobs> read_slurm_jobs(const FarmJob& job);

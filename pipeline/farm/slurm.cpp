@@ -104,32 +104,19 @@ std::optional<std::vector<QueuedTask>> tasks_of(const FarmJob& job, std::string&
     return tasks;
 }
 
-const char* action_of(const Stage& stage) {
-    return stage.is_array ? "work" : "finish";
-}
-
 void write_script(const FarmJob& job, const Stage& stage, const std::string& commands) {
     const std::string path = job.folder + "/" + stage.script;
-    const std::string text = fmt::format(
-        "#!/bin/sh\n# {}\n{}",
-        stage.is_array ? "Renders frames until its time is over or all are there."
-                       : "Writes the film if all frames are there, else asks for the missing.",
-        commands);
+    const std::string text = fmt::format("#!/bin/sh\n# {}\n{}", stage.purpose, commands);
     write_file_atomically(path, std::as_bytes(std::span(text)));
     ::chmod(path.c_str(), 0755);
 }
 
 }  // namespace
 
-const std::vector<Stage>& stages() {
-    static const std::vector<Stage> all{{"frames", "worker.sh", true}, {"film", "film.sh", false}};
-    return all;
-}
-
 void write_scripts(const FarmJob& job, const std::string& carom) {
     for (const Stage& stage : stages()) {
         write_script(job, stage,
-                     fmt::format("exec {} farm {} {}\n", shell_word(carom), action_of(stage),
+                     fmt::format("exec {} farm {} {}\n", shell_word(carom), stage.command,
                                  shell_word(job.folder)));
     }
 }
@@ -140,7 +127,7 @@ void write_portable_scripts(const FarmJob& job) {
         write_script(job, stage,
                      fmt::format("cd \"${{SLURM_SUBMIT_DIR:-$(dirname \"$0\")}}\" || exit 1\n"
                                  "exec \"${{CAROM:-carom}}\" farm {} .\n",
-                                 action_of(stage)));
+                                 stage.command));
     }
 }
 
@@ -155,7 +142,7 @@ std::vector<std::string> submission(const FarmJob& job, const Stage& stage,
                                    fmt::format("--signal=B:TERM@{}", kGrace),
                                    fmt::format("--cpus-per-task={}", job.processors),
                                    fmt::format("--mem={}M", job.memory),
-                                   "--time=" + (stage.is_array ? job.time : job.film_time)};
+                                   "--time=" + job.*stage.time};
     const std::string logs = pattern_of(job.folder) + "/logs/" + stage.name;
     if (stage.is_array) {
         words.push_back(fmt::format(
@@ -183,18 +170,24 @@ std::vector<std::string> submission(const FarmJob& job, const Stage& stage,
 
 SlurmJobs submit_all(const FarmJob& job) {
     SlurmJobs jobs;
-    jobs.frames = submit(submission(job, stages()[0], {}, 0));
+    jobs.numbers.clear();
     try {
-        jobs.film = submit(submission(job, stages()[1], std::to_string(jobs.frames), 0));
+        for (const Stage& stage : stages()) {
+            const std::string before =
+                jobs.numbers.empty() ? "" : std::to_string(jobs.numbers.back());
+            jobs.numbers.push_back(submit(submission(job, stage, before, 0)));
+        }
     } catch (const Error&) {
-        (void)run_program({"scancel", std::to_string(jobs.frames)});
+        for (const std::int64_t number : jobs.numbers) {
+            (void)run_program({"scancel", std::to_string(number)});
+        }
         throw;
     }
     return jobs;
 }
 
-std::int64_t submit_film(const FarmJob& job, int delay) {
-    return submit(submission(job, stages()[1], {}, delay));
+std::int64_t submit_last(const FarmJob& job, int delay) {
+    return submit(submission(job, stages().back(), {}, delay));
 }
 
 std::optional<QueueCounts> count_tasks(const FarmJob& job, std::string& problem) {

@@ -7,17 +7,9 @@
 #include <vector>
 
 #include "pipeline/farm/farm_job.h"
+#include "pipeline/farm/stages.h"
 
 namespace carom::farm {
-
-/// A stage of a job: what Slurm runs for it, one after the other. Another stage is another entry of
-/// stages().
-struct Stage {
-    std::string name;       // "frames"; of the job in the queue: carom-frames
-    std::string script;     // in the job's folder
-    bool is_array = false;  // of as many tasks as the job has workers
-};
-[[nodiscard]] const std::vector<Stage>& stages();
 
 /// Writes the scripts of all stages into the job's folder. They run this program, `carom`, again.
 /// Throws Error.
@@ -31,12 +23,12 @@ void write_portable_scripts(const FarmJob& job);
 [[nodiscard]] std::vector<std::string> submission(const FarmJob& job, const Stage& stage,
                                                   const std::string& after, int delay);
 
-/// Submits the frames, and the film after them. Throws Error with Slurm's own message; what was
+/// Submits all stages, each after the one before. Throws Error with Slurm's own message; what was
 /// submitted until then is cancelled.
 [[nodiscard]] SlurmJobs submit_all(const FarmJob& job);
 
-/// Submits the film's stage alone. Returns its number. Throws Error.
-[[nodiscard]] std::int64_t submit_film(const FarmJob& job, int delay);
+/// Submits the last stage alone. Returns its number. Throws Error.
+[[nodiscard]] std::int64_t submit_last(const FarmJob& job, int delay);
 
 /// How many tasks of a job wait in the queue or run.
 struct QueueCounts {

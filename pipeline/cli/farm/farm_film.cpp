@@ -31,7 +31,7 @@ bool is_named(const FarmJob& job, const std::string& name, const std::string& fi
     }
     const std::optional<std::int64_t> number = number_of(name);
     const std::optional<farm::SlurmJobs> slurm = number ? farm::read_slurm_jobs(job) : std::nullopt;
-    return slurm && (slurm->frames == *number || slurm->film == *number);
+    return slurm && std::ranges::find(slurm->numbers, *number) != slurm->numbers.end();
 }
 
 }  // namespace

@@ -125,14 +125,12 @@ std::string json_of(const FarmJob& job, const State& state) {
         .add("rendered_twice", state.twice)
         .add("continued", state.continued)
         .add("round", state.slurm.round);
-    JsonMembers slurm;
-    slurm.add("frames", state.slurm.frames).add("film", state.slurm.film);
     std::string workers;
     for (const farm::WorkerNote& worker : state.workers) {
         workers += (workers.empty() ? "" : ",") + worker_json(worker);
     }
-    return fmt::format("{{{},\"slurm\":{},\"workers\":[{}]}}\n", members.text(), slurm.object(),
-                       workers);
+    return fmt::format("{{{},\"slurm\":{},\"workers\":[{}]}}\n", members.text(),
+                       farm::members_of(state.slurm).object(), workers);
 }
 
 std::string worker_text(const farm::WorkerNote& worker) {

@@ -41,9 +41,10 @@ std::string command_text(const std::vector<std::string>& words) {
 void print_submissions(FarmJob job) {
     job.folder = job.store + "/farm/JOB";
     std::string text;
+    std::string before;
     for (const farm::Stage& stage : farm::stages()) {
-        text +=
-            command_text(farm::submission(job, stage, stage.is_array ? "" : "FRAMES", 0)) + "\n";
+        text += command_text(farm::submission(job, stage, before, 0)) + "\n";
+        before = "NUMBER_OF_" + stage.name;
     }
     print_text(text);
 }
@@ -51,8 +52,10 @@ void print_submissions(FarmJob job) {
 /// Submits a job that has its folder. The record is there before Slurm has anything to run: a store
 /// that cannot be written to must not lead to tasks of which nobody knows.
 SlurmJobs submit_now(const FarmJob& job, std::int64_t missing) {
-    farm::write_slurm_jobs(job, {0, 0, 1, missing});
-    SlurmJobs slurm = farm::submit_all(job);
+    SlurmJobs slurm;
+    slurm.missing = missing;
+    farm::write_slurm_jobs(job, slurm);
+    slurm = farm::submit_all(job);
     slurm.missing = missing;
     const std::optional<SlurmJobs> known = farm::read_slurm_jobs(job);
     if (known &&
@@ -69,8 +72,11 @@ void tell_how_to_look(const FarmJob& job, CommandContext& context) {
 }  // namespace
 
 void print_job(const FarmJob& job, const SlurmJobs& slurm) {
-    print_text(
-        fmt::format("folder {}\nframes {}\nfilm {}\n", job.folder, slurm.frames, slurm.film));
+    std::string text = "folder " + job.folder + "\n";
+    for (std::size_t i = 0; i < slurm.numbers.size(); ++i) {
+        text += fmt::format("{} {}\n", farm::stages()[i].name, slurm.numbers[i]);
+    }
+    print_text(text);
 }
 
 void farm_submit(const FarmCommand& command, CommandContext& context) {

@@ -172,11 +172,9 @@ void submit_again(const FarmJob& job, SlurmJobs slurm, std::int64_t missing,
     slurm.missing = missing;
     farm::write_slurm_jobs(job, slurm);
     if (missing > 0) {
-        const SlurmJobs submitted = farm::submit_all(job);
-        slurm.frames = submitted.frames;
-        slurm.film = submitted.film;
+        slurm.numbers = farm::submit_all(job).numbers;
     } else {
-        slurm.film = farm::submit_film(job, kPause);
+        slurm.numbers.back() = farm::submit_last(job, kPause);
     }
     farm::write_slurm_jobs(job, slurm);
     context.console.warning(problem + "; submitted again");

@@ -98,8 +98,9 @@ TEST(FarmJob, Records_AreReadAgain) {
     const ScratchFolder folder;
     const FarmJob job = make_job(folder.path());
     EXPECT_FALSE(read_slurm_jobs(job));
-    write_slurm_jobs(job, {11, 12, 3, 40});
-    EXPECT_EQ(read_slurm_jobs(job), (SlurmJobs{11, 12, 3, 40}));
+    write_slurm_jobs(job, {{11, 12}, 3, 40});
+    EXPECT_EQ(read_slurm_jobs(job), (SlurmJobs{{11, 12}, 3, 40}));
+    EXPECT_EQ(members_of({{11, 12}, 3, 40}).object(), "{\"frames\":11,\"film\":12}");
     EXPECT_FALSE(read_end(job));
     write_end(job, {"failed", "no \"space\" left"});
     EXPECT_EQ(read_end(job)->message, "no \"space\" left");
