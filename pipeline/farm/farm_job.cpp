@@ -32,6 +32,29 @@ std::string name_of_film(const std::string& film) {
     return name.empty() ? "film" : name;
 }
 
+/// Returns whether it was made, which is not the case if the name is taken. Throws Error.
+bool make_folder(const std::string& path, bool is_private) {
+    if (::mkdir(path.c_str(), 0700) == 0) {
+        if (!is_private && ::chmod(path.c_str(), 0755) != 0) {
+            throw Error(pipeline::system_problem(path, "others cannot be allowed to read it"));
+        }
+        return true;
+    }
+    if (errno != EEXIST) {
+        throw Error(pipeline::system_problem(path, "the folder cannot be made"));
+    }
+    return false;
+}
+
+/// In a folder that several users share, none may replace the jobs of others, whose scripts run as
+/// these.
+void keep_entries_of_owners(const std::string& folder) {
+    struct stat status {};
+    if (::stat(folder.c_str(), &status) == 0 && (status.st_mode & 022U) != 0) {
+        (void)::chmod(folder.c_str(), (status.st_mode & 07777U) | S_ISVTX);  // by its owner
+    }
+}
+
 std::string text_of(const std::optional<Record>& record, const char* name) {
     return record->text(name);
 }
@@ -129,20 +152,24 @@ std::vector<std::string> job_folders(const std::string& store) {
     return folders;
 }
 
+void make_store(const std::string& store, bool is_private) {
+    const fs::path path = fs::path(store) / "";  // ends in "/", also if the store's name does
+    pipeline::create_folder(path.parent_path().parent_path().string());
+    (void)make_folder(path.parent_path().string(), is_private);
+}
+
 std::string make_job_folder(const std::string& store, const std::string& film, bool is_private) {
     const std::string farm = farm_folder(store);
     pipeline::create_folder(farm);
+    keep_entries_of_owners(farm);
     const Hash128 hash = hash_bytes(std::as_bytes(std::span(film)));
     const std::string name = name_of_film(film) + "-" + hash.to_string().substr(0, 6);
     for (int number = 1; number <= kMostJobs; ++number) {
         std::string folder = fmt::format("{}/{}-{}", farm, name, number);
-        if (::mkdir(folder.c_str(), is_private ? 0700 : 0755) == 0) {
+        if (make_folder(folder, is_private)) {
             pipeline::create_folder(folder + "/logs");
             pipeline::create_folder(folder + "/workers");
             return folder;
-        }
-        if (errno != EEXIST) {
-            throw Error(pipeline::system_problem(folder, "the job's folder cannot be made"));
         }
     }
     throw Error("'" + farm + "' has too many jobs of this film; remove the old ones");

@@ -56,7 +56,12 @@ void write_job(const FarmJob& job);
 /// The folders of all jobs of a store, the newest first.
 [[nodiscard]] std::vector<std::string> job_folders(const std::string& store);
 
-/// Makes a new folder for a job that makes this film. Throws Error.
+/// Makes the store's folder if it does not exist: for its owner alone, or also readable for others.
+/// Throws Error.
+void make_store(const std::string& store, bool is_private);
+
+/// Makes a new folder for a job that makes this film: for its owner alone, or also readable for
+/// others. The mask of the process (umask) changes neither. Throws Error.
 [[nodiscard]] std::string make_job_folder(const std::string& store, const std::string& film,
                                           bool is_private);
 

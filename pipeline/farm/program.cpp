@@ -38,6 +38,17 @@ std::string content(const FileDescriptor& file) {
     }
 }
 
+/// The pointers to the texts and, as the system wants it, a null pointer at the end.
+std::vector<char*> pointers_to(const std::vector<std::string>& texts) {
+    std::vector<char*> pointers;
+    pointers.reserve(texts.size() + 1);
+    for (const std::string& text : texts) {
+        pointers.push_back(const_cast<char*>(text.c_str()));  // the system does not change them
+    }
+    pointers.push_back(nullptr);
+    return pointers;
+}
+
 int wait_for(pid_t process) {
     int status = 0;
     while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
@@ -47,23 +58,20 @@ int wait_for(pid_t process) {
 
 }  // namespace
 
-ProgramResult run_program(const std::vector<std::string>& words) {
+ProgramResult run_program(const std::vector<std::string>& words,
+                          const std::optional<std::vector<std::string>>& variables) {
     const FileDescriptor output = memory_file();
     const FileDescriptor errors = memory_file();
-    std::vector<char*> arguments;
-    arguments.reserve(words.size() + 1);
-    for (const std::string& word : words) {
-        arguments.push_back(const_cast<char*>(word.c_str()));  // the system does not change them
-    }
-    arguments.push_back(nullptr);
+    const std::vector<char*> arguments = pointers_to(words);
+    const std::vector<char*> given = variables ? pointers_to(*variables) : std::vector<char*>();
     posix_spawn_file_actions_t files;
     ::posix_spawn_file_actions_init(&files);
     ::posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     ::posix_spawn_file_actions_adddup2(&files, output.get(), STDOUT_FILENO);
     ::posix_spawn_file_actions_adddup2(&files, errors.get(), STDERR_FILENO);
     pid_t process = 0;
-    const int failure =
-        ::posix_spawnp(&process, arguments[0], &files, nullptr, arguments.data(), environ);
+    const int failure = ::posix_spawnp(&process, arguments[0], &files, nullptr, arguments.data(),
+                                       variables ? given.data() : environ);
     ::posix_spawn_file_actions_destroy(&files);
     if (failure != 0) {
         return {

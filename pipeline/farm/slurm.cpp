@@ -13,6 +13,7 @@
 #include "core/hash.h"
 #include "pipeline/farm/program.h"
 #include "pipeline/farm/shell_text.h"
+#include "pipeline/farm/task_environment.h"
 
 namespace carom::farm {
 namespace {
@@ -52,8 +53,16 @@ std::string complaint(const ProgramResult& result) {
     return line;
 }
 
+/// Slurm takes a backslash in the path of a log for its own, and the task could not start.
+void refuse_backslash(const FarmJob& job) {
+    if (job.folder.find('\\') != std::string::npos) {
+        throw Error("Slurm cannot write logs to '" + job.folder +
+                    "', since its path has a backslash; choose another store with --store");
+    }
+}
+
 std::int64_t submit(const std::vector<std::string>& words) {
-    const ProgramResult result = run_program(words);
+    const ProgramResult result = run_program(words, task_environment());
     if (result.exit_code != 0) {
         throw Error("Slurm did not take the job: " + complaint(result));
     }
@@ -169,6 +178,7 @@ std::vector<std::string> submission(const FarmJob& job, const Stage& stage,
 }
 
 SlurmJobs submit_all(const FarmJob& job) {
+    refuse_backslash(job);
     SlurmJobs jobs;
     jobs.numbers.clear();
     try {

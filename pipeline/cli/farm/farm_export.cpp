@@ -71,7 +71,7 @@ constexpr const char* kSlurmScript =
 
 void farm_export(const FarmCommand& command, CommandContext& context) {
     const std::string folder = absolute_path(command.folder);
-    if (::mkdir(folder.c_str(), 0755) != 0) {
+    if (::mkdir(folder.c_str(), 0700) != 0) {
         throw InputError(errno == EEXIST ? "'" + folder + "' exists; choose another folder"
                                          : pipeline::system_problem(folder, "it cannot be made"));
     }

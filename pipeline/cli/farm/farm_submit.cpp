@@ -2,6 +2,7 @@
 #include <system_error>
 
 #include <fmt/core.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "pipeline/cli/farm/farm_actions.h"
@@ -65,6 +66,12 @@ SlurmJobs submit_now(const FarmJob& job, std::int64_t missing) {
     return slurm;
 }
 
+/// Whatever the user's mask is. Slurm gives the mask of this process to the tasks.
+void let_others_read() {
+    constexpr mode_t kOthersReading = 055;
+    ::umask(::umask(0) & ~kOthersReading);
+}
+
 void tell_how_to_look(const FarmJob& job, CommandContext& context) {
     context.console.info("look with: carom farm status " + command_text({job.folder}));
 }
@@ -80,6 +87,10 @@ void print_job(const FarmJob& job, const SlurmJobs& slurm) {
 }
 
 void farm_submit(const FarmCommand& command, CommandContext& context) {
+    if (command.is_shared) {
+        let_others_read();
+    }
+    farm::make_store(store_of(command), !command.is_shared);
     PlannedFarm planned = plan_farm(command, context);
     FarmJob& job = planned.job;
     if (command.dry_run) {

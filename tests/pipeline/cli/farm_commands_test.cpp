@@ -94,6 +94,11 @@ TEST_F(FarmExport, Files_AreCopiedUnderNamesOfTheirOwn) {
     EXPECT_THAT(info.out, Not(HasSubstr("/shot/")));
 }
 
+TEST_F(FarmExport, Folder_IsPrivate) {
+    ASSERT_EQ(export_job().exit_code, 0);
+    EXPECT_EQ(fs::status(path("made")).permissions(), fs::perms::owner_all);
+}
+
 TEST_F(FarmExport, ChangedCopy_IsNotTakenFromElsewhere) {
     ASSERT_EQ(export_job().exit_code, 0);
     fs::remove(path("made/files/wedge.obj"));

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include "core/error.h"
 #include "pipeline/farm/worker_file.h"
@@ -88,10 +89,52 @@ TEST(FarmJob, Folders_AreNamedAfterTheFilmWithSimpleCharacters) {
     const std::string second = make_job_folder(store.path(), film, true);
     EXPECT_THAT(first, ::testing::MatchesRegex(".*/farm/it_s__HOME_100__j-[0-9a-f]{6}-1"));
     EXPECT_NE(first, second);
-    const auto permissions = std::filesystem::status(first).permissions();
-    EXPECT_EQ(permissions, std::filesystem::perms::owner_all);
     write_job(make_job(first));
     EXPECT_THAT(job_folders(store.path()), ElementsAre(first));
+}
+
+/// The process's mask, for the lifetime of the object.
+class Umask {
+  public:
+    explicit Umask(mode_t mask) : before_(::umask(mask)) {}
+    ~Umask() { ::umask(before_); }
+    Umask(const Umask&) = delete;
+    Umask& operator=(const Umask&) = delete;
+
+  private:
+    mode_t before_;
+};
+
+unsigned mode_of(const std::string& path) {
+    return static_cast<unsigned>(std::filesystem::status(path).permissions());
+}
+
+TEST(FarmJob, Folders_HaveTheAskedModesWhateverTheMask) {
+    for (const mode_t mask : {0U, 022U, 077U}) {
+        const Umask changed(mask);
+        for (const bool is_private : {true, false}) {
+            const ScratchFolder folder;
+            const std::string store = folder.path("new/store");
+            make_store(store + (is_private ? "" : "/"), is_private);
+            const std::string job = make_job_folder(store, "/film.mp4", is_private);
+            EXPECT_EQ(mode_of(store), is_private ? 0700U : 0755U);
+            EXPECT_EQ(mode_of(job), is_private ? 0700U : 0755U);
+        }
+    }
+}
+
+TEST(FarmJob, StoreThatExists_KeepsItsMode) {
+    const ScratchFolder folder;
+    std::filesystem::permissions(folder.path(), std::filesystem::perms(0750));
+    make_store(folder.path(), true);
+    EXPECT_EQ(mode_of(folder.path()), 0750U);
+}
+
+TEST(FarmJob, FolderOfJobsThatOthersMayWrite_LetsNobodyReplaceAnothersJob) {
+    const Umask everybody(0);
+    const ScratchFolder store;
+    (void)make_job_folder(store.path(), "/film.mp4", true);
+    EXPECT_EQ(mode_of(store.path("farm")), 01777U);
 }
 
 TEST(FarmJob, Records_AreReadAgain) {

@@ -1,11 +1,14 @@
 #include "pipeline/farm/slurm.h"
 
+#include <cstdlib>
 #include <filesystem>
 
 #include <gmock/gmock.h>
 
+#include "core/error.h"
 #include "pipeline/farm/program.h"
 #include "pipeline/farm/shell_text.h"
+#include "pipeline/farm/task_environment.h"
 #include "tests/pipeline/video/scratch_folder.h"
 
 namespace carom::farm {
@@ -42,6 +45,53 @@ TEST(RunProgram, MissingProgram_Is127WithItsName) {
     EXPECT_THAT(result.errors, HasSubstr("'no-such-program-of-carom' cannot be started"));
 }
 
+TEST(RunProgram, GivenVariables_AreAllThatItGets) {
+    const std::string text(100, 'b');
+    EXPECT_EQ(run_program({"/usr/bin/env"}, std::vector<std::string>{"A=" + text, "D="}).output,
+              "A=" + text + "\nD=\n");
+}
+
+TEST(TaskEnvironment, OnlyVariablesThatTasksNeed_ArePassedOn) {
+    for (const char* name : {"PATH", "LC_ALL", "SLURM_CONF", "CAROM_CONFIGS", "OCIO", "CAROM"}) {
+        EXPECT_TRUE(is_for_tasks(name)) << name;
+    }
+    for (const char* name : {"AWS_SECRET_ACCESS_KEY", "GITHUB_TOKEN", "SSH_AUTH_SOCK", "PASSWORD",
+                             "PATH_TO_KEYS", "MY_PATH", "", "CAROM_PASSWORD"}) {
+        EXPECT_FALSE(is_for_tasks(name)) << name;
+    }
+    EXPECT_TRUE(is_for_tasks("SITE_LICENCE", "A SITE_LICENCE B"));
+    EXPECT_FALSE(is_for_tasks("SITE", "A SITE_LICENCE B"));
+    ::setenv("CAROM_TEST_SECRET", "hush", 1);
+    EXPECT_THAT(task_environment(), Not(Contains(HasSubstr("hush"))));
+    ::setenv("CAROM_FARM_VARIABLES", "CAROM_TEST_SECRET", 1);
+    EXPECT_THAT(task_environment(), Contains("CAROM_TEST_SECRET=hush"));
+    ::unsetenv("CAROM_FARM_VARIABLES");
+    ::unsetenv("CAROM_TEST_SECRET");
+}
+
+TEST(Submission, StrangeNames_AreSingleWordsThatNoShellReads) {
+    for (const std::string name : {"--uid=0", "$(id)", "it's \"x\"", "a\nb", "; id"}) {
+        FarmJob job = make_job("/store/" + name);
+        job.partition = job.account = job.time = job.film_time = name;
+        for (const Stage& stage : stages()) {
+            const std::vector<std::string> words = submission(job, stage, "17", 0);
+            for (const char* option : {"--partition=", "--account=", "--time="}) {
+                EXPECT_THAT(words, Contains(option + name));
+            }
+            EXPECT_EQ(words.back(), "/store/" + name + "/" + stage.script);
+        }
+    }
+}
+
+TEST(Submission, BackslashInTheFolder_IsRefusedBeforeAnythingIsSubmitted) {
+    try {
+        (void)submit_all(make_job("/a\\b"));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("its path has a backslash"));
+    }
+}
+
 TEST(Submission, Frames_AreAnArrayWithTheJobsLimits) {
     FarmJob job = make_job("/store/farm/100%j");
     job.partition = "a b";
@@ -65,14 +115,18 @@ TEST(Submission, Film_WaitsForTheFramesHoweverTheyEnd) {
 
 TEST(Scripts, FolderWithStrangeName_IsPassedAsItIs) {
     const ScratchFolder folder;
-    const std::string strange = folder.path("it's $HOME `id` 100 %j");
-    std::filesystem::create_directory(strange);
-    write_scripts(make_job(strange), "/bin/echo");
-    EXPECT_EQ(run_program({strange + "/worker.sh"}).output, "farm work " + strange + "\n");
-    write_portable_scripts(make_job(strange));
-    const ProgramResult result =
-        run_program({"/usr/bin/env", "CAROM=/bin/echo", strange + "/film.sh"});
-    EXPECT_EQ(result.output, "farm finish .\n");
+    for (const char* name : {"it's $HOME `id` 100 %j", "-n", "$(id)\n#SBATCH --uid=0", "\"; id"}) {
+        const std::string strange = folder.path(name);
+        std::filesystem::create_directory(strange);
+        std::filesystem::create_symlink("/bin/echo", strange + "/carom");
+        write_scripts(make_job(strange), strange + "/carom");
+        EXPECT_EQ(run_program({strange + "/worker.sh"}).output, "farm work " + strange + "\n");
+        write_portable_scripts(make_job(strange));
+        const ProgramResult result = run_program(
+            {strange + "/film.sh"},
+            std::vector<std::string>{"CAROM=" + strange + "/carom", "PATH=/usr/bin:/bin"});
+        EXPECT_EQ(result.output, "farm finish .\n");
+    }
 }
 
 }  // namespace
