@@ -176,7 +176,7 @@ void print_farm(const Options& options, const std::vector<FrameTimes>& measured)
             print_row(options, farm, seconds);
         }
     }
-    const double bytes = frames * options.farm.frame_bytes;
+    const double bytes = 2 * frames * options.farm.frame_bytes;  // to verify and to encode them
     const double read = bytes / options.farm.store.client_bytes_per_second;
     const double work = std::accumulate(seconds.begin(), seconds.end(), 0.0) * options.cpus;
     fmt::print(

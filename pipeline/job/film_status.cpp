@@ -10,7 +10,8 @@
 namespace carom::pipeline {
 namespace {
 
-FilmStatus status_of(const FilmPlan& plan, const FrameStore& store, const std::stop_token& stop) {
+FilmStatus status_of(const FilmPlan& plan, const FrameStore& store, DamagedFrames damaged,
+                     const std::stop_token& stop) {
     FilmStatus status;
     status.frames = plan.frames;
     std::vector<bool> is_stored;
@@ -21,6 +22,9 @@ FilmStatus status_of(const FilmPlan& plan, const FrameStore& store, const std::s
         }
         is_stored.push_back(store.is_intact(picture.key));
         is_damaged.push_back(!is_stored.back() && store.contains(picture.key));
+        if (is_damaged.back() && damaged == DamagedFrames::remove) {
+            store.remove_if_damaged(picture.key);
+        }
         status.pictures += is_stored.back() ? 0 : 1;
     }
     for (std::size_t i = 0; i < plan.frames.size(); ++i) {
@@ -51,10 +55,10 @@ void check_that_all_are_stored(const FilmStatus& status) {
 }  // namespace
 
 FilmStatus film_status(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
-                       const std::stop_token& stop) {
+                       const std::stop_token& stop, DamagedFrames damaged) {
     const FilmSource source(shot, bake.timeline, options.tier);
     const FilmPlan plan = plan_film(source, job_frames(shot, options), stop);
-    return status_of(plan, FrameStore(frames_folder(options)), stop);
+    return status_of(plan, FrameStore(frames_folder(options)), damaged, stop);
 }
 
 FilmJobResult mux_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
@@ -62,6 +66,12 @@ FilmJobResult mux_film(const Shot& shot, const sim::Bake& bake, const FilmJobOpt
     if (!options.so_far) {
         check_that_all_are_stored(film_status(shot, bake, options, stop));
     }
+    return mux_complete_film(shot, bake, options, observer, stop);
+}
+
+FilmJobResult mux_complete_film(const Shot& shot, const sim::Bake& bake,
+                                const FilmJobOptions& options, const JobObserver& observer,
+                                const std::stop_token& stop) {
     FilmJobOptions without_renderer = options;
     without_renderer.renderer = [](const FrameInputs&, const WorkContext&,
                                    render::FrameSums*) -> render::Film {

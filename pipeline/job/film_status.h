@@ -17,13 +17,23 @@ struct FilmStatus {
     std::vector<std::int64_t> damaged;  // missing frames that have a damaged file
 };
 
-/// Renders nothing, but reads every stored frame to verify it. Throws Error, Stopped.
+enum class DamagedFrames { keep, remove };
+
+/// Renders nothing, but reads every stored frame to verify it. Damaged ones are kept or removed, so
+/// that whoever looks for a frame to render finds it missing. Throws Error, Stopped.
 [[nodiscard]] FilmStatus film_status(const Shot& shot, const sim::Bake& bake,
-                                     const FilmJobOptions& options, const std::stop_token& stop);
+                                     const FilmJobOptions& options, const std::stop_token& stop,
+                                     DamagedFrames damaged = DamagedFrames::keep);
 
 /// Like make_film, but only with stored frames. Throws an Error that names the missing frames,
 /// unless the film so far is wanted.
 FilmJobResult mux_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
                        const JobObserver& observer, const std::stop_token& stop);
+
+/// The same for a film of which film_status() has just found every frame: nothing is verified
+/// before the film is begun. Throws Error if a frame is missing or damaged all the same.
+FilmJobResult mux_complete_film(const Shot& shot, const sim::Bake& bake,
+                                const FilmJobOptions& options, const JobObserver& observer,
+                                const std::stop_token& stop);
 
 }  // namespace carom::pipeline

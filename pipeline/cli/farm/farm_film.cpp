@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <iterator>
 #include <optional>
 
 #include "pipeline/cli/bake_input.h"
@@ -105,20 +104,6 @@ void FarmFrames::pin(const FarmJob& job, const FarmFilm& film) const {
 
 void FarmFrames::unpin(const FarmJob& job) {
     pipeline::remove_job_pin(job.store, fs::path(job.folder).filename().string());
-}
-
-void FarmFrames::remove_damaged() const {
-    const pipeline::FrameStore store(folder_);
-    for (const pipeline::FilmPlan::Picture& picture : plan_.pictures) {
-        store.remove_if_damaged(picture.key);
-    }
-}
-
-std::vector<std::int64_t> FarmFrames::missing_frames() const {
-    const std::vector<std::int64_t> stored = stored_frames();
-    std::vector<std::int64_t> missing;
-    std::ranges::set_difference(plan_.frames, stored, std::back_inserter(missing));
-    return missing;
 }
 
 void FarmFrames::forget_claims() const {

@@ -46,11 +46,6 @@ class FarmFrames {
     void pin(const farm::FarmJob& job, const FarmFilm& film) const;
     static void unpin(const farm::FarmJob& job);
 
-    /// Removes stored frames that are damaged, so that workers render them again.
-    void remove_damaged() const;
-    /// The frames that are not stored, ascending.
-    [[nodiscard]] std::vector<std::int64_t> missing_frames() const;
-
     /// Removes all claims on the frames, which are there for everybody.
     void forget_claims() const;
 

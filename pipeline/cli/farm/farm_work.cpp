@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include "core/text.h"
 #include "pipeline/cli/farm/farm_actions.h"
 #include "pipeline/cli/farm/farm_film.h"
 #include "pipeline/cli/job_observer.h"
@@ -184,16 +185,16 @@ void submit_again(const FarmJob& job, SlurmJobs slurm, std::int64_t missing,
 std::vector<std::int64_t> write_film(const FarmJob& job, CommandContext& context) {
     FarmFilm film = read_film(job, context);
     film.options.output = job.film;
-    const FarmFrames frames(film, context.stop);
-    frames.remove_damaged();
-    std::vector<std::int64_t> missing = frames.missing_frames();
-    if (!missing.empty()) {
-        return missing;
+    pipeline::FilmStatus status = pipeline::film_status(
+        film.input.shot, film.bake, film.options, context.stop, pipeline::DamagedFrames::remove);
+    if (!status.missing.empty()) {
+        return std::move(status.missing);
     }
-    (void)pipeline::mux_film(film.input.shot, film.bake, film.options,
-                             make_console_observer(context.console, frames.count()), context.stop);
+    (void)pipeline::mux_complete_film(
+        film.input.shot, film.bake, film.options,
+        make_console_observer(context.console, std::ssize(status.frames)), context.stop);
     context.console.end_progress();
-    frames.forget_claims();
+    FarmFrames(film, context.stop).forget_claims();
     return {};
 }
 
@@ -250,8 +251,8 @@ void farm_finish(const FarmCommand& command, CommandContext& context) {
         problem = error.what();
     }
     if (!missing.empty()) {
-        problem = fmt::format("{} frames are missing: {}", missing.size(),
-                              pipeline::frames_text(missing));
+        problem = fmt::format("{} {} missing: {}", counted(missing.size(), "frame"),
+                              missing.size() == 1 ? "is" : "are", pipeline::frames_text(missing));
     }
     if (!problem.empty()) {
         return submit_again(job, slurm, std::ssize(missing), problem, context);

@@ -81,6 +81,22 @@ TEST_F(FarmExport, MovedFolderWithoutTheOriginals_GivesTheBytesOfRender) {
     EXPECT_EQ(hash_of("a job's $HOME/files.mp4"), hash_of("film.mp4"));
 }
 
+TEST_F(FarmExport, DamagedFrame_IsRenderedAgainBeforeTheFilmIsWritten) {
+    ASSERT_EQ(run({"render", "shot/files.yaml", "-o", "film.mp4"}).exit_code, 0);
+    ASSERT_EQ(export_job().exit_code, 0);
+    ASSERT_EQ(run({"farm", "work", "made"}).exit_code, 0);
+    const std::string damaged = frames_of("made/store").begin()->first;
+    const std::string file = "made/store/frames/" + damaged.substr(0, 2) + "/" + damaged;
+    std::string bytes = text_of(file);
+    bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+    write_text(path(file), bytes);
+    EXPECT_THAT(run({"farm", "finish", "made"}).err, HasSubstr("1 frame is missing"));
+    EXPECT_FALSE(exists(file));
+    EXPECT_EQ(run({"farm", "work", "made"}).exit_code, 0);
+    EXPECT_EQ(run({"farm", "finish", "made"}).exit_code, 0);
+    EXPECT_EQ(hash_of("made/files.mp4"), hash_of("film.mp4"));
+}
+
 TEST_F(FarmExport, Files_AreCopiedUnderNamesOfTheirOwn) {
     ASSERT_EQ(export_job().exit_code, 0);
     std::vector<std::string> names;

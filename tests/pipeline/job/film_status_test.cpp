@@ -116,6 +116,34 @@ TEST(MuxFilm, DamagedFrame_IsNamedAndRenderedAgainByItsChunk) {
     EXPECT_EQ(mux_problem(job), "none");
 }
 
+TEST(FilmStatus, DamagedFrames_AreRemovedIfWanted) {
+    ChunkFixture job;
+    (void)job.render(job.options());
+    const std::string path = job.frame_path(5);
+    std::string bytes = read_text(path);
+    bytes[100] = static_cast<char>(bytes[100] ^ 1);
+    write_text(path, bytes);
+    EXPECT_THAT(job.status().missing, ElementsAre(5));
+    EXPECT_TRUE(fs::exists(path));
+    const FilmStatus status =
+        film_status(job.shot, job.bake, job.options(), {}, DamagedFrames::remove);
+    EXPECT_THAT(status.missing, ElementsAre(5));
+    EXPECT_FALSE(fs::exists(path));
+    EXPECT_TRUE(fs::exists(job.frame_path(4)));
+}
+
+TEST(MuxCompleteFilm, Film_HasTheBytesOfMuxFilmAndAFrameThatIsMissingIsAnError) {
+    ChunkFixture job;
+    (void)job.render(job.options());
+    (void)mux_film(job.shot, job.bake, job.options("one.mkv"), {}, {});
+    (void)mux_complete_film(job.shot, job.bake, job.options("other.mkv"), {}, {});
+    EXPECT_EQ(read_text(job.folder.path("one.mkv")), read_text(job.folder.path("other.mkv")));
+    fs::remove(job.frame_path(5));
+    EXPECT_THROW((void)mux_complete_film(job.shot, job.bake, job.options("third.mkv"), {}, {}),
+                 Error);
+    EXPECT_FALSE(fs::exists(job.folder.path("third.mkv")));
+}
+
 TEST(MuxFilm, AnotherFormat_NeedsNoRenderer) {
     ChunkFixture job;
     (void)job.render(job.options());
