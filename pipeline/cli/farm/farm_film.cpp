@@ -81,20 +81,21 @@ FarmFrames::FarmFrames(const FarmFilm& film, const std::stop_token& stop)
           pipeline::FilmSource(film.input.shot, film.bake.timeline, film.options.tier),
           pipeline::job_frames(film.input.shot, film.options), stop)) {}
 
-std::vector<std::int64_t> FarmFrames::stored_frames() const {
+FarmFrames::Stored FarmFrames::stored() const {
+    Stored stored;
     const pipeline::FrameStore store(folder_);
     std::vector<bool> is_stored;
     for (const pipeline::FilmPlan::Picture& picture : plan_.pictures) {
         is_stored.push_back(store.contains(picture.key));
+        stored.pictures += is_stored.back() ? 1 : 0;
     }
-    std::vector<std::int64_t> frames;
     for (std::size_t i = 0; i < plan_.frames.size(); ++i) {
         const pipeline::FilmPlan::Blend* blend = plan_.blend_of(i);
         if (is_stored[plan_.picture_of[i]] && (blend == nullptr || is_stored[blend->picture])) {
-            frames.push_back(plan_.frames[i]);
+            stored.frames.push_back(plan_.frames[i]);
         }
     }
-    return frames;
+    return stored;
 }
 
 void FarmFrames::pin(const FarmJob& job, const FarmFilm& film) const {
@@ -111,10 +112,6 @@ void FarmFrames::forget_claims() const {
     for (const pipeline::FilmPlan::Picture& picture : plan_.pictures) {
         store.forget_claims(picture.key);
     }
-}
-
-std::int64_t FarmFrames::stored() const {
-    return std::ssize(stored_frames());
 }
 
 }  // namespace carom::cli

@@ -37,11 +37,14 @@ class FarmFrames {
   public:
     FarmFrames(const FarmFilm& film, const std::stop_token& stop);
 
-    /// How many of the job's frames are stored.
-    [[nodiscard]] std::int64_t stored() const;
+    struct Stored {
+        std::vector<std::int64_t> frames;  // ascending
+        std::int64_t pictures = 0;         // frames that show the same share one
+    };
+    /// What is stored of the job.
+    [[nodiscard]] Stored stored() const;
     [[nodiscard]] std::int64_t count() const { return std::ssize(plan_.frames); }
-    /// The stored frames, ascending.
-    [[nodiscard]] std::vector<std::int64_t> stored_frames() const;
+    [[nodiscard]] std::int64_t pictures() const { return std::ssize(plan_.pictures); }
     /// Protects the frames and the bake from being pruned until unpin().
     void pin(const farm::FarmJob& job, const FarmFilm& film) const;
     static void unpin(const farm::FarmJob& job);
@@ -54,8 +57,9 @@ class FarmFrames {
     pipeline::FilmPlan plan_;
 };
 
-/// Writes a picture with some of the stored frames. Throws Error.
-void write_sheet(const FarmFilm& film, const std::vector<std::int64_t>& stored,
+/// Writes a picture with some of the stored frames. `count`: of all frames of the job. Throws
+/// Error.
+void write_sheet(const FarmFilm& film, const std::vector<std::int64_t>& stored, std::int64_t count,
                  const std::string& path, CommandContext& context);
 
 }  // namespace carom::cli

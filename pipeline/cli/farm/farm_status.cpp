@@ -3,6 +3,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <system_error>
 #include <thread>
 
@@ -11,6 +12,7 @@
 #include "pipeline/cli/farm/farm_actions.h"
 #include "pipeline/cli/farm/farm_film.h"
 #include "pipeline/cli/terminal/duration_text.h"
+#include "pipeline/cli/terminal/progress_text.h"
 #include "pipeline/farm/slurm.h"
 #include "pipeline/farm/worker_file.h"
 #include "pipeline/store/cache_maintenance.h"
@@ -22,13 +24,17 @@ namespace fs = std::filesystem;
 using farm::FarmJob;
 
 constexpr std::chrono::milliseconds kPollInterval{500};
+constexpr int kColumns = 78;  // of the bar
 
 /// All that is known of a job.
 struct State {
     std::string state;  // "waiting", "running", "complete", "stopped", "failed"
     std::string message;
     std::int64_t frames = 0;
-    std::int64_t finished = 0;
+    std::vector<std::int64_t> finished;  // frames
+    std::int64_t pictures = 0;
+    std::int64_t finished_pictures = 0;
+    std::optional<double> left;  // seconds
     std::int64_t twice = 0;
     std::int64_t continued = 0;
     farm::SlurmJobs slurm;
@@ -66,10 +72,41 @@ std::string problem_of_store(const FarmJob& job) {
                : std::string();
 }
 
+/// Until all pictures are there, if the workers that are in a frame go on as they did. Empty until
+/// they have done as much as one picture.
+std::optional<double> seconds_left(const FarmJob& job, const State& state) {
+    double done = 0;  // pictures
+    double rate = 0;  // of these, per second
+    for (const farm::WorkerNote& worker : state.workers) {
+        const double elapsed = job.budget - worker.seconds_left;
+        if (worker.frame >= 0 && elapsed > 0) {
+            const double own = static_cast<double>(worker.rendered) + worker.fraction;
+            done += own;
+            rate += own / elapsed;
+        }
+    }
+    const auto missing = static_cast<double>(state.pictures - state.finished_pictures);
+    return done >= 1 ? std::optional(missing / rate) : std::nullopt;
+}
+
+ProgressSnapshot snapshot_of(const State& state) {
+    ProgressSnapshot progress;
+    progress.stage = "render";
+    progress.frames_total = state.frames;
+    progress.frames_done = std::ssize(state.finished);
+    progress.fraction = static_cast<double>(state.finished_pictures) /
+                        static_cast<double>(std::max<std::int64_t>(1, state.pictures));
+    progress.left = state.left;
+    return progress;
+}
+
 State state_of(const FarmJob& job, const FarmFrames& frames) {
     State state;
     state.frames = frames.count();
-    state.finished = frames.stored();
+    state.pictures = frames.pictures();
+    FarmFrames::Stored stored = frames.stored();
+    state.finished = std::move(stored.frames);
+    state.finished_pictures = stored.pictures;
     state.slurm = farm::read_slurm_jobs(job).value_or(farm::SlurmJobs{});
     state.workers = farm::read_workers(job);
     for (const farm::WorkerNote& worker : state.workers) {
@@ -82,6 +119,9 @@ State state_of(const FarmJob& job, const FarmFrames& frames) {
         return state;
     }
     state.state = state_in_queue(job, state.message);
+    if (state.state == "running") {
+        state.left = seconds_left(job, state);
+    }
     if (state.state == "failed") {
         state.message += problem_of_store(job);
     }
@@ -121,10 +161,15 @@ std::string json_of(const FarmJob& job, const State& state) {
         .add("film", job.film)
         .add("folder", job.folder)
         .add("frames", state.frames)
-        .add("finished", state.finished)
+        .add("finished", std::ssize(state.finished))
+        .add("pictures", state.pictures)
+        .add("finished_pictures", state.finished_pictures)
         .add("rendered_twice", state.twice)
         .add("continued", state.continued)
         .add("round", state.slurm.round);
+    if (state.left) {
+        members.add("seconds_left", *state.left);
+    }
     std::string workers;
     for (const farm::WorkerNote& worker : state.workers) {
         workers += (workers.empty() ? "" : ",") + worker_json(worker);
@@ -147,8 +192,15 @@ std::string worker_text(const farm::WorkerNote& worker) {
 }
 
 std::string text_of(const FarmJob& job, const State& state) {
-    std::string text = fmt::format("{}: {}, {} of {} frames\n", job.film, state.state,
-                                   state.finished, state.frames);
+    std::string text = fmt::format("{}: {}, {} of {} frames", job.film, state.state,
+                                   state.finished.size(), state.frames);
+    if (state.pictures != state.frames) {
+        text += fmt::format(", {} of {} pictures", state.finished_pictures, state.pictures);
+    }
+    text += "\n";
+    if (state.state == "running" || state.state == "waiting") {
+        text += progress_bar(snapshot_of(state), kColumns) + "\n";
+    }
     if (state.twice > 0) {
         text += fmt::format("{} frames were rendered twice\n", state.twice);
     }
@@ -192,7 +244,7 @@ void farm_status(const FarmCommand& command, CommandContext& context) {
     const State state = state_of(job, frames);
     print_text(command.json ? json_of(job, state) : text_of(job, state));
     if (!command.sheet.empty()) {
-        write_sheet(film, frames.stored_frames(), command.sheet, context);
+        write_sheet(film, state.finished, state.frames, command.sheet, context);
     }
 }
 
@@ -200,22 +252,13 @@ void wait_for_job(const FarmJob& job, CommandContext& context) {
     const FarmFilm film = read_film(job, context);
     const FarmFrames frames(film, context.stop);
     const auto begin = std::chrono::steady_clock::now();
-    const std::int64_t found = frames.stored();
+    const std::int64_t found = std::ssize(frames.stored().frames);
     while (true) {
         const State state = state_of(job, frames);
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-        ProgressSnapshot progress;
-        progress.stage = "render";
-        progress.frames_total = state.frames;
-        progress.frames_done = state.finished;
+        ProgressSnapshot progress = snapshot_of(state);
         progress.frames_found = found;
-        progress.fraction = static_cast<double>(state.finished) /
-                            static_cast<double>(std::max<std::int64_t>(1, state.frames));
         progress.elapsed = elapsed.count();
-        if (state.finished > found) {
-            progress.left = elapsed.count() * static_cast<double>(state.frames - state.finished) /
-                            static_cast<double>(state.finished - found);
-        }
         context.console.progress(progress);
         if (state.state == "complete") {
             return context.console.end_progress();

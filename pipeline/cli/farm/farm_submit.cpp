@@ -136,7 +136,7 @@ void farm_resume(const FarmCommand& command, CommandContext& context) {
     const FarmFilm film = read_film(job, context);
     const FarmFrames frames(film, context.stop);
     frames.pin(job, film);
-    print_job(job, submit_now(job, frames.count() - frames.stored()));
+    print_job(job, submit_now(job, frames.count() - std::ssize(frames.stored().frames)));
     tell_how_to_look(job, context);
 }
 

@@ -219,8 +219,11 @@ void farm_work(const FarmCommand& command, CommandContext& context) {
             const pipeline::WorkerResult result = work(job, film, note, context);
             note.end("");
             context.console.info(fmt::format(
-                "{} pictures rendered, {} of them twice, {} of them begun by other workers",
-                result.state.rendered, result.state.twice, result.state.continued));
+                "{} pictures rendered, {} of them twice, {} of them begun by other workers; the "
+                "store has {}{} of {}",
+                result.state.rendered, result.state.twice, result.state.continued,
+                result.is_complete ? "" : "at least ", result.state.finished,
+                result.state.pictures));
             return;
         } catch (const Stopped&) {
             note.end("stopped");

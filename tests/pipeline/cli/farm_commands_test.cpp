@@ -1,4 +1,6 @@
 // Jobs of the farm that need no cluster.
+#include <OpenImageIO/imageio.h>
+
 #include "core/hash.h"
 #include "tests/pipeline/cli/end_to_end.h"
 
@@ -95,6 +97,25 @@ TEST_F(FarmExport, DamagedFrame_IsRenderedAgainBeforeTheFilmIsWritten) {
     EXPECT_EQ(run({"farm", "work", "made"}).exit_code, 0);
     EXPECT_EQ(run({"farm", "finish", "made"}).exit_code, 0);
     EXPECT_EQ(hash_of("made/files.mp4"), hash_of("film.mp4"));
+}
+
+TEST_F(FarmExport, Status_ShowsABarAndASheetWithTheColoursOfTheCameras) {
+    ASSERT_EQ(export_job().exit_code, 0);
+    EXPECT_THAT(run({"farm", "status", "made"}).out,
+                HasSubstr("running, 0 of 6 frames\nrender [>"));
+    ASSERT_EQ(run({"farm", "work", "made"}).exit_code, 0);
+    const RunResult status = run({"farm", "status", "made", "--sheet", "sheet.png"});
+    EXPECT_THAT(status.out, HasSubstr("=]  6/6  100 %"));
+    const auto sheet = OIIO::ImageInput::open(path("sheet.png"));
+    ASSERT_TRUE(sheet);
+    const OIIO::ImageSpec spec = sheet->spec();
+    std::vector<std::uint8_t> rgb(spec.image_pixels() * 3);
+    ASSERT_TRUE(sheet->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, rgb.data()));
+    std::size_t blue = 0;  // #0072b2, of the first camera
+    for (std::size_t i = 0; i < rgb.size(); i += 3) {
+        blue += rgb[i] == 0x00 && rgb[i + 1] == 0x72 && rgb[i + 2] == 0xB2 ? 1 : 0;
+    }
+    EXPECT_GE(blue, 6U * 9U);
 }
 
 TEST_F(FarmExport, Files_AreCopiedUnderNamesOfTheirOwn) {
