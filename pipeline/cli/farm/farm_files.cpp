@@ -55,8 +55,8 @@ void copy_files(const ShotInput& input, sim::Bake& bake, const std::string& fold
         pipeline::create_folder(folder + "/" + kFolder);
     }
     for (sim::Asset& asset : bake.assets) {
-        const std::string path = std::string(kFolder) + "/" + name_of_copy(asset.path, taken);
-        copy(asset, folder + "/" + path);
+        const std::string path = fmt::format("{}/{}", kFolder, name_of_copy(asset.path, taken));
+        copy(asset, fmt::format("{}/{}", folder, path));
         copies[asset.path] = path;
         asset.path = path;
     }

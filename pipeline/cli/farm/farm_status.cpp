@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "core/printable.h"
 #include "pipeline/cli/farm/farm_actions.h"
 #include "pipeline/cli/farm/farm_film.h"
 #include "pipeline/cli/terminal/duration_text.h"
@@ -188,11 +189,12 @@ std::string worker_text(const farm::WorkerNote& worker) {
         text += fmt::format(", {} left, heartbeat {}", duration_text(worker.seconds_left),
                             worker.heartbeat);
     }
-    return text + (worker.problem.empty() ? "" : ": " + worker.problem) + "\n";
+    text += worker.problem.empty() ? "" : ": " + worker.problem;
+    return printable(text) + "\n";
 }
 
 std::string text_of(const FarmJob& job, const State& state) {
-    std::string text = fmt::format("{}: {}, {} of {} frames", job.film, state.state,
+    std::string text = fmt::format("{}: {}, {} of {} frames", printable(job.film), state.state,
                                    state.finished.size(), state.frames);
     if (state.pictures != state.frames) {
         text += fmt::format(", {} of {} pictures", state.finished_pictures, state.pictures);
@@ -209,7 +211,7 @@ std::string text_of(const FarmJob& job, const State& state) {
                             state.continued);
     }
     if (!state.message.empty()) {
-        text += state.message + "\n";
+        text += printable(state.message) + "\n";
     }
     for (const farm::WorkerNote& worker : state.workers) {
         text += worker_text(worker);
@@ -227,7 +229,7 @@ std::string end_of(const fs::path& path, int lines) {
     std::string text;
     const std::ptrdiff_t first = std::max<std::ptrdiff_t>(0, std::ssize(all) - lines);
     for (auto line = all.begin() + first; line != all.end(); ++line) {
-        text += *line + "\n";
+        text += printable(*line) + "\n";
     }
     return text;
 }

@@ -118,6 +118,15 @@ TEST_F(FarmExport, Status_ShowsABarAndASheetWithTheColoursOfTheCameras) {
     EXPECT_GE(blue, 6U * 9U);
 }
 
+TEST_F(FarmExport, StatusAndLogs_DoNotControlTheTerminal) {
+    ASSERT_EQ(export_job().exit_code, 0);
+    write_text(path("made/workers/1.json"),
+               R"({"name": "1", "state": "ended", "frame": -1, "problem": "bad \u001b[2J"})");
+    write_text(path("made/logs/1.log"), "worse \x1b[2J\n");
+    EXPECT_THAT(run({"farm", "status", "made"}).out, HasSubstr("bad ?[2J"));
+    EXPECT_THAT(run({"farm", "logs", "made"}).out, HasSubstr("worse ?[2J"));
+}
+
 TEST_F(FarmExport, Files_AreCopiedUnderNamesOfTheirOwn) {
     ASSERT_EQ(export_job().exit_code, 0);
     std::vector<std::string> names;
