@@ -11,6 +11,7 @@
 #include "pipeline/cli/run_program.h"
 #include "pipeline/store/cache_folder.h"
 #include "pipeline/store/cache_maintenance.h"
+#include "pipeline/store/reservations.h"
 
 namespace carom::cli {
 
@@ -84,18 +85,43 @@ std::string entry_json(const CacheEntry& entry) {
     return members.object() + "\n";
 }
 
+std::string reservation_json(const pipeline::Reservation& reservation) {
+    JsonMembers members;
+    members.add("kind", "reservation")
+        .add("owner", reservation.owner)
+        .add("files", static_cast<std::int64_t>(reservation.files))
+        .add("bytes", static_cast<std::int64_t>(reservation.bytes));
+    return members.object() + "\n";
+}
+
+std::string reservations_text(const std::vector<pipeline::Reservation>& reservations) {
+    std::uint64_t bytes = 0;
+    std::string lines;
+    for (const pipeline::Reservation& reservation : reservations) {
+        bytes += reservation.bytes;
+        lines += "  " + reservation.owner + ": " + counted(reservation.files, "file") + ", " +
+                 pipeline::size_text(reservation.bytes) + "\n";
+    }
+    return "reserved for running jobs: " + pipeline::size_text(bytes) + "\n" + lines;
+}
+
 void list(const CacheCommand& command) {
     const std::string folder = folder_of(command.cache);
     const std::vector<CacheEntry> entries = pipeline::list_cache(folder);
+    const std::vector<pipeline::Reservation> reservations = pipeline::list_reservations(folder);
     std::string text;
     if (command.json) {
         for (const CacheEntry& entry : entries) {
             text += entry_json(entry);
         }
+        for (const pipeline::Reservation& reservation : reservations) {
+            text += reservation_json(reservation);
+        }
     } else {
         text = folder + ": limit " + pipeline::size_text(limit_of(command.cache)) + "\n" +
                total_text(entries, CacheEntry::Kind::frame, "frame") +
-               total_text(entries, CacheEntry::Kind::bake, "bake");
+               total_text(entries, CacheEntry::Kind::bake, "bake") +
+               reservations_text(reservations);
     }
     print_text(text);
 }

@@ -24,7 +24,7 @@ void warn(const JobObserver& observer, const std::string& message) {
 
 std::string bake_path(const std::string& cache_folder, const Hash128& physics_hash) {
     const std::string cache = cache_folder.empty() ? default_cache_folder() : cache_folder;
-    return cache + "/bakes/" + physics_hash.to_string() + ".bake";
+    return bake_file(cache, physics_hash);
 }
 
 std::optional<sim::Bake> read_cached(const std::string& path, const Hash128& physics_hash,

@@ -11,6 +11,7 @@
 #include "pipeline/job/damage_report.h"
 #include "pipeline/job/exported_frame.h"
 #include "pipeline/job/film_encoder.h"
+#include "pipeline/job/film_room.h"
 #include "pipeline/job/film_so_far.h"
 #include "pipeline/job/frame_scheduler.h"
 #include "pipeline/job/job_frames.h"
@@ -114,10 +115,11 @@ FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOp
     if (options.so_far) {
         plan = plan_so_far(plan, [&](const Hash128& key) { return store.contains(key); });
     }
-    const Pin pin(cache_folder_of(options), keys_of(plan, bake));
+    FilmRoom room(plan, store, bake, shot, options);
     CachePruner pruner(cache_folder_of(options), options.cache_limit, safe_observer);
     mark_whole_film(source, plan, options, store, stop);
     pruner.prune();
+    room.require(stop);
 
     // Opened before anything is rendered, so that a film that cannot be written fails immediately.
     const std::unique_ptr<FilmSink> sink =
@@ -126,7 +128,10 @@ FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOp
     const std::stop_callback pass_on(stop, [&job_stop] { job_stop.request_stop(); });
     FrameQueue queue(plan.pictures.size());
     CachedRenderer renderer(source, store, renderer_of(shot, options));
-    FrameScheduler scheduler(plan, renderer, queue, safe_observer, &pruner);
+    FrameScheduler scheduler(plan, renderer, queue, safe_observer, [&](std::size_t picture) {
+        pruner.on_picture_stored();
+        room.on_picture_stored(plan.pictures[picture].key, job_stop.get_token());
+    });
     EncoderThread encoder(queue, job_stop, [&] {
         if (!sink) {
             await_pictures(plan, store, queue, job_stop.get_token());

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include "core/assert.h"
 #include "core/error.h"
 #include "pipeline/store/cache_entry.h"
 #include "pipeline/store/file_descriptor.h"
@@ -64,11 +65,20 @@ class PartialFile {
 
 }  // namespace
 
-FrameStore::FrameStore(std::string folder, DamageObserver on_damage, ClaimTimes times)
+FrameStore::FrameStore(std::string folder, DamageObserver on_damage, ClaimTimes times,
+                       StoreAccess access)
     : folder_(std::move(folder)),
+      access_(access),
       on_damage_(std::move(on_damage)),
       claims_(std::make_unique<Claims>(folder_ + "/locks", times)) {
-    create_folder(folder_);
+    if (access_ == StoreAccess::only_read) {
+        return;
+    }
+    try {
+        create_folder(folder_);
+    } catch (const Error& error) {
+        throw CacheUnusable(error.what());
+    }
     remove_leftovers(folder_, times);
 }
 
@@ -96,11 +106,15 @@ void FrameStore::discard(const std::string& path, const std::string& damage) con
     if (on_damage_) {
         on_damage_(path, damage);
     }
-    ::unlink(path.c_str());
+    if (access_ != StoreAccess::only_read) {
+        ::unlink(path.c_str());
+    }
 }
 
 void FrameStore::mark_used(const Hash128& key) const {
-    pipeline::mark_used(path_of(key));
+    if (access_ != StoreAccess::only_read) {
+        pipeline::mark_used(path_of(key));
+    }
 }
 
 std::optional<render::Film> FrameStore::read(const Hash128& key) const {
@@ -124,6 +138,7 @@ std::optional<render::Film> FrameStore::read(const Hash128& key) const {
 
 void FrameStore::write(const Hash128& key, const render::Film& film,
                        const render::ImageMetadata& metadata) const {
+    CAROM_ASSERT(access_ != StoreAccess::only_read);
     PartialFile partial(folder_ + "/partial/" + partial_name(key));
     render::write_exr(film, partial.path(), metadata);
     append_checksum(partial.path(), key);
@@ -131,7 +146,12 @@ void FrameStore::write(const Hash128& key, const render::Film& film,
 }
 
 std::optional<Claim> FrameStore::claim(const Hash128& key) const {
-    return claims_->claim(key.to_string());
+    CAROM_ASSERT(access_ != StoreAccess::only_read);
+    try {
+        return claims_->claim(key.to_string());
+    } catch (const Error& error) {
+        throw CacheUnusable(error.what());
+    }
 }
 
 }  // namespace carom::pipeline

@@ -140,9 +140,10 @@ void describe(CacheCommand& command, CommandDescription& description) {
         "'carom cache verify' ends with exit code 1 if a file is damaged."};
     CommandDescription& list =
         add_action(description, command, "list",
-                   "Print the number of files, their size and when they were last used.",
+                   "Print the number of files, their size, when they were last used, and the room "
+                   "that running jobs have reserved.",
                    CacheCommand::Action::list);
-    list.flag("--json", command.json, "Print one JSON object per file.");
+    list.flag("--json", command.json, "Print one JSON object per file and per reservation.");
     list.examples = {{"carom cache list", "The size of the cache."}};
 
     CommandDescription& prune =
