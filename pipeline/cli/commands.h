@@ -33,8 +33,9 @@ struct InputOptions {
 };
 
 struct CacheOptions {
-    std::string folder;  // empty: the default
-    std::string size;    // its limit, "20 GB"; empty: the default
+    std::string folder;     // empty: the default
+    std::string size;       // its limit, "20 GB"; empty: the default
+    bool no_store = false;  // nothing is written to it
 };
 
 /// The appearance of a plan or a plot.

@@ -17,6 +17,7 @@
 #include "pipeline/job/job_frames.h"
 #include "pipeline/job/mixed_film.h"
 #include "pipeline/job/scene_renderer.h"
+#include "pipeline/job/unstored_film.h"
 #include "pipeline/store/pins.h"
 
 namespace carom::pipeline {
@@ -106,6 +107,9 @@ class EncoderThread {
 
 FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
                         const JobObserver& observer, const std::stop_token& stop) {
+    if (options.no_store) {
+        return make_unstored_film(shot, bake, options, observer, stop);
+    }
     const std::vector<std::int64_t> frames = job_frames(shot, options);
     ThreadSafeObserver safe_observer(observer);
     DamageReport damages(safe_observer);
@@ -137,7 +141,8 @@ FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOp
             await_pictures(plan, store, queue, job_stop.get_token());
             return;
         }
-        encode_film(*sink, plan, store, queue, safe_observer, job_stop.get_token());
+        encode_film(*sink, plan, stored_pictures(plan, store, queue, job_stop.get_token()),
+                    safe_observer, job_stop.get_token());
     });
     std::exception_ptr failure;
     try {
@@ -159,6 +164,9 @@ FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOp
 render::Film make_frame(const Shot& shot, const sim::Bake& bake, std::int64_t frame,
                         const FilmJobOptions& options, const JobObserver& observer,
                         const std::stop_token& stop) {
+    if (options.no_store) {
+        return make_unstored_frame(shot, bake, frame, options, observer, stop);
+    }
     ThreadSafeObserver safe_observer(observer);
     DamageReport damages(safe_observer);
     const FrameStore store = open_store(options, damages);

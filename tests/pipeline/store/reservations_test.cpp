@@ -56,8 +56,7 @@ struct Cache {
         fs::create_directories(path() + "/pins");
         const std::string pin = path() + "/pins/0123456789abcdef-12-1";
         write_text(pin, text_of({"process 12 on other", "", kBytes, keys(1, 2)}));
-        fs::last_write_time(
-            pin, fs::file_time_type::clock::now() - std::chrono::minutes(minutes));
+        fs::last_write_time(pin, fs::file_time_type::clock::now() - std::chrono::minutes(minutes));
     }
 };
 
@@ -129,8 +128,7 @@ std::string ask(const Cache& cache, const std::string& job, const std::vector<Ha
     RoomRequest request{cache.path(), job_pin_name(job)};
     request.free = free;
     try {
-        reserve_room(
-            request, [&] { write_job_pin(cache.path(), {job, "", kBytes}, wanted); }, {});
+        reserve_room(request, [&] { write_job_pin(cache.path(), {job, "", kBytes}, wanted); }, {});
     } catch (const NoRoom& error) {
         remove_job_pin(cache.path(), job);
         return error.what();
@@ -176,7 +174,7 @@ TEST(ReserveRoom, OfManyThatAskAtOnce_OnlySoManyGetRoomAsFit) {
                 const auto first = static_cast<std::uint64_t>(100 * i);
                 accepted +=
                     ask(cache, std::to_string(i), keys(first, first + 9), 35 * kBytes).empty() ? 1
-                                                                                              : 0;
+                                                                                               : 0;
             });
         }
     }
@@ -188,7 +186,9 @@ TEST(ReserveRoom, Stop_EndsTheWaiting) {
     const Cache cache;
     std::stop_source stop;
     stop.request_stop();
-    EXPECT_THROW(reserve_room({cache.path(), "job-a"}, [] {}, stop.get_token()), Stopped);
+    EXPECT_THROW(reserve_room(
+                     {cache.path(), "job-a"}, [] {}, stop.get_token()),
+                 Stopped);
 }
 
 }  // namespace
