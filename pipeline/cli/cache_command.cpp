@@ -7,6 +7,7 @@
 
 #include "core/json_text.h"
 #include "core/text.h"
+#include "pipeline/cli/cache_copies.h"
 #include "pipeline/cli/duration_text.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/store/cache_folder.h"
@@ -177,6 +178,11 @@ void run(const CacheCommand& command, CommandContext& context) {
             break;
         case CacheCommand::Action::verify:
             verify(command, context);
+            break;
+        case CacheCommand::Action::push:
+        case CacheCommand::Action::pull:
+        case CacheCommand::Action::merge:
+            copy_between_caches(command, {}, context);
             break;
     }
 }
