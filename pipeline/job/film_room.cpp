@@ -1,8 +1,5 @@
 #include "pipeline/job/film_room.h"
 
-#include <filesystem>
-#include <system_error>
-
 #include "pipeline/job/job_frames.h"
 #include "pipeline/store/cache_maintenance.h"
 #include "pipeline/store/reservations.h"
@@ -38,7 +35,7 @@ FilmRoom::FilmRoom(const FilmPlan& plan, const FrameStore& store, const sim::Bak
     std::uint64_t bytes = 0;
     std::uint64_t stored = 0;
     for (const FilmPlan::Picture& picture : plan.pictures) {
-        const std::uint64_t size = size_of(picture.key);
+        const std::uint64_t size = store.size_bytes(picture.key);
         bytes += size;
         stored += size > 0 ? 1 : 0;
     }
@@ -48,12 +45,6 @@ FilmRoom::FilmRoom(const FilmPlan& plan, const FrameStore& store, const sim::Bak
     }
 }
 
-std::uint64_t FilmRoom::size_of(const Hash128& key) const {
-    std::error_code failure;
-    const std::uintmax_t size = std::filesystem::file_size(store_.path_of(key), failure);
-    return failure ? 0 : size;
-}
-
 // Nothing of this film, which is used now.
 std::uint64_t FilmRoom::removable() const {
     if (limit_ == kNoLimit) {
@@ -61,7 +52,7 @@ std::uint64_t FilmRoom::removable() const {
     }
     std::uint64_t needed = 0;
     for (const FilmPlan::Picture& picture : plan_.pictures) {
-        needed += size_of(picture.key) > 0 ? 0 : bytes_each_;
+        needed += store_.size_bytes(picture.key) > 0 ? 0 : bytes_each_;
     }
     PruneOptions options;
     options.limit = limit_ > needed ? limit_ - needed : 0;
@@ -82,13 +73,14 @@ void FilmRoom::require(const std::stop_token& stop) {
         return;  // a job that only reads also works with a read-only cache
     }
     RoomRequest request{cache_folder_, pin_.name(), removable(), kLeastPart, {}};
-    reserve_room(request, [this] { pin_.expect(bytes_each_); }, stop);
+    reserve_room(
+        request, [this] { pin_.expect(bytes_each_); }, stop);
 }
 
 void FilmRoom::on_picture_stored(const Hash128& key, const std::stop_token& stop) {
     if (!is_measured_) {
         is_measured_ = true;
-        bytes_each_ = size_of(key);
+        bytes_each_ = store_.size_bytes(key);
         require(stop);
     }
 }

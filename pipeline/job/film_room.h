@@ -19,8 +19,8 @@ namespace carom::pipeline {
 /// reserved, but a lack of room is not an error. For one thread at a time. Refers to its arguments.
 class FilmRoom {
   public:
-    FilmRoom(const FilmPlan& plan, const FrameStore& store, const sim::Bake& bake,
-             const Shot& shot, const FilmJobOptions& options);
+    FilmRoom(const FilmPlan& plan, const FrameStore& store, const sim::Bake& bake, const Shot& shot,
+             const FilmJobOptions& options);
 
     /// Throws NoRoom if it is known that the missing frames do not fit beside what other jobs have
     /// reserved. Throws Error, Stopped.
@@ -31,7 +31,6 @@ class FilmRoom {
     void on_picture_stored(const Hash128& key, const std::stop_token& stop);
 
   private:
-    [[nodiscard]] std::uint64_t size_of(const Hash128& key) const;
     [[nodiscard]] std::uint64_t removable() const;
 
     const FilmPlan& plan_;

@@ -19,8 +19,8 @@ namespace carom::pipeline {
 /// arguments.
 class FrameScheduler {
   public:
-    /// `on_stored`, if not empty, is called for every picture that was rendered and stored, with its
-    /// number in the plan. What it throws ends the job.
+    /// `on_stored`, if not empty, is called for every picture that was rendered and stored, with
+    /// its number in the plan. What it throws ends the job.
     FrameScheduler(const FilmPlan& plan, CachedRenderer& renderer, FrameQueue& queue,
                    ThreadSafeObserver& observer,
                    std::function<void(std::size_t picture)> on_stored = {})

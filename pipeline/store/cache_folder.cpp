@@ -21,7 +21,8 @@ std::string default_cache_folder() {
     }
     const std::string home = environment("HOME");
     if (home.empty()) {
-        throw CacheUnusable("there is no folder for the cache; set CAROM_CACHE, XDG_CACHE_HOME or HOME");
+        throw CacheUnusable(
+            "there is no folder for the cache; set CAROM_CACHE, XDG_CACHE_HOME or HOME");
     }
     return home + "/.cache/carom";
 }

@@ -17,8 +17,8 @@ class CacheUnusable : public Error {
 /// set.
 [[nodiscard]] std::string default_cache_folder();
 
-/// `given` if it is not empty, else the default, or a folder that cannot exist if there is none: for
-/// jobs that only look whether the cache has something.
+/// `given` if it is not empty, else the default, or a folder that cannot exist if there is none:
+/// for jobs that only look whether the cache has something.
 [[nodiscard]] std::string readable_cache_folder(const std::string& given);
 
 }  // namespace carom::pipeline

@@ -6,7 +6,9 @@
 #include <thread>
 #include <utility>
 
+#include <fcntl.h>
 #include <fmt/core.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/assert.h"
@@ -89,6 +91,14 @@ std::string FrameStore::path_of(const Hash128& key) const {
 
 bool FrameStore::contains(const Hash128& key) const {
     return ::access(path_of(key).c_str(), F_OK) == 0;
+}
+
+std::uint64_t FrameStore::size_bytes(const Hash128& key) const {
+    const FileDescriptor file(::open(path_of(key).c_str(), O_RDONLY | O_CLOEXEC));
+    struct stat status {};
+    return file.is_open() && ::fstat(file.get(), &status) == 0
+               ? static_cast<std::uint64_t>(status.st_size)
+               : 0;
 }
 
 bool FrameStore::is_intact(const Hash128& key) const {

@@ -1,6 +1,7 @@
 // A store of finished frames on disk, each in a file that is named after its key.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -38,6 +39,10 @@ class FrameStore {
 
     /// Whether a file exists for the key (it may still turn out to be damaged).
     [[nodiscard]] bool contains(const Hash128& key) const;
+
+    /// The size of the file for the key; 0 if there is none. The file is opened, because network
+    /// file systems look at the server's file only then.
+    [[nodiscard]] std::uint64_t size_bytes(const Hash128& key) const;
 
     /// Whether the file for the key exists and its checksum is correct. The file is read to its end
     /// but not decoded. Throws Error if the folder cannot be read.

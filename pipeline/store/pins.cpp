@@ -62,8 +62,8 @@ PinState state_of_job(const std::string& cache_folder, const PinText& pin,
         return PinState::dead;
     }
     std::error_code failure;
-    const bool is_gone = !pin.folder.empty() &&
-                         !fs::exists(cache_folder + "/" + pin.folder, failure) && !failure;
+    const bool is_gone =
+        !pin.folder.empty() && !fs::exists(cache_folder + "/" + pin.folder, failure) && !failure;
     if (is_gone) {
         // Another machine may see the folder a little later than the pin.
         return age < kStaysWithoutFolder ? PinState::not_counted : PinState::dead;
@@ -153,8 +153,8 @@ std::string job_pin_name(const std::string& job) {
 void write_job_pin(const std::string& cache_folder, const JobPin& pin,
                    std::span<const Hash128> keys) {
     create_folder(pins_folder(cache_folder));
-    const std::string text = text_of(
-        {"farm job " + pin.job, pin.folder, pin.bytes_each, {keys.begin(), keys.end()}});
+    const std::string text =
+        text_of({"farm job " + pin.job, pin.folder, pin.bytes_each, {keys.begin(), keys.end()}});
     write_file_atomically(pins_folder(cache_folder) + "/" + job_pin_name(pin.job),
                           std::as_bytes(std::span(text)));
 }

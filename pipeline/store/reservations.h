@@ -47,11 +47,11 @@ struct RoomRequest {
     std::optional<std::uint64_t> free{};  // instead of free_bytes(), for tests
 };
 
-/// Calls `write_pin`, which writes the pin of the request or the bytes in it, and then throws NoRoom
-/// if the need of this pin, together with the reservations of all others, exceeds the free space.
-/// The pin stays then: the caller removes it. Only one process of all machines does this at a time,
-/// so that two that ask at once see each other. Throws CacheUnusable if the cache cannot be written
-/// to, Error, Stopped.
+/// Calls `write_pin`, which writes the pin of the request or the bytes in it, and then throws
+/// NoRoom if the need of this pin, together with the reservations of all others, exceeds the free
+/// space. The pin stays then: the caller removes it. Only one process of all machines does this at
+/// a time, so that two that ask at once see each other. Throws CacheUnusable if the cache cannot be
+/// written to, Error, Stopped.
 void reserve_room(const RoomRequest& request, const std::function<void()>& write_pin,
                   const std::stop_token& stop);
 

@@ -111,8 +111,8 @@ void FarmFrames::pin(const FarmJob& job, const FarmFilm& film, const std::stop_t
     const pipeline::RoomRequest request{job.store, pipeline::job_pin_name(pin.job)};
     try {
         pipeline::reserve_room(
-            request,
-            [&] { write_job_pin(job.store, pin, pipeline::keys_of(plan_, film.bake)); }, stop);
+            request, [&] { write_job_pin(job.store, pin, pipeline::keys_of(plan_, film.bake)); },
+            stop);
     } catch (const pipeline::NoRoom&) {
         unpin(job);
         throw;

@@ -42,9 +42,9 @@ class FarmFrames {
     [[nodiscard]] std::int64_t count() const { return std::ssize(plan_.frames); }
     /// The stored frames, ascending.
     [[nodiscard]] std::vector<std::int64_t> stored_frames() const;
-    /// Protects the frames and the bake from being pruned until unpin(), and reserves room for those
-    /// that are missing. Throws NoRoom, and protects nothing then, if other jobs have reserved too
-    /// much of what is left. Throws Error, Stopped.
+    /// Protects the frames and the bake from being pruned until unpin(), and reserves room for
+    /// those that are missing. Throws NoRoom, and protects nothing then, if other jobs have
+    /// reserved too much of what is left. Throws Error, Stopped.
     void pin(const farm::FarmJob& job, const FarmFilm& film, const std::stop_token& stop) const;
     static void unpin(const farm::FarmJob& job);
     /// Ends the reservation of a job that has failed. Its frames stay protected.
