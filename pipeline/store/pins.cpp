@@ -39,7 +39,7 @@ std::string pins_folder(const std::string& cache_folder) {
 }
 
 std::string process_text() {
-    const std::string host = this_host();
+    const std::string& host = this_host();
     return fmt::format("process {} on {}", ::getpid(), host.substr(0, host.find('/')));
 }
 

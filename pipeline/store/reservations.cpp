@@ -118,7 +118,8 @@ Claim take_turn(Claims& claims, const std::stop_token& stop) {
 std::vector<Reservation> list_reservations(const std::string& cache_folder,
                                            const std::string& first) {
     std::vector<LivePin> pins = live_pins(cache_folder);
-    std::ranges::stable_partition(pins, [&](const LivePin& pin) { return pin.name == first; });
+    std::stable_partition(pins.begin(), pins.end(),
+                          [&](const LivePin& pin) { return pin.name == first; });
     std::set<Hash128> counted;
     std::vector<Reservation> reservations;
     for (const LivePin& pin : pins) {
