@@ -20,6 +20,7 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "films of billiard-style shots, simulated 
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME carom)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS fonts-dejavu-core)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS rsync)  # only carom cache push, pull and merge
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
 "A shot is written in YAML, simulated with ODE and baked into timelines; a path tracer with true motion blur and
 depth of field films these, at any speed, backwards or from another seat, and writes an MP4.")

@@ -10,7 +10,8 @@
 // pipeline::make_film            renders the frames that the store lacks, and writes the film
 //
 // Only bake_or_reuse, find_cached_bake, make_frame and make_film read and write a store: the folder
-// that their options name, or that of the command, ~/.cache/carom.
+// that their options name, or that of the command, ~/.cache/carom. bake_without_store, and the last
+// two with no_store, only read it.
 #pragma once
 
 #include "carom/render.h"

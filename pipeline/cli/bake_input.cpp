@@ -3,6 +3,7 @@
 #include "pipeline/check/motion_check.h"
 #include "pipeline/cli/bake_reason.h"
 #include "pipeline/cli/job_observer.h"
+#include "pipeline/store/cache_folder.h"
 
 namespace carom::cli {
 
@@ -10,12 +11,17 @@ namespace {
 
 sim::Bake obtain_bake_of_shot(const ShotInput& input, const std::string& path,
                               const CacheOptions& cache, CommandContext& context) {
-    const BakeReason reason(input.shot, path, cache.folder);
-    pipeline::BakedShot baked = pipeline::bake_or_reuse(
-        input.shot, cache.folder, make_console_observer(context.console), context.stop);
+    const std::string folder =
+        cache.no_store ? pipeline::readable_cache_folder(cache.folder) : cache.folder;
+    const BakeReason reason(input.shot, path, folder);
+    const auto bake = cache.no_store ? pipeline::bake_without_store : pipeline::bake_or_reuse;
+    pipeline::BakedShot baked =
+        bake(input.shot, folder, make_console_observer(context.console), context.stop);
     context.console.end_progress();
     context.console.info(reason.text(baked.origin));
-    reason.save_record();
+    if (!cache.no_store) {
+        reason.save_record();
+    }
     return std::move(baked.bake);
 }
 

@@ -7,10 +7,12 @@
 
 #include "core/json_text.h"
 #include "core/text.h"
+#include "pipeline/cli/cache_copies.h"
 #include "pipeline/cli/duration_text.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/store/cache_folder.h"
 #include "pipeline/store/cache_maintenance.h"
+#include "pipeline/store/reservations.h"
 
 namespace carom::cli {
 
@@ -92,13 +94,37 @@ std::string entry_json(const CacheEntry& entry) {
     return members.object() + "\n";
 }
 
+std::string reservation_json(const pipeline::Reservation& reservation) {
+    JsonMembers members;
+    members.add("kind", "reservation")
+        .add("owner", reservation.owner)
+        .add("files", static_cast<std::int64_t>(reservation.files))
+        .add("bytes", static_cast<std::int64_t>(reservation.bytes));
+    return members.object() + "\n";
+}
+
+std::string reservations_text(const std::vector<pipeline::Reservation>& reservations) {
+    std::uint64_t bytes = 0;
+    std::string lines;
+    for (const pipeline::Reservation& reservation : reservations) {
+        bytes += reservation.bytes;
+        lines += "  " + reservation.owner + ": " + counted(reservation.files, "file") + ", " +
+                 pipeline::size_text(reservation.bytes) + "\n";
+    }
+    return "reserved for running jobs: " + pipeline::size_text(bytes) + "\n" + lines;
+}
+
 void list(const CacheCommand& command) {
     const std::string folder = folder_of(command.cache);
     const std::vector<CacheEntry> entries = pipeline::list_cache(folder);
+    const std::vector<pipeline::Reservation> reservations = pipeline::list_reservations(folder);
     std::string text;
     if (command.json) {
         for (const CacheEntry& entry : entries) {
             text += entry_json(entry);
+        }
+        for (const pipeline::Reservation& reservation : reservations) {
+            text += reservation_json(reservation);
         }
     } else {
         text = folder + ": limit " + pipeline::size_text(limit_of(command.cache)) + "\n" +
@@ -107,6 +133,7 @@ void list(const CacheCommand& command) {
         if (total_of(entries, CacheEntry::Kind::sums).count > 0) {
             text += total_text(entries, CacheEntry::Kind::sums, "stopped frame");
         }
+        text += reservations_text(reservations);
     }
     print_text(text);
 }
@@ -162,6 +189,11 @@ void run(const CacheCommand& command, CommandContext& context) {
             break;
         case CacheCommand::Action::verify:
             verify(command, context);
+            break;
+        case CacheCommand::Action::push:
+        case CacheCommand::Action::pull:
+        case CacheCommand::Action::merge:
+            copy_between_caches(command, {}, context);
             break;
     }
 }

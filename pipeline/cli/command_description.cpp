@@ -66,6 +66,13 @@ Option& CommandDescription::argument(std::string argument_name, std::string& tar
     return added;
 }
 
+Option& CommandDescription::argument(std::string argument_name, std::vector<std::string>& target,
+                                     std::string help) {
+    Option& added = option(argument_name, &target, "", std::move(help));
+    added.is_required = true;
+    return added;
+}
+
 CommandDescription& CommandDescription::command(std::string command_name,
                                                 std::string command_summary) {
     CommandDescription& added = commands.emplace_back();

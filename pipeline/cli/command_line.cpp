@@ -39,7 +39,8 @@ CLI::Option& add_target(CLI::App& app, const Option& option) {
         } else {
             CLI::Option* added = app.add_option(names, *target);
             if constexpr (std::is_same_v<T, std::vector<std::string>>) {
-                added->allow_extra_args(false);  // one value for each time the option is given
+                // One value for each time the option is given; arguments follow one another.
+                added->allow_extra_args(option.is_argument());
             } else if constexpr (std::is_arithmetic_v<T>) {
                 limit(*added, option, T{});
             } else if constexpr (!std::is_same_v<T, std::string>) {  // std::optional

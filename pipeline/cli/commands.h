@@ -33,8 +33,9 @@ struct InputOptions {
 };
 
 struct CacheOptions {
-    std::string folder;  // empty: the default
-    std::string size;    // its limit, "20 GB"; empty: the default
+    std::string folder;     // empty: the default
+    std::string size;       // its limit, "20 GB"; empty: the default
+    bool no_store = false;  // nothing is written to it
 };
 
 /// The appearance of a plan or a plot.
@@ -65,19 +66,25 @@ struct MuxCommand {
 void describe(MuxCommand& command, CommandDescription& description);
 void run(const MuxCommand& command, CommandContext& context);
 
-/// Lists, prunes or verifies the cache.
+/// Lists, prunes or verifies the cache, or copies files from or to others.
 struct CacheCommand {
-    enum class Action { list, prune, verify };
+    enum class Action { list, prune, verify, push, pull, merge };
     Action action = Action::list;
     CacheOptions cache;
-    bool json = false;       // list
-    std::string unused_for;  // prune: "30 d"; empty: any age
-    bool all = false;        // prune
-    bool dry_run = false;    // prune
-    bool keep = false;       // verify: damaged files are only listed
+    bool json = false;                 // list
+    std::string unused_for;            // prune: "30 d"; empty: any age
+    bool all = false;                  // prune
+    bool dry_run = false;              // prune, push, pull, merge
+    bool keep = false;                 // verify: damaged files are only listed
+    std::string place;                 // push, pull: the other cache, as rsync takes it
+    std::vector<std::string> folders;  // merge: the other caches
+    InputOptions input;                // push, pull: of a shot; path empty: all files
+    std::string frames;                // of the shot
 };
 void describe(CacheCommand& command, CommandDescription& description);
 void run(const CacheCommand& command, CommandContext& context);
+/// The same if the command names a shot: only carom-film knows the keys of its frames.
+void run_for_shot(const CacheCommand& command, CommandContext& context);
 
 /// Films on a cluster. Strings are as typed.
 struct FarmCommand {
@@ -334,7 +341,7 @@ inline constexpr std::tuple kCommandTable{
     CommandRow<ExportCommand>{"export", Group::keep, Program::carom,
                               "Write the motion as .csv or .json, the scene as .glb or .usda."},
     CommandRow<CacheCommand>{"cache", Group::keep, Program::carom,
-                             "List, prune or verify the cache of bakes and frames."},
+                             "List, prune, verify or copy the cache of bakes and frames."},
     CommandRow<CompareCommand>{"compare", Group::tools, Program::lab,
                                "Measure acceleration structures or ray-triangle tests."},
     CommandRow<SchemaCommand>{"schema", Group::tools, Program::carom,
@@ -353,6 +360,10 @@ template <class T>
 constexpr CommandRow<T> kRowOf = std::get<CommandRow<T>>(kCommandTable);
 
 [[nodiscard]] inline Program program_of(const Command& command) {
+    const auto* cache = std::get_if<CacheCommand>(&command);
+    if (cache != nullptr && !cache->input.path.empty()) {
+        return Program::film;
+    }
     return std::visit([]<class T>(const T&) { return kRowOf<T>.program; }, command);
 }
 

@@ -66,10 +66,13 @@ void run(const ContactSheetCommand& command, CommandContext& context) {
     job.frames = spread_frames(command.count, all);
     const std::vector<std::int64_t> frames = job.frames.frames(all);
     const sim::Bake bake = obtain_bake(input, options, command.cache, context);
-    // All pictures are rendered to the store in one job, and then read from there.
-    (void)pipeline::make_film(
-        shot, bake, job, make_console_observer(context.console, std::ssize(frames)), context.stop);
-    context.console.end_progress();
+    warn_of_no_store(command.cache, context.console);
+    if (!job.no_store) {  // all pictures are rendered in one job, and then read from the store
+        (void)pipeline::make_film(shot, bake, job,
+                                  make_console_observer(context.console, std::ssize(frames)),
+                                  context.stop);
+        context.console.end_progress();
+    }
     write_frames_sheet(shot, bake, job,
                        {frames, facts_of(shot, all), command.columns, command.width, path},
                        context);

@@ -159,6 +159,10 @@ void film_shot(ShotInput input, const std::string& path, const RenderCommand& co
     }
     if (makes_film) {
         check_film(input, path, context.console);
+    } else if (command.cache.no_store && !command.dry_run) {
+        throw InputError(
+            "with --no-store the frames of a chunk would be lost; write pictures "
+            "(-o shot.####.exr)");
     }
     FilmJobOptions options = job_options(command.cache, command.frames, command.chunk);
     options.output = path;
@@ -183,6 +187,7 @@ void film_shot(ShotInput input, const std::string& path, const RenderCommand& co
         }
         return;
     }
+    warn_of_no_store(command.cache, context.console);
     const pipeline::FilmJobResult result = pipeline::make_film(
         input.shot, bake, options, make_console_observer(context.console, frames), context.stop);
     context.console.end_progress();
@@ -228,6 +233,7 @@ void run(const FrameCommand& command, CommandContext& context) {
     options.threads = command.threads;
     options.factory = context.factory;
     const sim::Bake bake = obtain_bake(input, command.input, command.cache, context);
+    warn_of_no_store(command.cache, context.console);
     const render::Film film = pipeline::make_frame(
         input.shot, bake, frame, options, make_console_observer(context.console, 1), context.stop);
     context.console.end_progress();

@@ -28,6 +28,7 @@ FilmJobOptions job_options(const CacheOptions& cache, const std::string& frames,
                            const std::string& chunk) {
     FilmJobOptions options;
     options.cache_folder = cache.folder;
+    options.no_store = cache.no_store;
     try {
         options.cache_limit = pipeline::cache_size_limit(cache.size);
         if (!frames.empty()) {
@@ -40,6 +41,12 @@ FilmJobOptions job_options(const CacheOptions& cache, const std::string& frames,
         throw InputError(error.what());
     }
     return options;
+}
+
+void warn_of_no_store(const CacheOptions& cache, Console& console) {
+    if (cache.no_store) {
+        console.warning("nothing is stored (--no-store): if this is interrupted, it starts anew");
+    }
 }
 
 std::int64_t film_frames(const Shot& shot) {

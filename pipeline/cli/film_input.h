@@ -20,6 +20,9 @@ namespace carom::cli {
                                                    const std::string& frames,
                                                    const std::string& chunk);
 
+/// Warns that nothing is stored, if this is so.
+void warn_of_no_store(const CacheOptions& cache, Console& console);
+
 /// How many frames the whole film has. Throws InputError if it has none.
 [[nodiscard]] std::int64_t film_frames(const pipeline::Shot& shot);
 

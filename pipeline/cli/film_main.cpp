@@ -13,6 +13,9 @@ int main(int argument_count, char** arguments) {
     return run_command(std::get<CommandLine>(parsed),
                        [&](const Command& command, CommandContext& context) {
                            try {
+                               if (const auto* cache = std::get_if<CacheCommand>(&command)) {
+                                   return run_for_shot(*cache, context);
+                               }
                                run_here<Program::film>(command, context);
                            } catch (const NeedsProgram& needed) {
                                exec_program(needed.name(), arguments);

@@ -11,13 +11,39 @@
 #include "core/printable.h"
 #include "core/write_all.h"
 #include "pipeline/cli/terminal/interrupts.h"
+#include "pipeline/store/cache_folder.h"
 
 namespace carom::cli {
 
 namespace {
 
+bool stores_nothing(const Command& command) {
+    return std::visit(
+        []<class T>(const T& chosen) {
+            if constexpr (requires { chosen.cache.no_store; }) {
+                return chosen.cache.no_store;
+            } else if constexpr (requires { chosen.render.cache.no_store; }) {
+                return chosen.render.cache.no_store;
+            } else {
+                return false;
+            }
+        },
+        command);
+}
+
+/// Whether the command has the option --no-store.
+bool can_do_without_a_store(const Command& command) {
+    return std::holds_alternative<RenderCommand>(command) ||
+           std::holds_alternative<RetimeCommand>(command) ||
+           std::holds_alternative<FrameCommand>(command) ||
+           std::holds_alternative<ContactSheetCommand>(command);
+}
+
 /// Says what an interruption leaves.
 const char* interruption_message(const Command& command) {
+    if (stores_nothing(command)) {
+        return "interrupted; nothing was stored";
+    }
     if (std::holds_alternative<RenderCommand>(command) ||
         std::holds_alternative<RetimeCommand>(command) ||
         std::holds_alternative<ContactSheetCommand>(command)) {
@@ -43,6 +69,11 @@ ExitCode run_guarded(const Command& command, const CommandHandler& handler,
         console.end_progress();
         console.error(error.what());
         return kWrongUsage;
+    } catch (const pipeline::CacheUnusable& error) {
+        console.end_progress();
+        console.error(std::string(error.what()) + (can_do_without_a_store(command)
+                                                       ? "; --no-store renders without a cache"
+                                                       : ""));
     } catch (const Error& error) {
         console.end_progress();
         console.error(error.what());

@@ -75,6 +75,7 @@ void write_job(const FarmJob& job) {
         .add("tasks_at_once", job.tasks_at_once)
         .add("processors", job.processors)
         .add("memory_mb", job.memory)
+        .add("frame_bytes", job.frame_bytes)
         .add("budget_seconds", job.budget)
         .add("dead_after_seconds", job.dead_after)
         .add("partition", job.partition)
@@ -114,6 +115,7 @@ FarmJob read_job(const std::string& folder) {
     job.tasks_at_once = record->integer("tasks_at_once");
     job.processors = record->integer("processors");
     job.memory = record->integer("memory_mb");
+    job.frame_bytes = record->integer("frame_bytes");
     job.budget = record->number("budget_seconds");
     job.dead_after = record->number("dead_after_seconds");
     job.partition = text_of(record, "partition");

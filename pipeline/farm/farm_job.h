@@ -30,6 +30,7 @@ struct FarmJob {
     std::int64_t tasks_at_once = 0;  // of them; 0: as many as the cluster has room for
     std::int64_t processors = 1;     // of each
     std::int64_t memory = 0;         // of each, MB
+    std::int64_t frame_bytes = 0;    // that a frame is expected to take in the store
     double budget = 600;             // of each, seconds
     double dead_after = 30;          // seconds without a heartbeat
     std::string partition;           // Slurm's; empty: its default

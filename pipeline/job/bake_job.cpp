@@ -24,10 +24,12 @@ void warn(const JobObserver& observer, const std::string& message) {
 
 std::string bake_path(const std::string& cache_folder, const Hash128& physics_hash) {
     const std::string cache = cache_folder.empty() ? default_cache_folder() : cache_folder;
-    return cache + "/bakes/" + physics_hash.to_string() + ".bake";
+    return bake_file(cache, physics_hash);
 }
 
-std::optional<sim::Bake> read_cached(const std::string& path, const Hash128& physics_hash,
+enum class Use { marked, not_marked };  // in the time of the file
+
+std::optional<sim::Bake> read_cached(const std::string& path, const Hash128& physics_hash, Use use,
                                      const JobObserver& observer) {
     std::error_code ignored;
     if (!fs::exists(path, ignored)) {
@@ -36,7 +38,9 @@ std::optional<sim::Bake> read_cached(const std::string& path, const Hash128& phy
     try {
         sim::Bake bake = sim::read_bake(path);
         if (bake.physics_hash == physics_hash) {
-            mark_used(path);
+            if (use == Use::marked) {
+                mark_used(path);
+            }
             return bake;
         }
         warn(observer, "'" + path + "' is the bake of another shot; this shot is simulated again");
@@ -84,11 +88,13 @@ sim::Bake bake_shot(const Shot& shot, const WorkContext& context) {
     return bake;
 }
 
-std::optional<sim::Bake> find_cached_bake(const Shot& shot, const std::string& cache_folder,
-                                          const JobObserver& observer) {
+namespace {
+
+std::optional<sim::Bake> find_bake(const Shot& shot, const std::string& cache_folder, Use use,
+                                   const JobObserver& observer) {
     const Hash128 physics_hash = sim::physics_hash(shot.world);
     std::optional<sim::Bake> cached =
-        read_cached(bake_path(cache_folder, physics_hash), physics_hash, observer);
+        read_cached(bake_path(cache_folder, physics_hash), physics_hash, use, observer);
     if (cached) {
         // Shots that differ only in their look share a bake.
         cached->shot_text = shot.resolved_text;
@@ -98,7 +104,15 @@ std::optional<sim::Bake> find_cached_bake(const Shot& shot, const std::string& c
     return cached;
 }
 
-namespace {
+/// Of a simulation, which reports its progress.
+WorkContext context_of(const JobObserver& observer, const std::stop_token& stop) {
+    WorkContext context;
+    context.stop = stop;
+    if (observer.on_progress) {
+        context.progress = [&observer](double fraction) { observer.on_progress("bake", fraction); };
+    }
+    return context;
+}
 
 constexpr std::chrono::milliseconds kPollInterval{100};
 
@@ -126,6 +140,20 @@ std::optional<Claim> claim_bake(Claims& claims, const Hash128& physics_hash,
 
 }  // namespace
 
+std::optional<sim::Bake> find_cached_bake(const Shot& shot, const std::string& cache_folder,
+                                          const JobObserver& observer) {
+    return find_bake(shot, cache_folder, Use::marked, observer);
+}
+
+BakedShot bake_without_store(const Shot& shot, const std::string& cache_folder,
+                             const JobObserver& observer, const std::stop_token& stop) {
+    const std::string folder = readable_cache_folder(cache_folder);
+    if (std::optional<sim::Bake> cached = find_bake(shot, folder, Use::not_marked, observer)) {
+        return {std::move(*cached), BakeOrigin::cached};
+    }
+    return {bake_shot(shot, context_of(observer, stop)), BakeOrigin::simulated};
+}
+
 BakedShot bake_or_reuse(const Shot& shot, const std::string& cache_folder,
                         const JobObserver& observer, const std::stop_token& stop) {
     const Hash128 physics_hash = sim::physics_hash(shot.world);
@@ -142,12 +170,7 @@ BakedShot bake_or_reuse(const Shot& shot, const std::string& cache_folder,
             return {std::move(*cached), BakeOrigin::cached};
         }
     }
-    WorkContext context;
-    context.stop = stop;
-    if (observer.on_progress) {
-        context.progress = [&observer](double fraction) { observer.on_progress("bake", fraction); };
-    }
-    sim::Bake bake = simulate(shot, context);
+    sim::Bake bake = simulate(shot, context_of(observer, stop));
     try {
         save(bake, path);
     } catch (const Error& error) {

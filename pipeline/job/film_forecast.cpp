@@ -114,8 +114,7 @@ FilmForecast forecast_film(const Shot& shot, const sim::Bake& bake,
     const FilmSource source(shot, bake.timeline);
     const FilmPlan plan = plan_film(source, job_frames(shot, options), stop);
     forecast.frames = std::ssize(plan.frames);
-    const std::vector<std::size_t> pictures =
-        missing_pictures(plan, missing, FrameStore(frames_folder(options)));
+    const std::vector<std::size_t> pictures = missing_pictures(plan, missing, open_store(options));
     forecast.pictures = std::ssize(pictures);
     if (pictures.empty()) {
         return forecast;

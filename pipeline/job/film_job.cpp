@@ -11,11 +11,13 @@
 #include "pipeline/job/damage_report.h"
 #include "pipeline/job/exported_frame.h"
 #include "pipeline/job/film_encoder.h"
+#include "pipeline/job/film_room.h"
 #include "pipeline/job/film_so_far.h"
 #include "pipeline/job/frame_scheduler.h"
 #include "pipeline/job/job_frames.h"
 #include "pipeline/job/mixed_film.h"
 #include "pipeline/job/scene_renderer.h"
+#include "pipeline/job/unstored_film.h"
 #include "pipeline/store/pins.h"
 
 namespace carom::pipeline {
@@ -105,6 +107,9 @@ class EncoderThread {
 
 FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
                         const JobObserver& observer, const std::stop_token& stop) {
+    if (options.no_store) {
+        return make_unstored_film(shot, bake, options, observer, stop);
+    }
     const std::vector<std::int64_t> frames = job_frames(shot, options);
     ThreadSafeObserver safe_observer(observer);
     DamageReport damages(safe_observer);
@@ -114,10 +119,11 @@ FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOp
     if (options.so_far) {
         plan = plan_so_far(plan, [&](const Hash128& key) { return store.contains(key); });
     }
-    const Pin pin(cache_folder_of(options), keys_of(plan, bake));
+    FilmRoom room(plan, store, bake, shot, options);
     CachePruner pruner(cache_folder_of(options), options.cache_limit, safe_observer);
     mark_whole_film(source, plan, options, store, stop);
     pruner.prune();
+    room.require(stop);
 
     // Opened before anything is rendered, so that a film that cannot be written fails immediately.
     const std::unique_ptr<FilmSink> sink =
@@ -126,13 +132,17 @@ FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOp
     const std::stop_callback pass_on(stop, [&job_stop] { job_stop.request_stop(); });
     FrameQueue queue(plan.pictures.size());
     CachedRenderer renderer(source, store, renderer_of(shot, options), options.keeps_sums);
-    FrameScheduler scheduler(plan, renderer, queue, safe_observer, &pruner);
+    FrameScheduler scheduler(plan, renderer, queue, safe_observer, [&](std::size_t picture) {
+        pruner.on_picture_stored();
+        room.on_picture_stored(plan.pictures[picture].key, job_stop.get_token());
+    });
     EncoderThread encoder(queue, job_stop, [&] {
         if (!sink) {
             await_pictures(plan, store, queue, job_stop.get_token());
             return;
         }
-        encode_film(*sink, plan, store, queue, safe_observer, job_stop.get_token());
+        encode_film(*sink, plan, stored_pictures(plan, store, queue, job_stop.get_token()),
+                    safe_observer, job_stop.get_token());
     });
     std::exception_ptr failure;
     try {
@@ -154,6 +164,9 @@ FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOp
 render::Film make_frame(const Shot& shot, const sim::Bake& bake, std::int64_t frame,
                         const FilmJobOptions& options, const JobObserver& observer,
                         const std::stop_token& stop) {
+    if (options.no_store) {
+        return make_unstored_frame(shot, bake, frame, options, observer, stop);
+    }
     ThreadSafeObserver safe_observer(observer);
     DamageReport damages(safe_observer);
     const FrameStore store = open_store(options, damages);

@@ -53,6 +53,9 @@ struct FilmJobOptions {
     /// so that one that is stopped is gone on with; adaptively sampled ones do anyway.
     bool keeps_sums = false;
     ClaimTimes claim_times{};  // of the frames that are being rendered
+    /// The cache is only read, if it exists, and nothing is written to it: what is rendered goes to
+    /// the output alone (unstored_film.h), and a job that was stopped starts anew.
+    bool no_store = false;
     /// Renders the pictures instead of render_frame; `threads` and `factory` are ignored then.
     std::function<render::Film(const FrameInputs&, const WorkContext&, render::FrameSums*)>
         renderer{};
@@ -92,6 +95,12 @@ struct BakedShot {
 /// Stopped.
 [[nodiscard]] BakedShot bake_or_reuse(const Shot& shot, const std::string& cache_folder,
                                       const JobObserver& observer, const std::stop_token& stop);
+
+/// Like bake_or_reuse, but nothing is written to the cache, and other processes that simulate the
+/// same shot are not waited for. The folder need not exist.
+[[nodiscard]] BakedShot bake_without_store(const Shot& shot, const std::string& cache_folder,
+                                           const JobObserver& observer,
+                                           const std::stop_token& stop);
 
 /// The cached bake with the shot's text, assets and keyed motions, if the cache has one.
 [[nodiscard]] std::optional<sim::Bake> find_cached_bake(const Shot& shot,

@@ -58,7 +58,7 @@ FilmStatus film_status(const Shot& shot, const sim::Bake& bake, const FilmJobOpt
                        const std::stop_token& stop, DamagedFrames damaged) {
     const FilmSource source(shot, bake.timeline, options.tier);
     const FilmPlan plan = plan_film(source, job_frames(shot, options), stop);
-    return status_of(plan, FrameStore(frames_folder(options)), damaged, stop);
+    return status_of(plan, open_store(options), damaged, stop);
 }
 
 FilmJobResult mux_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,

@@ -58,8 +58,8 @@ bool FrameScheduler::try_render(std::size_t picture, const std::stop_token& stop
     counts_ += result.counts;
     report(picture, result);
     queue_.mark_ready(picture, std::move(result.film));
-    if (pruner_ != nullptr && result.origin == RenderOrigin::rendered) {
-        pruner_->on_picture_stored();
+    if (on_stored_ && result.origin == RenderOrigin::rendered) {
+        on_stored_(picture);
     }
     return true;
 }

@@ -3,9 +3,10 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
+#include <utility>
 #include <vector>
 
-#include "pipeline/job/cache_pruner.h"
 #include "pipeline/job/cached_renderer.h"
 #include "pipeline/job/film_plan.h"
 #include "pipeline/job/frame_queue.h"
@@ -18,14 +19,16 @@ namespace carom::pipeline {
 /// arguments.
 class FrameScheduler {
   public:
-    /// `pruner`, if not null, is notified of every picture that is stored.
+    /// `on_stored`, if not empty, is called for every picture that was rendered and stored, with
+    /// its number in the plan. What it throws ends the job.
     FrameScheduler(const FilmPlan& plan, CachedRenderer& renderer, FrameQueue& queue,
-                   ThreadSafeObserver& observer, CachePruner* pruner = nullptr)
+                   ThreadSafeObserver& observer,
+                   std::function<void(std::size_t picture)> on_stored = {})
         : plan_(plan),
           renderer_(renderer),
           queue_(queue),
           observer_(observer),
-          pruner_(pruner),
+          on_stored_(std::move(on_stored)),
           is_reported_(plan.pictures.size(), false),
           is_rendered_(plan.pictures.size(), false),
           repairs_(plan.pictures.size(), 0) {}
@@ -51,7 +54,7 @@ class FrameScheduler {
     CachedRenderer& renderer_;
     FrameQueue& queue_;
     ThreadSafeObserver& observer_;
-    CachePruner* pruner_;
+    std::function<void(std::size_t picture)> on_stored_;
     std::deque<std::size_t> deferred_;  // pictures that other processes have claimed
     std::vector<bool> is_reported_;
     std::vector<bool> is_rendered_;

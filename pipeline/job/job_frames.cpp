@@ -8,6 +8,13 @@
 #include "render/acceleration/analytic_kernels.h"
 
 namespace carom::pipeline {
+namespace {
+
+StoreAccess access_of(const FilmJobOptions& options) {
+    return options.no_store ? StoreAccess::only_read : StoreAccess::read_and_write;
+}
+
+}  // namespace
 
 std::vector<std::int64_t> job_frames(const Shot& shot, const FilmJobOptions& options) {
     const std::int64_t count = frame_count(shot.cameras, shot.timing);
@@ -19,6 +26,9 @@ std::vector<std::int64_t> job_frames(const Shot& shot, const FilmJobOptions& opt
 }
 
 std::string cache_folder_of(const FilmJobOptions& options) {
+    if (options.no_store) {
+        return readable_cache_folder(options.cache_folder);
+    }
     return options.cache_folder.empty() ? default_cache_folder() : options.cache_folder;
 }
 
@@ -32,7 +42,11 @@ FrameStore open_store(const FilmJobOptions& options, DamageReport& damages) {
         [&damages](const std::string& path, const std::string& damage) {
             damages.add(path, damage);
         },
-        options.claim_times);
+        options.claim_times, access_of(options));
+}
+
+FrameStore open_store(const FilmJobOptions& options) {
+    return FrameStore(frames_folder(options), {}, options.claim_times, access_of(options));
 }
 
 std::vector<Hash128> keys_of(const FilmPlan& plan, const sim::Bake& bake) {

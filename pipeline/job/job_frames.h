@@ -21,8 +21,10 @@ namespace carom::pipeline {
 [[nodiscard]] std::string cache_folder_of(const FilmJobOptions& options);
 [[nodiscard]] std::string frames_folder(const FilmJobOptions& options);
 
-/// The store of the job's frames, whose damaged ones are reported. Throws Error.
+/// The store of the job's frames, of which damaged ones are reported, or not; only to be read if
+/// the job stores nothing. Throws Error.
 [[nodiscard]] FrameStore open_store(const FilmJobOptions& options, DamageReport& damages);
+[[nodiscard]] FrameStore open_store(const FilmJobOptions& options);
 
 /// The keys of all files of the cache that a job needs: of its pictures and its bake.
 [[nodiscard]] std::vector<Hash128> keys_of(const FilmPlan& plan, const sim::Bake& bake);

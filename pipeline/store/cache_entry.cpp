@@ -73,6 +73,15 @@ std::optional<Hash128> parse_key(const std::string& digits) {
     return hash;
 }
 
+std::string frame_file(const std::string& cache_folder, const Hash128& key) {
+    const std::string digits = key.to_string();
+    return cache_folder + "/frames/" + digits.substr(0, 2) + "/" + digits + ".exr";
+}
+
+std::string bake_file(const std::string& cache_folder, const Hash128& key) {
+    return cache_folder + "/bakes/" + key.to_string() + ".bake";
+}
+
 std::vector<CacheEntry> list_cache(const std::string& folder) {
     std::vector<CacheEntry> entries;
     collect_entries(fs::path(folder) / "frames", ".exr", CacheEntry::Kind::frame, entries);

@@ -24,6 +24,10 @@ struct CacheEntry {
 /// The key that 32 lower-case hexadecimal digits stand for.
 [[nodiscard]] std::optional<Hash128> parse_key(const std::string& digits);
 
+/// The files of a frame and of a bake.
+[[nodiscard]] std::string frame_file(const std::string& cache_folder, const Hash128& key);
+[[nodiscard]] std::string bake_file(const std::string& cache_folder, const Hash128& key);
+
 /// All entries, the least recently used one first. Files with other names and files that are being
 /// written are not entries. A folder that does not exist has no entries. Throws Error if the folder
 /// cannot be read.

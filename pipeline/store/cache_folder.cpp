@@ -2,8 +2,6 @@
 
 #include <cstdlib>
 
-#include "core/error.h"
-
 namespace carom::pipeline {
 namespace {
 
@@ -23,9 +21,18 @@ std::string default_cache_folder() {
     }
     const std::string home = environment("HOME");
     if (home.empty()) {
-        throw Error("there is no folder for the cache; set CAROM_CACHE, XDG_CACHE_HOME or HOME");
+        throw CacheUnusable(
+            "there is no folder for the cache; set CAROM_CACHE, XDG_CACHE_HOME or HOME");
     }
     return home + "/.cache/carom";
+}
+
+std::string readable_cache_folder(const std::string& given) {
+    try {
+        return given.empty() ? default_cache_folder() : given;
+    } catch (const CacheUnusable&) {
+        return "/dev/null";  // no folder, so that nothing can be below it
+    }
 }
 
 }  // namespace carom::pipeline

@@ -5,13 +5,11 @@
 
 #include "core/error.h"
 #include "pipeline/store/frame_checksum.h"
+#include "pipeline/store/incoming.h"
 #include "pipeline/store/pins.h"
 #include "sim/timeline/bake_file.h"
 
 namespace carom::pipeline {
-namespace {
-
-// A file that was removed in the meantime is not damaged.
 bool is_intact(const CacheEntry& entry) {
     if (entry.kind == CacheEntry::Kind::sums) {
         return true;  // whoever goes on with them checks them
@@ -25,8 +23,6 @@ bool is_intact(const CacheEntry& entry) {
         return !std::filesystem::exists(entry.path);
     }
 }
-
-}  // namespace
 
 PruneResult prune_cache(const std::string& folder, const PruneOptions& options) {
     const std::vector<CacheEntry> entries = list_cache(folder);
@@ -52,6 +48,7 @@ PruneResult prune_cache(const std::string& folder, const PruneOptions& options) 
     }
     if (!options.dry_run) {  // leftovers of killed processes
         remove_leftovers(folder + "/frames");
+        remove_old_arrivals(folder);
     }
     return result;
 }

@@ -49,6 +49,10 @@ struct PruneResult {
 /// be read.
 PruneResult prune_cache(const std::string& folder, const PruneOptions& options);
 
+/// Whether the file is what its name says, by its checksum. A file that was removed in the meantime
+/// is not damaged. Throws Error if it cannot be read.
+[[nodiscard]] bool is_intact(const CacheEntry& entry);
+
 struct VerifyResult {
     std::uint64_t checked = 0;
     std::vector<CacheEntry> damaged;

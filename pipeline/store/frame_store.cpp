@@ -2,18 +2,30 @@
 
 #include <utility>
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/assert.h"
 #include "core/error.h"
 #include "pipeline/store/cache_entry.h"
 #include "pipeline/store/frame_checksum.h"
 
 namespace carom::pipeline {
-FrameStore::FrameStore(std::string folder, DamageObserver on_damage, ClaimTimes times)
+FrameStore::FrameStore(std::string folder, DamageObserver on_damage, ClaimTimes times,
+                       StoreAccess access)
     : folder_(std::move(folder)),
+      access_(access),
       on_damage_(std::move(on_damage)),
       claims_(std::make_unique<Claims>(folder_ + "/locks", times)) {
-    create_folder(folder_);
+    if (access_ == StoreAccess::only_read) {
+        return;
+    }
+    try {
+        create_folder(folder_);
+    } catch (const Error& error) {
+        throw CacheUnusable(error.what());
+    }
     remove_leftovers(folder_, times);
 }
 
@@ -28,6 +40,14 @@ std::string FrameStore::file_of(const Hash128& key, const char* extension) const
 
 bool FrameStore::contains(const Hash128& key) const {
     return ::access(path_of(key).c_str(), F_OK) == 0;
+}
+
+std::uint64_t FrameStore::size_bytes(const Hash128& key) const {
+    const FileDescriptor file(::open(path_of(key).c_str(), O_RDONLY | O_CLOEXEC));
+    struct stat status {};
+    return file.is_open() && ::fstat(file.get(), &status) == 0
+               ? static_cast<std::uint64_t>(status.st_size)
+               : 0;
 }
 
 bool FrameStore::is_intact(const Hash128& key) const {
@@ -45,11 +65,15 @@ void FrameStore::discard(const std::string& path, const std::string& damage) con
     if (on_damage_) {
         on_damage_(path, damage);
     }
-    ::unlink(path.c_str());
+    if (access_ != StoreAccess::only_read) {
+        ::unlink(path.c_str());
+    }
 }
 
 void FrameStore::mark_used(const Hash128& key) const {
-    pipeline::mark_used(path_of(key));
+    if (access_ != StoreAccess::only_read) {
+        pipeline::mark_used(path_of(key));
+    }
 }
 
 std::optional<render::Film> FrameStore::read(const Hash128& key) const {
@@ -73,6 +97,7 @@ std::optional<render::Film> FrameStore::read(const Hash128& key) const {
 
 void FrameStore::write(const Hash128& key, const render::Film& film,
                        const render::ImageMetadata& metadata) const {
+    CAROM_ASSERT(access_ != StoreAccess::only_read);
     PartialFile partial = begin_file(key);
     render::write_exr(film, partial.path(), metadata);
     append_checksum(partial.path(), key);
@@ -84,7 +109,12 @@ PartialFile FrameStore::begin_file(const Hash128& key) const {
 }
 
 std::optional<Claim> FrameStore::claim(const Hash128& key) const {
-    return claims_->claim(key.to_string());
+    CAROM_ASSERT(access_ != StoreAccess::only_read);
+    try {
+        return claims_->claim(key.to_string());
+    } catch (const Error& error) {
+        throw CacheUnusable(error.what());
+    }
 }
 
 }  // namespace carom::pipeline

@@ -1,6 +1,7 @@
 // A store of finished frames on disk, each in a file that is named after its key.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -15,6 +16,12 @@
 
 namespace carom::pipeline {
 
+/// What a user of the store may do with it.
+enum class StoreAccess {
+    read_and_write,
+    only_read,  // nothing in the folder is changed, not even the times of files
+};
+
 /// A folder of EXR files, one per key. Several threads and processes may share it.
 ///   FOLDER/ab/abcdef....exr   finished frames, sorted by the first two digits of the key
 ///   FOLDER/ab/abcdef....sums  samples of frames that were stopped (sums_file.h)
@@ -27,11 +34,17 @@ class FrameStore {
     /// since it was written". Any thread that uses the store may call it.
     using DamageObserver = std::function<void(const std::string& path, const std::string& damage)>;
 
-    /// Creates the folder if need be; throws Error if that fails.
-    explicit FrameStore(std::string folder, DamageObserver on_damage = {}, ClaimTimes times = {});
+    /// Creates the folder if need be; throws CacheUnusable if that fails. With `only_read` the
+    /// folder need not exist; damaged frames stay then, and claim() and write() must not be called.
+    explicit FrameStore(std::string folder, DamageObserver on_damage = {}, ClaimTimes times = {},
+                        StoreAccess access = StoreAccess::read_and_write);
 
     /// Whether a file exists for the key (it may still turn out to be damaged).
     [[nodiscard]] bool contains(const Hash128& key) const;
+
+    /// The size of the file for the key; 0 if there is none. The file is opened, because network
+    /// file systems look at the server's file only then.
+    [[nodiscard]] std::uint64_t size_bytes(const Hash128& key) const;
 
     /// Whether the file for the key exists and its checksum is correct. The file is read to its end
     /// but not decoded. Throws Error if the folder cannot be read.
@@ -52,8 +65,8 @@ class FrameStore {
                const render::ImageMetadata& metadata) const;
 
     /// The right to render this frame, or nothing if another process has claimed it or finished it
-    /// on another machine. The store must outlive it. Throws Error if the folder cannot be written
-    /// to.
+    /// on another machine. The store must outlive it. Throws CacheUnusable if the folder cannot be
+    /// written to.
     [[nodiscard]] std::optional<Claim> claim(const Hash128& key) const;
 
     /// Removes the claims on a frame that all machines see.
@@ -69,6 +82,7 @@ class FrameStore {
     void discard(const std::string& path, const std::string& damage) const;
 
     std::string folder_;
+    StoreAccess access_;
     DamageObserver on_damage_;
     std::unique_ptr<Claims> claims_;
 };

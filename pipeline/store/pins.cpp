@@ -1,21 +1,23 @@
 #include "pipeline/store/pins.h"
 
+#include <algorithm>
 #include <atomic>
-#include <chrono>
+#include <cerrno>
+#include <condition_variable>
 #include <filesystem>
-#include <fstream>
+#include <mutex>
 #include <optional>
 #include <system_error>
 
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/write_all.h"
-#include "pipeline/store/cache_entry.h"
 #include "pipeline/store/claim_note.h"
 
 namespace carom::pipeline {
@@ -23,100 +25,185 @@ namespace {
 
 namespace fs = std::filesystem;
 using std::chrono::hours;
+using std::chrono::minutes;
 
 constexpr const char* kJob = "job-";  // begins the names of write_job_pin
 constexpr hours kJobsCountFor{24 * 30};
 constexpr hours kProcessesCountFor{24 * 7};  // those of other machines, whose locks are not seen
+constexpr minutes kRenewedEvery{1};
+constexpr minutes kFreshFor{10};  // attributes of network file systems may be a minute old
+constexpr hours kStaysWithoutFolder{1};
 
 std::string pins_folder(const std::string& cache_folder) {
     return cache_folder + "/pins";
 }
 
-std::string text_of(std::span<const Hash128> keys) {
-    std::string text;
-    for (const Hash128& key : keys) {
-        text += key.to_string() + "\n";
-    }
-    return text;
+std::string process_text() {
+    const std::string& host = this_host();
+    return fmt::format("process {} on {}", ::getpid(), host.substr(0, host.find('/')));
 }
 
-bool is_unlocked(const fs::path& path) {
+enum class Lock { held, free, unknown };
+
+/// Whether a process of this machine has locked the file.
+Lock lock_of(const fs::path& path) {
     const FileDescriptor file(::open(path.c_str(), O_RDWR | O_CLOEXEC));
-    return file.is_open() && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0;
+    if (file.is_open() && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0) {
+        return Lock::free;
+    }
+    return file.is_open() && errno == EWOULDBLOCK ? Lock::held : Lock::unknown;
 }
 
-bool counts(const fs::path& path) {
+enum class PinState { fresh, old, not_counted, dead };
+
+PinState state_of_job(const std::string& cache_folder, const PinText& pin,
+                      fs::file_time_type::duration age) {
+    if (age >= kJobsCountFor) {
+        return PinState::dead;
+    }
+    std::error_code failure;
+    const bool is_gone =
+        !pin.folder.empty() && !fs::exists(cache_folder + "/" + pin.folder, failure) && !failure;
+    if (is_gone) {
+        // Another machine may see the folder a little later than the pin.
+        return age < kStaysWithoutFolder ? PinState::not_counted : PinState::dead;
+    }
+    return PinState::fresh;
+}
+
+PinState state_of(const std::string& cache_folder, const fs::path& path, const PinText& pin) {
     std::error_code failure;
     const fs::file_time_type written = fs::last_write_time(path, failure);
     if (failure) {
-        return false;
+        return PinState::not_counted;
     }
     const auto age = fs::file_time_type::clock::now() - written;
     const std::string name = path.filename().string();
     if (name.starts_with(kJob)) {
-        return age < kJobsCountFor;
+        return state_of_job(cache_folder, pin, age);
     }
-    return name.starts_with(host_prefix()) ? !is_unlocked(path) : age < kProcessesCountFor;
-}
-
-void add_keys(const fs::path& path, std::set<Hash128>& keys) {
-    std::ifstream file(path);
-    for (std::string line; std::getline(file, line);) {
-        if (const std::optional<Hash128> key = parse_key(line)) {
-            keys.insert(*key);
+    if (name.starts_with(host_prefix())) {
+        const Lock lock = lock_of(path);
+        if (lock != Lock::unknown) {
+            return lock == Lock::held ? PinState::fresh : PinState::dead;
         }
     }
-    if (file.bad()) {
-        throw Error("'" + path.string() + "' cannot be read");
+    if (age >= kProcessesCountFor) {
+        return PinState::dead;
     }
+    return age < kFreshFor ? PinState::fresh : PinState::old;
 }
 
 }  // namespace
 
-Pin::Pin(const std::string& cache_folder, std::span<const Hash128> keys) {
+Pin::Pin(const std::string& cache_folder, std::span<const Hash128> keys, std::uint64_t bytes_each) {
     static std::atomic<std::uint64_t> count{0};
     try {
         create_folder(pins_folder(cache_folder));
     } catch (const Error&) {
         return;
     }
-    path_ =
-        fmt::format("{}/{}{}-{}", pins_folder(cache_folder), host_prefix(), ::getpid(), ++count);
+    name_ = fmt::format("{}{}-{}", host_prefix(), ::getpid(), ++count);
+    path_ = pins_folder(cache_folder) + "/" + name_;
     lock_ = FileDescriptor(::open(path_.c_str(), O_CREAT | O_TRUNC | O_RDWR | O_CLOEXEC, 0666));
-    if (lock_.is_open() && ::flock(lock_.get(), LOCK_EX) == 0) {
-        const std::string text = text_of(keys);
+    if (lock_.is_open()) {
+        (void)::flock(lock_.get(), LOCK_EX);  // where there are no locks, the time has to suffice
+        const std::string text =
+            text_of({process_text(), {}, bytes_each, {keys.begin(), keys.end()}});
+        bytes_at_ = text.find(bytes_line(bytes_each));
         (void)write_all(lock_.get(), std::as_bytes(std::span(text)));
+        (void)::fdatasync(lock_.get());  // hands it to a network file system's server
+        stay_young();
     }
 }
 
 Pin::~Pin() {
+    if (renewal_.joinable()) {
+        renewal_.request_stop();
+        renewal_.join();
+    }
     if (lock_.is_open()) {
         ::unlink(path_.c_str());
     }
 }
 
-void write_job_pin(const std::string& cache_folder, const std::string& job,
+void Pin::stay_young() {
+    renewal_ = std::jthread([descriptor = lock_.get()](const std::stop_token& end) {
+        std::mutex mutex;
+        std::condition_variable_any wake;
+        std::unique_lock lock(mutex);
+        while (!wake.wait_for(lock, end, kRenewedEvery, [&end] { return end.stop_requested(); })) {
+            (void)::futimens(descriptor, nullptr);
+        }
+    });
+}
+
+void Pin::expect(std::uint64_t bytes_each) const {
+    if (lock_.is_open()) {
+        const std::string line = bytes_line(bytes_each);
+        (void)!::pwrite(lock_.get(), line.data(), line.size(), static_cast<off_t>(bytes_at_));
+        (void)::fdatasync(lock_.get());
+    }
+}
+
+std::string job_pin_name(const std::string& job) {
+    return kJob + job;
+}
+
+void write_job_pin(const std::string& cache_folder, const JobPin& pin,
                    std::span<const Hash128> keys) {
     create_folder(pins_folder(cache_folder));
-    const std::string text = text_of(keys);
-    write_file_atomically(pins_folder(cache_folder) + "/" + kJob + job,
+    const std::string text =
+        text_of({"farm job " + pin.job, pin.folder, pin.bytes_each, {keys.begin(), keys.end()}});
+    write_file_atomically(pins_folder(cache_folder) + "/" + job_pin_name(pin.job),
                           std::as_bytes(std::span(text)));
 }
 
 void remove_job_pin(const std::string& cache_folder, const std::string& job) {
-    ::unlink((pins_folder(cache_folder) + "/" + kJob + job).c_str());
+    ::unlink((pins_folder(cache_folder) + "/" + job_pin_name(job)).c_str());
+}
+
+void forget_reservation(const std::string& cache_folder, const std::string& job) {
+    const std::string path = pins_folder(cache_folder) + "/" + job_pin_name(job);
+    try {
+        if (std::optional<PinText> pin = read_pin(path)) {
+            pin->bytes_each = 0;
+            const std::string text = text_of(*pin);
+            write_file_atomically(path, std::as_bytes(std::span(text)));
+        }
+    } catch (const Error&) {
+        return;
+    }
+}
+
+std::vector<LivePin> live_pins(const std::string& cache_folder) {
+    std::vector<LivePin> pins;
+    std::error_code ignored;
+    std::vector<fs::path> paths;
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(pins_folder(cache_folder), ignored)) {
+        paths.push_back(entry.path());
+    }
+    std::sort(paths.begin(), paths.end());
+    for (const fs::path& path : paths) {
+        std::optional<PinText> text = read_pin(path.string());
+        if (!text) {
+            continue;
+        }
+        const PinState state = state_of(cache_folder, path, *text);
+        if (state == PinState::dead) {
+            fs::remove(path, ignored);
+        } else if (state != PinState::not_counted) {
+            pins.push_back({path.filename().string(), std::move(*text), state == PinState::fresh});
+        }
+    }
+    return pins;
 }
 
 std::set<Hash128> pinned_keys(const std::string& cache_folder) {
     std::set<Hash128> keys;
-    std::error_code ignored;
-    for (const fs::directory_entry& entry :
-         fs::directory_iterator(pins_folder(cache_folder), ignored)) {
-        if (counts(entry.path())) {
-            add_keys(entry.path(), keys);
-        } else {
-            fs::remove(entry.path(), ignored);
-        }
+    for (const LivePin& pin : live_pins(cache_folder)) {
+        keys.insert(pin.text.keys.begin(), pin.text.keys.end());
     }
     return keys;
 }

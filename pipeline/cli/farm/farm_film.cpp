@@ -10,6 +10,7 @@
 #include "pipeline/job/job_frames.h"
 #include "pipeline/store/cache_folder.h"
 #include "pipeline/store/pins.h"
+#include "pipeline/store/reservations.h"
 
 namespace carom::cli {
 namespace {
@@ -22,6 +23,11 @@ std::optional<std::int64_t> number_of(const std::string& text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     return error == std::errc() && end == text.data() + text.size() ? std::optional(number)
                                                                     : std::nullopt;
+}
+
+/// The name of the job's pin.
+std::string pin_of(const FarmJob& job) {
+    return fs::path(job.folder).filename().string();
 }
 
 bool is_named(const FarmJob& job, const std::string& name, const std::string& film) {
@@ -98,13 +104,28 @@ FarmFrames::Stored FarmFrames::stored() const {
     return stored;
 }
 
-void FarmFrames::pin(const FarmJob& job, const FarmFilm& film) const {
-    pipeline::write_job_pin(job.store, fs::path(job.folder).filename().string(),
-                            pipeline::keys_of(plan_, film.bake));
+void FarmFrames::pin(const FarmJob& job, const FarmFilm& film, const std::stop_token& stop) const {
+    pipeline::JobPin pin{pin_of(job), "", static_cast<std::uint64_t>(job.frame_bytes)};
+    if (!job.is_portable) {  // else the store is in the job's folder
+        pin.folder = fs::path(job.folder).lexically_relative(job.store).string();
+    }
+    const pipeline::RoomRequest request{job.store, pipeline::job_pin_name(pin.job)};
+    try {
+        pipeline::reserve_room(
+            request, [&] { write_job_pin(job.store, pin, pipeline::keys_of(plan_, film.bake)); },
+            stop);
+    } catch (const pipeline::NoRoom&) {
+        unpin(job);
+        throw;
+    }
 }
 
 void FarmFrames::unpin(const FarmJob& job) {
-    pipeline::remove_job_pin(job.store, fs::path(job.folder).filename().string());
+    pipeline::remove_job_pin(job.store, pin_of(job));
+}
+
+void FarmFrames::forget_reservation(const FarmJob& job) {
+    pipeline::forget_reservation(job.store, pin_of(job));
 }
 
 void FarmFrames::forget_claims() const {

@@ -45,9 +45,13 @@ class FarmFrames {
     [[nodiscard]] Stored stored() const;
     [[nodiscard]] std::int64_t count() const { return std::ssize(plan_.frames); }
     [[nodiscard]] std::int64_t pictures() const { return std::ssize(plan_.pictures); }
-    /// Protects the frames and the bake from being pruned until unpin().
-    void pin(const farm::FarmJob& job, const FarmFilm& film) const;
+    /// Protects the frames and the bake from being pruned until unpin(), and reserves room for
+    /// those that are missing. Throws NoRoom, and protects nothing then, if other jobs have
+    /// reserved too much of what is left. Throws Error, Stopped.
+    void pin(const farm::FarmJob& job, const FarmFilm& film, const std::stop_token& stop) const;
     static void unpin(const farm::FarmJob& job);
+    /// Ends the reservation of a job that has failed. Its frames stay protected.
+    static void forget_reservation(const farm::FarmJob& job);
 
     /// Removes all claims on the frames, which are there for everybody.
     void forget_claims() const;

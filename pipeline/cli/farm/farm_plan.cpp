@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <system_error>
 
 #include <fmt/core.h>
 
@@ -20,7 +18,6 @@
 namespace carom::cli {
 namespace {
 
-namespace fs = std::filesystem;
 using farm::FarmJob;
 
 constexpr std::int64_t kMostWorkers = 1000;  // Slurm's usual limit of an array
@@ -77,6 +74,10 @@ FarmJob job_of(const FarmCommand& command, const ShotInput& input,
     job.tasks_at_once = command.tasks_at_once;
     job.processors = command.processors;
     job.memory = megabytes_of(command, forecast.memory_bytes);
+    if (forecast.pictures > 0) {  // as forecast; it may be a quarter too small
+        const auto pictures = static_cast<std::uint64_t>(forecast.pictures);
+        job.frame_bytes = static_cast<std::int64_t>(forecast.store_bytes * 5 / (4 * pictures));
+    }
     job.budget = parse_duration(command.budget).count();
     job.dead_after = parse_duration(command.dead_after).count();
     job.partition = command.partition;
@@ -127,18 +128,6 @@ PlannedFarm plan_farm(const FarmCommand& command, CommandContext& context) {
     tell_forecast(planned.job, planned.forecast, context);
     planned.input = std::move(input);
     return planned;
-}
-
-void check_space(const PlannedFarm& planned) {
-    const std::string& store = planned.job.store;
-    const std::uint64_t needed = planned.forecast.store_bytes + planned.forecast.store_bytes / 4;
-    std::error_code failure;
-    const fs::space_info space = fs::space(store, failure);
-    if (!failure && space.available < needed) {
-        throw Error(fmt::format("the store '{}' has {} left, and the film's frames may need {}",
-                                store, pipeline::size_text(space.available),
-                                pipeline::size_text(needed)));
-    }
 }
 
 void write_folder(const PlannedFarm& planned) {

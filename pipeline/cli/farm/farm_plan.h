@@ -23,9 +23,6 @@ struct PlannedFarm {
 /// Reads and simulates the shot, forecasts its frames and tells the user. Throws Error, Stopped.
 [[nodiscard]] PlannedFarm plan_farm(const FarmCommand& command, CommandContext& context);
 
-/// Throws Error if the store has too little room for the frames.
-void check_space(const PlannedFarm& planned);
-
 /// Writes the bake and job.json into the job's folder, which exists. Throws Error.
 void write_folder(const PlannedFarm& planned);
 

@@ -96,13 +96,12 @@ void farm_submit(const FarmCommand& command, CommandContext& context) {
     if (command.dry_run) {
         return print_submissions(job);
     }
-    check_space(planned);
     job.folder = farm::make_job_folder(job.store, job.film, !command.is_shared);
     try {
         write_folder(planned);
         farm::write_scripts(job, own_program());
         const FarmFilm film = read_film(job, context);
-        FarmFrames(film, context.stop).pin(job, film);
+        FarmFrames(film, context.stop).pin(job, film, context.stop);
         print_job(job, submit_now(job, planned.missing));
     } catch (...) {
         FarmFrames::unpin(job);
@@ -135,7 +134,7 @@ void farm_resume(const FarmCommand& command, CommandContext& context) {
     }
     const FarmFilm film = read_film(job, context);
     const FarmFrames frames(film, context.stop);
-    frames.pin(job, film);
+    frames.pin(job, film, context.stop);
     print_job(job, submit_now(job, frames.count() - std::ssize(frames.stored().frames)));
     tell_how_to_look(job, context);
 }

@@ -140,6 +140,7 @@ pipeline::WorkerResult work(const FarmJob& job, const FarmFilm& film, Note& note
 
 [[noreturn]] void give_up(const FarmJob& job, const std::string& problem) {
     farm::write_end(job, {"failed", problem});
+    FarmFrames::forget_reservation(job);
     throw Error(problem);
 }
 

@@ -48,6 +48,7 @@ void describe(RenderCommand& command, CommandDescription& description) {
     add_dry_run(description, command.dry_run);
     add_threads(description, command.threads);
     add_cache(description, command.cache);
+    add_no_store(description, command.cache);
     add_cache_size(description, command.cache);
     description.examples = {
         {"carom render break.yaml --quality draft -o try.mp4", "A quick look at the film."},
@@ -70,6 +71,7 @@ void describe(RetimeCommand& command, CommandDescription& description) {
     add_dry_run(description, render.dry_run);
     add_threads(description, render.threads);
     add_cache(description, render.cache);
+    add_no_store(description, render.cache);
     add_cache_size(description, render.cache);
     description.examples = {
         {"carom retime break.yaml --speed 1/8 --from 1.2s --to 2s -o slow.mp4",
@@ -91,6 +93,7 @@ void describe(FrameCommand& command, CommandDescription& description) {
                "computed. The default is the shot's name, the frame's number and .png.");
     add_threads(description, command.threads);
     add_cache(description, command.cache);
+    add_no_store(description, command.cache);
     description.examples = {
         {"carom frame break.yaml --at 1.25s -o contact.png", "The frame of the film at 1.25 s."},
         {"carom frame break.yaml --frame 40 --quality draft",
@@ -120,6 +123,7 @@ void describe(ContactSheetCommand& command, CommandDescription& description) {
         .between(32, 2000);
     add_threads(description, command.threads);
     add_cache(description, command.cache);
+    add_no_store(description, command.cache);
     description.examples = {{"carom contact-sheet break.yaml -o sheet.png",
                              "Twelve frames of the film in one picture."}};
 }

@@ -130,6 +130,52 @@ CommandDescription& add_action(CommandDescription& description, CacheCommand& ca
     return added;
 }
 
+/// What push and pull have in common.
+CommandDescription& add_transfer(CommandDescription& description, CacheCommand& cache,
+                                 const char* name, const char* summary, const char* place,
+                                 const char* place_help, CacheCommand::Action action) {
+    CommandDescription& added = add_action(description, cache, name, summary, action);
+    added.argument(place, cache.place, place_help).offers(Offer::folders);
+    added
+        .argument("SHOT|BAKE", cache.input.path,
+                  "Copy only what this film needs: its bake and its frames. Without it, everything "
+                  "is copied.")
+        .offers(Offer::files, {"yaml", "yml", "bake"})
+        .is_required = false;
+    add_changes(added, cache.input);
+    add_camera_file(added, cache.input);
+    add_frames(added, cache.frames);
+    added.flag("--dry-run", cache.dry_run, "Only print what would be copied.");
+    return added;
+}
+
+void describe_transfers(CacheCommand& command, CommandDescription& description) {
+    constexpr const char* kPlace =
+        "The other cache, as rsync takes it: a folder, HOST:FOLDER (through ssh, or what RSYNC_RSH "
+        "names) or rsync://HOST/MODULE.";
+    CommandDescription& push = add_transfer(
+        description, command, "push", "Copy finished frames and bakes to another cache, by rsync.",
+        "DEST", kPlace, CacheCommand::Action::push);
+    push.examples = {{"carom cache push node7:/scratch/carom shot.yaml",
+                      "Give another machine the bake and the frames of a film."}};
+    CommandDescription& pull =
+        add_transfer(description, command, "pull",
+                     "Copy finished frames and bakes from another cache, by rsync.", "SOURCE",
+                     kPlace, CacheCommand::Action::pull);
+    add_cache_size(pull, command.cache);
+    pull.examples = {{"carom cache pull node7:/scratch/carom shot.yaml",
+                      "Fetch what another machine has rendered of a film."}};
+    CommandDescription& merge = add_action(
+        description, command, "merge", "Copy finished frames and bakes of other caches, by rsync.",
+        CacheCommand::Action::merge);
+    merge.argument("DIR", command.folders, "The other caches. More than one may be given.")
+        .offers(Offer::folders);
+    add_cache_size(merge, command.cache);
+    merge.flag("--dry-run", command.dry_run, "Only print what would be copied.");
+    merge.examples = {{"carom cache merge /media/a/carom /media/b/carom && carom mux shot.yaml",
+                       "The film of frames that two machines have rendered."}};
+}
+
 }  // namespace
 
 void describe(CacheCommand& command, CommandDescription& description) {
@@ -137,12 +183,16 @@ void describe(CacheCommand& command, CommandDescription& description) {
         "The cache contains bakes and finished frames. Files that are removed from it are "
         "simulated "
         "or rendered again when they are needed.",
-        "'carom cache verify' ends with exit code 1 if a file is damaged."};
+        "'carom cache verify' ends with exit code 1 if a file is damaged.",
+        "'push', 'pull' and 'merge' copy only finished, intact files, and never replace one that "
+        "the "
+        "receiving cache has. They are for machines without a common file system."};
     CommandDescription& list =
         add_action(description, command, "list",
-                   "Print the number of files, their size and when they were last used.",
+                   "Print the number of files, their size, when they were last used, and the room "
+                   "that running jobs have reserved.",
                    CacheCommand::Action::list);
-    list.flag("--json", command.json, "Print one JSON object per file.");
+    list.flag("--json", command.json, "Print one JSON object per file and per reservation.");
     list.examples = {{"carom cache list", "The size of the cache."}};
 
     CommandDescription& prune =
@@ -165,6 +215,7 @@ void describe(CacheCommand& command, CommandDescription& description) {
     verify.flag("--keep", command.keep, "Only print the names of damaged files.");
     verify.examples = {
         {"carom cache verify", "Find damaged files, for example after the disk was full."}};
+    describe_transfers(command, description);
     description.examples = {
         {"carom cache prune --cache-size 5GB", "Reduce the cache to at most 5 GB."}};
 }

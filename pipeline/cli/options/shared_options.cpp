@@ -43,6 +43,13 @@ void add_cache(CommandDescription& description, CacheOptions& cache) {
         .offers(Offer::folders);
 }
 
+void add_no_store(CommandDescription& description, CacheOptions& cache) {
+    description.flag(
+        "--no-store", cache.no_store,
+        "Write nothing to the cache, which may be read-only or missing: an interrupted "
+        "command starts anew. Frames and bakes that the cache has are still used.");
+}
+
 void add_cache_size(CommandDescription& description, CacheOptions& cache) {
     description.option("--cache-size", &cache.size, "SIZE",
                        "The limit of the size of the cache: 500 MB, 20 GB or none. The least "

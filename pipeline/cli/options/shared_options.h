@@ -14,6 +14,8 @@ void add_input(CommandDescription& description, InputOptions& input);
 void add_changes(CommandDescription& description, InputOptions& input);
 void add_camera_file(CommandDescription& description, InputOptions& input);
 void add_cache(CommandDescription& description, CacheOptions& cache);
+/// --no-store.
+void add_no_store(CommandDescription& description, CacheOptions& cache);
 void add_cache_size(CommandDescription& description, CacheOptions& cache);
 void add_frames(CommandDescription& description, std::string& frames);
 void add_dry_run(CommandDescription& description, bool& dry_run);

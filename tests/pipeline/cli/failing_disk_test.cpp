@@ -12,6 +12,7 @@ using carom::testing::EndToEnd;
 using carom::testing::RunningProgram;
 using carom::testing::RunResult;
 using carom::testing::write_text;
+using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -34,24 +35,61 @@ class FailingDisk : public EndToEnd {
     }
 };
 
-TEST_F(FailingDisk, CacheOnAFullDisk_IsAnErrorAndTheFilmResumesWithMoreSpace) {
-    // 28 kB are enough for the bake and two or three of the six frames. Then the disk is enlarged.
+TEST_F(FailingDisk, CacheWithoutRoomForTheFilm_IsAnErrorAfterOneFrame) {
+    // Enough for the bake and two or three of the six frames. Then the disk is enlarged.
     const RunResult result =
-        run_with_small_disk("size=28k",
+        run_with_small_disk("size=44k",
                             "$CAROM render tiny.yaml --cache small -o film.mp4; echo first $?; "
-                            "ls *.mp4; mount -o remount,size=1m small; "
+                            "ls *.mp4; $CAROM render tiny.yaml --cache small -o film.mp4; "
+                            "echo again $?; mount -o remount,size=1m small; "
                             "$CAROM render tiny.yaml --cache small -o film.mp4; echo second $?");
     if (is_impossible_here(result)) {
         GTEST_SKIP() << "no file system can be mounted here: " << result.err;
     }
-    EXPECT_THAT(result.out, HasSubstr("first 1\n")) << result.err;
-    EXPECT_THAT(result.err, HasSubstr("No space left on device"));
+    EXPECT_THAT(result.out, HasSubstr("first 1\nagain 1\n")) << result.err;
+    EXPECT_THAT(result.err, ContainsRegex("the cache 'small' has too little space: 5 missing files "
+                                          "of this job need about [0-9.]+ kB, and [0-9.]+ kB are "
+                                          "left; --no-store renders without a cache"));
     EXPECT_THAT(result.err, HasSubstr("ls: cannot access"));
     EXPECT_THAT(result.out, HasSubstr("second 0\n"));
-    EXPECT_EQ(result.err.find("6 of them rendered now"), std::string::npos)
-        << "the frames of the first run were stored: " << result.err;
+    EXPECT_THAT(result.err, HasSubstr("5 of them rendered now"))
+        << "the frame of the first run was stored: " << result.err;
     ASSERT_EQ(run({"render", "tiny.yaml", "-o", "undisturbed.mp4"}).exit_code, 0);
     EXPECT_EQ(text_of("film.mp4"), text_of("undisturbed.mp4"));
+}
+
+TEST_F(FailingDisk, CacheOnAFullDisk_IsAnError) {
+    const RunResult result = run_with_small_disk(
+        "size=8k", "$CAROM render tiny.yaml --cache small -o film.mp4; echo done $?");
+    if (is_impossible_here(result)) {
+        GTEST_SKIP() << "no file system can be mounted here: " << result.err;
+    }
+    EXPECT_THAT(result.out, HasSubstr("done 1\n")) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("No space left on device"));
+    EXPECT_FALSE(exists("film.mp4"));
+}
+
+/// Two films that fit alone, at the same time: the second counts what the first still needs.
+TEST_F(FailingDisk, RoomThatARunningJobHasReserved_IsNotFree) {
+    const RunResult result = run_with_small_disk(
+        "size=200k",
+        "mkdir -p small/pins small/farm/other; "
+        "{ echo owner farm job other; echo folder farm/other; echo bytes 70000; "
+        "echo 00000000000000010000000000000002; echo 00000000000000010000000000000003; } "
+        "> small/pins/job-other; $CAROM cache list --cache small; "
+        "$CAROM render tiny.yaml --cache small -o film.mp4; echo first $?; "
+        "rmdir small/farm/other; $CAROM render tiny.yaml --cache small -o film.mp4; echo then $?; "
+        "$CAROM cache list --cache small");
+    if (is_impossible_here(result)) {
+        GTEST_SKIP() << "no file system can be mounted here: " << result.err;
+    }
+    EXPECT_THAT(result.out,
+                HasSubstr("reserved for running jobs: 140 kB\n  farm job other: 2 files, "
+                          "140 kB\nfirst 1\n"))
+        << result.err;
+    EXPECT_THAT(result.err, HasSubstr("140 kB are reserved by farm job other (140 kB)"));
+    EXPECT_THAT(result.out, HasSubstr("then 0\n"));
+    EXPECT_THAT(result.out, HasSubstr("reserved for running jobs: 0 B\n"));
 }
 
 TEST_F(FailingDisk, FilmOnAFullDisk_IsAnErrorAndTheOldFilmRemains) {
@@ -91,6 +129,7 @@ TEST_F(FailingDisk, ReadOnlyCache_IsAnErrorWithItsName) {
     EXPECT_THAT(result.out, HasSubstr("done 1\n")) << result.err;
     EXPECT_THAT(result.err,
                 HasSubstr("small/frames': the folder cannot be created: Read-only file"));
+    EXPECT_THAT(result.err, HasSubstr("; --no-store renders without a cache\n"));
     EXPECT_FALSE(exists("film.mp4"));
 }
 

@@ -69,7 +69,8 @@ class Help : public EndToEnd {
 TEST_F(Help, Bash_CompletesCommands) {
     EXPECT_THAT(bash_offers("carom re"), UnorderedElementsAre("render", "retime", "report"));
     EXPECT_THAT(bash_offers("carom "), IsSupersetOf({"render", "export", "compare", "cache"}));
-    EXPECT_THAT(bash_offers("carom cache "), ElementsAre("list", "prune", "verify"));
+    EXPECT_THAT(bash_offers("carom cache "),
+                UnorderedElementsAre("list", "prune", "verify", "push", "pull", "merge"));
     EXPECT_THAT(bash_offers("carom --v"), ElementsAre("--version"));
 }
 
@@ -199,7 +200,8 @@ TEST_F(Help, Fish_OffersTheCompletionsOfTheProgram) {
     EXPECT_THAT(offers("carom re"), ElementsAre("render", "report", "retime"));
     EXPECT_THAT(offers("carom render --qual"), ElementsAre("--quality"));
     EXPECT_THAT(offers("carom render --quality "), ElementsAre("draft", "final", "preview"));
-    EXPECT_THAT(offers("carom cache "), ElementsAre("list", "prune", "verify"));
+    EXPECT_THAT(offers("carom cache "),
+                UnorderedElementsAre("list", "prune", "verify", "push", "pull", "merge"));
     EXPECT_THAT(offers("carom render --set render.sam"), ElementsAre("render.samples="));
     carom::testing::write_text(path("a.mp4"), "");
     EXPECT_THAT(offers("carom render tiny.yaml --set ball_set.kind=s"),

@@ -128,7 +128,7 @@ TEST(PruneCache, PinnedFiles_AreKept) {
     const std::string of_job = cache.add_frame(3, 10);
     PruneOptions options;
     options.limit = 0;
-    write_job_pin(cache.path(), "film-1", std::vector{Hash128{3, 7}});
+    write_job_pin(cache.path(), {"film-1", "", 0}, std::vector{Hash128{3, 7}});
     {
         const Pin pin(cache.path(), std::vector{Hash128{1, 7}});
         EXPECT_EQ(prune_cache(cache.path(), options).removed, 1U);

@@ -51,6 +51,19 @@ bool is_frame(const char* path) {
     return length > 4 && std::strcmp(path + length - 4, ".exr") == 0;
 }
 
+/// When a file was made, as far as the file system knows. Other times change when it is used.
+bool find_birth(const char* path, timespec& birth) {
+    struct statx status {};
+    if (::statx(AT_FDCWD, path, 0, STATX_BTIME | STATX_CTIME, &status) != 0) {
+        return false;
+    }
+    const bool is_known = (status.stx_mask & STATX_BTIME) != 0;
+    const struct statx_timestamp& time = is_known ? status.stx_btime : status.stx_ctime;
+    birth.tv_sec = time.tv_sec;
+    birth.tv_nsec = time.tv_nsec;
+    return true;
+}
+
 /// Whether another process has put a frame in its place only just now.
 bool is_late(const char* path) {
     if (!is_frame(path)) {
@@ -62,14 +75,14 @@ bool is_late(const char* path) {
             return false;
         }
     }
-    struct stat status {};
-    if (next<int(const char*, struct stat*)>("stat")(path, &status) != 0) {
+    timespec birth{};
+    if (!find_birth(path, birth)) {
         return false;
     }
     timespec now{};
     ::clock_gettime(CLOCK_REALTIME, &now);
-    const double age = static_cast<double>(now.tv_sec - status.st_ctim.tv_sec) +
-                       1e-9 * static_cast<double>(now.tv_nsec - status.st_ctim.tv_nsec);
+    const double age = static_cast<double>(now.tv_sec - birth.tv_sec) +
+                       1e-9 * static_cast<double>(now.tv_nsec - birth.tv_nsec);
     return age < kLate;
 }
 
