@@ -7,6 +7,7 @@
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/cli/bake_input.h"
+#include "pipeline/cli/chosen_tier.h"
 #include "pipeline/cli/film_input.h"
 #include "pipeline/cli/job_observer.h"
 #include "pipeline/cli/output_file.h"
@@ -77,6 +78,7 @@ void run(const ContactSheetCommand& command, CommandContext& context) {
                          "'; the name must end in .png, .jpg, .bmp or .tga");
     }
     check_output_folder(path);
+    const ChosenTier tier(command.tier);
     ShotInput input = read_film_input(options, context);
     Shot& shot = input.shot;
     set_picture_width(shot, command.width);
