@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/elementary_float.h"
+
 namespace carom {
 namespace {
 
@@ -13,6 +15,9 @@ namespace {
 // exact.
 constexpr double kHalfPiHigh = 1.57079632673412561417e+00;
 constexpr double kHalfPiLow = 6.07710050650619224932e-11;
+// ln(2) likewise.
+constexpr double kLn2High = 6.93147180369123816490e-01;
+constexpr double kLn2Low = 1.90821492927058770002e-10;
 constexpr double kLargestReduced = 1e6;  // rad; up to here the products are exact
 
 /// Taylor series of sin on [-pi/4, pi/4]; the first omitted term is below 2e-17.
@@ -23,6 +28,43 @@ double sin_small(double x) {
         sum = (sum + 1) * (-x2 / (n * (n - 1)));
     }
     return x + x * sum;
+}
+
+/// x = 2^exponent * mantissa with the mantissa in [sqrt(1/2), sqrt(2)], for finite x > 0.
+struct Scaled {
+    double mantissa;
+    int exponent;
+};
+Scaled scaled(double x) {
+    int exponent = 0;
+    double mantissa = std::frexp(x, &exponent);  // exact, in [1/2, 1)
+    if (mantissa < std::numbers::sqrt2 / 2) {
+        mantissa *= 2;
+        --exponent;
+    }
+    return {mantissa, exponent};
+}
+
+/// ln(m) = 2 artanh(s), s = (m - 1) / (m + 1) (Abramowitz and Stegun 1964, "Handbook of
+/// Mathematical Functions", 4.1.27). |s| < 0.172; the first omitted term is below 1e-18 of the sum.
+double log_of_mantissa(double m) {
+    const double s = (m - 1) / (m + 1);
+    const double s2 = s * s;
+    double sum = 0;
+    for (int n = 23; n >= 3; n -= 2) {
+        sum = (sum + 1.0 / n) * s2;
+    }
+    return 2 * s + 2 * s * sum;
+}
+
+/// The problem of a logarithm's argument as its value: -infinity, infinity or NaN. 0 if there is
+/// none.
+double special_logarithm(double x) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (x > 0 && x < kInfinity) {
+        return 0;
+    }
+    return x == 0 ? -kInfinity : (x > 0 ? x : std::numeric_limits<double>::quiet_NaN());
 }
 
 double cos_small(double x) {
@@ -61,8 +103,9 @@ SinCos sin_cos(double angle) {
 }
 
 double exponential(double x) {
-    constexpr double kLn2High = 6.93147180369123816490e-01;
-    constexpr double kLn2Low = 1.90821492927058770002e-10;
+    if (std::isnan(x)) {
+        return x;
+    }
     if (x < -700) {
         return 0;
     }
@@ -98,6 +141,70 @@ double angle_of(double x, double y) {
 
 double arcsine(double sine) {
     return angle_of(std::sqrt((1 - sine) * (1 + sine)), sine);
+}
+
+double arccosine(double cosine) {
+    // One step of Newton's method as in angle_of, from a value that is right to 1e-10.
+    const double sine = std::sqrt((1 - cosine) * (1 + cosine));
+    const double angle = detail::short_angle(cosine, sine);
+    const SinCos at = sin_cos(angle);
+    return angle + (sine * at.cos - cosine * at.sin);
+}
+
+double logarithm(double x) {
+    const double special = special_logarithm(x);
+    if (special != 0) {
+        return special;
+    }
+    const Scaled parts = scaled(x);
+    return parts.exponent * kLn2High + (parts.exponent * kLn2Low + log_of_mantissa(parts.mantissa));
+}
+
+double logarithm2(double x) {
+    const double special = special_logarithm(x);
+    if (special != 0) {
+        return special;
+    }
+    const Scaled parts = scaled(x);
+    return parts.exponent + log_of_mantissa(parts.mantissa) * std::numbers::log2e;
+}
+
+double exponential2(double x) {
+    if (std::isnan(x) || x < -1000) {
+        return std::isnan(x) ? x : 0;
+    }
+    if (x > 1000) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const double whole = std::floor(x + 0.5);
+    return std::ldexp(exponential((x - whole) * std::numbers::ln2), static_cast<int>(whole));
+}
+
+double power(double base, double exponent) {
+    if (exponent == 0 || base == 1) {
+        return 1;
+    }
+    if (base == 0) {
+        return exponent > 0 ? 0 : std::numeric_limits<double>::infinity();
+    }
+    return exponential(exponent * logarithm(base));
+}
+
+// erf(x) = 2 / sqrt(pi) exp(-x^2) x (1 + 2 x^2 / 3 + (2 x^2)^2 / (3 5) + ...), whose terms are all
+// positive (Abramowitz and Stegun 1964, 7.1.6).
+double error_function(double x) {
+    constexpr double kOne = 6;  // from here on the value is 1 within 3e-17
+    if (std::isnan(x) || std::abs(x) >= kOne) {
+        return std::isnan(x) ? x : std::copysign(1.0, x);
+    }
+    const double twice = 2 * x * x;
+    double term = x;
+    double sum = x;
+    for (int n = 3; std::abs(term) > 1e-17 * std::abs(sum); n += 2) {
+        term *= twice / n;
+        sum += term;
+    }
+    return 2 * std::numbers::inv_sqrtpi * exponential(-x * x) * sum;
 }
 
 }  // namespace carom

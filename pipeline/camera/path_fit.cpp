@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "core/error.h"
 #include "pipeline/camera/bezier.h"
 #include "pipeline/camera/camera_path.h"
@@ -27,7 +28,7 @@ std::vector<Sample> sample_path(const sim::Track& track, double from, double to)
     samples.reserve(kSamples);
     for (int i = 0; i < kSamples; ++i) {
         const double angle = std::numbers::pi * i / (kSamples - 1);
-        const Progress fraction{(1 - std::cos(angle)) / 2, (1 + std::cos(angle)) / 2};
+        const Progress fraction{(1 - cosine(angle)) / 2, (1 + cosine(angle)) / 2};
         samples.push_back({fraction, track.sample(from + (to - from) * fraction.done).position});
     }
     return samples;

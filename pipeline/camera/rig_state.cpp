@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "core/error.h"
 #include "pipeline/camera/easing.h"
 
@@ -74,7 +75,7 @@ void check_view(const render::CameraState& camera) {
 }  // namespace
 
 double fov_of_lens(double focal_length, double sensor_height) {
-    return 2 * std::atan(sensor_height / 2 / focal_length);
+    return 2 * angle_of(focal_length, sensor_height / 2);
 }
 
 int blades_at(const CameraRig& rig, Progress progress) {
@@ -90,7 +91,7 @@ double lens_radius(const Aperture& aperture, double vertical_fov, double sensor_
     if (!(aperture.value > 0)) {
         throw Error("the f-number is not above 0");
     }
-    const double focal_length = sensor_height / 2 / std::tan(vertical_fov / 2);
+    const double focal_length = sensor_height / 2 / tangent(vertical_fov / 2);
     return focal_length / (2 * aperture.value);
 }
 

@@ -50,6 +50,7 @@ struct RenderCommand {
     std::string output;  // empty: the shot's name in the current folder
     std::string frames;  // "0-47x2"; empty: all
     std::string chunk;   // "2/8" of these: only frames, no film; empty: a film
+    std::string tier;    // "avx2": of vector instructions; empty: the machine's best
     int threads = 0;     // 0: one per processor
     bool dry_run = false;
 };
@@ -61,6 +62,7 @@ struct MuxCommand {
     CacheOptions cache;
     std::string output;
     std::string frames;
+    std::string tier;  // of the frames; empty: that of which most are stored
     bool so_far = false;
 };
 void describe(MuxCommand& command, CommandDescription& description);
@@ -96,7 +98,8 @@ struct FarmCommand {
     std::string folder;  // export
     std::string format = "slurm";
     std::string frames;
-    std::string job;  // all others: the film, the job's folder or a number of Slurm's
+    std::string tier;  // "avx2"; empty: AVX2, or the machine's best below it
+    std::string job;   // all others: the film, the job's folder or a number of Slurm's
     std::string partition;
     std::string account;
     std::string time;
@@ -143,7 +146,8 @@ struct FrameCommand {
     CacheOptions cache;
     std::string output;
     std::optional<std::int64_t> frame;
-    std::string at;  // video time, "1.25s"; empty: `frame`, or frame 0 without it
+    std::string at;    // video time, "1.25s"; empty: `frame`, or frame 0 without it
+    std::string tier;  // as of RenderCommand
     int threads = 0;
 };
 void describe(FrameCommand& command, CommandDescription& description);
@@ -165,7 +169,8 @@ struct ContactSheetCommand {
     std::string output;  // empty: the shot's name and _sheet.png in the current folder
     int count = 12;
     int columns = 4;
-    int width = 320;  // of one picture, pixels
+    int width = 320;   // of one picture, pixels
+    std::string tier;  // as of RenderCommand
     int threads = 0;
 };
 void describe(ContactSheetCommand& command, CommandDescription& description);

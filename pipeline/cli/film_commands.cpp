@@ -9,6 +9,7 @@
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/cli/bake_input.h"
+#include "pipeline/cli/chosen_tier.h"
 #include "pipeline/cli/film_input.h"
 #include "pipeline/cli/forecast_report.h"
 #include "pipeline/cli/job_observer.h"
@@ -22,6 +23,7 @@
 #include "pipeline/job/film_status.h"
 #include "pipeline/job/job_metadata.h"
 #include "pipeline/job/overlay.h"
+#include "pipeline/job/stored_tier.h"
 #include "pipeline/video/image_sequence.h"
 #include "pipeline/video/picture_kind.h"
 #include "pipeline/video/picture_writer.h"
@@ -126,6 +128,20 @@ void print_status(const pipeline::FilmStatus& status) {
     print_text(text + "\n");
 }
 
+/// The tier of the frames of which a film is made: the one that was asked for, or the one of which
+/// most are stored.
+std::string tier_to_mux(const MuxCommand& command, const Shot& shot, const sim::Bake& bake,
+                        const FilmJobOptions& options, CommandContext& context) {
+    if (!command.tier.empty()) {
+        return std::string(render::tier_named(command.tier));
+    }
+    std::string tier = pipeline::stored_tier(shot, bake, options, context.stop);
+    if (tier != render::simd_tier()) {
+        context.console.info(fmt::format("the frames were rendered with {} instructions", tier));
+    }
+    return tier;
+}
+
 void check_picture_path(const std::string& path) {
     if (!pipeline::is_picture_path(path)) {
         throw InputError("cannot write a picture to '" + path + "'; the formats are " +
@@ -151,6 +167,7 @@ void run(const RenderCommand& command, CommandContext& context) {
 
 void film_shot(ShotInput input, const std::string& path, const RenderCommand& command,
                std::chrono::steady_clock::time_point begin, CommandContext& context) {
+    const ChosenTier tier(command.tier);
     const bool makes_film = !path.empty();
     if (!command.chunk.empty() && makes_film && !pipeline::is_image_sequence(path)) {
         throw InputError("cannot write the film '" + path +
@@ -210,6 +227,7 @@ void run(const MuxCommand& command, CommandContext& context) {
     const std::int64_t frames =
         count_job_frames(input.shot, options, command.frames, context.console);
     const sim::Bake bake = obtain_bake(input, command.input, command.cache, context);
+    options.tier = tier_to_mux(command, input.shot, bake, options, context);
     const pipeline::FilmJobResult result = pipeline::mux_film(
         input.shot, bake, options, make_console_observer(context.console, frames), context.stop);
     context.console.end_progress();
@@ -221,6 +239,7 @@ void run(const MuxCommand& command, CommandContext& context) {
 }
 
 void run(const FrameCommand& command, CommandContext& context) {
+    const ChosenTier tier(command.tier);
     ShotInput input = read_film_input(command.input, context);
     const std::int64_t frame = chosen_frame(command, input.shot);
     const std::string path =

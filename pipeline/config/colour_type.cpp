@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/elementary.h"
 #include "pipeline/config/combined_types.h"
 #include "pipeline/config/list_types.h"
 #include "pipeline/config/number_types.h"
@@ -15,7 +16,7 @@ namespace {
 
 /// The sRGB decoding function (IEC 61966-2-1:1999).
 double decode_srgb(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+    return encoded <= 0.04045 ? encoded / 12.92 : power((encoded + 0.055) / 1.055, 2.4);
 }
 
 std::optional<Vec3> parse_hexadecimal_colour(std::string_view text) {

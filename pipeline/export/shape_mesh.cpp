@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/elementary.h"
 #include "render/geometry/mesh_file.h"
 
 namespace carom::pipeline {
@@ -20,7 +21,7 @@ constexpr double kPlaneSize = 40;     // m
 
 Vec3 around(std::uint32_t side) {
     const double angle = 2 * std::numbers::pi * side / kSides;
-    return {std::cos(angle), std::sin(angle), 0};
+    return {cosine(angle), sine(angle), 0};
 }
 
 /// Adds a flat polygon with its own vertices, counter-clockwise seen from its front.
@@ -147,7 +148,7 @@ std::vector<Rounding> roundings(double core) {
             const int step = side < 0 ? i - kSteps : i;
             if (step != 0 || side < 0 || core > 0) {
                 result.push_back(
-                    {std::tan(std::numbers::pi / 4 * step / kSteps), static_cast<double>(side)});
+                    {tangent(std::numbers::pi / 4 * step / kSteps), static_cast<double>(side)});
             }
         }
     }
@@ -260,8 +261,7 @@ MeshShape unit_sphere_mesh() {
     for (std::uint32_t ring = 1; ring < kRings; ++ring) {
         const double latitude = std::numbers::pi * (static_cast<double>(ring) / kRings - 0.5);
         for (std::uint32_t i = 0; i < kSides; ++i) {
-            mesh.vertices.push_back(std::cos(latitude) * around(i) +
-                                    Vec3(0, 0, std::sin(latitude)));
+            mesh.vertices.push_back(cosine(latitude) * around(i) + Vec3(0, 0, sine(latitude)));
         }
     }
     mesh.vertices.emplace_back(0, 0, 1);

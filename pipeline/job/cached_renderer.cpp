@@ -36,7 +36,8 @@ CachedRender CachedRenderer::render(const FilmPlan::Picture& picture, const Work
     const bool continued = sums.samples() > 0;
     render::Film film = render_from(sums, picture, context);
     const render::RenderStatistics counts = film.statistics;
-    const render::ImageMetadata metadata = stored_frame_metadata(source_.shot(), counts);
+    const render::ImageMetadata metadata =
+        stored_frame_metadata(source_.shot(), counts, source_.tier());
     const bool twice = store_.contains(picture.key);
     store_.write(picture.key, film, metadata);
     remove_sums(store_, picture.key);

@@ -22,6 +22,7 @@ class FilmSource {
 
     [[nodiscard]] const Shot& shot() const { return shot_; }
     [[nodiscard]] const sim::Timeline& timeline() const { return timeline_; }
+    [[nodiscard]] const std::string& tier() const { return tier_; }
 
     /// The layers of a frame (plan_mixed_frame): two in a cross-fade, otherwise one.
     [[nodiscard]] std::vector<PlannedFrame> layers(std::int64_t frame) const;

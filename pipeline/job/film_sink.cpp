@@ -83,7 +83,8 @@ class VideoSink : public FilmSink {
             format.light = meter_.levels();
             light_is_stated_ = true;
         }
-        writer_ = std::make_unique<VideoWriter>(path_, format, shot_.output, video_metadata(shot_));
+        writer_ = std::make_unique<VideoWriter>(path_, format, shot_.output,
+                                                video_metadata(shot_, source_.tier()));
     }
 
     /// The frame as it is written, with the overlay.
@@ -134,7 +135,8 @@ class SequenceSink : public FilmSink {
         const render::Film exported = exported_frame(picture, source_, frame);
         const PlannedFrame planned = source_.layers(frame).front();
         write_picture(exported, view_, path_in_sequence(pattern_, frame),
-                      exported_frame_metadata(source_.shot(), source_.timeline(), frame, exported),
+                      exported_frame_metadata(source_.shot(), source_.timeline(), frame, exported,
+                                              source_.tier()),
                       overlay_text(source_.shot().output.overlay, planned),
                       exr_standard_attributes(source_.shot(), planned));
     }

@@ -5,7 +5,7 @@
 #include "core/error.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/store/cache_folder.h"
-#include "render/acceleration/analytic_kernels.h"
+#include "render/acceleration/vector_tier.h"
 
 namespace carom::pipeline {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "render/acceleration/analytic_kernels.h"
+#include "render/acceleration/vector_tier.h"
 #include "render/camera/camera_matrices.h"
 #include "render/frame/frame.h"
 
@@ -18,11 +18,11 @@ std::string clamp_text(double clamp) {
     return clamp > 0 ? number_text(clamp) : "off";
 }
 
-std::map<std::string, std::string> render_metadata(const Shot& shot) {
+std::map<std::string, std::string> render_metadata(const Shot& shot, const std::string& tier) {
     std::map<std::string, std::string> metadata{
         {"carom_version", CAROM_VERSION},
         {"renderer_revision", fmt::format("{}", render::kRendererRevision)},
-        {"simd", std::string(render::simd_tier())}};
+        {"simd", tier.empty() ? std::string(render::simd_tier()) : tier}};
     if (shot.render.integrator == render::IntegratorKind::distributed) {
         const render::DistributedSettings& settings = shot.render.distributed;
         metadata["integrator"] = "distributed";
@@ -56,8 +56,9 @@ void add_rays(const render::RenderStatistics& counts, render::ImageMetadata& met
 }  // namespace
 
 render::ImageMetadata stored_frame_metadata(const Shot& shot,
-                                            const render::RenderStatistics& counts) {
-    render::ImageMetadata metadata = render_metadata(shot);
+                                            const render::RenderStatistics& counts,
+                                            const std::string& tier) {
+    render::ImageMetadata metadata = render_metadata(shot, tier);
     add_rays(counts, metadata);
     // Otherwise OpenImageIO writes the current time, and the same frame would have other bytes.
     metadata["DateTime"] = "1970:01:01 00:00:00";
@@ -65,9 +66,10 @@ render::ImageMetadata stored_frame_metadata(const Shot& shot,
 }
 
 render::ImageMetadata exported_frame_metadata(const Shot& shot, const sim::Timeline& timeline,
-                                              std::int64_t frame, const render::Film& film) {
+                                              std::int64_t frame, const render::Film& film,
+                                              const std::string& tier) {
     const PlannedFrame planned = plan_frame(frame, shot.cameras, shot.timing, timeline);
-    render::ImageMetadata metadata = render_metadata(shot);
+    render::ImageMetadata metadata = render_metadata(shot, tier);
     add_rays(film.statistics, metadata);
     for (const auto& [key, value] : film.notes) {
         if (key.rfind(render::kRaysPrefix, 0) == 0) {
@@ -97,8 +99,8 @@ render::ExrStandardAttributes exr_standard_attributes(const Shot& shot,
             static_cast<int>(shot.timing.fps.denominator())};
 }
 
-std::map<std::string, std::string> video_metadata(const Shot& shot) {
-    std::map<std::string, std::string> metadata = render_metadata(shot);
+std::map<std::string, std::string> video_metadata(const Shot& shot, const std::string& tier) {
+    std::map<std::string, std::string> metadata = render_metadata(shot, tier);
     metadata["title"] = shot.output.title.empty() ? shot.name : shot.output.title;
     metadata["shot"] = shot.name;
     return metadata;

@@ -68,7 +68,8 @@ class UnstoredPictures {
                                     context, nullptr);
         counts = film.statistics;
         counts_ += counts;
-        return render::as_stored(std::move(film), stored_frame_metadata(source_.shot(), counts));
+        return render::as_stored(std::move(film),
+                                 stored_frame_metadata(source_.shot(), counts, source_.tier()));
     }
 
     /// Each frame of the film is reported once.

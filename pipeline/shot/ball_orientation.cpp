@@ -1,8 +1,8 @@
 #include "pipeline/shot/ball_orientation.h"
 
-#include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "core/splitmix.h"
 
 namespace carom::pipeline {
@@ -32,7 +32,7 @@ double draw(std::uint64_t seed, std::uint64_t name, std::uint64_t dimension, dou
 }
 
 Quat rotation(const Vec3& unit_axis, double angle) {
-    return Quat(std::cos(angle / 2), unit_axis * std::sin(angle / 2));
+    return Quat(cosine(angle / 2), unit_axis * sine(angle / 2));
 }
 
 }  // namespace

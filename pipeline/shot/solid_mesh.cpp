@@ -1,8 +1,9 @@
 #include "pipeline/shot/solid_mesh.h"
 
-#include <cmath>
 #include <cstdint>
 #include <numbers>
+
+#include "core/elementary.h"
 
 namespace carom::pipeline {
 namespace {
@@ -11,7 +12,7 @@ constexpr std::uint32_t kSides = 96;
 
 Vec3 unit_circle_point(std::uint32_t side) {
     const double angle = 2 * std::numbers::pi * side / kSides;
-    return {std::cos(angle), std::sin(angle), 0};
+    return {cosine(angle), sine(angle), 0};
 }
 
 /// Adds a flat face that has its own vertices.

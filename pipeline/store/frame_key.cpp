@@ -5,7 +5,7 @@
 
 #include "core/field_hasher.h"
 #include "pipeline/store/frame_inputs.h"
-#include "render/acceleration/analytic_kernels.h"
+#include "render/acceleration/vector_tier.h"
 #include "render/frame/aov_planes.h"
 #include "render/frame/frame_fields.h"
 #include "render/scene/render_settings_fields.h"

@@ -17,7 +17,7 @@ namespace carom::pipeline {
 /// Hash of the motion of the tracks while the shutter is open, the camera values, `scene_hash`, the
 /// render settings, the renderer's revision and its SIMD tier. Neither the bake nor names nor the
 /// frame's number enter. The frame's seed follows from these (frame_seed.h). `tier`: that of the
-/// machine that renders the frame; empty: this one's (simd_tier()).
+/// process that renders the frame; empty: this one's (simd_tier()).
 [[nodiscard]] Hash128 frame_key(const FrameInputs& inputs, const render::SceneDescription& scene,
                                 const Hash128& scene_hash, const render::RenderSettings& settings,
                                 std::string_view tier = {});

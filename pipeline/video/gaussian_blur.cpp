@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/elementary.h"
+
 namespace carom::pipeline {
 
 namespace {
@@ -115,7 +117,7 @@ std::vector<double> gaussian_weights(double variance) {
     double sum = 0;
     for (std::size_t n = 0; n <= margin; ++n) {
         const auto distance = static_cast<double>(n);
-        weights.push_back(std::exp(-0.5 * distance * distance / variance));
+        weights.push_back(exponential(-0.5 * distance * distance / variance));
         sum += (n == 0 ? 1 : 2) * weights.back();
     }
     for (double& weight : weights) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "core/assert.h"
+#include "core/elementary.h"
 #include "pipeline/video/code_value.h"
 #include "pipeline/video/glow.h"
 
@@ -72,18 +73,18 @@ Colour shown(const float* rgba, float gain, double peak) {
 }  // namespace
 
 double pq_encode(double light) {
-    const double power = std::pow(std::clamp(light / kPqPeak, 0.0, 1.0), kM1);
-    return std::pow((kC1 + kC2 * power) / (1 + kC3 * power), kM2);
+    const double raised = power(std::clamp(light / kPqPeak, 0.0, 1.0), kM1);
+    return power((kC1 + kC2 * raised) / (1 + kC3 * raised), kM2);
 }
 
 double pq_decode(double signal) {
-    const double power = std::pow(std::clamp(signal, 0.0, 1.0), 1 / kM2);
-    return kPqPeak * std::pow(std::max(power - kC1, 0.0) / (kC2 - kC3 * power), 1 / kM1);
+    const double raised = power(std::clamp(signal, 0.0, 1.0), 1 / kM2);
+    return kPqPeak * power(std::max(raised - kC1, 0.0) / (kC2 - kC3 * raised), 1 / kM1);
 }
 
 double compress_highlights(double light, double peak) {
     const double knee = 0.5 * peak;
-    return light <= knee ? light : peak - knee * std::exp(-(light - knee) / knee);
+    return light <= knee ? light : peak - knee * exponential(-(light - knee) / knee);
 }
 
 std::vector<std::uint16_t> to_hdr10(const render::Film& film, const OutputSettings& output) {
@@ -93,7 +94,7 @@ std::vector<std::uint16_t> to_hdr10(const render::Film& film, const OutputSettin
     const bool glows = output.glow.strength > 0;
     const render::Film glowing = glows ? with_glow(film, output.glow) : render::Film{};
     const std::vector<float>& rgba = glows ? glowing.rgba : film.rgba;
-    const auto gain = static_cast<float>(std::exp2(output.exposure) * settings.white);
+    const auto gain = static_cast<float>(exponential2(output.exposure) * settings.white);
     std::vector<std::uint16_t> signal;
     signal.reserve(rgba.size() / 4 * 3);
     for (std::size_t i = 0; i < rgba.size(); i += 4) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/assert.h"
+#include "core/elementary.h"
 
 namespace carom::pipeline {
 
@@ -38,7 +39,7 @@ float ToneCurve::operator()(float value) const {
 }
 
 double srgb_encode(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * power(linear, 1 / 2.4) - 0.055;
 }
 
 std::function<double(double)> filmic_curve(const FilmicParameters& parameters) {
@@ -48,25 +49,25 @@ std::function<double(double)> filmic_curve(const FilmicParameters& parameters) {
     const double white = parameters.white;
     // x^a / y = x^(a d) b + c holds at both points; the difference gives b, the second point gives
     // c.
-    const double left_mid = std::pow(mid, a) / mid;
-    const double left_white = std::pow(white, a);
-    const double b = (left_white - left_mid) / (std::pow(white, ad) - std::pow(mid, ad));
-    const double c = left_white - std::pow(white, ad) * b;
-    return [=](double x) { return x <= 0 ? 0 : std::pow(x, a) / (std::pow(x, ad) * b + c); };
+    const double left_mid = power(mid, a) / mid;
+    const double left_white = power(white, a);
+    const double b = (left_white - left_mid) / (power(white, ad) - power(mid, ad));
+    const double c = left_white - power(white, ad) * b;
+    return [=](double x) { return x <= 0 ? 0 : power(x, a) / (power(x, ad) * b + c); };
 }
 
 namespace {
 
-double sigmoid(double u, double power) {
-    return u / std::pow(1 + std::pow(u, power), 1 / power);
+double sigmoid(double u, double exponent) {
+    return u / power(1 + power(u, exponent), 1 / exponent);
 }
 
 /// a in a S(slope * stops / a) = height, which grows with a from 0 to slope * stops > height.
-double amplitude(double height, double slope, double stops, double power) {
+double amplitude(double height, double slope, double stops, double exponent) {
     CAROM_ASSERT(slope * stops > height);
     double low = height;
     double high = 2 * height;
-    const auto reached = [&](double a) { return a * sigmoid(slope * stops / a, power); };
+    const auto reached = [&](double a) { return a * sigmoid(slope * stops / a, exponent); };
     while (reached(high) < height) {
         high *= 2;
     }
@@ -80,7 +81,7 @@ double amplitude(double height, double slope, double stops, double power) {
 }  // namespace
 
 std::function<double(double)> logarithmic_curve(const LogarithmicParameters& p) {
-    const double mid = std::pow(p.mid_grey, 1 / p.display_gamma);
+    const double mid = power(p.mid_grey, 1 / p.display_gamma);
     const double below = amplitude(mid, p.slope, p.stops_below, p.toe);
     const double above = amplitude(1 - mid, p.slope, p.stops_above, p.shoulder);
     return [=](double light) {
@@ -88,16 +89,16 @@ std::function<double(double)> logarithmic_curve(const LogarithmicParameters& p) 
             return 0.0;
         }
         const double stops =
-            std::clamp(std::log2(light / p.mid_grey), -p.stops_below, p.stops_above);
+            std::clamp(logarithm2(light / p.mid_grey), -p.stops_below, p.stops_above);
         const double signal = stops < 0
                                   ? mid - below * sigmoid(-stops * p.slope / below, p.toe)
                                   : mid + above * sigmoid(stops * p.slope / above, p.shoulder);
-        return std::pow(std::clamp(signal, 0.0, 1.0), p.display_gamma);
+        return power(std::clamp(signal, 0.0, 1.0), p.display_gamma);
     };
 }
 
 double white_of(const LogarithmicParameters& parameters) {
-    return parameters.mid_grey * std::exp2(parameters.stops_above);
+    return parameters.mid_grey * exponential2(parameters.stops_above);
 }
 
 }  // namespace carom::pipeline

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <span>
@@ -10,6 +9,7 @@
 
 #include "core/assert.h"
 #include "core/colour.h"
+#include "core/elementary.h"
 #include "core/error.h"
 #include "pipeline/video/code_value.h"
 #include "pipeline/video/dither.h"
@@ -168,7 +168,7 @@ std::vector<std::uint16_t> DisplayView::rows_to_16(const render::Film& glowing, 
     const Rows rows{
         std::span(glowing.rgba).subspan(4 * width * static_cast<std::size_t>(first), 4 * pixels),
         glowing.width, end - first};
-    const auto gain = static_cast<float>(std::exp2(output_.exposure));
+    const auto gain = static_cast<float>(exponential2(output_.exposure));
     std::vector<std::uint16_t> display(3 * pixels);
     const ToneCurve encode(srgb_encode, 1.0);
     switch (output_.view) {

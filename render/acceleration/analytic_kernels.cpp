@@ -22,10 +22,6 @@ const AnalyticKernels& best_kernels() {
     return HWY_DYNAMIC_DISPATCH(kernels_of_target)();
 }
 
-std::string_view simd_tier() {
-    return best_kernels().tier;
-}
-
 }  // namespace carom::render
 
 #endif

@@ -44,7 +44,4 @@ struct AnalyticKernels {
 
 [[nodiscard]] const AnalyticKernels& best_kernels();
 
-/// The instruction set with which rays are traced; part of a frame's key.
-[[nodiscard]] std::string_view simd_tier();
-
 }  // namespace carom::render

@@ -1,21 +1,23 @@
 #include "render/acceleration/embree_handles.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include <fmt/core.h>
 #include <tbb/task_arena.h>
 
 #include "core/assert.h"
 #include "core/error.h"
+#include "render/acceleration/vector_tier.h"
 #include "render/geometry/ray.h"
 
 namespace carom::render {
 namespace {
 
-/// AVX2 and nothing wider, so that the bits do not depend on the processor.
+/// The instructions of the tier and nothing wider, so that the bits do not depend on the processor.
 const char* device_settings() {
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? "isa=avx2"
-                                                                           : "max_isa=sse4.2";
+    const std::string_view tier = simd_tier();
+    return tier == "AVX2" ? "isa=avx2" : (tier == "SSE4" ? "isa=sse4.2" : "isa=sse2");
 }
 
 }  // namespace

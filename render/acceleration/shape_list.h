@@ -59,7 +59,7 @@ template <ShapeKind kKindOfShape>
 struct FlatShape : UnitShape<kKindOfShape> {
     static V3f half_size(const V3f& /*profile*/) { return V3f(1, 1, 0); }
     static double bounding_radius(const Vec3& scale, const V3f& /*profile*/) {
-        return std::hypot(scale.x, scale.y);
+        return Vec2(scale.x, scale.y).length();
     }
 };
 
@@ -133,7 +133,7 @@ struct UnitFrustum : UnitShape<ShapeKind::frustum, ProfiledBlock> {
         return on_unit_frustum(ray, t, profile.x, profile.y);
     }
     static double bounding_radius(const Vec3& scale, const V3f& /*profile*/) {
-        return std::hypot(std::max(scale.x, scale.y), scale.z);
+        return Vec2(std::max(scale.x, scale.y), scale.z).length();
     }
 };
 

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <string>
 
+#include "core/elementary.h"
 #include "core/error.h"
 #include "core/finite.h"
 #include "core/length.h"
@@ -49,14 +50,14 @@ CameraFrame make_frame(const CameraState& state, int height) {
     const Vec3 level = forward.cross(state.up).normalized();
     const Vec3 upright = level.cross(forward);
     // A camera rotated by +roll about its axis shows the picture rotated the other way.
-    const double c = std::cos(state.roll);
-    const double s = std::sin(state.roll);
+    const double c = cosine(state.roll);
+    const double s = sine(state.roll);
     CameraFrame frame;
     frame.position = V3f(state.position);
     frame.forward = V3f(forward);
     frame.right = V3f(c * level + s * upright);
     frame.up = V3f(c * upright - s * level);
-    frame.pixel_size = static_cast<float>(2 * std::tan(0.5 * state.vertical_fov) / height);
+    frame.pixel_size = static_cast<float>(2 * tangent(0.5 * state.vertical_fov) / height);
     frame.focus_distance = static_cast<float>(state.focus_distance);
     frame.lens_radius = static_cast<float>(state.lens_radius);
     frame.blade_turns = static_cast<float>(state.blade_rotation / (2 * std::numbers::pi));

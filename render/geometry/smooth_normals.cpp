@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
+
+#include "core/elementary.h"
+#include "core/elementary_float.h"
 
 namespace carom::render {
 namespace {
@@ -47,7 +49,7 @@ std::vector<Corner> make_corners(const TriangleMesh& mesh) {
         for (std::size_t k = 0; k < 3; ++k) {
             const V3f to_next = p[(k + 1) % 3] - p[k];
             const V3f to_last = p[(k + 2) % 3] - p[k];
-            const float angle = std::atan2(to_next.cross(to_last).length(), to_next.dot(to_last));
+            const float angle = angle_of(to_next.dot(to_last), to_next.cross(to_last).length());
             corners.push_back({normal, angle});
         }
     }
@@ -115,7 +117,7 @@ void smooth_normals(TriangleMesh& mesh, double crease) {
     const std::vector<std::uint32_t> place = number_places(mesh.vertices);
     const std::vector<Corner> corners = make_corners(mesh);
     const CornersByPlace around = sort_corners(mesh, place);
-    const float least_cosine = static_cast<float>(std::cos(crease));
+    const float least_cosine = static_cast<float>(cosine(crease));
     Splitter splitter(mesh);
     for (std::uint32_t corner = 0; corner < corners.size(); ++corner) {
         const std::uint32_t old = mesh.triangles[corner / 3][corner % 3];

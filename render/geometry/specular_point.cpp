@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary_float.h"
 #include "render/geometry/orthonormal_basis.h"
+#include "render/geometry/trigonometry.h"
 
 namespace carom::render {
 namespace {
@@ -18,11 +20,13 @@ float mirror_angle(float between, float radius_over_a, float radius_over_b) {
     float high = between;
     float angle = between * (1 - radius_over_a) / (2 - radius_over_a - radius_over_b);
     for (int step = 0; step < kMostSteps; ++step) {
-        const float value = std::sin(2 * angle - between) - radius_over_b * std::sin(angle) +
-                            radius_over_a * std::sin(between - angle);
+        const SinCos both = sin_cos(2 * angle - between);
+        const SinCos from_a = sin_cos(angle);
+        const SinCos from_b = sin_cos(between - angle);
+        const float value = both.sine - radius_over_b * from_a.sine + radius_over_a * from_b.sine;
         (value < 0 ? low : high) = angle;
-        const float slope = 2 * std::cos(2 * angle - between) - radius_over_b * std::cos(angle) -
-                            radius_over_a * std::cos(between - angle);
+        const float slope =
+            2 * both.cosine - radius_over_b * from_a.cosine - radius_over_a * from_b.cosine;
         float next = angle - value / slope;
         if (!(next >= low && next <= high)) {
             next = 0.5f * (low + high);
@@ -57,15 +61,16 @@ std::optional<SpecularPoint> specular_point(const V3f& a, const V3f& b, const V3
     const V3f axis = to_a / distance_a;
     const V3f other = to_b / distance_b;
     const V3f side = across(axis, other);
-    const float between = std::atan2(side.dot(other), axis.dot(other));
+    const float between = angle_of(axis.dot(other), side.dot(other));
     const float radius_over_a = radius / distance_a;
     const float radius_over_b = radius / distance_b;
     const float angle = mirror_angle(between, radius_over_a, radius_over_b);
-    if (std::cos(angle) <= radius_over_a || std::cos(between - angle) <= radius_over_b) {
+    const SinCos from_a = sin_cos(angle);
+    if (from_a.cosine <= radius_over_a || sin_cos(between - angle).cosine <= radius_over_b) {
         return std::nullopt;
     }
     SpecularPoint point;
-    point.normal = axis * std::cos(angle) + side * std::sin(angle);
+    point.normal = axis * from_a.cosine + side * from_a.sine;
     point.position = centre + point.normal * radius;
     const V3f leg_a = a - point.position;
     const V3f leg_b = b - point.position;

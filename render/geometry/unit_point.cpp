@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary_float.h"
 #include "render/geometry/trigonometry.h"
 
 namespace carom::render {
@@ -17,9 +18,9 @@ V2f across_disk(const V3f& p) {
 }  // namespace
 
 V2f longitude_latitude(const V3f& p) {
-    const float turns = std::atan2(p.y, p.x) * (0.5f * kInversePi);
+    const float turns = angle_of(p.x, p.y) * (0.5f * kInversePi);
     const float sine = std::clamp(p.z / p.length(), -1.f, 1.f);
-    return V2f(turns < 0 ? turns + 1 : turns, 0.5f + std::asin(sine) * kInversePi);
+    return V2f(turns < 0 ? turns + 1 : turns, 0.5f + arcsine(sine) * kInversePi);
 }
 
 UnitPoint on_unit_ball(const UnitRay& ray, float t) {
@@ -115,7 +116,7 @@ UnitPoint on_unit_frustum(const UnitRay& ray, float t, float middle, float slope
     p.z = std::clamp(p.z, -1.f, 1.f);
     const float radius = middle + slope * p.z;
     const V2f out = from_axis > 0 ? V2f(p.x, p.y) / from_axis : V2f(1, 0);
-    const float turns = std::atan2(out.y, out.x) * (0.5f * kInversePi);
+    const float turns = angle_of(out.x, out.y) * (0.5f * kInversePi);
     return {V3f(radius * out.x, radius * out.y, p.z),
             V3f(out.x, out.y, -slope),
             V2f(turns < 0 ? turns + 1 : turns, 0.5f * (p.z + 1)),

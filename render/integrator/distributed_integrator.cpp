@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/elementary_float.h"
 #include "render/geometry/validity.h"
 #include "render/integrator/path_state.h"
 #include "render/integrator/shadow_ray_constants.h"
@@ -173,7 +174,7 @@ V3f DistributedIntegrator::from_light(std::size_t light, const V2f& u, const Ver
         scattered = model.diffuse_colour(surface.base) * cosine;
         const float highlight = reflect(sample->direction, surface.frame.z).dot(vertex.wo);
         if (highlight > 0) {
-            scattered += model.specular * std::pow(highlight, model.shininess);
+            scattered += model.specular * power(highlight, model.shininess);
         }
         scattered *= scene_.lights.radiance(light, *sample) * (kInversePi / sample->pdf);
     }

@@ -1,7 +1,9 @@
 #include "render/light/delta_light.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "core/elementary.h"
+#include "core/elementary_float.h"
 
 namespace carom::render {
 
@@ -15,8 +17,8 @@ DeltaLight::DeltaLight(const SpotLight& light)
       position_(light.position),
       direction_(light.direction.normalized()),
       power_(light.intensity),
-      inner_cosine_(static_cast<float>(std::cos(light.inner_angle))),
-      outer_cosine_(static_cast<float>(std::cos(light.outer_angle))) {}
+      inner_cosine_(static_cast<float>(cosine(light.inner_angle))),
+      outer_cosine_(static_cast<float>(cosine(light.outer_angle))) {}
 
 DeltaLight::DeltaLight(const DirectionalLight& light)
     : is_parallel_(true),
@@ -80,10 +82,10 @@ float DeltaLight::irradiance_within(const V3f& centre, float radius) const {
         return 0;
     }
     // The lit region's edge is nearest in the direction of the axis.
-    const auto angle_of = [](float cosine) { return std::acos(std::clamp(cosine, -1.0f, 1.0f)); };
+    const auto from_axis = [](float cosine) { return arccosine(std::clamp(cosine, -1.0f, 1.0f)); };
     const bool is_dark =
-        outer_cosine_ > -1 && angle_of(to_centre.dot(direction_) / distance) >
-                                  angle_of(outer_cosine_) + std::asin(radius / distance);
+        outer_cosine_ > -1 && from_axis(to_centre.dot(direction_) / distance) >
+                                  from_axis(outer_cosine_) + arcsine(radius / distance);
     return is_dark ? 0.0f : luminance(power_) / (has_falloff_ ? distance * distance : 1.0f);
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/elementary_float.h"
+#include "render/geometry/trigonometry.h"
 #include "render/light/sky.h"
 #include "render/sampling/warp.h"
 
@@ -33,7 +35,7 @@ Environment::Environment(const EnvironmentLight& light)
     double area = 0;
     for (int y = 0; y < height_; ++y) {
         const float latitude = (static_cast<float>(y) + 0.5f) / static_cast<float>(height_);
-        const float sine = std::sin(kPi * latitude);
+        const float sine = sin_cos(kPi * latitude).sine;
         for (int x = 0; x < width_; ++x) {
             const float weight = cell_brightness(x, y) * sine;
             // The cell of the table that contains the pixel's centre.
@@ -52,8 +54,8 @@ Environment::Environment(const EnvironmentLight& light)
 // (u, v) in the picture, v = 0 at the top. The middle column is the direction +x; columns to its
 // right turn towards -y, as seen from the middle of the scene.
 V2f Environment::picture_from_direction(const V3f& direction) const {
-    const float u = 0.5f + turns_ - std::atan2(direction.y, direction.x) / kTurn;
-    return {u - std::floor(u), std::acos(std::clamp(direction.z, -1.0f, 1.0f)) / kPi};
+    const float u = 0.5f + turns_ - angle_of(direction.x, direction.y) / kTurn;
+    return {u - std::floor(u), arccosine(std::clamp(direction.z, -1.0f, 1.0f)) / kPi};
 }
 
 V3f Environment::pixel(int x, int y) const {

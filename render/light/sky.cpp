@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <vector>
 
+#include "core/elementary.h"
 #include "core/error.h"
 
 namespace carom::render {
@@ -18,17 +20,31 @@ constexpr double kPi64 = std::numbers::pi;
 constexpr double kLumensPerWatt = 179;
 constexpr double kLowest = 0.02;  // cosine to the zenith; at the horizon the model has a pole
 
+/// Cosine and angle (rad) between a direction and the sun.
+struct FromSun {
+    explicit FromSun(double the_cosine)
+        : cosine(the_cosine), angle(arccosine(std::clamp(the_cosine, -1.0, 1.0))) {}
+    double cosine;
+    double angle;
+};
+
 /// Perez' distribution: coefficients A to E, each linear in turbidity (table in appendix A.2).
 struct Perez {
     std::array<std::array<double, 2>, 5> coefficients;
 
-    [[nodiscard]] double operator()(double turbidity, double cos_zenith, double cos_sun) const {
-        const auto k = [&](std::size_t i) {
-            return coefficients[i][0] * turbidity + coefficients[i][1];
-        };
-        const double angle = std::acos(std::clamp(cos_sun, -1.0, 1.0));
-        return (1 + k(0) * std::exp(k(1) / cos_zenith)) *
-               (1 + k(2) * std::exp(k(3) * angle) + k(4) * cos_sun * cos_sun);
+    /// The first factor, which depends on the height above the horizon.
+    [[nodiscard]] double of_height(double turbidity, double cos_zenith) const {
+        return 1 + k(0, turbidity) * exponential(k(1, turbidity) / cos_zenith);
+    }
+
+    /// The second factor.
+    [[nodiscard]] double of_sun(double turbidity, const FromSun& sun) const {
+        return 1 + k(2, turbidity) * exponential(k(3, turbidity) * sun.angle) +
+               k(4, turbidity) * sun.cosine * sun.cosine;
+    }
+
+    [[nodiscard]] double k(std::size_t i, double turbidity) const {
+        return coefficients[i][0] * turbidity + coefficients[i][1];
     }
 };
 
@@ -68,7 +84,7 @@ double zenith_value(const Zenith& table, double turbidity, double angle) {
 /// cd/m^2
 double zenith_luminance(double turbidity, double angle) {
     const double chi = (4.0 / 9 - turbidity / 120) * (kPi64 - 2 * angle);
-    return 1000 * ((4.0453 * turbidity - 4.9710) * std::tan(chi) - 0.2155 * turbidity + 2.4192);
+    return 1000 * ((4.0453 * turbidity - 4.9710) * tangent(chi) - 0.2155 * turbidity + 2.4192);
 }
 
 /// Linear Rec.709 of a chromaticity and luminance (IEC 61966-2-1, from XYZ).
@@ -82,22 +98,56 @@ V3f from_chromaticity(double x, double y, double luminance) {
             channel(0.0557, -0.2040, 1.0570)};
 }
 
+/// The sky of a given sun and turbidity.
+class Model {
+  public:
+    explicit Model(const Sky& sky) : sun_(sky.sun.normalized()), turbidity_(sky.turbidity) {
+        const FromSun zenith(sun_.z);
+        for (std::size_t i = 0; i < kDistributions.size(); ++i) {
+            at_zenith_[i] = kDistributions[i].of_height(turbidity_, 1) *
+                            kDistributions[i].of_sun(turbidity_, zenith);
+        }
+        zenith_luminance_ = zenith_luminance(turbidity_, zenith.angle);
+        zenith_x_ = zenith_value(kZenithX, turbidity_, zenith.angle);
+        zenith_y_ = zenith_value(kZenithY, turbidity_, zenith.angle);
+    }
+
+    /// What all directions of one height share.
+    using Height = std::array<double, 3>;
+    [[nodiscard]] Height height(const V3f& direction) const {
+        const double cos_zenith = std::max(static_cast<double>(direction.z), kLowest);
+        Height factors{};
+        for (std::size_t i = 0; i < factors.size(); ++i) {
+            factors[i] = kDistributions[i].of_height(turbidity_, cos_zenith) / at_zenith_[i];
+        }
+        return factors;
+    }
+
+    [[nodiscard]] V3f radiance(const V3f& direction, const Height& height) const {
+        const FromSun sun(Vec3(direction).dot(sun_));
+        const auto relative = [&](std::size_t i) {
+            return height[i] * kDistributions[i].of_sun(turbidity_, sun);
+        };
+        const double luminance = std::max(0.0, zenith_luminance_ * relative(0));
+        return from_chromaticity(zenith_x_ * relative(1), zenith_y_ * relative(2),
+                                 luminance / kLumensPerWatt);
+    }
+
+  private:
+    static constexpr std::array<Perez, 3> kDistributions{kLuminance, kX, kY};
+    Vec3 sun_;
+    double turbidity_;
+    std::array<double, 3> at_zenith_{};
+    double zenith_luminance_ = 0;  // cd/m^2
+    double zenith_x_ = 0;
+    double zenith_y_ = 0;
+};
+
 }  // namespace
 
 V3f sky_radiance(const Sky& sky, const V3f& direction) {
-    const Vec3 sun = sky.sun.normalized();
-    const double t = sky.turbidity;
-    const double cos_sun_zenith = sun.z;
-    const double angle = std::acos(std::clamp(cos_sun_zenith, -1.0, 1.0));
-    const double cos_zenith = std::max(static_cast<double>(direction.z), kLowest);
-    const double cos_sun = Vec3(direction).dot(sun);
-    const auto relative = [&](const Perez& perez) {
-        return perez(t, cos_zenith, cos_sun) / perez(t, 1, cos_sun_zenith);
-    };
-    const double luminance = std::max(0.0, zenith_luminance(t, angle) * relative(kLuminance));
-    return from_chromaticity(zenith_value(kZenithX, t, angle) * relative(kX),
-                             zenith_value(kZenithY, t, angle) * relative(kY),
-                             luminance / kLumensPerWatt);
+    const Model model(sky);
+    return model.radiance(direction, model.height(direction));
 }
 
 LinearImage sky_picture(const Sky& sky) {
@@ -111,24 +161,28 @@ LinearImage sky_picture(const Sky& sky) {
     picture.width = kColumns;
     picture.height = kRows;
     picture.pixels.resize(std::size_t{kColumns} * kRows);
+    // The mapping of Environment: the middle column towards +x, columns to its right towards -y.
+    std::vector<SinCos> around;
+    for (int column = 0; column < kColumns; ++column) {
+        around.push_back(sin_cos(kPi64 - 2 * kPi64 * (column + 0.5) / kColumns));
+    }
+    const Model model(sky);
     V3f irradiance(0, 0, 0);
+    V3f* pixel = picture.pixels.data();
     for (int row = 0; row < kRows; ++row) {
-        const double polar = kPi64 * (row + 0.5) / kRows;
-        for (int column = 0; column < kColumns; ++column) {
-            // The mapping of Environment: the middle column towards +x, columns to its right
-            // towards -y.
-            const double azimuth = kPi64 - 2 * kPi64 * (column + 0.5) / kColumns;
-            const V3f direction(Vec3(std::sin(polar) * std::cos(azimuth),
-                                     std::sin(polar) * std::sin(azimuth), std::cos(polar)));
-            V3f& pixel = picture.pixels[static_cast<std::size_t>(row) * kColumns +
-                                        static_cast<std::size_t>(column)];
+        const SinCos from_top = sin_cos(kPi64 * (row + 0.5) / kRows);
+        const Model::Height height = model.height(V3f(Vec3(0, 0, from_top.cos)));
+        const double area = 2 * kPi64 * kPi64 / (double{kColumns} * kRows);
+        for (const SinCos& column : around) {
             if (row < kRows / 2) {
-                pixel = sky_radiance(sky, direction);
-                const double area = 2 * kPi64 * kPi64 / (double{kColumns} * kRows);
-                irradiance += pixel * static_cast<float>(std::sin(polar) * std::cos(polar) * area);
+                const Vec3 direction(from_top.sin * column.cos, from_top.sin * column.sin,
+                                     from_top.cos);
+                *pixel = model.radiance(V3f(direction), height);
+                irradiance += *pixel * static_cast<float>(from_top.sin * from_top.cos * area);
             } else {
-                pixel = V3f(sky.ground) * irradiance * static_cast<float>(1 / kPi64);
+                *pixel = V3f(sky.ground) * irradiance * static_cast<float>(1 / kPi64);
             }
+            ++pixel;
         }
     }
     return picture;

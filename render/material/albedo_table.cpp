@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/elementary.h"
 #include "render/material/fresnel.h"
 #include "render/material/microfacet.h"
 #include "render/material/sheen.h"
@@ -51,7 +52,7 @@ double integral_of_sine_power(double exponent, double angle) {
     const double step = (kQuarterTurn - from) / kSteps;
     double sum = 0;
     for (int i = 0; i < kSteps; ++i) {
-        sum += std::pow(std::sin(from + (i + 0.5) * step), exponent);
+        sum += power(sine(from + (i + 0.5) * step), exponent);
     }
     return sum * step;
 }
@@ -115,7 +116,7 @@ AlbedoTable AlbedoTable::of_sheen() {
 AlbedoTable AlbedoTable::of_cosine_lobe(double exponent) {
     const double whole = integral_of_sine_power(exponent, 0);
     return build([&](float cosine) {
-        const double angle = std::acos(std::min(1.0, static_cast<double>(cosine)));
+        const double angle = arccosine(std::min(1.0, static_cast<double>(cosine)));
         return static_cast<float>(0.5 + 0.5 * integral_of_sine_power(exponent, angle) / whole);
     });
 }

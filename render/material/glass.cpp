@@ -1,8 +1,8 @@
 #include "render/material/glass.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "core/elementary_float.h"
 #include "render/material/fresnel.h"
 #include "render/material/microfacet.h"
 #include "render/sampling/remap_sample.h"
@@ -23,7 +23,7 @@ float clamped(double value, double least, double most) {
 
 V3f absorption_of(const StandardMaterial& m) {
     const auto rate = [&](double colour) {
-        return -std::log(clamped(colour, kLeastColour, 1)) /
+        return -logarithm(clamped(colour, kLeastColour, 1)) /
                static_cast<float>(m.transmission_depth);
     };
     const Vec3& colour = m.transmission_colour;
@@ -33,8 +33,8 @@ V3f absorption_of(const StandardMaterial& m) {
 }  // namespace
 
 V3f GlassConstants::transmittance(float distance) const {
-    return {std::exp(-absorption.x * distance), std::exp(-absorption.y * distance),
-            std::exp(-absorption.z * distance)};
+    return {exponential(-absorption.x * distance), exponential(-absorption.y * distance),
+            exponential(-absorption.z * distance)};
 }
 
 std::shared_ptr<const GlassConstants> glass_constants(const StandardMaterial& m) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/colour.h"
+#include "core/elementary_float.h"
 #include "render/geometry/orthonormal_basis.h"
 #include "render/geometry/trigonometry.h"
 #include "render/sampling/remap_sample.h"
@@ -39,7 +40,7 @@ PhongLobes::Lobe::Lobe(const V3f& the_albedo, const V3f& the_axis, const CosineL
 
 float PhongLobes::Lobe::density(const V3f& wi) const {
     const float cosine = axis.dot(wi);
-    return cosine > 0 ? (exponent + 1) * (0.5f * kInversePi) * std::pow(cosine, exponent) : 0.0f;
+    return cosine > 0 ? (exponent + 1) * (0.5f * kInversePi) * power(cosine, exponent) : 0.0f;
 }
 
 float PhongLobes::Lobe::pdf(const V3f& wi) const {
@@ -47,7 +48,7 @@ float PhongLobes::Lobe::pdf(const V3f& wi) const {
 }
 
 V3f PhongLobes::Lobe::sampled(const V2f& u) const {
-    const float cosine = std::pow(1 - u.x, 1 / (exponent + 1));
+    const float cosine = power(1 - u.x, 1 / (exponent + 1));
     const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
     const SinCos azimuth = sin_cos_turn(u.y);
     const V3f wi = OrthonormalBasis::around(axis)

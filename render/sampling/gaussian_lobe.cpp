@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
+#include "core/elementary_float.h"
 #include "render/geometry/trigonometry.h"
 #include "render/sampling/one_minus_epsilon.h"
 
@@ -32,13 +34,13 @@ constexpr double kHalfTurn = std::numbers::pi / 2;
 }  // namespace
 
 float inverse_erf(float y) {
-    const float w = -std::log((1 - y) * (1 + y));
+    const float w = -logarithm((1 - y) * (1 + y));
     return y * (w < 5 ? polynomial(kCentre, w - 2.5f) : polynomial(kTail, std::sqrt(w) - 3));
 }
 
 V3f sample_gaussian_lobe(const V2f& u, float spread) {
     const float scale = std::numbers::sqrt2_v<float> * spread;
-    const float most = std::erf(0.5f * kPi / scale);
+    const float most = error_function(0.5f * kPi / scale);
     const float fraction = std::min(u.x * most, kOneMinusEpsilon);
     const float angle = std::min(scale * inverse_erf(fraction), 0.5f * kPi);
     const SinCos from_axis = sin_cos(angle);
@@ -51,8 +53,8 @@ double pdf_gaussian_lobe_angle(double angle, double spread) {
         return 0;
     }
     const double x = angle / spread;
-    const double most = std::erf(kHalfTurn / (std::numbers::sqrt2 * spread));
-    return std::sqrt(2 / std::numbers::pi) * std::exp(-0.5 * x * x) / (spread * most);
+    const double most = error_function(kHalfTurn / (std::numbers::sqrt2 * spread));
+    return std::sqrt(2 / std::numbers::pi) * exponential(-0.5 * x * x) / (spread * most);
 }
 
 }  // namespace carom::render

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/assert.h"
+#include "core/elementary.h"
 
 namespace carom::render {
 namespace {
@@ -24,11 +25,12 @@ double filter_profile(PixelFilter filter, double x) {
         case PixelFilter::box:
             return 1;
         case PixelFilter::gaussian:
-            return std::exp(-18 * x * x);
+            return exponential(-18 * x * x);
         case PixelFilter::blackman_harris: {
-            const double angle = 2 * std::numbers::pi * x;  // the window's centre is at 0 here
-            return 0.35875 + 0.48829 * std::cos(angle) + 0.14128 * std::cos(2 * angle) +
-                   0.01168 * std::cos(3 * angle);
+            const double c = cosine(2 * std::numbers::pi * x);  // the window's centre is at 0 here
+            const double twice = 2 * c * c - 1;                 // cosines of the multiple angles
+            const double thrice = c * (2 * twice - 1);
+            return 0.35875 + 0.48829 * c + 0.14128 * twice + 0.01168 * thrice;
         }
     }
     return 0;

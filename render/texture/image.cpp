@@ -6,6 +6,7 @@
 #include <OpenImageIO/imagebuf.h>
 #include <fmt/core.h>
 
+#include "core/elementary_float.h"
 #include "core/error.h"
 #include "core/limits.h"
 
@@ -17,7 +18,7 @@ constexpr std::size_t kMostPixels = std::size_t{1} << 26;
 
 // IEC 61966-2-1:1999, 5.2.
 float srgb_to_linear(float v) {
-    return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+    return v <= 0.04045f ? v / 12.92f : power((v + 0.055f) / 1.055f, 2.4f);
 }
 
 bool is_usable(const V3f& c) {

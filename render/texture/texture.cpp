@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/assert.h"
+#include "core/elementary.h"
 #include "render/texture/cloth_tiles.h"
 
 namespace carom::render {
@@ -82,7 +83,7 @@ Texture::Source Texture::make_source(const ColourSource& source, ImageCache& ima
             [](const Vec3& colour) -> Source { return V3f(colour); },
             [&](const ImageTexture& image) -> Source {
                 const Vec2 repeats = image.size ? Vec2(1, 1) / *image.size : image.scale;
-                const Vec2 turn(std::cos(image.rotation), std::sin(image.rotation));
+                const Vec2 turn(cosine(image.rotation), sine(image.rotation));
                 return Image{images.file(image.file, image.is_linear), V2f(repeats),
                              image.size.has_value(), V2f(image.offset), V2f(turn)};
             },

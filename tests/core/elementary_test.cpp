@@ -1,6 +1,7 @@
 #include "core/elementary.h"
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -50,6 +51,73 @@ TEST(AngleOf_AllDirections, AgreesWithTheLibrary) {
         ASSERT_NEAR(angle_of(2 * std::cos(angle), 2 * std::sin(angle)), angle, 1e-15) << angle;
     }
     EXPECT_EQ(angle_of(0, 0), 0);
+}
+
+TEST(ArcSineAndCosine_OverTheirRange, AgreeWithTheLibrary) {
+    for (int i = -1000; i <= 1000; ++i) {
+        const double x = i * 1e-3;
+        ASSERT_NEAR(arcsine(x), std::asin(x), 1e-15) << x;
+        ASSERT_NEAR(arccosine(x), std::acos(x), 1e-15) << x;
+    }
+}
+
+TEST(Logarithms_OverManyMagnitudes, AgreeWithTheLibrary) {
+    for (int i = -7000; i <= 7000; ++i) {
+        const double x = std::exp(i * 0.1001);
+        ASSERT_NEAR(logarithm(x), std::log(x), 1e-15 * std::abs(std::log(x))) << x;
+        ASSERT_NEAR(logarithm2(x), std::log2(x), 1e-15 * std::abs(std::log2(x))) << x;
+    }
+    for (int i = -1000; i <= 1000; ++i) {  // near 1, where the logarithm is small
+        const double x = 1 + i * 1e-7;
+        ASSERT_NEAR(logarithm(x), std::log(x), 1e-15 * std::abs(std::log(x))) << x;
+    }
+}
+
+TEST(Logarithms_AtTheEdges, AreInfiniteOrNotANumber) {
+    EXPECT_EQ(logarithm(1), 0);
+    EXPECT_EQ(logarithm(0), -HUGE_VAL);
+    EXPECT_EQ(logarithm2(HUGE_VAL), HUGE_VAL);
+    EXPECT_TRUE(std::isnan(logarithm(-1)));
+    EXPECT_TRUE(std::isnan(logarithm2(std::nan(""))));
+    EXPECT_NEAR(logarithm(std::numeric_limits<double>::denorm_min()),
+                std::log(std::numeric_limits<double>::denorm_min()), 1e-12);
+}
+
+TEST(PowersOfTwo_OfWholeNumbers, AreExact) {
+    for (int i = -1000; i <= 1000; ++i) {
+        ASSERT_EQ(exponential2(i), std::ldexp(1.0, i));
+        ASSERT_EQ(logarithm2(std::ldexp(1.0, i)), i);
+        const double between = 0.99 * i + 0.37;
+        ASSERT_NEAR(exponential2(between) / std::exp2(between), 1, 1e-15) << between;
+    }
+    EXPECT_EQ(exponential2(-2000), 0);
+    EXPECT_EQ(exponential2(2000), HUGE_VAL);
+    EXPECT_TRUE(std::isnan(exponential2(std::nan(""))));
+}
+
+TEST(Power_OfManyBasesAndExponents, AgreesWithTheLibrary) {
+    for (int i = 1; i <= 200; ++i) {
+        const double base = i * 0.017;
+        for (const double exponent : {-3.5, 1 / 2.4, 1.0, 2.4, 78.84375}) {
+            const double error = 1e-15 * (1 + std::abs(exponent * std::log(base)));
+            ASSERT_NEAR(power(base, exponent) / std::pow(base, exponent), 1, error)
+                << base << " to the " << exponent;
+        }
+    }
+    EXPECT_EQ(power(0, 2.4), 0);
+    EXPECT_EQ(power(0, 0), 1);
+    EXPECT_EQ(power(0, -1), HUGE_VAL);
+    EXPECT_EQ(power(1, 1e300), 1);
+    EXPECT_TRUE(std::isnan(power(-1, 0.5)));
+}
+
+TEST(ErrorFunction_OverItsRange, AgreesWithTheLibrary) {
+    for (int i = -700; i <= 700; ++i) {
+        const double x = i * 0.01;
+        ASSERT_NEAR(error_function(x), std::erf(x), 4e-15) << x;
+    }
+    EXPECT_EQ(error_function(HUGE_VAL), 1);
+    EXPECT_TRUE(std::isnan(error_function(std::nan(""))));
 }
 
 }  // namespace

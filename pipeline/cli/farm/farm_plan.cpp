@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/core.h>
 
@@ -13,7 +14,7 @@
 #include "pipeline/cli/terminal/duration_text.h"
 #include "pipeline/job/film_status.h"
 #include "pipeline/store/cache_maintenance.h"
-#include "render/acceleration/analytic_kernels.h"
+#include "render/acceleration/vector_tier.h"
 
 namespace carom::cli {
 namespace {
@@ -61,6 +62,12 @@ std::string time_for_film(const pipeline::FilmForecast& forecast) {
     return fmt::format("{:.0f}", std::ceil(3 * forecast.encoding_seconds / 60) + 15);
 }
 
+/// The tier of the job's frames.
+std::string tier_of(const FarmCommand& command) {
+    return std::string(command.tier.empty() ? render::simd_tier()
+                                            : render::tier_named(command.tier));
+}
+
 FarmJob job_of(const FarmCommand& command, const ShotInput& input,
                const pipeline::FilmForecast& forecast) {
     FarmJob job;
@@ -70,7 +77,7 @@ FarmJob job_of(const FarmCommand& command, const ShotInput& input,
     job.store = store_of(command);
     job.root = command.input.root.empty() ? "" : absolute_path(command.input.root);
     job.frames = command.frames;
-    job.tier = std::string(render::simd_tier());
+    job.tier = tier_of(command);
     job.tasks_at_once = command.tasks_at_once;
     job.processors = command.processors;
     job.memory = megabytes_of(command, forecast.memory_bytes);
@@ -111,7 +118,15 @@ PlannedFarm plan_farm(const FarmCommand& command, CommandContext& context) {
     const CacheOptions cache{store_of(command), "none"};
     pipeline::FilmJobOptions options = job_options(cache, command.frames, "");
     (void)count_job_frames(input.shot, options, command.frames, context.console);
-    (void)job_of(command, input, {});  // its problems before the simulation
+    options.tier = job_of(command, input, {}).tier;  // and its problems before the simulation
+    std::optional<render::TierLimit> limit;          // the forecast measures this tier
+    if (render::machine_has_tier(options.tier)) {
+        limit.emplace(options.tier);
+    } else {
+        context.console.warning(fmt::format(
+            "this machine has only {} instructions, so the forecast may be wrong for nodes with {}",
+            render::simd_tier(), options.tier));
+    }
     PlannedFarm planned;
     planned.bake = obtain_bake(input, command.input, cache, context);
     const pipeline::FilmStatus status =

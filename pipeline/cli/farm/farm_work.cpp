@@ -15,7 +15,7 @@
 #include "pipeline/job/film_status.h"
 #include "pipeline/job/film_worker.h"
 #include "pipeline/job/job_frames.h"
-#include "render/acceleration/analytic_kernels.h"
+#include "render/acceleration/vector_tier.h"
 
 namespace carom::cli {
 namespace {
@@ -55,9 +55,9 @@ std::string own_host() {
 }
 
 void refuse_other_machines(const FarmJob& job) {
-    if (job.tier != render::simd_tier()) {
+    if (!render::machine_has_tier(job.tier)) {
         throw Error(fmt::format(
-            "this machine renders with {} instructions, and the frames of '{}' need {}; choose "
+            "this machine has only {} instructions, and the frames of '{}' need {}; choose "
             "other machines, for example with --partition",
             render::simd_tier(), job.film, job.tier));
     }
@@ -213,6 +213,7 @@ void leave_the_end_to_slurm(const FarmJob& job) {
 void farm_work(const FarmCommand& command, CommandContext& context) {
     const FarmJob job = find_job(command);
     refuse_other_machines(job);
+    const render::TierLimit tier(job.tier);
     Note note(job);
     for (int attempt = 1;; ++attempt) {
         try {

@@ -33,6 +33,10 @@ void add_cluster(CommandDescription& submit, FarmCommand& farm) {
         .between(1, 1024);
     submit.option("--mem", &farm.memory, "SIZE",
                   "The memory of a worker: 2GB, or auto (the default) for what the film needs.");
+    add_tier(submit, farm.tier,
+             "Render all frames with these vector instructions: avx2 (also on processors with "
+             "AVX-512, whose frames are the same), sse4, ssse3 or scalar. Machines without them "
+             "take no frame. The default is avx2, or the best that this machine has below it.");
     submit
         .option("--workers", &farm.workers, "N",
                 "The number of workers. The default uses the budget of each.")

@@ -9,6 +9,12 @@ constexpr const char* kFilmFile =
     "The film (.mp4, .mov, .mkv, .webm) or pictures (shot.####.exr). The default is the shot's "
     "name in the current folder.";
 
+constexpr const char* kRenderTier =
+    "Render with these vector instructions: avx2 (also on processors with AVX-512, whose frames "
+    "are "
+    "the same), sse4, ssse3 or scalar. The last bits of a frame depend on them. The default is the "
+    "best that the machine has.";
+
 void add_retime_times(CommandDescription& description, RetimeCommand& retime) {
     description.option("--speed", &retime.speed, "RATIO",
                        "Seconds of the scene per second of film: 0.125 or 1/8. The default is the "
@@ -46,6 +52,7 @@ void describe(RenderCommand& command, CommandDescription& description) {
                        "it to distribute a film over machines. 'carom mux' writes the film when "
                        "all parts are rendered.");
     add_dry_run(description, command.dry_run);
+    add_tier(description, command.tier, kRenderTier);
     add_threads(description, command.threads);
     add_cache(description, command.cache);
     add_no_store(description, command.cache);
@@ -69,6 +76,7 @@ void describe(RetimeCommand& command, CommandDescription& description) {
                "The film. The default is the shot's name and _retimed in the current folder.");
     add_frames(description, render.frames);
     add_dry_run(description, render.dry_run);
+    add_tier(description, render.tier, kRenderTier);
     add_threads(description, render.threads);
     add_cache(description, render.cache);
     add_no_store(description, render.cache);
@@ -91,6 +99,7 @@ void describe(FrameCommand& command, CommandDescription& description) {
     add_output(description, command.output,
                "The picture: .png, .jpg, .bmp or .tga as the film shows it, .exr as it was "
                "computed. The default is the shot's name, the frame's number and .png.");
+    add_tier(description, command.tier, kRenderTier);
     add_threads(description, command.threads);
     add_cache(description, command.cache);
     add_no_store(description, command.cache);
@@ -121,6 +130,7 @@ void describe(ContactSheetCommand& command, CommandDescription& description) {
     description
         .option("--width", &command.width, "N", "The width of each frame in pixels (default 320).")
         .between(32, 2000);
+    add_tier(description, command.tier, kRenderTier);
     add_threads(description, command.threads);
     add_cache(description, command.cache);
     add_no_store(description, command.cache);
@@ -140,6 +150,10 @@ void describe(MuxCommand& command, CommandDescription& description) {
     description.flag("--so-far", command.so_far,
                      "Write the film although frames are missing: each shows the last rendered one "
                      "before it.");
+    add_tier(description, command.tier,
+             "Use the frames that were rendered with these vector instructions: avx2, sse4, ssse3 "
+             "or scalar. The machine need not have them. The default are those of this machine, or "
+             "if frames of these are missing, those with which most frames were rendered.");
     add_cache(description, command.cache);
     description.examples = {
         {"carom render break.yaml --chunk 1/2 && carom render break.yaml --chunk 2/2",

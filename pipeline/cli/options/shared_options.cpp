@@ -1,5 +1,7 @@
 #include "pipeline/cli/options/shared_options.h"
 
+#include "render/acceleration/vector_tier.h"
+
 namespace carom::cli {
 
 void add_input(CommandDescription& description, InputOptions& input) {
@@ -68,6 +70,11 @@ void add_dry_run(CommandDescription& description, bool& dry_run) {
                      "Only print which frames are stored, which would be rendered, and a forecast: "
                      "time, memory, and the sizes of the stored frames and of the film. The "
                      "forecast takes at most 20 s of processor time; --quiet omits it.");
+}
+
+void add_tier(CommandDescription& description, std::string& tier, const std::string& help) {
+    description.option("--tier", &tier, "NAME", help)
+        .one_of({render::kTierOptions.begin(), render::kTierOptions.end()});
 }
 
 void add_threads(CommandDescription& description, int& threads) {

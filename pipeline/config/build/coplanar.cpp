@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/elementary.h"
 #include "pipeline/config/build/builder.h"
 #include "pipeline/config/text.h"
 
@@ -33,7 +34,7 @@ std::vector<Vec3> disk_corners(double radius) {
     std::vector<Vec3> corners;
     for (int i = 0; i < kCorners; ++i) {
         const double angle = 2 * std::numbers::pi * i / kCorners;
-        corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+        corners.emplace_back(radius * cosine(angle), radius * sine(angle), 0);
     }
     return corners;
 }

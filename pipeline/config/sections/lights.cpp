@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/show_quantity.h"
 
@@ -20,8 +21,8 @@ render::RectangleLight rectangle_light(const LightSection& keys) {
     const double size = level.dot(level);
     const Vec3 u0 = size < 1e-12 ? Vec3(1, 0, 0) : level / std::sqrt(size);
     const Vec3 v0 = normal.cross(u0);
-    const double c = std::cos(keys.roll);
-    const double s = std::sin(keys.roll);
+    const double c = cosine(keys.roll);
+    const double s = sine(keys.roll);
     render::RectangleLight light;
     light.centre = keys.at;
     light.edge_u = (u0 * c + v0 * s) * (keys.rectangle->x / 2);

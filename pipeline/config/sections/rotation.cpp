@@ -1,6 +1,6 @@
 // The types of rotations: of an object, and of a key of its motion.
-#include <cmath>
 
+#include "core/elementary.h"
 #include "core/length.h"
 #include "pipeline/config/sections/sections.h"
 
@@ -48,7 +48,7 @@ const MapSpec<AxisAngle>& turn_spec() {
 }
 
 Quat turn(const Vec3& axis, double angle) {
-    return Quat(std::cos(angle / 2), unit(axis) * std::sin(angle / 2));
+    return Quat(cosine(angle / 2), unit(axis) * sine(angle / 2));
 }
 
 }  // namespace

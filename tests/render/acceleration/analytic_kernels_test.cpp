@@ -6,6 +6,7 @@
 #include <hwy/highway.h>
 
 #include "render/acceleration/hybrid_structure.h"
+#include "render/acceleration/vector_tier.h"
 #include "tests/render/acceleration/random_shapes.h"
 
 namespace carom::render {
