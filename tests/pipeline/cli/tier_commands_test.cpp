@@ -36,6 +36,9 @@ class TierCommands : public EndToEnd {
 
     [[nodiscard]] std::vector<std::string> files_below(const std::string& folder) const {
         std::vector<std::string> files;
+        if (!std::filesystem::exists(path(folder))) {
+            return files;
+        }
         for (const auto& entry : std::filesystem::recursive_directory_iterator(path(folder))) {
             if (entry.is_regular_file()) {
                 files.push_back(entry.path().string());
