@@ -190,21 +190,12 @@ double power(double base, double exponent) {
     return exponential(exponent * logarithm(base));
 }
 
-// erf(x) = 2 / sqrt(pi) exp(-x^2) x (1 + 2 x^2 / 3 + (2 x^2)^2 / (3 5) + ...), whose terms are all
-// positive (Abramowitz and Stegun 1964, 7.1.6).
 double error_function(double x) {
     constexpr double kOne = 6;  // from here on the value is 1 within 3e-17
     if (std::isnan(x) || std::abs(x) >= kOne) {
         return std::isnan(x) ? x : std::copysign(1.0, x);
     }
-    const double twice = 2 * x * x;
-    double term = x;
-    double sum = x;
-    for (int n = 3; std::abs(term) > 1e-17 * std::abs(sum); n += 2) {
-        term *= twice / n;
-        sum += term;
-    }
-    return 2 * std::numbers::inv_sqrtpi * exponential(-x * x) * sum;
+    return 2 * std::numbers::inv_sqrtpi * exponential(-x * x) * detail::error_series(x, 1e-17);
 }
 
 }  // namespace carom

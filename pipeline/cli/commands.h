@@ -82,6 +82,7 @@ struct CacheCommand {
     std::vector<std::string> folders;  // merge: the other caches
     InputOptions input;                // push, pull: of a shot; path empty: all files
     std::string frames;                // of the shot
+    std::string tier;                  // of these frames: "avx2"; empty: this machine's
 };
 void describe(CacheCommand& command, CommandDescription& description);
 void run(const CacheCommand& command, CommandContext& context);

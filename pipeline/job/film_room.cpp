@@ -1,5 +1,6 @@
 #include "pipeline/job/film_room.h"
 
+#include "pipeline/job/forecast_sizes.h"
 #include "pipeline/job/job_frames.h"
 #include "pipeline/store/cache_maintenance.h"
 #include "pipeline/store/reservations.h"
@@ -13,12 +14,9 @@ constexpr std::chrono::seconds kClockSlack{2};
 // Frames of one film differ in size, and the first one may be larger than the others.
 constexpr double kLeastPart = 0.75;
 
-/// Bytes of a stored picture as the examples have them, and the floats of other channels.
 std::uint64_t usual_bytes(const Shot& shot) {
-    constexpr double kUsual = 3.5;  // of a pixel
     const double pixels = static_cast<double>(shot.render.width) * shot.render.height;
-    return static_cast<std::uint64_t>(
-        pixels * (kUsual + sizeof(float) * static_cast<double>(shot.render.aovs.size())));
+    return static_cast<std::uint64_t>(pixels * usual_store_bytes_per_pixel(shot));
 }
 
 }  // namespace

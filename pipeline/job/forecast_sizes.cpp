@@ -200,6 +200,11 @@ bool has_sequences(const Shot& shot, const std::string& output) {
     return codec != Codec::prores && codec != Codec::ffv1;
 }
 
+double usual_store_bytes_per_pixel(const Shot& shot) {
+    constexpr double kUsual = 3.5;
+    return kUsual + sizeof(float) * static_cast<double>(shot.render.aovs.size());
+}
+
 void add_sizes(const FilmSource& source, const FilmPlan& plan, const FilmProbe& probe,
                const std::string& output, FilmForecast& forecast) {
     const Shot& shot = source.shot();
@@ -212,12 +217,8 @@ void add_sizes(const FilmSource& source, const FilmPlan& plan, const FilmProbe& 
             });
         });
     const double pixels = static_cast<double>(shot.render.width) * shot.render.height;
-    // Of a picture of which not one block could be measured in time: what the examples have, and
-    // the floats of other channels without compression.
-    constexpr double kUsual = 3.5;
-    const double bytes =
-        cost.bytes > 0 ? cost.bytes
-                       : kUsual + sizeof(float) * static_cast<double>(shot.render.aovs.size());
+    // It may be that not one block could be measured in time.
+    const double bytes = cost.bytes > 0 ? cost.bytes : usual_store_bytes_per_pixel(shot);
     forecast.store_bytes =
         static_cast<std::uint64_t>(static_cast<double>(forecast.pictures) * pixels * bytes);
     forecast.seconds_per_picture += pixels * cost.seconds;

@@ -13,6 +13,10 @@ namespace carom::pipeline {
 /// size depends on pictures in a row.
 [[nodiscard]] bool has_sequences(const Shot& shot, const std::string& output);
 
+/// Bytes of a pixel of a stored picture where none could be measured: what the examples have, and
+/// the floats of other channels without compression.
+[[nodiscard]] double usual_store_bytes_per_pixel(const Shot& shot);
+
 /// Adds the sizes of the store and of the film, and the times to write them, to a forecast that has
 /// the times of rendering. Throws Error.
 void add_sizes(const FilmSource& source, const FilmPlan& plan, const FilmProbe& probe,

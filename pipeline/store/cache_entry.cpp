@@ -73,9 +73,14 @@ std::optional<Hash128> parse_key(const std::string& digits) {
     return hash;
 }
 
-std::string frame_file(const std::string& cache_folder, const Hash128& key) {
+std::string file_about(const Hash128& key, const std::string& frames_folder,
+                       const char* extension) {
     const std::string digits = key.to_string();
-    return cache_folder + "/frames/" + digits.substr(0, 2) + "/" + digits + ".exr";
+    return frames_folder + "/" + digits.substr(0, 2) + "/" + digits + extension;
+}
+
+std::string frame_file(const std::string& cache_folder, const Hash128& key) {
+    return file_about(key, cache_folder + "/frames", ".exr");
 }
 
 std::string bake_file(const std::string& cache_folder, const Hash128& key) {

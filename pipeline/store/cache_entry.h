@@ -24,7 +24,9 @@ struct CacheEntry {
 /// The key that 32 lower-case hexadecimal digits stand for.
 [[nodiscard]] std::optional<Hash128> parse_key(const std::string& digits);
 
-/// The files of a frame and of a bake.
+/// A file about a frame in the folder of the frames, and the files of a frame and of a bake.
+[[nodiscard]] std::string file_about(const Hash128& key, const std::string& frames_folder,
+                                     const char* extension);
 [[nodiscard]] std::string frame_file(const std::string& cache_folder, const Hash128& key);
 [[nodiscard]] std::string bake_file(const std::string& cache_folder, const Hash128& key);
 

@@ -34,8 +34,7 @@ std::string FrameStore::path_of(const Hash128& key) const {
 }
 
 std::string FrameStore::file_of(const Hash128& key, const char* extension) const {
-    const std::string digits = key.to_string();
-    return folder_ + "/" + digits.substr(0, 2) + "/" + digits + extension;
+    return file_about(key, folder_, extension);
 }
 
 bool FrameStore::contains(const Hash128& key) const {
