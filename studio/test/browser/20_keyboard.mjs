@@ -109,7 +109,7 @@ export async function check({ page }) {
     await page.waitForFunction(() => document.activeElement?.closest('label')?.textContent
         .startsWith('Quality'));
     await page.keyboard.press('Tab');
-    await page.keyboard.type('0-3');
+    await page.keyboard.type('0-20');  // so many that it is still running when it is stopped
     await page.keyboard.press('Enter');
     await page.waitForFunction(() => window.studio.films.film.value?.state === 'running');
     await reach(page, 'Tab', 'Stop');
