@@ -63,7 +63,10 @@ export function FilmPlayer({ address, fps, width, height, children }: Properties
         }
         let id = 0;
         const show: VideoFrameRequestCallback = (_, { mediaTime }) => {
-            frame.value = frameAt(mediaTime, fps);
+            // A picture from before a seek may arrive after it was asked for.
+            if (!video.seeking) {
+                frame.value = frameAt(mediaTime, fps);
+            }
             id = video.requestVideoFrameCallback(show);
         };
         id = video.requestVideoFrameCallback(show);
