@@ -10,8 +10,6 @@
 namespace carom::render {
 namespace {
 
-constexpr float kTurn = 6.2831853f;  // rad
-
 float offset_at(const V3f& position, float bounding_radius) {
     const float size = std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)});
     return kOffsetFraction * (size + bounding_radius);

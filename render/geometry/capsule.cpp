@@ -5,7 +5,6 @@
 namespace carom::render {
 
 UnitPoint on_unit_capsule(const UnitRay& ray, float t, float half_length) {
-    constexpr float kTurn = 6.2831853f;  // rad
     const V3f p = ray.origin + t * ray.direction;
     const V3f on_axis(0, 0, std::clamp(p.z, -half_length, half_length));
     const V3f out = p - on_axis;

@@ -9,8 +9,6 @@
 namespace carom::render {
 namespace {
 
-constexpr float kTurn = 6.2831853f;  // rad
-
 V2f across_disk(const V3f& p) {
     return 0.5f * (V2f(p.x, p.y) + V2f(1));
 }

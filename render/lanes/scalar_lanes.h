@@ -4,26 +4,84 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 
 namespace carom::render {
 
-/// The operations that formulas over lanes need from a lane type. T: float, double or long double.
+/// The operations that formulas over lanes need from a lane type; each gives the bits of
+/// VectorLanes. T: float, double or long double; integers, bits and loads are for floats only.
+/// Numbers also have + - * /, integers and words + - * & | ^.
 template <class T>
 struct ScalarLanes {
     using Number = T;
     using Value = T;
     using Mask = bool;
+    using Int = std::int32_t;
+    using Word = std::uint32_t;
 
     static Value all(Number x) { return x; }
+    static Int all_int(std::int32_t x) { return x; }
+    static Word all_word(std::uint32_t x) { return x; }
+
     static Mask is_less(Value a, Value b) { return a < b; }
     static Mask is_at_most(Value a, Value b) { return a <= b; }
+    static Mask is_equal(Value a, Value b) { return a == b; }
+    static Mask is_equal_int(Int a, Int b) { return a == b; }
+    static Mask is_less_int(Int a, Int b) { return a < b; }
+    static Mask is_less_word(Word a, Word b) { return a < b; }
     static Mask both(Mask a, Mask b) { return a && b; }
+    static Mask either(Mask a, Mask b) { return a || b; }
+    static Mask opposite(Mask a) { return !a; }
     static bool none(Mask mask) { return !mask; }
     /// Whether an early return between two tests pays off. For a scalar it does; with several lanes
     /// all must fail, which is rare and cannot be predicted.
     static bool fails_alone(Mask mask) { return !mask; }
+
+    static Value select(Mask mask, Value yes, Value no) { return mask ? yes : no; }
+    static Int select_int(Mask mask, Int yes, Int no) { return mask ? yes : no; }
+    static Word select_word(Mask mask, Word yes, Word no) { return mask ? yes : no; }
+
     static Value size(Value x) { return std::abs(x); }
+    static Value opposite_sign(Value x) { return -x; }
+    static Value smaller(Value a, Value b) { return a < b ? a : b; }
+    static Value larger(Value a, Value b) { return a > b ? a : b; }
+    static Int smaller_int(Int a, Int b) { return a < b ? a : b; }
+    static Int larger_int(Int a, Int b) { return a > b ? a : b; }
+    static Int product(Int a, std::int32_t b) { return a * b; }
+    static Value root(Value x) { return std::sqrt(x); }
+    static Value rounded_down(Value x) { return std::floor(x); }
+
+    /// Rounds towards 0; |x| < 2^31.
+    static Int to_int(Value x) { return static_cast<Int>(x); }
+    static Value to_value(Int x) { return static_cast<Value>(x); }
+    static Int bits_of(Value x) { return std::bit_cast<Int>(x); }
+    static Value from_bits(Int x) { return std::bit_cast<Value>(x); }
+    static Word to_word(Int x) { return static_cast<Word>(x); }
+    static Int from_word(Word x) { return static_cast<Int>(x); }
+    template <int kBits>
+    static Word shifted_left(Word x) {
+        return x << kBits;
+    }
+    template <int kBits>
+    static Word shifted_right(Word x) {
+        return x >> kBits;
+    }
+    static Word shifted_right(Word x, Word bits) { return x >> bits; }
+    /// With the sign.
+    template <int kBits>
+    static Int shifted_right_int(Int x) {
+        return x >> kBits;
+    }
+
+    static Value gather(const float* numbers, Int index) { return numbers[index]; }
+    static Int gather_int(const std::int32_t* numbers, Int index) { return numbers[index]; }
+    /// The 32 bits that begin at a byte; there must be as many.
+    static Word gather_bytes(const void* from, Int byte) {
+        Word word;
+        std::memcpy(&word, static_cast<const char*>(from) + byte, sizeof(word));
+        return word;
+    }
 
     /// x, negated where `by` is negative.
     static Value flip_sign(Value x, Value by) {

@@ -6,25 +6,92 @@
 #define CAROM_VECTOR_LANES_INL_H
 #endif
 
+#include <cstdint>
+
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// D: a Highway tag.
+/// See ScalarLanes. D: a Highway tag; integers, bits and loads are for floats only.
 template <class D>
 struct VectorLanes {
     using Number = hn::TFromD<D>;
     using Value = hn::Vec<D>;
     using Mask = hn::Mask<D>;
+    using IntTag = hn::RebindToSigned<D>;
+    using WordTag = hn::RebindToUnsigned<D>;
+    using Int = hn::Vec<IntTag>;
+    using Word = hn::Vec<WordTag>;
 
     static HWY_INLINE Value all(Number x) { return hn::Set(D(), x); }
+    static HWY_INLINE Int all_int(std::int32_t x) { return hn::Set(IntTag(), x); }
+    static HWY_INLINE Word all_word(std::uint32_t x) { return hn::Set(WordTag(), x); }
+
     static HWY_INLINE Mask is_less(Value a, Value b) { return hn::Lt(a, b); }
     static HWY_INLINE Mask is_at_most(Value a, Value b) { return hn::Le(a, b); }
+    static HWY_INLINE Mask is_equal(Value a, Value b) { return hn::Eq(a, b); }
+    static HWY_INLINE Mask is_equal_int(Int a, Int b) { return hn::RebindMask(D(), hn::Eq(a, b)); }
+    static HWY_INLINE Mask is_less_int(Int a, Int b) { return hn::RebindMask(D(), hn::Lt(a, b)); }
+    static HWY_INLINE Mask is_less_word(Word a, Word b) {
+        return hn::RebindMask(D(), hn::Lt(a, b));
+    }
     static HWY_INLINE Mask both(Mask a, Mask b) { return hn::And(a, b); }
+    static HWY_INLINE Mask either(Mask a, Mask b) { return hn::Or(a, b); }
+    static HWY_INLINE Mask opposite(Mask a) { return hn::Not(a); }
     static HWY_INLINE bool none(Mask mask) { return hn::AllFalse(D(), mask); }
     static HWY_INLINE bool fails_alone(Mask) { return false; }
+
+    static HWY_INLINE Value select(Mask mask, Value yes, Value no) {
+        return hn::IfThenElse(mask, yes, no);
+    }
+    static HWY_INLINE Int select_int(Mask mask, Int yes, Int no) {
+        return hn::IfThenElse(hn::RebindMask(IntTag(), mask), yes, no);
+    }
+    static HWY_INLINE Word select_word(Mask mask, Word yes, Word no) {
+        return hn::IfThenElse(hn::RebindMask(WordTag(), mask), yes, no);
+    }
+
     static HWY_INLINE Value size(Value x) { return hn::Abs(x); }
+    static HWY_INLINE Value opposite_sign(Value x) { return hn::Neg(x); }
+    static HWY_INLINE Value smaller(Value a, Value b) { return hn::Min(a, b); }
+    static HWY_INLINE Value larger(Value a, Value b) { return hn::Max(a, b); }
+    static HWY_INLINE Int smaller_int(Int a, Int b) { return hn::Min(a, b); }
+    static HWY_INLINE Int larger_int(Int a, Int b) { return hn::Max(a, b); }
+    static HWY_INLINE Int product(Int a, std::int32_t b) { return hn::Mul(a, all_int(b)); }
+    static HWY_INLINE Value root(Value x) { return hn::Sqrt(x); }
+    static HWY_INLINE Value rounded_down(Value x) { return hn::Floor(x); }
+
+    static HWY_INLINE Int to_int(Value x) { return hn::ConvertTo(IntTag(), x); }
+    static HWY_INLINE Value to_value(Int x) { return hn::ConvertTo(D(), x); }
+    static HWY_INLINE Int bits_of(Value x) { return hn::BitCast(IntTag(), x); }
+    static HWY_INLINE Value from_bits(Int x) { return hn::BitCast(D(), x); }
+    static HWY_INLINE Word to_word(Int x) { return hn::BitCast(WordTag(), x); }
+    static HWY_INLINE Int from_word(Word x) { return hn::BitCast(IntTag(), x); }
+    template <int kBits>
+    static HWY_INLINE Word shifted_left(Word x) {
+        return hn::ShiftLeft<kBits>(x);
+    }
+    template <int kBits>
+    static HWY_INLINE Word shifted_right(Word x) {
+        return hn::ShiftRight<kBits>(x);
+    }
+    static HWY_INLINE Word shifted_right(Word x, Word bits) { return hn::Shr(x, bits); }
+    template <int kBits>
+    static HWY_INLINE Int shifted_right_int(Int x) {
+        return hn::ShiftRight<kBits>(x);
+    }
+
+    static HWY_INLINE Value gather(const float* numbers, Int index) {
+        return hn::GatherIndex(D(), numbers, index);
+    }
+    static HWY_INLINE Int gather_int(const std::int32_t* numbers, Int index) {
+        return hn::GatherIndex(IntTag(), numbers, index);
+    }
+    static HWY_INLINE Word gather_bytes(const void* from, Int byte) {
+        return hn::GatherOffset(WordTag(), static_cast<const std::uint32_t*>(from), byte);
+    }
+
     static HWY_INLINE Value flip_sign(Value x, Value by) {
         return hn::Xor(x, hn::And(by, hn::SignBit(D())));
     }

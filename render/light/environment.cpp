@@ -4,15 +4,15 @@
 #include <cmath>
 #include <vector>
 
-#include "core/elementary_float.h"
 #include "render/geometry/trigonometry.h"
+#include "render/light/scalar_kernels.h"
+#include "render/light/shared_exponent.h"
 #include "render/light/sky.h"
 #include "render/sampling/warp.h"
 
 namespace carom::render {
 namespace {
 
-constexpr float kTurn = 2.0f * kPi;
 constexpr int kMostColumns = 256;
 constexpr float kCellWeight[3] = {0.125f, 0.75f, 0.125f};
 
@@ -51,17 +51,11 @@ Environment::Environment(const EnvironmentLight& light)
     mean_luminance_ = static_cast<float>(sum / area) * luminance(scale_);
 }
 
-// (u, v) in the picture, v = 0 at the top. The middle column is the direction +x; columns to its
-// right turn towards -y, as seen from the middle of the scene.
-V2f Environment::picture_from_direction(const V3f& direction) const {
-    const float u = 0.5f + turns_ - angle_of(direction.x, direction.y) / kTurn;
-    return {u - std::floor(u), arccosine(std::clamp(direction.z, -1.0f, 1.0f)) / kPi};
-}
-
 V3f Environment::pixel(int x, int y) const {
-    return padded_[static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(width_ + 2) +
-                   static_cast<std::size_t>(x + 1)]
-        .value();
+    const std::uint32_t bits =
+        padded_[static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(width_ + 2) +
+                static_cast<std::size_t>(x + 1)];
+    return scalar::vector_of(scalar::shared_exponent_value<scalar::One>(bits));
 }
 
 void Environment::pad(const LinearImage& image) {
@@ -82,22 +76,9 @@ void Environment::pad(const LinearImage& image) {
             const V3f& colour =
                 image.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
                              static_cast<std::size_t>(column)];
-            padded_.emplace_back(colour / unit_);
+            padded_.push_back(SharedExponent(colour / unit_).bits());
         }
     }
-}
-
-V3f Environment::picture_radiance(const V2f& uv) const {
-    const float x = uv.x * static_cast<float>(width_) - 0.5f;
-    const float y = uv.y * static_cast<float>(height_) - 0.5f;
-    // uv may be 1 for a direction straight down or by rounding at the seam.
-    const int x0 = std::min(static_cast<int>(std::floor(x)), width_ - 1);
-    const int y0 = std::min(static_cast<int>(std::floor(y)), height_ - 1);
-    const float fx = x - static_cast<float>(x0);
-    const float fy = y - static_cast<float>(y0);
-    const V3f top = pixel(x0, y0) * (1.0f - fx) + pixel(x0 + 1, y0) * fx;
-    const V3f bottom = pixel(x0, y0 + 1) * (1.0f - fx) + pixel(x0 + 1, y0 + 1) * fx;
-    return (top * (1.0f - fy) + bottom * fy) * (scale_ * unit_);
 }
 
 // Mean of the bilinear picture over one pixel's square: weights (1, 6, 1) / 8 in both directions.
@@ -112,37 +93,45 @@ float Environment::cell_brightness(int x, int y) const {
     return sum;
 }
 
+EnvironmentPicture Environment::picture() const {
+    return {width_, height_, padded_.data(), scale_ * unit_, turns_, distribution_.tables()};
+}
+
+V3f Environment::picture_radiance(const V2f& uv) const {
+    return scalar::vector_of(scalar::sky_radiance<scalar::One>(picture(), scalar::two(uv)));
+}
+
 V3f Environment::radiance(const V3f& direction) const {
-    return is_sampled() ? picture_radiance(picture_from_direction(direction)) : scale_;
+    return evaluate(direction).radiance;
 }
 
 std::optional<LightSample> Environment::sample(const V2f& u) const {
-    const Distribution2D::Sample place = distribution_.sample(u);
-    const SinCos polar = sin_cos_turn(0.5f * place.uv.y);
-    if (place.pdf <= 0 || polar.sine <= 0) {
+    const EnvironmentPicture known = picture();
+    if (known.distribution.density == nullptr) {
         return std::nullopt;
     }
-    const SinCos azimuth = sin_cos_turn(0.5f + turns_ - place.uv.x);
-    return LightSample{
-        V3f(polar.sine * azimuth.cosine, polar.sine * azimuth.sine, polar.cosine).normalized(),
-        kInfinity, place.pdf / (kTurn * kPi * polar.sine), place.uv};
+    const auto sample = scalar::sample_sky<scalar::One>(known, scalar::two(u));
+    return sample.valid
+               ? std::optional(LightSample{scalar::vector_of(sample.direction), kInfinity,
+                                           sample.pdf, scalar::vector_of(sample.uv)})
+               : std::nullopt;
 }
 
 float Environment::pdf(const V3f& direction) const {
-    return is_sampled() ? pdf_at(direction, picture_from_direction(direction)) : 0;
-}
-
-float Environment::pdf_at(const V3f& direction, const V2f& uv) const {
-    const float sine = std::sqrt(direction.x * direction.x + direction.y * direction.y);
-    return sine > 0 ? distribution_.pdf(uv) / (kTurn * kPi * sine) : 0;
+    return evaluate(direction).pdf;
 }
 
 Environment::Value Environment::evaluate(const V3f& direction) const {
     if (!is_sampled()) {
         return {scale_, 0};
     }
-    const V2f uv = picture_from_direction(direction);
-    return {picture_radiance(uv), pdf_at(direction, uv)};
+    const EnvironmentPicture known = picture();
+    const auto towards = scalar::three(direction);
+    const auto uv = scalar::sky_place<scalar::One>(known, towards);
+    const float pdf = known.distribution.density != nullptr
+                          ? scalar::sky_density<scalar::One>(known, towards, uv)
+                          : 0;
+    return {scalar::vector_of(scalar::sky_radiance<scalar::One>(known, uv)), pdf};
 }
 
 float Environment::importance() const {

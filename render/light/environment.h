@@ -1,12 +1,13 @@
 // Environment (infinite) light.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "render/geometry/ray.h"
 #include "render/light/area_light.h"
-#include "render/light/shared_exponent.h"
+#include "render/light/environment_picture.h"
 #include "render/sampling/distribution_2d.h"
 #include "render/scene/scene_description.h"
 #include "render/texture/image.h"
@@ -51,9 +52,11 @@ class Environment {
     /// Estimate of the irradiance that it gives, in the unit of the area lights' importance.
     [[nodiscard]] float importance() const;
 
+    /// The picture for kernels, if `is_sampled`; valid as long as this object is. Without any light
+    /// in it, its distribution has no density.
+    [[nodiscard]] EnvironmentPicture picture() const;
+
   private:
-    [[nodiscard]] V2f picture_from_direction(const V3f& direction) const;
-    [[nodiscard]] float pdf_at(const V3f& direction, const V2f& uv) const;
     [[nodiscard]] V3f picture_radiance(const V2f& uv) const;
     /// x in [-1, width], y in [-1, height]: the border repeats the pixels beyond it.
     [[nodiscard]] V3f pixel(int x, int y) const;
@@ -63,7 +66,7 @@ class Environment {
     V3f scale_{0, 0, 0};
     int width_ = 0;  // of the picture, pixels
     int height_ = 0;
-    std::vector<SharedExponent> padded_;  // with a border of one pixel; empty: constant
+    std::vector<std::uint32_t> padded_;  // SharedExponent, with a border of one pixel; empty: constant
     float unit_ = 1;                      // the unit of `padded_`
     Distribution2D distribution_;
     float turns_ = 0;  // rotation about z

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "render/geometry/ray.h"
+#include "render/light/scalar_kernels.h"
 
 namespace carom::render {
 
@@ -42,11 +43,9 @@ class SharedExponent {
     }
 
     [[nodiscard]] V3f value() const {
-        const float scale = std::bit_cast<float>(((bits_ >> 27) + (127 - 24)) << 23);
-        return {static_cast<float>(bits_ & 511u) * scale,
-                static_cast<float>(bits_ >> 9 & 511u) * scale,
-                static_cast<float>(bits_ >> 18 & 511u) * scale};
+        return scalar::vector_of(scalar::shared_exponent_value<scalar::One>(bits_));
     }
+    [[nodiscard]] std::uint32_t bits() const { return bits_; }
 
   private:
     std::uint32_t bits_ = 0;

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "core/assert.h"
-#include "render/sampling/one_minus_epsilon.h"
+#include "render/sampling/scalar_kernels.h"
 
 namespace carom::render {
 namespace {
@@ -33,11 +33,6 @@ double accumulate(const Values& values, std::span<float> cdf) {
     return total;
 }
 
-struct Cell {
-    std::size_t index;
-    float within;  // [0, 1)
-};
-
 /// The cutpoint method (Chen and Asau, On generating random variates from an empirical
 /// distribution, AIIE Transactions 6(2), 1974): for each of `cuts.size()` equal parts of [0, 1) the
 /// cell in which the part begins. The search from there takes few steps, and the map stays
@@ -51,27 +46,6 @@ void set_cuts(std::span<const float> cdf, std::span<std::uint16_t> cuts) {
         }
         cuts[i] = static_cast<std::uint16_t>(index);
     }
-}
-
-/// The cell whose interval of the cdf contains u.
-Cell find_cell(std::span<const float> cdf, std::span<const std::uint16_t> cuts, float u) {
-    const auto part = static_cast<std::size_t>(u * static_cast<float>(cuts.size()));
-    std::size_t index = cuts[std::min(part, cuts.size() - 1)];
-    while (index + 2 < cdf.size() && cdf[index + 1] <= u) {
-        ++index;
-    }
-    // u * size may have been rounded up into the next part.
-    while (index > 0 && cdf[index] > u) {
-        --index;
-    }
-    const float width = cdf[index + 1] - cdf[index];
-    const float within = width > 0 ? (u - cdf[index]) / width : 0;
-    return {index, std::min(within, kOneMinusEpsilon)};
-}
-
-float coordinate(const Cell& cell, int count) {
-    return std::min((static_cast<float>(cell.index) + cell.within) / static_cast<float>(count),
-                    kOneMinusEpsilon);
 }
 
 }  // namespace
@@ -94,9 +68,9 @@ Distribution2D::Distribution2D(std::span<const float> weights, int width, int he
             accumulate(row, std::span(column_cdfs_).subspan(y * (columns + 1), columns + 1));
     }
     mean_ = accumulate(row_totals, row_cdf_) / static_cast<double>(columns * rows);
-    row_cuts_.resize(rows);
-    set_cuts(row_cdf_, row_cuts_);
-    column_cuts_.resize(weights.size());
+    row_cuts_.resize(rows + 1);
+    set_cuts(row_cdf_, std::span(row_cuts_).first(rows));
+    column_cuts_.resize(weights.size() + 1);
     for (std::size_t y = 0; y < rows; ++y) {
         set_cuts(std::span(column_cdfs_).subspan(y * (columns + 1), columns + 1),
                  std::span(column_cuts_).subspan(y * columns, columns));
@@ -111,23 +85,15 @@ Distribution2D::Sample Distribution2D::sample(const V2f& u) const {
     if (mean_ <= 0) {
         return {V2f(0, 0), 0};
     }
-    const std::size_t columns = static_cast<std::size_t>(width_);
-    const Cell row = find_cell(row_cdf_, row_cuts_, u.y);
-    const Cell column =
-        find_cell(std::span(column_cdfs_).subspan(row.index * (columns + 1), columns + 1),
-                  std::span(column_cuts_).subspan(row.index * columns, columns), u.x);
-    return {V2f(coordinate(column, width_), coordinate(row, height_)),
-            density_[row.index * columns + column.index]};
+    const auto place = scalar::sample_cells<scalar::One>(tables(), scalar::two(u));
+    return {scalar::vector_of(place.uv), place.pdf};
 }
 
 float Distribution2D::pdf(const V2f& uv) const {
     if (!(uv.x >= 0 && uv.x < 1 && uv.y >= 0 && uv.y < 1) || density_.empty()) {
         return 0;
     }
-    const int x = std::min(static_cast<int>(uv.x * static_cast<float>(width_)), width_ - 1);
-    const int y = std::min(static_cast<int>(uv.y * static_cast<float>(height_)), height_ - 1);
-    return density_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                    static_cast<std::size_t>(x)];
+    return mean_ > 0 ? scalar::density_of_cells<scalar::One>(tables(), scalar::two(uv)) : 0;
 }
 
 }  // namespace carom::render

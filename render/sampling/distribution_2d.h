@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/geometry/ray.h"
+#include "render/sampling/distribution_tables.h"
 
 namespace carom::render {
 
@@ -29,6 +30,17 @@ class Distribution2D {
     /// Density per area of the unit square; 0 outside the square and where the weight is 0.
     [[nodiscard]] float pdf(const V2f& uv) const;
 
+    /// For kernels; valid as long as this object is.
+    [[nodiscard]] DistributionTables tables() const {
+        return {width_,
+                height_,
+                mean_ > 0 ? density_.data() : nullptr,
+                row_cdf_.data(),
+                column_cdfs_.data(),
+                row_cuts_.data(),
+                column_cuts_.data()};
+    }
+
     /// Mean weight over the square.
     [[nodiscard]] double mean() const { return mean_; }
 
@@ -39,8 +51,10 @@ class Distribution2D {
     std::vector<float> density_;              // per cell, mean 1
     std::vector<float> row_cdf_;              // height + 1 values from 0 to 1
     std::vector<float> column_cdfs_;          // per row: width + 1 values from 0 to 1
-    std::vector<std::uint16_t> row_cuts_;     // where the search in row_cdf_ begins
-    std::vector<std::uint16_t> column_cuts_;  // where the search in each row's cdf begins
+    // Where the search in row_cdf_ and in each row's cdf begins; kernels read 32 bits at a time, so
+    // that one number more has room.
+    std::vector<std::uint16_t> row_cuts_;
+    std::vector<std::uint16_t> column_cuts_;
 };
 
 }  // namespace carom::render

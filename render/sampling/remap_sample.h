@@ -1,9 +1,7 @@
 // Reuse of a random number after a discrete choice.
 #pragma once
 
-#include <algorithm>
-
-#include "render/sampling/one_minus_epsilon.h"
+#include "render/sampling/scalar_kernels.h"
 
 namespace carom::render {
 
@@ -12,8 +10,7 @@ namespace carom::render {
 /// stratified (Shirley 1990, "Physically based lighting calculations for computer graphics"; PBR,
 /// section A.1).
 [[nodiscard]] inline float remap_sample(float u, float probability) {
-    const float v = u < probability ? u / probability : (u - probability) / (1.0f - probability);
-    return std::min(v, kOneMinusEpsilon);
+    return scalar::remap_sample<scalar::One>(u, probability);
 }
 
 }  // namespace carom::render

@@ -11,6 +11,7 @@
 #include "render/geometry/ray.h"
 #include "render/geometry/trigonometry.h"
 #include "render/sampling/one_minus_epsilon.h"
+#include "render/sampling/scalar_kernels.h"
 
 namespace carom::render {
 
@@ -18,17 +19,7 @@ namespace carom::render {
 
 /// Concentric map (Shirley and Chiu 1997, "A low distortion map between disk and square").
 [[nodiscard]] inline V2f sample_disk(const V2f& u) {
-    const float a = 2 * u.x - 1;
-    const float b = 2 * u.y - 1;
-    if (a == 0 && b == 0) {
-        return V2f(0, 0);
-    }
-    if (std::abs(a) > std::abs(b)) {
-        const SinCos angle = sin_cos_eighth(kPi / 4 * (b / a));
-        return V2f(a * angle.cosine, a * angle.sine);
-    }
-    const SinCos angle = sin_cos_eighth(kPi / 4 * (a / b));
-    return V2f(b * angle.sine, b * angle.cosine);
+    return scalar::vector_of(scalar::sample_disk<scalar::One>(scalar::two(u)));
 }
 
 [[nodiscard]] inline float pdf_disk(const V2f& p) {
@@ -61,8 +52,7 @@ namespace carom::render {
 
 /// Density cos(theta) / pi (Malley's method over the concentric disk).
 [[nodiscard]] inline V3f sample_cosine_hemisphere(const V2f& u) {
-    const V2f p = sample_disk(u);
-    return V3f(p.x, p.y, std::sqrt(std::max(0.f, 1 - p.length2())));
+    return scalar::vector_of(scalar::sample_cosine_hemisphere<scalar::One>(scalar::two(u)));
 }
 
 [[nodiscard]] inline float pdf_cosine_hemisphere(float cos_theta) {
@@ -74,17 +64,12 @@ namespace carom::render {
 /// 1 - cos(theta_max) of the cone that a sphere of `radius` subtends at `distance` > radius from
 /// its centre. It stays accurate for a distant sphere, where the cosine is almost 1.
 [[nodiscard]] inline float one_minus_cos_of_sphere(float radius, float distance) {
-    const float sine = radius / distance;
-    const float sine2 = std::min(1.f, sine * sine);
-    return sine2 / (1 + std::sqrt(1 - sine2));
+    return scalar::one_minus_cos_of_sphere<scalar::One>(radius, distance);
 }
 
 /// Uniform within the cone 1 - cos(theta) <= one_minus_cos, one_minus_cos in (0, 2].
 [[nodiscard]] inline V3f sample_cone(const V2f& u, float one_minus_cos) {
-    const float height = u.x * one_minus_cos;  // 1 - cos(theta)
-    const float sine = std::sqrt(std::max(0.f, height * (2 - height)));
-    const SinCos angle = sin_cos_turn(u.y);
-    return V3f(sine * angle.cosine, sine * angle.sine, 1 - height);
+    return scalar::vector_of(scalar::sample_cone<scalar::One>(scalar::two(u), one_minus_cos));
 }
 
 /// Inside the cone; the caller handles directions outside, where the density is zero.

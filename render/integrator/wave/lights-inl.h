@@ -46,11 +46,11 @@ HWY_INLINE LightLanes sample_sphere(const WaveLight& light, const F3& point, con
     const F radius = all(light.radius);
     const F distance2 = dot(to_light, to_light);
     const F distance = hn::Sqrt(distance2);
-    const F one_minus_cos = one_minus_cos_of_sphere(radius, distance);
-    const F3 local = sample_cone(u, one_minus_cos);
+    const F one_minus_cos = one_minus_cos_of_sphere<Lanes>(radius, distance);
+    const F3 local = sample_cone<Lanes>(u, one_minus_cos);
     const F sine2 = local.x * local.x + local.y * local.y;
     const F inside = hn::Sqrt(hn::Max(all(0.f), radius * radius - distance2 * sine2));
-    const Basis basis = basis_around(to_light * (all(1.f) / distance));
+    const Basis basis = basis_around<Lanes>(to_light * (all(1.f) / distance));
     const F pdf = all(1.f) / (all(2 * kPi) * one_minus_cos);
     return {unit(basis.to_world(local)), hn::Max(all(0.f), distance * local.z - inside), pdf,
             radiance_of(light, pdf), hn::Gt(distance2, radius * radius)};
@@ -82,7 +82,7 @@ HWY_INLINE F importance_of_sphere(const WaveLight& light, const F3& point, const
     const F distance = hn::Max(hn::Sqrt(dot(to_light, to_light)), all(1e-6f));
     const F radius = all(light.radius);
     const F solid_angle =
-        light.has_falloff ? all(2.0f * kPi) * one_minus_cos_of_sphere(radius, distance) : all(kPi);
+        light.has_falloff ? all(2.0f * kPi) * one_minus_cos_of_sphere<Lanes>(radius, distance) : all(kPi);
     const F value = all(luminance(light.radiance)) * solid_angle *
                     surface_cosine(dot(to_light, normal) / distance, radius / distance);
     return select(hn::Gt(distance, radius), value, all(0.f));
@@ -204,7 +204,7 @@ HWY_INLINE ChoiceLanes choose_light(const WaveScene& scene, const F3& point, con
                                       hn::Set(di, static_cast<std::int32_t>(light)), choice.light);
         chosen = select(takes, weight, chosen);
         choice.u = select(hn::And(counts, hn::Lt(probability, all(1.f))),
-                          remap_sample(choice.u, probability), choice.u);
+                          remap_sample<Lanes>(choice.u, probability), choice.u);
     }
     choice.probability = chosen / choice.total;
     choice.total = select(hn::Gt(chosen, all(0.f)), choice.total, all(0.f));

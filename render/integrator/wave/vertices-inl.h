@@ -49,7 +49,7 @@ HWY_INLINE VertexLanes vertices_at(const WaveStep& step, int first) {
     v.position = load(in.position, first);
     v.geometric_normal = load(in.geometric_normal, first);
     v.origin = v.position + v.geometric_normal * load(in.offset, first);
-    v.frame = basis_around(load(in.normal, first));
+    v.frame = basis_around<Lanes>(load(in.normal, first));
     v.throughput = gather(step.paths.throughput, v.path);
     v.wo = -gather(step.paths.direction, v.path);
     v.wo_z = hn::Max(dot(v.wo, v.frame.z), all(1e-4f));

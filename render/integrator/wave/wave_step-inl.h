@@ -211,16 +211,16 @@ HWY_INLINE void scatter(const WaveStep& step, const VertexLanes& v, const V2& u,
 
     const M bases = hn::AndNot(takes_coat, v.scatters);
     const M remaps = hn::And(by_chance, hn::Gt(v.coat_choice, all(0.f)));
-    const F u_x = select(remaps, remap_sample(u.x, v.coat_choice), u.x);
+    const F u_x = select(remaps, remap_sample<Lanes>(u.x, v.coat_choice), u.x);
     const F probability = base_probability(v);
-    F3 wi = sample_cosine_hemisphere({u_x, u.y});
+    F3 wi = sample_cosine_hemisphere<Lanes>({u_x, u.y});
     if (v.any_sheen) {
         const M by_sheen = hn::Lt(u_x, v.choose_sheen);
         const F rest =
-            select(hn::Lt(v.choose_sheen, all(1.f)), remap_sample(u_x, v.choose_sheen), u_x);
+            select(hn::Lt(v.choose_sheen, all(1.f)), remap_sample<Lanes>(u_x, v.choose_sheen), u_x);
         const F used = select(hn::Gt(v.choose_sheen, all(0.f)), rest, u_x);
-        wi = select(by_sheen, sample_cone({used, u.y}, all(1.f)),
-                    sample_cosine_hemisphere({used, u.y}));
+        wi = select(by_sheen, sample_cone<Lanes>({used, u.y}, all(1.f)),
+                    sample_cosine_hemisphere<Lanes>({used, u.y}));
     }
     ScatterLanes scattered;
     scattered.direction = unit(v.frame.to_world(wi));

@@ -1,0 +1,29 @@
+// The kernels of this folder in vector lanes. Included once per instruction set, after
+// <hwy/highway.h>.
+#if defined(CAROM_LIGHT_KERNELS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CAROM_LIGHT_KERNELS_INL_H
+#undef CAROM_LIGHT_KERNELS_INL_H
+#else
+#define CAROM_LIGHT_KERNELS_INL_H
+#endif
+
+#include "render/light/environment_picture.h"
+#include "render/sampling/kernels-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace carom::render::HWY_NAMESPACE {
+
+#define CAROM_KERNEL HWY_INLINE
+#define CAROM_KERNEL_ATTRIBUTE HWY_ATTR
+// The order of these matters.
+// clang-format off
+#include "render/light/kernels/shared_exponent.h"
+#include "render/light/kernels/environment.h"
+// clang-format on
+#undef CAROM_KERNEL_ATTRIBUTE
+#undef CAROM_KERNEL
+
+}  // namespace carom::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // once per instruction set

@@ -1,0 +1,19 @@
+// The kernels of this folder for one number at a time.
+#pragma once
+
+#include "render/light/environment_picture.h"
+#include "render/sampling/scalar_kernels.h"
+
+namespace carom::render::scalar {
+
+#define CAROM_KERNEL [[gnu::always_inline]] inline
+#define CAROM_KERNEL_ATTRIBUTE
+// The order of these matters.
+// clang-format off
+#include "render/light/kernels/shared_exponent.h"
+#include "render/light/kernels/environment.h"
+// clang-format on
+#undef CAROM_KERNEL_ATTRIBUTE
+#undef CAROM_KERNEL
+
+}  // namespace carom::render::scalar

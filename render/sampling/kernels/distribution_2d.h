@@ -1,0 +1,91 @@
+// Sampling of distribution_2d.h's tables in lanes. Included as render/lanes/kernels/vectors.h is.
+
+template <class L>
+struct CellOf {
+    typename L::Int index;
+    typename L::Value within;  // [0, 1)
+};
+
+/// The number at `index` of a table of 16-bit numbers, which has room for one more.
+template <class L>
+CAROM_KERNEL typename L::Int short_at(const std::uint16_t* table, typename L::Int index) {
+    const auto word = L::gather_bytes(table, index + index);
+    return L::from_word(word & L::all_word(0xffffu));
+}
+
+/// The cell whose interval of a cumulative distribution contains u. The distribution has `count` +
+/// 1 numbers from `first` on, and its cuts are `count` numbers from `first_cut` on.
+template <class L>
+CAROM_KERNEL CellOf<L> find_cell(const float* cdf, typename L::Int first, const std::uint16_t* cuts,
+                                 typename L::Int first_cut, int count, typename L::Value u) {
+    const auto part = L::smaller_int(L::to_int(u * L::all(static_cast<float>(count))),
+                                     L::all_int(count - 1));
+    const auto one = L::all_int(1);
+    const auto last = L::all_int(count - 1);
+    auto index = short_at<L>(cuts, first_cut + part);
+    auto upper = L::gather(cdf, first + index + one);
+    for (;;) {
+        const auto goes = L::both(L::is_less_int(index, last), L::is_at_most(upper, u));
+        if (L::none(goes)) {
+            break;
+        }
+        index = L::select_int(goes, index + one, index);
+        upper = L::gather(cdf, first + index + one);
+    }
+    auto lower = L::gather(cdf, first + index);
+    // u times the number of parts may have been rounded up into the next part.
+    for (;;) {
+        const auto goes = L::both(L::is_less_int(L::all_int(0), index), L::is_less(u, lower));
+        if (L::none(goes)) {
+            break;
+        }
+        index = L::select_int(goes, index - one, index);
+        upper = L::select(goes, lower, upper);
+        lower = L::gather(cdf, first + index);
+    }
+    const auto width = upper - lower;
+    const auto exists = L::is_less(L::all(0), width);
+    const auto within =
+        L::select(exists, (u - lower) / L::select(exists, width, L::all(1)), L::all(0));
+    return {index, L::smaller(within, L::all(kOneMinusEpsilon))};
+}
+
+template <class L>
+CAROM_KERNEL typename L::Value coordinate_of(const CellOf<L>& cell, int count) {
+    const auto place = L::to_value(cell.index) + cell.within;
+    return L::smaller(place / L::all(static_cast<float>(count)), L::all(kOneMinusEpsilon));
+}
+
+template <class L>
+struct PlaceOf {
+    Two<typename L::Value> uv;
+    typename L::Value pdf;  // per area of the unit square
+};
+
+/// See Distribution2D::sample. `tables` must have a density.
+template <class L>
+CAROM_KERNEL PlaceOf<L> sample_cells(const DistributionTables& tables,
+                                     const Two<typename L::Value>& u) {
+    const auto zero = L::all_int(0);
+    const CellOf<L> row =
+        find_cell<L>(tables.row_cdf, zero, tables.row_cuts, zero, tables.height, u.y);
+    const auto first_cut = L::product(row.index, tables.width);
+    const CellOf<L> column = find_cell<L>(tables.column_cdfs, first_cut + row.index,
+                                          tables.column_cuts, first_cut, tables.width, u.x);
+    return {{coordinate_of<L>(column, tables.width), coordinate_of<L>(row, tables.height)},
+            L::gather(tables.density, first_cut + column.index)};
+}
+
+/// See Distribution2D::pdf; `uv` in [0, 1]^2.
+template <class L>
+CAROM_KERNEL typename L::Value density_of_cells(const DistributionTables& tables,
+                                                const Two<typename L::Value>& uv) {
+    const auto cell = [&](typename L::Value x, int count) CAROM_KERNEL_ATTRIBUTE {
+        return L::smaller_int(L::to_int(x * L::all(static_cast<float>(count))),
+                              L::all_int(count - 1));
+    };
+    const auto index = L::product(cell(uv.y, tables.height), tables.width) +
+                       cell(uv.x, tables.width);
+    const auto is_inside = L::both(L::is_less(uv.x, L::all(1)), L::is_less(uv.y, L::all(1)));
+    return L::select(is_inside, L::gather(tables.density, index), L::all(0));
+}

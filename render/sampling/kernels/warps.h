@@ -1,0 +1,54 @@
+// Maps from the unit square, in lanes; warp.h has their densities. Included as
+// render/lanes/kernels/vectors.h is.
+
+/// Concentric map (Shirley and Chiu 1997, "A low distortion map between disk and square").
+template <class L>
+CAROM_KERNEL Two<typename L::Value> sample_disk(const Two<typename L::Value>& u) {
+    const auto a = L::all(2) * u.x - L::all(1);
+    const auto b = L::all(2) * u.y - L::all(1);
+    const auto is_wide = L::is_less(L::size(b), L::size(a));
+    const auto large = L::select(is_wide, a, b);
+    const auto small = L::select(is_wide, b, a);
+    const auto exists = L::opposite(L::is_equal(large, L::all(0)));
+    const auto ratio = L::select(exists, small / L::select(exists, large, L::all(1)), L::all(0));
+    const SinCosOf<L> angle = sin_cos_eighth<L>(L::all(kPi / 4) * ratio);
+    const auto along = large * angle.cosine;
+    const auto across = large * angle.sine;
+    return {L::select(is_wide, along, across), L::select(is_wide, across, along)};
+}
+
+/// Density cos(theta) / pi (Malley's method over the concentric disk).
+template <class L>
+CAROM_KERNEL Three<typename L::Value> sample_cosine_hemisphere(const Two<typename L::Value>& u) {
+    const Two<typename L::Value> p = sample_disk<L>(u);
+    const auto height2 = L::all(1) - (p.x * p.x + p.y * p.y);
+    return {p.x, p.y, L::root(L::larger(L::all(0), height2))};
+}
+
+/// 1 - cos(theta_max) of the cone that a sphere of `radius` subtends at `distance` > radius from
+/// its centre. It stays accurate for a distant sphere, where the cosine is almost 1.
+template <class L>
+CAROM_KERNEL typename L::Value one_minus_cos_of_sphere(typename L::Value radius,
+                                                       typename L::Value distance) {
+    const auto sine = radius / distance;
+    const auto sine2 = L::smaller(L::all(1), sine * sine);
+    return sine2 / (L::all(1) + L::root(L::all(1) - sine2));
+}
+
+/// Uniform within the cone 1 - cos(theta) <= one_minus_cos, one_minus_cos in (0, 2].
+template <class L>
+CAROM_KERNEL Three<typename L::Value> sample_cone(const Two<typename L::Value>& u,
+                                                  typename L::Value one_minus_cos) {
+    const auto height = u.x * one_minus_cos;  // 1 - cos(theta)
+    const auto sine = L::root(L::larger(L::all(0), height * (L::all(2) - height)));
+    const SinCosOf<L> angle = sin_cos_turn<L>(u.y);
+    return {sine * angle.cosine, sine * angle.sine, L::all(1) - height};
+}
+
+/// See remap_sample.h.
+template <class L>
+CAROM_KERNEL typename L::Value remap_sample(typename L::Value u, typename L::Value probability) {
+    const auto v = L::select(L::is_less(u, probability), u / probability,
+                             (u - probability) / (L::all(1) - probability));
+    return L::smaller(v, L::all(kOneMinusEpsilon));
+}

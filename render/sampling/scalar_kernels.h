@@ -1,0 +1,17 @@
+// The kernels of this folder for one number at a time.
+#pragma once
+
+#include "render/geometry/scalar_kernels.h"
+#include "render/sampling/distribution_tables.h"
+#include "render/sampling/one_minus_epsilon.h"
+
+namespace carom::render::scalar {
+
+#define CAROM_KERNEL [[gnu::always_inline]] inline
+#define CAROM_KERNEL_ATTRIBUTE
+#include "render/sampling/kernels/distribution_2d.h"
+#include "render/sampling/kernels/warps.h"
+#undef CAROM_KERNEL_ATTRIBUTE
+#undef CAROM_KERNEL
+
+}  // namespace carom::render::scalar
