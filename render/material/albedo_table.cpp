@@ -62,8 +62,8 @@ double integral_of_sine_power(double exponent, double angle) {
 template <class Albedo>
 AlbedoTable AlbedoTable::build(const Albedo& albedo_at) {
     AlbedoTable table;
-    for (std::size_t i = 0; i < kNodes; ++i) {
-        const float root = static_cast<float>(i) / (kNodes - 1);
+    for (std::size_t i = 0; i < kAlbedoNodes; ++i) {
+        const float root = static_cast<float>(i) / (kAlbedoNodes - 1);
         table.values_[i] = albedo_at(std::max(root * root, 1e-4f));
     }
     return table;
@@ -122,10 +122,7 @@ AlbedoTable AlbedoTable::of_cosine_lobe(double exponent) {
 }
 
 float AlbedoTable::at(float cosine) const {
-    const float place = std::sqrt(std::clamp(cosine, 0.0f, 1.0f)) * static_cast<float>(kNodes - 1);
-    const std::size_t node = std::min(static_cast<std::size_t>(place), kNodes - 2);
-    const float fraction = place - static_cast<float>(node);
-    return values_[node] + (values_[node + 1] - values_[node]) * fraction;
+    return scalar::albedo_at<scalar::One>(values_.data(), 0, cosine);
 }
 
 }  // namespace carom::render

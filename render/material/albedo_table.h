@@ -2,7 +2,8 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
+
+#include "render/material/albedo_tables.h"
 
 namespace carom::render {
 
@@ -24,14 +25,13 @@ class AlbedoTable {
     [[nodiscard]] static AlbedoTable of_cosine_lobe(double exponent);
 
     [[nodiscard]] float at(float cosine) const;
+    [[nodiscard]] const std::array<float, kAlbedoNodes>& values() const { return values_; }
 
   private:
-    static constexpr std::size_t kNodes = 32;
-
     template <class Albedo>
     static AlbedoTable build(const Albedo& albedo_at);
 
-    std::array<float, kNodes> values_{};
+    std::array<float, kAlbedoNodes> values_{};
 };
 
 }  // namespace carom::render

@@ -5,9 +5,7 @@
 
 #include "core/assert.h"
 #include "core/length.h"
-#include "render/material/fresnel.h"
 #include "render/material/microfacet.h"
-#include "render/material/sheen.h"
 #include "render/sampling/remap_sample.h"
 #include "render/sampling/warp.h"
 
@@ -34,11 +32,11 @@ bool Bsdf::can_evaluate(Layers layers) const {
     if (phong_) {
         return layers != Layers::coat && phong_->can_evaluate();
     }
-    const bool coat = layers != Layers::base && lobes_.has_rough_coat;
-    const bool facets = lobes_.facets > 0 && surface_->layers->alpha > 0;
-    const bool glass = lobes_.glass > 0 && surface_->layers->glass->alpha > 0;
+    const bool coat = layers != Layers::base && lobes_.has_rough_coat();
+    const bool facets = lobes_.facets() > 0 && surface_->layers->alpha > 0;
+    const bool glass = lobes_.glass() > 0 && surface_->layers->glass->alpha > 0;
     const bool base = layers != Layers::coat &&
-                      (facets || glass || lobes_.choose_diffuse > 0 || lobes_.choose_sheen > 0);
+                      (facets || glass || lobes_.choose_diffuse() > 0 || lobes_.choose_sheen() > 0);
     return coat || base;
 }
 
@@ -46,10 +44,9 @@ bool Bsdf::is_broad() const {
     if (phong_) {
         return phong_->is_broad();
     }
-    constexpr float kBroad = 0.09f;  // of a facet distribution's width
     const LayerConstants& layers = *surface_->layers;
-    const bool narrow_coat = lobes_.has_rough_coat && layers.coat_alpha < kBroad;
-    const bool narrow_facets = lobes_.facets > 0 && layers.alpha > 0 && layers.alpha < kBroad;
+    const bool narrow_coat = lobes_.has_rough_coat() && layers.coat_alpha < kBroadAlpha;
+    const bool narrow_facets = lobes_.facets() > 0 && layers.alpha > 0 && layers.alpha < kBroadAlpha;
     return can_evaluate(Layers::all) && !narrow_coat && !narrow_facets && !transmits();
 }
 
@@ -74,38 +71,21 @@ BsdfValue Bsdf::evaluate_local(Layers layers, const V3f& wi) const {
 }
 
 BsdfValue Bsdf::evaluate_coat(const V3f& wi) const {
-    const LayerConstants& layers = *surface_->layers;
-    if (!lobes_.has_rough_coat) {
+    if (!lobes_.has_rough_coat()) {
         return {};
     }
-    const Ggx ggx(layers.coat_alpha);
-    const V3f m = (wo_ + wi).normalized();
-    const float reflected = fresnel_dielectric(wo_.dot(m), layers.coat_ior);
-    return {V3f(layers.coat_weight * reflected * ggx.reflection(wo_, wi, m)),
-            ggx.reflection_pdf(wo_, m)};
+    const LobeWeights::Value coat = lobes_.coat_towards(wo_, wi);
+    return {coat.value, coat.pdf};
 }
 
 BsdfValue Bsdf::evaluate_base(const V3f& wi) const {
-    BsdfValue result;
-    const float cosine = wi.z * kInversePi;
-    result.value = lobes_.diffuse * cosine;
-    result.pdf = lobes_.choose_diffuse * cosine;
-    if (lobes_.choose_sheen > 0) {
-        result.value += lobes_.sheen * sheen_reflection(wo_, wi);
-        result.pdf += lobes_.choose_sheen * (0.5f * kInversePi);
-    }
-    if (lobes_.facets > 0 && surface_->layers->alpha > 0) {
-        const Ggx ggx(surface_->layers->alpha);
-        const V3f m = (wo_ + wi).normalized();
-        result.value += lobes_.facet_reflectance(*surface_, wo_.dot(m)) *
-                        (lobes_.facets * ggx.reflection(wo_, wi, m));
-        result.pdf += lobes_.choose_facets * ggx.reflection_pdf(wo_, m);
-    }
-    if (lobes_.glass > 0) {
+    const LobeWeights::Value base = lobes_.base_towards(wo_, wi);
+    BsdfValue result{base.value, base.pdf};
+    if (lobes_.glass() > 0) {
         const auto glass =
             GlassLobe(*surface_->layers->glass, surface_->is_inside, wo_).evaluate(wi);
-        result.value += V3f(lobes_.glass * glass.value);
-        result.pdf += lobes_.choose_glass * glass.pdf;
+        result.value += V3f(lobes_.glass() * glass.value);
+        result.pdf += lobes_.choose_glass() * glass.pdf;
     }
     return result;
 }
@@ -117,8 +97,8 @@ BsdfValue Bsdf::evaluate_through(Layers layers, const V3f& wi) const {
     }
     const GlassConstants& constants = *surface_->layers->glass;
     const auto glass = GlassLobe(constants, surface_->is_inside, wo_).evaluate(wi);
-    return {constants.tint * (lobes_.glass * glass.value),
-            (1.0f - coat_probability(layers)) * lobes_.choose_glass * glass.pdf};
+    return {constants.tint * (lobes_.glass() * glass.value),
+            (1.0f - coat_probability(layers)) * lobes_.choose_glass() * glass.pdf};
 }
 
 // A direction counts only if the geometric and the shading normal agree on its side.
@@ -170,12 +150,12 @@ std::optional<BsdfSample> Bsdf::sample_any(Layers layers, const V2f& u) const {
 }
 
 std::optional<BsdfSample> Bsdf::sample_coat(Layers layers, const V2f& u, float probability) const {
-    if (lobes_.coat <= 0) {
+    if (lobes_.coat() <= 0) {
         return std::nullopt;
     }
     const float alpha = surface_->layers->coat_alpha;
     if (alpha <= 0) {
-        return mirror(V3f(lobes_.coat / probability));
+        return mirror(V3f(lobes_.coat() / probability));
     }
     return finish(layers, reflect(wo_, Ggx(alpha).sample_visible(wo_, u)));
 }
@@ -192,22 +172,22 @@ std::optional<BsdfSample> Bsdf::sample_base(Layers layers, const V2f& u, float p
         }
         return taken;
     };
-    if (takes(lobes_.choose_glass)) {
-        return sample_glass(layers, square, probability * lobes_.choose_glass);
+    if (takes(lobes_.choose_glass())) {
+        return sample_glass(layers, square, probability * lobes_.choose_glass());
     }
-    if (takes(lobes_.choose_facets / (1.0f - lobes_.choose_glass))) {
+    if (takes(lobes_.choose_facets() / (1.0f - lobes_.choose_glass()))) {
         const float alpha = surface_->layers->alpha;
         if (alpha <= 0) {
-            return mirror(lobes_.facet_reflectance(*surface_, wo_.z) *
-                          (lobes_.facets / (probability * lobes_.choose_facets)));
+            return mirror(lobes_.facet_reflectance(wo_.z) *
+                          (lobes_.facets() / (probability * lobes_.choose_facets())));
         }
         return finish(layers, reflect(wo_, Ggx(alpha).sample_visible(wo_, square)));
     }
-    if (lobes_.choose_sheen > 0 &&
-        takes(lobes_.choose_sheen / (lobes_.choose_sheen + lobes_.choose_diffuse))) {
+    if (lobes_.choose_sheen() > 0 &&
+        takes(lobes_.choose_sheen() / (lobes_.choose_sheen() + lobes_.choose_diffuse()))) {
         return finish(layers, sample_cone(square, 1.0f));  // uniform over the hemisphere
     }
-    return lobes_.choose_diffuse > 0 ? finish(layers, sample_cosine_hemisphere(square))
+    return lobes_.choose_diffuse() > 0 ? finish(layers, sample_cosine_hemisphere(square))
                                      : std::nullopt;
 }
 
@@ -218,7 +198,7 @@ std::optional<BsdfSample> Bsdf::sample_glass(Layers layers, const V2f& u, float 
         const V3f wi = glass.sample(u);
         return finish(layers, wi, wi.z < 0);
     }
-    const float weight = lobes_.glass / probability;
+    const float weight = lobes_.glass() / probability;
     return u.x < glass.reflectance() ? mirror(V3f(weight))
                                      : pass(glass.refracted(), constants.tint * weight);
 }
@@ -255,7 +235,7 @@ std::optional<BsdfSample> Bsdf::finish(Layers layers, const V3f& wi, bool passes
     }
     if (is_lambert(layers)) {
         const float probability = 1.0f - coat_probability(layers);
-        sample.weight = lobes_.diffuse * (1 / probability);
+        sample.weight = lobes_.diffuse() * (1 / probability);
         sample.pdf = probability * wi.z * kInversePi;
         return sample;
     }

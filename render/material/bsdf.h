@@ -14,9 +14,6 @@
 
 namespace carom::render {
 
-/// Lower bound on the cosine of view directions in the shading frame.
-inline constexpr float kLeastLocalCosine = 1e-4f;
-
 /// The part of a surface that scatters. A path may follow the coat and the layers below it
 /// separately: the values of the two parts add up to the whole.
 enum class Layers : std::uint8_t { all, coat, base };
@@ -41,7 +38,7 @@ class Bsdf {
     Bsdf(const Surface& surface, const V3f& wo);
 
     /// Whether the surface has a coat that can be followed separately.
-    [[nodiscard]] bool has_coat() const { return lobes_.coat > 0; }
+    [[nodiscard]] bool has_coat() const { return lobes_.coat() > 0; }
 
     /// A diffuse lobe, albedo / pi.
     struct Diffuse {
@@ -51,7 +48,7 @@ class Bsdf {
     /// The diffuse lobe if there is no other non-specular lobe; otherwise empty.
     [[nodiscard]] std::optional<Diffuse> only_diffuse(Layers layers) const {
         return is_lambert(layers)
-                   ? std::optional(Diffuse{lobes_.diffuse, 1.0f - coat_probability(layers)})
+                   ? std::optional(Diffuse{lobes_.diffuse(), 1.0f - coat_probability(layers)})
                    : std::nullopt;
     }
 
@@ -63,7 +60,7 @@ class Bsdf {
 
     /// Whether the surface transmits light from behind it.
     [[nodiscard]] bool transmits() const {
-        return lobes_.glass > 0 || (phong_ && phong_->transmits());
+        return lobes_.glass() > 0 || (phong_ && phong_->transmits());
     }
 
     /// Value and density for light from `wi`; both 0 below the surface unless it transmits.
@@ -89,7 +86,7 @@ class Bsdf {
             return layers == Layers::coat ? BsdfValue{} : evaluate_phong(wi);
         }
         if (surface_->geometric_normal.dot(wi) <= 0) {
-            return lobes_.glass > 0 ? evaluate_through(layers, surface_->frame.from_world(wi))
+            return lobes_.glass() > 0 ? evaluate_through(layers, surface_->frame.from_world(wi))
                                     : BsdfValue{};
         }
         return is_lambert(layers) ? lambert(layers, surface_->frame.z.dot(wi))
@@ -97,16 +94,16 @@ class Bsdf {
     }
     [[nodiscard]] std::optional<BsdfSample> sample_any(Layers layers, const V2f& u) const;
     [[nodiscard]] float coat_probability(Layers layers) const {
-        return layers == Layers::coat ? 1.0f : (layers == Layers::base ? 0.0f : lobes_.coat_choice);
+        return layers == Layers::coat ? 1.0f : (layers == Layers::base ? 0.0f : lobes_.coat_choice());
     }
     /// Whether a diffuse base is the only non-specular lobe: the most frequent and cheapest case.
     [[nodiscard]] bool is_lambert(Layers layers) const {
-        return lobes_.is_diffuse &&
-               (layers == Layers::base || (layers == Layers::all && !lobes_.has_rough_coat));
+        return lobes_.is_diffuse() &&
+               (layers == Layers::base || (layers == Layers::all && !lobes_.has_rough_coat()));
     }
     [[nodiscard]] BsdfValue lambert(Layers layers, float cosine) const {
         const float density = std::max(cosine, 0.0f) * kInversePi;
-        return {lobes_.diffuse * density, (1.0f - coat_probability(layers)) * density};
+        return {lobes_.diffuse() * density, (1.0f - coat_probability(layers)) * density};
     }
     [[nodiscard]] BsdfValue evaluate_phong(const V3f& wi) const;
     [[nodiscard]] std::optional<BsdfSample> sample_phong(const V2f& u) const;

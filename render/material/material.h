@@ -8,6 +8,7 @@
 #include "render/geometry/ray.h"
 #include "render/material/albedo_table.h"
 #include "render/material/glass.h"
+#include "render/material/lobe_constants.h"
 #include "render/material/phong.h"
 #include "render/scene/material_description.h"
 #include "render/texture/texture.h"
@@ -33,11 +34,14 @@ struct LayerConstants {
     AlbedoTable specular_albedo;
     AlbedoTable mirror_albedo;
 
+    [[nodiscard]] AlbedoTables tables() const {
+        return {coat_albedo.values().data(), sheen_albedo.values().data(),
+                specular_albedo.values().data(), mirror_albedo.values().data()};
+    }
+
     float transmission = 0;                       // fraction of the base that is glass
     std::shared_ptr<const GlassConstants> glass;  // null: not transmissive
 };
-
-inline constexpr float kSpecularIor = 1.5f;
 
 /// Everything that scattering at one point needs, as plain data without textures or scene.
 struct Surface {

@@ -1,0 +1,200 @@
+// The lobes of a layered surface (lobe_weights.h, bsdf.h) in lanes: weights, values, densities.
+// Directions are in the surface's own axes, z > 0. Included as render/lanes/kernels/vectors.h is.
+
+/// LayerConstants of the material in each lane.
+template <class L>
+struct LayersOf {
+    typename L::Value coat_weight, coat_ior, coat_alpha;
+    typename L::Value sheen;
+    Three<typename L::Value> sheen_colour;
+    typename L::Value metal, specular, alpha;
+    typename L::Value transmission;
+    AlbedoTables tables;
+    typename L::Int first;  // of the material's numbers in each of the tables
+};
+
+/// See LobeWeights.
+template <class L>
+struct LobesOf {
+    typename L::Value coat, coat_choice;
+    Three<typename L::Value> diffuse;
+    typename L::Value facets;
+    Three<typename L::Value> metal_scale;
+    Three<typename L::Value> sheen;
+    typename L::Value glass;
+    typename L::Value choose_glass, choose_facets, choose_sheen, choose_diffuse;
+    typename L::Mask is_diffuse;
+    typename L::Mask has_rough_coat;
+    bool any_sheen;   // false: no lane has sheen
+    bool any_facets;  // false: no lane has metal or a highlight
+    bool any_rough_coat;
+};
+
+/// Reflectance of a facet at `cosine`, metal and highlight together.
+template <class L>
+CAROM_KERNEL Three<typename L::Value> facet_reflectance(
+    const LayersOf<L>& layers, const Three<typename L::Value>& metal_scale,
+    const Three<typename L::Value>& base, typename L::Value cosine) {
+    const auto highlight = (L::all(1) - layers.metal) * layers.specular *
+                           fresnel_dielectric<L>(cosine, L::all(kSpecularIor));
+    return metal_scale * fresnel_schlick<L>(cosine, base) +
+           Three<typename L::Value>{highlight, highlight, highlight};
+}
+
+/// Sets the weights of the base's lobes; `rest`: of the light, that the coat leaves.
+template <class L>
+CAROM_KERNEL void weigh_base(const LayersOf<L>& layers, const Three<typename L::Value>& base,
+                             typename L::Value cosine, typename L::Mask is_inside,
+                             typename L::Value rest, LobesOf<L>& lobes) {
+    const auto zero = L::all(0);
+    const auto one = L::all(1);
+    const auto has_sheen = L::both(L::is_less(zero, layers.sheen), L::opposite(is_inside));
+    lobes.sheen = {zero, zero, zero};
+    lobes.choose_sheen = zero;
+    lobes.any_sheen = !L::none(has_sheen);
+    if (lobes.any_sheen) {
+        const auto albedo =
+            L::select(has_sheen,
+                      layers.sheen * albedo_at<L>(layers.tables.sheen, layers.first, cosine), zero);
+        const auto brightest = largest<L>(layers.sheen_colour);
+        lobes.sheen = layers.sheen_colour * L::select(has_sheen, layers.sheen * rest, zero);
+        lobes.choose_sheen = albedo * rest * brightest;
+        rest = rest * (one - L::smaller(one, albedo * brightest));
+    }
+    lobes.glass = rest * layers.transmission;
+    lobes.choose_glass = lobes.glass;
+    rest = rest - lobes.glass;
+    auto below = one - layers.metal;
+    const auto has_metal = L::is_less(zero, layers.metal);
+    const auto has_highlight = L::is_less(zero, layers.specular);
+    const auto has_facets = L::either(has_metal, has_highlight);
+    lobes.facets = L::select(has_facets, rest, zero);
+    lobes.metal_scale = {zero, zero, zero};
+    lobes.choose_facets = zero;
+    lobes.any_facets = !L::none(has_facets);
+    if (lobes.any_facets) {
+        const auto is_rough = L::is_less(zero, layers.alpha);
+        lobes.metal_scale = {layers.metal, layers.metal, layers.metal};
+        if (!L::none(L::both(has_metal, is_rough))) {
+            // The energy that single scattering loses is restored, coloured (Turquin 2019,
+            // "Practical multiple scattering compensation for microfacet models", eq. 16).
+            const auto restores = L::both(has_metal, is_rough);
+            const auto kept = L::select(
+                restores, albedo_at<L>(layers.tables.mirror, layers.first, cosine), one);
+            lobes.metal_scale =
+                lobes.metal_scale * (all_of<L>(V3f(1, 1, 1)) + base * ((one - kept) / kept));
+        }
+        const auto rough = albedo_at<L>(layers.tables.specular, layers.first, cosine);
+        const auto smooth = fresnel_dielectric<L>(cosine, L::all(kSpecularIor));
+        const auto highlight = L::select(is_rough, rough, smooth);
+        below = L::select(has_facets, below * (one - layers.specular * highlight), below);
+        const auto reflectance = facet_reflectance<L>(layers, lobes.metal_scale, base, cosine);
+        lobes.choose_facets = lobes.facets * largest<L>(reflectance);
+    }
+    lobes.diffuse = base * (rest * below);
+    lobes.choose_diffuse = largest<L>(lobes.diffuse);
+    const auto sum =
+        lobes.choose_sheen + lobes.choose_facets + lobes.choose_diffuse + lobes.choose_glass;
+    lobes.is_diffuse = L::both(
+        L::is_less(zero, lobes.choose_diffuse),
+        L::is_at_most(lobes.choose_sheen + lobes.choose_facets + lobes.choose_glass, zero));
+    const auto scale = L::select(L::is_less(zero, sum), sum, one);
+    lobes.choose_glass = lobes.choose_glass / scale;
+    lobes.choose_sheen = lobes.choose_sheen / scale;
+    lobes.choose_facets = lobes.choose_facets / scale;
+    lobes.choose_diffuse = lobes.choose_diffuse / scale;
+}
+
+/// `cosine`: of the viewer's direction to the normal, > 0.
+template <class L>
+CAROM_KERNEL LobesOf<L> weigh_lobes(const LayersOf<L>& layers, const Three<typename L::Value>& base,
+                                    typename L::Value cosine, typename L::Mask is_inside) {
+    const auto zero = L::all(0);
+    const auto one = L::all(1);
+    LobesOf<L> lobes;
+    const auto has_coat =
+        L::both(L::is_less(zero, layers.coat_weight), L::opposite(is_inside));
+    lobes.has_rough_coat = L::both(has_coat, L::is_less(zero, layers.coat_alpha));
+    lobes.any_rough_coat = !L::none(lobes.has_rough_coat);
+    lobes.coat = zero;
+    if (!L::none(has_coat)) {
+        auto reflected = fresnel_dielectric<L>(cosine, layers.coat_ior);
+        if (lobes.any_rough_coat) {
+            reflected = L::select(lobes.has_rough_coat,
+                                  albedo_at<L>(layers.tables.coat, layers.first, cosine), reflected);
+        }
+        lobes.coat = L::select(has_coat, layers.coat_weight * reflected, zero);
+    }
+    weigh_base<L>(layers, base, cosine, is_inside, one - lobes.coat, lobes);
+    lobes.coat_choice = zero;
+    const auto is_coated = L::is_less(zero, lobes.coat);
+    if (!L::none(is_coated)) {
+        auto below = largest<L>(lobes.diffuse) + largest<L>(lobes.sheen);
+        if (lobes.any_facets) {
+            below = below + lobes.facets * largest<L>(facet_reflectance<L>(
+                                               layers, lobes.metal_scale, base, cosine));
+        }
+        below = below + lobes.glass;
+        const auto choice = limited<L>(lobes.coat / L::select(is_coated, lobes.coat + below, one),
+                                       kLeastCoatChoice, kMostCoatChoice);
+        const auto chosen = L::select(L::is_less(zero, below), choice, one);
+        lobes.coat_choice = L::select(is_coated, chosen, zero);
+    }
+    return lobes;
+}
+
+/// BSDF times cosine of `wi`, and the density of sampling it.
+template <class L>
+struct LobeValueOf {
+    Three<typename L::Value> value;
+    typename L::Value pdf;
+};
+
+/// The coat's part; 0 without a rough coat.
+template <class L>
+CAROM_KERNEL LobeValueOf<L> coat_towards(const LayersOf<L>& layers, const LobesOf<L>& lobes,
+                                         const Three<typename L::Value>& wo,
+                                         const Three<typename L::Value>& wi) {
+    const auto zero = L::all(0);
+    const auto alpha = L::select(lobes.has_rough_coat, layers.coat_alpha, L::all(1));
+    const GgxOf<L> ggx(alpha);
+    const Three<typename L::Value> m = unit<L>(wo + wi);
+    const auto reflected = fresnel_dielectric<L>(dot(wo, m), layers.coat_ior);
+    const auto value = L::select(lobes.has_rough_coat,
+                                 layers.coat_weight * reflected * ggx.reflection(wo, wi, m), zero);
+    return {{value, value, value},
+            L::select(lobes.has_rough_coat, ggx.reflection_pdf(wo, m), zero)};
+}
+
+/// The part of the layers below the coat, without glass.
+template <class L>
+CAROM_KERNEL LobeValueOf<L> base_towards(const LayersOf<L>& layers, const LobesOf<L>& lobes,
+                                         const Three<typename L::Value>& base,
+                                         const Three<typename L::Value>& wo,
+                                         const Three<typename L::Value>& wi) {
+    const auto zero = L::all(0);
+    const auto cosine = wi.z * L::all(kInversePi);
+    LobeValueOf<L> result{lobes.diffuse * cosine, lobes.choose_diffuse * cosine};
+    const Three<typename L::Value> sum = wo + wi;
+    if (lobes.any_sheen) {
+        const auto has_sheen = L::is_less(zero, lobes.choose_sheen);
+        const auto density = sheen_reflection<L>(wo.z, wi.z, dot(sum, sum));
+        result.value = result.value + lobes.sheen * L::select(has_sheen, density, zero);
+        result.pdf = result.pdf + lobes.choose_sheen * L::all(0.5f * kInversePi);
+    }
+    if (lobes.any_facets) {
+        const auto is_rough =
+            L::both(L::is_less(zero, lobes.facets), L::is_less(zero, layers.alpha));
+        const GgxOf<L> ggx(L::select(is_rough, layers.alpha, L::all(1)));
+        const Three<typename L::Value> m = unit<L>(sum);
+        const auto scale =
+            L::select(is_rough, lobes.facets * ggx.reflection(wo, wi, m), zero);
+        result.value =
+            result.value +
+            facet_reflectance<L>(layers, lobes.metal_scale, base, dot(wo, m)) * scale;
+        result.pdf =
+            result.pdf +
+            L::select(is_rough, lobes.choose_facets * ggx.reflection_pdf(wo, m), zero);
+    }
+    return result;
+}
