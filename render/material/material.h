@@ -89,12 +89,7 @@ class Material {
         return layers_.glass != nullptr || (is_phong_ && phong_.transmittance != V3f(0, 0, 0));
     }
 
-    /// Whether it has only a diffuse base, with or without sheen and a smooth coat: no other lobe,
-    /// no glass, no emission.
-    [[nodiscard]] bool is_plain() const {
-        return !is_phong_ && !is_emissive() && !layers_.glass && layers_.metal == 0 &&
-               layers_.specular == 0 && (layers_.coat_weight == 0 || layers_.coat_alpha == 0);
-    }
+    [[nodiscard]] bool is_phong() const { return is_phong_; }
 
   private:
     Texture texture_;

@@ -6,10 +6,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
-HWY_INLINE F by_object(const std::vector<float>& numbers, I object) {
-    return hn::GatherIndex(FloatTag(), numbers.data(), object);
-}
-
 struct SurfaceLanes {
     F3 position, normal;
 };
@@ -23,7 +19,7 @@ struct HitLanes {
 HWY_INLINE SurfaceLanes on_balls(const WaveObjects& objects, I object, const F3& centre,
                                  const HitLanes& ray) {
     const F3 normal = unit((ray.origin - centre) + ray.direction * ray.distance);
-    return {centre + normal * by_object(objects.half_x, object), normal};
+    return {centre + normal * gather(objects.half_x, object), normal};
 }
 
 HWY_INLINE SurfaceLanes on_boxes(const WaveObjects& objects, I object, const F3& centre,
@@ -31,8 +27,8 @@ HWY_INLINE SurfaceLanes on_boxes(const WaveObjects& objects, I object, const F3&
     const FloatTag d;
     const F3 o = ray.origin - centre;
     const F3 p = o + ray.direction * ray.distance;
-    const F3 half{by_object(objects.half_x, object), by_object(objects.half_y, object),
-                  by_object(objects.half_z, object)};
+    const F3 half{gather(objects.half_x, object), gather(objects.half_y, object),
+                  gather(objects.half_z, object)};
     const M leaves = hn::And(hn::Lt(hn::Abs(o.x), half.x),
                              hn::And(hn::Lt(hn::Abs(o.y), half.y), hn::Lt(hn::Abs(o.z), half.z)));
     // +1 where the face that the ray can hit lies on the positive side.
@@ -72,15 +68,11 @@ inline HWY_ATTR void find_surfaces(const WaveScene& scene, const PathWave& paths
         store(surface.position, vertices.position, i);
         store(normal, vertices.geometric_normal, i);
         store(normal, vertices.normal, i);
-        store(all(kOffsetFraction) * (size + by_object(objects.bounding_radius, object)),
+        store(all(kOffsetFraction) * (size + gather(objects.bounding_radius, object)),
               vertices.offset, i);
-        store(F3{by_object(objects.red, object), by_object(objects.green, object),
-                 by_object(objects.blue, object)},
+        store(F3{gather(objects.red, object), gather(objects.green, object),
+                 gather(objects.blue, object)},
               vertices.base, i);
-        store(by_object(objects.coat_weight, object), vertices.coat_weight, i);
-        store(by_object(objects.coat_ior, object), vertices.coat_ior, i);
-        store(all(V3f(0, 0, 0)), vertices.sheen, i);
-        store(all(0.f), vertices.sheen_fraction, i);
     }
 }
 

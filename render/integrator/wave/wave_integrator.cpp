@@ -81,9 +81,10 @@ struct WaveIntegrator::Wave final : Integrator::Workspace {
     VertexWave vertices{};
     ShadowWave shadows{};
     SampleWave samples{};
-    VertexList near_balls{};
+    WaveList near_balls{};
+    MissWave missed{};
     std::vector<Hit> hits = std::vector<Hit>(kWaveStorage);  // by paths
-    VertexList on_boxes{}, on_others{};                      // indices of paths
+    WaveList on_boxes{}, on_others{};                        // indices of paths
     std::vector<PathWork> works;                             // of samples
 };
 
@@ -96,17 +97,19 @@ WaveIntegrator::WaveIntegrator(const TransportScene& scene, const PathSettings& 
       kernels_(best_wave_kernels()),
       wave_scene_(make_wave_scene(scene, settings, path_integrator_.caustics())) {
     CAROM_ASSERT(can_do(scene, settings));
-    for (std::uint32_t object = 0; object < scene.first_light_object; ++object) {
-        const Material& material = scene.materials[scene.frame.material(object)];
-        is_plain_.push_back(material.is_plain());
-    }
+    has_emission_ = std::any_of(scene.materials.begin(), scene.materials.end(),
+                                [](const Material& material) { return material.is_emissive(); });
     if (!scene.lights.environment().is_sampled()) {
         constant_sky_ = scene.lights.environment().radiance(V3f(0, 0, 1));
     }
+    // A first vertex continues in all directions of its coat and one of its base, each of which may
+    // split again.
+    const int paths_of_sample = 2 * (wave_scene_.glossy_samples + 1);
+    wave_samples_ = static_cast<std::size_t>(std::min(kWaveSamples, kWavePaths / paths_of_sample));
 }
 
 bool WaveIntegrator::can_do(const TransportScene& scene, const PathSettings& settings) {
-    int rays = 0;
+    int rays = scene.lights.environment().is_sampled() ? settings.glossy_samples - 1 : 0;
     for (std::size_t light = 0; light < scene.lights.sampled_count(); ++light) {
         rays += first_vertex_samples(scene.lights, light);
     }
@@ -128,8 +131,8 @@ void WaveIntegrator::samples(std::span<const CameraTask> tasks, float pixel_spre
                              std::span<RadianceSample> results, Workspace* workspace,
                              RenderStatistics& count) const {
     Wave& wave = dynamic_cast<Wave&>(*workspace);
-    for (std::size_t from = 0; from < tasks.size(); from += kWaveSamples) {
-        const std::size_t size = std::min<std::size_t>(kWaveSamples, tasks.size() - from);
+    for (std::size_t from = 0; from < tasks.size(); from += wave_samples_) {
+        const std::size_t size = std::min(wave_samples_, tasks.size() - from);
         begin(tasks.subspan(from, size), pixel_spread, wave, count);
         while (wave.paths().count > 0) {
             process_hits(wave);
@@ -184,25 +187,26 @@ void WaveIntegrator::begin(std::span<const CameraTask> tasks, float pixel_spread
     count.camera_rays += tasks.size();
 }
 
-// Sorts the hits: vertices on balls, on boxes and on other plain objects are collected; the rest is
-// processed at once.
+// Sorts the hits: misses and vertices are collected; hits of lights are processed at once.
 void WaveIntegrator::process_hits(Wave& wave) const {
     const PathWave& paths = wave.paths();
     scene_.frame.structure().closest_hits(paths.rays(), wave.hits.data());
     wave.vertices.count = 0;
+    wave.vertices.has_gloss = false;
+    wave.missed.paths.count = 0;
     wave.on_boxes.count = 0;
     wave.on_others.count = 0;
     for (int i = 0; i < paths.count; ++i) {
         const Hit& hit = wave.hits[i];
-        PathWork& work = wave.works[paths.slot.at[i]];
         if (hit.object == kNoObject) {
-            miss(i, wave, work);
+            wave.missed.paths.add(i);
         } else if (scene_.is_light(hit)) {
-            path_integrator_.add_hit_light(paths.path(i), hit, work);
+            path_integrator_.add_hit_light(paths.path(i), hit, wave.works[paths.slot.at[i]]);
         } else {
-            sort(i, hit, wave, work);
+            sort(i, hit, wave, wave.works[paths.slot.at[i]]);
         }
     }
+    add_misses(wave);
     kernels_->find_surfaces(wave_scene_, paths, wave.vertices, false, 0, wave.vertices.count);
     const int first_box = wave.vertices.count;
     for (int k = 0; k < wave.on_boxes.count; ++k) {
@@ -222,28 +226,47 @@ void WaveIntegrator::process_hits(Wave& wave) const {
     }
 }
 
-void WaveIntegrator::miss(int path, Wave& wave, PathWork& work) const {
+void WaveIntegrator::add_misses(Wave& wave) const {
     const PathWave& paths = wave.paths();
-    if (constant_sky_) {
-        work.add(paths.throughput.get(path) * *constant_sky_, wave.vertex);
-    } else {
-        path_integrator_.miss(paths.path(path), work);
+    const WaveList& missed = wave.missed.paths;
+    if (wave_scene_.sky) {
+        kernels_->find_sky(wave_scene_, paths, wave.missed);
+    }
+    for (int k = 0; k < missed.count; ++k) {
+        const int path = missed.at.at[k];
+        const V3f light =
+            wave_scene_.sky ? wave.missed.light.get(k) : paths.throughput.get(path) * constant_sky_;
+        wave.works[paths.slot.at[path]].add(light, wave.vertex);
     }
 }
 
 void WaveIntegrator::sort(int path, const Hit& hit, Wave& wave, PathWork& work) const {
     using Kind = WaveObjects::Kind;
-    const Kind kind = wave_scene_.objects.kind[hit.object];
-    if (wave.vertex > kLastVertex || (kind == Kind::other && !is_plain_[hit.object])) {
+    const auto material = static_cast<std::size_t>(wave_scene_.objects.material[hit.object]);
+    if (wave.vertex > kLastVertex || !wave_scene_.materials.is_supported[material]) {
         path_integrator_.follow_from(wave.paths().path(path), hit, work);
-    } else if (wave.vertex > max_bounces_) {
         return;
-    } else if (kind == Kind::other) {
-        wave.on_others.at.at[wave.on_others.count++] = path;
-    } else if (kind == Kind::box) {
-        wave.on_boxes.at.at[wave.on_boxes.count++] = path;
-    } else {
-        add_vertex(path, wave);
+    }
+    if (has_emission_ && scene_.materials[material].is_emissive()) {
+        path_integrator_.add_emission(wave.paths().path(path), hit, work);
+    }
+    if (wave.vertex > max_bounces_) {
+        return;
+    }
+    if (wave.vertex == 0 && wave_scene_.materials.has_gloss[material]) {
+        wave.vertices.has_gloss = true;
+    }
+    switch (wave_scene_.objects.kind[hit.object]) {
+        case Kind::other:
+            wave.on_others.add(path);
+            break;
+        case Kind::box:
+            wave.on_boxes.add(path);
+            break;
+        case Kind::moving_ball:
+        case Kind::static_ball:
+            add_vertex(path, wave);
+            break;
     }
 }
 
@@ -255,6 +278,7 @@ void WaveIntegrator::add_vertex(int path, Wave& wave) const {
     const int i = vertices.count++;
     vertices.path.at[i] = path;
     vertices.object.at[i] = static_cast<std::int32_t>(hit.object);
+    vertices.material.at[i] = objects.material[hit.object];
     vertices.distance.at[i] = hit.t;
     vertices.position.set(i, objects.kind[hit.object] == WaveObjects::Kind::moving_ball
                                  ? scene_.frame.centre(hit.object, wave.paths().time.at[path])
@@ -273,21 +297,13 @@ void WaveIntegrator::add_other_vertex(int path, Wave& wave) const {
     const int i = vertices.count++;
     vertices.path.at[i] = path;
     vertices.object.at[i] = static_cast<std::int32_t>(hit.object);
+    vertices.material.at[i] = static_cast<std::int32_t>(point.material);
     vertices.distance.at[i] = hit.t;
     vertices.position.set(i, point.position);
     vertices.geometric_normal.set(i, surface.geometric_normal);
     vertices.normal.set(i, surface.frame.z);
     vertices.offset.at[i] = point.offset;
     vertices.base.set(i, surface.base);
-    vertices.coat_weight.at[i] = surface.layers->coat_weight;
-    vertices.coat_ior.at[i] = surface.layers->coat_ior;
-    const float sheen = surface.layers->sheen;
-    const V3f& colour = surface.layers->sheen_colour;
-    const float height = std::max(-surface.frame.z.dot(alone.ray.direction), kLeastLocalCosine);
-    vertices.sheen.set(i, colour * sheen);
-    vertices.sheen_fraction.at[i] = sheen > 0 ? sheen * surface.layers->sheen_albedo.at(height) *
-                                                    std::max({colour.x, colour.y, colour.z})
-                                              : 0;
 }
 
 void WaveIntegrator::trace_shadows(Wave& wave, RenderStatistics& count) const {

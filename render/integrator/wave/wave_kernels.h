@@ -13,8 +13,8 @@ struct WaveStep {
     const SampleWave& samples;
     const PathWave& paths;
     const VertexWave& vertices;
-    ShadowWave& shadows;     // towards sampled lights; radiance times the paths' throughput
-    VertexList& near_balls;  // vertices that sample caustics (caustics.h)
+    ShadowWave& shadows;   // towards sampled lights; radiance times the paths' throughput
+    WaveList& near_balls;  // vertices that sample caustics (caustics.h)
     // The continuing paths in the order of the vertices, by coats and by bases. They are two lists
     // because the order of one list would depend on the vector width.
     PathWave& reflected;
@@ -23,11 +23,14 @@ struct WaveStep {
 
 struct WaveKernels {
     /// Completes the vertices in [first, last), all on balls or all on boxes. Known are path,
-    /// object, distance and, in `position`, the shape's centre. Overwrites vertices after `last`.
+    /// object, material, distance and, in `position`, the shape's centre. Overwrites vertices after
+    /// `last`.
     void (*find_surfaces)(const WaveScene& scene, const PathWave& paths, VertexWave& vertices,
                           bool are_boxes, int first, int last);
     /// Fills `shadows`, `near_balls`, `reflected` and `scattered`.
     void (*take_step)(const WaveStep& step);
+    /// Fills `light` for the paths that left the scene; it must have a picture of the sky.
+    void (*find_sky)(const WaveScene& scene, const PathWave& paths, MissWave& missed);
     /// Sums the unoccluded shadow rays for each of the first `vertices` vertices.
     void (*sum_light)(ShadowWave& shadows, int vertices);
 };

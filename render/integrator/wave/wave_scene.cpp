@@ -10,7 +10,16 @@ namespace {
 
 WaveLight known_light(const LightSet& lights, std::size_t index) {
     WaveLight light;
-    light.is_environment = lights.is_environment(index);
+    if (lights.is_environment(index)) {
+        const bool has_light = lights.environment().picture().distribution.density != nullptr;
+        light.kind = has_light ? WaveLight::Kind::environment : WaveLight::Kind::other;
+        return light;
+    }
+    if (lights.is_delta(index)) {
+        light.kind = WaveLight::Kind::delta;
+        light.delta = lights.delta_light(index).constants();
+        return light;
+    }
     if (index >= lights.area_light_count()) {
         return light;
     }
@@ -55,10 +64,9 @@ void add_object(const TransportScene& scene, std::uint32_t index, WaveObjects& o
     using Kind = WaveObjects::Kind;
     const SceneObject& object = scene.frame.object(index);
     const Kind kind = kind_of(object, scene.frame.moves(index));
-    const Material* material = kind != Kind::other ? &scene.materials[object.material] : nullptr;
-    const bool is_simple =
-        material != nullptr && material->is_plain() && material->layers().sheen == 0;
-    const auto base = is_simple ? material->constant_base() : std::nullopt;
+    const auto base =
+        kind != Kind::other ? scene.materials[object.material].constant_base() : std::nullopt;
+    objects.material.push_back(static_cast<std::int32_t>(object.material));
     objects.kind.push_back(base ? kind : Kind::other);
     const V3f centre = base ? object.frame.world_from_unit.translation : V3f(0, 0, 0);
     const V3f half = base ? object.half_size : V3f(1, 1, 1);
@@ -73,8 +81,33 @@ void add_object(const TransportScene& scene, std::uint32_t index, WaveObjects& o
     objects.red.push_back(colour.x);
     objects.green.push_back(colour.y);
     objects.blue.push_back(colour.z);
-    objects.coat_weight.push_back(base ? material->layers().coat_weight : 0);
-    objects.coat_ior.push_back(base ? material->layers().coat_ior : 1);
+}
+
+void add_table(const AlbedoTable& table, std::vector<float>& tables) {
+    tables.insert(tables.end(), table.values().begin(), table.values().end());
+}
+
+void add_material(const Material& material, WaveMaterials& materials) {
+    const LayerConstants& layers = material.layers();
+    materials.coat_weight.push_back(layers.coat_weight);
+    materials.coat_ior.push_back(layers.coat_ior);
+    materials.coat_alpha.push_back(layers.coat_alpha);
+    materials.sheen.push_back(layers.sheen);
+    materials.sheen_red.push_back(layers.sheen_colour.x);
+    materials.sheen_green.push_back(layers.sheen_colour.y);
+    materials.sheen_blue.push_back(layers.sheen_colour.z);
+    materials.metal.push_back(layers.metal);
+    materials.specular.push_back(layers.specular);
+    materials.alpha.push_back(layers.alpha);
+    add_table(layers.coat_albedo, materials.coat_albedo);
+    add_table(layers.sheen_albedo, materials.sheen_albedo);
+    add_table(layers.specular_albedo, materials.specular_albedo);
+    add_table(layers.mirror_albedo, materials.mirror_albedo);
+    const bool is_supported = !material.is_phong() && !layers.glass;
+    const bool has_gloss = is_supported && layers.coat_weight > 0 && layers.coat_alpha > 0;
+    materials.is_supported.push_back(is_supported);
+    materials.has_gloss.push_back(has_gloss);
+    materials.has_rough_coat = materials.has_rough_coat || has_gloss;
 }
 
 }  // namespace
@@ -99,7 +132,15 @@ WaveScene make_wave_scene(const TransportScene& scene, const PathSettings& setti
     for (std::uint32_t object = 0; object < scene.frame.object_count(); ++object) {
         add_object(scene, object, known.objects);
     }
+    for (const Material& material : scene.materials) {
+        add_material(material, known.materials);
+    }
+    const Environment& environment = scene.lights.environment();
+    if (environment.is_sampled() && environment.picture().distribution.density != nullptr) {
+        known.sky = environment.picture();
+    }
     known.max_bounces = settings.max_bounces;
+    known.glossy_samples = known.materials.has_rough_coat ? settings.glossy_samples : 1;
     known.split_vertices = settings.split_vertices;
     known.caustics = settings.caustics;
     return known;
@@ -111,6 +152,11 @@ int WaveScene::first_rays() const {
         rays += one.samples;
     }
     return rays;
+}
+
+bool WaveScene::has_environment() const {
+    return std::any_of(light.begin(), light.end(),
+                       [](const WaveLight& one) { return one.is_environment(); });
 }
 
 }  // namespace carom::render
