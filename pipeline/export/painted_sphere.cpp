@@ -11,7 +11,7 @@ namespace carom::pipeline {
 
 namespace {
 
-// The dimensions of render/texture/ball_paint.cpp, in ball radii.
+// The dimensions of render/texture/kernels/ball_paint.h, in ball radii.
 constexpr double kBandHalfWidth = 0.56;
 constexpr double kSpotRadius = 0.105;
 const Vec3 kSpotColour(0.52, 0.02, 0.018);

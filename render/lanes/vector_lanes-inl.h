@@ -88,6 +88,9 @@ struct VectorLanes {
     static HWY_INLINE Int gather_int(const std::int32_t* numbers, Int index) {
         return hn::GatherIndex(IntTag(), numbers, index);
     }
+    static HWY_INLINE Word gather_word(const void* from, Int index) {
+        return hn::GatherIndex(WordTag(), static_cast<const std::uint32_t*>(from), index);
+    }
     static HWY_INLINE Word gather_bytes(const void* from, Int byte) {
         return hn::GatherOffset(WordTag(), static_cast<const std::uint32_t*>(from), byte);
     }

@@ -6,6 +6,7 @@
 #include "render/geometry/ray.h"
 #include "render/scene/material_description.h"
 #include "render/texture/number_mask.h"
+#include "render/texture/texture_data.h"
 
 namespace carom::render {
 
@@ -20,15 +21,11 @@ class BallPaint {
     /// `position`: in the ball's own axes, not 0; `footprint`: width of a pixel there, m.
     [[nodiscard]] V3f colour(const V3f& position, float footprint) const;
 
-  private:
-    [[nodiscard]] V3f with_number(const V3f& below, const V3f& direction, float width) const;
-    [[nodiscard]] V3f with_spots(const V3f& below, const V3f& direction, float width) const;
+    /// For kernels; valid as long as `number` is.
+    [[nodiscard]] const BallParameters& parameters() const { return parameters_; }
 
-    V3f colour_;
-    V3f white_;
-    bool striped_;
-    float disc_radius_;  // chord radius in ball radii
-    int spots_;
+  private:
+    BallParameters parameters_;
     std::shared_ptr<const CoverageMask> number_;  // null: no number
 };
 

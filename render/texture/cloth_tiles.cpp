@@ -12,7 +12,7 @@ namespace carom::render {
 namespace {
 
 constexpr int kTexelsPerThread = 8;
-constexpr int kThreads = ClothTiles::kThreads;
+constexpr int kThreads = ClothCells::kThreads;
 constexpr int kSize = kThreads * kTexelsPerThread;
 constexpr int kNoiseSize = 256;  // texels along a side of nap and wear: four per finest cell
 
@@ -114,7 +114,7 @@ ImagePyramid make_weave() {
                     (at(x, y + 1) - at(x, y - 1)) * 0.5f * kTexelsPerThread)));
         }
     }
-    return ImagePyramid(kSize, kSize, std::move(texels));
+    return ImagePyramid(kSize, kSize, texels, Wrap::repeat);
 }
 
 // Noise with `cells` cells along a side, and `octaves` - 1 finer octaves of half the amplitude
@@ -138,15 +138,15 @@ SignedPyramid make_noise(int cells, int octaves, std::uint32_t seed) {
             texels.push_back(SignedCodec::encode(sum));
         }
     }
-    return SignedPyramid(kNoiseSize, kNoiseSize, std::move(texels));
+    return SignedPyramid(kNoiseSize, kNoiseSize, texels, Wrap::repeat);
 }
 
 }  // namespace
 
 std::shared_ptr<const ClothTiles> make_cloth_tiles() {
     return std::make_shared<const ClothTiles>(
-        ClothTiles{make_weave(), make_noise(ClothTiles::kNapCells, 1, kNapSeed),
-                   make_noise(ClothTiles::kWearCells, 3, kWearSeed)});
+        ClothTiles{make_weave(), make_noise(ClothCells::kNap, 1, kNapSeed),
+                   make_noise(ClothCells::kWear, 3, kWearSeed)});
 }
 
 }  // namespace carom::render

@@ -14,20 +14,21 @@ namespace carom::render {
 struct SignedCodec {
     using Texel = std::int16_t;
     using Value = float;
-    static float decode(Texel texel) { return static_cast<float>(texel) * (1.0f / 32767.0f); }
+    static Value decode(Texel texel) {
+        return scalar::signed_value<scalar::One>(static_cast<std::uint16_t>(texel));
+    }
     static Texel encode(float value) {
         return static_cast<Texel>(std::lrint(std::clamp(value, -1.0f, 1.0f) * 32767.0f));
+    }
+    static Value look_up(const PyramidTables& pyramid, const scalar::Two<float>& uv,
+                         float footprint) {
+        return scalar::look_up_signed<scalar::One>(pyramid, uv, footprint);
     }
 };
 using SignedPyramid = MipPyramid<SignedCodec>;
 
+/// Their sizes are in ClothCells.
 struct ClothTiles {
-    /// Number of threads along a side of `weave`; of noise cells along a side of `nap`, and of the
-    /// coarsest ones of `wear`.
-    static constexpr int kThreads = 64;
-    static constexpr int kNapCells = 64;
-    static constexpr int kWearCells = 16;
-
     /// A plain weave with fuzz. Per texel (height, slope in x, slope in y): heights roughly in [-1,
     /// 1] with a mean of 0, slopes in heights per thread. From far away the weave fades.
     ImagePyramid weave;

@@ -1,5 +1,6 @@
 #include "render/texture/image.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Imath/half.h>
@@ -37,7 +38,7 @@ LinearImage read_linear_image(const std::string& path, bool is_linear) {
         throw Error("image '" + path + "' cannot be read: " + buffer.geterror());
     }
     const OIIO::ImageSpec& spec = buffer.spec();
-    const std::size_t most = input_limit(kMostPixels);
+    const std::size_t most = std::min(input_limit(kMostPixels), ImagePyramid::kMostTexels);
     if (spec.width <= 0 || spec.height <= 0 || spec.width > kLongestSide ||
         spec.height > kLongestSide || spec.nchannels < 1 || spec.image_pixels() > most) {
         throw Error(fmt::format("image '{}' is {} x {} pixels; at most {} are read{}", path,
@@ -73,9 +74,9 @@ LinearImage read_linear_image(const std::string& path, bool is_linear) {
     return image;
 }
 
-V3f HalfColourCodec::decode(Texel texel) {
-    return {imath_half_to_float(texel.r), imath_half_to_float(texel.g),
-            imath_half_to_float(texel.b)};
+V3f HalfColourCodec::decode(const Texel& texel) {
+    const auto both = std::uint32_t{texel.r} | std::uint32_t{texel.g} << 16;
+    return scalar::vector_of(scalar::half_colour<scalar::One>(both, texel.b));
 }
 
 HalfColourCodec::Texel HalfColourCodec::encode(const V3f& value) {
@@ -90,7 +91,7 @@ std::shared_ptr<const ImagePyramid> load_image_pyramid(const std::string& path, 
     for (const V3f& colour : image.pixels) {
         texels.push_back(HalfColourCodec::encode(colour));
     }
-    return std::make_shared<const ImagePyramid>(image.width, image.height, std::move(texels));
+    return std::make_shared<const ImagePyramid>(image.width, image.height, texels, Wrap::repeat);
 }
 
 }  // namespace carom::render

@@ -29,12 +29,17 @@ struct HalfColourCodec {
         std::uint16_t r, g, b, unused;
     };
     using Value = V3f;
-    static Value decode(Texel texel);
+    static Value decode(const Texel& texel);
     static Texel encode(const Value& value);
+    static Value look_up(const PyramidTables& pyramid, const scalar::Two<float>& uv,
+                         float footprint) {
+        return scalar::vector_of(scalar::look_up_half_colour<scalar::One>(pyramid, uv, footprint));
+    }
 };
 
 using ImagePyramid = MipPyramid<HalfColourCodec>;
 
+/// Of a picture that repeats.
 [[nodiscard]] std::shared_ptr<const ImagePyramid> load_image_pyramid(const std::string& path,
                                                                      bool is_linear);
 

@@ -3,116 +3,133 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "core/assert.h"
+#include "render/texture/scalar_kernels.h"
 
 namespace carom::render {
 
+/// Beyond [0, 1], a picture continues its edge or repeats.
 enum class Wrap { clamp, repeat };
 
-/// `Codec` names a stored `Texel`, the `Value` that it represents, and the functions decode and
-/// encode between them. A look-up reads four texels of one level: 28 ns where OpenImageIO's
-/// TextureSystem, which can page pictures larger than the memory, takes 290
-/// (bench/frame_bench.cpp).
+/// `Codec` names a stored `Texel`, the `Value` that it represents, the functions decode and encode
+/// between them, and the kernel `look_up` (kernels/mip_pyramid.h). A look-up reads four texels of
+/// one level: 35 ns for colours where OpenImageIO's TextureSystem, which can page pictures larger
+/// than the memory, takes 290 (bench/frame_bench.cpp).
 template <class Codec>
 class MipPyramid {
   public:
     using Texel = typename Codec::Texel;
     using Value = typename Codec::Value;
 
+    /// Kernels count texels and words in 32 bits; all levels together have up to 4/3 of these.
+    static constexpr std::size_t kMostTexels = std::size_t{1} << 29;
+
     MipPyramid() = default;
 
-    /// `texels`: width * height, row by row from the top left.
-    MipPyramid(int width, int height, std::vector<Texel> texels) {
+    /// `texels`: width * height, at most kMostTexels, row by row from the top left.
+    MipPyramid(int width, int height, const std::vector<Texel>& texels, Wrap wrap) : wrap_(wrap) {
         CAROM_ASSERT(width > 0 && height > 0);
         CAROM_ASSERT(texels.size() ==
                      static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-        levels_.push_back({width, height, std::move(texels)});
-        while (levels_.back().width > 1 || levels_.back().height > 1) {
-            levels_.push_back(halved(levels_.back()));
+        CAROM_ASSERT(texels.size() <= kMostTexels);
+        plan(width, height);
+        for (int y = 0; y < height; ++y) {
+            std::copy_n(texels.begin() + std::ptrdiff_t{y} * width, width, &texel(0, 0, y));
+        }
+        set_border(0);
+        for (std::size_t level = 1; level < level_count(); ++level) {
+            halve_into(level);
+            set_border(level);
         }
     }
 
-    [[nodiscard]] int width() const { return levels_.front().width; }
-    [[nodiscard]] int height() const { return levels_.front().height; }
-    [[nodiscard]] std::size_t level_count() const { return levels_.size(); }
+    [[nodiscard]] int width() const { return widths_.front(); }
+    [[nodiscard]] int height() const { return heights_.front(); }
+    [[nodiscard]] std::size_t level_count() const { return widths_.size(); }
 
     /// The value at (u, v), v = 0 at the top, averaged over about `footprint` (in the same unit, of
     /// the larger side), from the finest level whose texels are at least half as large.
-    [[nodiscard]] Value lookup(float u, float v, float footprint, Wrap wrap_u, Wrap wrap_v) const {
-        const float texels =
-            footprint * static_cast<float>(std::max(levels_[0].width, levels_[0].height));
-        std::size_t level = 0;
-        if (texels > 1.0f) {
-            level = std::min(static_cast<std::size_t>(std::ilogb(std::min(texels, 1e9f))),
-                             levels_.size() - 1);
-        }
-        return bilinear(levels_[level], u, v, wrap_u, wrap_v);
+    [[nodiscard]] Value lookup(float u, float v, float footprint) const {
+        return Codec::look_up(tables(), {u, v}, footprint);
+    }
+
+    /// For kernels; valid as long as this object is.
+    [[nodiscard]] PyramidTables tables() const {
+        return {texels_.data(),
+                firsts_.data(),
+                widths_.data(),
+                heights_.data(),
+                static_cast<int>(level_count()),
+                static_cast<float>(std::max(width(), height())),
+                wrap_ == Wrap::repeat};
     }
 
   private:
-    struct Level {
-        int width = 0, height = 0;
-        std::vector<Texel> texels;
+    /// Kernels read 32 bits at a time, which may begin at the last texel.
+    static constexpr std::size_t kPadding = 4;
 
-        [[nodiscard]] Value at(int x, int y) const {
-            return Codec::decode(
-                texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                       static_cast<std::size_t>(x)]);
+    /// Sets the sizes and places of all levels and makes room for them.
+    void plan(int width, int height) {
+        std::size_t total = 0;
+        for (;;) {
+            const std::size_t stride = static_cast<std::size_t>(width) + 2;
+            firsts_.push_back(static_cast<std::int32_t>(total + stride + 1));
+            widths_.push_back(width);
+            heights_.push_back(height);
+            total += stride * (static_cast<std::size_t>(height) + 2);
+            if (width == 1 && height == 1) {
+                break;
+            }
+            width = (width + 1) / 2;
+            height = (height + 1) / 2;
         }
-    };
-
-    static int wrapped(int i, int size, Wrap wrap) {
-        if (wrap == Wrap::clamp) {
-            return std::clamp(i, 0, size - 1);
-        }
-        const int rest = i % size;
-        return rest < 0 ? rest + size : rest;
+        texels_.resize(total + kPadding);
     }
 
-    static Value bilinear(const Level& level, float u, float v, Wrap wrap_u, Wrap wrap_v) {
-        // Removes repeats first, so that far coordinates keep their precision.
-        const float tile_u = wrap_u == Wrap::repeat ? u - std::floor(u) : std::clamp(u, 0.0f, 1.0f);
-        const float tile_v = wrap_v == Wrap::repeat ? v - std::floor(v) : std::clamp(v, 0.0f, 1.0f);
-        const float x = tile_u * static_cast<float>(level.width) - 0.5f;
-        const float y = tile_v * static_cast<float>(level.height) - 0.5f;
-        const float floor_x = std::floor(x);
-        const float floor_y = std::floor(y);
-        const float fx = x - floor_x;
-        const float fy = y - floor_y;
-        const int x0 = wrapped(static_cast<int>(floor_x), level.width, wrap_u);
-        const int x1 = wrapped(static_cast<int>(floor_x) + 1, level.width, wrap_u);
-        const int y0 = wrapped(static_cast<int>(floor_y), level.height, wrap_v);
-        const int y1 = wrapped(static_cast<int>(floor_y) + 1, level.height, wrap_v);
-        const Value top = level.at(x0, y0) * (1.0f - fx) + level.at(x1, y0) * fx;
-        const Value bottom = level.at(x0, y1) * (1.0f - fx) + level.at(x1, y1) * fx;
-        return top * (1.0f - fy) + bottom * fy;
+    /// x and y may be those of the border, -1 and the size.
+    [[nodiscard]] Texel& texel(std::size_t level, int x, int y) {
+        return texels_[static_cast<std::size_t>(firsts_[level] +
+                                                std::ptrdiff_t{y} * (widths_[level] + 2) + x)];
     }
 
-    // Each texel is the mean of the (up to) 2 x 2 that it covers; an odd last row or column is
-    // repeated.
-    static Level halved(const Level& from) {
-        Level to;
-        to.width = std::max(1, (from.width + 1) / 2);
-        to.height = std::max(1, (from.height + 1) / 2);
-        to.texels.reserve(static_cast<std::size_t>(to.width) * static_cast<std::size_t>(to.height));
-        for (int y = 0; y < to.height; ++y) {
-            const int y1 = std::min(2 * y + 1, from.height - 1);
-            for (int x = 0; x < to.width; ++x) {
-                const int x1 = std::min(2 * x + 1, from.width - 1);
-                to.texels.push_back(Codec::encode((from.at(2 * x, 2 * y) + from.at(x1, 2 * y) +
-                                                   from.at(2 * x, y1) + from.at(x1, y1)) *
-                                                  0.25f));
+    /// The border holds the texels that follow if the picture is wrapped.
+    void set_border(std::size_t level) {
+        const int width = widths_[level];
+        const int height = heights_[level];
+        const bool repeats = wrap_ == Wrap::repeat;
+        for (int y = 0; y < height; ++y) {
+            texel(level, -1, y) = texel(level, repeats ? width - 1 : 0, y);
+            texel(level, width, y) = texel(level, repeats ? 0 : width - 1, y);
+        }
+        for (int x = -1; x <= width; ++x) {
+            texel(level, x, -1) = texel(level, x, repeats ? height - 1 : 0);
+            texel(level, x, height) = texel(level, x, repeats ? 0 : height - 1);
+        }
+    }
+
+    /// Each texel is the mean of the (up to) 2 x 2 of the previous level that it covers; an odd
+    /// last row or column is repeated.
+    void halve_into(std::size_t level) {
+        const auto from = [&](int x, int y) { return Codec::decode(texel(level - 1, x, y)); };
+        for (int y = 0; y < heights_[level]; ++y) {
+            const int y1 = std::min(2 * y + 1, heights_[level - 1] - 1);
+            for (int x = 0; x < widths_[level]; ++x) {
+                const int x1 = std::min(2 * x + 1, widths_[level - 1] - 1);
+                texel(level, x, y) = Codec::encode(
+                    (from(2 * x, 2 * y) + from(x1, 2 * y) + from(2 * x, y1) + from(x1, y1)) *
+                    0.25f);
             }
         }
-        return to;
     }
 
-    std::vector<Level> levels_;
+    Wrap wrap_ = Wrap::clamp;
+    std::vector<Texel> texels_;  // of all levels
+    // By level: see PyramidTables.
+    std::vector<std::int32_t> firsts_, widths_, heights_;
 };
 
 }  // namespace carom::render

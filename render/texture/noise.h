@@ -8,20 +8,10 @@
 
 namespace carom::render {
 
-/// A well-mixed permutation of 32-bit integers (C. Wellons, "Prospecting for Hash Functions", 2018:
-/// the two-round xorshift-multiply function of least bias, "lowbias32").
-[[nodiscard]] constexpr std::uint32_t mix_bits(std::uint32_t x) {
-    x ^= x >> 16;
-    x *= 0x7feb352du;
-    x ^= x >> 15;
-    x *= 0x846ca68bu;
-    x ^= x >> 16;
-    return x;
-}
+/// A well-mixed permutation of 32-bit integers (kernels/noise.h).
+[[nodiscard]] std::uint32_t mix_bits(std::uint32_t x);
 
-[[nodiscard]] constexpr float unit_float(std::uint32_t bits) {  // [0, 1)
-    return static_cast<float>(bits >> 8) * 0x1p-24f;
-}
+[[nodiscard]] float unit_float(std::uint32_t bits);  // [0, 1)
 
 /// Gradient noise after Perlin, "Improving Noise", 2002 (quintic fade, eq. 1; gradients towards the
 /// edges of a cube), on a lattice that is hashed instead of tabulated. Mean 0, range within [-1,

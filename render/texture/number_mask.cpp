@@ -71,8 +71,8 @@ std::shared_ptr<const CoverageMask> draw_number(int number) {
                         std::uint8_t{255});
         }
     }
-    return std::make_shared<const CoverageMask>(kNumberMaskSize, kNumberMaskSize,
-                                                std::move(texels));
+    return std::make_shared<const CoverageMask>(kNumberMaskSize, kNumberMaskSize, texels,
+                                                Wrap::clamp);
 }
 
 }  // namespace carom::render

@@ -12,9 +12,13 @@ namespace carom::render {
 struct CoverageCodec {
     using Texel = std::uint8_t;
     using Value = float;
-    static float decode(Texel texel) { return static_cast<float>(texel) * (1.0f / 255.0f); }
+    static Value decode(Texel texel) { return scalar::coverage_value<scalar::One>(texel); }
     static Texel encode(float value) {
         return static_cast<Texel>(std::lrint(std::clamp(value, 0.0f, 1.0f) * 255.0f));
+    }
+    static Value look_up(const PyramidTables& pyramid, const scalar::Two<float>& uv,
+                         float footprint) {
+        return scalar::look_up_coverage<scalar::One>(pyramid, uv, footprint);
     }
 };
 

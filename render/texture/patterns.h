@@ -7,6 +7,7 @@
 
 #include "render/geometry/ray.h"
 #include "render/scene/material_description.h"
+#include "render/texture/texture_data.h"
 
 namespace carom::render {
 
@@ -26,10 +27,11 @@ class ClothPattern {
     /// `place`: position on the cloth, m.
     [[nodiscard]] Value evaluate(const V2f& place, float footprint) const;
 
+    /// For kernels; valid as long as `tiles` are.
+    [[nodiscard]] const ClothParameters& parameters() const { return parameters_; }
+
   private:
-    V3f colour_;
-    float thread_;  // m
-    float variation_;
+    ClothParameters parameters_;
     std::shared_ptr<const ClothTiles> tiles_;
 };
 
@@ -41,10 +43,10 @@ class WoodPattern {
 
     [[nodiscard]] V3f colour(const V3f& position, float footprint) const;
 
+    [[nodiscard]] const WoodParameters& parameters() const { return parameters_; }
+
   private:
-    V3f light_, dark_;
-    float ring_;               // m
-    V3f along_, across_, up_;  // orthonormal
+    WoodParameters parameters_;
 };
 
 /// Cubes of two colours, box-filtered exactly along each axis.
@@ -55,9 +57,10 @@ class CheckerPattern {
     /// `normal`: of the surface, in the axes of `position`; a pixel has no width along it.
     [[nodiscard]] V3f colour(const V3f& position, const V3f& normal, float footprint) const;
 
+    [[nodiscard]] const CheckerParameters& parameters() const { return parameters_; }
+
   private:
-    V3f even_, odd_;
-    float size_;  // m
+    CheckerParameters parameters_;
 };
 
 }  // namespace carom::render

@@ -13,6 +13,7 @@
 #include "render/texture/ball_paint.h"
 #include "render/texture/image.h"
 #include "render/texture/patterns.h"
+#include "render/texture/texture_data.h"
 
 namespace carom::render {
 
@@ -43,7 +44,7 @@ class Texture {
 
     /// The colour if it is constant.
     [[nodiscard]] std::optional<V3f> constant() const {
-        const auto* colour = std::get_if<V3f>(&source_);
+        const auto* colour = std::get_if<V3f>(&data_);
         return colour != nullptr ? std::optional(*colour) : std::nullopt;
     }
 
@@ -55,23 +56,15 @@ class Texture {
     /// cloth is assumed to lie along the world's axes.
     [[nodiscard]] Relief relief(const SurfacePoint& point, float footprint) const;
 
-    [[nodiscard]] bool has_relief() const { return std::holds_alternative<ClothPattern>(source_); }
+    [[nodiscard]] bool has_relief() const { return std::holds_alternative<ClothParameters>(data_); }
+
+    /// For `colour_of` and, if `has_relief`, `relief_of` in lanes (kernels/texture.h); valid as
+    /// long as this object or a copy of it is.
+    [[nodiscard]] const TextureData& data() const { return data_; }
 
   private:
-    struct Image {
-        std::shared_ptr<const ImagePyramid> pyramid;
-        V2f repeats;  // along u and v; with `by_size`: per metre
-        bool by_size;
-        V2f offset;
-        V2f turn;  // cosine and sine of the rotation
-
-        [[nodiscard]] V3f colour(const SurfacePoint& point, float footprint) const;
-    };
-    using Source = std::variant<V3f, Image, BallPaint, ClothPattern, WoodPattern, CheckerPattern>;
-
-    static Source make_source(const ColourSource& source, ImageCache& images);
-
-    Source source_;
+    TextureData data_;
+    std::shared_ptr<const void> pictures_;  // to which data_ points
 };
 
 }  // namespace carom::render

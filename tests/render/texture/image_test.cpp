@@ -88,19 +88,21 @@ TEST(ReadLinearImage, NegativeValue_IsNamedWithItsPixel) {
 }
 
 TEST(MipPyramid, AtTexelCentres_GivesTheTexels) {
-    const CoverageMask mask(2, 2, {0, 255, 255, 0});
-    EXPECT_EQ(mask.lookup(0.25f, 0.25f, 0, Wrap::clamp, Wrap::clamp), 0);
-    EXPECT_EQ(mask.lookup(0.75f, 0.25f, 0, Wrap::clamp, Wrap::clamp), 1);
-    EXPECT_EQ(mask.lookup(0.5f, 0.5f, 0, Wrap::clamp, Wrap::clamp), 0.5f);
+    const CoverageMask mask(2, 2, {0, 255, 255, 0}, Wrap::clamp);
+    EXPECT_EQ(mask.lookup(0.25f, 0.25f, 0), 0);
+    EXPECT_EQ(mask.lookup(0.75f, 0.25f, 0), 1);
+    EXPECT_EQ(mask.lookup(0.5f, 0.5f, 0), 0.5f);
 }
 
 TEST(MipPyramid, OutsideTheSquare_WrapsAsTold) {
-    const CoverageMask mask(4, 1, {0, 0, 0, 255});
-    EXPECT_EQ(mask.lookup(7.0f, 0.5f, 0, Wrap::clamp, Wrap::clamp), 1);
-    EXPECT_EQ(mask.lookup(-0.125f, 0.5f, 0, Wrap::repeat, Wrap::clamp), 1);
-    EXPECT_EQ(mask.lookup(3.125f, 0.5f, 0, Wrap::repeat, Wrap::clamp), 0);
+    const CoverageMask once(4, 1, {0, 0, 0, 255}, Wrap::clamp);
+    EXPECT_EQ(once.lookup(7.0f, 0.5f, 0), 1);
+    EXPECT_EQ(once.lookup(-0.125f, 0.5f, 0), 0);
+    const CoverageMask tile(4, 1, {0, 0, 0, 255}, Wrap::repeat);
+    EXPECT_EQ(tile.lookup(-0.125f, 0.5f, 0), 1);
+    EXPECT_EQ(tile.lookup(3.125f, 0.5f, 0), 0);
     // Half-way between the last texel and the first.
-    EXPECT_EQ(mask.lookup(1.0f, 0.5f, 0, Wrap::repeat, Wrap::clamp), 0.5f);
+    EXPECT_EQ(tile.lookup(1.0f, 0.5f, 0), 0.5f);
 }
 
 TEST(MipPyramid, WideFootprint_GivesTheMean) {
@@ -108,16 +110,16 @@ TEST(MipPyramid, WideFootprint_GivesTheMean) {
     for (std::size_t i = 0; i < texels.size(); i += 2) {
         texels[i] = 255;
     }
-    const CoverageMask mask(64, 64, texels);
+    const CoverageMask mask(64, 64, texels, Wrap::repeat);
     EXPECT_EQ(mask.level_count(), 7u);
-    EXPECT_NEAR(mask.lookup(0.3f, 0.6f, 1.0f, Wrap::repeat, Wrap::repeat), 0.5f, 0.01f);
-    EXPECT_NEAR(mask.lookup(0.3f, 0.6f, 100.0f, Wrap::repeat, Wrap::repeat), 0.5f, 0.01f);
+    EXPECT_NEAR(mask.lookup(0.3f, 0.6f, 1.0f), 0.5f, 0.01f);
+    EXPECT_NEAR(mask.lookup(0.3f, 0.6f, 100.0f), 0.5f, 0.01f);
 }
 
 TEST(MipPyramid, OddSizes_ShrinkToOneTexel) {
-    const CoverageMask mask(5, 3, std::vector<std::uint8_t>(15, 51));
+    const CoverageMask mask(5, 3, std::vector<std::uint8_t>(15, 51), Wrap::clamp);
     EXPECT_EQ(mask.level_count(), 4u);
-    EXPECT_NEAR(mask.lookup(0.9f, 0.1f, 2, Wrap::clamp, Wrap::clamp), 0.2f, 1e-6f);
+    EXPECT_NEAR(mask.lookup(0.9f, 0.1f, 2), 0.2f, 1e-6f);
 }
 
 /// Two by two texels: red and green above blue and white, on a surface whose uv covers 4 m by 2 m.

@@ -1,0 +1,82 @@
+// The paint of ball_paint.h in lanes. Included as render/lanes/kernels/vectors.h is.
+
+/// Lengths in ball radii.
+struct BallLook {
+    static constexpr float kBandHalfWidth = 0.56f;  // of the stripe, along the axis
+    static constexpr float kSpotRadius = 0.105f;
+    static constexpr float kFinest = 1e-4f;  // narrowest edge
+};
+
+/// a where t is 0, b where it is 1.
+template <class V>
+CAROM_KERNEL Three<V> mixed(const Three<V>& a, const Three<V>& b, const V& t) {
+    return a + (b - a) * t;
+}
+
+/// Coverage by the inside of a circle around an axis. As seen from the axis, the circle has the
+/// chord radius `radius` and the point the distance `distance`. Both are sines of angles; dividing
+/// by the cosine turns them into lengths along the surface.
+template <class L>
+CAROM_KERNEL typename L::Value inside_circle(typename L::Value distance, float radius,
+                                             typename L::Value width) {
+    const auto cosine = L::root(L::all(1.0f - radius * radius));
+    return smooth_step<L>((L::all(radius) - distance) / cosine, width);
+}
+
+template <class L>
+CAROM_KERNEL Three<typename L::Value> with_number(const BallParameters& ball,
+                                                  const Three<typename L::Value>& below,
+                                                  const Three<typename L::Value>& direction,
+                                                  typename L::Value width) {
+    const auto zero = L::all(0);
+    const auto distance = L::root(direction.y * direction.y + direction.z * direction.z);
+    const auto disc = inside_circle<L>(distance, ball.disc_radius, width);
+    const auto is_on_disc = L::is_less(zero, disc);
+    if (L::none(is_on_disc)) {
+        return below;
+    }
+    // Seen from +x the right-hand side is +y, seen from -x it is -y.
+    const auto right =
+        L::select(L::is_at_most(zero, direction.x), direction.y, L::opposite_sign(direction.y));
+    const auto scale = L::all(0.5f / ball.disc_radius);
+    const auto middle = L::all(0.5f);
+    const auto coverage = look_up_coverage<L>(
+        ball.number, {middle + right * scale, middle - direction.z * scale}, width * scale);
+    const auto ink = all_of<L>(Imath::V3f(0.012f, 0.012f, 0.013f));
+    const auto painted = mixed(below, mixed(all_of<L>(ball.white), ink, coverage), disc);
+    return select<L>(is_on_disc, painted, below);
+}
+
+template <class L>
+CAROM_KERNEL Three<typename L::Value> with_spots(const Three<typename L::Value>& below,
+                                                 const Three<typename L::Value>& direction,
+                                                 typename L::Value width) {
+    const auto along =
+        largest<L>({L::size(direction.x), L::size(direction.y), L::size(direction.z)});
+    const auto distance = L::root(L::larger(L::all(1) - along * along, L::all(0)));
+    const auto spot = all_of<L>(Imath::V3f(0.52f, 0.02f, 0.018f));
+    return mixed(below, spot, inside_circle<L>(distance, BallLook::kSpotRadius, width));
+}
+
+/// See BallPaint::colour.
+template <class L>
+CAROM_KERNEL Three<typename L::Value> ball_colour(const BallParameters& ball,
+                                                  const Three<typename L::Value>& position,
+                                                  typename L::Value footprint) {
+    const auto radius = L::root(dot(position, position));
+    const Three<typename L::Value> direction{position.x / radius, position.y / radius,
+                                             position.z / radius};
+    const auto width = limited<L>(footprint / radius, BallLook::kFinest, 2);
+    Three<typename L::Value> result = all_of<L>(ball.colour);
+    if (ball.is_striped) {
+        const auto band = inside_circle<L>(L::size(direction.z), BallLook::kBandHalfWidth, width);
+        result = mixed(all_of<L>(ball.white), result, band);
+    }
+    if (ball.number.texels != nullptr) {
+        result = with_number<L>(ball, result, direction, width);
+    }
+    if (ball.has_spots) {
+        result = with_spots<L>(result, direction, width);
+    }
+    return result;
+}

@@ -1,0 +1,39 @@
+// The checker of patterns.h in lanes. Included as render/lanes/kernels/vectors.h is.
+
+struct CheckerLook {
+    /// Shifts the planes between cubes away from round coordinates, at which surfaces often lie.
+    static constexpr float kShift = 0.0137f;
+    static constexpr float kNarrowest = 1e-3f;  // pixel, in cubes
+};
+
+/// Integral of the square wave of period 2 that is +1 in [0, 1) and -1 in [1, 2).
+template <class L>
+CAROM_KERNEL typename L::Value wave_integral(typename L::Value x) {
+    const auto turn = x - L::all(2) * L::rounded_down(L::all(0.5f) * x);
+    return L::select(L::is_less(turn, L::all(1)), turn, L::all(2) - turn);
+}
+
+/// The mean of the square wave over `width` around x.
+template <class L>
+CAROM_KERNEL typename L::Value filtered_wave(typename L::Value x, typename L::Value width) {
+    const auto half = L::all(0.5f) * width;
+    return (wave_integral<L>(x + half) - wave_integral<L>(x - half)) / width;
+}
+
+/// See CheckerPattern::colour.
+template <class L>
+CAROM_KERNEL Three<typename L::Value> checker_colour(const CheckerParameters& checker,
+                                                     const Three<typename L::Value>& position,
+                                                     const Three<typename L::Value>& normal,
+                                                     typename L::Value footprint) {
+    const auto size = L::all(checker.size);
+    const auto along = [&](typename L::Value x, typename L::Value cosine) CAROM_KERNEL_ATTRIBUTE {
+        const auto extent = footprint * L::root(L::larger(L::all(1) - cosine * cosine, L::all(0)));
+        return filtered_wave<L>(x / size + L::all(CheckerLook::kShift),
+                                L::larger(extent / size, L::all(CheckerLook::kNarrowest)));
+    };
+    const auto parity =
+        along(position.x, normal.x) * along(position.y, normal.y) * along(position.z, normal.z);
+    const auto odd = all_of<L>(checker.odd);
+    return odd + (all_of<L>(checker.even) - odd) * (L::all(0.5f) + L::all(0.5f) * parity);
+}

@@ -1,0 +1,76 @@
+// Textures as plain data, which formulas over lanes read. All pointers are borrowed.
+#pragma once
+
+#include <cstdint>
+#include <variant>
+
+#include "render/geometry/ray.h"
+
+namespace carom::render {
+
+/// See MipPyramid::tables. Indices count texels from `texels` on. A level is stored row by row,
+/// with a border of one texel all around.
+struct PyramidTables {
+    const void* texels = nullptr;         // null: no picture
+    const std::int32_t* first = nullptr;  // by level: the index of its upper left texel
+    const std::int32_t* width = nullptr;  // by level, without the border
+    const std::int32_t* height = nullptr;
+    int level_count = 0;
+    float longest_side = 0;  // of the finest level, texels
+    bool repeats = false;    // beyond [0, 1] the picture repeats; otherwise its edge is continued
+};
+
+/// A picture of half-float colours laid onto a surface.
+struct ImageParameters {
+    PyramidTables picture;
+    V2f repeats{1, 1};  // along u and v; with `by_size`: per metre
+    bool by_size = false;
+    V2f offset{0, 0};
+    V2f turn{1, 0};  // cosine and sine of the rotation
+};
+
+/// See BallPaint.
+struct BallParameters {
+    V3f colour{0, 0, 0};
+    V3f white{0, 0, 0};
+    bool is_striped = false;
+    bool has_spots = false;
+    float disc_radius = 0;  // chord radius in ball radii
+    PyramidTables number;   // of coverage; without texels: no number
+};
+
+/// See ClothPattern and ClothTiles.
+struct ClothParameters {
+    V3f colour{0, 0, 0};
+    float thread = 0;  // m
+    float variation = 0;
+    PyramidTables weave;      // of half-float numbers
+    PyramidTables nap, wear;  // of signed numbers
+};
+
+/// See WoodPattern.
+struct WoodParameters {
+    V3f light{0, 0, 0}, dark{0, 0, 0};
+    float ring = 0;                                    // m
+    V3f along{1, 0, 0}, across{0, 1, 0}, up{0, 0, 1};  // orthonormal
+};
+
+/// See CheckerPattern.
+struct CheckerParameters {
+    V3f even{0, 0, 0}, odd{0, 0, 0};
+    float size = 0;  // m
+};
+
+/// All kinds of textures. A kind needs a function `colour_at` in kernels/texture.h.
+using TextureData = std::variant<V3f, ImageParameters, BallParameters, ClothParameters,
+                                 WoodParameters, CheckerParameters>;
+
+/// Cells along the sides of ClothTiles: threads of the weave, cells of the nap's noise, and the
+/// coarsest cells of the noise of wear.
+struct ClothCells {
+    static constexpr int kThreads = 64;
+    static constexpr int kNap = 64;
+    static constexpr int kWear = 16;
+};
+
+}  // namespace carom::render

@@ -1,0 +1,116 @@
+// Textures of every kind, and random points to look them up at.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <OpenImageIO/imageio.h>
+#include <unistd.h>
+
+#include "core/error.h"
+#include "render/texture/texture.h"
+#include "tests/render/statistics.h"
+
+namespace carom::test {
+
+/// Random colours, every eighth below the smallest normal half float. The file is to be removed.
+inline std::string write_random_picture(int width, int height) {
+    const std::string path = (std::filesystem::temp_directory_path() /
+                              ("carom_every_texture_" + std::to_string(getpid()) + ".exr"))
+                                 .string();
+    TestRandom random(5);
+    std::vector<float> values(static_cast<std::size_t>(width * height * 3));
+    for (float& value : values) {
+        value = random.unit() * (random.next() % 8 == 0 ? 6e-5f : 2.0f);
+    }
+    const auto file = OIIO::ImageOutput::create(path);
+    if (!file || !file->open(path, OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::FLOAT)) ||
+        !file->write_image(OIIO::TypeDesc::FLOAT, values.data()) || !file->close()) {
+        throw Error("cannot write '" + path + "'");
+    }
+    return path;
+}
+
+struct NamedTexture {
+    std::string name;
+    render::Texture texture;
+};
+
+/// At least one texture of every kind. Made once, because cloth takes long.
+inline const std::vector<NamedTexture>& every_texture() {
+    static const std::vector<NamedTexture> all = [] {
+        render::ImageCache images;
+        std::vector<NamedTexture> made;
+        const auto add = [&](const std::string& name, const render::ColourSource& source) {
+            made.push_back({name, render::Texture(source, images)});
+        };
+        add("constant", Vec3(0.1, 0.2, 0.3));
+
+        render::ImageTexture image;
+        image.file = write_random_picture(37, 22);
+        image.scale = Vec2(3, 0.7);
+        image.offset = Vec2(0.2, -0.4);
+        image.rotation = 0.3;
+        add("image by uv", image);
+        image.size = Vec2(0.4, 0.25);
+        add("image by size", image);
+        std::filesystem::remove(image.file);
+
+        render::BallTexture ball;
+        ball.colour = Vec3(0.8, 0.1, 0.05);
+        add("plain ball", ball);
+        ball.number = 8;
+        add("ball with a number", ball);
+        ball.number = 66;
+        ball.striped = true;
+        ball.spots = 6;
+        add("striped ball with spots", ball);
+
+        render::ClothTexture cloth;
+        add("cloth", cloth);
+        cloth.variation = 1.5;
+        cloth.thread = 0.002;
+        add("coarse cloth", cloth);
+
+        render::WoodTexture wood;
+        add("wood", wood);
+        wood.grain = Vec3(0.3, 0.9, -0.2);
+        wood.ring = 0.004;
+        add("oblique wood", wood);
+
+        add("checker", render::CheckerTexture{});
+        return made;
+    }();
+    return all;
+}
+
+/// A point within 2 m; every third is near the origin, as points of a ball are.
+inline render::SurfacePoint random_texture_point(TestRandom& random) {
+    render::SurfacePoint point;
+    const float reach = random.next() % 3 == 0 ? 0.03f : 2.0f;
+    const auto within = [&](float most) { return random.between(-most, most); };
+    point.object_position = {within(reach), within(reach), within(reach)};
+    render::V3f normal(within(1), within(1), within(1));
+    if (random.next() % 4 == 0) {
+        normal[static_cast<int>(random.next() % 3)] = 0;
+    }
+    normal.x += normal.length2() > 0 ? 0.0f : 1.0f;
+    point.geometric_normal = normal.normalized();
+    point.uv = {within(3), within(3)};
+    point.uv_per_metre = random.between(0.1f, 5.0f);
+    point.uv_metres = {random.between(0.1f, 5.0f), random.between(0.1f, 5.0f)};
+    return point;
+}
+
+/// From 0 to beyond the size of everything, with the same share of every order of magnitude.
+inline float random_footprint(TestRandom& random) {
+    if (random.next() % 8 == 0) {
+        return 0;
+    }
+    return std::ldexp(random.between(1, 2), static_cast<int>(random.next() % 20) - 17);
+}
+
+}  // namespace carom::test

@@ -1,0 +1,66 @@
+// The bits of textures are pinned: a change that means to change pictures changes these sums.
+#include <bit>
+#include <map>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/render/texture/every_texture.h"
+
+namespace carom::render {
+namespace {
+
+constexpr int kPoints = 20'000;
+
+/// A sum of bits that depends on their order (Fowler, Noll and Vo's hash FNV-1a by words).
+class BitSum {
+  public:
+    void add(const V3f& v) {
+        for (const float x : {v.x, v.y, v.z}) {
+            // -0 and 0 are the same colour.
+            const std::uint32_t bits = x == 0 ? 0 : std::bit_cast<std::uint32_t>(x);
+            sum_ = (sum_ ^ bits) * 0x100000001b3ull;
+        }
+    }
+    [[nodiscard]] std::uint64_t value() const { return sum_; }
+
+  private:
+    std::uint64_t sum_ = 0xcbf29ce484222325ull;
+};
+
+TEST(Texture, EveryKind_HasThePinnedBits) {
+    const std::map<std::string, std::uint64_t> pinned{
+        {"constant", 0x10e6bb89f55562e5u},
+        {"image by uv", 0xd626a5d26277c036u},
+        {"image by size", 0x950286dd6865d2e8u},
+        {"plain ball", 0xea5ea71cc1401405u},
+        {"ball with a number", 0x4bc29cd609cb155u},
+        {"striped ball with spots", 0x5b9dfbbd8d7e120eu},
+        {"cloth", 0x4694206c8b216b4au},
+        {"coarse cloth", 0x3d666b243c92754du},
+        {"wood", 0x6fb0afd6d487372bu},
+        {"oblique wood", 0x1575c949bc772adeu},
+        {"checker", 0xc5a2623f5e0bd29cu},
+    };
+    for (const test::NamedTexture& one : test::every_texture()) {
+        test::TestRandom random(11);
+        BitSum sum;
+        for (int i = 0; i < kPoints; ++i) {
+            const SurfacePoint point = test::random_texture_point(random);
+            const float footprint = test::random_footprint(random);
+            if (one.texture.has_relief()) {
+                const Texture::Relief relief = one.texture.relief(point, footprint);
+                sum.add(relief.colour);
+                sum.add(relief.normal_shift);
+                ASSERT_EQ(one.texture.colour(point, footprint), relief.colour);
+            } else {
+                sum.add(one.texture.colour(point, footprint));
+            }
+        }
+        ASSERT_TRUE(pinned.contains(one.name)) << one.name;
+        EXPECT_EQ(sum.value(), pinned.at(one.name)) << one.name << " " << std::hex << sum.value();
+    }
+}
+
+}  // namespace
+}  // namespace carom::render

@@ -1,0 +1,128 @@
+#include "tests/render/texture/texture_lanes.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tests/render/texture/texture_lanes.cpp"
+#include <hwy/foreach_target.h>  // compiles this file once per instruction set
+// Must follow foreach_target.h.
+#include <hwy/highway.h>
+
+#include "render/texture/kernels-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace carom::render::HWY_NAMESPACE {
+
+using Numbers = hn::CappedTag<float, 16>;
+using Value = hn::Vec<Numbers>;
+
+HWY_INLINE Three<Value> load_three(const std::vector<float> (&from)[3], std::size_t first) {
+    const Numbers d;
+    return {hn::LoadU(d, &from[0][first]), hn::LoadU(d, &from[1][first]),
+            hn::LoadU(d, &from[2][first])};
+}
+HWY_INLINE Two<Value> load_two(const std::vector<float> (&from)[2], std::size_t first) {
+    const Numbers d;
+    return {hn::LoadU(d, &from[0][first]), hn::LoadU(d, &from[1][first])};
+}
+HWY_INLINE void store_three(const Three<Value>& v, float* const (&to)[3], std::size_t first) {
+    const Numbers d;
+    hn::StoreU(v.x, d, to[0] + first);
+    hn::StoreU(v.y, d, to[1] + first);
+    hn::StoreU(v.z, d, to[2] + first);
+}
+HWY_INLINE TexturePointOf<Lanes> load_point(const test::PointLists& points, std::size_t first) {
+    const Numbers d;
+    return {load_three(points.object_position, first), load_three(points.geometric_normal, first),
+            load_two(points.uv, first), hn::LoadU(d, &points.uv_per_metre[first]),
+            load_two(points.uv_metres, first)};
+}
+
+HWY_ATTR void all_colours(const TextureData& texture, const test::PointLists& points,
+                          float* const colour[3]) {
+    const Numbers d;
+    float* const to[3] = {colour[0], colour[1], colour[2]};
+    for (std::size_t i = 0; i < points.footprint.size(); i += hn::Lanes(d)) {
+        store_three(
+            colour_of<Lanes>(texture, load_point(points, i), hn::LoadU(d, &points.footprint[i])),
+            to, i);
+    }
+}
+
+HWY_ATTR void all_reliefs(const TextureData& texture, const test::PointLists& points,
+                          float* const colour[3], float* const shift[3]) {
+    const Numbers d;
+    float* const colours[3] = {colour[0], colour[1], colour[2]};
+    float* const shifts[3] = {shift[0], shift[1], shift[2]};
+    for (std::size_t i = 0; i < points.footprint.size(); i += hn::Lanes(d)) {
+        const TextureReliefOf<Lanes> relief =
+            relief_of<Lanes>(texture, load_point(points, i), hn::LoadU(d, &points.footprint[i]));
+        store_three(relief.colour, colours, i);
+        store_three(relief.normal_shift, shifts, i);
+    }
+}
+
+HWY_ATTR void all_halves(const std::vector<std::uint32_t>& words, float* values) {
+    const Numbers d;
+    for (std::size_t i = 0; i < words.size(); i += hn::Lanes(d)) {
+        hn::StoreU(half_value<Lanes>(hn::LoadU(hn::RebindToUnsigned<Numbers>(), &words[i])), d,
+                   values + i);
+    }
+}
+
+const test::TextureLanes& texture_lanes_of_target() {
+    static const test::TextureLanes kLanes = {all_colours, all_reliefs, all_halves,
+                                              hwy::TargetName(HWY_TARGET)};
+    return kLanes;
+}
+
+}  // namespace carom::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace carom::render {
+
+HWY_EXPORT(texture_lanes_of_target);
+
+}  // namespace carom::render
+
+namespace carom::test {
+
+void PointLists::add(const render::SurfacePoint& point, float width) {
+    for (int axis = 0; axis < 3; ++axis) {
+        object_position[axis].push_back(point.object_position[axis]);
+        geometric_normal[axis].push_back(point.geometric_normal[axis]);
+    }
+    for (int axis = 0; axis < 2; ++axis) {
+        uv[axis].push_back(point.uv[axis]);
+        uv_metres[axis].push_back(point.uv_metres[axis]);
+    }
+    uv_per_metre.push_back(point.uv_per_metre);
+    footprint.push_back(width);
+}
+
+const TextureLanes& best_texture_lanes() {
+    using namespace render;
+    return HWY_DYNAMIC_DISPATCH(texture_lanes_of_target)();
+}
+
+void for_every_target(const std::function<void(const TextureLanes& lanes)>& use) {
+    const auto choose = [](std::int64_t targets) {
+        hwy::SetSupportedTargetsForTest(targets);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    };
+    const std::int64_t supported = hwy::SupportedTargets();
+    for (int bit = 0; bit < 63; ++bit) {
+        const std::int64_t target = std::int64_t{1} << bit;
+        // The lowest target is always there, though it is not always reported.
+        const bool is_lowest = target == HWY_STATIC_TARGET;
+        if ((HWY_TARGETS & target) != 0 && ((supported & target) != 0 || is_lowest)) {
+            choose(target);
+            use(best_texture_lanes());
+        }
+    }
+    choose(0);
+}
+
+}  // namespace carom::test
+
+#endif
