@@ -68,6 +68,9 @@ class Material {
     [[nodiscard]] Surface resolve(const SurfacePoint& point, const V3f& wo, float footprint) const;
 
     [[nodiscard]] const LayerConstants& layers() const { return layers_; }
+    [[nodiscard]] const Texture& texture() const { return texture_; }
+    /// Strength of the texture's relief, 0 without one.
+    [[nodiscard]] float bump() const { return bump_; }
 
     /// Albedo or reflectance if it is constant over the surface.
     [[nodiscard]] std::optional<V3f> constant_base() const;
