@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 
 #include "core/assert.h"
 #include "render/geometry/validity.h"
@@ -84,8 +85,10 @@ struct WaveIntegrator::Wave final : Integrator::Workspace {
     WaveList near_balls{};
     MissWave missed{};
     std::vector<Hit> hits = std::vector<Hit>(kWaveStorage);  // by paths
-    WaveList on_boxes{}, on_others{};                        // indices of paths
-    std::vector<PathWork> works;                             // of samples
+    WaveList hit_paths{};                                    // that become vertices
+    TurnWave turns{};
+    std::vector<int> group_ends;  // in the vertices, by group
+    std::vector<PathWork> works;  // of samples
 };
 
 WaveIntegrator::WaveIntegrator(const TransportScene& scene, const PathSettings& settings,
@@ -191,31 +194,35 @@ void WaveIntegrator::begin(std::span<const CameraTask> tasks, float pixel_spread
 void WaveIntegrator::process_hits(Wave& wave) const {
     const PathWave& paths = wave.paths();
     scene_.frame.structure().closest_hits(paths.rays(), wave.hits.data());
-    wave.vertices.count = 0;
     wave.vertices.has_gloss = false;
     wave.missed.paths.count = 0;
-    wave.on_boxes.count = 0;
-    wave.on_others.count = 0;
+    wave.hit_paths.count = 0;
     for (int i = 0; i < paths.count; ++i) {
         const Hit& hit = wave.hits[i];
         if (hit.object == kNoObject) {
             wave.missed.paths.add(i);
         } else if (scene_.is_light(hit)) {
             path_integrator_.add_hit_light(paths.path(i), hit, wave.works[paths.slot.at[i]]);
-        } else {
-            sort(i, hit, wave, wave.works[paths.slot.at[i]]);
+        } else if (becomes_vertex(i, hit, wave)) {
+            wave.hit_paths.add(i);
         }
     }
     add_misses(wave);
-    kernels_->find_surfaces(wave_scene_, paths, wave.vertices, false, 0, wave.vertices.count);
-    const int first_box = wave.vertices.count;
-    for (int k = 0; k < wave.on_boxes.count; ++k) {
-        add_vertex(wave.on_boxes.at.at[k], wave);
-    }
-    kernels_->find_surfaces(wave_scene_, paths, wave.vertices, true, first_box,
-                            wave.vertices.count);
-    for (int k = 0; k < wave.on_others.count; ++k) {
-        add_other_vertex(wave.on_others.at.at[k], wave);
+    sort_vertices(wave);
+    int first = 0;
+    for (std::size_t k = 0; k < wave_scene_.groups.groups.size(); ++k) {
+        const WaveGroup& group = wave_scene_.groups.groups[k];
+        const int last = wave.group_ends[k];
+        if (group.kind == WaveGroup::Kind::other) {
+            for (int vertex = first; vertex < last; ++vertex) {
+                find_other_surface(vertex, wave);
+            }
+        } else if (first < last) {
+            find_centres(group, first, last, wave);
+            kernels_->find_surfaces({wave_scene_, group, paths, wave.hits.data(), wave.turns,
+                                     wave.vertices, first, last});
+        }
+        first = last;
     }
     for (int i = 0; wave.vertex == 0 && i < wave.vertices.count; ++i) {
         PathWork& work = wave.works[paths.slot.at[wave.vertices.path.at[i]]];
@@ -240,70 +247,80 @@ void WaveIntegrator::add_misses(Wave& wave) const {
     }
 }
 
-void WaveIntegrator::sort(int path, const Hit& hit, Wave& wave, PathWork& work) const {
-    using Kind = WaveObjects::Kind;
-    const auto material = static_cast<std::size_t>(wave_scene_.objects.material[hit.object]);
+// Otherwise the path has ended, or was followed alone.
+bool WaveIntegrator::becomes_vertex(int path, const Hit& hit, Wave& wave) const {
+    const std::uint32_t material =
+        wave_scene_.groups.groups[wave_scene_.groups.of_object[hit.object]].material;
+    PathWork& work = wave.works[wave.paths().slot.at[path]];
     if (wave.vertex > kLastVertex || !wave_scene_.materials.is_supported[material]) {
         path_integrator_.follow_from(wave.paths().path(path), hit, work);
-        return;
+        return false;
     }
     if (has_emission_ && scene_.materials[material].is_emissive()) {
         path_integrator_.add_emission(wave.paths().path(path), hit, work);
     }
     if (wave.vertex > max_bounces_) {
-        return;
+        return false;
     }
     if (wave.vertex == 0 && wave_scene_.materials.has_gloss[material]) {
         wave.vertices.has_gloss = true;
     }
-    switch (wave_scene_.objects.kind[hit.object]) {
-        case Kind::other:
-            wave.on_others.add(path);
-            break;
-        case Kind::box:
-            wave.on_boxes.add(path);
-            break;
-        case Kind::moving_ball:
-        case Kind::static_ball:
-            add_vertex(path, wave);
-            break;
+    return true;
+}
+
+// Makes vertices of the hits, one group after the other, in each of them in the order of the paths.
+void WaveIntegrator::sort_vertices(Wave& wave) const {
+    const WaveGroups& groups = wave_scene_.groups;
+    std::vector<int>& ends = wave.group_ends;
+    ends.assign(groups.groups.size() + 1, 0);
+    for (int k = 0; k < wave.hit_paths.count; ++k) {
+        ends[groups.of_object[wave.hits[wave.hit_paths.at.at[k]].object] + 1u] += 1;
+    }
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    VertexWave& vertices = wave.vertices;
+    vertices.count = wave.hit_paths.count;
+    // Each group's end grows from its beginning.
+    for (int k = 0; k < wave.hit_paths.count; ++k) {
+        const int path = wave.hit_paths.at.at[k];
+        const Hit& hit = wave.hits[path];
+        const std::uint16_t group = groups.of_object[hit.object];
+        const int i = ends[group]++;
+        vertices.path.at[i] = path;
+        vertices.object.at[i] = static_cast<std::int32_t>(hit.object);
+        vertices.material.at[i] = static_cast<std::int32_t>(groups.groups[group].material);
+        vertices.distance.at[i] = hit.t;
     }
 }
 
-// For balls and boxes: the kernels complete the vertex later.
-void WaveIntegrator::add_vertex(int path, Wave& wave) const {
-    const Hit& hit = wave.hits[path];
-    const WaveObjects& objects = wave_scene_.objects;
-    VertexWave& vertices = wave.vertices;
-    const int i = vertices.count++;
-    vertices.path.at[i] = path;
-    vertices.object.at[i] = static_cast<std::int32_t>(hit.object);
-    vertices.material.at[i] = objects.material[hit.object];
-    vertices.distance.at[i] = hit.t;
-    vertices.position.set(i, objects.kind[hit.object] == WaveObjects::Kind::moving_ball
-                                 ? scene_.frame.centre(hit.object, wave.paths().time.at[path])
-                                 : V3f(objects.centre_x[hit.object], objects.centre_y[hit.object],
-                                       objects.centre_z[hit.object]));
+void WaveIntegrator::find_centres(const WaveGroup& group, int first, int last, Wave& wave) const {
+    if (group.kind != WaveGroup::Kind::ball) {
+        return;
+    }
+    for (int i = first; i < last; ++i) {
+        const auto object = static_cast<std::uint32_t>(wave.vertices.object.at[i]);
+        const float time = wave.paths().time.at[wave.vertices.path.at[i]];
+        wave.vertices.position.set(i, scene_.frame.centre(object, time));
+        if (group.moves && group.has_texture) {
+            const Imath::Quatf turn = scene_.frame.world_from_body(object, time);
+            wave.turns.real.at[i] = turn.r;
+            wave.turns.vector.set(i, turn.v);
+        }
+    }
 }
 
-void WaveIntegrator::add_other_vertex(int path, Wave& wave) const {
-    const Hit& hit = wave.hits[path];
-    const Path alone = wave.paths().path(path);
-    const SurfacePoint point = scene_.frame.surface_at(alone.ray, hit);
-    Path arrived = alone;
-    arrived.width += alone.spread * hit.t;
-    const Surface surface = path_integrator_.resolve(arrived, point);
+void WaveIntegrator::find_other_surface(int vertex, Wave& wave) const {
     VertexWave& vertices = wave.vertices;
-    const int i = vertices.count++;
-    vertices.path.at[i] = path;
-    vertices.object.at[i] = static_cast<std::int32_t>(hit.object);
-    vertices.material.at[i] = static_cast<std::int32_t>(point.material);
-    vertices.distance.at[i] = hit.t;
-    vertices.position.set(i, point.position);
-    vertices.geometric_normal.set(i, surface.geometric_normal);
-    vertices.normal.set(i, surface.frame.z);
-    vertices.offset.at[i] = point.offset;
-    vertices.base.set(i, surface.base);
+    const int path = vertices.path.at[vertex];
+    const Hit& hit = wave.hits[path];
+    Path arrived = wave.paths().path(path);
+    const SurfacePoint point = scene_.frame.surface_at(arrived.ray, hit);
+    arrived.width += arrived.spread * hit.t;
+    const Surface surface = path_integrator_.resolve(arrived, point);
+    vertices.position.set(vertex, point.position);
+    vertices.geometric_normal.set(vertex, surface.geometric_normal);
+    vertices.normal.set(vertex, surface.frame.z);
+    vertices.offset.at[vertex] = point.offset;
+    vertices.base.set(vertex, surface.base);
 }
 
 void WaveIntegrator::trace_shadows(Wave& wave, RenderStatistics& count) const {

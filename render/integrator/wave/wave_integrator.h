@@ -40,9 +40,10 @@ class WaveIntegrator final : public Integrator {
                RenderStatistics& count) const;
     void process_hits(Wave& wave) const;
     void add_misses(Wave& wave) const;
-    void sort(int path, const Hit& hit, Wave& wave, PathWork& work) const;
-    void add_vertex(int path, Wave& wave) const;
-    void add_other_vertex(int path, Wave& wave) const;
+    [[nodiscard]] bool becomes_vertex(int path, const Hit& hit, Wave& wave) const;
+    void sort_vertices(Wave& wave) const;
+    void find_centres(const WaveGroup& group, int first, int last, Wave& wave) const;
+    void find_other_surface(int vertex, Wave& wave) const;
     void trace_shadows(Wave& wave, RenderStatistics& count) const;
 
     TransportScene scene_;

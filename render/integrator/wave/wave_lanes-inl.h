@@ -7,6 +7,9 @@
 #define CAROM_WAVE_LANES_INL_H
 #endif
 
+#include <cstddef>
+#include <vector>
+
 #include "render/integrator/wave/path_wave.h"
 #include "render/light/kernels-inl.h"
 #include "render/material/kernels-inl.h"

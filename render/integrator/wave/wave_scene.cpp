@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <variant>
 
-#include "render/frame_scene/scene_object.h"
-
 namespace carom::render {
 namespace {
 
@@ -44,43 +42,6 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
         light.radius = sphere.radius();
     }
     return light;
-}
-
-/// Waves compute surfaces only on balls and on still boxes along the world's axes, without textures
-/// and not lights.
-WaveObjects::Kind kind_of(const SceneObject& object, bool moves) {
-    using Kind = WaveObjects::Kind;
-    if (object.has_texture || object.light.has_value()) {
-        return Kind::other;
-    }
-    if (object.is_round) {
-        return moves ? Kind::moving_ball : Kind::static_ball;
-    }
-    return object.is_upright_box && !moves ? Kind::box : Kind::other;
-}
-
-/// Adds how a wave finds the object's surface, and its material.
-void add_object(const TransportScene& scene, std::uint32_t index, WaveObjects& objects) {
-    using Kind = WaveObjects::Kind;
-    const SceneObject& object = scene.frame.object(index);
-    const Kind kind = kind_of(object, scene.frame.moves(index));
-    const auto base =
-        kind != Kind::other ? scene.materials[object.material].constant_base() : std::nullopt;
-    objects.material.push_back(static_cast<std::int32_t>(object.material));
-    objects.kind.push_back(base ? kind : Kind::other);
-    const V3f centre = base ? object.frame.world_from_unit.translation : V3f(0, 0, 0);
-    const V3f half = base ? object.half_size : V3f(1, 1, 1);
-    const V3f colour = base.value_or(V3f(0, 0, 0));
-    objects.centre_x.push_back(centre.x);
-    objects.centre_y.push_back(centre.y);
-    objects.centre_z.push_back(centre.z);
-    objects.half_x.push_back(half.x);
-    objects.half_y.push_back(half.y);
-    objects.half_z.push_back(half.z);
-    objects.bounding_radius.push_back(base ? object.bounding_radius : 0);
-    objects.red.push_back(colour.x);
-    objects.green.push_back(colour.y);
-    objects.blue.push_back(colour.z);
 }
 
 void add_table(const AlbedoTable& table, std::vector<float>& tables) {
@@ -129,9 +90,7 @@ WaveScene make_wave_scene(const TransportScene& scene, const PathSettings& setti
     known.ball_gain = bounds.gain;
     known.ball_of_object = caustics.ball_of_object();
     known.ball_of_object.resize(scene.frame.object_count(), -1);
-    for (std::uint32_t object = 0; object < scene.frame.object_count(); ++object) {
-        add_object(scene, object, known.objects);
-    }
+    known.groups = make_wave_groups(scene);
     for (const Material& material : scene.materials) {
         add_material(material, known.materials);
     }

@@ -8,6 +8,7 @@
 #include "render/integrator/caustics.h"
 #include "render/integrator/path_integrator.h"
 #include "render/integrator/transport_scene.h"
+#include "render/integrator/wave/wave_groups.h"
 #include "render/light/light_set.h"
 
 namespace carom::render {
@@ -41,18 +42,6 @@ struct WaveMaterials {
     bool has_rough_coat = false;     // any of them has one
 };
 
-/// Objects by index, as a structure of arrays.
-struct WaveObjects {
-    enum class Kind : std::uint8_t { other, moving_ball, static_ball, box };
-    std::vector<Kind> kind;
-    std::vector<std::int32_t> material;
-    // Shape and colour, for every kind except `other`.
-    std::vector<float> centre_x, centre_y, centre_z;
-    std::vector<float> half_x, half_y, half_z;
-    std::vector<float> bounding_radius;
-    std::vector<float> red, green, blue;
-};
-
 /// What the kernels need to know about a scene.
 struct WaveScene {
     const LightSet* lights = nullptr;
@@ -66,7 +55,7 @@ struct WaveScene {
     std::vector<std::int32_t> ball_of_object;  // or -1
 
     WaveMaterials materials;
-    WaveObjects objects;
+    WaveGroups groups;
     int max_bounces = 0;
     int split_vertices = 0;
     int glossy_samples = 1;
