@@ -170,14 +170,10 @@ Surface PathIntegrator::resolve(const Path& path, const SurfacePoint& point) con
     return scene_.materials[point.material].resolve(point, wo, path.width / std::sqrt(cosine));
 }
 
-void PathIntegrator::add_caustics(Path path, const Hit& hit, PathWork& work) const {
-    const SurfacePoint point = scene_.frame.surface_at(path.ray, hit);
-    path.width += path.spread * hit.t;
-    const Surface surface = resolve(path, point);
-    const Bsdf bsdf(surface, -path.ray.direction);
-    const ShadingVertex vertex{
-        point.position, point.position + surface.geometric_normal * point.offset, surface, bsdf};
-    const V3f found = caustics_.estimate(path, vertex, hit.object, work.dimensions, work.count);
+void PathIntegrator::add_caustics(const Path& path, const Arrival& at, PathWork& work) const {
+    const Bsdf bsdf(at.surface, -path.ray.direction);
+    const ShadingVertex vertex{at.position, at.origin, at.surface, bsdf};
+    const V3f found = caustics_.estimate(path, vertex, at.object, work.dimensions, work.count);
     work.add(path.throughput * found, path.vertex + 2);
 }
 

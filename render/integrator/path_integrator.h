@@ -71,8 +71,15 @@ class PathIntegrator final : public Integrator {
     void add_emission(const Path& path, const Hit& hit, PathWork& work) const;
     /// The surface at a point that the path hit; `path.width` is the width there.
     [[nodiscard]] Surface resolve(const Path& path, const SurfacePoint& point) const;
-    /// Adds the sampled caustics, scattered at the path's `hit`.
-    void add_caustics(Path path, const Hit& hit, PathWork& work) const;
+    /// Where a path arrived.
+    struct Arrival {
+        V3f position;
+        V3f origin;  // of the next ray
+        const Surface& surface;
+        std::uint32_t object;
+    };
+    /// Adds the sampled caustics, scattered where the path arrived.
+    void add_caustics(const Path& path, const Arrival& at, PathWork& work) const;
     /// The result of the sample, with indirect light clamped.
     [[nodiscard]] RadianceSample total(PathWork& work) const;
 

@@ -146,10 +146,7 @@ void WaveIntegrator::samples(std::span<const CameraTask> tasks, float pixel_spre
             count.scattered_rays += static_cast<std::uint64_t>(wave.next().count);
             trace_shadows(wave, count);
             for (int k = 0; k < wave.near_balls.count; ++k) {
-                const int vertex = wave.near_balls.at.at[k];
-                const int path = wave.vertices.path.at[vertex];
-                path_integrator_.add_caustics(wave.paths().path(path), wave.hits[path],
-                                              wave.works[wave.paths().slot.at[path]]);
+                add_caustics(wave.near_balls.at.at[k], wave);
             }
             wave.vertex += 1;
         }
@@ -321,6 +318,23 @@ void WaveIntegrator::find_other_surface(int vertex, Wave& wave) const {
     vertices.normal.set(vertex, surface.frame.z);
     vertices.offset.at[vertex] = point.offset;
     vertices.base.set(vertex, surface.base);
+}
+
+void WaveIntegrator::add_caustics(int vertex, Wave& wave) const {
+    const VertexWave& vertices = wave.vertices;
+    const int path = vertices.path.at[vertex];
+    Surface surface;
+    surface.geometric_normal = vertices.geometric_normal.get(vertex);
+    surface.frame = OrthonormalBasis::around(vertices.normal.get(vertex));
+    surface.base = vertices.base.get(vertex);
+    surface.layers =
+        &scene_.materials[static_cast<std::size_t>(vertices.material.at[vertex])].layers();
+    const V3f position = vertices.position.get(vertex);
+    const V3f origin = position + surface.geometric_normal * vertices.offset.at[vertex];
+    path_integrator_.add_caustics(
+        wave.paths().path(path),
+        {position, origin, surface, static_cast<std::uint32_t>(vertices.object.at[vertex])},
+        wave.works[wave.paths().slot.at[path]]);
 }
 
 void WaveIntegrator::trace_shadows(Wave& wave, RenderStatistics& count) const {

@@ -44,6 +44,7 @@ class WaveIntegrator final : public Integrator {
     void sort_vertices(Wave& wave) const;
     void find_centres(const WaveGroup& group, int first, int last, Wave& wave) const;
     void find_other_surface(int vertex, Wave& wave) const;
+    void add_caustics(int vertex, Wave& wave) const;
     void trace_shadows(Wave& wave, RenderStatistics& count) const;
 
     TransportScene scene_;
