@@ -33,6 +33,8 @@ bool is_dark(const V3f& c) {
 
 // With more area lights than this, each is sampled once.
 constexpr std::size_t kFewLights = 4;
+// The numbers of PathDimensions::light_block.
+constexpr int kBlockSamples = 4;
 
 }  // namespace
 
@@ -40,7 +42,7 @@ int first_vertex_samples(const LightSet& lights, std::size_t light) {
     const std::size_t area_lights = lights.area_light_count();
     const bool is_lamp = light < area_lights && area_lights <= kFewLights &&
                          std::holds_alternative<RectangleEmitter>(lights.area_light(light));
-    return is_lamp ? LightBlock::kSize : 1;
+    return is_lamp ? kBlockSamples : 1;
 }
 
 /// The shadow rays of a vertex and the light that they carry. Rays with the same origin are traced
@@ -129,7 +131,9 @@ void DirectLight::sample_all_lights(Path& path, const ShadingVertex& vertex,
     std::uint32_t asked = 0;  // points taken from the pairs
     for (std::size_t light = 0; light < scene_.lights.sampled_count(); ++light) {
         if (first_vertex_samples(scene_.lights, light) > 1) {
-            sample_light_block(light, dimensions.light_block(light), vertex, shadow_rays);
+            for (const V2f& u : dimensions.light_block(light)) {
+                sample_light(light, kBlockSamples, u, vertex, shadow_rays);
+            }
             continue;
         }
         if (asked % 2 == 0) {
@@ -164,46 +168,6 @@ void DirectLight::sample_light(std::size_t light, float expected, const V2f& u,
     if (!is_dark(value)) {
         shadow_rays.add(sample->direction, sample->distance,
                         value * scene_.lights.radiance(light, *sample) / pdf);
-    }
-}
-
-// Four samples of one light, vectorised for diffuse surfaces, which are the most frequent.
-void DirectLight::sample_light_block(std::size_t light, const std::array<V2f, 4>& u,
-                                     const ShadingVertex& vertex, ShadowRays& shadow_rays) const {
-    const auto& lamp = std::get<RectangleEmitter>(scene_.lights.area_light(light));
-    const bool is_base = vertex.splits && !vertex.bsdf.can_evaluate(Layers::coat);
-    const auto lobe = vertex.bsdf.only_diffuse(is_base ? Layers::base : Layers::all);
-    if (!lobe || strategy_ != DirectStrategy::both) {
-        for (const V2f& point : u) {
-            sample_light(light, LightBlock::kSize, point, vertex, shadow_rays);
-        }
-        return;
-    }
-    const auto block = lamp.sample_block(vertex.position, u);
-    if (!block) {
-        return;
-    }
-    const V3f& normal = vertex.surface.frame.z;
-    const V3f& geometric = vertex.surface.geometric_normal;
-    std::array<float, LightBlock::kSize> weight;
-    for (std::size_t k = 0; k < LightBlock::kSize; ++k) {
-        const float x = block->x[k];
-        const float y = block->y[k];
-        const float z = block->z[k];
-        const float cosine = normal.x * x + normal.y * y + normal.z * z;
-        const float side = geometric.x * x + geometric.y * y + geometric.z * z;
-        const float density = std::max(cosine, 0.0f) * kInversePi;
-        const float pdf = LightBlock::kSize * block->pdf[k];
-        const float ratio = lobe->probability * density / pdf;
-        const float value = density / (pdf * (1 + ratio * ratio));  // with the power heuristic
-        weight[k] = side > 0 ? value * lamp.gain(block->pdf[k]) : 0;
-    }
-    const V3f scattered = lobe->albedo * lamp.radiance();
-    for (std::size_t k = 0; k < LightBlock::kSize; ++k) {
-        if (weight[k] > 0 && !is_dark(scattered)) {
-            shadow_rays.add(V3f(block->x[k], block->y[k], block->z[k]), block->distance[k],
-                            scattered * weight[k]);
-        }
     }
 }
 

@@ -71,8 +71,6 @@ class DirectLight {
                       ShadowRays& shadow_rays) const;
     void sample_all_lights(Path& path, const ShadingVertex& vertex,
                            const PathDimensions& dimensions, ShadowRays& shadow_rays) const;
-    void sample_light_block(std::size_t light, const std::array<V2f, 4>& u,
-                            const ShadingVertex& vertex, ShadowRays& shadow_rays) const;
     [[nodiscard]] V3f scattered(const ShadingVertex& vertex, const V3f& direction,
                                 float light_pdf) const;
     [[nodiscard]] float weight_of_hit(const Path& path, std::size_t light, float pdf) const;

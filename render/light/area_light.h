@@ -2,13 +2,13 @@
 // them.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <variant>
 
 #include "core/colour.h"
 #include "render/geometry/ray.h"
 #include "render/geometry/trigonometry.h"
+#include "render/light/area_light_constants.h"
 #include "render/scene/scene_description.h"
 
 namespace carom::render {
@@ -20,18 +20,6 @@ struct LightSample {
     float pdf = 0;       // 1/sr of `direction`, > 0
     V2f place{0, 0};     // in the environment's picture
 };
-
-/// Four sampled directions towards a light, as a structure of arrays so that loops vectorise.
-struct LightBlock {
-    static constexpr int kSize = 4;
-    std::array<float, kSize> x, y, z;   // unit, from the point
-    std::array<float, kSize> distance;  // m
-    std::array<float, kSize> pdf;       // 1/sr, > 0
-};
-
-/// Lower bound on the cosine at the surface in importance estimates of a light that crosses the
-/// surface's horizon, so that such a light is still chosen sometimes.
-inline constexpr float kLeastHorizonCosine = 0.1f;
 
 /// A point on a light, sampled by area, for connections that are reflected on the way.
 struct EmitterPoint {
@@ -48,28 +36,28 @@ class RectangleEmitter {
 
     /// Empty if the point lies behind the light.
     [[nodiscard]] std::optional<LightSample> sample(const V3f& point, const V2f& u) const;
-    /// `sample` for four points of the unit square.
-    [[nodiscard]] std::optional<LightBlock> sample_block(const V3f& point,
-                                                         const std::array<V2f, 4>& u) const;
     /// Density of `sample` (1/sr) for a direction that hits the light at `distance`.
     [[nodiscard]] float pdf(const V3f& point, const V3f& direction, float distance) const;
     /// W/(m^2 sr), on the side that shines.
-    [[nodiscard]] const V3f& radiance() const { return radiance_; }
-    [[nodiscard]] bool has_falloff() const { return has_falloff_; }
+    [[nodiscard]] const V3f& radiance() const { return light_.radiance; }
+    [[nodiscard]] bool has_falloff() const { return light_.has_falloff; }
     /// The factor by which the light on a surface is brighter than the light looks, for a direction
     /// with the density `pdf` of `sample`. It differs from 1 only for a light without falloff,
     /// which gives every point the irradiance pi x radiance x the mean cosine towards the light.
-    [[nodiscard]] float gain(float pdf) const { return has_falloff_ ? 1.0f : kPi * pdf; }
+    [[nodiscard]] float gain(float pdf) const { return light_.has_falloff ? 1.0f : kPi * pdf; }
     /// Radiance towards `direction`, which points away from the light.
     [[nodiscard]] V3f emitted(const V3f& direction) const;
     [[nodiscard]] float importance(const V3f& point, const V3f& normal) const;
     /// Luminous power per steradian straight ahead: radiance times area.
-    [[nodiscard]] float intensity() const { return luminance(radiance_) * area_; }
-    [[nodiscard]] const V3f& centre() const { return centre_; }
+    [[nodiscard]] float intensity() const { return luminance(light_.radiance) * light_.area; }
+    [[nodiscard]] const V3f& centre() const { return light_.centre; }
     // Half sides.
-    [[nodiscard]] const V3f& edge_u() const { return edge_u_; }
-    [[nodiscard]] const V3f& edge_v() const { return edge_v_; }
-    [[nodiscard]] const V3f& normal() const { return normal_; }
+    [[nodiscard]] const V3f& edge_u() const { return light_.edge_u; }
+    [[nodiscard]] const V3f& edge_v() const { return light_.edge_v; }
+    [[nodiscard]] const V3f& normal() const { return light_.normal; }
+
+    /// For kernels.
+    [[nodiscard]] const RectangleConstants& constants() const { return light_; }
 
     /// A point sampled over the whole rectangle, whatever the receiver.
     [[nodiscard]] EmitterPoint sample_area(const V3f& receiver, float receiver_radius,
@@ -82,10 +70,7 @@ class RectangleEmitter {
                                                       float to_point) const;
 
   private:
-    V3f centre_, edge_u_, edge_v_, normal_, radiance_;
-    bool has_falloff_;
-    float area_;
-    float half_diagonal_;
+    RectangleConstants light_;
 };
 
 /// Sphere, sampled uniformly over the cone that it subtends at the point.
@@ -98,13 +83,17 @@ class SphereEmitter {
     [[nodiscard]] float pdf(const V3f& point, const V3f& direction, float distance) const;
     [[nodiscard]] V3f emitted(const V3f& direction) const;
     [[nodiscard]] float importance(const V3f& point, const V3f& normal) const;
-    [[nodiscard]] float intensity() const { return luminance(radiance_) * kPi * radius_ * radius_; }
-    [[nodiscard]] const V3f& centre() const { return centre_; }
-    [[nodiscard]] const V3f& radiance() const { return radiance_; }
-    [[nodiscard]] bool has_falloff() const { return has_falloff_; }
+    [[nodiscard]] float intensity() const {
+        return luminance(light_.radiance) * kPi * light_.radius * light_.radius;
+    }
+    [[nodiscard]] const V3f& centre() const { return light_.centre; }
+    [[nodiscard]] const V3f& radiance() const { return light_.radiance; }
+    [[nodiscard]] bool has_falloff() const { return light_.has_falloff; }
     /// See RectangleEmitter.
-    [[nodiscard]] float gain(float pdf) const { return has_falloff_ ? 1.0f : kPi * pdf; }
-    [[nodiscard]] float radius() const { return radius_; }
+    [[nodiscard]] float gain(float pdf) const { return light_.has_falloff ? 1.0f : kPi * pdf; }
+    [[nodiscard]] float radius() const { return light_.radius; }
+    /// For kernels.
+    [[nodiscard]] const SphereConstants& constants() const { return light_; }
 
     /// A point of a disk through the light's centre that is large enough that every ray from within
     /// `receiver_radius` of `receiver` that hits the light crosses it. `can_sample_area` must be
@@ -118,9 +107,7 @@ class SphereEmitter {
                                                       float to_point) const;
 
   private:
-    V3f centre_, radiance_;
-    bool has_falloff_;
-    float radius_;
+    SphereConstants light_;
 };
 
 using AreaLight = std::variant<RectangleEmitter, SphereEmitter>;

@@ -40,18 +40,6 @@ class Bsdf {
     /// Whether the surface has a coat that can be followed separately.
     [[nodiscard]] bool has_coat() const { return lobes_.coat() > 0; }
 
-    /// A diffuse lobe, albedo / pi.
-    struct Diffuse {
-        V3f albedo;
-        float probability;  // with which `sample` chooses it
-    };
-    /// The diffuse lobe if there is no other non-specular lobe; otherwise empty.
-    [[nodiscard]] std::optional<Diffuse> only_diffuse(Layers layers) const {
-        return is_lambert(layers)
-                   ? std::optional(Diffuse{lobes_.diffuse(), 1.0f - coat_probability(layers)})
-                   : std::nullopt;
-    }
-
     /// Whether a non-specular lobe exists, so that `evaluate` is not 0 everywhere.
     [[nodiscard]] bool can_evaluate(Layers layers) const;
 

@@ -1,5 +1,4 @@
-// Light sampling for the vertices of a wave, with the formulas of light/area_light.cpp and
-// light/light_set.cpp. Included once per instruction set.
+// Light sampling for the vertices of a wave. Included once per instruction set.
 #if defined(CAROM_WAVE_LIGHTS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CAROM_WAVE_LIGHTS_INL_H
 #undef CAROM_WAVE_LIGHTS_INL_H
@@ -17,70 +16,6 @@ HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
 using LightLanes = LightSampleOf<Lanes>;
-
-HWY_INLINE F3 radiance_of(const WaveLight& light, F pdf) {
-    return light.has_falloff ? all(light.radiance) : all(light.radiance) * (all(kPi) * pdf);
-}
-
-HWY_INLINE LightLanes sample_rectangle(const WaveLight& light, const F3& point, const V2& u) {
-    const F a = all(2.f) * u.x - all(1.f);
-    const F b = all(2.f) * u.y - all(1.f);
-    const F3 to_light = all(light.centre) + all(light.edge_u) * a + all(light.edge_v) * b - point;
-    const F height = hn::Neg(dot(to_light, all(light.normal)));
-    const F distance2 = dot(to_light, to_light);
-    const F distance = hn::Sqrt(distance2);
-    const F pdf = distance2 * distance / (height * all(light.area));
-    return {to_light * (all(1.f) / distance), distance, pdf, radiance_of(light, pdf),
-            hn::Gt(height, all(0.f))};
-}
-
-HWY_INLINE LightLanes sample_sphere(const WaveLight& light, const F3& point, const V2& u) {
-    const F3 to_light = all(light.centre) - point;
-    const F radius = all(light.radius);
-    const F distance2 = dot(to_light, to_light);
-    const F distance = hn::Sqrt(distance2);
-    const F one_minus_cos = one_minus_cos_of_sphere<Lanes>(radius, distance);
-    const F3 local = sample_cone<Lanes>(u, one_minus_cos);
-    const F sine2 = local.x * local.x + local.y * local.y;
-    const F inside = hn::Sqrt(hn::Max(all(0.f), radius * radius - distance2 * sine2));
-    const Basis basis = basis_around<Lanes>(to_light * (all(1.f) / distance));
-    const F pdf = all(1.f) / (all(2 * kPi) * one_minus_cos);
-    return {unit(basis.to_world(local)), hn::Max(all(0.f), distance * local.z - inside), pdf,
-            radiance_of(light, pdf), hn::Gt(distance2, radius * radius)};
-}
-
-HWY_INLINE F surface_cosine(F cosine, F sine) {
-    return select(hn::Le(cosine + sine, all(0.f)), all(0.f),
-                  hn::Max(cosine, all(kLeastHorizonCosine)));
-}
-
-HWY_INLINE F importance_of_rectangle(const WaveLight& light, const F3& point, const F3& normal) {
-    const F3 to_light = all(light.centre) - point;
-    const F distance2 = hn::Max(dot(to_light, to_light), all(1e-12f));
-    const F distance = hn::Sqrt(distance2);
-    const F height = hn::Neg(dot(to_light, all(light.normal)));
-    const F cosine =
-        surface_cosine(dot(to_light, normal) / distance, all(light.half_diagonal) / distance);
-    if (!light.has_falloff) {
-        return select(hn::Gt(height, all(0.f)), all(luminance(light.radiance) * kPi) * cosine,
-                      all(0.f));
-    }
-    const F value = all(luminance(light.radiance) * light.area) * cosine * (height / distance) /
-                    hn::Max(distance2, all(0.25f * light.area));
-    return select(hn::Gt(height, all(0.f)), value, all(0.f));
-}
-
-HWY_INLINE F importance_of_sphere(const WaveLight& light, const F3& point, const F3& normal) {
-    const F3 to_light = all(light.centre) - point;
-    const F distance = hn::Max(hn::Sqrt(dot(to_light, to_light)), all(1e-6f));
-    const F radius = all(light.radius);
-    const F solid_angle = light.has_falloff
-                              ? all(2.0f * kPi) * one_minus_cos_of_sphere<Lanes>(radius, distance)
-                              : all(kPi);
-    const F value = all(luminance(light.radiance)) * solid_angle *
-                    surface_cosine(dot(to_light, normal) / distance, radius / distance);
-    return select(hn::Gt(distance, radius), value, all(0.f));
-}
 
 /// The lanes of a vector one by one, for lights without vector code.
 struct LanesAtOnce {
@@ -152,9 +87,9 @@ HWY_INLINE F importance(const WaveScene& scene, std::size_t light, const F3& poi
     const WaveLight& known = scene.light[light];
     switch (known.kind) {
         case WaveLight::Kind::rectangle:
-            return importance_of_rectangle(known, point, normal);
+            return importance_of_rectangle<Lanes>(known.rectangle, point, normal);
         case WaveLight::Kind::sphere:
-            return importance_of_sphere(known, point, normal);
+            return importance_of_sphere<Lanes>(known.sphere, point, normal);
         case WaveLight::Kind::environment:
             return all(scene.environment_importance);
         case WaveLight::Kind::delta:
@@ -176,9 +111,9 @@ HWY_INLINE LightLanes sample(const WaveScene& scene, std::size_t light, const F3
     const WaveLight& known = scene.light[light];
     switch (known.kind) {
         case WaveLight::Kind::rectangle:
-            return sample_rectangle(known, point, u);
+            return sample_rectangle<Lanes>(known.rectangle, point, u);
         case WaveLight::Kind::sphere:
-            return sample_sphere(known, point, u);
+            return sample_sphere_light<Lanes>(known.sphere, point, u);
         case WaveLight::Kind::environment:
             return sample_environment(*scene.sky, u);
         case WaveLight::Kind::delta:

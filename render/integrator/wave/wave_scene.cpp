@@ -24,22 +24,11 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
     const AreaLight& area_light = lights.area_light(index);
     if (const auto* rectangle = std::get_if<RectangleEmitter>(&area_light)) {
         light.kind = WaveLight::Kind::rectangle;
-        light.centre = rectangle->centre();
-        light.edge_u = rectangle->edge_u();
-        light.edge_v = rectangle->edge_v();
-        light.normal = rectangle->normal();
-        light.radiance = rectangle->radiance();
-        light.has_falloff = rectangle->has_falloff();
-        light.area = 4.0f * light.edge_u.length() * light.edge_v.length();
-        light.half_diagonal = (light.edge_u + light.edge_v).length();
+        light.rectangle = rectangle->constants();
         light.samples = first_vertex_samples(lights, index);
     } else {
-        const auto& sphere = std::get<SphereEmitter>(area_light);
         light.kind = WaveLight::Kind::sphere;
-        light.centre = sphere.centre();
-        light.radiance = sphere.radiance();
-        light.has_falloff = sphere.has_falloff();
-        light.radius = sphere.radius();
+        light.sphere = std::get<SphereEmitter>(area_light).constants();
     }
     return light;
 }

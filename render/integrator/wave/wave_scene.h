@@ -17,14 +17,9 @@ namespace carom::render {
 struct WaveLight {
     enum class Kind { rectangle, sphere, environment, delta, other };
     Kind kind = Kind::other;
-    V3f centre{0, 0, 0};
-    V3f edge_u{0, 0, 0}, edge_v{0, 0, 0}, normal{0, 0, 1};  // of a rectangle; half sides
-    V3f radiance{0, 0, 0};
-    float area = 0;           // of a rectangle
-    float half_diagonal = 0;  // of a rectangle
-    float radius = 0;         // of a sphere
-    int samples = 1;          // at a path's first vertex
-    bool has_falloff = true;  // see RectangleEmitter::gain
+    int samples = 1;  // at a path's first vertex
+    RectangleConstants rectangle;
+    SphereConstants sphere;
     DeltaLightConstants delta;
 
     [[nodiscard]] bool is_environment() const { return kind == Kind::environment; }

@@ -116,7 +116,8 @@ HWY_INLINE void sample_all_lights(const WaveStep& step, VertexLanes& v,
             sampler.get_2d_block(PathDimensions::kLightBlocks + static_cast<std::uint32_t>(light),
                                  x, y);
             for (int j = 0; j < 4; ++j) {
-                const LightLanes found = sample_rectangle(known, v.position, {x[j], y[j]});
+                const LightLanes found =
+                    sample_rectangle<Lanes>(known.rectangle, v.position, {x[j], y[j]});
                 add_shadow_rays(step, v, found, all(4.f), v.scatters, k++);
             }
             continue;

@@ -1,16 +1,5 @@
 // Lights without a surface (delta_light.h) in lanes. Included as render/lanes/kernels/vectors.h is.
 
-/// A sampled direction towards a light, with the radiance from there. Where it is not valid, no
-/// light arrives.
-template <class L>
-struct LightSampleOf {
-    Three<typename L::Value> direction;
-    typename L::Value distance;
-    typename L::Value pdf;  // 1/sr
-    Three<typename L::Value> radiance;
-    typename L::Mask valid;
-};
-
 /// See DeltaLight::cone_fraction.
 template <class L>
 CAROM_KERNEL typename L::Value cone_fraction(const DeltaLightConstants& light,
