@@ -7,9 +7,13 @@
 
 namespace carom {
 
-/// The luminance: a weighted mean of the channels (Rec. ITU-R BT.709-6, item 3.2).
+/// The channels' weights in the luminance (Rec. ITU-R BT.709-6, item 3.2).
+inline constexpr float kRedLuminance = 0.2126f;
+inline constexpr float kGreenLuminance = 0.7152f;
+inline constexpr float kBlueLuminance = 0.0722f;
+
 [[nodiscard]] inline float luminance(const Imath::V3f& c) {
-    return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z;
+    return kRedLuminance * c.x + kGreenLuminance * c.y + kBlueLuminance * c.z;
 }
 
 [[nodiscard]] inline float largest(const Imath::V3f& c) {

@@ -63,7 +63,8 @@ HWY_INLINE FrameLanes frame_at(const ThinLensCamera& camera, F time) {
     frame.right = unit(cross(frame.forward, mix(a.up, b.up, time)));
     frame.up = cross(frame.right, frame.forward);
     if (a.roll != 0 || b.roll != 0) {
-        const SinCosLanes turn = sin_cos_turn(mix(a.roll, b.roll, time) * all(0.5f * kInversePi));
+        const SinCosOf<Lanes> turn =
+            sin_cos_turn<Lanes>(mix(a.roll, b.roll, time) * all(0.5f * kInversePi));
         const F3 level = frame.right;
         frame.right = level * turn.cosine + frame.up * turn.sine;
         frame.up = frame.up * turn.cosine - level * turn.sine;
@@ -97,8 +98,8 @@ HWY_INLINE V2 sample_polygon(const V2& u, int blades, F rotation_turns) {
     const F blade = hn::Min(hn::Floor(scaled), all(count - 1));
     const F fraction = hn::Min(scaled - blade, all(kOneMinusEpsilon));
     const F r = hn::Sqrt(fraction);
-    const SinCosLanes a = sin_cos_turn(blade / all(count) + rotation_turns);
-    const SinCosLanes b = sin_cos_turn((blade + all(1.f)) / all(count) + rotation_turns);
+    const SinCosOf<Lanes> a = sin_cos_turn<Lanes>(blade / all(count) + rotation_turns);
+    const SinCosOf<Lanes> b = sin_cos_turn<Lanes>((blade + all(1.f)) / all(count) + rotation_turns);
     const F first = all(1.f) - u.y;
     return {r * (first * a.cosine + u.y * b.cosine), r * (first * a.sine + u.y * b.sine)};
 }
@@ -171,7 +172,7 @@ inline HWY_ATTR void make_rays_in_lanes(const ThinLensCamera& camera, const Came
             continue;
         }
         const V2 lens = camera.blades() == 0
-                            ? sample_disk({u[2], u[3]})
+                            ? sample_disk<Lanes>({u[2], u[3]})
                             : sample_polygon({u[2], u[3]}, camera.blades(), frame.blade_turns);
         const F3 arm =
             frame.right * (frame.lens_radius * lens.x) + frame.up * (frame.lens_radius * lens.y);

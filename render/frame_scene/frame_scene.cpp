@@ -199,6 +199,10 @@ V3f FrameScene::centre(std::uint32_t object, float time) const {
                              : data_->geometry->objects[object].frame.world_from_unit.translation;
 }
 
+Imath::Quatf FrameScene::world_from_body(std::uint32_t object, float time) const {
+    return data_->motions[object]->world_from_body(time);
+}
+
 const SceneObject& FrameScene::object(std::uint32_t object) const {
     return data_->geometry->objects[object];
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <Imath/ImathBox.h>
+#include <Imath/ImathQuat.h>
 
 #include "render/acceleration/measured_structure.h"
 #include "render/acceleration/structure_cost.h"
@@ -54,6 +55,8 @@ class FrameScene {
     /// All balls with a material, in the order of their objects.
     [[nodiscard]] std::vector<Ball> balls() const;
     [[nodiscard]] V3f centre(std::uint32_t object, float time) const;
+    /// The rotation of an object that follows a track.
+    [[nodiscard]] Imath::Quatf world_from_body(std::uint32_t object, float time) const;
 
     /// The object as described in the scene.
     [[nodiscard]] const SceneObject& object(std::uint32_t object) const;

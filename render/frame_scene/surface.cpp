@@ -5,15 +5,13 @@
 
 #include "core/length.h"
 #include "render/acceleration/shape_list.h"
+#include "render/geometry/scalar_kernels.h"
 #include "render/geometry/trigonometry.h"
 
 namespace carom::render {
 namespace {
 
-float offset_at(const V3f& position, float bounding_radius) {
-    const float size = std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)});
-    return kOffsetFraction * (size + bounding_radius);
-}
+using scalar::One;
 
 void set_uv_metres(SurfacePoint& point, const V2f& metres) {
     point.uv_metres = metres;
@@ -24,7 +22,8 @@ void fill_ball(SurfacePoint& point, const SceneObject& object, const RigidMotion
                const Ray& ray, const Hit& hit) {
     const V3f centre =
         motion != nullptr ? motion->position(ray.time) : object.frame.world_from_unit.translation;
-    const V3f normal = unit((ray.origin - centre) + hit.t * ray.direction);
+    const V3f normal = scalar::vector_of(scalar::normal_on_ball<One>(
+        scalar::three(ray.origin), scalar::three(ray.direction), hit.t, scalar::three(centre)));
     const V3f arm = object.half_size.x * normal;
     point.position = centre + arm;
     point.geometric_normal = normal;
@@ -38,20 +37,27 @@ void fill_ball(SurfacePoint& point, const SceneObject& object, const RigidMotion
     }
 }
 
+void set_uv(SurfacePoint& point, const scalar::SurfacePointOf<One>& from) {
+    point.uv = scalar::vector_of(from.uv);
+    point.uv_per_metre = from.uv_per_metre;
+    point.uv_metres = scalar::vector_of(from.uv_metres);
+}
+
 /// A static box along the world's axes.
 void fill_upright_box(SurfacePoint& point, const SceneObject& object, const Ray& ray,
                       const Hit& hit) {
     const V3f& centre = object.frame.world_from_unit.translation;
-    const FacePoint face = on_box(ray.origin - centre, ray.direction, hit.t, object.half_size);
-    point.position = centre + face.position;
-    point.geometric_normal = V3f(0, 0, 0);
-    point.geometric_normal[face.axis] = face.side;
+    const auto half_size = scalar::three(object.half_size);
+    const auto face = scalar::point_on_box<One>(scalar::three(ray.origin - centre),
+                                                scalar::three(ray.direction), hit.t, half_size);
+    point.position = centre + scalar::vector_of(face.position);
+    point.geometric_normal = scalar::vector_of(face.normal);
     point.shading_normal = point.geometric_normal;
     if (object.has_texture) {
-        point.object_position = face.position;
-        point.uv = across_face(face, object.half_size);
-        set_uv_metres(point, V2f(2 * object.half_size[(face.axis + 1) % 3],
-                                 2 * object.half_size[(face.axis + 2) % 3]));
+        scalar::SurfacePointOf<One> across;
+        scalar::set_uv_across<One>(face, half_size, across);
+        point.object_position = scalar::vector_of(face.position);
+        set_uv(point, across);
     }
 }
 
@@ -86,45 +92,22 @@ void fill_analytic(SurfacePoint& point, const SceneObject& object, const RigidMo
 
 void fill_mesh(SurfacePoint& point, const SceneObject& object, const RigidMotion* motion,
                const Ray& ray, const Hit& hit) {
-    const TriangleMesh& mesh = *object.mesh;
-    const auto& corners = mesh.triangles[hit.primitive];
-    const V3f& a = mesh.vertices[corners[0]];
-    const V3f edge_b = mesh.vertices[corners[1]] - a;
-    const V3f edge_c = mesh.vertices[corners[2]] - a;
-    const float w = 1 - hit.u - hit.v;
-    const V3f local = a + hit.u * edge_b + hit.v * edge_c;
-    V3f geometric = unit(edge_b.cross(edge_c));
-    V3f shading = geometric;
-    if (!mesh.normals.empty()) {
-        const V3f mixed = w * mesh.normals[corners[0]] + hit.u * mesh.normals[corners[1]] +
-                          hit.v * mesh.normals[corners[2]];
-        const float length2 = mixed.dot(mixed);
-        const float cosine = mixed.dot(geometric);
-        if (length2 > 1e-12f && cosine != 0) {
-            shading = mixed * (std::copysign(1.f, cosine) / std::sqrt(length2));
-        }
-    }
+    const auto found = scalar::point_on_mesh<One>(arrays_of(*object.mesh),
+                                                  static_cast<std::int32_t>(hit.primitive), hit.u,
+                                                  hit.v, object.has_texture);
+    const V3f local = scalar::vector_of(found.position);
     point.position = local;
+    point.geometric_normal = scalar::vector_of(found.geometric_normal);
+    point.shading_normal = scalar::vector_of(found.shading_normal);
     if (motion != nullptr) {
         const Imath::Quatf turn = motion->world_from_body(ray.time);
         point.position = motion->position(ray.time) + rotate(turn, local);
-        geometric = rotate(turn, geometric);
-        shading = rotate(turn, shading);
+        point.geometric_normal = rotate(turn, point.geometric_normal);
+        point.shading_normal = rotate(turn, point.shading_normal);
     }
-    point.geometric_normal = geometric;
-    point.shading_normal = shading;
     if (object.has_texture) {
         point.object_position = object.metres_from_world.point(local);
-        point.uv = V2f(hit.u, hit.v);
-        if (!mesh.uv.empty()) {
-            const V2f& uv_a = mesh.uv[corners[0]];
-            const V2f uv_b = mesh.uv[corners[1]] - uv_a;
-            const V2f uv_c = mesh.uv[corners[2]] - uv_a;
-            point.uv = uv_a + hit.u * uv_b + hit.v * uv_c;
-            const float area = edge_b.cross(edge_c).length();
-            point.uv_per_metre = area > 0 ? std::sqrt(std::abs(uv_b.cross(uv_c)) / area) : 0.f;
-            point.uv_metres = V2f(point.uv_per_metre > 0 ? 1 / point.uv_per_metre : 0.f);
-        }
+        set_uv(point, found);
     }
 }
 
@@ -144,7 +127,7 @@ SurfacePoint surface_of(const SceneObject& object, const RigidMotion* motion, co
     } else {
         fill_analytic(point, object, motion, ray, hit);
     }
-    point.offset = offset_at(point.position, object.bounding_radius);
+    point.offset = scalar::offset_at<One>(scalar::three(point.position), object.bounding_radius);
     return point;
 }
 

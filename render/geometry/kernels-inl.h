@@ -8,6 +8,7 @@
 #endif
 
 #include "render/geometry/constants.h"
+#include "render/geometry/mesh_arrays.h"
 #include "render/lanes/kernels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -17,6 +18,7 @@ namespace carom::render::HWY_NAMESPACE {
 #define CAROM_KERNEL_ATTRIBUTE HWY_ATTR
 #include "render/geometry/kernels/angles.h"
 #include "render/geometry/kernels/basis.h"
+#include "render/geometry/kernels/surface_points.h"
 #undef CAROM_KERNEL_ATTRIBUTE
 #undef CAROM_KERNEL
 

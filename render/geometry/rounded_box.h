@@ -123,11 +123,12 @@ template <class T>
     const V3f size(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z));
     const int faced = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
     const V3f half = core + V3f(1);
-    const FacePoint face{on_core + normal, faced, std::copysign(1.f, normal[faced])};
+    const V3f position = on_core + normal;
     const int u_axis = (faced + 1) % 3;
     const int v_axis = (faced + 2) % 3;
-    return {face.position, normal, across_face(face, half), 2.f * V2f(half[u_axis], half[v_axis]),
-            u_axis,        v_axis};
+    const V2f side(half[u_axis], half[v_axis]);
+    const V2f place(position[u_axis], position[v_axis]);
+    return {position, normal, 0.5f * (place / side + V2f(1)), 2.f * side, u_axis, v_axis};
 }
 
 }  // namespace carom::render

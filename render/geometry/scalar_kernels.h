@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/geometry/constants.h"
+#include "render/geometry/mesh_arrays.h"
 #include "render/lanes/scalar_kernels.h"
 
 namespace carom::render::scalar {
@@ -10,6 +11,7 @@ namespace carom::render::scalar {
 #define CAROM_KERNEL_ATTRIBUTE
 #include "render/geometry/kernels/angles.h"
 #include "render/geometry/kernels/basis.h"
+#include "render/geometry/kernels/surface_points.h"
 #undef CAROM_KERNEL_ATTRIBUTE
 #undef CAROM_KERNEL
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/elementary_float.h"
+#include "render/geometry/scalar_kernels.h"
 #include "render/geometry/trigonometry.h"
 
 namespace carom::render {
@@ -16,9 +17,7 @@ V2f across_disk(const V3f& p) {
 }  // namespace
 
 V2f longitude_latitude(const V3f& p) {
-    const float turns = angle_of(p.x, p.y) * (0.5f * kInversePi);
-    const float sine = std::clamp(p.z / p.length(), -1.f, 1.f);
-    return V2f(turns < 0 ? turns + 1 : turns, 0.5f + arcsine(sine) * kInversePi);
+    return scalar::vector_of(scalar::longitude_latitude<scalar::One>(scalar::three(p)));
 }
 
 UnitPoint on_unit_ball(const UnitRay& ray, float t) {
@@ -27,41 +26,19 @@ UnitPoint on_unit_ball(const UnitRay& ray, float t) {
     return {n, n, longitude_latitude(n), V2f(kTurn, 0.5f * kTurn), 0, 2};
 }
 
-// Of the three faces through which a ray from outside can enter, or leave from inside, the one that
-// the point lies farthest beyond.
-FacePoint on_box(const V3f& origin, const V3f& direction, float t, const V3f& half_size) {
-    const bool leaves = std::abs(origin.x) < half_size.x && std::abs(origin.y) < half_size.y &&
-                        std::abs(origin.z) < half_size.z;
-    V3f p = origin + t * direction;
-    FacePoint face{p, 0, 1};
-    float farthest = -kInfinity;
-    for (int k = 0; k < 3; ++k) {
-        const float side = (direction[k] > 0) == leaves ? 1.f : -1.f;
-        const float out = side * p[k] - half_size[k];
-        if (out > farthest) {
-            farthest = out;
-            face.axis = k;
-            face.side = side;
-        }
-        face.position[k] = std::clamp(p[k], -half_size[k], half_size[k]);
-    }
-    face.position[face.axis] = face.side * half_size[face.axis];
-    return face;
-}
-
-V2f across_face(const FacePoint& point, const V3f& half_size) {
-    const int x = (point.axis + 1) % 3;
-    const int y = (point.axis + 2) % 3;
-    return V2f(0.5f * (point.position[x] / half_size[x] + 1),
-               0.5f * (point.position[y] / half_size[y] + 1));
-}
-
 UnitPoint on_unit_box(const UnitRay& ray, float t) {
-    const FacePoint face = on_box(ray.origin, ray.direction, t, V3f(1));
-    V3f normal(0, 0, 0);
-    normal[face.axis] = face.side;
-    return {face.position,      normal, across_face(face, V3f(1)), V2f(2), (face.axis + 1) % 3,
-            (face.axis + 2) % 3};
+    const auto half_size = scalar::three(V3f(1));
+    const auto face = scalar::point_on_box<scalar::One>(scalar::three(ray.origin),
+                                                        scalar::three(ray.direction), t, half_size);
+    scalar::SurfacePointOf<scalar::One> point;
+    scalar::set_uv_across<scalar::One>(face, half_size, point);
+    const int axis = face.is_x ? 0 : (face.is_z ? 2 : 1);
+    return {scalar::vector_of(face.position),
+            scalar::vector_of(face.normal),
+            scalar::vector_of(point.uv),
+            V2f(2),
+            (axis + 1) % 3,
+            (axis + 2) % 3};
 }
 
 UnitPoint on_unit_plane(const UnitRay& ray, float t) {

@@ -16,17 +16,6 @@ struct UnitPoint {
     int v_axis = 1;
 };
 
-/// Where a ray hits the box |p| <= half_size at distance t: the position, moved onto the face, and
-/// that face's axis and side.
-struct FacePoint {
-    V3f position;
-    int axis;
-    float side;  // 1 or -1
-};
-[[nodiscard]] FacePoint on_box(const V3f& origin, const V3f& direction, float t,
-                               const V3f& half_size);
-[[nodiscard]] V2f across_face(const FacePoint& point, const V3f& half_size);
-
 /// u is the longitude from +x over +y, v the latitude from -z to +z; both run from 0 to 1.
 [[nodiscard]] V2f longitude_latitude(const V3f& p);
 

@@ -14,8 +14,6 @@
 namespace carom::render {
 namespace {
 
-constexpr int kMostSplits = 2;
-constexpr std::uint32_t kBranchesOfOneCoat = 1u << (kMostSplits + 1);
 constexpr int kRouletteVertex = 5;
 constexpr float kLeastSurvival = 0.2f;
 

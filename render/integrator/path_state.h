@@ -36,6 +36,11 @@ struct LastScattering {
     float environment_samples = 1;
 };
 
+/// The most vertices of a path from which coat and base are followed separately.
+inline constexpr int kMostSplits = 2;
+/// The difference between the branches of two directions of the same coat.
+inline constexpr std::uint32_t kBranchesOfOneCoat = 1u << (kMostSplits + 1);
+
 /// One branch of a camera sample.
 struct Path {
     Ray ray{V3f(0, 0, 0), V3f(0, 0, 1)};

@@ -40,8 +40,8 @@ bool from_point(const TransportScene& scene, std::size_t light, const SpecularPo
     } else {
         connection.light_distance = mirror.to;
     }
-    connection.solid_angle = 1 / DeltaLight::kDeltaPdf;
-    connection.radiance *= intensity * (mirror.spread * DeltaLight::kDeltaPdf);
+    connection.solid_angle = 1 / kDeltaPdf;
+    connection.radiance *= intensity * (mirror.spread * kDeltaPdf);
     return luminance(intensity) > 0;
 }
 

@@ -9,6 +9,7 @@
 
 #include <Imath/ImathVec.h>
 
+#include "core/colour.h"
 #include "render/lanes/vector_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -3,6 +3,7 @@
 
 #include <Imath/ImathVec.h>
 
+#include "core/colour.h"
 #include "render/lanes/scalar_lanes.h"
 
 namespace carom::render::scalar {

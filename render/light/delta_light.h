@@ -5,6 +5,7 @@
 #include <string>
 
 #include "render/light/area_light.h"
+#include "render/light/delta_light_constants.h"
 #include "render/scene/scene_description.h"
 
 namespace carom::render {
@@ -15,9 +16,6 @@ namespace carom::render {
 /// sampling gives every other strategy a weight of zero.
 class DeltaLight {
   public:
-    /// 1/sr; a power of two, so that multiplying and dividing by it is exact.
-    static constexpr float kDeltaPdf = 0x1p60f;
-
     explicit DeltaLight(const PointLight& light);
     explicit DeltaLight(const SpotLight& light);
     explicit DeltaLight(const DirectionalLight& light);
@@ -25,11 +23,13 @@ class DeltaLight {
     /// Empty at the light's own position and outside a spot's cone.
     [[nodiscard]] std::optional<LightSample> sample(const V3f& point) const;
     [[nodiscard]] V3f radiance(const LightSample& sample) const;
+    /// For kernels.
+    [[nodiscard]] const DeltaLightConstants& constants() const { return light_; }
     /// A point that lights everything within `radius` of `centre` as the light does: the light's
     /// position, or for a directional light a point so far away that directions differ by at most
     /// 1e-5 rad.
     [[nodiscard]] V3f source(const V3f& centre, float radius) const;
-    [[nodiscard]] bool is_parallel() const { return is_parallel_; }
+    [[nodiscard]] bool is_parallel() const { return light_.is_parallel; }
     /// Intensity of `source`, W/sr, along the unit `direction` towards something `distance` away.
     /// For a light without falloff it is the intensity that gives the light's irradiance there.
     [[nodiscard]] V3f intensity(const V3f& direction, float distance) const;
@@ -44,13 +44,7 @@ class DeltaLight {
     [[nodiscard]] float cone_fraction(float cosine) const;
 
   private:
-    bool is_parallel_ = false;
-    bool has_falloff_ = true;  // inverse square; never for directional lights
-    V3f position_{0, 0, 0};
-    V3f direction_{0, 0, -1};     // in which the light shines
-    V3f power_;                   // W/sr, or W/m^2 for a light without falloff
-    float inner_cosine_ = -2.0f;  // a point light shines everywhere
-    float outer_cosine_ = -2.0f;
+    DeltaLightConstants light_;
 };
 
 }  // namespace carom::render

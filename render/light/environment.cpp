@@ -111,10 +111,9 @@ std::optional<LightSample> Environment::sample(const V2f& u) const {
         return std::nullopt;
     }
     const auto sample = scalar::sample_sky<scalar::One>(known, scalar::two(u));
-    return sample.valid
-               ? std::optional(LightSample{scalar::vector_of(sample.direction), kInfinity,
-                                           sample.pdf, scalar::vector_of(sample.uv)})
-               : std::nullopt;
+    return sample.valid ? std::optional(LightSample{scalar::vector_of(sample.direction), kInfinity,
+                                                    sample.pdf, scalar::vector_of(sample.uv)})
+                        : std::nullopt;
 }
 
 float Environment::pdf(const V3f& direction) const {

@@ -66,8 +66,9 @@ class Environment {
     V3f scale_{0, 0, 0};
     int width_ = 0;  // of the picture, pixels
     int height_ = 0;
-    std::vector<std::uint32_t> padded_;  // SharedExponent, with a border of one pixel; empty: constant
-    float unit_ = 1;                      // the unit of `padded_`
+    std::vector<std::uint32_t>
+        padded_;      // SharedExponent, with a border of one pixel; empty: constant
+    float unit_ = 1;  // the unit of `padded_`
     Distribution2D distribution_;
     float turns_ = 0;  // rotation about z
     float mean_luminance_ = 0;

@@ -7,6 +7,7 @@
 #define CAROM_LIGHT_KERNELS_INL_H
 #endif
 
+#include "render/light/delta_light_constants.h"
 #include "render/light/environment_picture.h"
 #include "render/sampling/kernels-inl.h"
 
@@ -19,6 +20,7 @@ namespace carom::render::HWY_NAMESPACE {
 // clang-format off
 #include "render/light/kernels/shared_exponent.h"
 #include "render/light/kernels/environment.h"
+#include "render/light/kernels/delta_light.h"
 // clang-format on
 #undef CAROM_KERNEL_ATTRIBUTE
 #undef CAROM_KERNEL

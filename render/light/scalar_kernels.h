@@ -1,6 +1,7 @@
 // The kernels of this folder for one number at a time.
 #pragma once
 
+#include "render/light/delta_light_constants.h"
 #include "render/light/environment_picture.h"
 #include "render/sampling/scalar_kernels.h"
 
@@ -12,6 +13,7 @@ namespace carom::render::scalar {
 // clang-format off
 #include "render/light/kernels/shared_exponent.h"
 #include "render/light/kernels/environment.h"
+#include "render/light/kernels/delta_light.h"
 // clang-format on
 #undef CAROM_KERNEL_ATTRIBUTE
 #undef CAROM_KERNEL

@@ -46,7 +46,8 @@ bool Bsdf::is_broad() const {
     }
     const LayerConstants& layers = *surface_->layers;
     const bool narrow_coat = lobes_.has_rough_coat() && layers.coat_alpha < kBroadAlpha;
-    const bool narrow_facets = lobes_.facets() > 0 && layers.alpha > 0 && layers.alpha < kBroadAlpha;
+    const bool narrow_facets =
+        lobes_.facets() > 0 && layers.alpha > 0 && layers.alpha < kBroadAlpha;
     return can_evaluate(Layers::all) && !narrow_coat && !narrow_facets && !transmits();
 }
 
@@ -188,7 +189,7 @@ std::optional<BsdfSample> Bsdf::sample_base(Layers layers, const V2f& u, float p
         return finish(layers, sample_cone(square, 1.0f));  // uniform over the hemisphere
     }
     return lobes_.choose_diffuse() > 0 ? finish(layers, sample_cosine_hemisphere(square))
-                                     : std::nullopt;
+                                       : std::nullopt;
 }
 
 std::optional<BsdfSample> Bsdf::sample_glass(Layers layers, const V2f& u, float probability) const {

@@ -87,14 +87,15 @@ class Bsdf {
         }
         if (surface_->geometric_normal.dot(wi) <= 0) {
             return lobes_.glass() > 0 ? evaluate_through(layers, surface_->frame.from_world(wi))
-                                    : BsdfValue{};
+                                      : BsdfValue{};
         }
         return is_lambert(layers) ? lambert(layers, surface_->frame.z.dot(wi))
                                   : evaluate_local(layers, surface_->frame.from_world(wi));
     }
     [[nodiscard]] std::optional<BsdfSample> sample_any(Layers layers, const V2f& u) const;
     [[nodiscard]] float coat_probability(Layers layers) const {
-        return layers == Layers::coat ? 1.0f : (layers == Layers::base ? 0.0f : lobes_.coat_choice());
+        return layers == Layers::coat ? 1.0f
+                                      : (layers == Layers::base ? 0.0f : lobes_.coat_choice());
     }
     /// Whether a diffuse base is the only non-specular lobe: the most frequent and cheapest case.
     [[nodiscard]] bool is_lambert(Layers layers) const {

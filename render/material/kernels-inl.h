@@ -10,6 +10,7 @@
 #include "render/material/albedo_tables.h"
 #include "render/material/lobe_constants.h"
 #include "render/sampling/kernels-inl.h"
+#include "render/texture/kernels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
@@ -23,6 +24,7 @@ namespace carom::render::HWY_NAMESPACE {
 #include "render/material/kernels/microfacet.h"
 #include "render/material/kernels/albedo_table.h"
 #include "render/material/kernels/lobes.h"
+#include "render/material/kernels/resolve.h"
 // clang-format on
 #undef CAROM_KERNEL_ATTRIBUTE
 #undef CAROM_KERNEL

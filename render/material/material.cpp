@@ -4,6 +4,7 @@
 
 #include "render/material/fresnel.h"
 #include "render/material/microfacet.h"
+#include "render/material/scalar_kernels.h"
 
 namespace carom::render {
 namespace {
@@ -94,22 +95,16 @@ V3f Material::mirror_reflectance(float cosine) const {
 
 Surface Material::resolve(const SurfacePoint& point, const V3f& wo, float footprint) const {
     Surface surface;
-    const bool from_behind = point.geometric_normal.dot(wo) < 0;
-    surface.geometric_normal = from_behind ? -point.geometric_normal : point.geometric_normal;
-    V3f normal = from_behind ? -point.shading_normal : point.shading_normal;
-    if (bump_ > 0) {
-        const Texture::Relief relief = texture_.relief(point, footprint);
-        const V3f shift = relief.normal_shift * bump_;
-        surface.base = limited(relief.colour);
-        normal = (normal + shift - normal * normal.dot(shift)).normalized();
-    } else {
-        surface.base = limited(texture_.colour(point, footprint));
-    }
-    if (normal.dot(wo) <= 0) {
-        normal =
-            surface.geometric_normal;  // the smooth or bumped normal faces away from the viewer
-    }
-    surface.frame = OrthonormalBasis::around(normal);
+    const scalar::TexturePointOf<scalar::One> textured{
+        scalar::three(point.object_position), scalar::three(point.geometric_normal),
+        scalar::two(point.uv), point.uv_per_metre, scalar::two(point.uv_metres)};
+    const auto resolved = scalar::resolve_surface<scalar::One>(texture_.data(), bump_, textured,
+                                                               scalar::three(point.shading_normal),
+                                                               scalar::three(wo), footprint);
+    const bool from_behind = resolved.from_behind;
+    surface.geometric_normal = scalar::vector_of(resolved.geometric_normal);
+    surface.base = scalar::vector_of(resolved.base);
+    surface.frame = OrthonormalBasis::around(scalar::vector_of(resolved.normal));
     surface.layers = &layers_;
     surface.is_inside = from_behind && layers_.glass != nullptr;
     surface.phong = is_phong_ ? &phong_ : nullptr;

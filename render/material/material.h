@@ -68,6 +68,9 @@ class Material {
     [[nodiscard]] Surface resolve(const SurfacePoint& point, const V3f& wo, float footprint) const;
 
     [[nodiscard]] const LayerConstants& layers() const { return layers_; }
+    [[nodiscard]] const Texture& texture() const { return texture_; }
+    /// Strength of the texture's relief, 0 without one.
+    [[nodiscard]] float bump() const { return bump_; }
 
     /// Albedo or reflectance if it is constant over the surface.
     [[nodiscard]] std::optional<V3f> constant_base() const;
@@ -89,12 +92,7 @@ class Material {
         return layers_.glass != nullptr || (is_phong_ && phong_.transmittance != V3f(0, 0, 0));
     }
 
-    /// Whether it has only a diffuse base, with or without sheen and a smooth coat: no other lobe,
-    /// no glass, no emission.
-    [[nodiscard]] bool is_plain() const {
-        return !is_phong_ && !is_emissive() && !layers_.glass && layers_.metal == 0 &&
-               layers_.specular == 0 && (layers_.coat_weight == 0 || layers_.coat_alpha == 0);
-    }
+    [[nodiscard]] bool is_phong() const { return is_phong_; }
 
   private:
     Texture texture_;

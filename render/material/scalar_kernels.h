@@ -4,6 +4,7 @@
 #include "render/material/albedo_tables.h"
 #include "render/material/lobe_constants.h"
 #include "render/sampling/scalar_kernels.h"
+#include "render/texture/scalar_kernels.h"
 
 namespace carom::render::scalar {
 
@@ -16,6 +17,7 @@ namespace carom::render::scalar {
 #include "render/material/kernels/microfacet.h"
 #include "render/material/kernels/albedo_table.h"
 #include "render/material/kernels/lobes.h"
+#include "render/material/kernels/resolve.h"
 // clang-format on
 #undef CAROM_KERNEL_ATTRIBUTE
 #undef CAROM_KERNEL

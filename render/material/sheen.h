@@ -7,8 +7,8 @@
 
 namespace carom::render {
 
-/// BRDF times cosine of `wi` (kernels/sheen.h). Requires `wo.z`, `wi.z` > 0. Reciprocal once divided
-/// by the cosine.
+/// BRDF times cosine of `wi` (kernels/sheen.h). Requires `wo.z`, `wi.z` > 0. Reciprocal once
+/// divided by the cosine.
 [[nodiscard]] inline float sheen_reflection(const V3f& wo, const V3f& wi) {
     return scalar::sheen_reflection<scalar::One>(wo.z, wi.z, (wo + wi).length2());
 }

@@ -48,9 +48,9 @@ class Distribution2D {
     int width_ = 0;
     int height_ = 0;
     double mean_ = 0;
-    std::vector<float> density_;              // per cell, mean 1
-    std::vector<float> row_cdf_;              // height + 1 values from 0 to 1
-    std::vector<float> column_cdfs_;          // per row: width + 1 values from 0 to 1
+    std::vector<float> density_;      // per cell, mean 1
+    std::vector<float> row_cdf_;      // height + 1 values from 0 to 1
+    std::vector<float> column_cdfs_;  // per row: width + 1 values from 0 to 1
     // Where the search in row_cdf_ and in each row's cdf begins; kernels read 32 bits at a time, so
     // that one number more has room.
     std::vector<std::uint16_t> row_cuts_;

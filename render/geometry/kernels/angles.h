@@ -12,12 +12,11 @@ CAROM_KERNEL SinCosOf<L> sin_cos_eighth(typename L::Value angle) {
     const auto s = angle * angle;
     const auto sine =
         angle + angle * s *
-                    (L::all(-1.f / 6) +
-                     s * (L::all(1.f / 120) + s * (L::all(-1.f / 5040) + s * L::all(1.f / 362880))));
+                    (L::all(-1.f / 6) + s * (L::all(1.f / 120) +
+                                             s * (L::all(-1.f / 5040) + s * L::all(1.f / 362880))));
     const auto cosine =
-        L::all(1) +
-        s * (L::all(-0.5f) +
-             s * (L::all(1.f / 24) + s * (L::all(-1.f / 720) + s * L::all(1.f / 40320))));
+        L::all(1) + s * (L::all(-0.5f) + s * (L::all(1.f / 24) +
+                                              s * (L::all(-1.f / 720) + s * L::all(1.f / 40320))));
     return {sine, cosine};
 }
 
@@ -58,8 +57,8 @@ CAROM_KERNEL typename L::Value quick_angle(typename L::Value x, typename L::Valu
     const auto exists = L::is_less(zero, high);
     const auto t = (low - c * high) / L::select(exists, high + c * low, L::all(1));
     const auto z = t * t;
-    const auto series = L::all(-1.f / 3) +
-                        z * (L::all(1.f / 5) + z * (L::all(-1.f / 7) + z * L::all(1.f / 9)));
+    const auto series =
+        L::all(-1.f / 3) + z * (L::all(1.f / 5) + z * (L::all(-1.f / 7) + z * L::all(1.f / 9)));
     auto angle = L::select(exists, turned + (t + t * z * series), zero);
     angle = L::select(L::is_less(L::size(x), L::size(y)), L::all(kPi / 2) - angle, angle);
     angle = L::select(L::is_less(x, zero), L::all(kPi) - angle, angle);

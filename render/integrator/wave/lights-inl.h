@@ -16,14 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
-/// A sampled direction towards a light in every lane, with the radiance from there.
-struct LightLanes {
-    F3 direction;
-    F distance;
-    F pdf;
-    F3 radiance;
-    M valid;
-};
+using LightLanes = LightSampleOf<Lanes>;
 
 HWY_INLINE F3 radiance_of(const WaveLight& light, F pdf) {
     return light.has_falloff ? all(light.radiance) : all(light.radiance) * (all(kPi) * pdf);
@@ -81,8 +74,9 @@ HWY_INLINE F importance_of_sphere(const WaveLight& light, const F3& point, const
     const F3 to_light = all(light.centre) - point;
     const F distance = hn::Max(hn::Sqrt(dot(to_light, to_light)), all(1e-6f));
     const F radius = all(light.radius);
-    const F solid_angle =
-        light.has_falloff ? all(2.0f * kPi) * one_minus_cos_of_sphere<Lanes>(radius, distance) : all(kPi);
+    const F solid_angle = light.has_falloff
+                              ? all(2.0f * kPi) * one_minus_cos_of_sphere<Lanes>(radius, distance)
+                              : all(kPi);
     const F value = all(luminance(light.radiance)) * solid_angle *
                     surface_cosine(dot(to_light, normal) / distance, radius / distance);
     return select(hn::Gt(distance, radius), value, all(0.f));
@@ -155,26 +149,40 @@ inline HWY_ATTR LightLanes sample_one_by_one(const LightSet& lights, std::size_t
 
 HWY_INLINE F importance(const WaveScene& scene, std::size_t light, const F3& point,
                         const F3& normal, M wanted) {
-    switch (scene.light[light].kind) {
+    const WaveLight& known = scene.light[light];
+    switch (known.kind) {
         case WaveLight::Kind::rectangle:
-            return importance_of_rectangle(scene.light[light], point, normal);
+            return importance_of_rectangle(known, point, normal);
         case WaveLight::Kind::sphere:
-            return importance_of_sphere(scene.light[light], point, normal);
+            return importance_of_sphere(known, point, normal);
+        case WaveLight::Kind::environment:
+            return all(scene.environment_importance);
+        case WaveLight::Kind::delta:
+            return importance_of_delta_light<Lanes>(known.delta, point, normal);
         case WaveLight::Kind::other:
             break;
     }
-    return scene.light[light].is_environment
-               ? all(scene.environment_importance)
-               : importance_one_by_one(*scene.lights, light, point, normal, wanted);
+    return importance_one_by_one(*scene.lights, light, point, normal, wanted);
+}
+
+HWY_INLINE LightLanes sample_environment(const EnvironmentPicture& sky, const V2& u) {
+    const SkySampleOf<Lanes> found = sample_sky<Lanes>(sky, u);
+    return {found.direction, all(kInfinity), found.pdf, sky_radiance<Lanes>(sky, found.uv),
+            found.valid};
 }
 
 HWY_INLINE LightLanes sample(const WaveScene& scene, std::size_t light, const F3& point,
                              const V2& u, M wanted) {
-    switch (scene.light[light].kind) {
+    const WaveLight& known = scene.light[light];
+    switch (known.kind) {
         case WaveLight::Kind::rectangle:
-            return sample_rectangle(scene.light[light], point, u);
+            return sample_rectangle(known, point, u);
         case WaveLight::Kind::sphere:
-            return sample_sphere(scene.light[light], point, u);
+            return sample_sphere(known, point, u);
+        case WaveLight::Kind::environment:
+            return sample_environment(*scene.sky, u);
+        case WaveLight::Kind::delta:
+            return sample_delta_light<Lanes>(known.delta, point);
         case WaveLight::Kind::other:
             break;
     }

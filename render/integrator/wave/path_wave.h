@@ -8,9 +8,9 @@
 
 namespace carom::render {
 
-/// Number of camera samples in a wave; each may split twice.
+/// Largest number of camera samples in a wave, and of paths: a sample may split twice.
 inline constexpr int kWaveSamples = 128;
-inline constexpr int kWavePaths = 4 * kWaveSamples;
+inline constexpr int kWavePaths = 10 * kWaveSamples;
 /// Vector code may read and write beyond the last path.
 inline constexpr int kWaveStorage = kWavePaths + 16;
 
@@ -82,26 +82,24 @@ struct PathWave {
     }
 };
 
-/// The vertices of a wave: surfaces with a diffuse base, some of them with sheen, some with a
-/// smooth coat.
+/// The vertices of a wave.
 struct VertexWave {
     int count = 0;
-    Words path;  // index in the PathWave
+    bool has_gloss = false;  // some of them have a rough coat that is sampled several times
+    Words path;              // index in the PathWave
     Words object;
+    Words material;
     Floats distance;  // along the path's ray, m
     Floats3 position;
     Floats3 geometric_normal, normal;  // on the viewer's side
     Floats offset;                     // m
     Floats3 base;
-    Floats coat_weight, coat_ior;
-    Floats3 sheen;          // scale of sheen.h's lobe
-    Floats sheen_fraction;  // of the light, that the sheen takes from the base
 };
 
 /// Shadow rays of a wave's vertices, at most `rays` for each vertex. The first rays of all vertices
 /// are stored before the second ones.
 struct ShadowWave {
-    static constexpr int kMostRays = 16;  // of a first vertex
+    static constexpr int kMostRays = 32;  // of a first vertex
     static constexpr int kStorage = kMostRays * (kWaveSamples + 16);
     static_assert(kStorage >= kWaveStorage);
 
@@ -135,10 +133,18 @@ struct SampleWave {
     Words pixel_hash, reversed_sample;  // of their random numbers
 };
 
-/// Indices of vertices.
-struct VertexList {
+/// Indices of vertices or paths.
+struct WaveList {
     int count = 0;
     Words at;
+
+    void add(int index) { at.at[count++] = index; }
+};
+
+/// Paths that left the scene, and the radiance that they bring.
+struct MissWave {
+    WaveList paths;
+    Floats3 light;  // by the place in the list
 };
 
 }  // namespace carom::render

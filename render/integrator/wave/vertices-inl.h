@@ -1,5 +1,4 @@
-// Vertices of a wave in lanes, and the BSDF of their surfaces, with the formulas of
-// material/lobe_weights.cpp, bsdf.cpp and sheen.h. Included once per instruction set.
+// Vertices of a wave in lanes, and the BSDF of their surfaces. Included once per instruction set.
 #if defined(CAROM_WAVE_VERTICES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CAROM_WAVE_VERTICES_INL_H
 #undef CAROM_WAVE_VERTICES_INL_H
@@ -10,10 +9,13 @@
 #include "render/integrator/path_state.h"
 #include "render/integrator/wave/wave_kernels.h"
 #include "render/integrator/wave/wave_lanes-inl.h"
-#include "render/material/lobe_weights.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
+
+using Layers = LayersOf<Lanes>;
+using Lobes = LobesOf<Lanes>;
+using LobeValue = LobeValueOf<Lanes>;
 
 /// Vertices in the lanes: surface, path, and sampling decisions.
 struct VertexLanes {
@@ -23,20 +25,69 @@ struct VertexLanes {
     F3 position, geometric_normal, origin;
     Basis frame;
     F3 throughput;
-    F wo_z;
-    F3 wo;
-    F coat;
-    F coat_choice;
-    F3 diffuse;
-    M has_sheen;
-    bool any_sheen;  // false: sheen can be skipped; the result of a lane does not depend on it
-    F3 sheen;
-    F choose_sheen;  // probability of sampling the base by its sheen
-    M scatters;      // has a base that is not black
-    M splits;
+    F3 wo;  // towards the viewer, in the axes of `frame`, z > 0
+    F3 base;
+    Layers layers;
+    Lobes lobes;
+    M scatters;      // has a lobe that is not specular
+    M splits;        // the coat and the base are followed separately
+    M shows_gloss;   // the coat is sampled several times
+    bool any_gloss;  // false: it is not in any lane
+    F coat_samples;  // number of directions of the coat
+    M connects;      // caustics may be sampled
     U vertex_index;
     F total_importance, environment_samples;
 };
+
+HWY_INLINE M no_lanes() {
+    return hn::MaskFromVec(hn::Zero(FloatTag()));
+}
+
+HWY_INLINE Layers layers_of(const WaveMaterials& materials, I material) {
+    return {gather(materials.coat_weight, material),
+            gather(materials.coat_ior, material),
+            gather(materials.coat_alpha, material),
+            gather(materials.sheen, material),
+            {gather(materials.sheen_red, material), gather(materials.sheen_green, material),
+             gather(materials.sheen_blue, material)},
+            gather(materials.metal, material),
+            gather(materials.specular, material),
+            gather(materials.alpha, material),
+            all(0.f),
+            {materials.coat_albedo.data(), materials.sheen_albedo.data(),
+             materials.specular_albedo.data(), materials.mirror_albedo.data()},
+            Lanes::product(material, kAlbedoNodes)};
+}
+
+HWY_INLINE M is_narrow(M exists, F alpha) {
+    return hn::And(exists, hn::And(hn::Gt(alpha, all(0.f)), hn::Lt(alpha, all(kBroadAlpha))));
+}
+
+/// Sets which lobes there are, and how they are followed: PathIntegrator::process_hit.
+HWY_INLINE void decide(const WaveStep& step, VertexLanes& v) {
+    const Lobes& lobes = v.lobes;
+    const F zero = all(0.f);
+    const M has_coat = hn::Gt(lobes.coat, zero);
+    v.scatters = hn::Or(hn::Gt(lobes.choose_diffuse, zero), hn::Gt(lobes.choose_sheen, zero));
+    M is_broad = v.valid;
+    if (lobes.any_facets) {
+        const M has_facets = hn::Gt(lobes.facets, zero);
+        v.scatters = hn::Or(v.scatters, hn::And(has_facets, hn::Gt(v.layers.alpha, zero)));
+        is_broad = hn::AndNot(is_narrow(has_facets, v.layers.alpha), is_broad);
+    }
+    if (lobes.any_rough_coat) {
+        v.scatters = hn::Or(v.scatters, lobes.has_rough_coat);
+        is_broad = hn::AndNot(is_narrow(lobes.has_rough_coat, v.layers.coat_alpha), is_broad);
+    }
+    v.scatters = hn::And(v.scatters, v.valid);
+    v.connects = hn::And(is_broad, v.scatters);
+    v.splits =
+        step.paths.vertex < step.scene.split_vertices ? hn::And(v.valid, has_coat) : no_lanes();
+    v.any_gloss = step.paths.vertex == 0 && step.scene.glossy_samples > 1 && lobes.any_rough_coat;
+    v.shows_gloss = v.any_gloss ? hn::And(v.splits, lobes.has_rough_coat) : no_lanes();
+    v.coat_samples =
+        select(v.shows_gloss, all(static_cast<float>(step.scene.glossy_samples)), all(1.f));
+}
 
 HWY_INLINE VertexLanes vertices_at(const WaveStep& step, int first) {
     const VertexWave& in = step.vertices;
@@ -51,37 +102,13 @@ HWY_INLINE VertexLanes vertices_at(const WaveStep& step, int first) {
     v.origin = v.position + v.geometric_normal * load(in.offset, first);
     v.frame = basis_around<Lanes>(load(in.normal, first));
     v.throughput = gather(step.paths.throughput, v.path);
-    v.wo = -gather(step.paths.direction, v.path);
-    v.wo_z = hn::Max(dot(v.wo, v.frame.z), all(1e-4f));
-    const F coat_weight = load(in.coat_weight, first);
-    v.coat = all(0.f);
-    if (!hn::AllFalse(d, hn::Gt(coat_weight, all(0.f)))) {
-        v.coat = coat_weight * fresnel_dielectric(v.wo_z, load(in.coat_ior, first));
-    }
-    const F rest = all(1.f) - v.coat;
-    const F sheen_fraction = load(in.sheen_fraction, first);
-    v.has_sheen = hn::Gt(sheen_fraction, all(0.f));
-    v.any_sheen = !hn::AllFalse(d, hn::And(v.valid, v.has_sheen));
-    v.diffuse = load(in.base, first) * rest;
-    v.sheen = all(V3f(0, 0, 0));
-    v.choose_sheen = all(0.f);
-    F base = largest(v.diffuse);
-    if (v.any_sheen) {
-        v.diffuse = load(in.base, first) * (rest * (all(1.f) - hn::Min(all(1.f), sheen_fraction)));
-        v.sheen = select(v.has_sheen, load(in.sheen, first) * rest, v.sheen);
-        const F by_sheen = sheen_fraction * rest;
-        const F by_both = by_sheen + largest(v.diffuse);
-        v.choose_sheen = select(hn::Gt(by_both, all(0.f)), by_sheen / by_both, all(0.f));
-        base = largest(v.diffuse) + largest(v.sheen);
-    }
-    v.scatters = hn::And(v.valid, hn::Gt(base, all(0.f)));
-    const M is_coated = hn::Gt(v.coat, all(0.f));
-    const F probability =
-        hn::Min(hn::Max(v.coat / (v.coat + base), all(kLeastCoatChoice)), all(kMostCoatChoice));
-    v.coat_choice =
-        select(is_coated, select(hn::Gt(base, all(0.f)), probability, all(1.f)), all(0.f));
-    v.splits = step.paths.vertex < step.scene.split_vertices ? hn::And(v.valid, is_coated)
-                                                             : hn::MaskFromVec(all(0.f));
+    v.wo = v.frame.from_world(-gather(step.paths.direction, v.path));
+    v.wo.z = hn::Max(v.wo.z, all(kLeastLocalCosine));
+    v.base = load(in.base, first);
+    const I material = hn::IfThenElseZero(hn::RebindMask(di, v.valid), load(in.material, first));
+    v.layers = layers_of(step.scene.materials, material);
+    v.lobes = weigh_lobes<Lanes>(v.layers, v.base, v.wo.z, no_lanes());
+    decide(step, v);
     const I vertex_index =
         hn::ShiftLeft<7>(gather(step.paths.branch, v.path)) + hn::Set(di, step.paths.vertex);
     static_assert(PathDimensions::kVertices == 1u << 7);
@@ -93,36 +120,22 @@ HWY_INLINE VertexLanes vertices_at(const WaveStep& step, int first) {
 
 /// Probability of sampling the base.
 HWY_INLINE F base_probability(const VertexLanes& v) {
-    return select(v.splits, all(1.f), all(1.f) - v.coat_choice);
+    return select(v.splits, all(1.f), all(1.f) - v.lobes.coat_choice);
 }
 
-/// The base's BSDF times the cosine of `wi`, as factors of the diffuse lobe's density and of the
-/// sheen's.
-struct BaseLanes {
-    F diffuse, sheen;
-    F pdf;  // of sampling the base
-};
-
-/// Evaluates Bsdf::evaluate_base with sheen.h, for `wi` with this positive cosine to the normal.
-HWY_INLINE BaseLanes base_towards(const VertexLanes& v, const F3& wi, F cosine) {
-    BaseLanes base{cosine * all(kInversePi), all(0.f), all(0.f)};
-    base.pdf = base.diffuse;
-    if (v.any_sheen) {
-        const F3 h = v.wo + wi;
-        const F height = v.wo_z + cosine;
-        const F sine2 = hn::Max(all(0.f), all(1.f) - height * height / dot(h, h));
-        const F density = all(2.5f * kInversePi) * sine2 * hn::Sqrt(sine2);
-        base.sheen = density * cosine / (all(4.f) * (cosine + v.wo_z - cosine * v.wo_z));
-        const F by_both =
-            (all(1.f) - v.choose_sheen) * base.diffuse + v.choose_sheen * all(0.5f * kInversePi);
-        base.pdf = select(v.has_sheen, by_both, base.diffuse);
+/// `wi` in the axes of the vertex' frame; only its height if that suffices for the lobes.
+HWY_INLINE F3 local_direction(const VertexLanes& v, const F3& wi, F height) {
+    if (v.lobes.any_sheen || v.lobes.any_facets || v.lobes.any_rough_coat) {
+        return {dot(wi, v.frame.x), dot(wi, v.frame.y), height};
     }
-    return base;
+    return {all(0.f), all(0.f), height};
 }
 
-HWY_INLINE F3 value_of(const VertexLanes& v, const BaseLanes& base) {
-    const F3 diffuse = v.diffuse * base.diffuse;
-    return v.any_sheen ? select(v.has_sheen, diffuse + v.sheen * base.sheen, diffuse) : diffuse;
+HWY_INLINE LobeValue base_towards(const VertexLanes& v, const F3& wi) {
+    return base_towards<Lanes>(v.layers, v.lobes, v.base, v.wo, wi);
+}
+HWY_INLINE LobeValue coat_towards(const VertexLanes& v, const F3& wi) {
+    return coat_towards<Lanes>(v.layers, v.lobes, v.wo, wi);
 }
 
 }  // namespace carom::render::HWY_NAMESPACE

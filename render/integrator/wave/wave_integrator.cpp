@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 
 #include "core/assert.h"
 #include "render/geometry/validity.h"
@@ -81,10 +82,13 @@ struct WaveIntegrator::Wave final : Integrator::Workspace {
     VertexWave vertices{};
     ShadowWave shadows{};
     SampleWave samples{};
-    VertexList near_balls{};
+    WaveList near_balls{};
+    MissWave missed{};
     std::vector<Hit> hits = std::vector<Hit>(kWaveStorage);  // by paths
-    VertexList on_boxes{}, on_others{};                      // indices of paths
-    std::vector<PathWork> works;                             // of samples
+    WaveList hit_paths{};                                    // that become vertices
+    TurnWave turns{};
+    std::vector<int> group_ends;  // in the vertices, by group
+    std::vector<PathWork> works;  // of samples
 };
 
 WaveIntegrator::WaveIntegrator(const TransportScene& scene, const PathSettings& settings,
@@ -96,17 +100,19 @@ WaveIntegrator::WaveIntegrator(const TransportScene& scene, const PathSettings& 
       kernels_(best_wave_kernels()),
       wave_scene_(make_wave_scene(scene, settings, path_integrator_.caustics())) {
     CAROM_ASSERT(can_do(scene, settings));
-    for (std::uint32_t object = 0; object < scene.first_light_object; ++object) {
-        const Material& material = scene.materials[scene.frame.material(object)];
-        is_plain_.push_back(material.is_plain());
-    }
+    has_emission_ = std::any_of(scene.materials.begin(), scene.materials.end(),
+                                [](const Material& material) { return material.is_emissive(); });
     if (!scene.lights.environment().is_sampled()) {
         constant_sky_ = scene.lights.environment().radiance(V3f(0, 0, 1));
     }
+    // A first vertex continues in all directions of its coat and one of its base, each of which may
+    // split again.
+    const int paths_of_sample = 2 * (wave_scene_.glossy_samples + 1);
+    wave_samples_ = static_cast<std::size_t>(std::min(kWaveSamples, kWavePaths / paths_of_sample));
 }
 
 bool WaveIntegrator::can_do(const TransportScene& scene, const PathSettings& settings) {
-    int rays = 0;
+    int rays = scene.lights.environment().is_sampled() ? settings.glossy_samples - 1 : 0;
     for (std::size_t light = 0; light < scene.lights.sampled_count(); ++light) {
         rays += first_vertex_samples(scene.lights, light);
     }
@@ -128,8 +134,8 @@ void WaveIntegrator::samples(std::span<const CameraTask> tasks, float pixel_spre
                              std::span<RadianceSample> results, Workspace* workspace,
                              RenderStatistics& count) const {
     Wave& wave = dynamic_cast<Wave&>(*workspace);
-    for (std::size_t from = 0; from < tasks.size(); from += kWaveSamples) {
-        const std::size_t size = std::min<std::size_t>(kWaveSamples, tasks.size() - from);
+    for (std::size_t from = 0; from < tasks.size(); from += wave_samples_) {
+        const std::size_t size = std::min(wave_samples_, tasks.size() - from);
         begin(tasks.subspan(from, size), pixel_spread, wave, count);
         while (wave.paths().count > 0) {
             process_hits(wave);
@@ -184,34 +190,39 @@ void WaveIntegrator::begin(std::span<const CameraTask> tasks, float pixel_spread
     count.camera_rays += tasks.size();
 }
 
-// Sorts the hits: vertices on balls, on boxes and on other plain objects are collected; the rest is
-// processed at once.
+// Sorts the hits: misses and vertices are collected; hits of lights are processed at once.
 void WaveIntegrator::process_hits(Wave& wave) const {
     const PathWave& paths = wave.paths();
     scene_.frame.structure().closest_hits(paths.rays(), wave.hits.data());
-    wave.vertices.count = 0;
-    wave.on_boxes.count = 0;
-    wave.on_others.count = 0;
+    wave.vertices.has_gloss = false;
+    wave.missed.paths.count = 0;
+    wave.hit_paths.count = 0;
     for (int i = 0; i < paths.count; ++i) {
         const Hit& hit = wave.hits[i];
-        PathWork& work = wave.works[paths.slot.at[i]];
         if (hit.object == kNoObject) {
-            miss(i, wave, work);
+            wave.missed.paths.add(i);
         } else if (scene_.is_light(hit)) {
-            path_integrator_.add_hit_light(paths.path(i), hit, work);
-        } else {
-            sort(i, hit, wave, work);
+            path_integrator_.add_hit_light(paths.path(i), hit, wave.works[paths.slot.at[i]]);
+        } else if (becomes_vertex(i, hit, wave)) {
+            wave.hit_paths.add(i);
         }
     }
-    kernels_->find_surfaces(wave_scene_, paths, wave.vertices, false, 0, wave.vertices.count);
-    const int first_box = wave.vertices.count;
-    for (int k = 0; k < wave.on_boxes.count; ++k) {
-        add_vertex(wave.on_boxes.at.at[k], wave);
-    }
-    kernels_->find_surfaces(wave_scene_, paths, wave.vertices, true, first_box,
-                            wave.vertices.count);
-    for (int k = 0; k < wave.on_others.count; ++k) {
-        add_other_vertex(wave.on_others.at.at[k], wave);
+    add_misses(wave);
+    sort_vertices(wave);
+    int first = 0;
+    for (std::size_t k = 0; k < wave_scene_.groups.groups.size(); ++k) {
+        const WaveGroup& group = wave_scene_.groups.groups[k];
+        const int last = wave.group_ends[k];
+        if (group.kind == WaveGroup::Kind::other) {
+            for (int vertex = first; vertex < last; ++vertex) {
+                find_other_surface(vertex, wave);
+            }
+        } else if (first < last) {
+            find_centres(group, first, last, wave);
+            kernels_->find_surfaces({wave_scene_, group, paths, wave.hits.data(), wave.turns,
+                                     wave.vertices, first, last});
+        }
+        first = last;
     }
     for (int i = 0; wave.vertex == 0 && i < wave.vertices.count; ++i) {
         PathWork& work = wave.works[paths.slot.at[wave.vertices.path.at[i]]];
@@ -222,72 +233,94 @@ void WaveIntegrator::process_hits(Wave& wave) const {
     }
 }
 
-void WaveIntegrator::miss(int path, Wave& wave, PathWork& work) const {
+void WaveIntegrator::add_misses(Wave& wave) const {
     const PathWave& paths = wave.paths();
-    if (constant_sky_) {
-        work.add(paths.throughput.get(path) * *constant_sky_, wave.vertex);
-    } else {
-        path_integrator_.miss(paths.path(path), work);
+    const WaveList& missed = wave.missed.paths;
+    if (wave_scene_.sky) {
+        kernels_->find_sky(wave_scene_, paths, wave.missed);
+    }
+    for (int k = 0; k < missed.count; ++k) {
+        const int path = missed.at.at[k];
+        const V3f light =
+            wave_scene_.sky ? wave.missed.light.get(k) : paths.throughput.get(path) * constant_sky_;
+        wave.works[paths.slot.at[path]].add(light, wave.vertex);
     }
 }
 
-void WaveIntegrator::sort(int path, const Hit& hit, Wave& wave, PathWork& work) const {
-    using Kind = WaveObjects::Kind;
-    const Kind kind = wave_scene_.objects.kind[hit.object];
-    if (wave.vertex > kLastVertex || (kind == Kind::other && !is_plain_[hit.object])) {
+// Otherwise the path has ended, or was followed alone.
+bool WaveIntegrator::becomes_vertex(int path, const Hit& hit, Wave& wave) const {
+    const std::uint32_t material =
+        wave_scene_.groups.groups[wave_scene_.groups.of_object[hit.object]].material;
+    PathWork& work = wave.works[wave.paths().slot.at[path]];
+    if (wave.vertex > kLastVertex || !wave_scene_.materials.is_supported[material]) {
         path_integrator_.follow_from(wave.paths().path(path), hit, work);
-    } else if (wave.vertex > max_bounces_) {
-        return;
-    } else if (kind == Kind::other) {
-        wave.on_others.at.at[wave.on_others.count++] = path;
-    } else if (kind == Kind::box) {
-        wave.on_boxes.at.at[wave.on_boxes.count++] = path;
-    } else {
-        add_vertex(path, wave);
+        return false;
+    }
+    if (has_emission_ && scene_.materials[material].is_emissive()) {
+        path_integrator_.add_emission(wave.paths().path(path), hit, work);
+    }
+    if (wave.vertex > max_bounces_) {
+        return false;
+    }
+    if (wave.vertex == 0 && wave_scene_.materials.has_gloss[material]) {
+        wave.vertices.has_gloss = true;
+    }
+    return true;
+}
+
+// Makes vertices of the hits, one group after the other, in each of them in the order of the paths.
+void WaveIntegrator::sort_vertices(Wave& wave) const {
+    const WaveGroups& groups = wave_scene_.groups;
+    std::vector<int>& ends = wave.group_ends;
+    ends.assign(groups.groups.size() + 1, 0);
+    for (int k = 0; k < wave.hit_paths.count; ++k) {
+        ends[groups.of_object[wave.hits[wave.hit_paths.at.at[k]].object] + 1u] += 1;
+    }
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    VertexWave& vertices = wave.vertices;
+    vertices.count = wave.hit_paths.count;
+    // Each group's end grows from its beginning.
+    for (int k = 0; k < wave.hit_paths.count; ++k) {
+        const int path = wave.hit_paths.at.at[k];
+        const Hit& hit = wave.hits[path];
+        const std::uint16_t group = groups.of_object[hit.object];
+        const int i = ends[group]++;
+        vertices.path.at[i] = path;
+        vertices.object.at[i] = static_cast<std::int32_t>(hit.object);
+        vertices.material.at[i] = static_cast<std::int32_t>(groups.groups[group].material);
+        vertices.distance.at[i] = hit.t;
     }
 }
 
-// For balls and boxes: the kernels complete the vertex later.
-void WaveIntegrator::add_vertex(int path, Wave& wave) const {
-    const Hit& hit = wave.hits[path];
-    const WaveObjects& objects = wave_scene_.objects;
-    VertexWave& vertices = wave.vertices;
-    const int i = vertices.count++;
-    vertices.path.at[i] = path;
-    vertices.object.at[i] = static_cast<std::int32_t>(hit.object);
-    vertices.distance.at[i] = hit.t;
-    vertices.position.set(i, objects.kind[hit.object] == WaveObjects::Kind::moving_ball
-                                 ? scene_.frame.centre(hit.object, wave.paths().time.at[path])
-                                 : V3f(objects.centre_x[hit.object], objects.centre_y[hit.object],
-                                       objects.centre_z[hit.object]));
+void WaveIntegrator::find_centres(const WaveGroup& group, int first, int last, Wave& wave) const {
+    if (group.kind != WaveGroup::Kind::ball) {
+        return;
+    }
+    for (int i = first; i < last; ++i) {
+        const auto object = static_cast<std::uint32_t>(wave.vertices.object.at[i]);
+        const float time = wave.paths().time.at[wave.vertices.path.at[i]];
+        wave.vertices.position.set(i, scene_.frame.centre(object, time));
+        if (group.moves && group.has_texture) {
+            const Imath::Quatf turn = scene_.frame.world_from_body(object, time);
+            wave.turns.real.at[i] = turn.r;
+            wave.turns.vector.set(i, turn.v);
+        }
+    }
 }
 
-void WaveIntegrator::add_other_vertex(int path, Wave& wave) const {
-    const Hit& hit = wave.hits[path];
-    const Path alone = wave.paths().path(path);
-    const SurfacePoint point = scene_.frame.surface_at(alone.ray, hit);
-    Path arrived = alone;
-    arrived.width += alone.spread * hit.t;
-    const Surface surface = path_integrator_.resolve(arrived, point);
+void WaveIntegrator::find_other_surface(int vertex, Wave& wave) const {
     VertexWave& vertices = wave.vertices;
-    const int i = vertices.count++;
-    vertices.path.at[i] = path;
-    vertices.object.at[i] = static_cast<std::int32_t>(hit.object);
-    vertices.distance.at[i] = hit.t;
-    vertices.position.set(i, point.position);
-    vertices.geometric_normal.set(i, surface.geometric_normal);
-    vertices.normal.set(i, surface.frame.z);
-    vertices.offset.at[i] = point.offset;
-    vertices.base.set(i, surface.base);
-    vertices.coat_weight.at[i] = surface.layers->coat_weight;
-    vertices.coat_ior.at[i] = surface.layers->coat_ior;
-    const float sheen = surface.layers->sheen;
-    const V3f& colour = surface.layers->sheen_colour;
-    const float height = std::max(-surface.frame.z.dot(alone.ray.direction), kLeastLocalCosine);
-    vertices.sheen.set(i, colour * sheen);
-    vertices.sheen_fraction.at[i] = sheen > 0 ? sheen * surface.layers->sheen_albedo.at(height) *
-                                                    std::max({colour.x, colour.y, colour.z})
-                                              : 0;
+    const int path = vertices.path.at[vertex];
+    const Hit& hit = wave.hits[path];
+    Path arrived = wave.paths().path(path);
+    const SurfacePoint point = scene_.frame.surface_at(arrived.ray, hit);
+    arrived.width += arrived.spread * hit.t;
+    const Surface surface = path_integrator_.resolve(arrived, point);
+    vertices.position.set(vertex, point.position);
+    vertices.geometric_normal.set(vertex, surface.geometric_normal);
+    vertices.normal.set(vertex, surface.frame.z);
+    vertices.offset.at[vertex] = point.offset;
+    vertices.base.set(vertex, surface.base);
 }
 
 void WaveIntegrator::trace_shadows(Wave& wave, RenderStatistics& count) const {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "render/integrator/path_integrator.h"
@@ -14,10 +13,9 @@ namespace carom::render {
 ///
 /// Samples start in waves (Laine, Karras and Aila 2013, "Megakernels considered harmful: wavefront
 /// path tracing on GPUs"). For each vertex a wave traces all its rays; then lights and directions
-/// are sampled together for the vertices with plain materials (diffuse, with or without a smooth
-/// coat), and shadow rays are traced. A path that hits anything else leaves the wave and is
-/// followed alone. The estimate is the same as PathIntegrator's, from the same random numbers; only
-/// rounding differs.
+/// are sampled together for the vertices, and shadow rays are traced. A path that hits glass or a
+/// phong material leaves the wave and is followed alone. The estimate is the same as
+/// PathIntegrator's, from the same random numbers; only rounding differs.
 class WaveIntegrator final : public Integrator {
   public:
     /// See PathIntegrator.
@@ -41,10 +39,11 @@ class WaveIntegrator final : public Integrator {
     void begin(std::span<const CameraTask> tasks, float pixel_spread, Wave& wave,
                RenderStatistics& count) const;
     void process_hits(Wave& wave) const;
-    void miss(int path, Wave& wave, PathWork& work) const;
-    void sort(int path, const Hit& hit, Wave& wave, PathWork& work) const;
-    void add_vertex(int path, Wave& wave) const;
-    void add_other_vertex(int path, Wave& wave) const;
+    void add_misses(Wave& wave) const;
+    [[nodiscard]] bool becomes_vertex(int path, const Hit& hit, Wave& wave) const;
+    void sort_vertices(Wave& wave) const;
+    void find_centres(const WaveGroup& group, int first, int last, Wave& wave) const;
+    void find_other_surface(int vertex, Wave& wave) const;
     void trace_shadows(Wave& wave, RenderStatistics& count) const;
 
     TransportScene scene_;
@@ -53,8 +52,9 @@ class WaveIntegrator final : public Integrator {
     int max_bounces_;
     const WaveKernels* kernels_;
     WaveScene wave_scene_;
-    std::vector<bool> is_plain_;       // by object
-    std::optional<V3f> constant_sky_;  // empty if the sky is not constant
+    std::size_t wave_samples_;   // camera samples in a wave
+    bool has_emission_ = false;  // some material shines
+    V3f constant_sky_{0, 0, 0};  // unless the wave's scene has a sky
 };
 
 }  // namespace carom::render

@@ -20,7 +20,7 @@ inline const WaveKernels* wave_kernels_of_target() {
 #if HWY_TARGET == HWY_SCALAR
     return nullptr;
 #else
-    static constexpr WaveKernels kKernels = {find_surfaces, take_step, sum_light};
+    static constexpr WaveKernels kKernels = {find_surfaces, take_step, find_sky, sum_light};
     return &kKernels;
 #endif
 }

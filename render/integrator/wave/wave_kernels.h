@@ -7,14 +7,32 @@
 
 namespace carom::render {
 
+/// Where moving balls are turned, by vertex: world from body, as unit quaternions.
+struct TurnWave {
+    Floats real;
+    Floats3 vector;
+};
+
+/// The vertices in [first, last) of a group that is not of the kind `other`. Known are path,
+/// object, material, distance and, of balls, `position`: the centre.
+struct SurfaceTask {
+    const WaveScene& scene;
+    const WaveGroup& group;
+    const PathWave& paths;
+    const Hit* hits;        // by path
+    const TurnWave& turns;  // of balls that move and have a texture
+    VertexWave& vertices;
+    int first, last;
+};
+
 /// One step: samples lights and directions at the vertices `vertices` of `paths`.
 struct WaveStep {
     const WaveScene& scene;
     const SampleWave& samples;
     const PathWave& paths;
     const VertexWave& vertices;
-    ShadowWave& shadows;     // towards sampled lights; radiance times the paths' throughput
-    VertexList& near_balls;  // vertices that sample caustics (caustics.h)
+    ShadowWave& shadows;   // towards sampled lights; radiance times the paths' throughput
+    WaveList& near_balls;  // vertices that sample caustics (caustics.h)
     // The continuing paths in the order of the vertices, by coats and by bases. They are two lists
     // because the order of one list would depend on the vector width.
     PathWave& reflected;
@@ -22,12 +40,12 @@ struct WaveStep {
 };
 
 struct WaveKernels {
-    /// Completes the vertices in [first, last), all on balls or all on boxes. Known are path,
-    /// object, distance and, in `position`, the shape's centre. Overwrites vertices after `last`.
-    void (*find_surfaces)(const WaveScene& scene, const PathWave& paths, VertexWave& vertices,
-                          bool are_boxes, int first, int last);
+    /// Completes the vertices of a group. Overwrites what vertices after the last one will have.
+    void (*find_surfaces)(const SurfaceTask& task);
     /// Fills `shadows`, `near_balls`, `reflected` and `scattered`.
     void (*take_step)(const WaveStep& step);
+    /// Fills `light` for the paths that left the scene; it must have a picture of the sky.
+    void (*find_sky)(const WaveScene& scene, const PathWave& paths, MissWave& missed);
     /// Sums the unoccluded shadow rays for each of the first `vertices` vertices.
     void (*sum_light)(ShadowWave& shadows, int vertices);
 };

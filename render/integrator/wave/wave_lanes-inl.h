@@ -1,5 +1,5 @@
-// Loads and stores of path_wave.h's arrays, and the formulas of material/fresnel.h and
-// integrator/direct_light.h in lanes, with their references. Included once per instruction set.
+// Loads and stores of path_wave.h's arrays, and the power heuristic of integrator/direct_light.h.
+// Included once per instruction set.
 #if defined(CAROM_WAVE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CAROM_WAVE_LANES_INL_H
 #undef CAROM_WAVE_LANES_INL_H
@@ -7,7 +7,12 @@
 #define CAROM_WAVE_LANES_INL_H
 #endif
 
+#include <cstddef>
+#include <vector>
+
 #include "render/integrator/wave/path_wave.h"
+#include "render/light/kernels-inl.h"
+#include "render/material/kernels-inl.h"
 #include "render/sampling/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -31,6 +36,9 @@ HWY_INLINE F3 gather(const Floats3& field, I index) {
 HWY_INLINE I gather(const Words& field, I index) {
     return hn::GatherIndex(IntTag(), field.at, index);
 }
+HWY_INLINE F gather(const std::vector<float>& numbers, I index) {
+    return hn::GatherIndex(FloatTag(), numbers.data(), index);
+}
 HWY_INLINE void store(F value, Floats& field, int i) {
     hn::StoreU(value, FloatTag(), field.at + i);
 }
@@ -50,15 +58,6 @@ HWY_INLINE void store_some(const F3& value, M mask, Floats3& field, int i) {
 }
 HWY_INLINE void store_some(I value, M mask, Words& field, int i) {
     hn::CompressStore(value, hn::RebindMask(IntTag(), mask), IntTag(), field.at + i);
-}
-
-HWY_INLINE F fresnel_dielectric(F cosine, F ior) {
-    const F cos_i = hn::Min(cosine, all(1.f));
-    const F sin2_t = (all(1.f) - cos_i * cos_i) / (ior * ior);
-    const F cos_t = hn::Sqrt(hn::Max(all(0.f), all(1.f) - sin2_t));
-    const F parallel = (ior * cos_i - cos_t) / (ior * cos_i + cos_t);
-    const F perpendicular = (cos_i - ior * cos_t) / (cos_i + ior * cos_t);
-    return all(0.5f) * (parallel * parallel + perpendicular * perpendicular);
 }
 
 /// The power heuristic of direct_light.h.

@@ -3,14 +3,21 @@
 #include <algorithm>
 #include <variant>
 
-#include "render/frame_scene/scene_object.h"
-
 namespace carom::render {
 namespace {
 
 WaveLight known_light(const LightSet& lights, std::size_t index) {
     WaveLight light;
-    light.is_environment = lights.is_environment(index);
+    if (lights.is_environment(index)) {
+        const bool has_light = lights.environment().picture().distribution.density != nullptr;
+        light.kind = has_light ? WaveLight::Kind::environment : WaveLight::Kind::other;
+        return light;
+    }
+    if (lights.is_delta(index)) {
+        light.kind = WaveLight::Kind::delta;
+        light.delta = lights.delta_light(index).constants();
+        return light;
+    }
     if (index >= lights.area_light_count()) {
         return light;
     }
@@ -37,44 +44,31 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
     return light;
 }
 
-/// Waves compute surfaces only on balls and on still boxes along the world's axes, without textures
-/// and not lights.
-WaveObjects::Kind kind_of(const SceneObject& object, bool moves) {
-    using Kind = WaveObjects::Kind;
-    if (object.has_texture || object.light.has_value()) {
-        return Kind::other;
-    }
-    if (object.is_round) {
-        return moves ? Kind::moving_ball : Kind::static_ball;
-    }
-    return object.is_upright_box && !moves ? Kind::box : Kind::other;
+void add_table(const AlbedoTable& table, std::vector<float>& tables) {
+    tables.insert(tables.end(), table.values().begin(), table.values().end());
 }
 
-/// Adds how a wave finds the object's surface, and its material.
-void add_object(const TransportScene& scene, std::uint32_t index, WaveObjects& objects) {
-    using Kind = WaveObjects::Kind;
-    const SceneObject& object = scene.frame.object(index);
-    const Kind kind = kind_of(object, scene.frame.moves(index));
-    const Material* material = kind != Kind::other ? &scene.materials[object.material] : nullptr;
-    const bool is_simple =
-        material != nullptr && material->is_plain() && material->layers().sheen == 0;
-    const auto base = is_simple ? material->constant_base() : std::nullopt;
-    objects.kind.push_back(base ? kind : Kind::other);
-    const V3f centre = base ? object.frame.world_from_unit.translation : V3f(0, 0, 0);
-    const V3f half = base ? object.half_size : V3f(1, 1, 1);
-    const V3f colour = base.value_or(V3f(0, 0, 0));
-    objects.centre_x.push_back(centre.x);
-    objects.centre_y.push_back(centre.y);
-    objects.centre_z.push_back(centre.z);
-    objects.half_x.push_back(half.x);
-    objects.half_y.push_back(half.y);
-    objects.half_z.push_back(half.z);
-    objects.bounding_radius.push_back(base ? object.bounding_radius : 0);
-    objects.red.push_back(colour.x);
-    objects.green.push_back(colour.y);
-    objects.blue.push_back(colour.z);
-    objects.coat_weight.push_back(base ? material->layers().coat_weight : 0);
-    objects.coat_ior.push_back(base ? material->layers().coat_ior : 1);
+void add_material(const Material& material, WaveMaterials& materials) {
+    const LayerConstants& layers = material.layers();
+    materials.coat_weight.push_back(layers.coat_weight);
+    materials.coat_ior.push_back(layers.coat_ior);
+    materials.coat_alpha.push_back(layers.coat_alpha);
+    materials.sheen.push_back(layers.sheen);
+    materials.sheen_red.push_back(layers.sheen_colour.x);
+    materials.sheen_green.push_back(layers.sheen_colour.y);
+    materials.sheen_blue.push_back(layers.sheen_colour.z);
+    materials.metal.push_back(layers.metal);
+    materials.specular.push_back(layers.specular);
+    materials.alpha.push_back(layers.alpha);
+    add_table(layers.coat_albedo, materials.coat_albedo);
+    add_table(layers.sheen_albedo, materials.sheen_albedo);
+    add_table(layers.specular_albedo, materials.specular_albedo);
+    add_table(layers.mirror_albedo, materials.mirror_albedo);
+    const bool is_supported = !material.is_phong() && !layers.glass;
+    const bool has_gloss = is_supported && layers.coat_weight > 0 && layers.coat_alpha > 0;
+    materials.is_supported.push_back(is_supported);
+    materials.has_gloss.push_back(has_gloss);
+    materials.has_rough_coat = materials.has_rough_coat || has_gloss;
 }
 
 }  // namespace
@@ -96,10 +90,16 @@ WaveScene make_wave_scene(const TransportScene& scene, const PathSettings& setti
     known.ball_gain = bounds.gain;
     known.ball_of_object = caustics.ball_of_object();
     known.ball_of_object.resize(scene.frame.object_count(), -1);
-    for (std::uint32_t object = 0; object < scene.frame.object_count(); ++object) {
-        add_object(scene, object, known.objects);
+    known.groups = make_wave_groups(scene);
+    for (const Material& material : scene.materials) {
+        add_material(material, known.materials);
+    }
+    const Environment& environment = scene.lights.environment();
+    if (environment.is_sampled() && environment.picture().distribution.density != nullptr) {
+        known.sky = environment.picture();
     }
     known.max_bounces = settings.max_bounces;
+    known.glossy_samples = known.materials.has_rough_coat ? settings.glossy_samples : 1;
     known.split_vertices = settings.split_vertices;
     known.caustics = settings.caustics;
     return known;
@@ -111,6 +111,11 @@ int WaveScene::first_rays() const {
         rays += one.samples;
     }
     return rays;
+}
+
+bool WaveScene::has_environment() const {
+    return std::any_of(light.begin(), light.end(),
+                       [](const WaveLight& one) { return one.is_environment(); });
 }
 
 }  // namespace carom::render

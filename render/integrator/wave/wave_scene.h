@@ -2,18 +2,20 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "render/integrator/caustics.h"
 #include "render/integrator/path_integrator.h"
 #include "render/integrator/transport_scene.h"
+#include "render/integrator/wave/wave_groups.h"
 #include "render/light/light_set.h"
 
 namespace carom::render {
 
 /// A light for the kernels.
 struct WaveLight {
-    enum class Kind { rectangle, sphere, other };
+    enum class Kind { rectangle, sphere, environment, delta, other };
     Kind kind = Kind::other;
     V3f centre{0, 0, 0};
     V3f edge_u{0, 0, 0}, edge_v{0, 0, 0}, normal{0, 0, 1};  // of a rectangle; half sides
@@ -22,20 +24,22 @@ struct WaveLight {
     float half_diagonal = 0;  // of a rectangle
     float radius = 0;         // of a sphere
     int samples = 1;          // at a path's first vertex
-    bool is_environment = false;
     bool has_falloff = true;  // see RectangleEmitter::gain
+    DeltaLightConstants delta;
+
+    [[nodiscard]] bool is_environment() const { return kind == Kind::environment; }
 };
 
-/// Objects by index, as a structure of arrays.
-struct WaveObjects {
-    enum class Kind : std::uint8_t { other, moving_ball, static_ball, box };
-    std::vector<Kind> kind;
-    // Shape and material, for every kind except `other`.
-    std::vector<float> centre_x, centre_y, centre_z;
-    std::vector<float> half_x, half_y, half_z;
-    std::vector<float> bounding_radius;
-    std::vector<float> red, green, blue;
-    std::vector<float> coat_weight, coat_ior;
+/// LayerConstants of the materials, as a structure of arrays.
+struct WaveMaterials {
+    std::vector<float> coat_weight, coat_ior, coat_alpha;
+    std::vector<float> sheen, sheen_red, sheen_green, sheen_blue;
+    std::vector<float> metal, specular, alpha;
+    // kAlbedoNodes numbers for each material.
+    std::vector<float> coat_albedo, sheen_albedo, specular_albedo, mirror_albedo;
+    std::vector<bool> is_supported;  // glass and phong are not
+    std::vector<bool> has_gloss;     // has a rough coat
+    bool has_rough_coat = false;     // any of them has one
 };
 
 /// What the kernels need to know about a scene.
@@ -43,19 +47,26 @@ struct WaveScene {
     const LightSet* lights = nullptr;
     std::vector<WaveLight> light;  // by the light's number in LightSet
     float environment_importance = 0;
+    std::optional<EnvironmentPicture> sky;  // of a sampled environment
 
     // Specular balls as a structure of arrays: centre and radius of the bounding sphere of all
     // positions, squared radius, gain (caustics.h).
     std::vector<float> ball_x, ball_y, ball_z, ball_bounding_radius, ball_radius2, ball_gain;
     std::vector<std::int32_t> ball_of_object;  // or -1
 
-    WaveObjects objects;
+    WaveMaterials materials;
+    WaveGroups groups;
     int max_bounces = 0;
     int split_vertices = 0;
+    int glossy_samples = 1;
     bool caustics = false;
 
-    /// Number of shadow rays of a path's first vertex.
+    /// Number of shadow rays of a path's first vertex, without the further ones of rough coats.
     [[nodiscard]] int first_rays() const;
+    [[nodiscard]] bool has_environment() const;
+    /// Number of directions sampled towards the environment for a rough coat that the camera sees,
+    /// beyond the first.
+    [[nodiscard]] int further_rays() const { return has_environment() ? glossy_samples - 1 : 0; }
 };
 
 /// For one frame; everything is borrowed.

@@ -4,6 +4,7 @@
 #include "render/integrator/path_state.h"
 #include "render/integrator/shadow_ray_constants.h"
 #include "render/integrator/wave/lights-inl.h"
+#include "render/integrator/wave/scatter-inl.h"
 #include "render/integrator/wave/vertices-inl.h"
 #include "render/integrator/wave/wave_kernels.h"
 #include "render/sampling/lane_sampler-inl.h"
@@ -12,18 +13,38 @@
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
+/// The light that a vertex scatters from a direction, per unit of radiance, weighted against the
+/// scattering that could have found the light: DirectLight::scattered.
+HWY_INLINE F3 weighted_value(const VertexLanes& v, const F3& wi, F light_pdf) {
+    const LobeValue base = base_towards(v, wi);
+    const F by_base = base_probability(v) * base.pdf;
+    if (!v.lobes.any_rough_coat) {
+        return base.value * power_heuristic(light_pdf, by_base);
+    }
+    const LobeValue coat = coat_towards(v, wi);
+    const F by_all = by_base + v.lobes.coat_choice * coat.pdf;
+    const F weight_of_base = power_heuristic(light_pdf, select(v.splits, by_base, by_all));
+    const F weight_of_coat =
+        power_heuristic(light_pdf, select(v.splits, coat.pdf * v.coat_samples, by_all));
+    return base.value * weight_of_base + coat.value * weight_of_coat;
+}
+
+/// Writes no `k`th shadow rays for the vertices.
+HWY_INLINE void add_no_shadow_rays(const WaveStep& step, const VertexLanes& v, int k) {
+    hn::StoreU(all(0.f), FloatTag(), step.shadows.t_max + k * step.shadows.stride + v.first);
+}
+
 /// Writes the `k`th shadow ray of the vertices. `expected`: expected number of directions towards
 /// the light at each vertex.
 HWY_INLINE void add_shadow_rays(const WaveStep& step, const VertexLanes& v, const LightLanes& light,
                                 F expected, M wanted, int k) {
     const F cosine = dot(v.frame.z, light.direction);
     const F side = dot(v.geometric_normal, light.direction);
-    const BaseLanes base = base_towards(v, light.direction, hn::Max(cosine, all(0.f)));
+    const F3 wi = local_direction(v, light.direction, hn::Max(cosine, all(0.f)));
     const F pdf = light.pdf * expected;
-    const F weight = power_heuristic(pdf, base_probability(v) * base.pdf);
     const M shines = hn::And(hn::And(wanted, light.valid),
                              hn::And(hn::Gt(side, all(0.f)), hn::Gt(cosine, all(0.f))));
-    const F3 value = v.throughput * value_of(v, base) * light.radiance * (weight / pdf);
+    const F3 value = v.throughput * weighted_value(v, wi, pdf) * light.radiance * (all(1.f) / pdf);
     const M is_lit = hn::And(shines, hn::Gt(largest(value), all(0.f)));
     ShadowWave& out = step.shadows;
     const int at = k * out.stride + v.first;
@@ -40,11 +61,8 @@ HWY_INLINE void add_shadow_rays(const WaveStep& step, const VertexLanes& v, cons
 }
 
 HWY_INLINE F environment_sample_count(const WaveStep& step, const VertexLanes& v) {
-    const bool has_environment =
-        std::any_of(step.scene.light.begin(), step.scene.light.end(),
-                    [](const WaveLight& light) { return light.is_environment; });
-    if (!has_environment) {
-        return all(1.f);
+    if (!step.scene.has_environment()) {
+        return v.coat_samples;
     }
     F total = all(0.f);
     for (std::size_t light = 0; light < step.scene.light.size(); ++light) {
@@ -52,8 +70,36 @@ HWY_INLINE F environment_sample_count(const WaveStep& step, const VertexLanes& v
     }
     const F fraction =
         all(step.scene.environment_importance) / (all(kFullSamplingFraction) * total);
-    return select(hn::Gt(total, all(0.f)),
-                  hn::Min(hn::Max(fraction, all(kMinEnvironmentSamples)), all(1.f)), all(1.f));
+    const F expected =
+        select(hn::Gt(total, all(0.f)),
+               hn::Min(hn::Max(fraction, all(kMinEnvironmentSamples)), all(1.f)), all(1.f));
+    return select(v.shows_gloss, v.coat_samples, expected);
+}
+
+/// Samples the environment: sometimes, or several times where a rough coat shows it. Returns the
+/// number of the next ray.
+HWY_INLINE int sample_environment(const WaveStep& step, const VertexLanes& v, std::size_t light,
+                                  const V2& u, int k) {
+    const F expected = v.environment_samples;
+    const M always = hn::Ge(expected, all(1.f));
+    const M wanted = hn::And(v.scatters, hn::Or(always, hn::Lt(u.x, expected)));
+    const F rest = select(always, u.x, hn::Min(u.x / expected, all(kOneMinusEpsilon)));
+    const int samples = step.vertices.has_gloss ? step.scene.glossy_samples : 1;
+    for (int j = 0; j < samples; ++j, ++k) {
+        if (j > 0 && hn::AllFalse(FloatTag(), v.shows_gloss)) {
+            add_no_shadow_rays(step, v, k);
+            continue;
+        }
+        V2 point{rest, u.y};
+        if (v.any_gloss) {
+            const V2 shifted = lattice_lanes(u, j, samples);
+            point = {select(v.shows_gloss, shifted.x, rest), select(v.shows_gloss, shifted.y, u.y)};
+        }
+        const M now = j == 0 ? wanted : v.shows_gloss;
+        add_shadow_rays(step, v, sample(step.scene, light, v.position, point, now), expected, now,
+                        k);
+    }
+    return k;
 }
 
 /// Samples every light, at a path's first vertex.
@@ -79,18 +125,14 @@ HWY_INLINE void sample_all_lights(const WaveStep& step, VertexLanes& v,
             sampler.get_4d(all_words(PathDimensions::kLightPairs + asked / 2), pair);
         }
         const std::size_t half = asked % 2;
-        V2 u{pair[2 * half], pair[2 * half + 1]};
+        const V2 u{pair[2 * half], pair[2 * half + 1]};
         asked += 1;
-        M wanted = v.scatters;
-        F expected = all(1.f);
-        if (known.is_environment) {
-            expected = v.environment_samples;
-            wanted = hn::And(wanted, hn::Or(hn::Ge(expected, all(1.f)), hn::Lt(u.x, expected)));
-            u.x = select(hn::Lt(expected, all(1.f)), hn::Min(u.x / expected, all(kOneMinusEpsilon)),
-                         u.x);
+        if (known.is_environment()) {
+            k = sample_environment(step, v, light, u, k);
+        } else {
+            add_shadow_rays(step, v, sample(step.scene, light, v.position, u, v.scatters), all(1.f),
+                            v.scatters, k++);
         }
-        add_shadow_rays(step, v, sample(step.scene, light, v.position, u, wanted), expected, wanted,
-                        k++);
     }
 }
 
@@ -99,7 +141,7 @@ HWY_INLINE void sample_one_light(const WaveStep& step, VertexLanes& v, const V2&
     const FloatTag d;
     const ChoiceLanes choice = choose_light(step.scene, v.position, v.frame.z, u.x, v.scatters);
     v.total_importance = select(v.scatters, choice.total, all(0.f));
-    LightLanes found{v.frame.z, all(0.f), all(1.f), all(V3f(0, 0, 0)), hn::MaskFromVec(all(0.f))};
+    LightLanes found{v.frame.z, all(0.f), all(1.f), all(V3f(0, 0, 0)), no_lanes()};
     for (std::size_t light = 0; light < step.scene.light.size(); ++light) {
         const M takes =
             hn::And(v.scatters,
@@ -138,116 +180,18 @@ HWY_INLINE void select_caustics(const WaveStep& step, const VertexLanes& v,
     }
     const F roulette =
         sampler.get_1d(all_words(PathDimensions::kCaustics) + v.vertex_index + v.vertex_index);
-    const M asks = hn::And(v.scatters, hn::Lt(roulette, total));
+    const M asks = hn::And(v.connects, hn::Lt(roulette, total));
     const I index = hn::Iota(IntTag(), v.first);
     store_some(index, asks, step.near_balls.at, step.near_balls.count);
     step.near_balls.count += static_cast<int>(hn::CountTrue(FloatTag(), asks));
-}
-
-struct ScatterLanes {
-    F3 direction;
-    F3 weight;
-    F pdf, spread;
-    I branch;
-    I is_delta, connects, ball;
-};
-
-/// Appends the lanes in `goes` to `next`.
-HWY_INLINE void proceed(const WaveStep& step, const VertexLanes& v, const ScatterLanes& ray,
-                        F width, M goes, PathWave& next) {
-    const int at = next.count;
-    store_some(gather(step.paths.slot, v.path), goes, next.slot, at);
-    store_some(ray.branch, goes, next.branch, at);
-    store_some(v.origin, goes, next.origin, at);
-    store_some(ray.direction, goes, next.direction, at);
-    store_some(gather(step.paths.time, v.path), goes, next.time, at);
-    store_some(v.throughput * ray.weight, goes, next.throughput, at);
-    store_some(width, goes, next.width, at);
-    store_some(ray.spread, goes, next.spread, at);
-    store_some(v.position, goes, next.last_position, at);
-    store_some(v.frame.z, goes, next.last_normal, at);
-    store_some(ray.pdf, goes, next.pdf, at);
-    store_some(v.total_importance, goes, next.total_importance, at);
-    store_some(v.environment_samples, goes, next.environment_samples, at);
-    store_some(ray.is_delta, goes, next.is_delta, at);
-    store_some(ray.connects, goes, next.connects, at);
-    store_some(ray.ball, goes, next.connected_ball, at);
-    next.count += static_cast<int>(hn::CountTrue(FloatTag(), goes));
-}
-
-HWY_INLINE void scatter(const WaveStep& step, const VertexLanes& v, const V2& u, bool connects) {
-    const FloatTag d;
-    const IntTag di;
-    const I zero = hn::Zero(di);
-    const I one = hn::Set(di, 1);
-    const F width = gather(step.paths.width, v.path) +
-                    gather(step.paths.spread, v.path) * load(step.vertices.distance, v.first);
-    const F spread = gather(step.paths.spread, v.path);
-    const I branch = gather(step.paths.branch, v.path);
-    const M by_chance = hn::AndNot(v.splits, v.valid);
-    const M takes_coat = hn::And(by_chance, hn::Lt(u.x, v.coat_choice));
-    const M splits = v.splits;
-    const I twice = hn::IfThenElse(hn::RebindMask(di, splits), branch + branch, branch);
-
-    const M coats = hn::And(hn::Or(splits, takes_coat), hn::Gt(v.coat, all(0.f)));
-    if (!hn::AllFalse(d, coats)) {
-        const F wo_x = dot(v.wo, v.frame.x);
-        const F wo_y = dot(v.wo, v.frame.y);
-        ScatterLanes reflected;
-        reflected.direction = unit(v.frame.to_world({hn::Neg(wo_x), hn::Neg(wo_y), v.wo_z}));
-        const F weight = v.coat / select(splits, all(1.f), v.coat_choice);
-        reflected.weight = {weight, weight, weight};
-        reflected.pdf = all(0.f);
-        reflected.spread = hn::Min(spread * all(kMirrorSpread), all(kWidestSpread));
-        reflected.branch = twice;
-        reflected.is_delta = one;
-        reflected.connects = zero;
-        const I object = load(step.vertices.object, v.first);
-        const M was_sampled = is_equal(gather(step.paths.connects, v.path), one);
-        reflected.ball = hn::IfThenElse(hn::RebindMask(di, was_sampled), object, hn::Set(di, -1));
-        const F side = dot(v.geometric_normal, reflected.direction);
-        proceed(step, v, reflected, width, hn::And(coats, hn::Gt(side, all(0.f))), step.reflected);
-    }
-
-    const M bases = hn::AndNot(takes_coat, v.scatters);
-    const M remaps = hn::And(by_chance, hn::Gt(v.coat_choice, all(0.f)));
-    const F u_x = select(remaps, remap_sample<Lanes>(u.x, v.coat_choice), u.x);
-    const F probability = base_probability(v);
-    F3 wi = sample_cosine_hemisphere<Lanes>({u_x, u.y});
-    if (v.any_sheen) {
-        const M by_sheen = hn::Lt(u_x, v.choose_sheen);
-        const F rest =
-            select(hn::Lt(v.choose_sheen, all(1.f)), remap_sample<Lanes>(u_x, v.choose_sheen), u_x);
-        const F used = select(hn::Gt(v.choose_sheen, all(0.f)), rest, u_x);
-        wi = select(by_sheen, sample_cone<Lanes>({used, u.y}, all(1.f)),
-                    sample_cosine_hemisphere<Lanes>({used, u.y}));
-    }
-    ScatterLanes scattered;
-    scattered.direction = unit(v.frame.to_world(wi));
-    const BaseLanes base = base_towards(v, scattered.direction, hn::Max(wi.z, all(0.f)));
-    scattered.pdf = probability * base.pdf;
-    // The diffuse lobe alone is sampled in proportion to its value, so that its albedo remains.
-    scattered.weight = v.diffuse * (all(1.f) / probability);
-    if (v.any_sheen) {
-        scattered.weight =
-            select(v.has_sheen, value_of(v, base) * (all(1.f) / scattered.pdf), scattered.weight);
-    }
-    const F lobe = hn::Min(all(kLobeFraction) / hn::Sqrt(scattered.pdf), all(kWidestSpread));
-    scattered.spread = hn::Max(spread, lobe);
-    scattered.branch = hn::IfThenElse(hn::RebindMask(di, splits), branch + branch + one, branch);
-    scattered.is_delta = zero;
-    scattered.connects = hn::Set(di, connects ? 1 : 0);
-    scattered.ball = hn::Set(di, -1);
-    const F side = dot(v.geometric_normal, scattered.direction);
-    const M above = hn::And(hn::Gt(wi.z, all(0.f)), hn::Gt(side, all(0.f)));
-    proceed(step, v, scattered, width, hn::And(bases, above), step.scattered);
 }
 
 inline HWY_ATTR void take_step(const WaveStep& step) {
     const VertexWave& vertices = step.vertices;
     const int vertex = step.paths.vertex;
     const bool has_lights = !step.scene.light.empty();
-    step.shadows.rays = !has_lights ? 0 : vertex == 0 ? step.scene.first_rays() : 1;
+    const int further = vertices.has_gloss ? step.scene.further_rays() : 0;
+    step.shadows.rays = !has_lights ? 0 : vertex == 0 ? step.scene.first_rays() + further : 1;
     step.shadows.stride = vertex == 0 ? kWaveSamples + 16 : kWaveStorage;
     step.shadows.count = 0;
     step.near_balls.count = 0;
@@ -274,7 +218,34 @@ inline HWY_ATTR void take_step(const WaveStep& step) {
         if (connects) {
             select_caustics(step, v, sampler);
         }
-        scatter(step, v, {u[2], u[3]}, connects);
+        scatter(step, v, sampler, {u[2], u[3]}, connects);
+    }
+}
+
+/// The weight of the environment's light for paths that left the scene: DirectLight::weight_of_hit.
+HWY_INLINE F weight_of_sky(const WaveScene& scene, const PathWave& paths, I path, F pdf) {
+    const M is_delta = is_equal(gather(paths.is_delta, path), hn::Set(IntTag(), 1));
+    F expected = gather(paths.environment_samples, path);
+    if (paths.vertex != 1) {
+        const F total = gather(paths.total_importance, path);
+        const M exists = hn::Gt(total, all(0.f));
+        expected = select(
+            exists, all(scene.environment_importance) / select(exists, total, all(1.f)), all(0.f));
+    }
+    const F last = gather(paths.pdf, path);
+    return select(is_delta, all(1.f),
+                  power_heuristic(select(is_delta, all(1.f), last), expected * pdf));
+}
+
+inline HWY_ATTR void find_sky(const WaveScene& scene, const PathWave& paths, MissWave& missed) {
+    for (int first = 0; first < missed.paths.count; first += lane_count()) {
+        const I path = load(missed.paths.at, first);
+        const F3 direction = gather(paths.direction, path);
+        const V2 uv = sky_place<Lanes>(*scene.sky, direction);
+        const F pdf = sky_density<Lanes>(*scene.sky, direction, uv);
+        const F3 radiance =
+            sky_radiance<Lanes>(*scene.sky, uv) * weight_of_sky(scene, paths, path, pdf);
+        store(gather(paths.throughput, path) * radiance, missed.light, first);
     }
 }
 

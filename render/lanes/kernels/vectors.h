@@ -63,3 +63,9 @@ template <class L>
 CAROM_KERNEL typename L::Value limited(typename L::Value x, float low, float high) {
     return L::smaller(L::larger(x, L::all(low)), L::all(high));
 }
+/// See core/colour.h.
+template <class L>
+CAROM_KERNEL typename L::Value luminance_of(const Three<typename L::Value>& colour) {
+    return L::all(kRedLuminance) * colour.x + L::all(kGreenLuminance) * colour.y +
+           L::all(kBlueLuminance) * colour.z;
+}

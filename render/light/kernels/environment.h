@@ -5,8 +5,8 @@
 template <class L>
 CAROM_KERNEL Two<typename L::Value> sky_place(const EnvironmentPicture& picture,
                                               const Three<typename L::Value>& direction) {
-    const auto u = L::all(0.5f + picture.turns) -
-                   quick_angle<L>(direction.x, direction.y) * L::all(1 / kTurn);
+    const auto u =
+        L::all(0.5f + picture.turns) - quick_angle<L>(direction.x, direction.y) * L::all(1 / kTurn);
     const auto polar = quick_arccosine<L>(limited<L>(direction.z, -1, 1));
     return {u - L::rounded_down(u), L::smaller(polar * L::all(kInversePi), L::all(1))};
 }
@@ -30,9 +30,8 @@ CAROM_KERNEL Three<typename L::Value> sky_radiance(const EnvironmentPicture& pic
         return shared_exponent_value<L>(L::gather_bytes(picture.padded, byte));
     };
     const auto mix = [](const Three<typename L::Value>& a, const Three<typename L::Value>& b,
-                        typename L::Value t) CAROM_KERNEL_ATTRIBUTE {
-        return a * (L::all(1) - t) + b * t;
-    };
+                        typename L::Value t)
+                         CAROM_KERNEL_ATTRIBUTE { return a * (L::all(1) - t) + b * t; };
     const auto top = mix(pixel(stride + 1), pixel(stride + 2), fx);
     const auto bottom = mix(pixel(2 * stride + 1), pixel(2 * stride + 2), fx);
     return mix(top, bottom, fy) * all_of<L>(picture.scale);
@@ -67,8 +66,8 @@ CAROM_KERNEL SkySampleOf<L> sample_sky(const EnvironmentPicture& picture,
     const SinCosOf<L> azimuth = sin_cos_turn<L>(L::all(0.5f + picture.turns) - place.uv.x);
     const auto zero = L::all(0);
     const auto valid = L::both(L::is_less(zero, place.pdf), L::is_less(zero, polar.sine));
-    const Three<typename L::Value> direction{polar.sine * azimuth.cosine,
-                                             polar.sine * azimuth.sine, polar.cosine};
+    const Three<typename L::Value> direction{polar.sine * azimuth.cosine, polar.sine * azimuth.sine,
+                                             polar.cosine};
     const auto sine = L::select(valid, polar.sine, L::all(1));
     return {unit<L>(direction), place.pdf / (L::all(kTurn * kPi) * sine), place.uv, valid};
 }

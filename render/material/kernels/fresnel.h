@@ -5,8 +5,7 @@
 /// `cosine`: of the angle of incidence, [0, 1]; `ior`: relative index, >= 1. Returns a value in [0,
 /// 1].
 template <class L>
-CAROM_KERNEL typename L::Value fresnel_dielectric(typename L::Value cosine,
-                                                  typename L::Value ior) {
+CAROM_KERNEL typename L::Value fresnel_dielectric(typename L::Value cosine, typename L::Value ior) {
     const auto one = L::all(1);
     const auto cos_i = L::smaller(cosine, one);
     const auto sin2_t = (one - cos_i * cos_i) / (ior * ior);

@@ -32,9 +32,10 @@ struct LobesOf {
 
 /// Reflectance of a facet at `cosine`, metal and highlight together.
 template <class L>
-CAROM_KERNEL Three<typename L::Value> facet_reflectance(
-    const LayersOf<L>& layers, const Three<typename L::Value>& metal_scale,
-    const Three<typename L::Value>& base, typename L::Value cosine) {
+CAROM_KERNEL Three<typename L::Value> facet_reflectance(const LayersOf<L>& layers,
+                                                        const Three<typename L::Value>& metal_scale,
+                                                        const Three<typename L::Value>& base,
+                                                        typename L::Value cosine) {
     const auto highlight = (L::all(1) - layers.metal) * layers.specular *
                            fresnel_dielectric<L>(cosine, L::all(kSpecularIor));
     return metal_scale * fresnel_schlick<L>(cosine, base) +
@@ -79,8 +80,8 @@ CAROM_KERNEL void weigh_base(const LayersOf<L>& layers, const Three<typename L::
             // The energy that single scattering loses is restored, coloured (Turquin 2019,
             // "Practical multiple scattering compensation for microfacet models", eq. 16).
             const auto restores = L::both(has_metal, is_rough);
-            const auto kept = L::select(
-                restores, albedo_at<L>(layers.tables.mirror, layers.first, cosine), one);
+            const auto kept =
+                L::select(restores, albedo_at<L>(layers.tables.mirror, layers.first, cosine), one);
             lobes.metal_scale =
                 lobes.metal_scale * (all_of<L>(V3f(1, 1, 1)) + base * ((one - kept) / kept));
         }
@@ -95,9 +96,9 @@ CAROM_KERNEL void weigh_base(const LayersOf<L>& layers, const Three<typename L::
     lobes.choose_diffuse = largest<L>(lobes.diffuse);
     const auto sum =
         lobes.choose_sheen + lobes.choose_facets + lobes.choose_diffuse + lobes.choose_glass;
-    lobes.is_diffuse = L::both(
-        L::is_less(zero, lobes.choose_diffuse),
-        L::is_at_most(lobes.choose_sheen + lobes.choose_facets + lobes.choose_glass, zero));
+    lobes.is_diffuse =
+        L::both(L::is_less(zero, lobes.choose_diffuse),
+                L::is_at_most(lobes.choose_sheen + lobes.choose_facets + lobes.choose_glass, zero));
     const auto scale = L::select(L::is_less(zero, sum), sum, one);
     lobes.choose_glass = lobes.choose_glass / scale;
     lobes.choose_sheen = lobes.choose_sheen / scale;
@@ -112,16 +113,16 @@ CAROM_KERNEL LobesOf<L> weigh_lobes(const LayersOf<L>& layers, const Three<typen
     const auto zero = L::all(0);
     const auto one = L::all(1);
     LobesOf<L> lobes;
-    const auto has_coat =
-        L::both(L::is_less(zero, layers.coat_weight), L::opposite(is_inside));
+    const auto has_coat = L::both(L::is_less(zero, layers.coat_weight), L::opposite(is_inside));
     lobes.has_rough_coat = L::both(has_coat, L::is_less(zero, layers.coat_alpha));
     lobes.any_rough_coat = !L::none(lobes.has_rough_coat);
     lobes.coat = zero;
     if (!L::none(has_coat)) {
         auto reflected = fresnel_dielectric<L>(cosine, layers.coat_ior);
         if (lobes.any_rough_coat) {
-            reflected = L::select(lobes.has_rough_coat,
-                                  albedo_at<L>(layers.tables.coat, layers.first, cosine), reflected);
+            reflected =
+                L::select(lobes.has_rough_coat,
+                          albedo_at<L>(layers.tables.coat, layers.first, cosine), reflected);
         }
         lobes.coat = L::select(has_coat, layers.coat_weight * reflected, zero);
     }
@@ -187,14 +188,11 @@ CAROM_KERNEL LobeValueOf<L> base_towards(const LayersOf<L>& layers, const LobesO
             L::both(L::is_less(zero, lobes.facets), L::is_less(zero, layers.alpha));
         const GgxOf<L> ggx(L::select(is_rough, layers.alpha, L::all(1)));
         const Three<typename L::Value> m = unit<L>(sum);
-        const auto scale =
-            L::select(is_rough, lobes.facets * ggx.reflection(wo, wi, m), zero);
-        result.value =
-            result.value +
-            facet_reflectance<L>(layers, lobes.metal_scale, base, dot(wo, m)) * scale;
+        const auto scale = L::select(is_rough, lobes.facets * ggx.reflection(wo, wi, m), zero);
+        result.value = result.value +
+                       facet_reflectance<L>(layers, lobes.metal_scale, base, dot(wo, m)) * scale;
         result.pdf =
-            result.pdf +
-            L::select(is_rough, lobes.choose_facets * ggx.reflection_pdf(wo, m), zero);
+            result.pdf + L::select(is_rough, lobes.choose_facets * ggx.reflection_pdf(wo, m), zero);
     }
     return result;
 }

@@ -18,8 +18,8 @@ CAROM_KERNEL typename L::Int short_at(const std::uint16_t* table, typename L::In
 template <class L>
 CAROM_KERNEL CellOf<L> find_cell(const float* cdf, typename L::Int first, const std::uint16_t* cuts,
                                  typename L::Int first_cut, int count, typename L::Value u) {
-    const auto part = L::smaller_int(L::to_int(u * L::all(static_cast<float>(count))),
-                                     L::all_int(count - 1));
+    const auto part =
+        L::smaller_int(L::to_int(u * L::all(static_cast<float>(count))), L::all_int(count - 1));
     const auto one = L::all_int(1);
     const auto last = L::all_int(count - 1);
     auto index = short_at<L>(cuts, first_cut + part);
@@ -84,8 +84,8 @@ CAROM_KERNEL typename L::Value density_of_cells(const DistributionTables& tables
         return L::smaller_int(L::to_int(x * L::all(static_cast<float>(count))),
                               L::all_int(count - 1));
     };
-    const auto index = L::product(cell(uv.y, tables.height), tables.width) +
-                       cell(uv.x, tables.width);
+    const auto index =
+        L::product(cell(uv.y, tables.height), tables.width) + cell(uv.x, tables.width);
     const auto is_inside = L::both(L::is_less(uv.x, L::all(1)), L::is_less(uv.y, L::all(1)));
     return L::select(is_inside, L::gather(tables.density, index), L::all(0));
 }

@@ -28,5 +28,27 @@ TEST(SinCosTurn, QuarterTurns_AreExact) {
     EXPECT_EQ(sin_cos_turn(0.75f).sine, -1.f);
 }
 
+TEST(QuickAngle, WholeCircle_IsWithinThreeRoundings) {
+    for (int i = -5000; i <= 5000; ++i) {
+        const double angle = std::numbers::pi * i / 5000;
+        for (const double size : {1e-6, 1.0, 1e6}) {
+            const auto x = static_cast<float>(size * std::cos(angle));
+            const auto y = static_cast<float>(size * std::sin(angle));
+            const double expected = std::atan2(static_cast<double>(y), static_cast<double>(x));
+            ASSERT_NEAR(scalar::quick_angle<scalar::One>(x, y), expected, 3.5e-7) << angle;
+        }
+    }
+    EXPECT_EQ(scalar::quick_angle<scalar::One>(0, 0), 0.f);
+}
+
+TEST(QuickArccosine, WholeRange_IsWithinThreeRoundings) {
+    for (int i = -10'000; i <= 10'000; ++i) {
+        const float cosine = static_cast<float>(i) / 10'000;
+        ASSERT_NEAR(scalar::quick_arccosine<scalar::One>(cosine),
+                    std::acos(static_cast<double>(cosine)), 3.5e-7)
+            << cosine;
+    }
+}
+
 }  // namespace
 }  // namespace carom::render

@@ -1,0 +1,46 @@
+// The surface that a material gives at a point (Material::resolve), in lanes. Included as
+// render/lanes/kernels/vectors.h is.
+
+template <class L>
+struct ResolvedOf {
+    // On the viewer's side.
+    Three<typename L::Value> geometric_normal, normal;
+    Three<typename L::Value> base;
+    typename L::Mask from_behind;
+};
+
+template <class L>
+CAROM_KERNEL Three<typename L::Value> flipped(typename L::Mask flips,
+                                              const Three<typename L::Value>& v) {
+    return {L::select(flips, L::opposite_sign(v.x), v.x),
+            L::select(flips, L::opposite_sign(v.y), v.y),
+            L::select(flips, L::opposite_sign(v.z), v.z)};
+}
+
+/// All lanes have the same material. `wo`: towards the viewer; `footprint`: width of a pixel, m.
+template <class L>
+CAROM_KERNEL ResolvedOf<L> resolve_surface(const TextureData& texture, float bump,
+                                           const TexturePointOf<L>& point,
+                                           const Three<typename L::Value>& shading_normal,
+                                           const Three<typename L::Value>& wo,
+                                           typename L::Value footprint) {
+    ResolvedOf<L> surface;
+    surface.from_behind = L::is_less(dot(point.geometric_normal, wo), L::all(0));
+    surface.geometric_normal = flipped<L>(surface.from_behind, point.geometric_normal);
+    Three<typename L::Value> normal = flipped<L>(surface.from_behind, shading_normal);
+    Three<typename L::Value> colour;
+    if (bump > 0) {
+        const TextureReliefOf<L> relief = relief_of<L>(texture, point, footprint);
+        const Three<typename L::Value> shift = relief.normal_shift * L::all(bump);
+        colour = relief.colour;
+        normal = unit<L>(normal + shift - normal * dot(normal, shift));
+    } else {
+        colour = colour_of<L>(texture, point, footprint);
+    }
+    surface.base = {limited<L>(colour.x, 0, 1), limited<L>(colour.y, 0, 1),
+                    limited<L>(colour.z, 0, 1)};
+    // The smooth or bumped normal may face away from the viewer.
+    const auto faces_away = L::is_at_most(dot(normal, wo), L::all(0));
+    surface.normal = select<L>(faces_away, surface.geometric_normal, normal);
+    return surface;
+}
