@@ -1,5 +1,5 @@
-// The cost of looking up a texture's colour: one point at a time, and in vector lanes. The argument
-// is the width of a pixel, um.
+// The cost of looking up a texture's colour: one point at a time, and in vector lanes, of AVX2 or
+// as wide as the machine has. The argument is the width of a pixel, um.
 #include <array>
 #include <string>
 
@@ -57,10 +57,15 @@ void one_by_one(benchmark::State& state, const std::string& name) {
     count_lookups(state);
 }
 
-void in_lanes(benchmark::State& state, const std::string& name) {
+void in_lanes(benchmark::State& state, const std::string& name, std::string_view target) {
     const Texture& texture = texture_named(name);
     const Lookups asked = lookups(state.range(0));
-    const test::TextureLanes& lanes = test::best_texture_lanes();
+    test::TextureLanes lanes = test::best_texture_lanes();
+    test::for_every_target([&](const test::TextureLanes& one) {
+        if (one.target == target) {
+            lanes = one;
+        }
+    });
     std::array<std::vector<float>, 3> colour;
     colour.fill(std::vector<float>(kPoints));
     float* const pointers[3] = {colour[0].data(), colour[1].data(), colour[2].data()};
@@ -73,9 +78,14 @@ void in_lanes(benchmark::State& state, const std::string& name) {
     state.SetLabel(std::string(lanes.target));
 }
 
-#define CAROM_LOOKUPS(id, name)                                                \
-    BENCHMARK_CAPTURE(one_by_one, id, std::string(name))->Arg(100)->Arg(2000); \
-    BENCHMARK_CAPTURE(in_lanes, id, std::string(name))->Arg(100)->Arg(2000)
+#define CAROM_LOOKUPS(id, name)                                                             \
+    BENCHMARK_CAPTURE(one_by_one, id, std::string(name))->Arg(100)->Arg(2000);              \
+    BENCHMARK_CAPTURE(in_lanes, id, std::string(name), std::string_view("AVX2"))            \
+        ->Arg(100)                                                                          \
+        ->Arg(2000);                                                                        \
+    BENCHMARK_CAPTURE(in_lanes, id##_widest, std::string(name), std::string_view("widest")) \
+        ->Arg(100)                                                                          \
+        ->Arg(2000)
 
 CAROM_LOOKUPS(cloth, "cloth");
 CAROM_LOOKUPS(wood, "wood");

@@ -20,14 +20,53 @@ struct ClothValueOf {
     Two<typename L::Value> slope;
 };
 
-/// Looks up a tile of `width` by `height` m.
-template <class L, class LookUp>
-CAROM_KERNEL auto tiled(const LookUp& look_up, const PyramidTables& tile,
-                        const Two<typename L::Value>& place, float width, float height,
-                        typename L::Value footprint) {
+template <class L>
+struct TilePlaceOf {
+    Two<typename L::Value> uv;
+    typename L::Value footprint;  // in units of uv of the longer side
+};
+
+/// Where a place (m) is on a repeating tile of `width` by `height` m.
+template <class L>
+CAROM_KERNEL TilePlaceOf<L> place_on_tile(const Two<typename L::Value>& place, float width,
+                                          float height, typename L::Value footprint) {
     const float shorter = width < height ? width : height;
-    return look_up(tile, Two<typename L::Value>{place.x / L::all(width), place.y / L::all(height)},
-                   footprint / L::all(shorter));
+    return {{place.x / L::all(width), place.y / L::all(height)}, footprint / L::all(shorter)};
+}
+
+/// The brightness of the weave, and its slope in x and in y; 0 where it is not resolved.
+template <class L>
+CAROM_KERNEL Three<typename L::Value> cloth_weave(const ClothParameters& cloth,
+                                                  const Two<typename L::Value>& place,
+                                                  typename L::Value footprint) {
+    using Look = ClothLook;
+    const auto zero = L::all(0);
+    const Three<typename L::Value> nothing{zero, zero, zero};
+    const auto weight = band_weight<L>(footprint, 1.5f * Look::kFarthest * cloth.thread);
+    const auto is_seen = L::is_less(zero, weight);
+    if (L::none(is_seen)) {
+        return nothing;
+    }
+    const float side = cloth.thread * ClothCells::kThreads;
+    const TilePlaceOf<L> at = place_on_tile<L>(place, side, side, footprint);
+    const auto relief = look_up_half_colour<L>(cloth.weave, at.uv, at.footprint) * weight;
+    return select<L>(
+        is_seen,
+        {L::all(Look::kWeaveStrength) * relief.x, relief.y * L::all(Look::kThreadRelief),
+         relief.z * L::all(Look::kThreadRelief)},
+        nothing);
+}
+
+/// `brightness` with `strength` times a noise, where that is seen.
+template <class L>
+CAROM_KERNEL typename L::Value with_noise(typename L::Value brightness, typename L::Mask is_seen,
+                                          typename L::Value strength, const PyramidTables& noise,
+                                          const TilePlaceOf<L>& at) {
+    if (L::none(is_seen)) {
+        return brightness;
+    }
+    const auto part = strength * look_up_signed<L>(noise, at.uv, at.footprint);
+    return L::select(is_seen, brightness + part, brightness);
 }
 
 /// See ClothPattern::evaluate. What no lane can resolve is not looked up.
@@ -35,47 +74,24 @@ template <class L>
 CAROM_KERNEL_OUTLINED ClothValueOf<L> cloth_value(const ClothParameters& cloth,
                                                   const Two<typename L::Value>& place,
                                                   typename L::Value footprint) {
-    using V = typename L::Value;
     using Look = ClothLook;
     const auto zero = L::all(0);
-    const auto signed_tile =
-        [](const PyramidTables& tile, const Two<V>& uv, V width)
-            CAROM_KERNEL_ATTRIBUTE { return look_up_signed<L>(tile, uv, width); };
-    auto brightness = zero;
-    Two<V> slope{zero, zero};
-    const auto weave = band_weight<L>(footprint, 1.5f * Look::kFarthest * cloth.thread);
-    const auto has_weave = L::is_less(zero, weave);
-    if (!L::none(has_weave)) {
-        const float side = cloth.thread * ClothCells::kThreads;
-        const auto relief =
-            tiled<L>([](const PyramidTables& tile, const Two<V>& uv, V width)
-                         CAROM_KERNEL_ATTRIBUTE { return look_up_half_colour<L>(tile, uv, width); },
-                     cloth.weave, place, side, side, footprint) *
-            weave;
-        brightness = L::select(has_weave, L::all(Look::kWeaveStrength) * relief.x, zero);
-        slope = {L::select(has_weave, relief.y * L::all(Look::kThreadRelief), zero),
-                 L::select(has_weave, relief.z * L::all(Look::kThreadRelief), zero)};
-    }
+    const Three<typename L::Value> weave = cloth_weave<L>(cloth, place, footprint);
     const auto nap = band_weight<L>(footprint, Look::kNapWidth);
-    const auto has_nap = L::is_less(zero, nap);
-    if (!L::none(has_nap)) {
-        const auto part =
-            L::all(Look::kNapStrength) * nap *
-            tiled<L>(signed_tile, cloth.nap, place, Look::kNapLength * ClothCells::kNap,
-                     Look::kNapWidth * ClothCells::kNap, footprint);
-        brightness = L::select(has_nap, brightness + part, brightness);
-    }
-    const auto has_wear = L::is_less(footprint, L::all(Look::kWearSize));
-    if (!L::none(has_wear)) {
-        const float side = Look::kWearSize * ClothCells::kWear;
-        const auto part = L::all(Look::kWearStrength) *
-                          band_weight<L>(footprint, 1.5f * Look::kWearSize) *
-                          tiled<L>(signed_tile, cloth.wear, place, side, side, footprint);
-        brightness = L::select(has_wear, brightness + part, brightness);
-    }
+    auto brightness =
+        with_noise<L>(weave.x, L::is_less(zero, nap), L::all(Look::kNapStrength) * nap, cloth.nap,
+                      place_on_tile<L>(place, Look::kNapLength * ClothCells::kNap,
+                                       Look::kNapWidth * ClothCells::kNap, footprint));
+    const auto wear = band_weight<L>(footprint, 1.5f * Look::kWearSize);
+    const float side = Look::kWearSize * ClothCells::kWear;
+    brightness = with_noise<L>(brightness, L::is_less(footprint, L::all(Look::kWearSize)),
+                               L::all(Look::kWearStrength) * wear, cloth.wear,
+                               place_on_tile<L>(place, side, side, footprint));
+
     const auto scale = L::larger(L::all(1) + L::all(cloth.variation) * brightness, zero);
     const auto channel = [&](float x) CAROM_KERNEL_ATTRIBUTE {
         return L::smaller(L::all(x) * scale, L::all(1));
     };
-    return {{channel(cloth.colour.x), channel(cloth.colour.y), channel(cloth.colour.z)}, slope};
+    return {{channel(cloth.colour.x), channel(cloth.colour.y), channel(cloth.colour.z)},
+            {weave.y, weave.z}};
 }

@@ -160,7 +160,13 @@ TEST(TextureLanes, UnusableNumbers_ReadNothingOutsideAndSpareTheOtherLanes) {
         for (const NamedTexture& one : every_texture()) {
             Channels colour;
             lanes.colours(one.texture.data(), spoilt.lists, colour.pointers);
-            for (std::size_t i = 1; i < kPoints; i += 2) {
+            for (std::size_t i = 0; i < kPoints; ++i) {
+                if (i % 2 == 0) {
+                    // What is not limited to the picture is not a number.
+                    ASSERT_TRUE(one.name == "checker" || std::isfinite(colour.at(i).length()))
+                        << one.name << " on " << lanes.target << ", point " << i;
+                    continue;
+                }
                 ASSERT_EQ(bits_of(colour.at(i)),
                           bits_of(one.texture.colour(points.points[i], points.lists.footprint[i])))
                     << one.name << " on " << lanes.target;
