@@ -68,9 +68,9 @@ Distribution2D::Distribution2D(std::span<const float> weights, int width, int he
             accumulate(row, std::span(column_cdfs_).subspan(y * (columns + 1), columns + 1));
     }
     mean_ = accumulate(row_totals, row_cdf_) / static_cast<double>(columns * rows);
-    row_cuts_.resize(rows + 1);
+    row_cuts_.resize(rows + 2);
     set_cuts(row_cdf_, std::span(row_cuts_).first(rows));
-    column_cuts_.resize(weights.size() + 1);
+    column_cuts_.resize(weights.size() + 2);
     for (std::size_t y = 0; y < rows; ++y) {
         set_cuts(std::span(column_cdfs_).subspan(y * (columns + 1), columns + 1),
                  std::span(column_cuts_).subspan(y * columns, columns));

@@ -51,8 +51,8 @@ class Distribution2D {
     std::vector<float> density_;      // per cell, mean 1
     std::vector<float> row_cdf_;      // height + 1 values from 0 to 1
     std::vector<float> column_cdfs_;  // per row: width + 1 values from 0 to 1
-    // Where the search in row_cdf_ and in each row's cdf begins; kernels read 32 bits at a time, so
-    // that one number more has room.
+    // Where the search in row_cdf_ and in each row's cdf begins; two more numbers, because kernels
+    // read 32 bits at a time and the cut after the last one.
     std::vector<std::uint16_t> row_cuts_;
     std::vector<std::uint16_t> column_cuts_;
 };

@@ -12,7 +12,7 @@ struct DistributionTables {
     const float* density = nullptr;      // per cell, mean 1; null: no weights
     const float* row_cdf = nullptr;      // height + 1 values from 0 to 1
     const float* column_cdfs = nullptr;  // per row: width + 1 values from 0 to 1
-    // Where the search in the cdf begins, with room for one number more.
+    // Where the search in the cdf begins, with room for two more numbers.
     const std::uint16_t* row_cuts = nullptr;
     const std::uint16_t* column_cuts = nullptr;
 };

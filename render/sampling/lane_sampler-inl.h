@@ -96,12 +96,9 @@ class LaneSampler {
         }
         U fifth = all_words(0);
         for (int nibble = 0; nibble < 8; ++nibble) {
-            const U digit =
-                hn::And(hn::ShiftRightSame(reversed_sample_, 4 * nibble), all_words(15));
-            const auto* table = reinterpret_cast<const std::int32_t*>(detail::kSobol.fifth[nibble]);
-            fifth = hn::Xor(
-                fifth, hn::BitCast(WordTag(),
-                                   hn::GatherIndex(IntTag(), table, hn::BitCast(IntTag(), digit))));
+            const U part =
+                of_digit(detail::kSobol.fifth[nibble], digit_of(reversed_sample_, nibble));
+            fifth = hn::Xor(fifth, part);
         }
         u[4] = scrambled(fifth, mix_words(hash + all_words(detail::kFifthSalt)));
     }
@@ -119,25 +116,34 @@ class LaneSampler {
     static HWY_INLINE F scrambled(U x, U seed) {
         return to_unit_lanes(reverse_bits_of_words(scramble_reversed_words(x, seed)));
     }
-    /// One path at a time, with all four dimensions in one vector.
-    static HWY_INLINE void sobol(U reversed_index, U (&coordinates)[4]) {
-        const hn::CappedTag<std::uint32_t, 4> d4;
-        alignas(64) std::uint32_t index[16];
-        alignas(64) std::uint32_t points[16 * 4];
-        hn::Store(reversed_index, WordTag(), index);
-        for (int lane = 0; lane < lane_count(); ++lane) {
-            const std::uint32_t at = index[lane];
-            auto sum = hn::Load(d4, detail::kSobol.values[0][at & 15u]);
-            for (int nibble = 1; nibble < 8; ++nibble) {
-                sum = hn::Xor(
-                    sum, hn::Load(d4, detail::kSobol.values[nibble][(at >> (4 * nibble)) & 15u]));
-            }
-            hn::Store(sum, d4, points + std::ptrdiff_t{4} * lane);
+    static HWY_INLINE I digit_of(U index, int nibble) {
+        return hn::BitCast(IntTag(), hn::And(hn::ShiftRightSame(index, 4 * nibble), all_words(15)));
+    }
+    /// A number of a table of sixteen for each lane's digit, out of registers.
+    static HWY_INLINE U of_digit(const std::uint32_t (&table)[16], I digit) {
+        const WordTag d;
+        if constexpr (hn::MaxLanes(WordTag()) >= 16) {
+            return hn::TableLookupLanes(hn::LoadU(d, table), hn::IndicesFromVec(d, digit));
+        } else if constexpr (hn::MaxLanes(WordTag()) == 8) {
+            // The two halves of the table; eight lanes take three bits of the digit.
+            const IntTag di;
+            const auto place = hn::IndicesFromVec(d, hn::And(digit, hn::Set(di, 7)));
+            const U low = hn::TableLookupLanes(hn::LoadU(d, table), place);
+            const U high = hn::TableLookupLanes(hn::LoadU(d, table + 8), place);
+            return hn::IfThenElse(hn::RebindMask(d, hn::Gt(digit, hn::Set(di, 7))), high, low);
+        } else {
+            return hn::GatherIndex(d, table, digit);
         }
-        const I places = hn::ShiftLeft<2>(hn::Iota(IntTag(), 0));
-        const auto* words = reinterpret_cast<const std::int32_t*>(points);
-        for (int k = 0; k < 4; ++k) {
-            coordinates[k] = hn::BitCast(WordTag(), hn::GatherIndex(IntTag(), words + k, places));
+    }
+    /// The exclusive or over the eight nibbles of the index, in four dimensions.
+    static HWY_INLINE void sobol(U reversed_index, U (&coordinates)[4]) {
+        for (int nibble = 0; nibble < 8; ++nibble) {
+            const I digit = hn::BitCast(
+                IntTag(), hn::And(hn::ShiftRightSame(reversed_index, 4 * nibble), all_words(15)));
+            for (int d = 0; d < 4; ++d) {
+                const U part = of_digit(detail::kSobolDigits.at[nibble][d], digit);
+                coordinates[d] = nibble == 0 ? part : hn::Xor(coordinates[d], part);
+            }
         }
     }
 

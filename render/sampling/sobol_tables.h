@@ -96,6 +96,23 @@ constexpr SobolNibbleTables make_sobol_tables() {
 
 inline constexpr SobolNibbleTables kSobol = make_sobol_tables();
 
+/// The same numbers of the first four dimensions in the order [nibble][dimension][digit].
+struct SobolDigitTables {
+    alignas(64) std::uint32_t at[8][4][16];
+};
+constexpr SobolDigitTables make_digit_tables() {
+    SobolDigitTables tables{};
+    for (int nibble = 0; nibble < 8; ++nibble) {
+        for (int digit = 0; digit < 16; ++digit) {
+            for (int d = 0; d < 4; ++d) {
+                tables.at[nibble][d][digit] = kSobol.values[nibble][digit][d];
+            }
+        }
+    }
+    return tables;
+}
+inline constexpr SobolDigitTables kSobolDigits = make_digit_tables();
+
 /// Seeds that make the scrambling of each dimension of a set different.
 inline constexpr std::uint32_t kLaneSalts[4] = {0x3c6ef372u, 0xdaa66d2bu, 0x78dde6e4u, 0x1715609du};
 inline constexpr std::uint32_t kFifthSalt = 0xb54cda56u;

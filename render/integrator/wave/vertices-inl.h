@@ -43,20 +43,38 @@ HWY_INLINE M no_lanes() {
     return hn::MaskFromVec(hn::Zero(FloatTag()));
 }
 
-HWY_INLINE Layers layers_of(const WaveMaterials& materials, I material) {
-    return {gather(materials.coat_weight, material),
-            gather(materials.coat_ior, material),
-            gather(materials.coat_alpha, material),
-            gather(materials.sheen, material),
-            {gather(materials.sheen_red, material), gather(materials.sheen_green, material),
-             gather(materials.sheen_blue, material)},
-            gather(materials.metal, material),
-            gather(materials.specular, material),
-            gather(materials.alpha, material),
+/// `number_of` returns a number of each lane's material.
+template <class NumberOf>
+HWY_INLINE Layers layers_from(const WaveMaterials& materials, I material,
+                              const NumberOf& number_of) {
+    return {number_of(materials.coat_weight),
+            number_of(materials.coat_ior),
+            number_of(materials.coat_alpha),
+            number_of(materials.sheen),
+            {number_of(materials.sheen_red), number_of(materials.sheen_green),
+             number_of(materials.sheen_blue)},
+            number_of(materials.metal),
+            number_of(materials.specular),
+            number_of(materials.alpha),
             all(0.f),
             {materials.coat_albedo.data(), materials.sheen_albedo.data(),
              materials.specular_albedo.data(), materials.mirror_albedo.data()},
             Lanes::product(material, kAlbedoNodes)};
+}
+
+/// Vertices are sorted, so that mostly all lanes have the same material.
+HWY_INLINE Layers layers_of(const WaveMaterials& materials, I material) {
+    const IntTag di;
+    const std::int32_t first = hn::GetLane(material);
+    if (hn::AllTrue(di, hn::Eq(material, hn::Set(di, first)))) {
+        const auto index = static_cast<std::size_t>(first);
+        return layers_from(materials, material, [&](const std::vector<float>& numbers) HWY_ATTR {
+            return all(numbers[index]);
+        });
+    }
+    return layers_from(materials, material, [&](const std::vector<float>& numbers) HWY_ATTR {
+        return gather(numbers, material);
+    });
 }
 
 HWY_INLINE M is_narrow(M exists, F alpha) {
@@ -105,7 +123,10 @@ HWY_INLINE VertexLanes vertices_at(const WaveStep& step, int first) {
     v.wo = v.frame.from_world(-gather(step.paths.direction, v.path));
     v.wo.z = hn::Max(v.wo.z, all(kLeastLocalCosine));
     v.base = load(in.base, first);
-    const I material = hn::IfThenElseZero(hn::RebindMask(di, v.valid), load(in.material, first));
+    // Lanes beyond the last vertex have the material of the first one.
+    const I known = load(in.material, first);
+    const I material =
+        hn::IfThenElse(hn::RebindMask(di, v.valid), known, hn::Set(di, hn::GetLane(known)));
     v.layers = layers_of(step.scene.materials, material);
     v.lobes = weigh_lobes<Lanes>(v.layers, v.base, v.wo.z, no_lanes());
     decide(step, v);

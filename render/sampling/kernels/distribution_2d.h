@@ -22,7 +22,21 @@ CAROM_KERNEL CellOf<L> find_cell(const float* cdf, typename L::Int first, const 
         L::smaller_int(L::to_int(u * L::all(static_cast<float>(count))), L::all_int(count - 1));
     const auto one = L::all_int(1);
     const auto last = L::all_int(count - 1);
+    // The cell lies between those in which this part and the next one begin.
     auto index = short_at<L>(cuts, first_cut + part);
+    auto end =
+        L::select_int(L::is_less_int(part, last), short_at<L>(cuts, first_cut + part + one), last);
+    for (;;) {
+        const auto is_open = L::is_less_int(index, end);
+        if (L::none(is_open)) {
+            break;
+        }
+        const auto middle = L::select_int(
+            is_open, index + L::template shifted_right_int<1>(end - index + one), index);
+        const auto is_below = L::is_at_most(L::gather(cdf, first + middle), u);
+        index = L::select_int(L::both(is_open, is_below), middle, index);
+        end = L::select_int(is_below, end, middle - one);
+    }
     auto upper = L::gather(cdf, first + index + one);
     for (;;) {
         const auto goes = L::both(L::is_less_int(index, last), L::is_at_most(upper, u));
