@@ -13,7 +13,7 @@ constexpr const char* kFunction = "carom_format_module";
 [[noreturn]] void fail() {
     const char* reason = ::dlerror();
     throw Error(
-        std::string("the module for image formats other than EXR and PNG cannot be loaded: ") +
+        std::string("the module for image formats other than EXR, PNG and HDR cannot be loaded: ") +
         (reason != nullptr ? reason : "no reason given") + "; is carom installed completely?");
 }
 

@@ -1,4 +1,4 @@
-// Formats other than EXR and PNG, and OpenColorIO, through OpenImageIO. Debian's OpenImageIO loads
+// Formats other than EXR, PNG and Radiance, and OpenColorIO, through OpenImageIO. Debian's OpenImageIO loads
 // 240 further libraries, which takes longer than everything else that a program does before it
 // renders. It is therefore linked to a module of its own, carom-formats.so, which is loaded when
 // the first file needs it. The module is found by the run-time search path of the program

@@ -11,6 +11,7 @@
 #include "render/image_files/exr_colours.h"
 #include "render/image_files/format_module.h"
 #include "render/image_files/png_file.h"
+#include "render/image_files/radiance_file.h"
 
 namespace carom::render {
 namespace {
@@ -51,6 +52,11 @@ RawPicture read_picture(const std::string& path) {
     }
     if (is_exr(start)) {
         if (std::optional<RawPicture> picture = read_exr_colours(path)) {
+            return std::move(*picture);
+        }
+    }
+    if (is_radiance(start)) {
+        if (std::optional<RawPicture> picture = decode_radiance(rest_of(file, path), path)) {
             return std::move(*picture);
         }
     }

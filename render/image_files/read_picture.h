@@ -7,9 +7,9 @@
 
 namespace carom::render {
 
-/// Reads PNG and usual EXR files by libpng and OpenEXR, and everything else by OpenImageIO, which
-/// is loaded for it (format_module.h). The content decides, not the name. Throws Error with the
-/// file's name if it is unreadable or too large.
+/// Reads PNG and the usual kinds of EXR and Radiance files itself, and everything else by
+/// OpenImageIO, which is loaded for it (format_module.h). The content decides, not the name. Throws
+/// Error with the file's name if it is unreadable or too large.
 [[nodiscard]] RawPicture read_picture(const std::string& path);
 
 }  // namespace carom::render

@@ -18,10 +18,6 @@ Cell cell_of(float x) {
             x - floor};
 }
 
-float fade(float t) {
-    return t * t * t * (t * (t * 6.0f - 15.0f) + 10.0f);
-}
-
 float lerp(float a, float b, float t) {
     return a + (b - a) * t;
 }
@@ -36,14 +32,19 @@ float gradient(std::uint32_t hash, float x, float y, float z) {
 }
 
 // Eight directions in the plane, of length sqrt(2) or 1.3 for evenness.
-float gradient(std::uint32_t hash, float x, float y) {
+V2f gradient(std::uint32_t hash) {
     const std::uint32_t h = hash >> 29;
     const float sx = (h & 1u) != 0 ? -1.0f : 1.0f;
     const float sy = (h & 2u) != 0 ? -1.0f : 1.0f;
     if ((h & 4u) != 0) {
-        return sx * x + sy * y;
+        return {sx, sy};
     }
-    return (h & 1u) != 0 ? 1.3f * sy * x : 1.3f * sy * y;
+    return (h & 1u) != 0 ? V2f(1.3f * sy, 0.0f) : V2f(0.0f, 1.3f * sy);
+}
+
+float gradient(std::uint32_t hash, float x, float y) {
+    const V2f direction = gradient(hash);
+    return direction.x * x + direction.y * y;
 }
 
 }  // namespace
@@ -52,9 +53,9 @@ float gradient_noise(const V3f& position, std::uint32_t seed) {
     const Cell x = cell_of(position.x);
     const Cell y = cell_of(position.y);
     const Cell z = cell_of(position.z);
-    const float u = fade(x.offset);
-    const float v = fade(y.offset);
-    const float w = fade(z.offset);
+    const float u = noise_fade(x.offset);
+    const float v = noise_fade(y.offset);
+    const float w = noise_fade(z.offset);
     float along_z[2];
     for (std::uint32_t k = 0; k < 2; ++k) {
         const std::uint32_t hz = mix_bits(z.index + k + seed);
@@ -78,7 +79,7 @@ namespace {
 template <class NextColumn, class NextRow>
 float plane_noise(const Cell& x, const Cell& y, std::uint32_t seed, const NextColumn& next_column,
                   const NextRow& next_row) {
-    const float u = fade(x.offset);
+    const float u = noise_fade(x.offset);
     float along_y[2];
     for (std::uint32_t j = 0; j < 2; ++j) {
         const std::uint32_t hy = mix_bits((j == 0 ? y.index : next_row(y.index)) + seed);
@@ -87,7 +88,7 @@ float plane_noise(const Cell& x, const Cell& y, std::uint32_t seed, const NextCo
         const float b = gradient(mix_bits(next_column(x.index) + hy), x.offset - 1.0f, dy);
         along_y[j] = lerp(a, b, u);
     }
-    return std::clamp(lerp(along_y[0], along_y[1], fade(y.offset)), -1.0f, 1.0f);
+    return std::clamp(lerp(along_y[0], along_y[1], noise_fade(y.offset)), -1.0f, 1.0f);
 }
 
 Cell wrapped_cell(float x, int period) {
@@ -97,6 +98,10 @@ Cell wrapped_cell(float x, int period) {
 }
 
 }  // namespace
+
+V2f lattice_gradient(std::uint32_t column, std::uint32_t row, std::uint32_t seed) {
+    return gradient(mix_bits(column + mix_bits(row + seed)));
+}
 
 float gradient_noise(const V2f& position, std::uint32_t seed) {
     const auto next = [](std::uint32_t i) { return i + 1; };
