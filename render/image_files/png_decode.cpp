@@ -9,6 +9,9 @@
 namespace carom::render {
 namespace {
 
+/// Deflate compresses by less than this factor (RFC 1951: 258 bytes in two bits).
+constexpr std::size_t kMostPacked = 1100;
+
 /// What libpng reads from.
 struct Source {
     std::span<const std::byte> rest;
@@ -109,6 +112,9 @@ RawPicture decode_png(std::span<const std::byte> bytes, const std::string& path)
     picture.height = static_cast<int>(reader.height());
     picture.channels = reader.channels();
     const std::size_t rows = static_cast<std::size_t>(picture.height);
+    if (rows * reader.row_bytes() / kMostPacked > bytes.size()) {
+        refuse_image(path, "the file is too short for its pixels");
+    }
     std::vector<png_byte> pixels(rows * reader.row_bytes());
     std::vector<png_bytep> starts(rows);
     for (std::size_t row = 0; row < rows; ++row) {

@@ -11,8 +11,8 @@
 namespace carom::render {
 namespace {
 
-// With all filters, a third of the time of level 6, which is the usual one, and smaller files: 33 ms and 268 kB for a noisy
-// picture of 640 x 360 pixels, where level 6 takes 144 ms and 273 kB.
+// With all filters, a third of the time of level 6, which is the usual one, and smaller files: 33
+// ms and 268 kB for a noisy picture of 640 x 360 pixels, where level 6 takes 144 ms and 273 kB.
 constexpr int kZlibLevel = 4;
 
 void append_bytes(png_structp png, png_bytep bytes, std::size_t count) {

@@ -17,6 +17,7 @@ constexpr int kNarrowestPacked = 8;    // pixels; narrower rows are not compress
 constexpr int kWidestPacked = 0x7fff;  // the row's head has 15 bits for the width
 constexpr int kExponentOffset = 136;   // 128, and the 8 bits of a mantissa
 constexpr std::size_t kComponents = 4;
+constexpr std::size_t kLongestRun = 127;
 
 /// Takes lines and bytes from the front of the file.
 class Source {
@@ -100,6 +101,11 @@ bool unpack(Source& source, std::span<std::uint8_t> out) {
     return true;
 }
 
+/// The fewest bytes that the rows of a picture take: their heads, and runs of two bytes.
+std::size_t least_bytes(std::size_t columns, std::size_t rows) {
+    return rows * (kComponents + kComponents * 2 * ((columns + kLongestRun - 1) / kLongestRun));
+}
+
 /// 2^(exponent - 136), or 0 for the exponent 0, which means black.
 std::array<float, 256> scales() {
     std::array<float, 256> values{};
@@ -126,6 +132,9 @@ std::optional<RawPicture> decode_radiance(std::span<const std::byte> bytes,
     const auto [width, height] = *size;
     check_picture_size(path, width, height);
     const std::size_t columns = static_cast<std::size_t>(width);
+    if (source.remaining() < least_bytes(columns, static_cast<std::size_t>(height))) {
+        refuse_image(path, "the file is too short for its pixels");
+    }
     RawPicture picture{width, height, 3, true, {}};
     picture.values.reserve(3 * columns * static_cast<std::size_t>(height));
     const std::array<float, 256> scale_of = scales();

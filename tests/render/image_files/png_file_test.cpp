@@ -195,6 +195,34 @@ TEST_F(PngFile, Damaged_IsRefusedWithTheReason) {
                 ThrowsMessage<Error>("image 'felt.png' cannot be read: the file ends too early"));
 }
 
+/// The checksum of a chunk's type and data (PNG Specification, annex D).
+std::uint32_t checksum(std::span<const std::byte> bytes) {
+    std::uint32_t sum = 0xffffffffu;
+    for (const std::byte byte : bytes) {
+        sum ^= static_cast<std::uint32_t>(byte);
+        for (int bit = 0; bit < 8; ++bit) {
+            sum = (sum & 1u) != 0 ? 0xedb88320u ^ (sum >> 1) : sum >> 1;
+        }
+    }
+    return ~sum;
+}
+
+TEST_F(PngFile, HeaderThatPromisesMorePixelsThanFit_IsRefusedBeforeTheyHaveMemory) {
+    const std::vector<std::uint8_t> rgb(std::size_t{3} * 16);
+    std::vector<std::byte> file = encode_png(rgb, 16, 1, {});
+    const auto put = [&file](std::size_t at, std::uint32_t value) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            file[at + i] = static_cast<std::byte>(value >> (24 - 8 * i));
+        }
+    };
+    put(16, 60'000);
+    put(20, 1000);
+    put(29, checksum(std::span(file).subspan(12, 17)));
+    EXPECT_THAT([&] { static_cast<void>(decode_png(file, "felt.png")); },
+                ThrowsMessage<Error>(
+                    "image 'felt.png' cannot be read: the file is too short for its pixels"));
+}
+
 TEST_F(PngFile, TooLarge_IsRefusedBeforeItsPixelsAreRead) {
     // One row of an 70 000 x 1 picture.
     std::vector<std::uint8_t> rgb(std::size_t{3} * 70'000);

@@ -79,6 +79,19 @@ TEST_F(RadianceFile, UnusualFiles_AreLeftToOpenImageIO) {
     EXPECT_FALSE(decode("#?RADIANCE\n"));
 }
 
+TEST_F(RadianceFile, AnyByteChanged_IsRefusedOrReadWithoutHarm) {
+    const std::string whole = text_of(write(64, 9));
+    for (std::size_t at = 0; at < whole.size(); ++at) {
+        std::string changed = whole;
+        changed[at] = static_cast<char>(changed[at] ^ 0x55);
+        try {
+            const auto picture = decode(changed);
+            EXPECT_TRUE(!picture || picture->values.size() == std::size_t{3} * 64 * 9) << at;
+        } catch (const Error&) {
+        }
+    }
+}
+
 TEST_F(RadianceFile, Damaged_IsRefusedWithTheRow) {
     const std::string whole = text_of(write(64, 9));
     const std::size_t rows = whole.find("+X 64\n") + 6;
@@ -98,8 +111,11 @@ TEST_F(RadianceFile, Damaged_IsRefusedWithTheRow) {
     for (std::size_t keep = rows + 4; keep < whole.size(); keep += 13) {
         EXPECT_THROW(reading(whole.substr(0, keep))(), Error) << keep;
     }
-    EXPECT_THAT(reading("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 999999 +X 512\n\x02\x02\x02" +
-                        std::string(1, '\0')),
+    const std::string head("\x02\x02\x02\0", 4);
+    EXPECT_THAT(reading("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 50000 +X 512\n" + head),
+                ThrowsMessage<Error>(
+                    "image 'sky.hdr' cannot be read: the file is too short for its pixels"));
+    EXPECT_THAT(reading("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 999999 +X 512\n" + head),
                 ThrowsMessage<Error>("image 'sky.hdr' is 512 x 999999 pixels; at most 67108864 are "
                                      "read; CAROM_LIMITS=2 in the environment doubles all such "
                                      "limits"));
