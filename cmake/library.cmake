@@ -71,6 +71,9 @@ function(carom_archive name)
       COMMAND ${CMAKE_STRIP} --strip-debug -R .gnu.lto_* -R .gnu.debuglto_* -N __gnu_lto_v1 $<TARGET_FILE:${archive}>)
   endif()
 
+  # Where programs find carom-formats.so (render/image_files/format_module.h).
+  target_link_options(${archive} INTERFACE $<INSTALL_INTERFACE:-Wl,-rpath,$<INSTALL_PREFIX>/libexec/carom>)
+
   set(headers)
   foreach(header IN LISTS ARG_HEADERS)
     set(source ${PROJECT_SOURCE_DIR}/${header})

@@ -24,6 +24,10 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 # The layout of the build tree is that of an installed one: bin/, libexec/carom/, share/carom/.
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 
+# Programs find modules that they load on demand (render/image_files/format_module.h) beside those in libexec/carom.
+set(CMAKE_BUILD_RPATH ${PROJECT_BINARY_DIR}/libexec/carom)
+set(CMAKE_INSTALL_RPATH "\$ORIGIN")
+
 # Precompiled headers: a holder target compiles library headers that many files include, and other targets reuse the result.
 # carom's own headers are not precompiled, because they change too often. CMake adds precompiled headers to every file of a
 # target, so a missing #include is found only in a build with this option off.

@@ -1,6 +1,5 @@
 // The program bin/carom: parses the command line and runs the commands that need no renderer. For
-// all others it executes libexec/carom/carom-film, which links OpenImageIO (200 ms to load) and
-// libav.
+// all others it executes libexec/carom/carom-film, which links the renderer and libav.
 #include <cstdio>
 #include <optional>
 #include <string>

@@ -60,8 +60,6 @@ render::ImageMetadata stored_frame_metadata(const Shot& shot,
                                             const std::string& tier) {
     render::ImageMetadata metadata = render_metadata(shot, tier);
     add_rays(counts, metadata);
-    // Otherwise OpenImageIO writes the current time, and the same frame would have other bytes.
-    metadata["DateTime"] = "1970:01:01 00:00:00";
     return metadata;
 }
 

@@ -35,12 +35,8 @@ void write_picture(const render::Film& film, const DisplayView& view, const std:
                    const render::ImageMetadata& metadata, const render::PictureText& text,
                    const std::optional<render::ExrStandardAttributes>& standard) {
     if (is_linear_picture(path)) {
-        // Without this OpenImageIO stores the current time, and the same frame would give different
-        // bytes.
-        render::ImageMetadata dated = metadata;
-        dated.emplace("DateTime", "1970:01:01 00:00:00");
         write_atomically(path, [&](const std::string& temporary) {
-            render::write_exr(film, temporary, dated, standard);
+            render::write_exr(film, temporary, metadata, standard);
         });
         return;
     }

@@ -1,4 +1,4 @@
-// Image files, through OpenImageIO.
+// Image files.
 #pragma once
 
 #include <map>

@@ -1,4 +1,5 @@
-// Colour management by an OpenColorIO configuration, through OpenImageIO.
+// Colour management by an OpenColorIO configuration, through OpenImageIO, which is loaded for it
+// (render/image_files/format_module.h).
 #pragma once
 
 #include <memory>
@@ -6,6 +7,8 @@
 #include <vector>
 
 namespace carom::render {
+
+class ColourTransform;
 
 /// Empty names select the configuration's defaults.
 struct OcioNames {
@@ -30,8 +33,7 @@ class OcioView {
     void apply(std::vector<float>& rgb, int width, int height) const;
 
   private:
-    struct Data;
-    std::unique_ptr<Data> data_;
+    std::unique_ptr<ColourTransform> transform_;
 };
 
 }  // namespace carom::render

@@ -1,14 +1,10 @@
 #include "render/film/picture_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
-
 #include "core/assert.h"
-#include "core/error.h"
+#include "render/letters/letters.h"
 
 namespace carom::render {
 namespace {
@@ -17,19 +13,6 @@ constexpr double kFontSize = 0.78;  // of a line's height
 constexpr double kMargin = 0.6;     // from the picture's edges, in lines
 constexpr double kEdge = 0.09;      // width of the dark edge, in lines
 constexpr float kEdgeDarkness = 0.8F;
-
-/// The font as OpenImageIO finds it: by name, otherwise in Debian's package fonts-dejavu-core.
-std::string usable_font() {
-    for (const char* name :
-         {"DejaVuSansMono", "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf"}) {
-        if (OIIO::ImageBufAlgo::text_size("8", 16, name).defined()) {
-            return name;
-        }
-    }
-    throw Error(
-        "the font DejaVu Sans Mono, which overlays are written with, is not installed (package "
-        "fonts-dejavu-core)");
-}
 
 /// Coverage by the letters, [0, 255], over a rectangle of the picture.
 struct Mask {
@@ -47,32 +30,23 @@ struct Mask {
 };
 
 Mask draw_letters(const PictureText& text, int width, int height) {
-    const std::string font = usable_font();
+    Letters letters(kMonoFont);
     const double line = std::max(4.0, text.size * height);
     const int font_size = std::max(3, static_cast<int>(std::lround(line * kFontSize)));
     const int margin = static_cast<int>(std::lround(line * kMargin));
     int widest = 0;
     for (const std::string& words : text.lines) {
-        widest = std::max(widest, OIIO::ImageBufAlgo::text_size(words, font_size, font).xend);
+        widest = std::max(widest, letters.box(words, font_size).x1);
     }
     Mask mask;
     mask.width = widest + 2;
     mask.height = static_cast<int>(std::ceil(line * static_cast<double>(text.lines.size()))) + 2;
     mask.left = text.at_right ? width - margin - mask.width : margin;
     mask.top = text.at_top ? margin : height - margin - mask.height;
-    OIIO::ImageBuf buffer(OIIO::ImageSpec(mask.width, mask.height, 1, OIIO::TypeDesc::UINT8));
-    OIIO::ImageBufAlgo::zero(buffer);
-    const std::array<float, 1> ink{1.0F};
+    mask.letters.resize(static_cast<std::size_t>(mask.width) * mask.height);
     for (std::size_t i = 0; i < text.lines.size(); ++i) {
         const auto baseline = static_cast<int>(std::lround(line * (static_cast<double>(i) + 0.8)));
-        if (!OIIO::ImageBufAlgo::render_text(buffer, 0, baseline, text.lines[i], font_size, font,
-                                             OIIO::cspan<float>(ink.data(), 1))) {
-            throw Error("the overlay cannot be written: " + buffer.geterror());
-        }
-    }
-    mask.letters.resize(static_cast<std::size_t>(mask.width) * mask.height);
-    if (!buffer.get_pixels(buffer.roi(), OIIO::TypeDesc::UINT8, mask.letters.data())) {
-        throw Error("the overlay cannot be written: " + buffer.geterror());
+        letters.draw(text.lines[i], font_size, 0, baseline, mask.letters, mask.width);
     }
     return mask;
 }

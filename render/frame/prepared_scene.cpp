@@ -1,35 +1,69 @@
 #include "render/frame/prepared_scene.h"
 
 #include <algorithm>
+#include <exception>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "core/error.h"
 #include "render/frame_scene/static_triangles.h"
+#include "render/threads/thread_arena.h"
 
 namespace carom::render {
 namespace {
 
-std::vector<Material> make_materials(const SceneDescription& scene) {
+void check_names(const std::vector<MaterialDescription>& materials) {
     std::set<std::string> names;
-    ImageCache images;
-    std::vector<Material> materials;
-    materials.reserve(scene.materials.size());
-    for (const MaterialDescription& description : scene.materials) {
-        if (!names.insert(description.name).second) {
-            throw Error("the scene has two materials named '" + description.name + "'");
+    for (const MaterialDescription& material : materials) {
+        if (!names.insert(material.name).second) {
+            throw Error("the scene has two materials named '" + material.name + "'");
         }
+    }
+}
+
+Material make_material(const MaterialDescription& description, ImageCache& images,
+                       AlbedoTables& tables) {
+    try {
+        return description.phong ? Material(*description.phong, images)
+                                 : Material(description.surface, images, tables);
+    } catch (const Error& error) {
+        throw Error("material '" + description.name + "': " + error.what());
+    }
+}
+
+/// Calls make(i) for every i < count at the same time. If several throw, the first one counts.
+template <class Make>
+void for_each_at_once(std::size_t count, const Make& make) {
+    std::vector<std::exception_ptr> failures(count);
+    parallel_for(count, [&](std::size_t i) {
         try {
-            if (description.phong) {
-                materials.emplace_back(*description.phong, images);
-            } else {
-                materials.emplace_back(description.surface, images);
-            }
-        } catch (const Error& error) {
-            throw Error("material '" + description.name + "': " + error.what());
+            make(i);
+        } catch (...) {
+            failures[i] = std::current_exception();
         }
+    });
+    for (const std::exception_ptr& failure : failures) {
+        if (failure) {
+            std::rethrow_exception(failure);
+        }
+    }
+}
+
+std::vector<Material> make_materials(const SceneDescription& scene) {
+    check_names(scene.materials);
+    ImageCache images;
+    AlbedoTables tables;
+    std::vector<std::optional<Material>> made(scene.materials.size());
+    for_each_at_once(made.size(), [&](std::size_t i) {
+        made[i].emplace(make_material(scene.materials[i], images, tables));
+    });
+    std::vector<Material> materials;
+    materials.reserve(made.size());
+    for (std::optional<Material>& material : made) {
+        materials.push_back(std::move(*material));
     }
     return materials;
 }
@@ -70,15 +104,22 @@ void add_shining_objects(LightSet& lights, const SceneDescription& scene,
 
 PreparedScene::Data* make_data(const SceneDescription& scene, const RenderSettings& settings,
                                StructureFactory factory) {
-    LightSet lights(
-        scene.lights);  // first, because it rejects lights that the geometry cannot hold
-    StaticGeometry geometry(scene, settings, factory);
-    std::vector<Material> materials = make_materials(scene);
-    add_shining_objects(lights, scene, geometry, materials);
+    std::optional<LightSet> lights;
+    std::optional<StaticGeometry> geometry;
+    std::vector<Material> materials;
+    for_each_at_once(2, [&](std::size_t part) {
+        if (part == 0) {
+            lights.emplace(scene.lights);  // first, as it rejects what the geometry cannot hold
+            geometry.emplace(scene, settings, factory);
+        } else {
+            materials = make_materials(scene);
+        }
+    });
+    add_shining_objects(*lights, scene, *geometry, materials);
     return new PreparedScene::Data{
-        std::move(geometry), std::move(materials),
-        std::move(lights),   static_cast<std::uint32_t>(scene.objects.size()),
-        ray_branches(scene), names_of(scene)};
+        std::move(*geometry), std::move(materials),
+        std::move(*lights),   static_cast<std::uint32_t>(scene.objects.size()),
+        ray_branches(scene),  names_of(scene)};
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "render/material/albedo_tables.h"
+#include "render/material/albedo_numbers.h"
 
 namespace carom::render {
 

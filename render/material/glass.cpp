@@ -37,7 +37,8 @@ V3f GlassConstants::transmittance(float distance) const {
             exponential(-absorption.z * distance)};
 }
 
-std::shared_ptr<const GlassConstants> glass_constants(const StandardMaterial& m) {
+std::shared_ptr<const GlassConstants> glass_constants(const StandardMaterial& m,
+                                                      AlbedoTables& tables) {
     if (m.transmission <= 0) {
         return nullptr;
     }
@@ -51,10 +52,10 @@ std::shared_ptr<const GlassConstants> glass_constants(const StandardMaterial& m)
         glass->tint = V3f(m.transmission_colour);
     }
     if (glass->alpha > 0) {
-        glass->reflected[0] = AlbedoTable::of_dielectric(glass->alpha, glass->ior);
-        glass->reflected[1] = AlbedoTable::of_dielectric(glass->alpha, 1.0f / glass->ior);
-        glass->kept[0] = AlbedoTable::of_glass(glass->alpha, glass->ior);
-        glass->kept[1] = AlbedoTable::of_glass(glass->alpha, 1.0f / glass->ior);
+        glass->reflected[0] = tables.of_dielectric(glass->alpha, glass->ior);
+        glass->reflected[1] = tables.of_dielectric(glass->alpha, 1.0f / glass->ior);
+        glass->kept[0] = tables.of_glass(glass->alpha, glass->ior);
+        glass->kept[1] = tables.of_glass(glass->alpha, 1.0f / glass->ior);
     }
     return glass;
 }

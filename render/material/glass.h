@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "render/geometry/ray.h"
-#include "render/material/albedo_table.h"
+#include "render/material/albedo_tables.h"
 #include "render/scene/material_description.h"
 
 namespace carom::render {
@@ -26,7 +26,8 @@ struct GlassConstants {
 };
 
 /// Null for a material that transmits nothing.
-[[nodiscard]] std::shared_ptr<const GlassConstants> glass_constants(const StandardMaterial& m);
+[[nodiscard]] std::shared_ptr<const GlassConstants> glass_constants(const StandardMaterial& m,
+                                                                    AlbedoTables& tables);
 
 /// The boundary at one point, seen from one direction. Directions are unit, in the surface's own
 /// axes; z is the normal on the viewer's side. Smooth boundaries have Fresnel's exact reflectance,

@@ -7,7 +7,7 @@
 #define CAROM_MATERIAL_KERNELS_INL_H
 #endif
 
-#include "render/material/albedo_tables.h"
+#include "render/material/albedo_numbers.h"
 #include "render/material/lobe_constants.h"
 #include "render/sampling/kernels-inl.h"
 #include "render/texture/kernels-inl.h"

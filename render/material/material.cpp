@@ -23,7 +23,7 @@ V3f limited(const V3f& c) {
     return {std::clamp(c.x, 0.0f, 1.0f), std::clamp(c.y, 0.0f, 1.0f), std::clamp(c.z, 0.0f, 1.0f)};
 }
 
-LayerConstants make_layers(const StandardMaterial& m) {
+LayerConstants make_layers(const StandardMaterial& m, AlbedoTables& tables) {
     LayerConstants layers;
     layers.coat_weight = fraction(m.coat.weight);
     layers.coat_ior = static_cast<float>(std::clamp(m.coat.ior, 1.0, 3.0));
@@ -34,27 +34,27 @@ LayerConstants make_layers(const StandardMaterial& m) {
     layers.specular = fraction(m.specular);
     layers.alpha = alpha_of(m.roughness);
     if (layers.coat_weight > 0 && layers.coat_alpha > 0) {
-        layers.coat_albedo = AlbedoTable::of_dielectric(layers.coat_alpha, layers.coat_ior);
+        layers.coat_albedo = tables.of_dielectric(layers.coat_alpha, layers.coat_ior);
     }
     if (layers.sheen > 0) {
-        layers.sheen_albedo = AlbedoTable::of_sheen();
+        layers.sheen_albedo = tables.of_sheen();
     }
     if (layers.alpha > 0 && layers.specular > 0) {
-        layers.specular_albedo = AlbedoTable::of_dielectric(layers.alpha, kSpecularIor);
+        layers.specular_albedo = tables.of_dielectric(layers.alpha, kSpecularIor);
     }
     if (layers.alpha > 0 && layers.metal > 0) {
-        layers.mirror_albedo = AlbedoTable::of_mirrors(layers.alpha);
+        layers.mirror_albedo = tables.of_mirrors(layers.alpha);
     }
-    layers.glass = glass_constants(m);
+    layers.glass = glass_constants(m, tables);
     layers.transmission = layers.glass ? fraction(m.transmission) : 0.0f;
     return layers;
 }
 
 }  // namespace
 
-Material::Material(const StandardMaterial& description, ImageCache& images)
+Material::Material(const StandardMaterial& description, ImageCache& images, AlbedoTables& tables)
     : texture_(description.base, images),
-      layers_(make_layers(description)),
+      layers_(make_layers(description, tables)),
       phong_(phong_model(description)),
       emission_(description.emission),
       bump_(texture_.has_relief() ? fraction(description.bump) : 0.0f) {}

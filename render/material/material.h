@@ -6,7 +6,7 @@
 
 #include "render/geometry/orthonormal_basis.h"
 #include "render/geometry/ray.h"
-#include "render/material/albedo_table.h"
+#include "render/material/albedo_tables.h"
 #include "render/material/glass.h"
 #include "render/material/lobe_constants.h"
 #include "render/material/phong.h"
@@ -34,7 +34,7 @@ struct LayerConstants {
     AlbedoTable specular_albedo;
     AlbedoTable mirror_albedo;
 
-    [[nodiscard]] AlbedoTables tables() const {
+    [[nodiscard]] AlbedoNumbers tables() const {
         return {coat_albedo.values().data(), sheen_albedo.values().data(),
                 specular_albedo.values().data(), mirror_albedo.values().data()};
     }
@@ -59,7 +59,7 @@ struct Surface {
 class Material {
   public:
     /// Throws Error if a texture's file is missing.
-    Material(const StandardMaterial& description, ImageCache& images);
+    Material(const StandardMaterial& description, ImageCache& images, AlbedoTables& tables);
     Material(const PhongMaterial& description, ImageCache& images);
 
     /// The surface at `point` seen from the unit direction `wo` (away from the surface);

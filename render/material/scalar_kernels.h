@@ -1,7 +1,7 @@
 // The kernels of this folder for one number at a time.
 #pragma once
 
-#include "render/material/albedo_tables.h"
+#include "render/material/albedo_numbers.h"
 #include "render/material/lobe_constants.h"
 #include "render/sampling/scalar_kernels.h"
 #include "render/texture/scalar_kernels.h"

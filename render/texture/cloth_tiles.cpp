@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <future>
+#include <span>
 #include <thread>
 #include <vector>
 
-#include "render/texture/noise.h"
+#include "render/texture/noise_grid.h"
 
 namespace carom::render {
 namespace {
@@ -43,29 +44,52 @@ float weave_height(const V2f& p) {
     return warp_is_above ? x * (0.25f + 0.75f * y) : y * (0.25f + 0.75f * x);
 }
 
-// Noise with this number of cells per tile; `p` in threads.
-float tiled_noise(const V2f& p, int cells_x, int cells_y, std::uint32_t seed) {
-    const V2f q(p.x * static_cast<float>(cells_x) / kThreads,
-                p.y * static_cast<float>(cells_y) / kThreads);
-    return periodic_noise(q, cells_x, cells_y, seed);
+NoiseGrid weave_noise(int cells_x, int cells_y, std::uint32_t seed) {
+    return {kSize, cells_x, cells_y, seed};
 }
 
-float relief(const V2f& p) {
-    // Threads are spun from wool: their courses wander by a good part of their width.
-    const V2f wander(tiled_noise(p, 45, 45, kWanderSeed), tiled_noise(p, 45, 45, kWanderSeed + 1));
-    float height = kWeaveHeight * weave_height(p + wander * kWander);
-    // Loose fibres: short streaks along both directions, in octaves.
-    float amplitude = kFuzzHeight;
-    for (std::uint32_t octave = 0; octave < 3; ++octave) {
-        const int fine = 40 << octave;
-        const int along = 17 << octave;
-        height += amplitude * 0.5f *
-                  (tiled_noise(p, fine, along, kFuzzSeed + 2 * octave) +
-                   tiled_noise(p, along, fine, kFuzzSeed + 2 * octave + 1));
-        amplitude *= 0.7f;
+/// The heights of the weave's texels.
+class Relief {
+  public:
+    Relief() {
+        for (std::uint32_t octave = 0; octave < kOctaves; ++octave) {
+            const int fine = 40 << octave;
+            const int along = 17 << octave;
+            fuzz_.push_back(weave_noise(fine, along, kFuzzSeed + 2 * octave));
+            fuzz_.push_back(weave_noise(along, fine, kFuzzSeed + 2 * octave + 1));
+        }
     }
-    return height;
-}
+
+    void row(int y, std::span<float> heights) const {
+        std::vector<float> first(kSize);
+        std::vector<float> second(kSize);
+        // Threads are spun from wool: their courses wander by a good part of their width.
+        wander_x_.row(y, first);
+        wander_y_.row(y, second);
+        for (std::size_t x = 0; x < kSize; ++x) {
+            const V2f p((static_cast<float>(x) + 0.5f) / kTexelsPerThread,
+                        (static_cast<float>(y) + 0.5f) / kTexelsPerThread);
+            heights[x] = kWeaveHeight * weave_height(p + V2f(first[x], second[x]) * kWander);
+        }
+        // Loose fibres: short streaks along both directions, in octaves.
+        float amplitude = kFuzzHeight;
+        for (std::size_t octave = 0; octave < kOctaves; ++octave) {
+            fuzz_[2 * octave].row(y, first);
+            fuzz_[2 * octave + 1].row(y, second);
+            for (std::size_t x = 0; x < kSize; ++x) {
+                heights[x] += amplitude * 0.5f * (first[x] + second[x]);
+            }
+            amplitude *= 0.7f;
+        }
+    }
+
+  private:
+    static constexpr std::uint32_t kOctaves = 3;
+
+    NoiseGrid wander_x_ = weave_noise(45, 45, kWanderSeed);
+    NoiseGrid wander_y_ = weave_noise(45, 45, kWanderSeed + 1);
+    std::vector<NoiseGrid> fuzz_;
+};
 
 std::size_t place(int x, int y) {
     return static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x);
@@ -91,12 +115,8 @@ void for_rows(int count, const Work& work) {
 
 ImagePyramid make_weave() {
     std::vector<float> heights(static_cast<std::size_t>(kSize) * kSize);
-    for_rows(kSize, [&](int y) {
-        for (int x = 0; x < kSize; ++x) {
-            heights[place(x, y)] = relief(V2f((static_cast<float>(x) + 0.5f) / kTexelsPerThread,
-                                              (static_cast<float>(y) + 0.5f) / kTexelsPerThread));
-        }
-    });
+    const Relief relief;
+    for_rows(kSize, [&](int y) { relief.row(y, std::span(heights).subspan(place(0, y), kSize)); });
     double sum = 0;
     for (const float height : heights) {
         sum += height;
@@ -120,24 +140,22 @@ ImagePyramid make_weave() {
 // Noise with `cells` cells along a side, and `octaves` - 1 finer octaves of half the amplitude
 // each.
 SignedPyramid make_noise(int cells, int octaves, std::uint32_t seed) {
-    std::vector<SignedCodec::Texel> texels;
-    texels.reserve(static_cast<std::size_t>(kNoiseSize) * kNoiseSize);
-    for (int y = 0; y < kNoiseSize; ++y) {
-        for (int x = 0; x < kNoiseSize; ++x) {
-            float sum = 0;
-            float amplitude = 1;
-            for (int octave = 0; octave < octaves; ++octave) {
-                const int count = cells << octave;
-                const float scale = static_cast<float>(count) / kNoiseSize;
-                sum += amplitude * periodic_noise(V2f((static_cast<float>(x) + 0.5f) * scale,
-                                                      (static_cast<float>(y) + 0.5f) * scale),
-                                                  count, count,
-                                                  seed + static_cast<std::uint32_t>(octave));
-                amplitude *= 0.5f;
+    std::vector<float> sums(static_cast<std::size_t>(kNoiseSize) * kNoiseSize);
+    std::vector<float> values(kNoiseSize);
+    float amplitude = 1;
+    for (int octave = 0; octave < octaves; ++octave) {
+        const NoiseGrid noise(kNoiseSize, cells << octave, cells << octave,
+                              seed + static_cast<std::uint32_t>(octave));
+        for (std::size_t y = 0; y < kNoiseSize; ++y) {
+            noise.row(static_cast<int>(y), values);
+            for (std::size_t x = 0; x < kNoiseSize; ++x) {
+                sums[y * kNoiseSize + x] += amplitude * values[x];
             }
-            texels.push_back(SignedCodec::encode(sum));
         }
+        amplitude *= 0.5f;
     }
+    std::vector<SignedCodec::Texel> texels(sums.size());
+    std::transform(sums.begin(), sums.end(), texels.begin(), SignedCodec::encode);
     return SignedPyramid(kNoiseSize, kNoiseSize, texels, Wrap::repeat);
 }
 

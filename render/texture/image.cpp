@@ -4,18 +4,14 @@
 #include <cmath>
 
 #include <Imath/half.h>
-#include <OpenImageIO/imagebuf.h>
 #include <fmt/core.h>
 
 #include "core/elementary_float.h"
 #include "core/error.h"
-#include "core/limits.h"
+#include "render/image_files/read_picture.h"
 
 namespace carom::render {
 namespace {
-
-constexpr int kLongestSide = 65'536;
-constexpr std::size_t kMostPixels = std::size_t{1} << 26;
 
 // IEC 61966-2-1:1999, 5.2.
 float srgb_to_linear(float v) {
@@ -30,41 +26,24 @@ bool is_usable(const V3f& c) {
 }  // namespace
 
 LinearImage read_linear_image(const std::string& path, bool is_linear) {
-    // Colours as stored, because the ignored alpha must not darken them.
-    OIIO::ImageSpec wanted;
-    wanted.attribute("oiio:UnassociatedAlpha", 1);
-    OIIO::ImageBuf buffer(path, 0, 0, nullptr, &wanted);
-    if (!buffer.init_spec(path, 0, 0)) {
-        throw Error("image '" + path + "' cannot be read: " + buffer.geterror());
-    }
-    const OIIO::ImageSpec& spec = buffer.spec();
-    const std::size_t most = std::min(input_limit(kMostPixels), ImagePyramid::kMostTexels);
-    if (spec.width <= 0 || spec.height <= 0 || spec.width > kLongestSide ||
-        spec.height > kLongestSide || spec.nchannels < 1 || spec.image_pixels() > most) {
-        throw Error(fmt::format("image '{}' is {} x {} pixels; at most {} are read{}", path,
-                                spec.width, spec.height, most, how_to_raise_limits()));
-    }
-    const bool decode = !is_linear && !spec.format.is_floating_point();
-    const int channels = spec.nchannels;
-    LinearImage image{spec.width, spec.height, {}};
-    if (!buffer.read(0, 0, true, OIIO::TypeDesc::FLOAT)) {
-        throw Error("image '" + path + "' cannot be read: " + buffer.geterror());
-    }
-    const std::size_t count =
-        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-    std::vector<float> values(count * static_cast<std::size_t>(channels));
-    if (!buffer.get_pixels(OIIO::get_roi(buffer.spec()), OIIO::TypeDesc::FLOAT, values.data())) {
-        throw Error("image '" + path + "' cannot be read: " + buffer.geterror());
+    const RawPicture picture = read_picture(path);
+    const bool decode = !is_linear && !picture.is_floating_point;
+    const std::size_t channels = static_cast<std::size_t>(picture.channels);
+    const std::size_t width = static_cast<std::size_t>(picture.width);
+    const std::size_t count = width * static_cast<std::size_t>(picture.height);
+    LinearImage image{picture.width, picture.height, {}};
+    if (count > ImagePyramid::kMostTexels) {
+        throw Error(fmt::format("image '{}' is {} x {} pixels; at most {} are read", path,
+                                picture.width, picture.height, ImagePyramid::kMostTexels));
     }
     image.pixels.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
-        const float* value = &values[i * static_cast<std::size_t>(channels)];
+        const float* value = &picture.values[i * channels];
         V3f colour = channels >= 3 ? V3f(value[0], value[1], value[2]) : V3f(value[0]);
         if (!is_usable(colour)) {
             throw Error(fmt::format(
                 "image '{}' holds a negative, infinite or undefined value at pixel ({}, {})", path,
-                i % static_cast<std::size_t>(image.width),
-                i / static_cast<std::size_t>(image.width)));
+                i % width, i / width));
         }
         if (decode) {
             colour = {srgb_to_linear(colour.x), srgb_to_linear(colour.y), srgb_to_linear(colour.z)};

@@ -17,10 +17,10 @@ struct LinearImage {
     std::vector<V3f> pixels;
 };
 
-/// Reads any format of OpenImageIO. Grey pictures become colours; alpha is ignored. If `is_linear`
-/// is false, 8- and 16-bit values are decoded from sRGB (IEC 61966-2-1); floating-point files
-/// always contain linear light. Throws Error with the file's name if it is unreadable, larger than
-/// 16384 on a side, or contains NaN, infinite or negative values.
+/// Reads any format of render/image_files/read_picture.h. Grey pictures become colours; alpha is
+/// ignored. If `is_linear` is false, 8- and 16-bit values are decoded from sRGB (IEC 61966-2-1);
+/// floating-point files always contain linear light. Throws Error with the file's name if it is
+/// unreadable, larger than 65536 on a side, or contains NaN, infinite or negative values.
 [[nodiscard]] LinearImage read_linear_image(const std::string& path, bool is_linear);
 
 /// Half-float storage: 8 bytes per texel.

@@ -9,14 +9,19 @@ using scalar::One;
 using Cell = scalar::NoiseCellOf<One>;
 
 // Eight directions in the plane, of length sqrt(2) or 1.3 for evenness.
-float plane_gradient(std::uint32_t hash, float x, float y) {
+V2f plane_gradient(std::uint32_t hash) {
     const std::uint32_t h = hash >> 29;
     const float sx = (h & 1u) != 0 ? -1.0f : 1.0f;
     const float sy = (h & 2u) != 0 ? -1.0f : 1.0f;
     if ((h & 4u) != 0) {
-        return sx * x + sy * y;
+        return {sx, sy};
     }
-    return (h & 1u) != 0 ? 1.3f * sy * x : 1.3f * sy * y;
+    return (h & 1u) != 0 ? V2f(1.3f * sy, 0.0f) : V2f(0.0f, 1.3f * sy);
+}
+
+float plane_gradient(std::uint32_t hash, float x, float y) {
+    const V2f direction = plane_gradient(hash);
+    return direction.x * x + direction.y * y;
 }
 
 // `next` returns the following column or row; a repeating pattern closes there.
@@ -56,6 +61,14 @@ float unit_float(std::uint32_t bits) {
 
 float gradient_noise(const V3f& position, std::uint32_t seed) {
     return scalar::gradient_noise<One>(scalar::three(position), seed);
+}
+
+V2f lattice_gradient(std::uint32_t column, std::uint32_t row, std::uint32_t seed) {
+    return plane_gradient(mix_bits(column + mix_bits(row + seed)));
+}
+
+float noise_fade(float t) {
+    return scalar::noise_fade<One>(t);
 }
 
 float gradient_noise(const V2f& position, std::uint32_t seed) {

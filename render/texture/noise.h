@@ -23,6 +23,12 @@ namespace carom::render {
 [[nodiscard]] float periodic_noise(const V2f& position, int period_x, int period_y,
                                    std::uint32_t seed);
 
+/// The gradient at a corner of the plane's lattice: one of eight directions.
+[[nodiscard]] V2f lattice_gradient(std::uint32_t column, std::uint32_t row, std::uint32_t seed);
+
+/// Perlin's weight of a cell's far corner, for an offset in [0, 1].
+[[nodiscard]] float noise_fade(float t);
+
 /// Sum of `octaves` gradient noises, each of twice the frequency and half the amplitude of the
 /// previous one; the first has amplitude 1. Octaves finer than `footprint` (in units of `position`)
 /// fade out, so that the sum is band-limited to what a pixel can show.

@@ -10,7 +10,7 @@
 #include <fmt/core.h>
 
 #include "core/error.h"
-#include "render/texture/letters.h"
+#include "render/letters/letters.h"
 
 namespace carom::render {
 namespace {
@@ -51,7 +51,7 @@ int fitted_font_size(const std::string& text, bool underlined, Letters& letters)
 
 std::shared_ptr<const CoverageMask> draw_number(int number) {
     CAROM_ASSERT(number >= 0 && number <= 999);
-    Letters letters;
+    Letters letters(kBoldFont);
     const std::string text = fmt::format("{}", number);
     const bool underlined = needs_underline(number);
     const int size = fitted_font_size(text, underlined, letters);

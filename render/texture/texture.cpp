@@ -22,26 +22,15 @@ scalar::TexturePointOf<scalar::One> texture_point(const SurfacePoint& point) {
 }  // namespace
 
 std::shared_ptr<const ImagePyramid> ImageCache::file(const std::string& path, bool is_linear) {
-    auto& image = images_[{path, is_linear}];
-    if (!image) {
-        image = load_image_pyramid(path, is_linear);
-    }
-    return image;
+    return images_.get({path, is_linear}, [&] { return load_image_pyramid(path, is_linear); });
 }
 
 std::shared_ptr<const CoverageMask> ImageCache::number(int number) {
-    auto& mask = numbers_[number];
-    if (!mask) {
-        mask = draw_number(number);
-    }
-    return mask;
+    return numbers_.get(number, [&] { return draw_number(number); });
 }
 
 std::shared_ptr<const ClothTiles> ImageCache::cloth_tiles() {
-    if (!cloth_tiles_) {
-        cloth_tiles_ = make_cloth_tiles();
-    }
-    return cloth_tiles_;
+    return cloth_tiles_.get(0, make_cloth_tiles);
 }
 
 Texture::Texture(const ColourSource& source, ImageCache& images) {

@@ -1,13 +1,13 @@
 // A material's colour, ready to be evaluated: a ColourSource with its files read.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 
+#include "core/once_map.h"
 #include "render/geometry/ray.h"
 #include "render/scene/material_description.h"
 #include "render/texture/ball_paint.h"
@@ -17,7 +17,8 @@
 
 namespace carom::render {
 
-/// Reads every file and draws every number once, however many materials use it.
+/// Reads every file and draws every number once, however many materials use it. For any number of
+/// threads.
 class ImageCache {
   public:
     /// Throws Error with the file's name.
@@ -27,9 +28,9 @@ class ImageCache {
     [[nodiscard]] std::shared_ptr<const ClothTiles> cloth_tiles();
 
   private:
-    std::map<std::pair<std::string, bool>, std::shared_ptr<const ImagePyramid>> images_;
-    std::map<int, std::shared_ptr<const CoverageMask>> numbers_;
-    std::shared_ptr<const ClothTiles> cloth_tiles_;
+    OnceMap<std::pair<std::string, bool>, std::shared_ptr<const ImagePyramid>> images_;
+    OnceMap<int, std::shared_ptr<const CoverageMask>> numbers_;
+    OnceMap<int, std::shared_ptr<const ClothTiles>> cloth_tiles_;  // only one
 };
 
 /// Immutable; evaluated by any number of threads.

@@ -9,7 +9,7 @@ struct LayersOf {
     Three<typename L::Value> sheen_colour;
     typename L::Value metal, specular, alpha;
     typename L::Value transmission;
-    AlbedoTables tables;
+    AlbedoNumbers tables;
     typename L::Int first;  // of the material's numbers in each of the tables
 };
 

@@ -264,8 +264,8 @@ TEST_F(LightCommands, LightProgram_LoadsNeitherImageNorVideoLibraries) {
         EXPECT_THAT(light, Not(HasSubstr(library)));
     }
     const std::string heavy = libraries_of(carom::testing::carom_film_program());
-    EXPECT_THAT(heavy, HasSubstr("libOpenImageIO"));
     EXPECT_THAT(heavy, HasSubstr("libavcodec"));
+    EXPECT_THAT(heavy, Not(HasSubstr("libOpenImageIO")));
     EXPECT_THAT(libraries_of(carom::testing::carom_draw_program()), HasSubstr("librsvg"));
 }
 

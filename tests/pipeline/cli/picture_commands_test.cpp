@@ -12,6 +12,7 @@ using carom::testing::run_carom;
 using carom::testing::RunOptions;
 using carom::testing::RunResult;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 struct Picture {
     OIIO::ImageSpec spec;
@@ -71,6 +72,39 @@ TEST_F(PictureCommands, DisplayFormats_HaveTheSamePixels) {
             << name;
     }
     EXPECT_EQ(png.spec.get_string_attribute("scene_time"), "0.2");
+}
+
+/// What the dynamic loader reports about the files that a process opens (ld.so(8), LD_DEBUG).
+std::string files_loaded_by(const std::vector<std::string>& command, RunOptions options) {
+    const std::filesystem::path folder = std::filesystem::path(options.folder) / "loader";
+    std::filesystem::create_directory(folder);
+    options.environment["LD_DEBUG"] = "files";
+    options.environment["LD_DEBUG_OUTPUT"] = folder / "log";
+    const RunResult result = run_carom(command, options);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    std::string text;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        text += carom::testing::read_text(entry.path().string());
+    }
+    std::filesystem::remove_all(folder);
+    return text;
+}
+
+TEST_F(PictureCommands, ExrAndPng_DoNotLoadOpenImageIO) {
+    const auto loaded_for = [this](const std::string& name) {
+        return files_loaded_by({"frame", "tiny.yaml", "--frame", "2", "-o", name, "--set",
+                                "output.overlay=[scene_time]"},
+                               options());
+    };
+    for (const char* name : {"a.png", "a.exr"}) {
+        const std::string files = loaded_for(name);
+        EXPECT_THAT(files, HasSubstr("libpng")) << name;
+        EXPECT_THAT(files, Not(HasSubstr("OpenImageIO"))) << name;
+        EXPECT_THAT(files, Not(HasSubstr("carom-formats"))) << name;
+    }
+    const std::string files = loaded_for("a.jpg");
+    EXPECT_THAT(files, HasSubstr("carom-formats.so"));
+    EXPECT_THAT(files, HasSubstr("libOpenImageIO.so"));
 }
 
 TEST_F(PictureCommands, Exr_HasChannelsMattesAndMetadata) {

@@ -139,7 +139,6 @@ TEST(JobMetadata, ExportedFrame_NamesShotFrameTimesAndClamp) {
                       Pair("video_time", "0.25"), Pair("scene_time", "0.25"), Pair("samples", "2"),
                       Pair("clamp", "10"), Pair("renderer_revision", revision.c_str())}));
     EXPECT_EQ(stored_frame_metadata(shot).count("frame"), 0u);
-    EXPECT_EQ(stored_frame_metadata(shot).at("DateTime"), "1970:01:01 00:00:00");
     EXPECT_EQ(video_metadata(shot).at("title"), "tiny");
     EXPECT_EQ(stored_frame_metadata(shot).count("rays_camera"), 0u);  // unknown
     render::RenderStatistics counts;

@@ -190,7 +190,8 @@ TEST(FrostedGlass, BasicRadiance_IsReciprocal) {
     // = f(wi, wo) n_o^2 for basic radiance, here without the scale for single scattering.
     StandardMaterial frosted = clear_glass(1.5);
     frosted.roughness = 0.5;
-    const auto glass = glass_constants(frosted);
+    AlbedoTables tables;
+    const auto glass = glass_constants(frosted, tables);
     for (const float angle : {0.1f, 0.5f, 0.9f}) {
         const SinCos out = sin_cos(angle);
         const V3f wo(out.sine, 0, out.cosine);

@@ -81,7 +81,8 @@ inline std::vector<Named> glasses() {
 
 inline Material make(const StandardMaterial& description) {
     ImageCache images;
-    return Material(description, images);
+    AlbedoTables tables;
+    return Material(description, images, tables);
 }
 
 inline Surface resolve(const Material& material, const V3f& normal, const V3f& wo) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "render/texture/noise_grid.h"
 #include "tests/render/statistics.h"
 
 namespace carom::render {
@@ -48,6 +49,20 @@ TEST(GradientNoise, AcrossCells_IsContinuous) {
 
 TEST(GradientNoise, OtherSeed_IsAnotherPattern) {
     EXPECT_NE(gradient_noise(V3f(0.3f, 0.4f, 0.2f), 1), gradient_noise(V3f(0.3f, 0.4f, 0.2f), 2));
+}
+
+TEST(NoiseGrid, AtEveryTexel_HasTheBitsOfPeriodicNoise) {
+    constexpr int kSize = 64;
+    const NoiseGrid grid(kSize, 13, 5, 77);
+    std::vector<float> row(kSize);
+    for (int y = 0; y < kSize; ++y) {
+        grid.row(y, row);
+        for (int x = 0; x < kSize; ++x) {
+            const V2f at((static_cast<float>(x) + 0.5f) * 13 / kSize,
+                         (static_cast<float>(y) + 0.5f) * 5 / kSize);
+            ASSERT_EQ(row[static_cast<std::size_t>(x)], periodic_noise(at, 13, 5, 77));
+        }
+    }
 }
 
 TEST(PeriodicNoise, OnePeriodOn_IsTheSame) {

@@ -1,19 +1,27 @@
-#include "render/texture/letters.h"
+#include "render/letters/letters.h"
 
 #include <algorithm>
 #include <limits>
+#include <string_view>
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
 
 #include "core/error.h"
+#include "core/utf8.h"
 
 namespace carom::render {
 
 namespace {
 
-// The path of Debian's package fonts-dejavu-core.
-constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf";
+constexpr char32_t kReplacement = 0xFFFD;  // of bytes that are not UTF-8
+
+/// Removes the first letter of a text that is not empty, and returns it.
+char32_t take_letter(std::string_view& text) {
+    const Utf8Character first = first_character(text);
+    text.remove_prefix(first ? first.bytes : 1);
+    return first ? first.letter : kReplacement;
+}
 
 }  // namespace
 
@@ -21,15 +29,14 @@ struct Letters::Font {
     FT_Library library = nullptr;
     FT_Face face = nullptr;
 
-    Font() {
+    explicit Font(const LetterFont& font) {
         if (FT_Init_FreeType(&library) != 0) {
             throw Error("FreeType cannot be started");
         }
-        if (FT_New_Face(library, kFontFile, 0, &face) != 0) {
+        if (FT_New_Face(library, font.file, 0, &face) != 0) {
             FT_Done_FreeType(library);
-            throw Error(
-                "the font DejaVu Sans Bold, which numbers on balls are drawn with, is not "
-                "installed (package fonts-dejavu-core)");
+            throw Error(std::string("the font ") + font.name + ", which " + font.use +
+                        ", is not installed (package fonts-dejavu-core)");
         }
     }
     ~Font() {
@@ -44,8 +51,8 @@ struct Letters::Font {
     void each(const std::string& text, int size, const Use& use) const {
         FT_Set_Pixel_Sizes(face, 0, static_cast<FT_UInt>(size));
         int pen = 0;
-        for (const char letter : text) {
-            if (FT_Load_Char(face, static_cast<FT_ULong>(letter), FT_LOAD_RENDER) != 0) {
+        for (std::string_view rest = text; !rest.empty();) {
+            if (FT_Load_Char(face, take_letter(rest), FT_LOAD_RENDER) != 0) {
                 throw Error("'" + text + "' cannot be drawn");
             }
             const FT_GlyphSlot slot = face->glyph;
@@ -55,7 +62,7 @@ struct Letters::Font {
     }
 };
 
-Letters::Letters() : font_(std::make_unique<Font>()) {}
+Letters::Letters(const LetterFont& font) : font_(std::make_unique<Font>(font)) {}
 Letters::~Letters() = default;
 
 LetterBox Letters::box(const std::string& text, int size) {
@@ -71,14 +78,15 @@ LetterBox Letters::box(const std::string& text, int size) {
 }
 
 void Letters::draw(const std::string& text, int size, int x, int y, std::span<std::uint8_t> texels,
-                   int side) {
+                   int width) {
+    const int height = static_cast<int>(texels.size()) / width;
     font_->each(text, size, [&](const FT_Bitmap& bitmap, int left, int top) {
         for (int row = 0; row < static_cast<int>(bitmap.rows); ++row) {
             for (int column = 0; column < static_cast<int>(bitmap.width); ++column) {
                 const int u = x + left + column;
                 const int v = y + top + row;
-                if (u >= 0 && v >= 0 && u < side && v < side) {
-                    texels[static_cast<std::size_t>(v) * side + u] =
+                if (u >= 0 && v >= 0 && u < width && v < height) {
+                    texels[static_cast<std::size_t>(v) * width + u] =
                         bitmap.buffer[row * bitmap.pitch + column];
                 }
             }

@@ -1,0 +1,179 @@
+// Writing of frames as EXR. The other direction: exr_read.cpp.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <Imath/half.h>
+#include <ImfChannelList.h>
+#include <ImfChromaticitiesAttribute.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfMatrixAttribute.h>
+#include <ImfOutputFile.h>
+#include <ImfRationalAttribute.h>
+#include <ImfStringAttribute.h>
+#include <fmt/core.h>
+
+#include "core/assert.h"
+#include "core/error.h"
+#include "render/film/exr_notes.h"
+#include "render/film/image_file.h"
+#include "render/film/picture_bytes.h"
+#include "render/image_files/exr_library.h"
+
+namespace carom::render {
+namespace {
+
+constexpr float kLargestHalf = 65504;
+constexpr const char* kColourNames[4] = {"R", "G", "B", "A"};
+
+/// A file in memory.
+class MemoryFile : public Imf::OStream {
+  public:
+    MemoryFile() : OStream("memory") {}
+
+    void write(const char bytes[], int count) override {
+        const std::size_t size = static_cast<std::size_t>(count);
+        bytes_.resize(std::max(bytes_.size(), position_ + size));
+        std::memcpy(bytes_.data() + position_, bytes, size);
+        position_ += size;
+    }
+    std::uint64_t tellp() override { return position_; }
+    void seekp(std::uint64_t position) override { position_ = position; }
+
+    [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
+
+  private:
+    std::vector<std::byte> bytes_;
+    std::size_t position_ = 0;
+};
+
+std::size_t pixel_count(const Film& film) {
+    return static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
+}
+
+void check_finite(const std::string& channel, std::size_t pixel, float value, int width,
+                  const std::string& path) {
+    if (!std::isfinite(value)) {
+        const std::size_t columns = static_cast<std::size_t>(width);
+        throw Error(fmt::format(
+            "'{}': pixel ({}, {}), channel {}, is not a finite number; such a picture is not "
+            "written",
+            path, pixel % columns, pixel / columns, channel));
+    }
+}
+
+void check_sizes(const Film& film) {
+    CAROM_ASSERT(film.width > 0 && film.height > 0);
+    CAROM_ASSERT(film.rgba.size() == 4 * pixel_count(film));
+    for (const Channel& aov : film.aovs) {
+        CAROM_ASSERT(aov.values.size() == pixel_count(film));
+    }
+}
+
+void check_pixels(const Film& film, const std::string& path) {
+    for (std::size_t i = 0; i < film.rgba.size(); ++i) {
+        check_finite(kColourNames[i % 4], i / 4, film.rgba[i], film.width, path);
+    }
+    for (const Channel& aov : film.aovs) {
+        for (std::size_t p = 0; p < aov.values.size(); ++p) {
+            check_finite(aov.name, p, aov.values[p], film.width, path);
+        }
+    }
+}
+
+Imath::half as_half(float value) {
+    return Imath::half(std::clamp(value, -kLargestHalf, kLargestHalf));
+}
+
+void add_texts(Imf::Header& header, const ImageMetadata& texts) {
+    for (const auto& [key, value] : texts) {
+        // As OpenEXR calls it ("Standard Attributes", openexr.com).
+        const std::string name = key == "ImageDescription" ? "comments" : key;
+        header.insert(name, Imf::StringAttribute(value));
+    }
+}
+
+void add_standard(Imf::Header& header, const ExrStandardAttributes& standard) {
+    // ITU-R BT.709-6, item 1.4.
+    const Imf::Chromaticities rec709({0.64f, 0.33f}, {0.30f, 0.60f}, {0.15f, 0.06f},
+                                     {0.3127f, 0.3290f});
+    header.insert("worldToCamera", Imf::M44fAttribute(standard.world_to_camera));
+    header.insert("worldToNDC", Imf::M44fAttribute(standard.world_to_ndc));
+    const Imf::Rational fps(standard.fps_numerator,
+                            static_cast<unsigned>(standard.fps_denominator));
+    header.insert("framesPerSecond", Imf::RationalAttribute(fps));
+    header.insert("chromaticities", Imf::ChromaticitiesAttribute(rec709));
+}
+
+void add_channels(Imf::Header& header, const Film& film) {
+    for (const char* name : kColourNames) {
+        header.channels().insert(name, Imf::Channel(Imf::HALF));
+    }
+    for (const Channel& aov : film.aovs) {
+        header.channels().insert(aov.name, Imf::Channel(Imf::FLOAT));
+    }
+}
+
+/// Where the library finds the pixels. It only reads them, although it takes pointers to char.
+Imf::FrameBuffer buffer_of(const Film& film, std::span<Imath::half> colours) {
+    const std::size_t width = static_cast<std::size_t>(film.width);
+    Imf::FrameBuffer buffer;
+    const auto insert = [&](const std::string& name, Imf::PixelType type, const void* start,
+                            std::size_t step) {
+        buffer.insert(name, Imf::Slice(type, const_cast<char*>(static_cast<const char*>(start)),
+                                       step, step * width));
+    };
+    for (std::size_t c = 0; c < 4; ++c) {
+        insert(kColourNames[c], Imf::HALF, colours.data() + c, 4 * sizeof(Imath::half));
+    }
+    for (const Channel& aov : film.aovs) {
+        insert(aov.name, Imf::FLOAT, aov.values.data(), sizeof(float));
+    }
+    return buffer;
+}
+
+}  // namespace
+
+void write_exr(const Film& film, const std::string& path, const ImageMetadata& metadata,
+               const std::optional<ExrStandardAttributes>& standard) {
+    check_sizes(film);
+    check_pixels(film, path);
+    std::vector<Imath::half> colours(film.rgba.size());
+    std::transform(film.rgba.begin(), film.rgba.end(), colours.begin(), as_half);
+    MemoryFile memory;
+    try {
+        Imf::Header header(film.width, film.height);
+        header.compression() = Imf::ZIP_COMPRESSION;
+        add_channels(header, film);
+        // The same picture has the same bytes, so that no file holds the time of the day.
+        header.insert("capDate", Imf::StringAttribute("1970:01:01 00:00:00"));
+        add_texts(header, metadata);
+        add_texts(header, film.notes);
+        if (standard) {
+            add_standard(header, *standard);
+        }
+        use_exr_threads();
+        Imf::OutputFile output(memory, header);
+        output.setFrameBuffer(buffer_of(film, colours));
+        output.writePixels(film.height);
+    } catch (const std::exception& error) {
+        refuse_to_write(path, exr_reason(error.what()));
+    }
+    write_picture_bytes(path, memory.bytes());
+}
+
+Film as_stored(Film film, const ImageMetadata& metadata) {
+    std::transform(film.rgba.begin(), film.rgba.end(), film.rgba.begin(), as_half);
+    film.notes.insert(metadata.begin(), metadata.end());
+    std::erase_if(film.notes, [](const auto& note) { return !is_note(note.first); });
+    film.statistics = {};
+    return film;
+}
+
+}  // namespace carom::render

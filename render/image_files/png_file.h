@@ -1,0 +1,29 @@
+// PNG files, through libpng.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/image_files/raw_picture.h"
+
+namespace carom::render {
+
+/// Whether a file that begins with these bytes is a PNG file (PNG Specification, 5.2).
+[[nodiscard]] bool is_png(std::string_view head);
+
+/// Reads a PNG file: grey (with alpha: 2 channels), RGB or RGBA. Palettes become RGB; gamma and
+/// colour profiles are ignored. `path` is for messages. Throws Error if it is damaged or too large.
+[[nodiscard]] RawPicture decode_png(std::span<const std::byte> bytes, const std::string& path);
+
+/// An 8-bit sRGB picture, width * height * 3 values, as a PNG file with these texts. The key
+/// ImageDescription is written as Description, as the specification calls it. Throws Error.
+[[nodiscard]] std::vector<std::byte> encode_png(std::span<const std::uint8_t> rgb, int width,
+                                                int height,
+                                                const std::map<std::string, std::string>& texts);
+
+}  // namespace carom::render

@@ -1,0 +1,56 @@
+#include "render/texture/noise_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/assert.h"
+#include "render/texture/noise.h"
+
+namespace carom::render {
+
+NoiseGrid::NoiseGrid(int size, int cells_x, int cells_y, std::uint32_t seed)
+    : columns_(places(size, cells_x)),
+      rows_(places(size, cells_y)),
+      cells_x_(static_cast<std::size_t>(cells_x)) {
+    gradients_.reserve(cells_x_ * static_cast<std::size_t>(cells_y));
+    for (int y = 0; y < cells_y; ++y) {
+        for (int x = 0; x < cells_x; ++x) {
+            gradients_.push_back(lattice_gradient(static_cast<std::uint32_t>(x),
+                                                  static_cast<std::uint32_t>(y), seed));
+        }
+    }
+}
+
+std::vector<NoiseGrid::Place> NoiseGrid::places(int size, int cells) {
+    std::vector<Place> places;
+    for (int i = 0; i < size; ++i) {
+        const float at =
+            (static_cast<float>(i) + 0.5f) * static_cast<float>(cells) / static_cast<float>(size);
+        const float cell = std::floor(at);
+        const std::size_t index = static_cast<std::size_t>(cell);
+        const std::size_t next = index + 1 == static_cast<std::size_t>(cells) ? 0 : index + 1;
+        places.push_back({index, next, at - cell, noise_fade(at - cell)});
+    }
+    return places;
+}
+
+void NoiseGrid::row(int y, std::span<float> values) const {
+    CAROM_ASSERT(values.size() == columns_.size());
+    const Place& place = rows_[static_cast<std::size_t>(y)];
+    const V2f* upper = &gradients_[place.cell * cells_x_];
+    const V2f* lower = &gradients_[place.next * cells_x_];
+    const auto along_row = [](const V2f* gradients, const Place& column, float dy) {
+        const V2f& left = gradients[column.cell];
+        const V2f& right = gradients[column.next];
+        const float a = left.x * column.offset + left.y * dy;
+        const float b = right.x * (column.offset - 1.0f) + right.y * dy;
+        return a + (b - a) * column.fade;
+    };
+    for (std::size_t x = 0; x < values.size(); ++x) {
+        const float above = along_row(upper, columns_[x], place.offset);
+        const float below = along_row(lower, columns_[x], place.offset - 1.0f);
+        values[x] = std::clamp(above + (below - above) * place.fade, -1.0f, 1.0f);
+    }
+}
+
+}  // namespace carom::render
