@@ -1,8 +1,8 @@
-// What frames of a film cost: film_bench SHOT SECOND... [--samples N]. It simulates the shot,
-// prepares the scene, and renders the frames at these seconds of the film with 640x360 pixels, N
-// even samples (64) and four bounces, on one thread. For each frame it prints a line: the second,
-// the CPU seconds of rendering alone, and millions of rays per CPU second. bench/films compares two
-// versions of carom with it.
+// What frames of a film cost: film_bench SHOT SECOND... [--samples N] [--avx2]. It simulates the
+// shot, prepares the scene, and renders the frames at these seconds of the film with 640x360
+// pixels, N even samples (64) and four bounces, on one thread. For each frame it prints a line: the
+// second, the CPU seconds of rendering alone, and millions of rays per CPU second. bench/films
+// compares two versions of carom with it.
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <hwy/targets.h>
 
 #include "core/cpu_time.h"
 #include "pipeline/config/load_shot.h"
@@ -71,7 +72,12 @@ int main(int count, char** words) {
     options.add_option("shot", path, "The shot.")->required();
     options.add_option("seconds", seconds, "Times in the film, in seconds.")->required();
     options.add_option("--samples", samples, "Samples of each pixel.")->capture_default_str();
+    bool is_narrow = false;
+    options.add_flag("--avx2", is_narrow, "Vectors of at most eight numbers.");
     CLI11_PARSE(options, count, words);
+    if (is_narrow) {
+        hwy::DisableTargets(HWY_AVX3 | HWY_AVX3_DL);
+    }
     try {
         render_frames(load(path, samples), seconds);
     } catch (const std::exception& error) {
