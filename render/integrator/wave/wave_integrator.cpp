@@ -210,12 +210,8 @@ void WaveIntegrator::process_hits(Wave& wave) const {
     for (std::size_t k = 0; k < wave_scene_.groups.groups.size(); ++k) {
         const WaveGroup& group = wave_scene_.groups.groups[k];
         const int last = wave.group_ends[k];
-        if (group.kind == WaveGroup::Kind::other) {
-            for (int vertex = first; vertex < last; ++vertex) {
-                find_other_surface(vertex, wave);
-            }
-        } else if (first < last) {
-            find_centres(group, first, last, wave);
+        if (first < last) {
+            find_poses(group, first, last, wave);
             kernels_->find_surfaces({wave_scene_, group, paths, wave.hits.data(), wave.turns,
                                      wave.vertices, first, last});
         }
@@ -289,35 +285,21 @@ void WaveIntegrator::sort_vertices(Wave& wave) const {
     }
 }
 
-void WaveIntegrator::find_centres(const WaveGroup& group, int first, int last, Wave& wave) const {
-    if (group.kind != WaveGroup::Kind::ball) {
+void WaveIntegrator::find_poses(const WaveGroup& group, int first, int last, Wave& wave) const {
+    if (!group.moves) {
         return;
     }
+    const bool turns = group.kind != WaveGroup::Kind::ball || group.has_texture;
     for (int i = first; i < last; ++i) {
         const auto object = static_cast<std::uint32_t>(wave.vertices.object.at[i]);
         const float time = wave.paths().time.at[wave.vertices.path.at[i]];
         wave.vertices.position.set(i, scene_.frame.centre(object, time));
-        if (group.moves && group.has_texture) {
+        if (turns) {
             const Imath::Quatf turn = scene_.frame.world_from_body(object, time);
             wave.turns.real.at[i] = turn.r;
             wave.turns.vector.set(i, turn.v);
         }
     }
-}
-
-void WaveIntegrator::find_other_surface(int vertex, Wave& wave) const {
-    VertexWave& vertices = wave.vertices;
-    const int path = vertices.path.at[vertex];
-    const Hit& hit = wave.hits[path];
-    Path arrived = wave.paths().path(path);
-    const SurfacePoint point = scene_.frame.surface_at(arrived.ray, hit);
-    arrived.width += arrived.spread * hit.t;
-    const Surface surface = path_integrator_.resolve(arrived, point);
-    vertices.position.set(vertex, point.position);
-    vertices.geometric_normal.set(vertex, surface.geometric_normal);
-    vertices.normal.set(vertex, surface.frame.z);
-    vertices.offset.at[vertex] = point.offset;
-    vertices.base.set(vertex, surface.base);
 }
 
 void WaveIntegrator::add_caustics(int vertex, Wave& wave) const {
