@@ -10,9 +10,6 @@
 namespace carom::render {
 namespace {
 
-// Deeper paths are rare and subject to roulette: they are followed one by one.
-constexpr int kLastVertex = 4;
-
 /// Checks the output of the kernels: the continuing paths and the light of the shadow rays.
 [[maybe_unused]] bool is_valid(const PathWave& paths) {
     for (int i = 0; i < paths.count; ++i) {
@@ -189,7 +186,7 @@ void WaveIntegrator::begin(std::span<const CameraTask> tasks, float pixel_spread
 
 // Sorts the hits: misses and vertices are collected; hits of lights are processed at once.
 void WaveIntegrator::process_hits(Wave& wave) const {
-    const PathWave& paths = wave.paths();
+    PathWave& paths = wave.paths();
     scene_.frame.structure().closest_hits(paths.rays(), wave.hits.data());
     wave.vertices.has_gloss = false;
     wave.missed.paths.count = 0;
@@ -205,6 +202,9 @@ void WaveIntegrator::process_hits(Wave& wave) const {
         }
     }
     add_misses(wave);
+    if (wave.vertex >= kRouletteVertex) {
+        kernels_->play_roulette(wave.samples, paths, wave.hit_paths);
+    }
     sort_vertices(wave);
     int first = 0;
     for (std::size_t k = 0; k < wave_scene_.groups.groups.size(); ++k) {
@@ -245,7 +245,7 @@ bool WaveIntegrator::becomes_vertex(int path, const Hit& hit, Wave& wave) const 
     const std::uint32_t material =
         wave_scene_.groups.groups[wave_scene_.groups.of_object[hit.object]].material;
     PathWork& work = wave.works[wave.paths().slot.at[path]];
-    if (wave.vertex > kLastVertex || !wave_scene_.materials.is_supported[material]) {
+    if (!wave_scene_.materials.is_supported[material]) {
         path_integrator_.follow_from(wave.paths().path(path), hit, work);
         return false;
     }

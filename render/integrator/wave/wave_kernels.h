@@ -40,6 +40,9 @@ struct WaveStep {
 };
 
 struct WaveKernels {
+    /// Of the paths that reached a surface, keeps those that survive Russian roulette, in their
+    /// order, and divides their throughput by the probability.
+    void (*play_roulette)(const SampleWave& samples, PathWave& paths, WaveList& reached);
     /// Completes the vertices of a group. Overwrites what vertices after the last one will have.
     void (*find_surfaces)(const SurfaceTask& task);
     /// Fills `shadows`, `near_balls`, `reflected` and `scattered`.

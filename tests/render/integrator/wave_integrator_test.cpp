@@ -121,6 +121,25 @@ std::string picture_path() {
     return file.path();
 }
 
+/// Walls from which most paths scatter eight times, a mirror and glass.
+void add_white_room(SceneBuilder& builder) {
+    StandardMaterial glass;
+    glass.transmission = 1;
+    StandardMaterial mirror;
+    mirror.metal = 1;
+    mirror.roughness = 0;
+    StandardMaterial grey_green = coated(0.3);
+    grey_green.base = Vec3(0.5, 0.8, 0.6);
+    builder.diffuse("white", 0.9).material("glass", glass).material("mirror", mirror);
+    builder.material("lacquer", grey_green);
+    builder.object("back", render::BoxShape{Vec3(2, 0.1, 1)}, Vec3(0, 0.8, 0.4), "white");
+    builder.object("left", render::BoxShape{Vec3(0.1, 2, 1)}, Vec3(-0.8, 0, 0.4), "lacquer");
+    builder.object("right", render::BoxShape{Vec3(0.1, 2, 1)}, Vec3(0.8, 0, 0.4), "white");
+    builder.object("floor", render::BoxShape{Vec3(2, 2, 0.02)}, Vec3(0, 0, 0), "white");
+    builder.sphere("clear", 0.12, Vec3(0.4, -0.4, 0.12), "glass");
+    builder.sphere("shiny", 0.12, Vec3(-0.5, -0.3, 0.12), "mirror");
+}
+
 /// All shapes, with the same texture.
 void add_shapes(SceneBuilder& builder, Placement placement, const render::ColourSource& texture) {
     StandardMaterial material = coated(0);
@@ -245,6 +264,7 @@ std::vector<WaveCase> wave_cases() {
     cases.push_back(
         {"PaintAndMeshes", with_lights([](SceneBuilder& builder) { add_paint(builder); })});
     cases.push_back({"EightBounces", with_lights([](SceneBuilder&) {}), {.max_bounces = 8}});
+    cases.push_back({"WhiteRoomWithRoulette", with_lights(add_white_room), {.max_bounces = 8}});
     cases.push_back({"DirectLightOnly", with_lights([](SceneBuilder&) {}), {.max_bounces = 0}});
     cases.push_back({"NoSplit", with_lights([](SceneBuilder&) {}), {.split_vertices = 0}});
     cases.push_back({"NoCaustics", with_lights([](SceneBuilder&) {}), {.caustics = false}});
