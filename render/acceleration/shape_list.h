@@ -1,8 +1,9 @@
 // The single list of the shapes that rays can hit. All code that enumerates shapes is a fold over
 // it.
 //
-// To add a shape: give it a ShapeKind, a struct below and a place in UnitShapes, and a LaneTest in
-// lane_tests/. A missing part does not compile.
+// To add a shape: give it a ShapeKind, a struct below and a place in UnitShapes, a LaneTest in
+// lane_tests/, and its surface in render/geometry/kernels/unit_points.h. A missing part does not
+// compile.
 #pragma once
 
 #include <algorithm>
@@ -18,29 +19,14 @@
 #include "render/geometry/capsule.h"
 #include "render/geometry/intersect.h"
 #include "render/geometry/rounded_box.h"
-#include "render/geometry/unit_point.h"
+#include "render/geometry/shape_kind.h"
 
 namespace carom::render {
-
-/// The kind of an object. All kinds except the last are unit shapes under an affine map.
-enum class ShapeKind : std::uint8_t {
-    ball,
-    box,
-    rectangle,
-    triangle,
-    disk,
-    frustum,
-    capsule,
-    rounded_box,
-    plane,
-    mesh,
-};
 
 /// Each unit shape has
 /// - kKind and Block, the storage of eight of them for the kernels;
 /// - kIsBounded: whether a bounding box exists;
 /// - intersect(ray, profile): the first hit of a ray in the shape's own axes;
-/// - point(ray, t, profile): the surface point where the ray hits it;
 /// - half_size(profile): of a bounding box centred at the origin;
 /// - bounding_radius(scale, profile): the largest distance of its surface from its centre if the
 ///   map scales its axes by `scale` and keeps them perpendicular.
@@ -68,9 +54,6 @@ struct UnitBall : UnitShape<ShapeKind::ball> {
     static std::optional<float> intersect(const UnitRay& ray, const V3f& /*profile*/) {
         return intersect_sphere(ray, 1.f);
     }
-    static UnitPoint point(const UnitRay& ray, float t, const V3f& /*profile*/) {
-        return on_unit_ball(ray, t);
-    }
     static double bounding_radius(const Vec3& scale, const V3f& /*profile*/) {
         return std::max({scale.x, scale.y, scale.z});
     }
@@ -82,9 +65,6 @@ struct UnitBox : UnitShape<ShapeKind::box> {
         const auto hit = intersect_box(ray, V3f(-1), V3f(1));
         return hit ? std::optional(hit->t) : std::nullopt;
     }
-    static UnitPoint point(const UnitRay& ray, float t, const V3f& /*profile*/) {
-        return on_unit_box(ray, t);
-    }
     static double bounding_radius(const Vec3& scale, const V3f& /*profile*/) {
         return scale.length();
     }
@@ -95,9 +75,6 @@ struct UnitRectangle : FlatShape<ShapeKind::rectangle> {
     static std::optional<float> intersect(const UnitRay& ray, const V3f& /*profile*/) {
         return intersect_rectangle(ray, V2f(1));
     }
-    static UnitPoint point(const UnitRay& ray, float t, const V3f& /*profile*/) {
-        return on_unit_rectangle(ray, t);
-    }
 };
 
 /// x, y >= 0 and x + y <= 1.
@@ -105,18 +82,12 @@ struct UnitTriangle : FlatShape<ShapeKind::triangle> {
     static std::optional<float> intersect(const UnitRay& ray, const V3f& /*profile*/) {
         return intersect_unit_triangle(ray);
     }
-    static UnitPoint point(const UnitRay& ray, float t, const V3f& /*profile*/) {
-        return on_unit_triangle(ray, t);
-    }
 };
 
 /// x^2 + y^2 <= 1.
 struct UnitDisk : FlatShape<ShapeKind::disk> {
     static std::optional<float> intersect(const UnitRay& ray, const V3f& /*profile*/) {
         return intersect_unit_disk(ray);
-    }
-    static UnitPoint point(const UnitRay& ray, float t, const V3f& /*profile*/) {
-        return on_unit_disk(ray, t);
     }
     static double bounding_radius(const Vec3& scale, const V3f& /*profile*/) {
         return std::max(scale.x, scale.y);
@@ -129,9 +100,6 @@ struct UnitFrustum : UnitShape<ShapeKind::frustum, ProfiledBlock> {
     static std::optional<float> intersect(const UnitRay& ray, const V3f& profile) {
         return intersect_frustum(ray, profile.x, profile.y);
     }
-    static UnitPoint point(const UnitRay& ray, float t, const V3f& profile) {
-        return on_unit_frustum(ray, t, profile.x, profile.y);
-    }
     static double bounding_radius(const Vec3& scale, const V3f& /*profile*/) {
         return Vec2(std::max(scale.x, scale.y), scale.z).length();
     }
@@ -142,9 +110,6 @@ struct UnitFrustum : UnitShape<ShapeKind::frustum, ProfiledBlock> {
 struct UnitCapsule : UnitShape<ShapeKind::capsule, ProfiledBlock> {
     static std::optional<float> intersect(const UnitRay& ray, const V3f& profile) {
         return intersect_unit_capsule(ray, profile.x);
-    }
-    static UnitPoint point(const UnitRay& ray, float t, const V3f& profile) {
-        return on_unit_capsule(ray, t, profile.x);
     }
     static V3f half_size(const V3f& profile) { return V3f(1, 1, 1 + profile.x); }
     static double bounding_radius(const Vec3& scale, const V3f& profile) {
@@ -157,9 +122,6 @@ struct UnitRoundedBox : UnitShape<ShapeKind::rounded_box, ProfiledBlock> {
     static std::optional<float> intersect(const UnitRay& ray, const V3f& profile) {
         return intersect_unit_rounded_box(ray, profile);
     }
-    static UnitPoint point(const UnitRay& ray, float t, const V3f& profile) {
-        return on_unit_rounded_box(ray, t, profile);
-    }
     static V3f half_size(const V3f& profile) { return profile + V3f(1); }
     static double bounding_radius(const Vec3& scale, const V3f& profile) {
         return (scale * Vec3(profile)).length() + std::max({scale.x, scale.y, scale.z});
@@ -171,9 +133,6 @@ struct UnitPlane : UnitShape<ShapeKind::plane> {
     static constexpr bool kIsBounded = false;
     static std::optional<float> intersect(const UnitRay& ray, const V3f& /*profile*/) {
         return intersect_plane(ray);
-    }
-    static UnitPoint point(const UnitRay& ray, float t, const V3f& /*profile*/) {
-        return on_unit_plane(ray, t);
     }
     static double bounding_radius(const Vec3& /*scale*/, const V3f& /*profile*/) { return 1; }
 };
@@ -227,12 +186,11 @@ inline constexpr std::uint32_t kLaneShape = LaneShapes::index_of<Shape>();
 inline constexpr std::uint32_t kLaneShapeCount = LaneShapes::kSize;
 
 template <class Shape>
-concept CompleteUnitShape = requires(const UnitRay& ray, float t, const V3f& profile,
-                                     const Vec3& scale, typename Shape::Block& block) {
+concept CompleteUnitShape = requires(const UnitRay& ray, const V3f& profile, const Vec3& scale,
+                                     typename Shape::Block& block) {
     { Shape::kKind } -> std::convertible_to<ShapeKind>;
     { Shape::kIsBounded } -> std::convertible_to<bool>;
     { Shape::intersect(ray, profile) } -> std::same_as<std::optional<float>>;
-    { Shape::point(ray, t, profile) } -> std::same_as<UnitPoint>;
     { Shape::half_size(profile) } -> std::same_as<V3f>;
     { Shape::bounding_radius(scale, profile) } -> std::same_as<double>;
     block.set_profile(0, profile);

@@ -40,7 +40,7 @@ struct CameraFixings {
     bool instantaneous = false;  // every ray is in the middle of the shutter
 };
 
-/// Computes ThinLensCamera::ray for each sample, except for rounding.
+/// Computes ThinLensCamera::ray for each sample.
 void make_rays(const ThinLensCamera& camera, const CameraFixings& fixings, CameraBatch& batch);
 
 }  // namespace carom::render

@@ -7,11 +7,13 @@
 #include "core/elementary.h"
 #include "core/error.h"
 #include "core/finite.h"
-#include "core/length.h"
+#include "render/camera/scalar_kernels.h"
 #include "render/sampling/warp.h"
 
 namespace carom::render {
 namespace {
+
+using scalar::One;
 
 constexpr double kSmallestSine = 1e-6;  // between the optical axis and `up`
 
@@ -64,9 +66,15 @@ CameraFrame make_frame(const CameraState& state, int height) {
     return frame;
 }
 
-template <class T>
-T mix(const T& from, const T& to, float weight) {
-    return from + weight * (to - from);
+CameraFrame frame_of(const scalar::CameraFrameOf<One>& frame) {
+    return {scalar::vector_of(frame.position),
+            scalar::vector_of(frame.forward),
+            scalar::vector_of(frame.right),
+            scalar::vector_of(frame.up),
+            frame.pixel_size,
+            frame.focus_distance,
+            frame.lens_radius,
+            frame.blade_turns};
 }
 
 }  // namespace
@@ -96,76 +104,30 @@ ThinLensCamera::Moving ThinLensCamera::make_moving(const CameraState& state, int
 }
 
 CameraFrame ThinLensCamera::frame_at(float time) const {
-    if (!moves_) {
-        return open_.frame;
-    }
-    const CameraFrame& a = open_.frame;
-    const CameraFrame& b = close_.frame;
-    CameraFrame frame;
-    frame.position = mix(a.position, b.position, time);
-    frame.forward = unit(mix(open_.axis, close_.axis, time));
-    frame.right = unit(frame.forward.cross(mix(open_.up, close_.up, time)));
-    frame.up = frame.right.cross(frame.forward);
-    const float roll = mix(open_.roll, close_.roll, time);
-    if (roll != 0) {
-        const SinCos turn = sin_cos(roll);
-        const V3f level = frame.right;
-        frame.right = turn.cosine * level + turn.sine * frame.up;
-        frame.up = turn.cosine * frame.up - turn.sine * level;
-    }
-    frame.pixel_size = mix(a.pixel_size, b.pixel_size, time);
-    frame.focus_distance = mix(a.focus_distance, b.focus_distance, time);
-    frame.lens_radius = mix(a.lens_radius, b.lens_radius, time);
-    frame.blade_turns = mix(open_.blade_rotation, close_.blade_rotation, time) / (2 * kPi);
-    return frame;
+    return frame_of(scalar::frame_at<One>(*this, time));
 }
 
 Ray ThinLensCamera::ray(int pixel_x, int pixel_y, const CameraSample& sample) const {
-    const float time = sample_trapezoid(sample.time, switch_ratio_);
-    const V2f offset = filter_.sample(sample.pixel);
-    const V2f from_centre(static_cast<float>(pixel_x) + 0.5f - half_width_ + offset.x,
-                          half_height_ - 0.5f - static_cast<float>(pixel_y) - offset.y);
-    const CameraFrame moved = moves_ ? frame_at(time) : CameraFrame{};
-    const CameraFrame& frame = moves_ ? moved : open_.frame;
-    const V2f picture = from_centre * frame.pixel_size;
-    Ray ray = has_lens_ ? lens_ray(frame, picture, sample.lens) : pinhole_ray(frame, picture);
-    ray.time = time;
+    const scalar::CameraRayOf<One> made =
+        scalar::camera_ray<One>(*this, {static_cast<float>(pixel_x), static_cast<float>(pixel_y)},
+                                {scalar::two(sample.pixel), scalar::two(sample.lens), sample.time});
+    Ray ray;
+    ray.origin = scalar::vector_of(made.origin);
+    ray.direction = scalar::vector_of(made.direction);
+    ray.time = made.time;
     ray.kind = RayKind::primary;
-    return ray;
-}
-
-Ray ThinLensCamera::pinhole_ray(const CameraFrame& frame, const V2f& picture) const {
-    Ray ray;
-    ray.origin = frame.position;
-    ray.direction = unit(frame.forward + picture.x * frame.right + picture.y * frame.up);
-    return ray;
-}
-
-// Offset from the centre of the lens.
-V3f ThinLensCamera::on_lens(const CameraFrame& frame, const V2f& lens) const {
-    const V2f p =
-        frame.lens_radius *
-        (blades_ == 0 ? sample_disk(lens) : sample_polygon(lens, blades_, frame.blade_turns));
-    return p.x * frame.right + p.y * frame.up;
-}
-
-Ray ThinLensCamera::lens_ray(const CameraFrame& frame, const V2f& picture, const V2f& lens) const {
-    const V3f arm = on_lens(frame, lens);
-    const V3f in_focus =
-        frame.focus_distance * (frame.forward + picture.x * frame.right + picture.y * frame.up);
-    Ray ray;
-    ray.origin = frame.position + arm;
-    ray.direction = unit(in_focus - arm);
     return ray;
 }
 
 ThinLensCamera::Aperture ThinLensCamera::aperture(const CameraSample& sample) const {
     Aperture result;
     result.time = sample_trapezoid(sample.time, switch_ratio_);
-    result.frame = frame_at(result.time);
+    const scalar::CameraFrameOf<One> frame = scalar::frame_at<One>(*this, result.time);
+    result.frame = frame_of(frame);
     result.position = result.frame.position;
     if (has_lens_) {
-        result.position += on_lens(result.frame, sample.lens);
+        result.position +=
+            scalar::vector_of(scalar::point_on_lens<One>(frame, blades_, scalar::two(sample.lens)));
     }
     return result;
 }

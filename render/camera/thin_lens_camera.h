@@ -91,10 +91,6 @@ class ThinLensCamera {
     [[nodiscard]] float pixel_solid_angle() const;
 
   private:
-    [[nodiscard]] V3f on_lens(const CameraFrame& frame, const V2f& lens) const;
-    [[nodiscard]] Ray pinhole_ray(const CameraFrame& frame, const V2f& picture) const;
-    [[nodiscard]] Ray lens_ray(const CameraFrame& frame, const V2f& picture, const V2f& lens) const;
-
     [[nodiscard]] static Moving make_moving(const CameraState& state, int height);
 
     Moving open_;

@@ -54,6 +54,7 @@ class FrameScene {
     };
     /// All balls with a material, in the order of their objects.
     [[nodiscard]] std::vector<Ball> balls() const;
+    /// The position of the object's body, or of its unit shape's centre if it follows no track.
     [[nodiscard]] V3f centre(std::uint32_t object, float time) const;
     /// The rotation of an object that follows a track.
     [[nodiscard]] Imath::Quatf world_from_body(std::uint32_t object, float time) const;

@@ -1,133 +1,97 @@
 #include "render/frame_scene/surface.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "core/length.h"
-#include "render/acceleration/shape_list.h"
 #include "render/geometry/scalar_kernels.h"
-#include "render/geometry/trigonometry.h"
 
 namespace carom::render {
 namespace {
 
 using scalar::One;
+using Point = scalar::SurfacePointOf<One>;
+using LocalRay = scalar::RayOf<One>;
 
-void set_uv_metres(SurfacePoint& point, const V2f& metres) {
-    point.uv_metres = metres;
-    point.uv_per_metre = 1 / std::sqrt(metres.x * metres.y);
+scalar::TextureNeeds needs_of(const SceneObject& object) {
+    return {object.has_texture, object.has_texture};
 }
 
-void fill_ball(SurfacePoint& point, const SceneObject& object, const RigidMotion* motion,
-               const Ray& ray, const Hit& hit) {
+scalar::PoseOf<One> pose_at(const RigidMotion& motion, float time) {
+    return {scalar::three(motion.position(time)), scalar::turn_of(motion.world_from_body(time))};
+}
+
+Point point_of_ball(const SceneObject& object, const RigidMotion* motion, const LocalRay& ray,
+                    float time, float t) {
     const V3f centre =
-        motion != nullptr ? motion->position(ray.time) : object.frame.world_from_unit.translation;
-    const V3f normal = scalar::vector_of(scalar::normal_on_ball<One>(
-        scalar::three(ray.origin), scalar::three(ray.direction), hit.t, scalar::three(centre)));
-    const V3f arm = object.half_size.x * normal;
-    point.position = centre + arm;
-    point.geometric_normal = normal;
-    point.shading_normal = normal;
+        motion != nullptr ? motion->position(time) : object.frame.world_from_unit.translation;
+    const float radius = object.half_size.x;
+    Point point = scalar::point_on_ball<One>(ray, t, scalar::three(centre), radius);
     if (object.has_texture) {
-        point.object_position = object.metres_from_world.vector(
-            motion != nullptr ? rotate_back(motion->world_from_body(ray.time), arm) : arm);
-        point.uv = longitude_latitude(point.object_position);
-        point.uv_per_metre = 0.5f * kInversePi / object.half_size.x;
-        point.uv_metres = V2f(kTurn, 0.5f * kTurn) * object.half_size.x;
+        auto arm = point.geometric_normal * radius;
+        if (motion != nullptr) {
+            arm = scalar::turn_of(motion->world_from_body(time)).undo(arm);
+        }
+        scalar::set_place_on_ball<One>(scalar::affine_of<One>(object.metres_from_world), arm,
+                                       radius, needs_of(object), point);
     }
+    return point;
 }
 
-void set_uv(SurfacePoint& point, const scalar::SurfacePointOf<One>& from) {
-    point.uv = scalar::vector_of(from.uv);
-    point.uv_per_metre = from.uv_per_metre;
-    point.uv_metres = scalar::vector_of(from.uv_metres);
-}
-
-/// A static box along the world's axes.
-void fill_upright_box(SurfacePoint& point, const SceneObject& object, const Ray& ray,
-                      const Hit& hit) {
-    const V3f& centre = object.frame.world_from_unit.translation;
-    const auto half_size = scalar::three(object.half_size);
-    const auto face = scalar::point_on_box<One>(scalar::three(ray.origin - centre),
-                                                scalar::three(ray.direction), hit.t, half_size);
-    point.position = centre + scalar::vector_of(face.position);
-    point.geometric_normal = scalar::vector_of(face.normal);
-    point.shading_normal = point.geometric_normal;
-    if (object.has_texture) {
-        scalar::SurfacePointOf<One> across;
-        scalar::set_uv_across<One>(face, half_size, across);
-        point.object_position = scalar::vector_of(face.position);
-        set_uv(point, across);
-    }
-}
-
-/// `ray` is in the axes of the object's unit shape.
-UnitPoint on_unit_shape(const SceneObject& object, const UnitRay& ray, float t) {
-    return visit_shape<UnitPoint>(object.kind, UnitPoint{}, [&](auto shape) {
-        return decltype(shape)::point(ray, t, object.profile);
-    });
-}
-
-void fill_analytic(SurfacePoint& point, const SceneObject& object, const RigidMotion* motion,
-                   const Ray& ray, const Hit& hit) {
-    UnitFrame moved;
-    if (motion != nullptr) {
-        moved = placed(object.frame, motion->position(ray.time), motion->world_from_body(ray.time));
-    }
-    const UnitFrame& frame = motion != nullptr ? moved : object.frame;
-    const UnitRay unit_ray{frame.unit_from_world.point(ray.origin),
-                           frame.unit_from_world.vector(ray.direction)};
-    const UnitPoint on_shape = on_unit_shape(object, unit_ray, hit.t);
-    point.position = frame.world_from_unit.point(on_shape.position);
-    point.geometric_normal = unit(Affine::normal(on_shape.normal, frame.unit_from_world));
-    point.shading_normal = point.geometric_normal;
+Point point_of_mesh(const SceneObject& object, const Hit& hit) {
+    Point point = scalar::point_on_mesh<One>(arrays_of(*object.mesh),
+                                             static_cast<std::int32_t>(hit.primitive), hit.u, hit.v,
+                                             object.has_texture);
     if (object.has_texture) {
         point.object_position =
-            object.metres_from_world.point(object.frame.world_from_unit.point(on_shape.position));
-        point.uv = on_shape.uv;
-        set_uv_metres(point, V2f(object.half_size[on_shape.u_axis] * on_shape.uv_spans.x,
-                                 object.half_size[on_shape.v_axis] * on_shape.uv_spans.y));
+            scalar::affine_of<One>(object.metres_from_world).point(point.position);
     }
+    return point;
 }
 
-void fill_mesh(SurfacePoint& point, const SceneObject& object, const RigidMotion* motion,
-               const Ray& ray, const Hit& hit) {
-    const auto found = scalar::point_on_mesh<One>(arrays_of(*object.mesh),
-                                                  static_cast<std::int32_t>(hit.primitive), hit.u,
-                                                  hit.v, object.has_texture);
-    const V3f local = scalar::vector_of(found.position);
-    point.position = local;
-    point.geometric_normal = scalar::vector_of(found.geometric_normal);
-    point.shading_normal = scalar::vector_of(found.shading_normal);
+/// Ray and point are in the axes of the body; for objects without a track, in the world's.
+Point point_in_body(const SceneObject& object, const LocalRay& ray, const Hit& hit) {
+    if (object.kind == ShapeKind::mesh) {
+        return point_of_mesh(object, hit);
+    }
+    const scalar::MappedShapeOf<One> shape{scalar::affine_of<One>(object.frame.unit_from_world),
+                                           scalar::affine_of<One>(object.frame.world_from_unit),
+                                           scalar::affine_of<One>(object.metres_from_world),
+                                           scalar::three(object.half_size),
+                                           scalar::three(object.profile)};
+    return scalar::point_on_shape<One>(object.kind, shape, ray, hit.t, needs_of(object));
+}
+
+Point point_of(const SceneObject& object, const RigidMotion* motion, const Ray& ray,
+               const Hit& hit) {
+    const LocalRay in_world{scalar::three(ray.origin), scalar::three(ray.direction)};
+    if (object.is_round) {
+        return point_of_ball(object, motion, in_world, ray.time, hit.t);
+    }
     if (motion != nullptr) {
-        const Imath::Quatf turn = motion->world_from_body(ray.time);
-        point.position = motion->position(ray.time) + rotate(turn, local);
-        point.geometric_normal = rotate(turn, point.geometric_normal);
-        point.shading_normal = rotate(turn, point.shading_normal);
+        const scalar::PoseOf<One> body = pose_at(*motion, ray.time);
+        return scalar::moved<One>(body, point_in_body(object, body.in_body(in_world), hit));
     }
-    if (object.has_texture) {
-        point.object_position = object.metres_from_world.point(local);
-        set_uv(point, found);
+    if (object.is_upright_box) {
+        return scalar::point_on_upright_box<One>(
+            in_world, hit.t, scalar::three(object.frame.world_from_unit.translation),
+            scalar::three(object.half_size), needs_of(object));
     }
+    return point_in_body(object, in_world, hit);
 }
 
 }  // namespace
 
 SurfacePoint surface_of(const SceneObject& object, const RigidMotion* motion, const Ray& ray,
                         const Hit& hit) {
+    const Point found = point_of(object, motion, ray, hit);
     SurfacePoint point;
+    point.position = scalar::vector_of(found.position);
+    point.geometric_normal = scalar::vector_of(found.geometric_normal);
+    point.shading_normal = scalar::vector_of(found.shading_normal);
+    point.object_position = scalar::vector_of(found.object_position);
+    point.uv = scalar::vector_of(found.uv);
+    point.uv_per_metre = found.uv_per_metre;
+    point.uv_metres = scalar::vector_of(found.uv_metres);
+    point.offset = scalar::offset_at<One>(found.position, object.bounding_radius);
     point.object = hit.object;
     point.material = object.material;
-    if (object.kind == ShapeKind::mesh) {
-        fill_mesh(point, object, motion, ray, hit);
-    } else if (object.is_round) {
-        fill_ball(point, object, motion, ray, hit);
-    } else if (object.is_upright_box && motion == nullptr) {
-        fill_upright_box(point, object, ray, hit);
-    } else {
-        fill_analytic(point, object, motion, ray, hit);
-    }
-    point.offset = scalar::offset_at<One>(scalar::three(point.position), object.bounding_radius);
     return point;
 }
 

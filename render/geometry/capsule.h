@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "render/geometry/intersect.h"
-#include "render/geometry/unit_point.h"
 
 namespace carom::render {
 
@@ -54,9 +53,5 @@ template <class T>
     }
     return std::nullopt;
 }
-
-/// The normal points away from the nearest point of the axis and is continuous. v is the length
-/// along the surface from the lower pole to the upper one, over the whole length.
-[[nodiscard]] UnitPoint on_unit_capsule(const UnitRay& ray, float t, float half_length);
 
 }  // namespace carom::render

@@ -10,15 +10,12 @@
 #include <optional>
 
 #include "render/geometry/ray.h"
+#include "render/geometry/scalar_kernels.h"
 
 namespace carom::render {
 
 template <class T>
 using V3 = Imath::Vec3<T>;
-
-// Margins in units of the unit shapes.
-inline constexpr float kTriangleMargin = 4e-6f;
-inline constexpr float kFrustumMargin = 1e-5f;
 
 /// A segment of a ray, in any axes.
 template <class T>
@@ -30,6 +27,8 @@ struct RaySegment {
 
     [[nodiscard]] bool contains(T t) const { return t > t_min && t < t_max; }
 };
+
+using UnitRay = RaySegment<float>;
 
 /// The nearer of two distances (near <= far) that is on the segment.
 template <class T>
@@ -178,49 +177,10 @@ template <class T>
     return x * x + y * y <= 1 ? t : std::nullopt;
 }
 
-/// The distances at which a ray may hit the unit frustum: x^2 + y^2 <= (middle + slope z)^2 for |z|
-/// <= 1.
-template <class T>
-struct FrustumCrossings {
-    enum Face { side_a, side_b, bottom, top };
-    T t[4];         // by face
-    bool valid[4];  // whether that point is on the solid
-};
-
-/// Both radii are in [0, 1], and one of them is 1. The quadratic is computed from the ray's point
-/// nearest to the centre, which is accurate far away, and solved without cancellation. At the rim
-/// side and cap are both widened by a few roundings, so that no ray slips between them.
-template <class T>
-[[nodiscard]] FrustumCrossings<T> cross_frustum(const RaySegment<T>& ray, T middle, T slope) {
-    const V3<T>& d = ray.direction;
-    const T shift = -ray.origin.dot(d) / d.dot(d);
-    const V3<T> p = ray.origin + shift * d;
-    const T radius = middle + slope * p.z;
-    const T a = d.x * d.x + d.y * d.y - (slope * d.z) * (slope * d.z);
-    const T b = p.x * d.x + p.y * d.y - slope * d.z * radius;
-    const T c = p.x * p.x + p.y * p.y - radius * radius;
-    const T discriminant = b * b - a * c;
-    const T q = -(b + std::copysign(std::sqrt(std::max(discriminant, T(0))), b));
-    FrustumCrossings<T> result;
-    const T from_p[4] = {q / a, c / q, (-1 - p.z) / d.z, (1 - p.z) / d.z};
-    for (int face = 0; face < 4; ++face) {
-        const T u = from_p[face];
-        const T x = p.x + u * d.x;
-        const T y = p.y + u * d.y;
-        const T z = p.z + u * d.z;
-        const T cap_radius = face == 2 ? middle - slope : middle + slope;
-        const T widened_radius = cap_radius + T(kFrustumMargin);
-        const bool on_side = discriminant >= 0 && std::abs(z) <= 1 + T(kFrustumMargin);
-        const bool on_cap = x * x + y * y <= widened_radius * widened_radius;
-        result.t[face] = shift + u;
-        result.valid[face] = face < 2 ? on_side : on_cap;
-    }
-    return result;
-}
-
 template <class T>
 [[nodiscard]] std::optional<T> intersect_frustum(const RaySegment<T>& ray, T middle, T slope) {
-    const FrustumCrossings<T> crossings = cross_frustum(ray, middle, slope);
+    const auto crossings = scalar::cross_frustum<ScalarLanes<T>>(
+        {scalar::three(ray.origin), scalar::three(ray.direction)}, middle, slope);
     std::optional<T> nearest;
     for (int face = 0; face < 4; ++face) {
         const T t = crossings.t[face];

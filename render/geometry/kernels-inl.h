@@ -7,8 +7,11 @@
 #define CAROM_GEOMETRY_KERNELS_INL_H
 #endif
 
+#include "render/geometry/affine.h"
 #include "render/geometry/constants.h"
+#include "render/geometry/margins.h"
 #include "render/geometry/mesh_arrays.h"
+#include "render/geometry/shape_kind.h"
 #include "render/lanes/kernels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -16,9 +19,17 @@ namespace carom::render::HWY_NAMESPACE {
 
 #define CAROM_KERNEL HWY_INLINE
 #define CAROM_KERNEL_ATTRIBUTE HWY_ATTR
+// The order of these matters.
+// clang-format off
 #include "render/geometry/kernels/angles.h"
 #include "render/geometry/kernels/basis.h"
+#include "render/geometry/kernels/maps.h"
+#include "render/geometry/kernels/frustum.h"
 #include "render/geometry/kernels/surface_points.h"
+#include "render/geometry/kernels/unit_points.h"
+#include "render/geometry/kernels/shape_points.h"
+#include "render/geometry/kernels/mesh_points.h"
+// clang-format on
 #undef CAROM_KERNEL_ATTRIBUTE
 #undef CAROM_KERNEL
 

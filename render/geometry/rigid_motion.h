@@ -9,6 +9,7 @@
 
 #include "render/geometry/affine.h"
 #include "render/geometry/ray.h"
+#include "render/geometry/scalar_kernels.h"
 #include "sim/timeline/track.h"
 
 namespace carom::render {
@@ -77,12 +78,10 @@ class RigidMotion {
 
 /// Rotates v by the unit quaternion q, and back.
 [[nodiscard]] inline V3f rotate(const Imath::Quatf& q, const V3f& v) {
-    const V3f t = 2.f * q.v.cross(v);
-    return v + q.r * t + q.v.cross(t);
+    return scalar::vector_of(scalar::turn_of(q).apply(scalar::three(v)));
 }
 [[nodiscard]] inline V3f rotate_back(const Imath::Quatf& q, const V3f& v) {
-    const V3f t = 2.f * v.cross(q.v);
-    return v + q.r * t + t.cross(q.v);
+    return scalar::vector_of(scalar::turn_of(q).undo(scalar::three(v)));
 }
 
 }  // namespace carom::render

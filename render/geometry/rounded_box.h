@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "render/geometry/intersect.h"
-#include "render/geometry/unit_point.h"
 
 namespace carom::render {
 
@@ -108,27 +107,6 @@ template <class T>
         }
     }
     return std::nullopt;
-}
-
-/// The normal points away from the nearest point of the core and is continuous. u and v run across
-/// the side that the normal faces most.
-[[nodiscard]] inline UnitPoint on_unit_rounded_box(const UnitRay& ray, float t, const V3f& core) {
-    const V3f p = ray.origin + t * ray.direction;
-    V3f on_core;
-    for (int axis = 0; axis < 3; ++axis) {
-        on_core[axis] = std::clamp(p[axis], -core[axis], core[axis]);
-    }
-    const V3f out = p - on_core;
-    const V3f normal = out * (1 / std::sqrt(out.dot(out)));
-    const V3f size(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z));
-    const int faced = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
-    const V3f half = core + V3f(1);
-    const V3f position = on_core + normal;
-    const int u_axis = (faced + 1) % 3;
-    const int v_axis = (faced + 2) % 3;
-    const V2f side(half[u_axis], half[v_axis]);
-    const V2f place(position[u_axis], position[v_axis]);
-    return {position, normal, 0.5f * (place / side + V2f(1)), 2.f * side, u_axis, v_axis};
 }
 
 }  // namespace carom::render

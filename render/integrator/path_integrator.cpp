@@ -10,12 +10,10 @@
 #include "core/assert.h"
 #include "core/colour.h"
 #include "render/geometry/validity.h"
+#include "render/integrator/scalar_kernels.h"
 
 namespace carom::render {
 namespace {
-
-constexpr int kRouletteVertex = 5;
-constexpr float kLeastSurvival = 0.2f;
 
 // Probability of continuing a path within glass after its last bounce.
 constexpr float kSurvivalInGlass = 0.95f;
@@ -197,12 +195,11 @@ void PathIntegrator::add_emission(const Path& path, const Hit& hit, PathWork& wo
     }
 }
 
-// Roulette is for long paths only: by then the throughput tells how much the path still matters.
 bool PathIntegrator::survives(Path& path, const PathWork& work) const {
     if (path.vertex < kRouletteVertex) {
         return true;
     }
-    const float survival = std::clamp(largest(path.throughput), kLeastSurvival, 1.0f);
+    const float survival = scalar::survival_of<scalar::One>(scalar::three(path.throughput));
     if (work.dimensions.further(path).z >= survival) {
         return false;
     }

@@ -69,8 +69,6 @@ class PathIntegrator final : public Integrator {
     void add_hit_light(const Path& path, const Hit& hit, PathWork& work) const;
     /// Adds the light of an object with an emissive material that the path hit.
     void add_emission(const Path& path, const Hit& hit, PathWork& work) const;
-    /// The surface at a point that the path hit; `path.width` is the width there.
-    [[nodiscard]] Surface resolve(const Path& path, const SurfacePoint& point) const;
     /// Where a path arrived.
     struct Arrival {
         V3f position;
@@ -88,6 +86,7 @@ class PathIntegrator final : public Integrator {
   private:
     void follow(Path path, PathWork& work) const;
     [[nodiscard]] bool process_hit(Path& path, const Hit& hit, PathWork& work) const;
+    [[nodiscard]] Surface resolve(const Path& path, const SurfacePoint& point) const;
     [[nodiscard]] bool scatter(Path& path, const ShadingVertex& vertex, const V2f& u,
                                PathWork& work) const;
     [[nodiscard]] bool is_sampled_as_caustic(const Path& path, const Hit& hit) const;

@@ -18,7 +18,8 @@ using One = ScalarLanes<float>;
 [[nodiscard]] inline Two<float> two(const Imath::V2f& v) {
     return {v.x, v.y};
 }
-[[nodiscard]] inline Three<float> three(const Imath::V3f& v) {
+template <class T>
+[[nodiscard]] Three<T> three(const Imath::Vec3<T>& v) {
     return {v.x, v.y, v.z};
 }
 [[nodiscard]] inline Imath::V2f vector_of(const Two<float>& v) {

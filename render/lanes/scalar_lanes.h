@@ -69,6 +69,13 @@ struct ScalarLanes {
         return x >> kBits;
     }
     static Word shifted_right(Word x, Word bits) { return x >> bits; }
+    static constexpr Word reversed_bits(Word x) {
+        x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+        x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+        x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
+        x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
+        return (x >> 16) | (x << 16);
+    }
     /// With the sign.
     template <int kBits>
     static Int shifted_right_int(Int x) {

@@ -8,6 +8,8 @@
 
 #include <cstdint>
 
+#include "render/lanes/scalar_lanes.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
@@ -97,6 +99,34 @@ struct VectorLanes {
 
     static HWY_INLINE Value flip_sign(Value x, Value by) {
         return hn::Xor(x, hn::And(by, hn::SignBit(D())));
+    }
+
+    static HWY_INLINE Word reversed_bits(Word x) {
+        if constexpr (hn::MaxLanes(WordTag()) == 1) {
+            return all_word(ScalarLanes<float>::reversed_bits(hn::GetLane(x)));
+        } else {
+            return reversed_by_tables(x);
+        }
+    }
+
+  private:
+    /// Nibbles by a table lookup, then bytes by another.
+    static HWY_INLINE Word reversed_by_tables(Word x) {
+        const hn::Repartition<std::uint8_t, WordTag> bytes;
+        alignas(16) static constexpr std::uint8_t kNibbles[16] = {
+            0x0, 0x8, 0x4, 0xc, 0x2, 0xa, 0x6, 0xe, 0x1, 0x9, 0x5, 0xd, 0x3, 0xb, 0x7, 0xf};
+        alignas(16) static constexpr std::uint8_t kBytes[16] = {3,  2,  1, 0, 7,  6,  5,  4,
+                                                                11, 10, 9, 8, 15, 14, 13, 12};
+        const auto table = hn::LoadDup128(bytes, kNibbles);
+        const auto reversed = [&](Word nibbles) HWY_ATTR {
+            const auto found = hn::TableLookupBytes(table, hn::BitCast(bytes, nibbles));
+            return hn::BitCast(WordTag(), found);
+        };
+        const Word mask = all_word(0x0f0f0f0fu);
+        const Word joined = hn::Or(hn::ShiftLeft<4>(reversed(hn::And(x, mask))),
+                                   reversed(hn::And(hn::ShiftRight<4>(x), mask)));
+        return hn::BitCast(WordTag(), hn::TableLookupBytes(hn::BitCast(bytes, joined),
+                                                           hn::LoadDup128(bytes, kBytes)));
     }
 };
 

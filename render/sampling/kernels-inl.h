@@ -10,6 +10,7 @@
 #include "render/geometry/kernels-inl.h"
 #include "render/sampling/distribution_tables.h"
 #include "render/sampling/one_minus_epsilon.h"
+#include "render/sampling/pixel_filter_tables.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
@@ -17,6 +18,8 @@ namespace carom::render::HWY_NAMESPACE {
 #define CAROM_KERNEL HWY_INLINE
 #define CAROM_KERNEL_ATTRIBUTE HWY_ATTR
 #include "render/sampling/kernels/distribution_2d.h"
+#include "render/sampling/kernels/pixel_filter.h"
+#include "render/sampling/kernels/scrambling.h"
 #include "render/sampling/kernels/warps.h"
 #undef CAROM_KERNEL_ATTRIBUTE
 #undef CAROM_KERNEL

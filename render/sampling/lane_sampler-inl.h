@@ -13,44 +13,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
-HWY_INLINE U mix_words(U x) {
-    x = hn::Xor(x, hn::ShiftRight<16>(x));
-    x = x * all_words(0x85ebca6bu);
-    x = hn::Xor(x, hn::ShiftRight<13>(x));
-    x = x * all_words(0xc2b2ae35u);
-    return hn::Xor(x, hn::ShiftRight<16>(x));
-}
-
-HWY_INLINE U scramble_reversed_words(U x, U seed) {
-    x = hn::Xor(x, x * all_words(0x3d20adeau));
-    x = x + seed;
-    x = x * hn::Or(hn::ShiftRight<16>(seed), all_words(1u));
-    x = hn::Xor(x, x * all_words(0x05526c56u));
-    return hn::Xor(x, x * all_words(0x53a22864u));
-}
-
-HWY_INLINE U reverse_bits_of_words(U x) {
-    const hn::Repartition<std::uint8_t, WordTag> bytes;
-    alignas(16) static constexpr std::uint8_t kNibbles[16] = {
-        0x0, 0x8, 0x4, 0xc, 0x2, 0xa, 0x6, 0xe, 0x1, 0x9, 0x5, 0xd, 0x3, 0xb, 0x7, 0xf};
-    alignas(16) static constexpr std::uint8_t kBytes[16] = {3,  2,  1, 0, 7,  6,  5,  4,
-                                                            11, 10, 9, 8, 15, 14, 13, 12};
-    const auto table = hn::LoadDup128(bytes, kNibbles);
-    const U low = hn::And(x, all_words(0x0f0f0f0fu));
-    const U high = hn::And(hn::ShiftRight<4>(x), all_words(0x0f0f0f0fu));
-    const WordTag d;
-    const U low_reversed = hn::BitCast(d, hn::TableLookupBytes(table, hn::BitCast(bytes, low)));
-    const U high_reversed = hn::BitCast(d, hn::TableLookupBytes(table, hn::BitCast(bytes, high)));
-    const U joined = hn::Or(hn::ShiftLeft<4>(low_reversed), high_reversed);
-    return hn::BitCast(
-        d, hn::TableLookupBytes(hn::BitCast(bytes, joined), hn::LoadDup128(bytes, kBytes)));
-}
-
-HWY_INLINE F to_unit_lanes(U x) {
-    const F value = hn::ConvertTo(FloatTag(), hn::BitCast(IntTag(), hn::ShiftRight<8>(x)));
-    return value * all(0x1p-24f);
-}
-
 /// The random numbers of a group of paths, one path per lane. The functions mirror SampleStream.
 class LaneSampler {
   public:
@@ -60,29 +22,26 @@ class LaneSampler {
     /// SampleStream::next_4d of the set.
     HWY_INLINE void get_4d(U set, F (&u)[4]) const {
         const U hash = set_hash(set);
-        const U shuffled =
-            scramble_reversed_words(reversed_sample_, mix_words(hash + all_words(0x9e3779b9u)));
         U coordinates[4];
-        sobol(shuffled, coordinates);
+        sobol(shuffled_index<Lanes>(reversed_sample_, hash), coordinates);
         for (int d = 0; d < 4; ++d) {
-            u[d] = scrambled(coordinates[d], seed(hash, d));
+            u[d] = scrambled_coordinate<Lanes>(coordinates[d], seed(hash, d));
         }
     }
 
     /// SampleStream::get_2d_block: all x coordinates, then all y coordinates.
     HWY_INLINE void get_2d_block(std::uint32_t set, F (&x)[4], F (&y)[4]) const {
         const U hash = set_hash(all_words(set));
-        const U shuffled =
-            scramble_reversed_words(reversed_sample_, mix_words(hash + all_words(0x9e3779b9u)));
+        const U shuffled = shuffled_index<Lanes>(reversed_sample_, hash);
         U coordinates[4];
         sobol(hn::ShiftRight<2>(shuffled), coordinates);
         const U seed_x = seed(hash, 0);
         const U seed_y = seed(hash, 1);
         for (std::uint32_t k = 0; k < 4; ++k) {
-            x[k] = scrambled(hn::Xor(coordinates[0], all_words(detail::block_difference(0, k))),
-                             seed_x);
-            y[k] = scrambled(hn::Xor(coordinates[1], all_words(detail::block_difference(1, k))),
-                             seed_y);
+            const U to_x = all_words(detail::block_difference(0, k));
+            const U to_y = all_words(detail::block_difference(1, k));
+            x[k] = scrambled_coordinate<Lanes>(hn::Xor(coordinates[0], to_x), seed_x);
+            y[k] = scrambled_coordinate<Lanes>(hn::Xor(coordinates[1], to_y), seed_y);
         }
     }
 
@@ -92,7 +51,7 @@ class LaneSampler {
         U coordinates[4];
         sobol(reversed_sample_, coordinates);
         for (int d = 0; d < 4; ++d) {
-            u[d] = scrambled(coordinates[d], seed(hash, d));
+            u[d] = scrambled_coordinate<Lanes>(coordinates[d], seed(hash, d));
         }
         U fifth = all_words(0);
         for (int nibble = 0; nibble < 8; ++nibble) {
@@ -100,21 +59,19 @@ class LaneSampler {
                 of_digit(detail::kSobol.fifth[nibble], digit_of(reversed_sample_, nibble));
             fifth = hn::Xor(fifth, part);
         }
-        u[4] = scrambled(fifth, mix_words(hash + all_words(detail::kFifthSalt)));
+        u[4] = scrambled_coordinate<Lanes>(
+            fifth, seed_of_dimension<Lanes>(hash, all_words(detail::kFifthSalt)));
     }
 
     /// SampleStream::get_1d.
     HWY_INLINE F get_1d(U set) const {
-        return to_unit_lanes(mix_words(hn::Xor(set_hash(set), reversed_sample_)));
+        return independent_number<Lanes>(set_hash(set), reversed_sample_);
     }
 
   private:
-    HWY_INLINE U set_hash(U set) const { return mix_words(hn::Xor(pixel_hash_, mix_words(set))); }
+    HWY_INLINE U set_hash(U set) const { return hash_of_set<Lanes>(pixel_hash_, set); }
     static HWY_INLINE U seed(U hash, int dimension) {
-        return mix_words(hash + all_words(detail::kLaneSalts[dimension]));
-    }
-    static HWY_INLINE F scrambled(U x, U seed) {
-        return to_unit_lanes(reverse_bits_of_words(scramble_reversed_words(x, seed)));
+        return seed_of_dimension<Lanes>(hash, all_words(detail::kLaneSalts[dimension]));
     }
     static HWY_INLINE I digit_of(U index, int nibble) {
         return hn::BitCast(IntTag(), hn::And(hn::ShiftRightSame(index, 4 * nibble), all_words(15)));

@@ -77,17 +77,10 @@ PixelFilterSampler::PixelFilterSampler(PixelFilter filter, double width)
     }
 }
 
-float PixelFilterSampler::offset(float u) const {
-    if (cells_.empty()) {
-        return (u - 0.5f) * static_cast<float>(width_);
-    }
-    auto at = static_cast<std::size_t>(guide_[static_cast<std::size_t>(u * kGuides)]);
-    // One step at most is needed except in the tails; the first is taken without a branch.
-    at += cells_[at + 1].cdf <= u ? 1 : 0;
-    while (cells_[at + 1].cdf <= u) {
-        ++at;
-    }
-    return cells_[at].start + cells_[at].slope * (u - cells_[at].cdf);
+PixelFilterTables PixelFilterSampler::tables() const {
+    static_assert(sizeof(Cell) == 3 * sizeof(float));
+    return {cells_.empty() ? nullptr : &cells_[0].cdf, guide_.data(),
+            static_cast<int>(guide_.size()), static_cast<float>(width_)};
 }
 
 double PixelFilterSampler::pdf_1d(double offset_pixels) const {

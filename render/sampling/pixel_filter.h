@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "render/geometry/ray.h"
+#include "render/sampling/pixel_filter_tables.h"
+#include "render/sampling/scalar_kernels.h"
 #include "render/scene/render_settings.h"
 
 namespace carom::render {
@@ -22,26 +24,26 @@ class PixelFilterSampler {
 
     [[nodiscard]] double width() const { return width_; }  // pixels
 
-    /// One cell of the tabulated distribution: offset = start + slope (u - cdf).
-    struct Cell {
-        float cdf, start, slope;
-    };
-    /// The cells in order, with one more at the end; empty for the box.
-    [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
-    /// For each of equal parts of [0, 1) the cell where the search for u starts (Chen and Asau
-    /// 1974).
-    [[nodiscard]] const std::vector<std::int32_t>& guide() const { return guide_; }
+    /// For code that makes many samples at once.
+    [[nodiscard]] PixelFilterTables tables() const;
 
     /// Density of `sample` along one axis, per pixel; 0 beyond half the width.
     [[nodiscard]] double pdf_1d(double offset_pixels) const;
 
   private:
-    [[nodiscard]] float offset(float u) const;
+    /// One cell of the tabulated distribution: offset = start + slope (u - cdf).
+    struct Cell {
+        float cdf, start, slope;
+    };
+
+    [[nodiscard]] float offset(float u) const {
+        return scalar::filter_offset<scalar::One>(tables(), u);
+    }
 
     PixelFilter filter_;
     double width_;
     double norm_ = 1;
-    std::vector<Cell> cells_;  // equally wide
+    std::vector<Cell> cells_;  // equally wide, with one more at the end; empty for the box
     std::vector<std::int32_t> guide_;
 };
 

@@ -1,11 +1,17 @@
 #include "render/sampling/sobol_point.h"
 
+#include "render/sampling/scalar_kernels.h"
+
 #define HWY_DISABLED_TARGETS (HWY_AVX3 | HWY_AVX3_DL)  // bring nothing for four lanes
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/sampling/sobol_point.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once per instruction set
 // Must follow foreach_target.h.
 #include <hwy/highway.h>
+
+#if HWY_TARGET != HWY_SCALAR
+#include "render/sampling/kernels-inl.h"
+#endif
 
 #ifndef CAROM_SOBOL_FUNCTIONS
 #define CAROM_SOBOL_FUNCTIONS
@@ -41,8 +47,9 @@ inline std::uint32_t sobol(std::uint32_t reversed_index, int d) {
 }
 
 inline float scrambled(std::uint32_t x, std::uint32_t set_hash, int d) {
-    const std::uint32_t seed = mix(set_hash + kLaneSalts[d]);
-    return to_unit(reverse_bits(scramble_reversed(x, seed)));
+    using scalar::One;
+    return scalar::scrambled_coordinate<One>(
+        x, scalar::seed_of_dimension<One>(set_hash, kLaneSalts[d]));
 }
 
 inline void point(std::uint32_t reversed_index, std::uint32_t set_hash, float* coordinates) {
@@ -63,48 +70,11 @@ inline void block(std::uint32_t reversed_index, std::uint32_t set_hash, float* c
 #else
 
 namespace hn = hwy::HWY_NAMESPACE;
-using Tag = hn::CappedTag<std::uint32_t, 4>;
-using Bytes = hn::Repartition<std::uint8_t, Tag>;
-using Four = hn::Vec<Tag>;
-
-HWY_INLINE Four times(Four x, std::uint32_t factor) {
-    return hn::Mul(x, hn::Set(Tag(), factor));
-}
-
-/// `mix` of sobol_point.h in four lanes.
-HWY_INLINE Four mix4(Four x) {
-    x = hn::Xor(x, hn::ShiftRight<16>(x));
-    x = times(x, 0x85ebca6bu);
-    x = hn::Xor(x, hn::ShiftRight<13>(x));
-    x = times(x, 0xc2b2ae35u);
-    return hn::Xor(x, hn::ShiftRight<16>(x));
-}
-
-/// `scramble_reversed` of sobol_point.h in four lanes.
-HWY_INLINE Four scramble_reversed4(Four x, Four seed) {
-    x = hn::Xor(x, times(x, 0x3d20adeau));
-    x = hn::Add(x, seed);
-    x = hn::Mul(x, hn::Or(hn::ShiftRight<16>(seed), hn::Set(Tag(), 1u)));
-    x = hn::Xor(x, times(x, 0x05526c56u));
-    return hn::Xor(x, times(x, 0x53a22864u));
-}
-
-/// Each lane's 32 bits reversed: nibbles by a table lookup, then bytes by another.
-HWY_INLINE Four reverse_bits4(Four x) {
-    alignas(16) static constexpr std::uint8_t kNibbles[16] = {
-        0x0, 0x8, 0x4, 0xc, 0x2, 0xa, 0x6, 0xe, 0x1, 0x9, 0x5, 0xd, 0x3, 0xb, 0x7, 0xf};
-    alignas(16) static constexpr std::uint8_t kBytes[16] = {3,  2,  1, 0, 7,  6,  5,  4,
-                                                            11, 10, 9, 8, 15, 14, 13, 12};
-    const Bytes db;
-    const Tag d;
-    const Four low = hn::And(x, hn::Set(d, 0x0f0f0f0fu));
-    const Four high = hn::And(hn::ShiftRight<4>(x), hn::Set(d, 0x0f0f0f0fu));
-    const auto table = hn::Load(db, kNibbles);
-    const Four low_reversed = hn::BitCast(d, hn::TableLookupBytes(table, hn::BitCast(db, low)));
-    const Four high_reversed = hn::BitCast(d, hn::TableLookupBytes(table, hn::BitCast(db, high)));
-    const Four in_bytes = hn::Or(hn::ShiftLeft<4>(low_reversed), high_reversed);
-    return hn::BitCast(d, hn::TableLookupBytes(hn::BitCast(db, in_bytes), hn::Load(db, kBytes)));
-}
+/// One point's four dimensions.
+using FourTag = hn::CappedTag<float, 4>;
+using FourLanes = render::HWY_NAMESPACE::VectorLanes<FourTag>;
+using Tag = FourLanes::WordTag;
+using Four = FourLanes::Word;
 
 HWY_INLINE Four contribution(std::uint32_t reversed_index, int nibble) {
     return hn::Load(Tag(), kSobol.values[nibble][(reversed_index >> (4 * nibble)) & 15u]);
@@ -119,16 +89,13 @@ HWY_INLINE Four sobol4(std::uint32_t reversed_index) {
 }
 
 HWY_INLINE Four seeds4(std::uint32_t set_hash) {
-    const Tag d;
-    return mix4(hn::Add(hn::Set(d, set_hash), hn::LoadU(d, kLaneSalts)));
+    return render::HWY_NAMESPACE::seed_of_dimension<FourLanes>(hn::Set(Tag(), set_hash),
+                                                               hn::LoadU(Tag(), kLaneSalts));
 }
 
 HWY_INLINE void write_scrambled4(Four x, Four seeds, float* coordinates) {
-    const hn::Rebind<float, Tag> df;
-    const hn::Rebind<std::int32_t, Tag> di;
-    const Four scrambled = reverse_bits4(scramble_reversed4(x, seeds));
-    const auto value = hn::ConvertTo(df, hn::BitCast(di, hn::ShiftRight<8>(scrambled)));
-    hn::StoreU(hn::Mul(value, hn::Set(df, 0x1p-24f)), df, coordinates);
+    hn::StoreU(render::HWY_NAMESPACE::scrambled_coordinate<FourLanes>(x, seeds), FourTag(),
+               coordinates);
 }
 
 inline HWY_ATTR void point(std::uint32_t reversed_index, std::uint32_t set_hash,
@@ -189,7 +156,9 @@ float sobol_fifth(std::uint32_t reversed_index, std::uint32_t set_hash) {
     for (int nibble = 0; nibble < 8; ++nibble) {
         x ^= kSobol.fifth[nibble][(reversed_index >> (4 * nibble)) & 15u];
     }
-    return to_unit(reverse_bits(scramble_reversed(x, mix(set_hash + kFifthSalt))));
+    using scalar::One;
+    return scalar::scrambled_coordinate<One>(x,
+                                             scalar::seed_of_dimension<One>(set_hash, kFifthSalt));
 }
 
 }  // namespace carom::render::detail

@@ -8,6 +8,8 @@
 #include <array>
 #include <cstdint>
 
+#include "render/lanes/scalar_lanes.h"
+
 namespace carom::render::detail {
 
 inline constexpr int kSobolDimensions = 5;
@@ -49,11 +51,7 @@ constexpr std::array<std::uint32_t, 32> direction_numbers(const SobolPolynomial&
 }
 
 constexpr std::uint32_t reverse_bits(std::uint32_t x) {
-    x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
-    x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
-    x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
-    x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
-    return (x >> 16) | (x << 16);
+    return ScalarLanes<float>::reversed_bits(x);
 }
 
 /// For each nibble of the bit-reversed index, the bit-reversed coordinates that it contributes:

@@ -30,16 +30,8 @@ namespace carom::render {
 
 /// The polygon has corners at the angles rotation + 2 pi k / blades; blades >= 3.
 [[nodiscard]] inline V2f sample_polygon(const V2f& u, int blades, float rotation_turns) {
-    const float scaled = u.x * static_cast<float>(blades);
-    const float blade = std::min(std::floor(scaled), static_cast<float>(blades - 1));
-    const float fraction = std::min(scaled - blade, kOneMinusEpsilon);
-    const float r = std::sqrt(fraction);  // from the centre to the blade's edge
-    const auto corner = [&](float index) {
-        const float turns = index / static_cast<float>(blades) + rotation_turns;
-        const SinCos angle = sin_cos_turn(turns);
-        return V2f(angle.cosine, angle.sine);
-    };
-    return r * ((1 - u.y) * corner(blade) + u.y * corner(blade + 1));
+    return scalar::vector_of(
+        scalar::sample_polygon<scalar::One>(scalar::two(u), blades, rotation_turns));
 }
 
 /// Inside the polygon; the caller handles points outside, where the density is zero.
@@ -100,19 +92,7 @@ namespace carom::render {
 /// linearly during the last switch_ratio / 2: the inverse of the cumulative distribution.
 /// switch_ratio in [0, 1]; 0 returns `u` itself.
 [[nodiscard]] inline float sample_trapezoid(float u, float switch_ratio) {
-    const float ramp = 0.5f * switch_ratio;
-    if (ramp <= 0) {
-        return u;
-    }
-    const float height = 1 / (1 - ramp);
-    const float ramp_probability = 0.5f * ramp * height;
-    if (u < ramp_probability) {
-        return std::sqrt(2 * u * ramp / height);
-    }
-    if (u > 1 - ramp_probability) {
-        return std::min(1 - std::sqrt(2 * (1 - u) * ramp / height), kOneMinusEpsilon);
-    }
-    return ramp + (u - ramp_probability) / height;
+    return scalar::sample_trapezoid<scalar::One>(u, switch_ratio);
 }
 
 [[nodiscard]] inline float pdf_trapezoid(float x, float switch_ratio) {

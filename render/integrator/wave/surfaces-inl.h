@@ -1,5 +1,5 @@
-// Hits on balls, on boxes along the axes and on meshes: their points, and the surfaces that their
-// materials give there. Included once per instruction set.
+// The points that rays hit, and the surfaces that materials give there. Included once per
+// instruction set.
 #include "render/integrator/wave/wave_kernels.h"
 #include "render/integrator/wave/wave_lanes-inl.h"
 
@@ -11,7 +11,7 @@ using PointLanes = SurfacePointOf<Lanes>;
 /// Hits in the lanes. Lanes beyond the last hit repeat it.
 struct HitLanes {
     I vertex, path, object;
-    F3 origin, direction;
+    RayOf<Lanes> ray;
     F distance;
 };
 
@@ -21,78 +21,70 @@ HWY_INLINE HitLanes hits_at(const SurfaceTask& task, int first) {
     hit.vertex = hn::Min(hn::Iota(di, first), hn::Set(di, task.last - 1));
     hit.path = gather(task.vertices.path, hit.vertex);
     hit.object = gather(task.vertices.object, hit.vertex);
-    hit.origin = gather(task.paths.origin, hit.path);
-    hit.direction = gather(task.paths.direction, hit.path);
+    hit.ray = {gather(task.paths.origin, hit.path), gather(task.paths.direction, hit.path)};
     hit.distance = gather(task.vertices.distance, hit.vertex);
     return hit;
 }
 
-HWY_INLINE F3 in_object_axes(const WaveShapes& shapes, I object, const F3& v) {
-    const auto column = [&](int k) HWY_ATTR {
-        return v.x * gather(shapes.metres_from_world[0][k], object) +
-               v.y * gather(shapes.metres_from_world[1][k], object) +
-               v.z * gather(shapes.metres_from_world[2][k], object);
-    };
-    return {column(0), column(1), column(2)};
+HWY_INLINE F3 gather(const WaveNumbers& numbers, I object) {
+    return {gather(numbers.x, object), gather(numbers.y, object), gather(numbers.z, object)};
+}
+HWY_INLINE AffineOf<Lanes> gather(const WaveMaps& maps, I object) {
+    return {
+        {gather(maps.rows[0], object), gather(maps.rows[1], object), gather(maps.rows[2], object)},
+        gather(maps.translation, object)};
+}
+
+HWY_INLINE TextureNeeds needs_of(const WaveGroup& group) {
+    return {group.has_texture, group.needs_uv};
+}
+
+HWY_INLINE TurnOf<Lanes> turns_of(const SurfaceTask& task, const HitLanes& hit) {
+    return {gather(task.turns.real, hit.vertex), gather(task.turns.vector, hit.vertex)};
 }
 
 HWY_INLINE PointLanes on_balls(const SurfaceTask& task, const HitLanes& hit) {
     const WaveShapes& shapes = task.scene.groups.shapes;
-    const F3 centre = gather(task.vertices.position, hit.vertex);
-    const F radius = gather(shapes.half_x, hit.object);
-    const F3 normal = normal_on_ball<Lanes>(hit.origin, hit.direction, hit.distance, centre);
-    F3 arm = normal * radius;
-    PointLanes point;
-    point.position = centre + arm;
-    point.geometric_normal = normal;
-    point.shading_normal = normal;
-    const F zero = all(0.f);
-    point.object_position = {zero, zero, zero};
-    point.uv = point.uv_metres = {zero, zero};
-    point.uv_per_metre = zero;
+    const F3 centre = task.group.moves ? gather(task.vertices.position, hit.vertex)
+                                       : gather(shapes.world_from_unit.translation, hit.object);
+    const F radius = gather(shapes.half_size.x, hit.object);
+    PointLanes point = point_on_ball<Lanes>(hit.ray, hit.distance, centre, radius);
     if (task.group.has_texture) {
+        F3 arm = point.geometric_normal * radius;
         if (task.group.moves) {
-            arm = rotated_back<Lanes>(gather(task.turns.real, hit.vertex),
-                                      gather(task.turns.vector, hit.vertex), arm);
+            arm = turns_of(task, hit).undo(arm);
         }
-        point.object_position = in_object_axes(shapes, hit.object, arm);
-    }
-    if (task.group.needs_uv) {
-        point.uv = longitude_latitude<Lanes>(point.object_position);
-        point.uv_per_metre = all(0.5f * kInversePi) / radius;
-        point.uv_metres = {all(kTurn) * radius, all(0.5f * kTurn) * radius};
+        set_place_on_ball<Lanes>(gather(shapes.metres_from_world, hit.object), arm, radius,
+                                 needs_of(task.group), point);
     }
     return point;
 }
 
 HWY_INLINE PointLanes on_boxes(const SurfaceTask& task, const HitLanes& hit) {
     const WaveShapes& shapes = task.scene.groups.shapes;
-    const F3 centre{gather(shapes.centre_x, hit.object), gather(shapes.centre_y, hit.object),
-                    gather(shapes.centre_z, hit.object)};
-    const F3 half_size{gather(shapes.half_x, hit.object), gather(shapes.half_y, hit.object),
-                       gather(shapes.half_z, hit.object)};
-    const FacePointOf<Lanes> face =
-        point_on_box<Lanes>(hit.origin - centre, hit.direction, hit.distance, half_size);
-    PointLanes point;
-    point.position = centre + face.position;
-    point.geometric_normal = face.normal;
-    point.shading_normal = face.normal;
-    point.object_position = face.position;
-    const F zero = all(0.f);
-    point.uv = point.uv_metres = {zero, zero};
-    point.uv_per_metre = zero;
-    if (task.group.needs_uv) {
-        set_uv_across<Lanes>(face, half_size, point);
-    }
-    return point;
+    return point_on_upright_box<Lanes>(hit.ray, hit.distance,
+                                       gather(shapes.world_from_unit.translation, hit.object),
+                                       gather(shapes.half_size, hit.object), needs_of(task.group));
 }
 
-HWY_INLINE F3 transformed(const Affine& map, const F3& p) {
-    const auto column = [&](int k) HWY_ATTR {
-        return p.x * all(map.linear[0][k]) + p.y * all(map.linear[1][k]) +
-               p.z * all(map.linear[2][k]) + all(map.translation[k]);
-    };
-    return {column(0), column(1), column(2)};
+/// Ray and point are in the axes of the body; for objects without a track, in the world's. Not
+/// inlined: each shape's code is long.
+HWY_NOINLINE HWY_ATTR PointLanes on_shapes(const SurfaceTask& task, const HitLanes& hit,
+                                           const RayOf<Lanes>& ray) {
+    const WaveShapes& shapes = task.scene.groups.shapes;
+    MappedShapeOf<Lanes> shape;
+    shape.unit_from_body = gather(shapes.unit_from_world, hit.object);
+    shape.body_from_unit = gather(shapes.world_from_unit, hit.object);
+    shape.metres_from_body = affine_of<Lanes>(Affine());
+    shape.half_size = all(V3f(0, 0, 0));
+    if (task.group.has_texture) {
+        shape.metres_from_body = gather(shapes.metres_from_world, hit.object);
+    }
+    if (task.group.needs_uv) {
+        shape.half_size = gather(shapes.half_size, hit.object);
+    }
+    shape.profile = gather(shapes.profile, hit.object);
+    return point_on_shape<Lanes>(task.group.shape, shape, ray, hit.distance, needs_of(task.group));
 }
 
 HWY_INLINE PointLanes on_meshes(const SurfaceTask& task, const HitLanes& hit) {
@@ -107,20 +99,30 @@ HWY_INLINE PointLanes on_meshes(const SurfaceTask& task, const HitLanes& hit) {
     PointLanes point = point_on_mesh<Lanes>(task.group.mesh, field(offsetof(Hit, primitive)), u, v,
                                             task.group.needs_uv);
     if (task.group.has_texture) {
-        point.object_position = transformed(task.group.metres_from_world, point.position);
+        point.object_position =
+            affine_of<Lanes>(task.group.metres_from_world).point(point.position);
     }
     return point;
 }
 
+HWY_INLINE PointLanes points_in_body(const SurfaceTask& task, const HitLanes& hit,
+                                     const RayOf<Lanes>& ray) {
+    return task.group.kind == WaveGroup::Kind::mesh ? on_meshes(task, hit)
+                                                    : on_shapes(task, hit, ray);
+}
+
 HWY_INLINE PointLanes points_at(const SurfaceTask& task, const HitLanes& hit) {
-    switch (task.group.kind) {
-        case WaveGroup::Kind::ball:
-            return on_balls(task, hit);
-        case WaveGroup::Kind::box:
-            return on_boxes(task, hit);
-        default:
-            return on_meshes(task, hit);
+    if (task.group.kind == WaveGroup::Kind::ball) {
+        return on_balls(task, hit);
     }
+    if (task.group.kind == WaveGroup::Kind::box) {
+        return on_boxes(task, hit);
+    }
+    if (!task.group.moves) {
+        return points_in_body(task, hit, hit.ray);
+    }
+    const PoseOf<Lanes> body{gather(task.vertices.position, hit.vertex), turns_of(task, hit)};
+    return moved<Lanes>(body, points_in_body(task, hit, body.in_body(hit.ray)));
 }
 
 inline HWY_ATTR void find_surfaces(const SurfaceTask& task) {
@@ -129,7 +131,7 @@ inline HWY_ATTR void find_surfaces(const SurfaceTask& task) {
     for (int i = task.first; i < task.last; i += lane_count()) {
         const HitLanes hit = hits_at(task, i);
         const PointLanes point = points_at(task, hit);
-        const F3 wo = -hit.direction;
+        const F3 wo = -hit.ray.direction;
         const F cosine = hn::Max(hn::Abs(dot(point.geometric_normal, wo)), all(kLeastConeCosine));
         const F width =
             gather(task.paths.width, hit.path) + gather(task.paths.spread, hit.path) * hit.distance;

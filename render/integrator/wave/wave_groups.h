@@ -6,6 +6,7 @@
 
 #include "render/geometry/affine.h"
 #include "render/geometry/mesh_arrays.h"
+#include "render/geometry/shape_kind.h"
 #include "render/integrator/transport_scene.h"
 #include "render/texture/texture_data.h"
 
@@ -13,10 +14,12 @@ namespace carom::render {
 
 /// Objects of one kind of shape and one material; a mesh is a group of its own.
 struct WaveGroup {
-    /// Shapes of the kind `other` are found one by one.
-    enum class Kind : std::uint8_t { ball, box, mesh, other };
-    Kind kind = Kind::other;
-    bool moves = false;  // balls only
+    /// Round balls, boxes at rest along the world's axes, unit shapes under an affine map, and
+    /// meshes.
+    enum class Kind : std::uint8_t { ball, box, shape, mesh };
+    Kind kind = Kind::shape;
+    ShapeKind shape = ShapeKind::box;
+    bool moves = false;
     std::uint32_t material = 0;
     const TextureData* texture = nullptr;
     float bump = 0;
@@ -27,12 +30,31 @@ struct WaveGroup {
     float bounding_radius = 0;  // of a mesh
 };
 
-/// Shapes by object, for balls and boxes.
+/// Three numbers of every object.
+struct WaveNumbers {
+    std::vector<float> x, y, z;
+
+    void add(const V3f& v) {
+        x.push_back(v.x);
+        y.push_back(v.y);
+        z.push_back(v.z);
+    }
+};
+
+/// An affine map of every object.
+struct WaveMaps {
+    WaveNumbers rows[3];
+    WaveNumbers translation;
+
+    void add(const Affine& map);
+};
+
+/// What SceneObject says about a shape, by object.
 struct WaveShapes {
-    std::vector<float> centre_x, centre_y, centre_z;
-    std::vector<float> half_x, half_y, half_z;
+    WaveMaps unit_from_world, world_from_unit;
+    WaveMaps metres_from_world;
+    WaveNumbers half_size, profile;
     std::vector<float> bounding_radius;
-    std::vector<float> metres_from_world[3][3];  // SceneObject's
 };
 
 struct WaveGroups {

@@ -10,9 +10,6 @@
 namespace carom::render {
 namespace {
 
-// Deeper paths are rare and subject to roulette: they are followed one by one.
-constexpr int kLastVertex = 4;
-
 /// Checks the output of the kernels: the continuing paths and the light of the shadow rays.
 [[maybe_unused]] bool is_valid(const PathWave& paths) {
     for (int i = 0; i < paths.count; ++i) {
@@ -189,7 +186,7 @@ void WaveIntegrator::begin(std::span<const CameraTask> tasks, float pixel_spread
 
 // Sorts the hits: misses and vertices are collected; hits of lights are processed at once.
 void WaveIntegrator::process_hits(Wave& wave) const {
-    const PathWave& paths = wave.paths();
+    PathWave& paths = wave.paths();
     scene_.frame.structure().closest_hits(paths.rays(), wave.hits.data());
     wave.vertices.has_gloss = false;
     wave.missed.paths.count = 0;
@@ -205,17 +202,16 @@ void WaveIntegrator::process_hits(Wave& wave) const {
         }
     }
     add_misses(wave);
+    if (wave.vertex >= kRouletteVertex) {
+        kernels_->play_roulette(wave.samples, paths, wave.hit_paths);
+    }
     sort_vertices(wave);
     int first = 0;
     for (std::size_t k = 0; k < wave_scene_.groups.groups.size(); ++k) {
         const WaveGroup& group = wave_scene_.groups.groups[k];
         const int last = wave.group_ends[k];
-        if (group.kind == WaveGroup::Kind::other) {
-            for (int vertex = first; vertex < last; ++vertex) {
-                find_other_surface(vertex, wave);
-            }
-        } else if (first < last) {
-            find_centres(group, first, last, wave);
+        if (first < last) {
+            find_poses(group, first, last, wave);
             kernels_->find_surfaces({wave_scene_, group, paths, wave.hits.data(), wave.turns,
                                      wave.vertices, first, last});
         }
@@ -249,7 +245,7 @@ bool WaveIntegrator::becomes_vertex(int path, const Hit& hit, Wave& wave) const 
     const std::uint32_t material =
         wave_scene_.groups.groups[wave_scene_.groups.of_object[hit.object]].material;
     PathWork& work = wave.works[wave.paths().slot.at[path]];
-    if (wave.vertex > kLastVertex || !wave_scene_.materials.is_supported[material]) {
+    if (!wave_scene_.materials.is_supported[material]) {
         path_integrator_.follow_from(wave.paths().path(path), hit, work);
         return false;
     }
@@ -289,35 +285,21 @@ void WaveIntegrator::sort_vertices(Wave& wave) const {
     }
 }
 
-void WaveIntegrator::find_centres(const WaveGroup& group, int first, int last, Wave& wave) const {
-    if (group.kind != WaveGroup::Kind::ball) {
+void WaveIntegrator::find_poses(const WaveGroup& group, int first, int last, Wave& wave) const {
+    if (!group.moves) {
         return;
     }
+    const bool turns = group.kind != WaveGroup::Kind::ball || group.has_texture;
     for (int i = first; i < last; ++i) {
         const auto object = static_cast<std::uint32_t>(wave.vertices.object.at[i]);
         const float time = wave.paths().time.at[wave.vertices.path.at[i]];
         wave.vertices.position.set(i, scene_.frame.centre(object, time));
-        if (group.moves && group.has_texture) {
+        if (turns) {
             const Imath::Quatf turn = scene_.frame.world_from_body(object, time);
             wave.turns.real.at[i] = turn.r;
             wave.turns.vector.set(i, turn.v);
         }
     }
-}
-
-void WaveIntegrator::find_other_surface(int vertex, Wave& wave) const {
-    VertexWave& vertices = wave.vertices;
-    const int path = vertices.path.at[vertex];
-    const Hit& hit = wave.hits[path];
-    Path arrived = wave.paths().path(path);
-    const SurfacePoint point = scene_.frame.surface_at(arrived.ray, hit);
-    arrived.width += arrived.spread * hit.t;
-    const Surface surface = path_integrator_.resolve(arrived, point);
-    vertices.position.set(vertex, point.position);
-    vertices.geometric_normal.set(vertex, surface.geometric_normal);
-    vertices.normal.set(vertex, surface.frame.z);
-    vertices.offset.at[vertex] = point.offset;
-    vertices.base.set(vertex, surface.base);
 }
 
 void WaveIntegrator::add_caustics(int vertex, Wave& wave) const {

@@ -42,8 +42,7 @@ class WaveIntegrator final : public Integrator {
     void add_misses(Wave& wave) const;
     [[nodiscard]] bool becomes_vertex(int path, const Hit& hit, Wave& wave) const;
     void sort_vertices(Wave& wave) const;
-    void find_centres(const WaveGroup& group, int first, int last, Wave& wave) const;
-    void find_other_surface(int vertex, Wave& wave) const;
+    void find_poses(const WaveGroup& group, int first, int last, Wave& wave) const;
     void add_caustics(int vertex, Wave& wave) const;
     void trace_shadows(Wave& wave, RenderStatistics& count) const;
 

@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 
 #if HWY_TARGET != HWY_SCALAR
+#include "render/integrator/wave/roulette-inl.h"
 #include "render/integrator/wave/surfaces-inl.h"
 #include "render/integrator/wave/wave_step-inl.h"
 #endif
@@ -20,7 +21,8 @@ inline const WaveKernels* wave_kernels_of_target() {
 #if HWY_TARGET == HWY_SCALAR
     return nullptr;
 #else
-    static constexpr WaveKernels kKernels = {find_surfaces, take_step, find_sky, sum_light};
+    static constexpr WaveKernels kKernels = {play_roulette, find_surfaces, take_step, find_sky,
+                                             sum_light};
     return &kKernels;
 #endif
 }

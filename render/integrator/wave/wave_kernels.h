@@ -7,20 +7,20 @@
 
 namespace carom::render {
 
-/// Where moving balls are turned, by vertex: world from body, as unit quaternions.
+/// How moving objects are turned at a path's time, by vertex: world from body, as unit quaternions.
 struct TurnWave {
     Floats real;
     Floats3 vector;
 };
 
-/// The vertices in [first, last) of a group that is not of the kind `other`. Known are path,
-/// object, material, distance and, of balls, `position`: the centre.
+/// The vertices in [first, last) of a group. Known are path, object, material, distance and, of
+/// objects that move, the body's `position`.
 struct SurfaceTask {
     const WaveScene& scene;
     const WaveGroup& group;
     const PathWave& paths;
     const Hit* hits;        // by path
-    const TurnWave& turns;  // of balls that move and have a texture
+    const TurnWave& turns;  // of objects that move, except balls without a texture
     VertexWave& vertices;
     int first, last;
 };
@@ -40,6 +40,9 @@ struct WaveStep {
 };
 
 struct WaveKernels {
+    /// Of the paths that reached a surface, keeps those that survive Russian roulette, in their
+    /// order, and divides their throughput by the probability.
+    void (*play_roulette)(const SampleWave& samples, PathWave& paths, WaveList& reached);
     /// Completes the vertices of a group. Overwrites what vertices after the last one will have.
     void (*find_surfaces)(const SurfaceTask& task);
     /// Fills `shadows`, `near_balls`, `reflected` and `scattered`.

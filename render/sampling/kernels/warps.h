@@ -52,3 +52,40 @@ CAROM_KERNEL typename L::Value remap_sample(typename L::Value u, typename L::Val
                              (u - probability) / (L::all(1) - probability));
     return L::smaller(v, L::all(kOneMinusEpsilon));
 }
+
+/// See warp.h.
+template <class L>
+CAROM_KERNEL typename L::Value sample_trapezoid(typename L::Value u, float switch_ratio) {
+    const float ramp = 0.5f * switch_ratio;
+    if (ramp <= 0) {
+        return u;
+    }
+    const auto one = L::all(1);
+    const float height = 1 / (1 - ramp);
+    const float ramp_probability = 0.5f * ramp * height;
+    const auto root_of = [&](typename L::Value v) CAROM_KERNEL_ATTRIBUTE {
+        return L::root(L::all(2) * v * L::all(ramp) / L::all(height));
+    };
+    const auto closing = L::smaller(one - root_of(one - u), L::all(kOneMinusEpsilon));
+    const auto open = L::all(ramp) + (u - L::all(ramp_probability)) / L::all(height);
+    return L::select(L::is_less(u, L::all(ramp_probability)), root_of(u),
+                     L::select(L::is_less(L::all(1 - ramp_probability), u), closing, open));
+}
+
+/// See warp.h.
+template <class L>
+CAROM_KERNEL Two<typename L::Value> sample_polygon(const Two<typename L::Value>& u, int blades,
+                                                   typename L::Value rotation_turns) {
+    const auto count = static_cast<float>(blades);
+    const auto scaled = u.x * L::all(count);
+    const auto blade = L::smaller(L::rounded_down(scaled), L::all(count - 1));
+    const auto fraction = L::smaller(scaled - blade, L::all(kOneMinusEpsilon));
+    const auto r = L::root(fraction);  // from the centre to the blade's edge
+    const auto corner = [&](typename L::Value index) CAROM_KERNEL_ATTRIBUTE {
+        return sin_cos_turn<L>(index / L::all(count) + rotation_turns);
+    };
+    const SinCosOf<L> a = corner(blade);
+    const SinCosOf<L> b = corner(blade + L::all(1));
+    const auto first = L::all(1) - u.y;
+    return {r * (first * a.cosine + u.y * b.cosine), r * (first * a.sine + u.y * b.sine)};
+}

@@ -85,9 +85,9 @@ TEST_P(CameraBatches, Rays_AreThoseOfTheCamera) {
         make_rays(camera, param.fixings, *batch);
         for (int i = 0; i < count; ++i) {
             const Ray& ray = expected[static_cast<std::size_t>(i)];
-            EXPECT_LT((batch->ray(i).origin - ray.origin).length(), 1e-6f) << i;
-            EXPECT_LT((batch->ray(i).direction - ray.direction).length(), 1e-6f) << i;
-            EXPECT_FLOAT_EQ(batch->time[i], ray.time) << i;
+            EXPECT_EQ(batch->ray(i).origin, ray.origin) << i;
+            EXPECT_EQ(batch->ray(i).direction, ray.direction) << i;
+            EXPECT_EQ(batch->time[i], ray.time) << i;
         }
     }
 }

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
+#include "tests/render/integrator/every_shape.h"
 #include "tests/render/integrator/integrator_scene.h"
 
 namespace carom::test {
@@ -48,8 +49,11 @@ void add_table(SceneBuilder& builder) {
 }
 
 std::vector<sim::Track> table_tracks() {
-    return {resting_track("resting", Vec3(-0.3, 0.2, 0.1)),
-            straight_track("moving", Vec3(-0.1, -0.2, 0.1), Vec3(0.2, -0.1, 0.1), 0, kShutter)};
+    std::vector<sim::Track> tracks = tracks_of_every_shape(kShutter);
+    tracks.push_back(resting_track("resting", Vec3(-0.3, 0.2, 0.1)));
+    tracks.push_back(
+        straight_track("moving", Vec3(-0.1, -0.2, 0.1), Vec3(0.2, -0.1, 0.1), 0, kShutter));
+    return tracks;
 }
 
 void add_lights(SceneBuilder& builder) {
@@ -110,6 +114,59 @@ void add_paint(SceneBuilder& builder) {
                      Vec3(0, 0, 1)};
     sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
     builder.object("sheet", sheet, Vec3(0, 0, 0), "wood");
+}
+
+std::string picture_path() {
+    static const PictureFile file;
+    return file.path();
+}
+
+/// Walls from which most paths scatter eight times, a mirror and glass.
+void add_white_room(SceneBuilder& builder) {
+    StandardMaterial glass;
+    glass.transmission = 1;
+    StandardMaterial mirror;
+    mirror.metal = 1;
+    mirror.roughness = 0;
+    StandardMaterial grey_green = coated(0.3);
+    grey_green.base = Vec3(0.5, 0.8, 0.6);
+    builder.diffuse("white", 0.9).material("glass", glass).material("mirror", mirror);
+    builder.material("lacquer", grey_green);
+    builder.object("back", render::BoxShape{Vec3(2, 0.1, 1)}, Vec3(0, 0.8, 0.4), "white");
+    builder.object("left", render::BoxShape{Vec3(0.1, 2, 1)}, Vec3(-0.8, 0, 0.4), "lacquer");
+    builder.object("right", render::BoxShape{Vec3(0.1, 2, 1)}, Vec3(0.8, 0, 0.4), "white");
+    builder.object("floor", render::BoxShape{Vec3(2, 2, 0.02)}, Vec3(0, 0, 0), "white");
+    builder.sphere("clear", 0.12, Vec3(0.4, -0.4, 0.12), "glass");
+    builder.sphere("shiny", 0.12, Vec3(-0.5, -0.3, 0.12), "mirror");
+}
+
+/// All shapes, with the same texture.
+void add_shapes(SceneBuilder& builder, Placement placement, const render::ColourSource& texture) {
+    StandardMaterial material = coated(0);
+    material.base = texture;
+    builder.material("pattern", material);
+    add_every_shape(builder, placement, "pattern");
+}
+
+void add_shape_cases(std::vector<WaveCase>& cases) {
+    render::ImageTexture image;
+    image.file = picture_path();
+    render::WoodTexture wood;
+    render::CheckerTexture checker;
+    const std::pair<const char*, render::ColourSource> textures[] = {
+        {"Image", image}, {"Checker", checker}, {"Wood", wood}};
+    const std::pair<const char*, Placement> placements[] = {{"UprightShapes", Placement::upright},
+                                                            {"TurnedShapes", Placement::turned},
+                                                            {"MovingShapes", Placement::moving}};
+    for (const auto& [texture_name, texture] : textures) {
+        for (const auto& [placement_name, placement] : placements) {
+            cases.push_back({std::string(placement_name) + "With" + texture_name,
+                             [texture, placement](SceneBuilder& builder) {
+                                 add_lights(builder);
+                                 add_shapes(builder, placement, texture);
+                             }});
+        }
+    }
 }
 
 std::vector<WaveCase> wave_cases() {
@@ -207,10 +264,12 @@ std::vector<WaveCase> wave_cases() {
     cases.push_back(
         {"PaintAndMeshes", with_lights([](SceneBuilder& builder) { add_paint(builder); })});
     cases.push_back({"EightBounces", with_lights([](SceneBuilder&) {}), {.max_bounces = 8}});
+    cases.push_back({"WhiteRoomWithRoulette", with_lights(add_white_room), {.max_bounces = 8}});
     cases.push_back({"DirectLightOnly", with_lights([](SceneBuilder&) {}), {.max_bounces = 0}});
     cases.push_back({"NoSplit", with_lights([](SceneBuilder&) {}), {.split_vertices = 0}});
     cases.push_back({"NoCaustics", with_lights([](SceneBuilder&) {}), {.caustics = false}});
     cases.push_back({"Clamped", with_lights([](SceneBuilder&) {}), {.clamp = 0.2f}});
+    add_shape_cases(cases);
     return cases;
 }
 
@@ -323,6 +382,9 @@ std::vector<float> small_picture() {
     builder.object("bed", render::BoxShape{Vec3(1, 1, 0.02)}, Vec3(0, 0, 0), "nap");
     add_lacquer(builder);
     add_paint(builder);
+    render::ImageTexture image;
+    image.file = picture_path();
+    add_shapes(builder, Placement::turned, image);
     const render::RenderSettings settings = small_settings(kSide, kSide, 16);
     const render::PreparedScene prepared(builder.scene, settings);
     render::FrameInput frame = static_frame(camera(Vec3(0.3, -1.6, 1.1), Vec3(0, 0, 0.05), 0.8));

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "render/sampling/scalar_kernels.h"
 #include "render/sampling/sobol_point.h"
 #include "tests/render/statistics.h"
 
@@ -227,8 +228,10 @@ TEST(SobolPoint, BestInstructionSet_SameBitsAsScalarCode) {
             for (std::size_t nibble = 0; nibble < 8; ++nibble) {
                 x ^= kTables.values[nibble][(index >> (4 * nibble)) & 15u][d];
             }
-            x = detail::scramble_reversed(x, detail::mix(hash + kSalts[d]));
-            ASSERT_EQ(point[d], detail::to_unit(detail::reverse_bits(x)));
+            x = scalar::scramble_reversed<scalar::One>(
+                x, scalar::hashed<scalar::One>(hash + kSalts[d]));
+            x = detail::reverse_bits(x);
+            ASSERT_EQ(point[d], scalar::in_unit_interval<scalar::One>(x));
         }
     }
 }

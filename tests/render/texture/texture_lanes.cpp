@@ -7,6 +7,7 @@
 #include <hwy/highway.h>
 
 #include "render/texture/kernels-inl.h"
+#include "tests/render/every_target.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
@@ -106,21 +107,7 @@ const TextureLanes& best_texture_lanes() {
 }
 
 void for_every_target(const std::function<void(const TextureLanes& lanes)>& use) {
-    const auto choose = [](std::int64_t targets) {
-        hwy::SetSupportedTargetsForTest(targets);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    };
-    const std::int64_t supported = hwy::SupportedTargets();
-    for (int bit = 0; bit < 63; ++bit) {
-        const std::int64_t target = std::int64_t{1} << bit;
-        // The lowest target is always there, though it is not always reported.
-        const bool is_lowest = target == HWY_STATIC_TARGET;
-        if ((HWY_TARGETS & target) != 0 && ((supported & target) != 0 || is_lowest)) {
-            choose(target);
-            use(best_texture_lanes());
-        }
-    }
-    choose(0);
+    for_each_instruction_set([&] { use(best_texture_lanes()); });
 }
 
 }  // namespace carom::test

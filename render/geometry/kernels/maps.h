@@ -1,0 +1,75 @@
+// Affine maps, poses of bodies, and rays in their axes, in lanes. Included as
+// render/lanes/kernels/vectors.h is.
+
+/// Part of a ray. The direction has any length except zero, and distances are in units of it.
+template <class L>
+struct RayOf {
+    Three<typename L::Value> origin, direction;
+
+    [[nodiscard]] CAROM_KERNEL Three<typename L::Value> at(typename L::Value t) const {
+        return origin + direction * t;
+    }
+};
+
+/// See Affine.
+template <class L>
+struct AffineOf {
+    Three<typename L::Value> rows[3];
+    Three<typename L::Value> translation;
+
+    [[nodiscard]] CAROM_KERNEL Three<typename L::Value> vector(
+        const Three<typename L::Value>& v) const {
+        return rows[0] * v.x + rows[1] * v.y + rows[2] * v.z;
+    }
+    [[nodiscard]] CAROM_KERNEL Three<typename L::Value> point(
+        const Three<typename L::Value>& p) const {
+        return vector(p) + translation;
+    }
+    [[nodiscard]] CAROM_KERNEL RayOf<L> ray(const RayOf<L>& from) const {
+        return {point(from.origin), vector(from.direction)};
+    }
+    /// What the inverse of this map does to a normal. The result has any length.
+    [[nodiscard]] CAROM_KERNEL Three<typename L::Value> inverse_normal(
+        const Three<typename L::Value>& n) const {
+        return {dot(n, rows[0]), dot(n, rows[1]), dot(n, rows[2])};
+    }
+};
+
+template <class L>
+CAROM_KERNEL AffineOf<L> affine_of(const Affine& map) {
+    const auto row = [&](int i) CAROM_KERNEL_ATTRIBUTE {
+        return Three<typename L::Value>{L::all(map.linear[i][0]), L::all(map.linear[i][1]),
+                                        L::all(map.linear[i][2])};
+    };
+    return {{row(0), row(1), row(2)}, all_of<L>(map.translation)};
+}
+
+/// A rotation by the unit quaternion with the real part `real`.
+template <class L>
+struct TurnOf {
+    typename L::Value real;
+    Three<typename L::Value> vector;
+
+    [[nodiscard]] CAROM_KERNEL Three<typename L::Value> apply(
+        const Three<typename L::Value>& v) const {
+        const Three<typename L::Value> t = cross(vector, v) * L::all(2);
+        return v + t * real + cross(vector, t);
+    }
+    [[nodiscard]] CAROM_KERNEL Three<typename L::Value> undo(
+        const Three<typename L::Value>& v) const {
+        const Three<typename L::Value> t = cross(v, vector) * L::all(2);
+        return v + t * real + cross(t, vector);
+    }
+};
+
+/// Where a body is: world from body axes.
+template <class L>
+struct PoseOf {
+    Three<typename L::Value> position;
+    TurnOf<L> turn;
+
+    /// A ray of the world in the axes of the body.
+    [[nodiscard]] CAROM_KERNEL RayOf<L> in_body(const RayOf<L>& ray) const {
+        return {turn.undo(ray.origin - position), turn.undo(ray.direction)};
+    }
+};

@@ -1,0 +1,72 @@
+// Points on triangle meshes in lanes. Included as render/lanes/kernels/vectors.h is.
+
+template <class L>
+CAROM_KERNEL Three<typename L::Value> three_at(const float* numbers, typename L::Int index) {
+    const auto first = index + index + index;
+    return {L::gather(numbers, first), L::gather(numbers, first + L::all_int(1)),
+            L::gather(numbers, first + L::all_int(2))};
+}
+template <class L>
+CAROM_KERNEL Two<typename L::Value> two_at(const float* numbers, typename L::Int index) {
+    const auto first = index + index;
+    return {L::gather(numbers, first), L::gather(numbers, first + L::all_int(1))};
+}
+
+/// Where a ray hits a mesh, in the mesh's own axes, from the triangle's number and the weights of
+/// its second and third corner. `needs_uv`: otherwise uv and its lengths are 0. `object_position`
+/// is left to the caller.
+template <class L>
+CAROM_KERNEL SurfacePointOf<L> point_on_mesh(const MeshArrays& mesh, typename L::Int triangle,
+                                             typename L::Value u, typename L::Value v,
+                                             bool needs_uv) {
+    using V = typename L::Value;
+    const V zero = L::all(0);
+    const V one = L::all(1);
+    const auto first = triangle + triangle + triangle;
+    const auto index_a = L::gather_int(mesh.triangles, first);
+    const auto index_b = L::gather_int(mesh.triangles, first + L::all_int(1));
+    const auto index_c = L::gather_int(mesh.triangles, first + L::all_int(2));
+    const Three<V> a = three_at<L>(mesh.vertices, index_a);
+    const Three<V> edge_b = three_at<L>(mesh.vertices, index_b) - a;
+    const Three<V> edge_c = three_at<L>(mesh.vertices, index_c) - a;
+    const V w = one - u - v;
+    SurfacePointOf<L> point;
+    point.position = a + edge_b * u + edge_c * v;
+    const Three<V> across = cross(edge_b, edge_c);
+    point.geometric_normal = unit<L>(across);
+    point.shading_normal = point.geometric_normal;
+    if (mesh.normals != nullptr) {
+        const Three<V> mixed = three_at<L>(mesh.normals, index_a) * w +
+                               three_at<L>(mesh.normals, index_b) * u +
+                               three_at<L>(mesh.normals, index_c) * v;
+        const V length2 = dot(mixed, mixed);
+        const V cosine = dot(mixed, point.geometric_normal);
+        const auto exists =
+            L::both(L::is_less(L::all(1e-12f), length2), L::opposite(L::is_equal(cosine, zero)));
+        const V scale = L::flip_sign(one, cosine) / L::root(L::select(exists, length2, one));
+        point.shading_normal = select<L>(exists, mixed * scale, point.geometric_normal);
+    }
+    clear_texture_place<L>(point);
+    if (!needs_uv) {
+        return point;
+    }
+    point.uv = {u, v};
+    if (mesh.uv != nullptr) {
+        const Two<V> uv_a = two_at<L>(mesh.uv, index_a);
+        const Two<V> corner_b = two_at<L>(mesh.uv, index_b);
+        const Two<V> corner_c = two_at<L>(mesh.uv, index_c);
+        const Two<V> uv_b{corner_b.x - uv_a.x, corner_b.y - uv_a.y};
+        const Two<V> uv_c{corner_c.x - uv_a.x, corner_c.y - uv_a.y};
+        point.uv = {uv_a.x + u * uv_b.x + v * uv_c.x, uv_a.y + u * uv_b.y + v * uv_c.y};
+        const V area = L::root(dot(across, across));
+        const auto has_area = L::is_less(zero, area);
+        const V uv_area = L::size(uv_b.x * uv_c.y - uv_b.y * uv_c.x);
+        point.uv_per_metre =
+            L::select(has_area, L::root(uv_area / L::select(has_area, area, one)), zero);
+        const auto is_known = L::is_less(zero, point.uv_per_metre);
+        const V metres =
+            L::select(is_known, one / L::select(is_known, point.uv_per_metre, one), zero);
+        point.uv_metres = {metres, metres};
+    }
+    return point;
+}

@@ -1,0 +1,108 @@
+// Points on the shapes of a scene in lanes: balls, boxes along the axes, and unit shapes under
+// affine maps, at rest or moving with a body. Included as render/lanes/kernels/vectors.h is.
+
+/// What a texture needs to know: `object_position` if there is one, uv and its lengths if it is an
+/// image.
+struct TextureNeeds {
+    bool position = false;
+    bool uv = false;
+};
+
+/// The point of a ball around `centre` that a ray hits at distance t, without the place on its
+/// texture.
+template <class L>
+CAROM_KERNEL SurfacePointOf<L> point_on_ball(const RayOf<L>& ray, typename L::Value t,
+                                             const Three<typename L::Value>& centre,
+                                             typename L::Value radius) {
+    const Three<typename L::Value> normal = unit<L>((ray.origin - centre) + ray.direction * t);
+    SurfacePointOf<L> point;
+    point.position = centre + normal * radius;
+    point.geometric_normal = normal;
+    point.shading_normal = normal;
+    clear_texture_place<L>(point);
+    return point;
+}
+
+/// Sets the place on a ball's texture. `arm`: from the centre to the point, in the body's axes.
+template <class L>
+CAROM_KERNEL void set_place_on_ball(const AffineOf<L>& metres_from_body,
+                                    const Three<typename L::Value>& arm, typename L::Value radius,
+                                    TextureNeeds needs, SurfacePointOf<L>& point) {
+    if (needs.position) {
+        point.object_position = metres_from_body.vector(arm);
+    }
+    if (needs.uv) {
+        point.uv = longitude_latitude<L>(point.object_position);
+        point.uv_per_metre = L::all(0.5f * kInversePi) / radius;
+        point.uv_metres = {L::all(kTurn) * radius, L::all(0.5f * kTurn) * radius};
+    }
+}
+
+template <class L>
+CAROM_KERNEL void set_uv(const Two<typename L::Value>& uv, const Two<typename L::Value>& metres,
+                         SurfacePointOf<L>& point) {
+    point.uv = uv;
+    point.uv_metres = metres;
+    point.uv_per_metre = L::all(1) / L::root(metres.x * metres.y);
+}
+
+/// The point of a box at rest along the world's axes.
+template <class L>
+CAROM_KERNEL SurfacePointOf<L> point_on_upright_box(const RayOf<L>& ray, typename L::Value t,
+                                                    const Three<typename L::Value>& centre,
+                                                    const Three<typename L::Value>& half_size,
+                                                    TextureNeeds needs) {
+    const FacePointOf<L> face = point_on_box<L>({ray.origin - centre, ray.direction}, t, half_size);
+    SurfacePointOf<L> point;
+    point.position = centre + face.position;
+    point.geometric_normal = face.normal;
+    point.shading_normal = face.normal;
+    clear_texture_place<L>(point);
+    point.object_position = face.position;
+    if (needs.uv) {
+        const Two<typename L::Value> place = along_face<L>(face, face.position);
+        const Two<typename L::Value> half = along_face<L>(face, half_size);
+        set_uv<L>(across_square<L>(place.x / half.x, place.y / half.y),
+                  {L::all(2) * half.x, L::all(2) * half.y}, point);
+    }
+    return point;
+}
+
+/// A unit shape and its maps. For objects without a track, the body's axes are the world's.
+template <class L>
+struct MappedShapeOf {
+    AffineOf<L> unit_from_body, body_from_unit;
+    AffineOf<L> metres_from_body;        // only for textures
+    Three<typename L::Value> half_size;  // lengths of the unit shape's axes, m; only for uv
+    Three<typename L::Value> profile;    // see UnitHitOf
+};
+
+/// The point of a unit shape that a ray hits; ray and point in the axes of the body.
+template <class L>
+CAROM_KERNEL SurfacePointOf<L> point_on_shape(ShapeKind kind, const MappedShapeOf<L>& shape,
+                                              const RayOf<L>& ray, typename L::Value t,
+                                              TextureNeeds needs) {
+    const UnitPointOf<L> on_unit = on_unit_shape<L>(
+        kind, {shape.unit_from_body.ray(ray), t, shape.profile, shape.half_size, needs.uv});
+    SurfacePointOf<L> point;
+    point.position = shape.body_from_unit.point(on_unit.position);
+    point.geometric_normal = unit<L>(shape.unit_from_body.inverse_normal(on_unit.normal));
+    point.shading_normal = point.geometric_normal;
+    clear_texture_place<L>(point);
+    if (needs.position) {
+        point.object_position = shape.metres_from_body.point(point.position);
+    }
+    if (needs.uv) {
+        set_uv<L>(on_unit.uv, on_unit.uv_metres, point);
+    }
+    return point;
+}
+
+/// A point given in the axes of a body, in the world's.
+template <class L>
+CAROM_KERNEL SurfacePointOf<L> moved(const PoseOf<L>& body, SurfacePointOf<L> point) {
+    point.position = body.position + body.turn.apply(point.position);
+    point.geometric_normal = body.turn.apply(point.geometric_normal);
+    point.shading_normal = body.turn.apply(point.shading_normal);
+    return point;
+}

@@ -1,0 +1,7 @@
+// Russian roulette of long paths, in lanes. Included as render/lanes/kernels/vectors.h is.
+
+/// The probability with which a path of this throughput continues from kRouletteVertex on.
+template <class L>
+CAROM_KERNEL typename L::Value survival_of(const Three<typename L::Value>& throughput) {
+    return limited<L>(largest<L>(throughput), kLeastSurvival, 1);
+}

@@ -1,0 +1,13 @@
+// The kernels of this folder for one number at a time.
+#pragma once
+
+#include "render/integrator/path_state.h"
+#include "render/lanes/scalar_kernels.h"
+
+namespace carom::render::scalar {
+
+#define CAROM_KERNEL [[gnu::always_inline]] inline
+#include "render/integrator/kernels/roulette.h"
+#undef CAROM_KERNEL
+
+}  // namespace carom::render::scalar

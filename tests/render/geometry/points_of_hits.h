@@ -1,0 +1,30 @@
+// Included as render/lanes/kernels/vectors.h is.
+
+/// Reads the numbers of hits on moving shapes with `read`, and passes those of their points to
+/// `write`.
+template <class L, class Read, class Write>
+CAROM_KERNEL void points_of_hits(render::ShapeKind kind, const Read& read, const Write& write) {
+    const auto three = [&](int i) CAROM_KERNEL_ATTRIBUTE {
+        return Three<typename L::Value>{read(i), read(i + 1), read(i + 2)};
+    };
+    const auto map = [&](int i) CAROM_KERNEL_ATTRIBUTE {
+        return AffineOf<L>{{three(i), three(i + 3), three(i + 6)}, three(i + 9)};
+    };
+    const PoseOf<L> body{three(0), {read(3), three(4)}};
+    const RayOf<L> ray{three(7), three(10)};
+    const MappedShapeOf<L> shape{map(14), map(26), map(38), three(50), three(53)};
+    const SurfacePointOf<L> point =
+        moved<L>(body, point_on_shape<L>(kind, shape, body.in_body(ray), read(13), {true, true}));
+    const Three<typename L::Value> vectors[4] = {point.position, point.geometric_normal,
+                                                 point.shading_normal, point.object_position};
+    for (int i = 0; i < 4; ++i) {
+        write(3 * i, vectors[i].x);
+        write(3 * i + 1, vectors[i].y);
+        write(3 * i + 2, vectors[i].z);
+    }
+    write(12, point.uv.x);
+    write(13, point.uv.y);
+    write(14, point.uv_per_metre);
+    write(15, point.uv_metres.x);
+    write(16, point.uv_metres.y);
+}

@@ -1,0 +1,124 @@
+// The sampler in vector lanes returns the bits of SampleStream, on every instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tests/render/sampling/lane_sampler_test.cpp"
+#include <hwy/foreach_target.h>  // compiles this file once per instruction set
+// Must follow foreach_target.h.
+#include <hwy/highway.h>
+
+#include "render/sampling/lane_sampler-inl.h"
+
+#ifndef CAROM_SAMPLES_OF_LANES
+#define CAROM_SAMPLES_OF_LANES
+namespace carom::test {
+
+/// Samples of one lane each, and their numbers.
+struct LaneSamples {
+    static constexpr int kMost = 16;
+
+    alignas(64) std::uint32_t pixel_hash[kMost];
+    alignas(64) std::uint32_t reversed_sample[kMost];
+    alignas(64) std::uint32_t set[kMost];
+    std::uint32_t block_set = 0;
+    alignas(64) float four[4][kMost];
+    alignas(64) float block[8][kMost];  // the x coordinates first
+    alignas(64) float camera[5][kMost];
+    alignas(64) float one[kMost];
+    int lanes = 0;
+    const char* target = "";
+};
+
+}  // namespace carom::test
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace carom::render::HWY_NAMESPACE {
+
+HWY_ATTR void fill(test::LaneSamples& samples) {
+    const FloatTag d;
+    const WordTag words;
+    const LaneSampler sampler(hn::Load(words, samples.pixel_hash),
+                              hn::Load(words, samples.reversed_sample));
+    const U set = hn::Load(words, samples.set);
+    F numbers[5];
+    F x[4], y[4];
+    sampler.get_camera_sample(numbers);
+    for (int i = 0; i < 5; ++i) {
+        hn::Store(numbers[i], d, samples.camera[i]);
+    }
+    F four[4];
+    sampler.get_4d(set, four);
+    sampler.get_2d_block(samples.block_set, x, y);
+    for (int i = 0; i < 4; ++i) {
+        hn::Store(four[i], d, samples.four[i]);
+        hn::Store(x[i], d, samples.block[i]);
+        hn::Store(y[i], d, samples.block[4 + i]);
+    }
+    hn::Store(sampler.get_1d(set), d, samples.one);
+    samples.lanes = lane_count();
+    samples.target = hwy::TargetName(HWY_TARGET);
+}
+
+}  // namespace carom::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+#include "render/sampling/sampler.h"
+#include "tests/render/every_target.h"
+#include "tests/render/statistics.h"
+
+namespace carom::render {
+
+HWY_EXPORT(fill);
+
+namespace {
+
+void expect_same_numbers(const test::LaneSamples& lanes, int lane, SampleStream stream) {
+    const CameraSample camera = stream.camera_sample();
+    EXPECT_EQ(lanes.camera[0][lane], camera.pixel.x);
+    EXPECT_EQ(lanes.camera[1][lane], camera.pixel.y);
+    EXPECT_EQ(lanes.camera[2][lane], camera.lens.x);
+    EXPECT_EQ(lanes.camera[3][lane], camera.lens.y);
+    EXPECT_EQ(lanes.camera[4][lane], camera.time);
+    const std::array<V2f, 4> block = stream.get_2d_block(lanes.block_set);
+    EXPECT_EQ(lanes.one[lane], stream.get_1d(lanes.set[lane]));
+    stream.seek(lanes.set[lane]);
+    const std::array<float, 4> four = stream.next_4d();
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(lanes.four[i][lane], four[i]) << i;
+        EXPECT_EQ(lanes.block[i][lane], block[i].x) << i;
+        EXPECT_EQ(lanes.block[4 + i][lane], block[i].y) << i;
+    }
+}
+
+TEST(LaneSampler, EveryInstructionSet_SameBitsAsOneSampleAtATime) {
+    test::TestRandom random(9);
+    for (int run = 0; run < 200; ++run) {
+        test::LaneSamples lanes;
+        std::vector<SampleStream> streams;
+        for (int i = 0; i < test::LaneSamples::kMost; ++i) {
+            streams.emplace_back(random.next(), random.next() % 5000, random.next() % 5000,
+                                 random.next() % (1u << (run % 30)));
+            lanes.pixel_hash[i] = streams.back().pixel_hash();
+            lanes.reversed_sample[i] = streams.back().reversed_sample();
+            lanes.set[i] = random.next();
+        }
+        lanes.block_set = random.next();
+        test::for_each_instruction_set([&] {
+            HWY_DYNAMIC_DISPATCH(fill)(lanes);
+            SCOPED_TRACE(lanes.target);
+            for (int i = 0; i < lanes.lanes; ++i) {
+                expect_same_numbers(lanes, i, streams[static_cast<std::size_t>(i)]);
+            }
+        });
+    }
+}
+
+}  // namespace
+}  // namespace carom::render
+
+#endif
