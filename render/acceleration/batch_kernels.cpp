@@ -117,8 +117,41 @@ inline HWY_ATTR void occlude(const AnalyticBlocks& blocks, const RayBatch& rays,
     }
 }
 
+inline HWY_ATTR std::uint64_t meet_box(const Imath::Box3f& box, const RayBatch& rays,
+                                       const float* t) {
+    const BatchTag d;
+    const hn::Vec<BatchTag> zero = hn::Zero(d);
+    const hn::Vec<BatchTag> wider = hn::Set(d, 1.0001f);
+    std::uint64_t result = 0;
+    for (int first = 0; first < rays.count; first += static_cast<int>(hn::Lanes(d))) {
+        const RayLanes<BatchTag> lanes = rays_from(rays, first);
+        hn::Vec<BatchTag> enter = zero;
+        hn::Vec<BatchTag> leave = hn::Set(d, kInfinity);
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto inverse = finite_reciprocals(d, lanes.direction[axis]);
+            const auto low =
+                hn::Mul(hn::Sub(hn::Set(d, box.min[axis]), lanes.origin[axis]), inverse);
+            const auto high =
+                hn::Mul(hn::Sub(hn::Set(d, box.max[axis]), lanes.origin[axis]), inverse);
+            enter = hn::Max(enter, hn::Min(low, high));
+            leave = hn::Min(leave, hn::Max(low, high));
+        }
+        const hn::Vec<BatchTag> limit = hn::LoadU(d, t + first);
+        hn::Mask<BatchTag> meets =
+            hn::And(hn::Le(enter, hn::Mul(leave, wider)), hn::Le(enter, hn::Mul(limit, wider)));
+        meets = hn::And(meets, finite_rays(lanes));
+        meets =
+            hn::And(meets, hn::And(hn::Gt(limit, zero),
+                                   hn::FirstN(d, static_cast<std::size_t>(rays.count - first))));
+        std::uint8_t bits[8] = {};
+        hn::StoreMaskBits(d, meets, bits);
+        result |= (bits[0] | static_cast<std::uint64_t>(bits[1]) << 8u) << first;
+    }
+    return result;
+}
+
 inline const BatchKernels& batch_kernels_of_target() {
-    static constexpr BatchKernels kKernels = {closest, occlude};
+    static constexpr BatchKernels kKernels = {closest, occlude, meet_box};
     return kKernels;
 }
 

@@ -2,6 +2,10 @@
 // set that the processor has.
 #pragma once
 
+#include <cstdint>
+
+#include <Imath/ImathBox.h>
+
 #include "render/acceleration/block_lists.h"
 #include "render/acceleration/ray_batch.h"
 
@@ -14,6 +18,9 @@ struct BatchKernels {
                     std::int32_t* object);
     /// Sets t[i] to 0 if ray i hits anything before it.
     void (*occlude)(const AnalyticBlocks& blocks, const RayBatch& rays, float* t);
+    /// A bit for each of at most 64 rays that may hit something in the box at up to t[i]: every ray
+    /// for which intersect_moving would go on, and a few more.
+    std::uint64_t (*meet_box)(const Imath::Box3f& box, const RayBatch& rays, const float* t);
 };
 
 [[nodiscard]] const BatchKernels& best_batch_kernels();

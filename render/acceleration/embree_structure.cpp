@@ -4,10 +4,14 @@
 #include <vector>
 
 #include "render/acceleration/embree_user_shapes.h"
+#include "render/acceleration/mesh_entry.h"
 #include "render/acceleration/safe_ray.h"
-#include "render/acceleration/triangle_scene.h"
 
 namespace carom::render {
+
+std::shared_ptr<const EmbreeDevice> make_embree_device() {
+    return std::make_shared<const EmbreeDevice>();
+}
 
 struct EmbreeStructure::Data {
     explicit Data(Primitives all) : shapes(std::move(all)) {}

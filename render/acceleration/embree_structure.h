@@ -12,6 +12,9 @@ namespace carom::render {
 class EmbreeDevice;
 struct MeshEntry;
 
+/// Returns an Embree device, with AVX2 if the processor has it. Throws Error.
+[[nodiscard]] std::shared_ptr<const EmbreeDevice> make_embree_device();
+
 /// The reference for HybridStructure: analytic shapes are user geometry, moving spheres have moving
 /// bounds, and static meshes are triangles of the same scene. The hits are those of
 /// HybridStructure, except that of two triangles at exactly the same distance either may be

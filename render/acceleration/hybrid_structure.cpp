@@ -1,6 +1,7 @@
 #include "render/acceleration/hybrid_structure.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -17,8 +18,7 @@ float just_beyond(float t) {
     return std::nextafter(t, kInfinity);
 }
 
-constexpr int kBatch = 64;   // rays
-constexpr int kBeyond = 16;  // numbers that kernels may access beyond the last ray
+constexpr int kBatch = 64;  // rays
 
 RayBatch part_of(const RayBatch& rays, int first) {
     RayBatch part = rays;
@@ -155,49 +155,106 @@ PacketMask HybridStructure::any_hits(const ShadowRayPacket& packet) const {
     return meshes_ && open != 0 ? hits | meshes_->any_hits(safe, open) : hits;
 }
 
-void HybridStructure::closest_hits(const RayBatch& rays, Hit* hits) const {
-    const bool has_others = tree_ || !moving_.empty() || meshes_ != nullptr;
-    for (int first = 0; first < rays.count; first += kBatch) {
-        const RayBatch part = part_of(rays, first);
-        float t[kBatch + kBeyond];
-        std::int32_t object[kBatch + kBeyond];
+namespace {
+
+/// The nearest hits of a part of a batch.
+struct PartHits {
+    float t[kBatch + RayBatch::kBeyond];
+    std::int32_t object[kBatch + RayBatch::kBeyond];
+    std::int32_t primitive[kBatch + RayBatch::kBeyond];
+    float u[kBatch + RayBatch::kBeyond];
+    float v[kBatch + RayBatch::kBeyond];
+
+    PartHits() {
         std::fill(std::begin(t), std::end(t), kInfinity);
         std::fill(std::begin(object), std::end(object), -1);
-        batch_kernels_.closest(blocks_, part, t, object);
-        for (int i = 0; i < part.count; ++i) {
-            Hit& hit = hits[first + i];
-            hit = {t[i], static_cast<std::uint32_t>(object[i]), 0, 0, 0};
-            Ray ray = part.ray(i, t[i]);
-            if (!has_others || !is_traceable(ray)) {
-                continue;
+        std::fill(std::begin(primitive), std::end(primitive), 0);
+        std::fill(std::begin(u), std::end(u), 0.f);
+        std::fill(std::begin(v), std::end(v), 0.f);
+    }
+
+    [[nodiscard]] Hit hit(int i) const {
+        return {t[i], static_cast<std::uint32_t>(object[i]),
+                static_cast<std::uint32_t>(primitive[i]), u[i], v[i]};
+    }
+    void set(int i, const Hit& hit) {
+        t[i] = hit.t;
+        object[i] = static_cast<std::int32_t>(hit.object);
+        primitive[i] = static_cast<std::int32_t>(hit.primitive);
+        u[i] = hit.u;
+        v[i] = hit.v;
+    }
+    /// Takes a hit that is nearer, or equally near and of a lower object.
+    void offer(int i, const Hit& other) {
+        const bool is_tie = other.t == t[i] && static_cast<std::int32_t>(other.object) < object[i];
+        if (other.t < t[i] || is_tie) {
+            set(i, other);
+        }
+    }
+};
+
+}  // namespace
+
+void HybridStructure::closest_hits(const RayBatch& rays, Hit* hits) const {
+    for (int first = 0; first < rays.count; first += kBatch) {
+        const RayBatch part = part_of(rays, first);
+        PartHits best;
+        batch_kernels_.closest(blocks_, part, best.t, best.object);
+        for (int i = 0; i < part.count && tree_; ++i) {
+            const Ray ray = part.ray(i, best.t[i]);
+            if (is_traceable(ray)) {
+                Hit hit = best.hit(i);
+                tree_kernels_.closest(*tree_, made_safe(ray), hit);
+                best.set(i, hit);
             }
-            find_in_tree(ray, hit);
-            ray.t_max = just_beyond(hit.t);
-            static_cast<void>(find_outside_tree(ray, hit));
+        }
+        for (const MovingShape& shape : moving_) {
+            for (std::uint64_t left = may_meet(shape, part, best.t); left != 0; left &= left - 1) {
+                const int i = std::countr_zero(left);
+                const Ray ray = part.ray(i, just_beyond(best.t[i]));
+                Hit other;
+                if (is_traceable(ray) && intersect_moving(shape, ray, other)) {
+                    best.offer(i, other);
+                }
+            }
+        }
+        if (meshes_) {
+            meshes_->closest_hits(part, {best.t, best.object, best.primitive, best.u, best.v});
+        }
+        for (int i = 0; i < part.count; ++i) {
+            hits[first + i] = best.hit(i);
         }
     }
 }
 
-// Continues after loops have found `best`, or nothing before the ray's end.
-void HybridStructure::find_in_tree(const Ray& ray, Hit& best) const {
-    if (tree_) {
-        tree_kernels_.closest(*tree_, made_safe(ray), best);
+/// The rays of a part of a batch that may hit the shape at up to t[i], and perhaps more.
+std::uint64_t HybridStructure::may_meet(const MovingShape& shape, const RayBatch& part,
+                                        const float* t) const {
+    if (shape.is_infinite()) {
+        return part.count == kBatch ? ~std::uint64_t{0} : (std::uint64_t{1} << part.count) - 1;
     }
+    return batch_kernels_.meet_box(shape.bounds, part, t);
 }
 
 void HybridStructure::test_occlusion(const RayBatch& rays, float* t_max) const {
     batch_kernels_.occlude(blocks_, rays, t_max);
-    for (int i = 0; i < rays.count && (tree_ || !moving_.empty()); ++i) {
+    for (int i = 0; i < rays.count && tree_; ++i) {
         const Ray ray = rays.ray(i, t_max[i]);
-        if (!(t_max[i] > 0) || !is_traceable(ray)) {
-            continue;
-        }
-        const auto blocks = [&](const MovingShape& shape) {
-            return occluded_by_moving(shape, ray);
-        };
-        if ((tree_ && tree_kernels_.any(*tree_, made_safe(ray))) ||
-            std::any_of(moving_.begin(), moving_.end(), blocks)) {
+        if (t_max[i] > 0 && is_traceable(ray) && tree_kernels_.any(*tree_, made_safe(ray))) {
             t_max[i] = 0;
+        }
+    }
+    for (int first = 0; first < rays.count && !moving_.empty(); first += kBatch) {
+        const RayBatch part = part_of(rays, first);
+        float* part_t = t_max + first;
+        for (const MovingShape& shape : moving_) {
+            for (std::uint64_t left = may_meet(shape, part, part_t); left != 0; left &= left - 1) {
+                const int i = std::countr_zero(left);
+                const Ray ray = part.ray(i, part_t[i]);
+                if (is_traceable(ray) && occluded_by_moving(shape, ray)) {
+                    part_t[i] = 0;
+                }
+            }
         }
     }
     if (meshes_) {

@@ -1,8 +1,9 @@
-// The default structure: analytic shapes in vector lanes, many of them in a tree, and meshes in
-// Embree.
+// The default structure: analytic shapes in vector lanes, many of them in a tree, and the triangles
+// of meshes in a tree of their own.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -37,8 +38,9 @@ class HybridStructure final : public MeasuredStructure {
 
   private:
     void set_loops(const ShapeSet& shapes);
-    void find_in_tree(const Ray& ray, Hit& best) const;
     [[nodiscard]] bool find_outside_tree(Ray remaining, Hit& best) const;
+    [[nodiscard]] std::uint64_t may_meet(const MovingShape& shape, const RayBatch& part,
+                                         const float* t) const;
 
     const AnalyticKernels& kernels_;
     const BatchKernels& batch_kernels_;

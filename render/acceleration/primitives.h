@@ -8,7 +8,7 @@
 #include "render/acceleration/analytic_kernels.h"
 #include "render/acceleration/shape_bounds.h"
 #include "render/acceleration/shapes.h"
-#include "render/acceleration/triangle_scene.h"
+#include "render/acceleration/mesh_entry.h"
 
 namespace carom::render {
 

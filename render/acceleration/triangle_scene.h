@@ -1,57 +1,43 @@
-// Triangle meshes in Embree.
+// Triangle meshes in a tree of their own.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <memory>
 #include <span>
 
+#include "render/acceleration/mesh_entry.h"
 #include "render/acceleration/ray_batch.h"
+#include "render/acceleration/triangle_batch_kernels.h"
+#include "render/acceleration/triangle_tree.h"
 #include "render/geometry/ray.h"
-#include "render/geometry/triangle_mesh.h"
 
 namespace carom::render {
 
-class EmbreeDevice;
-
-/// A mesh of a scene, and the object that its hits report.
-struct MeshEntry {
-    const TriangleMesh* mesh = nullptr;  // outlives the scene
-    std::uint32_t object = 0;
-};
-
-/// A hierarchy over the triangles of meshes; immutable after construction and shared by threads.
-/// The same meshes give the same hits, whatever the number of threads.
+/// A tree over the triangles of meshes; immutable after construction and shared by threads. The
+/// same meshes give the same hits, bit for bit, on every processor, whether a ray is asked alone or
+/// among others.
 class TriangleScene {
   public:
-    /// Throws Error with Embree's reason if the build fails (out of memory).
-    TriangleScene(std::shared_ptr<const EmbreeDevice> device, std::span<const MeshEntry> meshes);
-    ~TriangleScene();
-    TriangleScene(const TriangleScene&) = delete;
-    TriangleScene& operator=(const TriangleScene&) = delete;
+    /// Copies what it needs of the meshes.
+    explicit TriangleScene(std::span<const MeshEntry> meshes);
 
     /// The nearest hit in (t_min, t_max) of a safe ray (safe_ray.h); without one, returns false and
-    /// leaves `hit` untouched. Of triangles at exactly the same distance it always reports the same
-    /// one, not necessarily the first.
+    /// leaves `hit` untouched. Of triangles at exactly the same distance the one with the lower
+    /// object, then the lower index, is reported.
     [[nodiscard]] bool closest_hit(const Ray& ray, Hit& hit) const;
     [[nodiscard]] bool any_hit(const Ray& ray) const;
     /// Those of the rays `asked` of a packet of safe rays for which `any_hit` is true.
     [[nodiscard]] PacketMask any_hits(const ShadowRayPacket& packet, PacketMask asked) const;
 
-    /// See AccelerationStructure; for safe rays.
+    /// See TriangleBatchKernels.
+    void closest_hits(const RayBatch& rays, const HitArrays& hits) const;
+    /// See AccelerationStructure.
     void test_occlusion(const RayBatch& rays, float* t_max) const;
 
-    /// Bytes used by all scenes of this Embree device.
-    [[nodiscard]] std::size_t bytes() const;
-
-    struct Data;
-    [[nodiscard]] const Data& data() const { return *data_; }
+    [[nodiscard]] std::size_t bytes() const { return bytes_of(tree_); }
 
   private:
-    std::unique_ptr<Data> data_;
+    const TriangleBatchKernels& kernels_;
+    TriangleTree tree_;
 };
-
-/// Returns an Embree device, with AVX2 if the processor has it. Throws Error.
-[[nodiscard]] std::shared_ptr<const EmbreeDevice> make_embree_device();
 
 }  // namespace carom::render

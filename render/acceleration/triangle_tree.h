@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "render/acceleration/analytic_blocks.h"
+#include "render/acceleration/mesh_entry.h"
 #include "render/acceleration/test_counts.h"
-#include "render/acceleration/triangle_scene.h"
 #include "render/acceleration/wide_tree.h"
 
 namespace carom::render {

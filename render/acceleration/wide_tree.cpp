@@ -13,6 +13,40 @@ namespace {
 
 using Box = Imath::Box3f;
 
+/// Four numbers that the compiler keeps in one vector; the last one is not used.
+using Four = float __attribute__((vector_size(16)));
+using FourInts = std::int32_t __attribute__((vector_size(16)));
+
+Four four(const V3f& v) {
+    return Four{v.x, v.y, v.z, 0};
+}
+Four lower(Four a, Four b) {
+    return a < b ? a : b;
+}
+Four higher(Four a, Four b) {
+    return a > b ? a : b;
+}
+
+/// A box in vectors; empty at first.
+struct FastBox {
+    Four low = Four{} + kInfinity;
+    Four high = Four{} - kInfinity;
+
+    void extend(const FastBox& other) {
+        low = lower(low, other.low);
+        high = higher(high, other.high);
+    }
+    void extend(Four point) {
+        low = lower(low, point);
+        high = higher(high, point);
+    }
+    /// Of a box that is not empty.
+    [[nodiscard]] float half_area() const {
+        const Four size = high - low;
+        return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+    }
+};
+
 constexpr int kBins = 32;     // at most
 constexpr int kFewBins = 16;  // for few items, where more bins cost more than they gain
 constexpr std::uint32_t kFewItems = 256;
@@ -42,21 +76,41 @@ struct Split {
 };
 
 struct Bin {
-    Box box;
+    FastBox box;
     std::uint32_t count = 0;
 };
+using Bins = std::array<std::array<Bin, kBins>, 3>;  // by axis
 
-/// Maps positions along an axis to bins.
+/// Maps centres to bins along each axis. Along an axis on which all centres coincide there is only
+/// the first bin.
 struct BinMap {
     int bins;
-    float low, scale;
+    Four low, scale;
 
-    BinMap(const Box& centres, int axis, std::uint32_t count)
-        : bins(count < kFewItems ? kFewBins : kBins),
-          low(centres.min[axis]),
-          scale(static_cast<float>(bins) / (centres.max[axis] - low)) {}
-    [[nodiscard]] int operator()(float place) const {
-        return std::clamp(static_cast<int>((place - low) * scale), 0, bins - 1);
+    BinMap(const FastBox& centres, std::uint32_t count)
+        : bins(count < kFewItems ? kFewBins : kBins), low(centres.low) {
+        const Four size = centres.high - centres.low;
+        const Four whole = Four{} + static_cast<float>(bins);
+        scale = size > Four{} ? whole / size : Four{};
+    }
+    [[nodiscard]] FourInts operator()(Four centre) const {
+        // Limits come before the conversion, which is undefined for large numbers.
+        const Four place = (centre - low) * scale;
+        const Four last = Four{} + static_cast<float>(bins - 1);
+        return __builtin_convertvector(lower(higher(place, Four{}), last), FourInts);
+    }
+};
+
+/// Some of the items: a range of BinaryBuilder::order.
+struct Range {
+    std::uint32_t first = 0, count = 0;
+    FastBox middle;   // around the items' boxes at the middle of the shutter
+    FastBox centres;  // around the centres of those
+
+    void add(const FastBox& box) {
+        middle.extend(box);
+        centres.extend(0.5f * (box.low + box.high));
+        ++count;
     }
 };
 
@@ -65,108 +119,133 @@ class BinaryBuilder {
     explicit BinaryBuilder(std::span<const MovingBounds> items) : items_(items) {
         order.resize(items.size());
         std::iota(order.begin(), order.end(), 0u);
+        to_right_.resize(items.size());
         middles_.reserve(items.size());
+        Range all;
         for (const MovingBounds& item : items) {
-            middles_.emplace_back(0.5f * (item.open.min + item.close.min),
-                                  0.5f * (item.open.max + item.close.max));
+            FastBox box;
+            box.low = 0.5f * (four(item.open.min) + four(item.close.min));
+            box.high = 0.5f * (four(item.open.max) + four(item.close.max));
+            middles_.push_back(box);
+            all.add(box);
         }
         nodes.reserve(items.size() / 2 + 1);
-        build(0, static_cast<std::uint32_t>(items.size()), 0);
+        build(all, 0);
     }
 
     std::vector<BinaryNode> nodes;
     std::vector<std::uint32_t> order;
 
   private:
-    [[nodiscard]] V3f centre(std::uint32_t item) const {
-        return 0.5f * (middles_[item].min + middles_[item].max);
-    }
-
-    std::uint32_t build(std::uint32_t first, std::uint32_t count, int depth) {
+    std::uint32_t build(const Range& range, int depth) {
         const auto index = static_cast<std::uint32_t>(nodes.size());
         nodes.emplace_back();
         BinaryNode node;
-        node.first = first;
-        node.count = count;
-        Box middle;
-        Box centres;
-        for (std::uint32_t i = first; i < first + count; ++i) {
-            node.bounds.extend(items_[order[i]]);
-            middle.extendBy(middles_[order[i]]);
-            centres.extendBy(centre(order[i]));
-        }
-        node.area = half_area(middle);
-        const std::uint32_t middle_item = split(node, centres, depth);
-        if (middle_item != first) {
-            node.left = build(first, middle_item - first, depth + 1);
-            node.right = build(middle_item, first + count - middle_item, depth + 1);
+        node.first = range.first;
+        node.count = range.count;
+        node.area = range.middle.half_area();
+        const auto halves = split(range, node.area, depth);
+        if (halves) {
+            node.left = build(halves->at(0), depth + 1);
+            node.right = build(halves->at(1), depth + 1);
+            node.bounds = nodes[node.left].bounds;
+            node.bounds.extend(nodes[node.right].bounds);
+        } else {
+            for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
+                node.bounds.extend(items_[order[i]]);
+            }
         }
         nodes[index] = node;
         return index;
     }
 
-    /// Sorts the items into two halves and returns where the right one begins; `first` for a leaf.
-    std::uint32_t split(const BinaryNode& node, const Box& centres, int depth) {
-        const std::uint32_t end = node.first + node.count;
-        if (node.count <= 1) {
-            return node.first;
+    using Halves = std::array<Range, 2>;
+
+    /// Sorts the items into two halves; empty for a leaf.
+    std::optional<Halves> split(const Range& range, float area, int depth) {
+        if (range.count <= 1) {
+            return std::nullopt;
         }
+        const BinMap bin_of(range.centres, range.count);
         const std::optional<Split> best =
-            depth < kDepthOfHeuristic ? best_split(node, centres) : std::nullopt;
-        const bool fits = node.count <= kLargestLeaf;
-        if (fits && (!best || best->cost >= node.area)) {
-            return node.first;
+            depth < kDepthOfHeuristic ? best_split(range, area, bin_of) : std::nullopt;
+        const bool fits = range.count <= kLargestLeaf;
+        if (fits && (!best || best->cost >= area)) {
+            return std::nullopt;
         }
         if (!best) {
-            return node.first + node.count / 2;
+            const std::uint32_t middle = range.first + range.count / 2;
+            return partition(
+                range, [&](std::uint32_t place, const FastBox& /*box*/) { return place < middle; });
         }
-        const BinMap bin_of(centres, best->axis, node.count);
-        const auto right = std::stable_partition(
-            order.begin() + node.first, order.begin() + end,
-            [&](std::uint32_t item) { return bin_of(centre(item)[best->axis]) < best->bin; });
-        return static_cast<std::uint32_t>(right - order.begin());
+        return partition(range, [&](std::uint32_t /*place*/, const FastBox& box) {
+            return bin_of(0.5f * (box.low + box.high))[best->axis] < best->bin;
+        });
+    }
+
+    /// Keeps the order within each half.
+    template <class IsLeft>
+    Halves partition(const Range& range, const IsLeft& is_left) {
+        Halves halves;
+        halves[0].first = range.first;
+        for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
+            const std::uint32_t item = order[i];
+            const FastBox& box = middles_[item];
+            if (is_left(i, box)) {
+                order[range.first + halves[0].count] = item;
+                halves[0].add(box);
+            } else {
+                to_right_[halves[1].count] = item;
+                halves[1].add(box);
+            }
+        }
+        halves[1].first = range.first + halves[0].count;
+        std::copy_n(to_right_.begin(), halves[1].count, order.begin() + halves[1].first);
+        return halves;
     }
 
     /// The cost is in tests of full leaves times area; empty if all centres coincide.
-    [[nodiscard]] std::optional<Split> best_split(const BinaryNode& node,
-                                                  const Box& centres) const {
-        std::optional<Split> best;
-        for (int axis = 0; axis < 3; ++axis) {
-            if (!(centres.max[axis] > centres.min[axis])) {
-                continue;
-            }
-            std::array<Bin, kBins> bins;
-            const BinMap bin_of(centres, axis, node.count);
-            for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-                Bin& bin = bins[static_cast<std::size_t>(bin_of(centre(order[i])[axis]))];
-                bin.box.extendBy(middles_[order[i]]);
+    [[nodiscard]] std::optional<Split> best_split(const Range& range, float area,
+                                                  const BinMap& bin_of) const {
+        Bins bins;
+        for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
+            const FastBox& box = middles_[order[i]];
+            const FourInts places = bin_of(0.5f * (box.low + box.high));
+            for (int axis = 0; axis < 3; ++axis) {
+                Bin& bin =
+                    bins[static_cast<std::size_t>(axis)][static_cast<std::size_t>(places[axis])];
+                bin.box.extend(box);
                 ++bin.count;
             }
-            offer_splits(bins, node, axis, best);
+        }
+        std::optional<Split> best;
+        for (int axis = 0; axis < 3; ++axis) {
+            offer_splits({bins[static_cast<std::size_t>(axis)].data(),
+                          static_cast<std::size_t>(bin_of.bins)},
+                         range.count, area, axis, best);
         }
         return best;
     }
 
-    static void offer_splits(const std::array<Bin, kBins>& bins, const BinaryNode& node, int axis,
+    static void offer_splits(std::span<const Bin> bins, std::uint32_t all, float area, int axis,
                              std::optional<Split>& best) {
         std::array<float, kBins> right_cost{};
-        Box box;
+        FastBox box;
         std::uint32_t count = 0;
-        for (std::size_t i = kBins - 1; i > 0; --i) {
-            box.extendBy(bins[i].box);
+        for (std::size_t i = bins.size() - 1; i > 0; --i) {
+            box.extend(bins[i].box);
             count += bins[i].count;
-            right_cost[i] = count > 0 ? half_area(box) * vectors(count) : 0;
+            right_cost[i] = count > 0 ? box.half_area() * vectors(count) : 0;
         }
-        box.makeEmpty();
+        box = {};
         count = 0;
-        for (std::size_t i = 1; i < kBins; ++i) {
-            box.extendBy(bins[i - 1].box);
+        for (std::size_t i = 1; i < bins.size(); ++i) {
+            box.extend(bins[i - 1].box);
             count += bins[i - 1].count;
-            if (count == 0 || count == node.count) {
+            if (count == 0 || count == all) {
                 continue;
             }
-            const float cost =
-                kNodeCost * node.area + half_area(box) * vectors(count) + right_cost[i];
+            const float cost = kNodeCost * area + box.half_area() * vectors(count) + right_cost[i];
             if (!best || cost < best->cost) {
                 best = Split{axis, static_cast<int>(i), cost};
             }
@@ -174,7 +253,8 @@ class BinaryBuilder {
     }
 
     std::span<const MovingBounds> items_;
-    std::vector<Box> middles_;
+    std::vector<FastBox> middles_;
+    std::vector<std::uint32_t> to_right_;
 };
 
 /// The least cost of wide nodes over a binary tree, and how they are cut out of it (after Ylitie,

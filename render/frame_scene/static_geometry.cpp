@@ -7,6 +7,7 @@
 #include "core/assert.h"
 #include "core/cpu_time.h"
 #include "core/error.h"
+#include "render/acceleration/embree_structure.h"
 #include "render/acceleration/hybrid_structure.h"
 #include "render/frame_scene/static_geometry_data.h"
 
@@ -92,27 +93,15 @@ void add_meshes(StaticGeometry::Data& data) {
         if (object.kind == ShapeKind::mesh && object.is_tracked()) {
             const MeshEntry entry{object.mesh.get(), 0};
             data.tracked_meshes[i] =
-                std::make_shared<TriangleScene>(data.device, std::span(&entry, 1));
+                std::make_shared<TriangleScene>(std::span(&entry, 1));
         } else if (object.kind == ShapeKind::mesh) {
             data.static_meshes.push_back({object.mesh.get(), i});
         }
     }
     if (!data.static_meshes.empty() && data.acceleration == AccelerationKind::hybrid) {
         data.static_shapes.meshes =
-            std::make_shared<TriangleScene>(data.device, data.static_meshes);
+            std::make_shared<TriangleScene>(data.static_meshes);
     }
-}
-
-bool needs_embree(const StaticGeometry::Data& data) {
-    if (data.acceleration == AccelerationKind::embree) {
-        return true;
-    }
-    for (const SceneObject& object : data.objects) {
-        if (object.kind == ShapeKind::mesh) {
-            return true;
-        }
-    }
-    return false;
 }
 
 }  // namespace
@@ -144,7 +133,7 @@ StaticGeometry::StaticGeometry(const SceneDescription& scene, const RenderSettin
     data->acceleration = settings.acceleration;
     data->factory = factory;
     add_objects(*data, scene);
-    if (needs_embree(*data)) {
+    if (data->acceleration == AccelerationKind::embree) {
         data->device = make_embree_device();
     }
     double start = process_cpu_seconds();

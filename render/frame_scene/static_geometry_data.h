@@ -12,10 +12,12 @@
 
 namespace carom::render {
 
+class EmbreeDevice;
+
 struct StaticGeometry::Data {
     AccelerationKind acceleration = AccelerationKind::hybrid;
     StructureFactory factory = nullptr;          // for structures that the library does not make
-    std::shared_ptr<const EmbreeDevice> device;  // null if there are no meshes
+    std::shared_ptr<const EmbreeDevice> device;  // null unless the structure is Embree
     std::vector<SceneObject> objects;            // those of the scene, then lights
     std::vector<std::optional<std::uint32_t>> object_of_light;
     std::vector<std::shared_ptr<const TriangleScene>> tracked_meshes;  // by object; may be null

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "render/acceleration/embree_structure.h"
 #include "render/acceleration/moving_shape.h"
 #include "render/acceleration/shapes.h"
 #include "render/acceleration/triangle_scene.h"
@@ -218,8 +219,7 @@ struct RandomScene {
                 if (kind == Kind::mesh) {
                     meshes.push_back(std::make_unique<render::TriangleMesh>(bumpy_ball(0.2f, 6)));
                     const render::MeshEntry entry{meshes.back().get(), 0};
-                    shape.mesh =
-                        std::make_shared<render::TriangleScene>(device, std::span(&entry, 1));
+                    shape.mesh = std::make_shared<render::TriangleScene>(std::span(&entry, 1));
                     bounding_radius = 0.25f;
                 }
                 shape.bounds = render::swept_bounds(*shape.motion, bounding_radius);
@@ -238,7 +238,7 @@ struct RandomScene {
             }
             static_meshes.push_back({meshes.back().get(), object_count++});
         }
-        shapes.meshes = std::make_shared<render::TriangleScene>(device, static_meshes);
+        shapes.meshes = std::make_shared<render::TriangleScene>(static_meshes);
     }
 };
 

@@ -1,5 +1,6 @@
 // The structures against each other and against plain loops over scalar code.
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -8,11 +9,13 @@
 #include "render/acceleration/embree_structure.h"
 #include "render/acceleration/hybrid_structure.h"
 #include "render/geometry/intersect.h"
+#include "tests/render/acceleration/owned_batch.h"
 #include "tests/render/acceleration/random_shapes.h"
 
 namespace carom::render {
 namespace {
 
+using test::OwnedBatch;
 using test::RandomScene;
 using test::TestRandom;
 
@@ -26,10 +29,18 @@ struct Structures {
     EmbreeStructure embree;
 };
 
+/// Embree has its own test of triangles: distances may differ in their last bits, and a ray along
+/// an edge may hit another triangle.
+bool is_nearly_same(const Hit& a, const Hit& b) {
+    return a.object == b.object && a.primitive == b.primitive &&
+           (a.t == b.t || std::abs(a.t - b.t) <= 2e-6f * (1 + a.t));
+}
+
 void expect_same_hits(const RandomScene& scene, int rays, std::uint64_t seed) {
     const Structures structures(scene);
     TestRandom random(seed);
     int hits = 0;
+    int unlike_embree = 0;
     for (int i = 0; i < rays; ++i) {
         Ray ray = test::random_ray_toward(random, 3, 2);
         ray.t_max = i % 3 == 0 ? random.between(0.1f, 3) : kInfinity;
@@ -37,11 +48,9 @@ void expect_same_hits(const RandomScene& scene, int rays, std::uint64_t seed) {
         Hit a;
         Hit b;
         const bool found = structures.hybrid.closest_hit(ray, a);
-        ASSERT_EQ(found, structures.embree.closest_hit(ray, b)) << "ray " << i;
+        const bool also = structures.embree.closest_hit(ray, b);
+        unlike_embree += also == found && is_nearly_same(a, b) ? 0 : 1;
         if (found) {
-            ASSERT_EQ(a.object, b.object) << "ray " << i;
-            ASSERT_EQ(a.t, b.t) << "ray " << i;
-            ASSERT_EQ(a.primitive, b.primitive) << "ray " << i;
             ASSERT_GT(a.t, ray.t_min);
             ASSERT_LT(a.t, ray.t_max);
             ++hits;
@@ -51,9 +60,10 @@ void expect_same_hits(const RandomScene& scene, int rays, std::uint64_t seed) {
         ASSERT_EQ(structures.tree.closest_hit(ray, c), found) << "ray " << i;
         ASSERT_TRUE(c.object == a.object && c.t == a.t && c.primitive == a.primitive) << i;
         ASSERT_EQ(structures.tree.any_hit(ray), found) << "ray " << i;
-        ASSERT_EQ(structures.embree.any_hit(ray), found) << "ray " << i;
+        ASSERT_EQ(structures.embree.any_hit(ray), also) << "ray " << i;
     }
     EXPECT_GT(hits, rays / 3);
+    EXPECT_LE(unlike_embree, 2);
 }
 
 TEST(Structures, StaticShapes_SameHits) {
@@ -105,9 +115,8 @@ TEST(Structures, Packets_AreAnsweredAsTheirRays) {
     EXPECT_EQ(differing_in_packets(Structures(scene).hybrid, 12), 0);
     EXPECT_EQ(differing_in_packets(HybridStructure(scene.shapes, 0), 12), 0);  // under a tree
     EXPECT_EQ(differing_in_packets(Structures(scene).embree, 12), 0);
-    // Embree's packet code rounds differently at the edges of triangles.
     scene.add_static_meshes(random, 2);
-    EXPECT_LE(differing_in_packets(Structures(scene).hybrid, 13), 2);
+    EXPECT_EQ(differing_in_packets(Structures(scene).hybrid, 13), 0);
 }
 
 TEST(Structures, PacketsWithBadRays_HitNothing) {
@@ -128,31 +137,6 @@ TEST(Structures, PacketsWithBadRays_HitNothing) {
     EXPECT_EQ(structures.hybrid.any_hits(packet), 0u);
     EXPECT_EQ(structures.hybrid.any_hits(ShadowRayPacket{}), 0u);
 }
-
-/// A batch of rays that owns its arrays.
-struct OwnedBatch {
-    explicit OwnedBatch(const std::vector<Ray>& rays) : count(static_cast<int>(rays.size())) {
-        for (std::vector<float>& numbers : values) {
-            numbers.resize(rays.size() + 16);
-        }
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                values[axis][i] = rays[i].origin[static_cast<int>(axis)];
-                values[3 + axis][i] = rays[i].direction[static_cast<int>(axis)];
-            }
-            values[6][i] = rays[i].time;
-            values[7][i] = rays[i].t_max;
-        }
-    }
-    [[nodiscard]] RayBatch rays() const {
-        return {count,
-                {values[0].data(), values[1].data(), values[2].data()},
-                {values[3].data(), values[4].data(), values[5].data()},
-                values[6].data()};
-    }
-    int count;
-    std::array<std::vector<float>, 8> values;  // origin, direction, time, t_max
-};
 
 /// The number of rays that get another answer in a batch than alone.
 int differing_in_batches(const AccelerationStructure& structure, int count, std::uint64_t seed) {
@@ -193,9 +177,8 @@ TEST(Structures, Batches_AreAnsweredAsTheirRays) {
     }
     EXPECT_EQ(differing_in_batches(HybridStructure(scene.shapes, 0), 20'000, 23), 0);
     EXPECT_EQ(differing_in_batches(Structures(scene).embree, 5'000, 24), 0);
-    // Embree's packet code rounds differently at the edges of triangles.
     scene.add_static_meshes(random, 2);
-    EXPECT_LE(differing_in_batches(HybridStructure(scene.shapes, kNeverATree), 20'000, 25), 2);
+    EXPECT_EQ(differing_in_batches(HybridStructure(scene.shapes, kNeverATree), 20'000, 25), 0);
 }
 
 TEST(Structures, BatchesWithBadRays_HitNothing) {
@@ -420,7 +403,7 @@ TEST(Structures, OddIntervalsAndTimes_AreMadeSafe) {
         ASSERT_EQ(found, structures.hybrid.closest_hit(odd, b));
         ASSERT_EQ(found, structures.embree.closest_hit(odd, c));
         ASSERT_EQ(a.t, b.t);
-        ASSERT_EQ(a.t, c.t);
+        ASSERT_TRUE(is_nearly_same(a, c));
     }
 }
 

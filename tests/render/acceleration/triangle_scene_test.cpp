@@ -33,10 +33,9 @@ TriangleMesh stack_of_sheets(int cells, int sheets) {
 TEST(TriangleScene, BuiltAgain_TiesAreDecidedAlike) {
     const TriangleMesh mesh = stack_of_sheets(120, 6);
     const MeshEntry entry{&mesh, 4};
-    const auto device = make_embree_device();
-    const TriangleScene first(device, std::span(&entry, 1));
+    const TriangleScene first(std::span(&entry, 1));
     for (int repeat = 0; repeat < 3; ++repeat) {
-        const TriangleScene again(device, std::span(&entry, 1));
+        const TriangleScene again(std::span(&entry, 1));
         test::TestRandom random(1);
         for (int i = 0; i < 5'000; ++i) {
             Ray ray;
@@ -56,7 +55,7 @@ TEST(TriangleScene, BuiltAgain_TiesAreDecidedAlike) {
 TEST(TriangleScene, ManyRays_AgreeWithALoopOverTriangles) {
     const TriangleMesh mesh = test::bumpy_ball(0.8f, 12);
     const MeshEntry entry{&mesh, 0};
-    const TriangleScene scene(make_embree_device(), std::span(&entry, 1));
+    const TriangleScene scene(std::span(&entry, 1));
     test::TestRandom random(2);
     int hits = 0;
     int differing = 0;
@@ -83,7 +82,7 @@ TEST(TriangleScene, ManyRays_AgreeWithALoopOverTriangles) {
 }
 
 TEST(TriangleScene, NoMesh_NoHit) {
-    const TriangleScene scene(make_embree_device(), {});
+    const TriangleScene scene(std::span<const MeshEntry>{});
     Hit hit;
     EXPECT_FALSE(scene.closest_hit(Ray{}, hit));
     EXPECT_FALSE(scene.any_hit(Ray{}));

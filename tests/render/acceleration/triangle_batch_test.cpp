@@ -1,0 +1,309 @@
+// Batches of rays against a tree of triangles: the same bits as for single rays, by brute force,
+// and on every instruction set.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <hwy/highway.h>
+
+#include "render/acceleration/triangle_scene.h"
+#include "render/triangle/moller_trumbore.h"
+#include "tests/render/acceleration/owned_batch.h"
+#include "tests/render/acceleration/random_shapes.h"
+
+namespace carom::render {
+namespace {
+
+using test::OwnedBatch;
+using test::TestRandom;
+
+/// Hits of a batch, as bits.
+struct Answers {
+    std::vector<float> t, u, v;
+    std::vector<std::int32_t> object, primitive;
+    std::vector<float> t_max;  // of the occlusion query
+
+    bool operator==(const Answers&) const = default;
+};
+
+Answers ask(const TriangleScene& scene, const std::vector<Ray>& rays) {
+    OwnedBatch batch(rays);
+    const std::size_t room = rays.size() + RayBatch::kBeyond;
+    Answers answers;
+    answers.t = batch.values[7];
+    answers.u.assign(room, 0);
+    answers.v.assign(room, 0);
+    answers.object.assign(room, -1);
+    answers.primitive.assign(room, 0);
+    scene.closest_hits(batch.rays(),
+                       {answers.t.data(), answers.object.data(), answers.primitive.data(),
+                        answers.u.data(), answers.v.data()});
+    answers.t_max = batch.values[7];
+    scene.test_occlusion(batch.rays(), answers.t_max.data());
+    for (std::vector<float>* numbers : {&answers.t, &answers.u, &answers.v, &answers.t_max}) {
+        numbers->resize(rays.size());
+    }
+    answers.object.resize(rays.size());
+    answers.primitive.resize(rays.size());
+    return answers;
+}
+
+/// Balls, a stack of coinciding sheets, long thin triangles and degenerate ones.
+struct Meshes {
+    Meshes() {
+        TestRandom random(5);
+        for (int i = 0; i < 5; ++i) {
+            meshes.push_back(test::bumpy_ball(0.4f, 14));
+            const V3f place = test::random_point(random, 1);
+            for (V3f& vertex : meshes.back().vertices) {
+                vertex += place;
+            }
+        }
+        meshes.push_back(meshes.front());  // a second object in the same place
+        TriangleMesh slivers;
+        for (std::uint32_t i = 0; i < 200; ++i) {
+            const float y = 0.01f * static_cast<float>(i) - 1;
+            slivers.vertices.emplace_back(-1.5f, y, -0.7f);
+            slivers.vertices.emplace_back(1.5f, y, -0.7f);
+            slivers.vertices.emplace_back(1.5f, y + 0.01f, -0.7f);
+            slivers.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+            slivers.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});  // the same once more
+            slivers.triangles.push_back({3 * i, 3 * i, 3 * i + 1});      // without area
+        }
+        meshes.push_back(slivers);
+        for (std::uint32_t i = 0; i < meshes.size(); ++i) {
+            entries.push_back({&meshes[i], 10 - i});
+        }
+    }
+    std::vector<TriangleMesh> meshes;
+    std::vector<MeshEntry> entries;
+};
+
+/// Random rays, of which some are short or have no length, run along axes, begin on a vertex or
+/// aim at one, or contain numbers that are not finite.
+std::vector<Ray> mixed_rays(const Meshes& meshes, int count, std::uint64_t seed) {
+    TestRandom random(seed);
+    std::vector<Ray> rays;
+    for (int i = 0; i < count; ++i) {
+        // Some rays in a row have nearly the same origin, as in a picture.
+        Ray ray = test::random_ray_toward(random, i % 3 == 0 ? 3 : 0.5f, 1.2f);
+        if (i % 32 < 16 && i > 0) {
+            ray.origin = rays.back().origin + V3f(0.001f, 0, 0);
+        }
+        ray.t_max = i % 4 == 0 ? random.between(0.1f, 3) : kInfinity;
+        const TriangleMesh& mesh = meshes.meshes[random.next() % meshes.meshes.size()];
+        const V3f& vertex = mesh.vertices[random.next() % mesh.vertices.size()];
+        switch (i % 19) {
+            case 3:
+                ray.direction = V3f(0, 0, i % 2 == 0 ? 1.f : -1.f);
+                break;
+            case 5:
+                ray.direction = V3f(-0.f, -1, 0);
+                ray.origin.z = -0.7f;  // in the plane of the sheet
+                break;
+            case 7:
+                ray.origin = vertex;
+                break;
+            case 9:
+                ray.direction = (vertex - ray.origin).normalized();
+                break;
+            case 11:
+                ray.t_max = i % 2 == 0 ? 0.f : -1.f;
+                break;
+            case 13:
+                ray.direction.y = std::numeric_limits<float>::quiet_NaN();
+                break;
+            case 15:
+                ray.origin.x = kInfinity;
+                break;
+            case 17:
+                ray.origin *= 1000;
+                ray.direction = (vertex - ray.origin).normalized();
+                break;
+            default:
+                break;
+        }
+        rays.push_back(ray);
+    }
+    return rays;
+}
+
+bool can_hit(const Ray& ray) {
+    return std::isfinite(ray.origin.x) && std::isfinite(ray.direction.y) && ray.t_max > 0;
+}
+
+TEST(TriangleBatch, MixedRays_SameBitsAsAlone) {
+    const Meshes meshes;
+    const TriangleScene scene(meshes.entries);
+    const std::vector<Ray> rays = mixed_rays(meshes, 40'000, 1);
+    const Answers together = ask(scene, rays);
+    int hits = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        Hit alone;
+        const bool found = can_hit(rays[i]) && scene.closest_hit(rays[i], alone);
+        ASSERT_EQ(together.object[i] >= 0, found) << i;
+        if (!found) {
+            ASSERT_EQ(together.t[i], rays[i].t_max) << i;
+            ASSERT_EQ(together.t_max[i], rays[i].t_max) << i;
+            continue;
+        }
+        ++hits;
+        ASSERT_EQ(together.t[i], alone.t) << i;
+        ASSERT_EQ(static_cast<std::uint32_t>(together.object[i]), alone.object) << i;
+        ASSERT_EQ(static_cast<std::uint32_t>(together.primitive[i]), alone.primitive) << i;
+        ASSERT_EQ(together.u[i], alone.u) << i;
+        ASSERT_EQ(together.v[i], alone.v) << i;
+        ASSERT_EQ(together.t_max[i], 0) << i;
+        ASSERT_TRUE(scene.any_hit(rays[i])) << i;
+    }
+    EXPECT_GT(hits, 10'000);
+}
+
+TEST(TriangleBatch, OtherNeighbours_SameBits) {
+    const Meshes meshes;
+    const TriangleScene scene(meshes.entries);
+    std::vector<Ray> rays = mixed_rays(meshes, 3'000, 2);
+    const Answers forward = ask(scene, rays);
+    std::reverse(rays.begin(), rays.end());
+    Answers backward = ask(scene, rays);
+    std::reverse(backward.t.begin(), backward.t.end());
+    std::reverse(backward.object.begin(), backward.object.end());
+    std::reverse(backward.primitive.begin(), backward.primitive.end());
+    std::reverse(backward.u.begin(), backward.u.end());
+    std::reverse(backward.v.begin(), backward.v.end());
+    std::reverse(backward.t_max.begin(), backward.t_max.end());
+    EXPECT_TRUE(forward == backward);
+    std::reverse(rays.begin(), rays.end());
+    for (const std::size_t count : {1u, 2u, 7u, 15u, 16u, 17u, 33u}) {
+        const std::vector<Ray> few(rays.begin(), rays.begin() + static_cast<std::ptrdiff_t>(count));
+        const Answers answers = ask(scene, few);
+        for (std::size_t i = 0; i < count; ++i) {
+            EXPECT_EQ(answers.t[i], forward.t[i]);
+            EXPECT_EQ(answers.object[i], forward.object[i]);
+            EXPECT_EQ(answers.t_max[i], forward.t_max[i]);
+        }
+    }
+}
+
+/// Calls `use` with each instruction set that this machine has.
+void for_every_target(const std::function<void()>& use) {
+    const auto choose = [](std::int64_t targets) {
+        hwy::SetSupportedTargetsForTest(targets);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    };
+    const std::int64_t supported = hwy::SupportedTargets();
+    for (int bit = 0; bit < 63; ++bit) {
+        const std::int64_t target = std::int64_t{1} << bit;
+        const bool is_lowest = target == HWY_STATIC_TARGET;  // always there
+        if ((HWY_TARGETS & target) != 0 && ((supported & target) != 0 || is_lowest)) {
+            choose(target);
+            use();
+        }
+    }
+    choose(0);
+}
+
+TEST(TriangleBatch, EveryInstructionSet_SameBits) {
+    const Meshes meshes;
+    const std::vector<Ray> rays = mixed_rays(meshes, 20'000, 3);
+    const Answers expected = ask(TriangleScene(meshes.entries), rays);
+    std::set<const TriangleBatchKernels*> kernels;
+    for_every_target([&] {
+        kernels.insert(&best_triangle_batch_kernels());
+        EXPECT_TRUE(ask(TriangleScene(meshes.entries), rays) == expected);
+    });
+    EXPECT_GE(kernels.size(), 2u);
+}
+
+TEST(TriangleBatch, ManyRays_AgreeWithALoopOverTriangles) {
+    const Meshes meshes;
+    const TriangleScene scene(meshes.entries);
+    const std::vector<Ray> rays = mixed_rays(meshes, 3'000, 4);
+    const Answers answers = ask(scene, rays);
+    int differing = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        Hit nearest;
+        nearest.t = rays[i].t_max;
+        // From kilometres away, the test of a triangle that is seen edge-on may be wrong by metres;
+        // the tree keeps distances within boxes.
+        const bool is_far = rays[i].origin.length() > 50;
+        if (!can_hit(rays[i]) || is_far) {
+            continue;
+        }
+        for (const MeshEntry& entry : meshes.entries) {
+            for (std::uint32_t k = 0; k < entry.mesh->triangles.size(); ++k) {
+                const auto [a, b, c] = entry.mesh->triangles[k];
+                const std::vector<V3f>& at = entry.mesh->vertices;
+                const auto hit = moller_trumbore(
+                    {rays[i].origin, rays[i].direction, 0, nearest.t + 1}, at[a], at[b], at[c]);
+                const bool is_lower = hit && hit->t == nearest.t && nearest.object != kNoObject &&
+                                      (entry.object < nearest.object ||
+                                       (entry.object == nearest.object && k < nearest.primitive));
+                if (hit && (hit->t < nearest.t || is_lower)) {
+                    nearest.t = hit->t;
+                    nearest.object = entry.object;
+                    nearest.primitive = k;
+                }
+            }
+        }
+        const bool is_same = static_cast<std::uint32_t>(answers.object[i]) == nearest.object &&
+                             static_cast<std::uint32_t>(answers.primitive[i]) ==
+                                 (nearest.object == kNoObject ? 0 : nearest.primitive) &&
+                             answers.t[i] == nearest.t;
+        differing += is_same ? 0 : 1;
+    }
+    EXPECT_EQ(differing, 0);
+}
+
+TEST(TriangleBatch, SameDistance_LowerObjectThenLowerTriangle) {
+    const Meshes meshes;
+    const TriangleScene scene(meshes.entries);
+    TestRandom random(6);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 2'000; ++i) {
+        Ray ray;
+        ray.origin = V3f(random.between(-1.4f, 1.4f), random.between(-1, 1), -0.71f);
+        ray.direction = V3f(0, 0, 1);
+        ray.t_max = 0.02f;
+        rays.push_back(ray);
+    }
+    Answers answers = ask(scene, rays);
+    int hits = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (answers.object[i] == 4) {
+            EXPECT_EQ(answers.primitive[i] % 3, 0) << i;
+            ++hits;
+        }
+        EXPECT_NE(answers.object[i], 10) << i;  // the first ball, covered by the second, object 5
+    }
+    EXPECT_GT(hits, 500);
+}
+
+TEST(TriangleBatch, RaysTowardsSharedEdges_FewSlipThrough) {
+    const TriangleMesh mesh = test::bumpy_ball(1, 40);
+    const MeshEntry entry{&mesh, 0};
+    const TriangleScene scene(std::span(&entry, 1));
+    TestRandom random(7);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 100'000; ++i) {
+        const auto& triangle = mesh.triangles[random.next() % mesh.triangles.size()];
+        const V3f a = mesh.vertices[triangle[static_cast<std::size_t>(i % 3)]];
+        const V3f b = mesh.vertices[triangle[static_cast<std::size_t>((i + 1) % 3)]];
+        Ray ray;
+        ray.origin = test::random_point(random, 0.2f);
+        ray.direction = (a + random.unit() * (b - a) - ray.origin).normalized();
+        rays.push_back(ray);
+    }
+    const Answers answers = ask(scene, rays);
+    const auto misses = std::count(answers.object.begin(), answers.object.end(), -1);
+    // All aim at edges, and no float test of single triangles is watertight: about one in eight
+    // slips through (tests/lab/kernels_test.cpp).
+    EXPECT_LT(misses, 20'000);
+}
+
+}  // namespace
+}  // namespace carom::render
