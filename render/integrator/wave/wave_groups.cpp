@@ -49,6 +49,16 @@ WaveGroup make_group(const TransportScene& scene, const SceneObject& object, boo
     return group;
 }
 
+std::uint8_t traits_of(const Material& material) {
+    const LayerConstants& layers = material.layers();
+    if (material.is_phong() || layers.glass) {
+        return kLeavesWave;
+    }
+    const bool has_gloss = layers.coat_weight > 0 && layers.coat_alpha > 0;
+    return static_cast<std::uint8_t>((material.is_emissive() ? kShines : 0) |
+                                     (has_gloss ? kHasGloss : 0));
+}
+
 }  // namespace
 
 void WaveMaps::add(const Affine& map) {
@@ -75,6 +85,7 @@ WaveGroups make_wave_groups(const TransportScene& scene) {
             result.groups.push_back(group);
         }
         result.of_object.push_back(place->second);
+        result.traits.push_back(traits_of(scene.materials[object.material]));
         add_shape(object, result.shapes);
     }
     return result;

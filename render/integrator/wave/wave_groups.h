@@ -57,9 +57,17 @@ struct WaveShapes {
     std::vector<float> bounding_radius;
 };
 
+/// What a hit of an object needs besides becoming a vertex, as bits.
+enum WaveTraits : std::uint8_t {
+    kLeavesWave = 1,  // glass or phong: the path is followed alone
+    kShines = 2,      // an emissive material
+    kHasGloss = 4,    // a rough coat
+};
+
 struct WaveGroups {
     std::vector<WaveGroup> groups;
     std::vector<std::uint16_t> of_object;
+    std::vector<std::uint8_t> traits;  // by object
     WaveShapes shapes;
 };
 

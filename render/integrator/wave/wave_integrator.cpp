@@ -97,8 +97,6 @@ WaveIntegrator::WaveIntegrator(const TransportScene& scene, const PathSettings& 
       kernels_(best_wave_kernels()),
       wave_scene_(make_wave_scene(scene, settings, path_integrator_.caustics())) {
     CAROM_ASSERT(can_do(scene, settings));
-    has_emission_ = std::any_of(scene.materials.begin(), scene.materials.end(),
-                                [](const Material& material) { return material.is_emissive(); });
     if (!scene.lights.environment().is_sampled()) {
         constant_sky_ = scene.lights.environment().radiance(V3f(0, 0, 1));
     }
@@ -167,20 +165,23 @@ void WaveIntegrator::begin(std::span<const CameraTask> tasks, float pixel_spread
         wave.samples.reversed_sample.at[i] =
             static_cast<std::int32_t>(task.stream.reversed_sample());
         paths.slot.at[i] = i;
-        paths.branch.at[i] = 1;
         paths.origin.set(i, task.ray.origin);
         paths.direction.set(i, task.ray.direction);
         paths.time.at[i] = task.ray.time;
-        paths.throughput.set(i, V3f(1, 1, 1));
-        paths.width.at[i] = 0;
-        paths.spread.at[i] = pixel_spread;
-        paths.pdf.at[i] = 0;
-        paths.total_importance.at[i] = 0;
-        paths.environment_samples.at[i] = 1;
-        paths.is_delta.at[i] = 1;
-        paths.connects.at[i] = has_light_tracer_ ? 1 : 0;
-        paths.connected_ball.at[i] = -1;
     }
+    const auto fill = [&](auto& field, auto value) { std::fill_n(field.at, paths.count, value); };
+    fill(paths.branch, 1);
+    fill(paths.throughput.x, 1.0f);
+    fill(paths.throughput.y, 1.0f);
+    fill(paths.throughput.z, 1.0f);
+    fill(paths.width, 0.0f);
+    fill(paths.spread, pixel_spread);
+    fill(paths.pdf, 0.0f);
+    fill(paths.total_importance, 0.0f);
+    fill(paths.environment_samples, 1.0f);
+    fill(paths.is_delta, 1);
+    fill(paths.connects, has_light_tracer_ ? 1 : 0);
+    fill(paths.connected_ball, -1);
     count.camera_rays += tasks.size();
 }
 
@@ -191,13 +192,15 @@ void WaveIntegrator::process_hits(Wave& wave) const {
     wave.vertices.has_gloss = false;
     wave.missed.paths.count = 0;
     wave.hit_paths.count = 0;
+    const bool is_spent = wave.vertex > max_bounces_;
     for (int i = 0; i < paths.count; ++i) {
         const Hit& hit = wave.hits[i];
         if (hit.object == kNoObject) {
             wave.missed.paths.add(i);
         } else if (scene_.is_light(hit)) {
             path_integrator_.add_hit_light(paths.path(i), hit, wave.works[paths.slot.at[i]]);
-        } else if (becomes_vertex(i, hit, wave)) {
+        } else if (const std::uint8_t traits = wave_scene_.groups.traits[hit.object];
+                   traits == 0 ? !is_spent : becomes_vertex(i, hit, traits, wave)) {
             wave.hit_paths.add(i);
         }
     }
@@ -241,24 +244,20 @@ void WaveIntegrator::add_misses(Wave& wave) const {
 }
 
 // Otherwise the path has ended, or was followed alone.
-bool WaveIntegrator::becomes_vertex(int path, const Hit& hit, Wave& wave) const {
-    const std::uint32_t material =
-        wave_scene_.groups.groups[wave_scene_.groups.of_object[hit.object]].material;
+bool WaveIntegrator::becomes_vertex(int path, const Hit& hit, std::uint8_t traits,
+                                    Wave& wave) const {
     PathWork& work = wave.works[wave.paths().slot.at[path]];
-    if (!wave_scene_.materials.is_supported[material]) {
+    if ((traits & kLeavesWave) != 0) {
         path_integrator_.follow_from(wave.paths().path(path), hit, work);
         return false;
     }
-    if (has_emission_ && scene_.materials[material].is_emissive()) {
+    if ((traits & kShines) != 0) {
         path_integrator_.add_emission(wave.paths().path(path), hit, work);
     }
-    if (wave.vertex > max_bounces_) {
-        return false;
-    }
-    if (wave.vertex == 0 && wave_scene_.materials.has_gloss[material]) {
+    if (wave.vertex == 0 && (traits & kHasGloss) != 0) {
         wave.vertices.has_gloss = true;
     }
-    return true;
+    return wave.vertex <= max_bounces_;
 }
 
 // Makes vertices of the hits, one group after the other, in each of them in the order of the paths.

@@ -1,6 +1,7 @@
 // Wavefront path tracing: PathIntegrator for many camera samples at once, in vector lanes.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -40,7 +41,8 @@ class WaveIntegrator final : public Integrator {
                RenderStatistics& count) const;
     void process_hits(Wave& wave) const;
     void add_misses(Wave& wave) const;
-    [[nodiscard]] bool becomes_vertex(int path, const Hit& hit, Wave& wave) const;
+    [[nodiscard]] bool becomes_vertex(int path, const Hit& hit, std::uint8_t traits,
+                                      Wave& wave) const;
     void sort_vertices(Wave& wave) const;
     void find_poses(const WaveGroup& group, int first, int last, Wave& wave) const;
     void add_caustics(int vertex, Wave& wave) const;
@@ -53,7 +55,6 @@ class WaveIntegrator final : public Integrator {
     const WaveKernels* kernels_;
     WaveScene wave_scene_;
     std::size_t wave_samples_;   // camera samples in a wave
-    bool has_emission_ = false;  // some material shines
     V3f constant_sky_{0, 0, 0};  // unless the wave's scene has a sky
 };
 

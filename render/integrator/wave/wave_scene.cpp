@@ -53,11 +53,6 @@ void add_material(const Material& material, WaveMaterials& materials) {
     add_table(layers.sheen_albedo, materials.sheen_albedo);
     add_table(layers.specular_albedo, materials.specular_albedo);
     add_table(layers.mirror_albedo, materials.mirror_albedo);
-    const bool is_supported = !material.is_phong() && !layers.glass;
-    const bool has_gloss = is_supported && layers.coat_weight > 0 && layers.coat_alpha > 0;
-    materials.is_supported.push_back(is_supported);
-    materials.has_gloss.push_back(has_gloss);
-    materials.has_rough_coat = materials.has_rough_coat || has_gloss;
 }
 
 }  // namespace
@@ -88,7 +83,10 @@ WaveScene make_wave_scene(const TransportScene& scene, const PathSettings& setti
         known.sky = environment.picture();
     }
     known.max_bounces = settings.max_bounces;
-    known.glossy_samples = known.materials.has_rough_coat ? settings.glossy_samples : 1;
+    const bool has_gloss =
+        std::any_of(known.groups.traits.begin(), known.groups.traits.end(),
+                    [](std::uint8_t traits) { return (traits & kHasGloss) != 0; });
+    known.glossy_samples = has_gloss ? settings.glossy_samples : 1;
     known.split_vertices = settings.split_vertices;
     known.caustics = settings.caustics;
     return known;

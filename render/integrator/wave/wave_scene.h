@@ -32,9 +32,6 @@ struct WaveMaterials {
     std::vector<float> metal, specular, alpha;
     // kAlbedoNodes numbers for each material.
     std::vector<float> coat_albedo, sheen_albedo, specular_albedo, mirror_albedo;
-    std::vector<bool> is_supported;  // glass and phong are not
-    std::vector<bool> has_gloss;     // has a rough coat
-    bool has_rough_coat = false;     // any of them has one
 };
 
 /// What the kernels need to know about a scene.
