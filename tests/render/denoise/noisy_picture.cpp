@@ -151,6 +151,16 @@ NoisyPicture discs(int width, int height, std::uint32_t seed) {
     Noise noise(seed);
     picture.add_feature_noise(noise, 1, 0.03f, 0.5f);
     picture.add_noise(noise, 0.05f);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            if ((x / 40 + y / 30) % 3 == 0) {  // a texture that no feature knows
+                const std::size_t i = picture.index(x, y);
+                const float detail = 0.25f * static_cast<float>((x * x + 3 * y * y + x * y) % 5);
+                picture.mean[0][i] += detail;
+                picture.truth[0][i] += detail;
+            }
+        }
+    }
     picture.variance.assign(picture.index(0, height), 0.02f);
     return picture;
 }

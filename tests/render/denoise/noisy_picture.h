@@ -69,7 +69,8 @@ class NoisyPicture {
     void for_each_pixel(const Visit& visit) const;
 };
 
-/// Shaded discs of different colours on a textured ground, with noise in colours and features.
+/// Shaded discs of different colours on a textured ground, with noise in colours and features. In
+/// places there is a texture that no feature knows.
 [[nodiscard]] NoisyPicture discs(int width, int height, std::uint32_t seed);
 
 }  // namespace carom::render::test
