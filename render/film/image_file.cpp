@@ -183,7 +183,9 @@ Film deinterleave(const OIIO::ImageSpec& spec, std::span<const float> pixels) {
     const std::size_t count = pixel_count(film);
     film.rgba.resize(4 * count);
     for (std::size_t c = 4; c < channels; ++c) {
-        film.aovs.push_back({present_name(spec.channelnames[c]), std::vector<float>(count)});
+        const bool is_half = spec.channelformat(static_cast<int>(c)) == OIIO::TypeHalf;
+        film.aovs.push_back(
+            {present_name(spec.channelnames[c]), std::vector<float>(count), is_half});
     }
     for (std::size_t p = 0; p < count; ++p) {
         const float* in = &pixels[p * channels];
@@ -210,7 +212,7 @@ void write_exr(const Film& film, const std::string& path, const ImageMetadata& m
     }
     for (std::size_t c = 0; c < film.aovs.size(); ++c) {
         spec.channelnames[4 + c] = film.aovs[c].name;
-        spec.channelformats.push_back(OIIO::TypeFloat);
+        spec.channelformats.push_back(film.aovs[c].is_half ? OIIO::TypeHalf : OIIO::TypeFloat);
         if (film.aovs[c].name == "Z") {
             spec.z_channel = static_cast<int>(4 + c);
         }

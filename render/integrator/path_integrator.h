@@ -36,6 +36,9 @@ struct PathWork {
 
     void add(const V3f& radiance, int scatterings) {
         validate(radiance);
+        if (scatterings == 0) {
+            result.light += radiance;
+        }
         (scatterings <= 1 ? direct : indirect) += radiance;
     }
 
@@ -59,6 +62,9 @@ class PathIntegrator final : public Integrator {
                                         const SampleStream& stream, const SampleIndex& index,
                                         RenderStatistics& count) const override;
 
+    void look(const RayBatch& rays, float pixel_spread,
+              std::span<RadianceSample> results) const override;
+
     // For an integrator that carries many paths and leaves some of their vertices to this one.
 
     /// Follows the path to its end; `hit`: its next hit, not yet processed.
@@ -78,6 +84,7 @@ class PathIntegrator final : public Integrator {
 
   private:
     void follow(Path path, PathWork& work) const;
+    [[nodiscard]] RadianceSample seen(const Path& path, const Hit& hit) const;
     [[nodiscard]] bool process_hit(Path& path, const Hit& hit, PathWork& work) const;
     void add_emission(const Path& path, const Hit& hit, PathWork& work) const;
     [[nodiscard]] bool scatter(Path& path, const ShadingVertex& vertex, const V2f& u,
