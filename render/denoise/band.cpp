@@ -66,7 +66,8 @@ BandPlanes make_planes(const DenoiseInput& input, const RowRange& rows) {
     planes.exact.assign(input.features.size(), Plane(planes.predicted, width));
     planes.features.fill(std::vector<Plane>(input.features.size(), Plane(planes.weighed, width)));
     planes.prediction.fill(colour_plane(planes.predicted, width));
-    planes.noisy_error = planes.filtered_error = Plane(planes.predicted, width);
+    planes.noisy_error = planes.filtered_error = planes.squared_excess =
+        Plane(planes.predicted, width);
     planes.mean_noisy_error = planes.mean_filtered_error = planes.mask =
         Plane(rows.widened(kMask, height), width);
     return planes;
@@ -173,18 +174,35 @@ void Band::estimate_errors(int y) {
     row.filtered = planes_.filtered_error.row(y);
     row.chunks = planes_.chunks;
     kernels_.estimate_errors(row);
+    float* squared = planes_.squared_excess.row(y);
+    for (int x = 0; x < planes_.width; ++x) {
+        const float excess = row.filtered[x] - row.noisy[x];
+        squared[x] = excess * excess;
+    }
+    planes_.squared_excess.extend(y);
     planes_.noisy_error.extend(y);
     planes_.filtered_error.extend(y);
 }
 
+/// The noisy picture stays where its error is lower by more than chance explains: twice the
+/// standard error of the difference over the square. In dark pixels at bright edges a single
+/// difference can be large.
 void Band::compare_errors(int y) {
+    constexpr float kPixels = (2 * kError + 1) * (2 * kError + 1);
+    constexpr float kStandardErrors = 2;
     float* noisy = planes_.mean_noisy_error.row(y);
     float* filtered = planes_.mean_filtered_error.row(y);
     box_mean(planes_.noisy_error, y, kError, noisy);
     box_mean(planes_.filtered_error, y, kError, filtered);
+    std::vector<float> squared(static_cast<std::size_t>(planes_.chunks) * kChunk);
+    box_mean(planes_.squared_excess, y, kError, squared.data());
     float* mask = planes_.mask.row(y);
     for (int x = 0; x < planes_.width; ++x) {
-        mask[x] = filtered[x] <= noisy[x] ? 1.0F : 0.0F;
+        const float excess = filtered[x] - noisy[x];
+        const float chance = squared[static_cast<std::size_t>(x)] - excess * excess;
+        const bool is_worse =
+            excess > 0 && excess * excess * kPixels > kStandardErrors * kStandardErrors * chance;
+        mask[x] = is_worse ? 0.0F : 1.0F;
     }
     planes_.mask.extend(y);
 }

@@ -31,7 +31,7 @@ struct BandPlanes {
     std::vector<Plane> exact;                          // features
     std::array<std::vector<Plane>, kHalves> features;  // of the halves' samples
     std::array<ColourPlane, kHalves> prediction;       // from A and from B
-    Plane noisy_error, filtered_error;                 // of pixels
+    Plane noisy_error, filtered_error, squared_excess;                 // of pixels
     Plane mean_noisy_error, mean_filtered_error, mask;
 };
 
