@@ -380,6 +380,8 @@ cameras:
   view: ocio
   ocio: {colour_space: Linear Rec.709 (sRGB), display: sRGB - Display}
 )"},
+        {"denoise", R"(output: {denoise: {strength: 0.8}}
+)"},
         {"glow", R"(output: {glow: {strength: 0.04, radius: 0.05}}
 )"},
         {"hdr10", R"(output: {hdr10: {peak: 1000, white: 203}}

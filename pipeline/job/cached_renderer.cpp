@@ -4,9 +4,11 @@
 #include <utility>
 
 #include "core/error.h"
+#include "pipeline/job/denoised_picture.h"
 #include "pipeline/job/frame_grace.h"
 #include "pipeline/job/job_metadata.h"
 #include "pipeline/store/sums_file.h"
+#include "render/threads/thread_arena.h"
 
 namespace carom::pipeline {
 namespace {
@@ -31,17 +33,28 @@ CachedRender CachedRenderer::render(const FilmPlan::Picture& picture, const Work
     if (context.stop.stop_requested()) {
         throw Stopped();
     }
+    CachedRender result = picture.key == picture.noisy_key ? render_frame(picture, context)
+                                                           : denoise(picture, context);
+    if (result.origin == RenderOrigin::rendered) {
+        claim->finish();
+    }
+    return result;
+}
+
+/// Renders the picture before it is denoised, under the claim of its caller.
+CachedRender CachedRenderer::render_frame(const FilmPlan::Picture& picture,
+                                          const WorkContext& context) {
     const auto begin = std::chrono::steady_clock::now();
-    render::FrameSums sums = read_sums(store_, picture.key, pixel_count(source_.shot().render));
+    const Hash128& key = picture.noisy_key;
+    render::FrameSums sums = read_sums(store_, key, pixel_count(source_.shot().render));
     const bool continued = sums.samples() > 0;
     render::Film film = render_from(sums, picture, context);
     const render::RenderStatistics counts = film.statistics;
     const render::ImageMetadata metadata =
         stored_frame_metadata(source_.shot(), counts, source_.tier());
-    const bool twice = store_.contains(picture.key);
-    store_.write(picture.key, film, metadata);
-    remove_sums(store_, picture.key);
-    claim->finish();
+    const bool twice = store_.contains(key);
+    store_.write(key, film, metadata);
+    remove_sums(store_, key);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     if (!continued) {
         expected_seconds_ = elapsed.count();  // of the next one
@@ -52,6 +65,39 @@ CachedRender CachedRenderer::render(const FilmPlan::Picture& picture, const Work
             render::as_stored(std::move(film), metadata),
             twice,
             continued};
+}
+
+/// The picture before it is denoised, from the store if it is there.
+CachedRender CachedRenderer::noisy(const FilmPlan::Picture& picture, const WorkContext& context) {
+    if (std::optional<render::Film> film = store_.read(picture.noisy_key)) {
+        return {.origin = RenderOrigin::rendered, .film = std::move(film)};
+    }
+    // Somebody may be rendering it for other settings of the denoiser.
+    std::optional<Claim> claim = store_.claim(picture.noisy_key);
+    if (!claim) {
+        return {RenderOrigin::claimed_elsewhere};
+    }
+    CachedRender result = render_frame(picture, context);
+    claim->finish();
+    return result;
+}
+
+CachedRender CachedRenderer::denoise(const FilmPlan::Picture& picture, const WorkContext& context) {
+    CachedRender result = noisy(picture, context);
+    if (result.origin != RenderOrigin::rendered) {
+        return result;
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    render::ThreadArena arena(threads_);
+    result.film = arena.execute([&] {
+        return denoised_picture(*result.film, source_.shot(), {{}, context.stop});
+    });
+    result.twice = result.twice || store_.contains(picture.key);
+    store_.write(picture.key, *result.film,
+                 stored_frame_metadata(source_.shot(), {}, source_.tier()));
+    result.seconds +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return result;
 }
 
 render::Film CachedRenderer::render_from(render::FrameSums& sums, const FilmPlan::Picture& picture,
@@ -72,7 +118,7 @@ render::Film CachedRenderer::render_from(render::FrameSums& sums, const FilmPlan
                        frame_context, keeps ? &sums : nullptr);
     } catch (const Stopped&) {
         if (sums.samples() > known) {
-            keep(sums, picture.key);
+            keep(sums, picture.noisy_key);
         }
         throw;
     }

@@ -29,14 +29,20 @@ struct CachedRender {
     }
 };
 
-/// Renders a picture under a claim and stores it, unless the store already has it. For one thread
+/// Renders a picture under a claim and stores it, unless the store already has it. A picture that
+/// is denoised is stored before and after; the former is not rendered again for other settings of
+/// the denoiser. For one thread
 /// at a time. Refers to its arguments.
 class CachedRenderer {
   public:
-    /// `keeps_sums`: that of FilmJobOptions.
+    /// `keeps_sums` and `threads`: those of FilmJobOptions; the threads are for denoising.
     CachedRenderer(const FilmSource& source, const FrameStore& store, RenderFunction render,
-                   bool keeps_sums)
-        : source_(source), store_(store), render_(std::move(render)), keeps_sums_(keeps_sums) {}
+                   bool keeps_sums, int threads = 0)
+        : source_(source),
+          store_(store),
+          render_(std::move(render)),
+          keeps_sums_(keeps_sums),
+          threads_(threads) {}
 
     /// Ensures that the store has the picture, unless another process is rendering it. When
     /// stopped, a picture that needs less than two more seconds is finished; the samples of one
@@ -45,6 +51,11 @@ class CachedRenderer {
     CachedRender render(const FilmPlan::Picture& picture, const WorkContext& context);
 
   private:
+    [[nodiscard]] CachedRender render_frame(const FilmPlan::Picture& picture,
+                                            const WorkContext& context);
+    [[nodiscard]] CachedRender denoise(const FilmPlan::Picture& picture,
+                                       const WorkContext& context);
+    [[nodiscard]] CachedRender noisy(const FilmPlan::Picture& picture, const WorkContext& context);
     [[nodiscard]] render::Film render_from(render::FrameSums& sums,
                                            const FilmPlan::Picture& picture,
                                            const WorkContext& context) const;
@@ -54,6 +65,7 @@ class CachedRenderer {
     const FrameStore& store_;
     RenderFunction render_;
     bool keeps_sums_;
+    int threads_;
     double expected_seconds_ = 0;
 };
 

@@ -131,10 +131,11 @@ FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOp
     std::stop_source job_stop;
     const std::stop_callback pass_on(stop, [&job_stop] { job_stop.request_stop(); });
     FrameQueue queue(plan.pictures.size());
-    CachedRenderer renderer(source, store, renderer_of(shot, options), options.keeps_sums);
+    CachedRenderer renderer(source, store, renderer_of(shot, options), options.keeps_sums,
+                            options.threads);
     FrameScheduler scheduler(plan, renderer, queue, safe_observer, [&](std::size_t picture) {
         pruner.on_picture_stored();
-        room.on_picture_stored(plan.pictures[picture].key, job_stop.get_token());
+        room.on_picture_stored(picture, job_stop.get_token());
     });
     EncoderThread encoder(queue, job_stop, [&] {
         if (!sink) {
@@ -178,7 +179,8 @@ render::Film make_frame(const Shot& shot, const sim::Bake& bake, std::int64_t fr
     pruner.prune();
     FrameQueue queue(plan.pictures.size());
     queue.mark_reader_done();
-    CachedRenderer renderer(source, store, renderer_of(shot, options), options.keeps_sums);
+    CachedRenderer renderer(source, store, renderer_of(shot, options), options.keeps_sums,
+                            options.threads);
     for (int attempt = 0; attempt < 2; ++attempt) {  // a stored frame that is damaged is removed
         FrameScheduler scheduler(plan, renderer, queue, safe_observer);
         scheduler.run(stop);

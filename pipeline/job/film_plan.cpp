@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "pipeline/camera/path_fit.h"
+#include "pipeline/job/denoised_picture.h"
 #include "pipeline/store/frame_key.h"
 
 namespace carom::pipeline {
@@ -24,6 +25,11 @@ FrameInputs FilmSource::inputs(const PlannedFrame& layer) const {
 }
 
 Hash128 FilmSource::key(const FrameInputs& inputs) const {
+    const Hash128 noisy = noisy_key(inputs);
+    return denoises(shot_) ? denoised_key(noisy, shot_.output.denoise.strength) : noisy;
+}
+
+Hash128 FilmSource::noisy_key(const FrameInputs& inputs) const {
     return key(inputs, shot_.render);
 }
 
@@ -42,10 +48,11 @@ FilmPlan plan_film(const FilmSource& source, const std::vector<std::int64_t>& fr
         }
         const std::vector<PlannedFrame> layers = source.layers(frame);
         for (std::size_t i = 0; i < layers.size(); ++i) {
-            const Hash128 key = source.key(source.inputs(layers[i]));
+            const FrameInputs inputs = source.inputs(layers[i]);
+            const Hash128 key = source.key(inputs);
             const auto [place, is_new] = known.emplace(key, plan.pictures.size());
             if (is_new) {
-                plan.pictures.push_back({key, frame, i, {}});
+                plan.pictures.push_back({key, frame, i, {}, source.noisy_key(inputs)});
             }
             if (i == 0) {
                 plan.pictures[place->second].frames.push_back(frame);

@@ -33,7 +33,9 @@ class FilmSource {
         return inputs(layers(frame).front());
     }
     [[nodiscard]] Hash128 key(const FrameInputs& inputs) const;
-    /// The key with other settings than the shot's.
+    /// The key of the picture before it is denoised; the same if it is not.
+    [[nodiscard]] Hash128 noisy_key(const FrameInputs& inputs) const;
+    /// noisy_key() with other settings than the shot's.
     [[nodiscard]] Hash128 key(const FrameInputs& inputs,
                               const render::RenderSettings& settings) const;
     /// hash_scene() of the shot.
@@ -54,6 +56,7 @@ struct FilmPlan {
         std::int64_t frame = 0;            // a frame that has this picture as its layer `layer`
         std::size_t layer = 0;             // the first layer is the one with the largest weight
         std::vector<std::int64_t> frames;  // that have it as their first layer, ascending
+        Hash128 noisy_key{};               // of the picture before it is denoised, else the same
     };
     /// The picture that is mixed into a frame in a cross-fade.
     struct Blend {

@@ -19,6 +19,13 @@ std::uint64_t usual_bytes(const Shot& shot) {
     return static_cast<std::uint64_t>(pixels * usual_store_bytes_per_pixel(shot));
 }
 
+/// What the store has of a picture, also from before it was denoised; 0 if it is not there.
+std::uint64_t bytes_of(const FilmPlan::Picture& picture, const FrameStore& store) {
+    const std::uint64_t own = store.size_bytes(picture.key);
+    const bool is_denoised = picture.key != picture.noisy_key;
+    return own > 0 && is_denoised ? own + store.size_bytes(picture.noisy_key) : own;
+}
+
 }  // namespace
 
 FilmRoom::FilmRoom(const FilmPlan& plan, const FrameStore& store, const sim::Bake& bake,
@@ -33,7 +40,7 @@ FilmRoom::FilmRoom(const FilmPlan& plan, const FrameStore& store, const sim::Bak
     std::uint64_t bytes = 0;
     std::uint64_t stored = 0;
     for (const FilmPlan::Picture& picture : plan.pictures) {
-        const std::uint64_t size = store.size_bytes(picture.key);
+        const std::uint64_t size = bytes_of(picture, store);
         bytes += size;
         stored += size > 0 ? 1 : 0;
     }
@@ -75,10 +82,10 @@ void FilmRoom::require(const std::stop_token& stop) {
         request, [this] { pin_.expect(bytes_each_); }, stop);
 }
 
-void FilmRoom::on_picture_stored(const Hash128& key, const std::stop_token& stop) {
+void FilmRoom::on_picture_stored(std::size_t picture, const std::stop_token& stop) {
     if (!is_measured_) {
         is_measured_ = true;
-        bytes_each_ = store_.size_bytes(key);
+        bytes_each_ = bytes_of(plan_.pictures[picture], store_);
         require(stop);
     }
 }

@@ -26,9 +26,9 @@ class FilmRoom {
     /// reserved. Throws Error, Stopped.
     void require(const std::stop_token& stop);
 
-    /// Must be called after every picture that was rendered and stored. The first time it may throw
-    /// like require().
-    void on_picture_stored(const Hash128& key, const std::stop_token& stop);
+    /// Must be called after every picture (its number in the plan) that was rendered and stored.
+    /// The first time it may throw like require().
+    void on_picture_stored(std::size_t picture, const std::stop_token& stop);
 
   private:
     [[nodiscard]] std::uint64_t removable() const;

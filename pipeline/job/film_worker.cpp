@@ -163,7 +163,8 @@ WorkerResult work_on_film(const Shot& shot, const sim::Bake& bake, const FilmJob
     const FrameStore store = open_store(options, damages);
     const FilmSource source(shot, bake.timeline, options.tier);
     const FilmPlan plan = plan_film(source, job_frames(shot, options), stop);
-    CachedRenderer renderer(source, store, renderer_of(shot, options), options.keeps_sums);
+    CachedRenderer renderer(source, store, renderer_of(shot, options), options.keeps_sums,
+                            options.threads);
     return Worker(plan, renderer, worker, on_state).run(stop);
 }
 

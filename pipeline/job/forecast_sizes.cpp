@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/cpu_time.h"
+#include "pipeline/job/denoised_picture.h"
 #include "pipeline/job/job_metadata.h"
 #include "pipeline/job/scratch_folder.h"
 #include "pipeline/video/codec_info.h"
@@ -202,7 +203,9 @@ bool has_sequences(const Shot& shot, const std::string& output) {
 
 double usual_store_bytes_per_pixel(const Shot& shot) {
     constexpr double kUsual = 3.5;
-    return kUsual + sizeof(float) * static_cast<double>(shot.render.aovs.size());
+    constexpr double kForDenoiser = 12;  // halves and features
+    return kUsual + (denoises(shot) ? kUsual + kForDenoiser : 0) +
+           sizeof(float) * static_cast<double>(shot.render.aovs.size());
 }
 
 void add_sizes(const FilmSource& source, const FilmPlan& plan, const FilmProbe& probe,

@@ -28,6 +28,10 @@ constexpr double kSumsPerPixel = 144;
 /// One AOV, while it is rendered and while it is stored.
 constexpr double kPerPixelAndAov = 20;
 
+/// What the denoiser needs: 31 channels, while they are rendered, stored and filtered, and the sums
+/// of both halves. An estimate from the sizes of these arrays.
+constexpr double kForDenoiser = 31 * 12 + 130;
+
 /// The memory of a mesh in multiples of its file size: arrays in double, and Embree's tree.
 double mesh_growth(const std::string& extension) {
     return extension == ".ply" ? 6.5 : 3.3;
@@ -86,7 +90,7 @@ std::uint64_t forecast_memory(const Shot& shot, const std::string& output, bool 
         kProgram + scene_bytes(shot) +
         pixels * (kPicturePerPixel +
                   (keeps_sums || render::is_adaptive(shot.render) ? kSumsPerPixel : 0) +
-                  aovs * kPerPixelAndAov) +
+                  aovs * kPerPixelAndAov + (shot.render.for_denoiser ? kForDenoiser : 0)) +
         encoder_bytes(shot, output, pixels);
     return static_cast<std::uint64_t>(std::llround(bytes));
 }

@@ -7,12 +7,14 @@
 
 #include "core/error.h"
 #include "pipeline/job/damage_report.h"
+#include "pipeline/job/denoised_picture.h"
 #include "pipeline/job/exported_frame.h"
 #include "pipeline/job/film_encoder.h"
 #include "pipeline/job/job_frames.h"
 #include "pipeline/job/job_metadata.h"
 #include "pipeline/job/mixed_film.h"
 #include "pipeline/job/picture_memory.h"
+#include "render/threads/thread_arena.h"
 
 namespace carom::pipeline {
 namespace {
@@ -30,6 +32,7 @@ class UnstoredPictures {
           damages_(observer),
           cache_(open_store(options, damages_)),
           render_(renderer_of(source.shot(), options)),
+          arena_(options.threads),
           memory_(plan, passes, kMemory),
           is_reported_(plan.pictures.size(), false) {}
 
@@ -42,7 +45,7 @@ class UnstoredPictures {
         const bool is_stored = film.has_value();
         render::RenderStatistics counts{};
         if (!film) {
-            film = render(picture, counts, stop);
+            film = make(picture, counts, stop);
         }
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
         report(picture, is_stored, elapsed.count(), counts);
@@ -55,6 +58,18 @@ class UnstoredPictures {
     [[nodiscard]] const render::RenderStatistics& counts() const { return counts_; }
 
   private:
+    render::Film make(std::size_t picture, render::RenderStatistics& counts,
+                      const std::stop_token& stop) {
+        if (!denoises(source_.shot())) {
+            return render(picture, counts, stop);
+        }
+        std::optional<render::Film> noisy = cache_.read(plan_.pictures[picture].noisy_key);
+        if (!noisy) {
+            noisy = render(picture, counts, stop);
+        }
+        return arena_.execute([&] { return denoised_picture(*noisy, source_.shot(), {{}, stop}); });
+    }
+
     render::Film render(std::size_t picture, render::RenderStatistics& counts,
                         const std::stop_token& stop) {
         WorkContext context;
@@ -97,6 +112,7 @@ class UnstoredPictures {
     DamageReport damages_;
     FrameStore cache_;
     RenderFunction render_;
+    render::ThreadArena arena_;  // for denoising
     PictureMemory memory_;
     std::vector<bool> is_reported_;
     std::int64_t reported_frames_ = 0;

@@ -6,6 +6,7 @@
 #include "core/field_hasher.h"
 #include "pipeline/store/frame_inputs.h"
 #include "render/acceleration/vector_tier.h"
+#include "render/denoise/denoise.h"
 #include "render/frame/aov_planes.h"
 #include "render/frame/frame_fields.h"
 #include "render/scene/render_settings_fields.h"
@@ -24,6 +25,7 @@ render::RenderSettings used_settings(render::RenderSettings settings) {
         settings.max_samples = usual.max_samples;
         settings.max_bounces = usual.max_bounces;
         settings.clamp = usual.clamp;
+        settings.for_denoiser = usual.for_denoiser;
     } else {
         settings.distributed = usual.distributed;
     }
@@ -102,6 +104,13 @@ Hash128 frame_key(const FrameInputs& inputs, const render::SceneDescription& sce
     }
     hasher.add_value(inputs.frame);
     add_motion(hasher, scene, inputs);
+    return hasher.finish();
+}
+
+Hash128 denoised_key(const Hash128& noisy, double strength) {
+    Hasher hasher;
+    hasher.add("carom denoised frame, key format 1");
+    hasher.add(std::int32_t{render::kDenoiserRevision}).add(noisy).add(strength);
     return hasher.finish();
 }
 

@@ -22,4 +22,8 @@ namespace carom::pipeline {
                                 const Hash128& scene_hash, const render::RenderSettings& settings,
                                 std::string_view tier = {});
 
+/// The key of the picture that is made of the frame with the key `noisy` by denoising: the hash of
+/// that key, the denoiser's revision and its strength.
+[[nodiscard]] Hash128 denoised_key(const Hash128& noisy, double strength);
+
 }  // namespace carom::pipeline

@@ -96,6 +96,9 @@ void add_keys(const pipeline::FilmSource& source, PictureQuestion& question) {
             question.keys.back().push_back(source.key(layer.inputs, question.settings(level)));
         }
     }
+    for (const PictureLayer& layer : question.layers) {
+        question.film_keys.push_back(source.key(layer.inputs));
+    }
 }
 
 int most_of(const PictureQuestion& question, int most_samples) {

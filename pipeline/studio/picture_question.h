@@ -32,6 +32,7 @@ struct PictureQuestion {
     render::PictureText text{};
     std::vector<PictureSize> levels{};         // growing
     std::vector<std::vector<Hash128>> keys{};  // by level, then by layer
+    std::vector<Hash128> film_keys{};          // of the film's pictures, by layer
     int most = 0;                              // samples
     bool is_films = false;                     // the film's frame at its own size, in colours
     std::optional<ViewChannel> channel{};      // shown instead of colours

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "pipeline/job/denoised_picture.h"
 #include "pipeline/job/job_metadata.h"
 #include "pipeline/job/mixed_film.h"
 #include "pipeline/store/cache_folder.h"
@@ -205,15 +206,17 @@ void PictureRounds::paint(Work& work, std::size_t level, const render::Film& fil
 
 bool PictureRounds::read_stored(Work& work) {
     bool all = true;
-    for (const Hash128& key : work.question.keys.back()) {
+    for (std::size_t i = 0; i < work.question.layers.size(); ++i) {
+        const Hash128& key = work.question.keys.back()[i];
         const auto found = kept_.find(key);
         if (found != kept_.end() && found->second.stored) {
             continue;
         }
-        std::optional<render::Film> film = store_->read(key);
+        const Hash128& film_key = work.question.film_keys[i];
+        std::optional<render::Film> film = store_->read(film_key);
         all = all && film.has_value();
         if (film) {
-            store_->mark_used(key);
+            store_->mark_used(film_key);
             kept_[key].stored = std::move(film);
             kept_[key].frame.reset();
         }
@@ -224,23 +227,36 @@ bool PictureRounds::read_stored(Work& work) {
 // A frame is claimed only while it is written: a film that is rendered at the same time does not
 // wait for somebody who looks at a picture.
 void PictureRounds::store(Work& work) {
-    for (const Hash128& key : work.question.keys.back()) {
+    const pipeline::Shot& shot = work.question.shot;
+    for (std::size_t i = 0; i < work.question.layers.size(); ++i) {
+        const Hash128& key = work.question.keys.back()[i];
         Kept& kept = kept_.at(key);
         if (kept.stored || !kept.frame->finished()) {
             continue;
         }
         render::Film film = kept.frame->film(work.context);
         const render::ImageMetadata metadata =
-            pipeline::stored_frame_metadata(work.question.shot, film.statistics);
-        if (!store_->contains(key)) {
-            if (auto claim = store_->claim(key)) {
-                store_->write(key, film, metadata);
-                claim->finish();
-                counts_.frames_stored += 1;
-            }
+            pipeline::stored_frame_metadata(shot, film.statistics);
+        write(key, film, metadata);
+        film = render::as_stored(std::move(film), metadata);
+        if (pipeline::denoises(shot)) {
+            film = pipeline::denoised_picture(film, shot, {{}, work.context.stop});
+            write(work.question.film_keys[i], film, pipeline::stored_frame_metadata(shot, {}));
         }
-        kept.stored = render::as_stored(std::move(film), metadata);
+        kept.stored = std::move(film);
         kept.frame.reset();
+    }
+}
+
+void PictureRounds::write(const Hash128& key, const render::Film& film,
+                          const render::ImageMetadata& metadata) {
+    if (store_->contains(key)) {
+        return;
+    }
+    if (auto claim = store_->claim(key)) {
+        store_->write(key, film, metadata);
+        claim->finish();
+        counts_.frames_stored += 1;
     }
 }
 

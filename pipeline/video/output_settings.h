@@ -26,6 +26,11 @@ struct GlowSettings {
     double radius = 0.04;  // of the widest part of the glow, in picture heights, (0, 1]
 };
 
+/// See render/denoise/denoise.h.
+struct DenoiseSettings {
+    double strength = 0;  // the rest is the picture as it was rendered, [0, 1]; 0: off
+};
+
 /// A film for displays of high dynamic range: PQ on BT.2020 primaries (see hdr_view.h).
 struct Hdr10Settings {
     double peak = 1000;  // cd/m^2 of the brightest white in the file, [400, 10000]
@@ -53,6 +58,7 @@ struct OutputSettings {
     ViewTransform view = ViewTransform::filmic;
     OcioSettings ocio;        // used only with the view ocio
     double exposure = 0;      // stops
+    DenoiseSettings denoise;  // of the linear film, before the glow
     GlowSettings glow;        // added to the linear film, before the view
     OverlaySettings overlay;  // drawn on the display picture, after the view
     std::optional<Hdr10Settings> hdr10;

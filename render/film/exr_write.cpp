@@ -116,12 +116,22 @@ void add_channels(Imf::Header& header, const Film& film) {
         header.channels().insert(name, Imf::Channel(Imf::HALF));
     }
     for (const Channel& aov : film.aovs) {
-        header.channels().insert(aov.name, Imf::Channel(Imf::FLOAT));
+        header.channels().insert(aov.name, Imf::Channel(aov.is_half ? Imf::HALF : Imf::FLOAT));
     }
 }
 
+using Halves = std::vector<Imath::half>;
+
+Halves as_halves(const std::vector<float>& values) {
+    Halves halves(values.size());
+    std::transform(values.begin(), values.end(), halves.begin(), as_half);
+    return halves;
+}
+
 /// Where the library finds the pixels. It only reads them, although it takes pointers to char.
-Imf::FrameBuffer buffer_of(const Film& film, std::span<Imath::half> colours) {
+/// `halves`: of the channels that are stored as such, otherwise empty.
+Imf::FrameBuffer buffer_of(const Film& film, const Halves& colours,
+                           const std::vector<Halves>& halves) {
     const std::size_t width = static_cast<std::size_t>(film.width);
     Imf::FrameBuffer buffer;
     const auto insert = [&](const std::string& name, Imf::PixelType type, const void* start,
@@ -132,8 +142,13 @@ Imf::FrameBuffer buffer_of(const Film& film, std::span<Imath::half> colours) {
     for (std::size_t c = 0; c < 4; ++c) {
         insert(kColourNames[c], Imf::HALF, colours.data() + c, 4 * sizeof(Imath::half));
     }
-    for (const Channel& aov : film.aovs) {
-        insert(aov.name, Imf::FLOAT, aov.values.data(), sizeof(float));
+    for (std::size_t i = 0; i < film.aovs.size(); ++i) {
+        const Channel& aov = film.aovs[i];
+        if (aov.is_half) {
+            insert(aov.name, Imf::HALF, halves[i].data(), sizeof(Imath::half));
+        } else {
+            insert(aov.name, Imf::FLOAT, aov.values.data(), sizeof(float));
+        }
     }
     return buffer;
 }
@@ -144,8 +159,11 @@ void write_exr(const Film& film, const std::string& path, const ImageMetadata& m
                const std::optional<ExrStandardAttributes>& standard) {
     check_sizes(film);
     check_pixels(film, path);
-    std::vector<Imath::half> colours(film.rgba.size());
-    std::transform(film.rgba.begin(), film.rgba.end(), colours.begin(), as_half);
+    const Halves colours = as_halves(film.rgba);
+    std::vector<Halves> halves;
+    for (const Channel& aov : film.aovs) {
+        halves.push_back(aov.is_half ? as_halves(aov.values) : Halves());
+    }
     MemoryFile memory;
     try {
         Imf::Header header(film.width, film.height);
@@ -160,7 +178,7 @@ void write_exr(const Film& film, const std::string& path, const ImageMetadata& m
         }
         use_exr_threads();
         Imf::OutputFile output(memory, header);
-        output.setFrameBuffer(buffer_of(film, colours));
+        output.setFrameBuffer(buffer_of(film, colours, halves));
         output.writePixels(film.height);
     } catch (const std::exception& error) {
         refuse_to_write(path, exr_reason(error.what()));

@@ -12,6 +12,7 @@ namespace carom::render {
 struct Channel {
     std::string name;  // EXR channel name: "Z", "N.X" ...
     std::vector<float> values;
+    bool is_half = false;  // all values are half floats, and stored as such
 };
 
 /// Counters of the renderer.

@@ -26,10 +26,11 @@ struct ExrStandardAttributes {
 };
 
 /// Writes half-float RGBA (clamped to +-65504; Inf and NaN are an Error that names the pixel) and
-/// the film's further channels as floats into one OpenEXR file, ZIP-compressed, with its notes in
-/// the header. With `standard` the header also has worldToCamera, worldToNDC, framesPerSecond and
-/// the chromaticities of Rec.709; frames in the store, which films share, lack them. Not atomic:
-/// callers choose the temporary name. Throws Error, also if the file cannot be written completely.
+/// the film's further channels as floats or half floats into one OpenEXR file, ZIP-compressed, with
+/// its notes in the header. With `standard` the header also has worldToCamera, worldToNDC,
+/// framesPerSecond and the chromaticities of Rec.709; frames in the store, which films share, lack
+/// them. Not atomic: callers choose the temporary name. Throws Error, also if the file cannot be
+/// written completely.
 void write_exr(const Film& film, const std::string& path, const ImageMetadata& metadata = {},
                const std::optional<ExrStandardAttributes>& standard = {});
 

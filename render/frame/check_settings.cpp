@@ -69,6 +69,14 @@ std::vector<Diagnostic> find_problems(const RenderSettings& settings, const RayB
         problems.add("samples", fmt::format("samples is {}; with noise it must be a multiple of 4",
                                             settings.samples));
     }
+    if (settings.for_denoiser && settings.integrator == IntegratorKind::distributed) {
+        problems.add("for_denoiser", "frames of the distributed integrator cannot be denoised");
+    } else if (settings.for_denoiser && settings.samples % 2 != 0) {
+        problems.add(
+            "samples",
+            fmt::format("samples is {}; a frame that will be denoised needs an even number",
+                        settings.samples));
+    }
     problems.unless_between("max_bounces", settings.max_bounces, 0, 64);
     problems.unless_between("clamp", settings.clamp, 0.0, 1e30);
     problems.unless_between("filter_width", settings.filter_width, 0.5, 8.0);

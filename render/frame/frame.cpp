@@ -1,6 +1,7 @@
 #include "render/frame/frame.h"
 
 #include <chrono>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
@@ -15,10 +16,23 @@
 namespace carom::render {
 namespace {
 
+/// What a frame consists of.
+struct Planes {
+    Film film;
+    AovPlanes aovs;
+    DenoiserPlanes denoiser;
+
+    void write(const TileRenderer& tiles, int tile, const TileSums& sums) {
+        tiles.write(tile, sums, film);
+        tiles.write(tile, sums, aovs);
+        tiles.write(tile, sums, denoiser);
+    }
+};
+
 /// Takes all samples of a tile before those of the next one. Unless `sums` has room for all, only
 /// the sums of the tiles in work are in memory.
 void render_evenly(const FrameWork& work, const WorkContext& context, FrameSums::Data& sums,
-                   Film& film, AovPlanes& aovs) {
+                   Planes& planes) {
     constexpr std::size_t kSide = TileRenderer::kTileSize;
     const TileRenderer& tiles = work.tiles();
     TileProgress progress(context.progress, tiles.tile_count());
@@ -31,8 +45,7 @@ void render_evenly(const FrameWork& work, const WorkContext& context, FrameSums:
             const RenderStatistics count =
                 tiles.add_samples(tile, pixels, {tiles.samples()}, context.stop);
             if (!context.stop.stop_requested()) {
-                tiles.write(tile, pixels, film);
-                tiles.write(tile, pixels, aovs);
+                planes.write(tiles, tile, pixels);
             }
             return count;
         },
@@ -40,7 +53,7 @@ void render_evenly(const FrameWork& work, const WorkContext& context, FrameSums:
 }
 
 void render_adaptively(const FrameWork& work, const WorkContext& context, FrameSums::Data& sums,
-                       Film& film, AovPlanes& aovs) {
+                       Planes& planes) {
     using Clock = std::chrono::steady_clock;
     const TileRenderer& tiles = work.tiles();
     const int count = tiles.tile_count();
@@ -74,8 +87,7 @@ void render_adaptively(const FrameWork& work, const WorkContext& context, FrameS
             const RenderStatistics rays =
                 tiles.add_samples(tile, pixels, SampleLimit::planned(sums.plan), context.stop);
             if (!context.stop.stop_requested()) {
-                tiles.write(tile, pixels, film);
-                tiles.write(tile, pixels, aovs);
+                planes.write(tiles, tile, pixels);
             }
             return rays;
         },
@@ -100,22 +112,23 @@ Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks
     const FlushDenormals flush;  // while Embree builds
     const FrameWork work(scene, tracks, frame, settings,
                          probe != nullptr ? probe->options : StructureOptions{});
-    Film film = work.empty_film();
-    AovPlanes aovs = work.make_aovs(settings.aovs);
+    Planes planes{work.empty_film(), work.make_aovs(settings.aovs), work.make_denoiser_planes()};
     FrameSums own;
     FrameSums::Data& data = sums != nullptr ? sums->data() : own.data();
     if (sums != nullptr || work.tiles().is_adaptive()) {
         make_room(data, work.pixel_count());
     }
     if (work.tiles().is_adaptive()) {
-        render_adaptively(work, context, data, film, aovs);
+        render_adaptively(work, context, data, planes);
     } else {
-        render_evenly(work, context, data, film, aovs);
+        render_evenly(work, context, data, planes);
     }
+    Film film = std::move(planes.film);
     film.statistics = data.statistics;
-    work.add_reflections(film, context);
-    film.aovs = aovs.take();
-    film.notes = aovs.take_notes();
+    work.add_reflections(film, planes.denoiser, context);
+    film.aovs = planes.aovs.take();
+    film.notes = planes.aovs.take_notes();
+    planes.denoiser.append_to(film);
     if (probe != nullptr) {
         probe->cost = work.scene().cost();
     }

@@ -109,15 +109,18 @@ std::vector<int> FrameProbe::Data::plan() {
 std::vector<Film> FrameProbe::Data::films(const std::vector<ProbeBlock>& chosen,
                                           std::size_t first) {
     AovPlanes planes = work.make_aovs(work.settings().aovs);
+    DenoiserPlanes denoiser = work.make_denoiser_planes();
     Film whole = work.empty_film();
     for (std::size_t n = first; n < tiles.size(); ++n) {
         const double begin = thread_cpu_seconds();
         const TileSums tile{&sums[n * kTilePixels], std::size_t{kSide}};
         work.tiles().write(tiles[n].index, tile, whole);
         work.tiles().write(tiles[n].index, tile, planes);
+        work.tiles().write(tiles[n].index, tile, denoiser);
         tiles[n].seconds += thread_cpu_seconds() - begin;
     }
     whole.aovs = planes.take();
+    denoiser.append_to(whole);
     std::vector<Film> films;
     films.reserve(chosen.size());
     for (const ProbeBlock& block : chosen) {
@@ -157,7 +160,7 @@ double FrameProbe::Data::reflection_seconds() const {
     const double begin = thread_cpu_seconds();
     RenderStatistics none;
     for (std::size_t i = 0; i < measured; ++i) {
-        (void)work.tiles().reflection(i * number / measured, samples / cost.pixels, none);
+        (void)work.tiles().reflection(i * number / measured, samples / cost.pixels, 0, none);
     }
     return (thread_cpu_seconds() - begin) * static_cast<double>(number) /
            static_cast<double>(measured);

@@ -11,8 +11,32 @@
 namespace carom::render {
 namespace {
 
-constexpr std::array<char, 8> kMagic{'c', 'a', 'r', 'o', 'm', 's', 'u', '1'};
+constexpr std::array<char, 8> kMagic{'c', 'a', 'r', 'o', 'm', 's', 'u', '2'};
 constexpr std::size_t kPiece = std::size_t{1} << 20;  // bytes
+
+/// Calls `visit` for each value of a pixel except its lists.
+template <class Visit, class Pixel>
+requires std::is_same_v<std::remove_const_t<Pixel>, PixelSums>
+void for_each_value(Visit& visit, Pixel& pixel) {
+    visit(pixel.radiance);
+    visit(pixel.normal);
+    visit(pixel.albedo);
+    visit(pixel.coverage);
+    visit(pixel.luminance);
+    visit(pixel.luminance2);
+    visit(pixel.samples);
+    visit(pixel.groups);
+}
+
+template <class Visit, class Half>
+requires std::is_same_v<std::remove_const_t<Half>, HalfSums>
+void for_each_value(Visit& visit, Half& half) {
+    visit(half.radiance);
+    visit(half.albedo);
+    visit(half.normal);
+    visit(half.light);
+    visit(half.samples);
+}
 
 /// Collects small values into pieces.
 class Writer {
@@ -20,6 +44,8 @@ class Writer {
     explicit Writer(const FrameSums::Sink& sink) : sink_(sink) { buffer_.reserve(kPiece); }
 
     void operator()(const Vec3& value) { (*this)(std::array{value.x, value.y, value.z}); }
+    void operator()(const V3f& value) { (*this)(std::array{value.x, value.y, value.z}); }
+    void operator()(const HalfSums& half) { for_each_value(*this, half); }
     template <class Value>
     void operator()(const Value& value) {
         static_assert(std::is_trivially_copyable_v<Value>);
@@ -62,6 +88,12 @@ class Reader {
         (*this)(xyz);
         value = {xyz[0], xyz[1], xyz[2]};
     }
+    void operator()(V3f& value) {
+        std::array<float, 3> xyz{};
+        (*this)(xyz);
+        value = {xyz[0], xyz[1], xyz[2]};
+    }
+    void operator()(HalfSums& half) { for_each_value(*this, half); }
     template <class Value>
     void operator()(Value& value) {
         static_assert(std::is_trivially_copyable_v<Value>);
@@ -82,19 +114,6 @@ class Reader {
     const FrameSums::Source& source_;
     bool is_good_ = true;
 };
-
-/// Calls `visit` for each value of a pixel except the list of objects.
-template <class Visit, class Pixel>
-void for_each_value(Visit& visit, Pixel& pixel) {
-    visit(pixel.radiance);
-    visit(pixel.normal);
-    visit(pixel.albedo);
-    visit(pixel.coverage);
-    visit(pixel.luminance);
-    visit(pixel.luminance2);
-    visit(pixel.samples);
-    visit(pixel.groups);
-}
 
 }  // namespace
 
@@ -121,6 +140,7 @@ void FrameSums::save(const Sink& sink) const {
     for (const PixelSums& pixel : data_->pixels) {
         for_each_value(write, pixel);
         write.list(pixel.objects);
+        write.list(pixel.halves);
     }
     write.flush();
 }
@@ -143,6 +163,7 @@ std::optional<FrameSums> FrameSums::load(const Source& source, std::size_t pixel
     for (PixelSums& pixel : data.pixels) {
         for_each_value(read, pixel);
         read.list(pixel.objects);
+        read.list(pixel.halves);
     }
     if (!read.is_good() || (!data.plan.empty() && data.plan.size() != pixels)) {
         return std::nullopt;

@@ -33,11 +33,18 @@ class FrameWork {
     /// The planes of the channels with these names.
     [[nodiscard]] AovPlanes make_aovs(const std::vector<std::string>& names) const;
 
+    /// The planes for the denoiser; empty unless the settings ask for them.
+    [[nodiscard]] DenoiserPlanes make_denoiser_planes() const;
+
     /// Adds the images of lights in balls, with as many samples as the pixels of `film` have on
-    /// average, and counts their rays in `film`. Throws Stopped.
-    void add_reflections(Film& film, const WorkContext& context) const;
+    /// average, and counts their rays in `film`; their halves to `planes` unless these are empty.
+    /// Throws Stopped.
+    void add_reflections(Film& film, DenoiserPlanes& planes, const WorkContext& context) const;
 
   private:
+    void add_reflections(Film& film, double samples, int half, RenderStatistics& statistics,
+                         const WorkContext& context) const;
+
     const PreparedScene& prepared_;
     RenderSettings settings_;
     FrameInput frame_;

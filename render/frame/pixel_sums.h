@@ -12,6 +12,23 @@
 
 namespace carom::render {
 
+/// Of the samples of one half of a pixel.
+struct HalfSums {
+    V3f radiance{0, 0, 0};
+    V3f albedo{0, 0, 0};
+    V3f normal{0, 0, 0};
+    V3f light{0, 0, 0};
+    int samples = 0;
+
+    void add(const RadianceSample& sample) {
+        radiance += sample.radiance;
+        albedo += sample.albedo;
+        normal += sample.normal;
+        light += sample.light;
+        samples += 1;
+    }
+};
+
 /// In double, so that thousands of samples lose no precision. Samples are added in their order.
 struct PixelSums {
     static constexpr int kGroups = 4;
@@ -28,6 +45,14 @@ struct PixelSums {
     std::array<float, kGroups> groups{};
     /// How many samples hit which object; empty unless objects are counted.
     std::vector<ObjectCount> objects;
+    /// Of the two halves of the samples; empty unless they are kept apart.
+    std::vector<HalfSums> halves;
+
+    /// Adds the sample to its half: even ones to the first.
+    void add_to_half(const RadianceSample& sample) {
+        halves.resize(2);
+        halves[static_cast<std::size_t>(samples % 2)].add(sample);
+    }
 
     /// Adds the sample with the index `samples`. `group`: the quarter that it belongs to, or -1.
     void add(const RadianceSample& sample, int group = -1) {

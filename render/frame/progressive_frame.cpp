@@ -50,6 +50,7 @@ struct ProgressiveFrame::Data {
     }
 
     void add_samples(int up_to, const WorkContext& context);
+    void add_reflections(Film& film, const WorkContext& context) const;
     template <class Write>
     void write_tiles(const WorkContext& context, const Write& write);
 };
@@ -124,12 +125,18 @@ const RenderStatistics& ProgressiveFrame::statistics() const {
     return data_->sums.statistics;
 }
 
+/// Without planes for the denoiser, even if the settings ask for them.
+void ProgressiveFrame::Data::add_reflections(Film& film, const WorkContext& context) const {
+    DenoiserPlanes planes = work.make_denoiser_planes();
+    work.add_reflections(film, planes, context);
+}
+
 Film ProgressiveFrame::picture(const WorkContext& context) const {
     Film film = data_->work.empty_film();
     data_->write_tiles(
         context, [&](int tile, const TileSums& sums) { data_->tiles().write(tile, sums, film); });
     film.statistics = data_->sums.statistics;
-    data_->work.add_reflections(film, context);
+    data_->add_reflections(film, context);
     return film;
 }
 
@@ -145,15 +152,19 @@ std::vector<Channel> ProgressiveFrame::channels(const std::string& aov,
 }
 
 Film ProgressiveFrame::film(const WorkContext& context) const {
-    Film film = picture(context);
+    Film film = data_->work.empty_film();
     AovPlanes planes = data_->work.make_aovs(data_->work.settings().aovs);
-    if (!planes.empty()) {
-        data_->write_tiles(context, [&](int tile, const TileSums& sums) {
-            data_->tiles().write(tile, sums, planes);
-        });
-    }
+    DenoiserPlanes denoiser = data_->work.make_denoiser_planes();
+    data_->write_tiles(context, [&](int tile, const TileSums& sums) {
+        data_->tiles().write(tile, sums, film);
+        data_->tiles().write(tile, sums, planes);
+        data_->tiles().write(tile, sums, denoiser);
+    });
+    film.statistics = data_->sums.statistics;
+    data_->work.add_reflections(film, denoiser, context);
     film.aovs = planes.take();
     film.notes = planes.take_notes();
+    denoiser.append_to(film);
     return film;
 }
 

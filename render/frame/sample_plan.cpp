@@ -99,7 +99,9 @@ std::vector<int> plan_samples(const std::vector<PixelSums>& pilot, const RenderS
         value = std::sqrt(value * settings.samples);  // of one sample
     }
     const double scale = samples_per_deviation(deviations, settings);
-    const int quantum = settings.samples / PixelSums::kGroups;
+    const int group = settings.samples / PixelSums::kGroups;
+    const int quantum =
+        settings.for_denoiser ? group + group % 2 : group;  // both halves grow alike
     std::vector<int> plan;
     plan.reserve(pilot.size());
     for (const double deviation : deviations) {

@@ -58,6 +58,9 @@ std::size_t SampleQueue::trace() {
 void SampleQueue::flush() {
     const std::size_t traced = trace();
     for (std::size_t i = 0; i < traced; ++i) {
+        if (setting_.keeps_halves) {
+            pixels_[i].sums->add_to_half(results_[i]);
+        }
         pixels_[i].sums->add(results_[i], pixels_[i].group);
         if (setting_.counts_objects) {
             pixels_[i].sums->count_object(results_[i].object);

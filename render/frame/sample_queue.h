@@ -23,6 +23,7 @@ class SampleQueue {
         float pixel_spread;
         std::size_t traced_at_once;  // samples between two checks for a stop request
         bool counts_objects;         // that samples hit
+        bool keeps_halves = false;   // of the samples apart
     };
     SampleQueue(const Setting& setting, std::stop_token stop, RenderStatistics& count);
 

@@ -49,6 +49,11 @@ CameraState as_seen(CameraState state, const RenderSettings& settings) {
     return state;
 }
 
+/// The halves of a frame's samples are two nets with scrambling of their own.
+std::uint64_t seed_of_half(std::uint64_t seed, int half) {
+    return half == 0 ? seed : seed ^ 0x9e3779b97f4a7c15;  // a number without structure
+}
+
 int tiles_along(int pixels) {
     return (pixels + TileRenderer::kTileSize - 1) / TileRenderer::kTileSize;
 }
@@ -73,6 +78,10 @@ TileRenderer::TileRenderer(const RenderSettings& settings, const FrameInput& fra
       samples_at_once_(settings.integrator == IntegratorKind::distributed ? 1 : kPathSamplesAtOnce),
       fixings_{is_off(settings, &DistributedSettings::pixel_samples),
                is_off(settings, &DistributedSettings::blur_samples)},
+      feature_tracer_(settings.for_denoiser
+                          ? std::make_unique<FeatureTracer>(*integrator_, camera_, fixings_,
+                                                            pixel_spread_, frame.seed)
+                          : nullptr),
       counts_objects_(std::any_of(settings.aovs.begin(), settings.aovs.end(), is_matte)),
       tiles_x_(tiles_along(settings.width)),
       tiles_y_(tiles_along(settings.height)) {}
@@ -107,9 +116,9 @@ RenderStatistics TileRenderer::add_samples(int tile, const TileSums& sums, const
     if (is_done(tile, sums, limit)) {
         return count;
     }
-    SampleQueue queue(
-        {*integrator_, camera_, fixings_, pixel_spread_, samples_at_once_, counts_objects_}, stop,
-        count);
+    SampleQueue queue({*integrator_, camera_, fixings_, pixel_spread_, samples_at_once_,
+                       counts_objects_, settings_.for_denoiser},
+                      stop, count);
     for_each_pixel(tile, [&](int x, int y) {
         if (!stop.stop_requested()) {
             request(x, y, limit.at(index(x, y)), at(tile, sums, x, y), queue);
@@ -123,10 +132,18 @@ RenderStatistics TileRenderer::add_samples(int tile, const TileSums& sums, const
 void TileRenderer::request(int x, int y, int samples, PixelSums& sums, SampleQueue& queue) const {
     const SampleStream first(seed_, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
                              0);
+    const SampleStream second(seed_of_half(seed_, 1), static_cast<std::uint32_t>(x),
+                              static_cast<std::uint32_t>(y), 0);
     const int group_samples = is_adaptive() ? settings_.samples / PixelSums::kGroups : 0;
     for (int sample = sums.samples; sample < samples; ++sample) {
         const int group = sample < PixelSums::kGroups * group_samples ? sample / group_samples : -1;
-        queue.add(first.of_sample(static_cast<std::uint32_t>(sample)), {x, y, sample}, sums, group);
+        const auto number = static_cast<std::uint32_t>(sample);
+        if (settings_.for_denoiser) {
+            const SampleStream& half = sample % 2 == 0 ? first : second;
+            queue.add(half.of_sample(number / 2), {x, y, sample}, sums, group);
+        } else {
+            queue.add(first.of_sample(number), {x, y, sample}, sums, group);
+        }
     }
 }
 
@@ -155,6 +172,23 @@ void TileRenderer::write(int tile, const TileSums& sums, AovPlanes& aovs) const 
         if (pixel.samples > 0) {
             aovs.write(x, y, pixel.means());
         }
+    });
+}
+
+void TileRenderer::write(int tile, const TileSums& sums, DenoiserPlanes& planes) const {
+    if (planes.empty()) {
+        return;
+    }
+    std::vector<FeaturePixel> pixels;
+    for_each_pixel(tile, [&](int x, int y) {
+        pixels.push_back({x, y, half_means(at(tile, sums, x, y), 0).features,
+                          half_means(at(tile, sums, x, y), 1).features});
+    });
+    feature_tracer_->trace(pixels);
+    std::size_t i = 0;
+    for_each_pixel(tile, [&](int x, int y) {
+        planes.write(x, y, at(tile, sums, x, y), pixels[i].exact);
+        ++i;
     });
 }
 
@@ -196,9 +230,9 @@ std::size_t TileRenderer::reflection_count() const {
     return light_tracer_ ? light_tracer_->pair_count() : 0;
 }
 
-std::vector<Splat> TileRenderer::reflection(std::size_t index, double samples,
+std::vector<Splat> TileRenderer::reflection(std::size_t index, double samples, int half,
                                             RenderStatistics& count) const {
-    return light_tracer_->splats(index, samples, seed_, count);
+    return light_tracer_->splats(index, samples, seed_of_half(seed_, half), count);
 }
 
 void TileRenderer::add(const std::vector<Splat>& splats, Film& film) const {

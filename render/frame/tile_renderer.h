@@ -11,6 +11,8 @@
 #include "render/camera/thin_lens_camera.h"
 #include "render/film/film.h"
 #include "render/frame/aov_planes.h"
+#include "render/frame/denoiser_planes.h"
+#include "render/frame/feature_tracer.h"
 #include "render/frame/frame.h"
 #include "render/frame/pixel_sums.h"
 #include "render/frame/sample_queue.h"
@@ -67,6 +69,8 @@ class TileRenderer {
     void write(int tile, const TileSums& sums, Film& film) const;
     /// Writes the tile's pixels of other channels, except pixels without a sample.
     void write(int tile, const TileSums& sums, AovPlanes& aovs) const;
+    /// Writes what the denoiser needs of the tile's pixels, for which camera rays are traced.
+    void write(int tile, const TileSums& sums, DenoiserPlanes& planes) const;
 
     /// Standard deviations of the samples of some of the tile's pixels, means over blocks of 4x4.
     [[nodiscard]] std::vector<double> deviations(int tile,
@@ -78,7 +82,8 @@ class TileRenderer {
     /// (light_tracer.h), each of which adds to any pixels. They may be computed concurrently but
     /// are added in their order.
     [[nodiscard]] std::size_t reflection_count() const;
-    [[nodiscard]] std::vector<Splat> reflection(std::size_t index, double samples,
+    /// `half`: of which half of the samples, if these are kept apart.
+    [[nodiscard]] std::vector<Splat> reflection(std::size_t index, double samples, int half,
                                                 RenderStatistics& count) const;
     void add(const std::vector<Splat>& splats, Film& film) const;
 
@@ -107,6 +112,7 @@ class TileRenderer {
     int samples_;  // per pixel
     std::size_t samples_at_once_;
     CameraFixings fixings_;
+    std::unique_ptr<const FeatureTracer> feature_tracer_;  // for the denoiser only
     bool counts_objects_;
     int tiles_x_;
     int tiles_y_;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 
+#include "render/acceleration/ray_batch.h"
 #include "render/film/film.h"
 #include "render/geometry/ray.h"
 #include "render/sampling/sampler.h"
@@ -17,6 +18,7 @@ struct RadianceSample {
     float coverage = 0;   // 1 if the camera ray hit something
     V3f normal{0, 0, 0};  // at the hit, world axes, towards the camera
     V3f albedo{0, 0, 0};
+    V3f light{0, 0, 0};  // of the radiance: what the camera sees directly, of lights and room
     std::uint32_t object = kNoObject;  // that was hit; lights are numbered after the objects
 };
 
@@ -61,6 +63,11 @@ class Integrator {
                                                 const SampleStream& stream,
                                                 const SampleIndex& index,
                                                 RenderStatistics& count) const = 0;
+
+    /// What rays from the camera see: all of `sample` except the radiance. Only of integrators that
+    /// follow paths; the others set nothing. At most CameraBatch::kMost rays.
+    virtual void look(const RayBatch& /*rays*/, float /*pixel_spread*/,
+                      std::span<RadianceSample> /*results*/) const {}
 
   protected:
     Integrator() = default;

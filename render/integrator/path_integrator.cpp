@@ -9,6 +9,7 @@
 
 #include "core/assert.h"
 #include "core/colour.h"
+#include "render/camera/camera_batch.h"
 #include "render/geometry/validity.h"
 #include "render/integrator/scalar_kernels.h"
 
@@ -56,6 +57,47 @@ RadianceSample PathIntegrator::sample(const Ray& camera_ray, float pixel_spread,
     count.camera_rays += 1;
     follow(path, work);
     return total(work);
+}
+
+void PathIntegrator::look(const RayBatch& rays, float pixel_spread,
+                          std::span<RadianceSample> results) const {
+    constexpr int kRoom = 16;  // behind the last ray, for vector code
+    std::array<Hit, CameraBatch::kMost + kRoom> hits;
+    scene_.frame.structure().closest_hits(rays, hits.data());
+    for (int i = 0; i < rays.count; ++i) {
+        Path path{rays.ray(i, kInfinity)};
+        path.spread = pixel_spread;
+        const auto index = static_cast<std::size_t>(i);
+        results[index] = seen(path, hits[index]);
+    }
+}
+
+/// What the path sees at its first hit, as `sample` does.
+RadianceSample PathIntegrator::seen(const Path& path, const Hit& hit) const {
+    RadianceSample result;
+    if (hit.object == kNoObject) {
+        result.light = direct_.environment(path);
+        return result;
+    }
+    result.coverage = 1;
+    result.object = hit.object;
+    if (scene_.is_light(hit)) {
+        result.light = direct_.hit_light(path, hit);
+        result.normal = -path.ray.direction;
+        return result;
+    }
+    const SurfacePoint point = scene_.frame.surface_at(path.ray, hit);
+    const Material& material = scene_.materials[point.material];
+    const float cosine = -point.geometric_normal.dot(path.ray.direction);
+    if (cosine > 0 && material.is_emissive()) {
+        result.light = direct_.hit_emitter(path, hit, material.emission(), cosine);
+    }
+    Path arrived = path;
+    arrived.width += path.spread * hit.t;
+    const Surface surface = resolve(arrived, point);
+    result.normal = surface.frame.z;
+    result.albedo = surface.base;
+    return result;
 }
 
 RadianceSample PathIntegrator::total(PathWork& work) const {

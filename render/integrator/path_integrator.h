@@ -36,6 +36,9 @@ struct PathWork {
 
     void add(const V3f& radiance, int scatterings) {
         validate(radiance);
+        if (scatterings == 0) {
+            result.light += radiance;
+        }
         (scatterings <= 1 ? direct : indirect) += radiance;
     }
 
@@ -58,6 +61,9 @@ class PathIntegrator final : public Integrator {
     [[nodiscard]] RadianceSample sample(const Ray& camera_ray, float pixel_spread,
                                         const SampleStream& stream, const SampleIndex& index,
                                         RenderStatistics& count) const override;
+
+    void look(const RayBatch& rays, float pixel_spread,
+              std::span<RadianceSample> results) const override;
 
     // For an integrator that carries many paths and leaves some of their vertices to this one.
 
@@ -85,6 +91,7 @@ class PathIntegrator final : public Integrator {
 
   private:
     void follow(Path path, PathWork& work) const;
+    [[nodiscard]] RadianceSample seen(const Path& path, const Hit& hit) const;
     [[nodiscard]] bool process_hit(Path& path, const Hit& hit, PathWork& work) const;
     [[nodiscard]] Surface resolve(const Path& path, const SurfacePoint& point) const;
     [[nodiscard]] bool scatter(Path& path, const ShadingVertex& vertex, const V2f& u,

@@ -45,6 +45,9 @@ struct RenderSettings {
     AccelerationKind acceleration = AccelerationKind::hybrid;
     std::uint64_t seed = 0;         // chooses the noise only
     std::vector<std::string> aovs;  // by the names in render/frame/aov_planes.h
+    /// Samples are taken in two halves, and the frame has the channels that the denoiser needs
+    /// (render/frame/denoiser_planes.h). Not with the distributed integrator.
+    bool for_denoiser = false;
 
     bool operator==(const RenderSettings&) const = default;
 };

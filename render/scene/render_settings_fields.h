@@ -19,13 +19,14 @@ constexpr auto fields_of(Describes<DistributedSettings>) {
 
 constexpr auto fields_of(Describes<RenderSettings>) {
     using T = RenderSettings;
-    return fields<T>(
-        field("width", &T::width), field("height", &T::height), field("integrator", &T::integrator),
-        field("samples", &T::samples), field("noise", &T::noise),
-        field("max_samples", &T::max_samples), field("max_bounces", &T::max_bounces),
-        field("distributed", &T::distributed), field("clamp", &T::clamp),
-        field("filter", &T::filter), field("filter_width", &T::filter_width),
-        field("acceleration", &T::acceleration), field("seed", &T::seed), field("aovs", &T::aovs));
+    return fields<T>(field("width", &T::width), field("height", &T::height),
+                     field("integrator", &T::integrator), field("samples", &T::samples),
+                     field("noise", &T::noise), field("max_samples", &T::max_samples),
+                     field("max_bounces", &T::max_bounces), field("distributed", &T::distributed),
+                     field("clamp", &T::clamp), field("filter", &T::filter),
+                     field("filter_width", &T::filter_width),
+                     field("acceleration", &T::acceleration), field("seed", &T::seed),
+                     field("aovs", &T::aovs), field("for_denoiser", &T::for_denoiser));
 }
 
 }  // namespace carom::render

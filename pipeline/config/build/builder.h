@@ -53,9 +53,10 @@ void build_objects(Builder& builder);
 void build_table_scene(Builder& builder);  // the geometry of the table
 void build_look(Builder& builder);         // materials and lights
 void build_events(Builder& builder);
-void build_film(Builder& builder);    // cameras, timing, render and output settings
-void check_output(Builder& builder);  // video format, overlay
-void check_poster(Builder& builder);  // after the cameras, which determine the film's duration
+void build_film(Builder& builder);     // cameras, timing, render and output settings
+void apply_denoise(Builder& builder);  // what it asks of the render settings
+void check_output(Builder& builder);   // video format, overlay
+void check_poster(Builder& builder);   // after the cameras, which determine the film's duration
 void check_references(Builder& builder);
 void check_placement(Builder& builder);            // overlaps, balls in cushions
 void warn_about_ball_positions(Builder& builder);  // far away or under the table

@@ -150,6 +150,7 @@ void build_film(Builder& builder) {
     shot.timing.shutter.clock = render.shutter.clock;
     shot.timing.shutter.position = render.shutter.position;
     shot.timing.shutter.switch_ratio = render.shutter.switch_ratio;
+    apply_denoise(builder);
     check_output(builder);
     check_exposure(builder);
     add_cameras(builder);

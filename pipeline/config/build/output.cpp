@@ -60,6 +60,39 @@ Place place_of_setting(const Builder& builder, const std::vector<std::string>& k
     return last;
 }
 
+/// Why the frames cannot be denoised; empty if they can.
+std::string denoising_problem(const render::RenderSettings& render) {
+    if (render.integrator == render::IntegratorKind::distributed) {
+        return "frames of the integrator 'distributed' cannot be denoised";
+    }
+    if (render.samples < 2 || render.samples % 2 != 0) {
+        return "frames can only be denoised with an even number of 'samples', because they are "
+               "taken in two halves";
+    }
+    return {};
+}
+
+/// Where frames cannot be denoised, that is an error of the shot, but a preset only switches it on
+/// where it can.
+void apply_denoise(Builder& builder) {
+    Shot& shot = builder.shot;
+    if (shot.output.denoise.strength <= 0) {
+        return;
+    }
+    const std::string problem = denoising_problem(shot.render);
+    if (problem.empty()) {
+        shot.render.for_denoiser = true;
+        return;
+    }
+    const Place place = place_of_setting(builder, {"denoise"});
+    if (precedence(builder, place) > 0) {
+        builder.reader.error(place, problem);
+    } else {
+        builder.reader.warning(place, problem + "; they stay as they are");
+        shot.output.denoise.strength = 0;
+    }
+}
+
 /// The size of the picture is not checked here: whether it is possible depends on the type of the
 /// output file, which only the command knows.
 void check_output(Builder& builder) {

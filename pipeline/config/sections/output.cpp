@@ -68,6 +68,23 @@ const MapSpec<OcioSettings>& ocio_spec() {
     return spec;
 }
 
+const MapSpec<DenoiseSettings>& denoise_spec() {
+    static const MapSpec<DenoiseSettings> spec = [] {
+        MapSpec<DenoiseSettings> s("denoise", "The noise of sampling is filtered out.");
+        s.key("strength", &DenoiseSettings::strength, number(between(0, 1)),
+              "how much of the filtered picture is shown; the rest is the noisy one");
+        return s;
+    }();
+    return spec;
+}
+
+/// `true` is the full strength, `false` none.
+ValueType<DenoiseSettings> denoise() {
+    const auto word = convert<DenoiseSettings>(
+        boolean(), [](bool is_on) { return DenoiseSettings{is_on ? 1.0 : 0.0}; });
+    return any_of<DenoiseSettings>({{is_scalar, word}, {is_map, record(denoise_spec())}});
+}
+
 const MapSpec<GlowSettings>& glow_spec() {
     static const MapSpec<GlowSettings> spec = [] {
         MapSpec<GlowSettings> s("glow", "Light that lens and eye scatter around bright points.");
@@ -155,6 +172,9 @@ const MapSpec<OutputSettings>& output_spec() {
               "the numbers as they are");
         s.key("ocio", &OutputSettings::ocio, record(ocio_spec()),
               "display, view and colour space for `view: ocio`");
+        s.key("denoise", &OutputSettings::denoise, denoise(),
+              "whether the noise of sampling is filtered out of the finished frames: true, or how "
+              "strongly. The samples of a frame are then taken in two halves");
         s.key("glow", &OutputSettings::glow, record(glow_spec()),
               "light that lens and eye scatter around bright points");
         s.check([](Reader& reader, const Node& node, OutputSettings& output) {

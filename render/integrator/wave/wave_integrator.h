@@ -33,6 +33,10 @@ class WaveIntegrator final : public Integrator {
     void samples(std::span<const CameraTask> tasks, float pixel_spread,
                  std::span<RadianceSample> results, Workspace* workspace,
                  RenderStatistics& count) const override;
+    void look(const RayBatch& rays, float pixel_spread,
+              std::span<RadianceSample> results) const override {
+        path_integrator_.look(rays, pixel_spread, results);
+    }
 
   private:
     struct Wave;

@@ -81,6 +81,18 @@ TEST(Output, ViewsAndGlow_FillEveryField) {
     EXPECT_EQ(load_sections("output: {view: agx}\n").output.view, ViewTransform::agx);
 }
 
+TEST(Output, Denoise_IsWordOrStrengthAndSetsTheRenderer) {
+    const Shot plain = load_sections("output: {denoise: false}\n");
+    EXPECT_EQ(plain.output.denoise.strength, 0);
+    EXPECT_FALSE(plain.render.for_denoiser);
+    const Shot full = load_sections("output: {denoise: true}\nrender: {samples: 8}\n");
+    EXPECT_EQ(full.output.denoise.strength, 1);
+    EXPECT_TRUE(full.render.for_denoiser);
+    const Shot half = load_sections("output: {denoise: {strength: 0.5}}\nrender: {samples: 8}\n");
+    EXPECT_EQ(half.output.denoise.strength, 0.5);
+    EXPECT_TRUE(half.render.for_denoiser);
+}
+
 std::vector<std::string> shipped_shots() {
     std::vector<std::string> files;
     const std::filesystem::path examples = std::string(CAROM_SOURCE_DIR) + "/examples";

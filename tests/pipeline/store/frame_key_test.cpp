@@ -166,10 +166,23 @@ TEST(FrameKey, EverySettingOfTheIntegrator_Enters) {
         const bool is_used = !place.starts_with(".distributed");
         EXPECT_EQ(keys.insert(i.key()).second, counts && is_used) << place;
     }).of(i.settings);
-    EXPECT_EQ(keys.size(), 1U + 12 + 2);  // an entry of the list of planes, and its change
+    EXPECT_EQ(keys.size(), 1U + 13 + 2);  // an entry of the list of planes, and its change
     (void)distributed(i);
     EXPECT_EQ(carom::test::expect_changes_count(i.settings.distributed, [&] { return i.key(); }),
               1U + 9);
+}
+
+TEST(FrameKey, DenoisedPicture_HasAnotherKeyForEveryFrameAndStrength) {
+    const Hash128 one = key_with([](Inputs&) {});
+    const Hash128 other = key_with([](Inputs& i) { i.settings.samples += 2; });
+    const std::set<Hash128> keys{one,
+                                 other,
+                                 denoised_key(one, 1),
+                                 denoised_key(one, 0.5),
+                                 denoised_key(other, 1),
+                                 denoised_key(denoised_key(one, 1), 1)};
+    EXPECT_EQ(keys.size(), 6U);
+    EXPECT_EQ(denoised_key(one, 1), denoised_key(one, 1));
 }
 
 TEST(FrameKey, EveryVisibleChange_ChangesIt) {

@@ -42,6 +42,19 @@ inline RenderSettings distributed_settings() {
     return settings;
 }
 
+inline RenderSettings denoiser_settings() {
+    RenderSettings settings = settings_with_channels();
+    settings.for_denoiser = true;
+    return settings;
+}
+
+inline RenderSettings adaptive_denoiser_settings() {
+    RenderSettings settings = adaptive_settings();
+    settings.samples = 12;  // quarters have an odd number of samples
+    settings.for_denoiser = true;
+    return settings;
+}
+
 inline void expect_same(const Film& film, const Film& expected) {
     EXPECT_EQ(film.width, expected.width);
     EXPECT_EQ(film.height, expected.height);
@@ -58,11 +71,13 @@ inline void expect_same(const Film& film, const Film& expected) {
 }
 
 inline std::vector<RenderSettings> ways_to_sample() {
-    return {settings_with_channels(), adaptive_settings(), distributed_settings()};
+    return {settings_with_channels(), adaptive_settings(), distributed_settings(),
+            denoiser_settings(), adaptive_denoiser_settings()};
 }
 
 inline std::string name_of_way(const testing::TestParamInfo<RenderSettings>& tested) {
-    return std::array{"Even", "Adaptive", "Distributed"}.at(tested.index);
+    return std::array{"Even", "Adaptive", "Distributed", "ForDenoiser", "AdaptiveForDenoiser"}.at(
+        tested.index);
 }
 
 }  // namespace carom::test

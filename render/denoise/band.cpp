@@ -1,0 +1,227 @@
+#include "render/denoise/band.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "render/acceleration/flush_denormals.h"
+#include "render/denoise/tile_regression.h"
+#include "render/threads/thread_arena.h"
+
+namespace carom::render {
+namespace {
+
+// Radii of squares in pixels, chosen with those of denoise_kernels.h.
+constexpr int kLevel = 8;      // whose squared differences set the level of the variance
+constexpr int kNearLevel = 2;  // whose squared differences bound it from below
+constexpr int kShape = 1;      // over which the known variance is smoothed
+constexpr int kError = 5;      // over which errors are compared
+constexpr int kMask = 2;       // over which the choice is smoothed
+
+constexpr float kLargest = 65504;  // that a frame's file holds
+
+float finite(float value) {
+    return std::isfinite(value) ? std::clamp(value, -kLargest, kLargest) : 0.0F;
+}
+
+/// Calls `row` for all rows, in parallel.
+template <class Row>
+void for_rows(const RowRange& rows, const Row& row) {
+    parallel_for(static_cast<std::size_t>(rows.count()), [&](std::size_t i) {
+        const FlushDenormals flush;
+        row(rows.first + static_cast<int>(i));
+    });
+}
+
+template <class Value>
+void fill_row(Plane& plane, int y, int width, const Value& value) {
+    float* row = plane.row(y);
+    const std::ptrdiff_t first = std::ptrdiff_t{y} * width;
+    for (int x = 0; x < width; ++x) {
+        row[x] = value(first + x);
+    }
+    plane.extend(y);
+}
+
+ColourPlane colour_plane(const RowRange& rows, int width) {
+    ColourPlane result;
+    result.fill(Plane(rows, width));
+    return result;
+}
+
+BandPlanes make_planes(const DenoiseInput& input, const RowRange& rows) {
+    BandPlanes planes;
+    const int width = planes.width = input.width;
+    const int height = planes.height = input.height;
+    planes.chunks = rounded_up(width) / kChunk;
+    planes.rows = rows;
+    planes.predicted = rows.widened(kError + kMask, height);
+    planes.weighed = planes.predicted.widened(kWindow + kPatch, height);
+    planes.known = planes.weighed.widened(kLevel, height);
+    planes.mean = planes.difference = planes.squares = colour_plane(planes.known, width);
+    planes.half.fill(planes.mean);
+    planes.variance = colour_plane(planes.weighed, width);
+    planes.shape = input.variance.first != nullptr ? Plane(planes.known, width) : Plane();
+    planes.exact.assign(input.features.size(), Plane(planes.predicted, width));
+    planes.features.fill(std::vector<Plane>(input.features.size(), Plane(planes.weighed, width)));
+    planes.prediction.fill(colour_plane(planes.predicted, width));
+    planes.noisy_error = planes.filtered_error = planes.squared_excess =
+        Plane(planes.predicted, width);
+    planes.mean_noisy_error = planes.mean_filtered_error = planes.mask =
+        Plane(rows.widened(kMask, height), width);
+    return planes;
+}
+
+}  // namespace
+
+Band::Band(const DenoiseInput& input, const RowRange& rows)
+    : input_(input), kernels_(best_denoise_kernels()), planes_(make_planes(input, rows)) {}
+
+void Band::denoise(DenoisedPicture& result) {
+    for_rows(planes_.known, [&](int y) { copy_colours(y); });
+    for_rows(planes_.weighed, [&](int y) { copy_features(y); });
+    for_rows(planes_.weighed, [&](int y) { estimate_variance(y); });
+    const std::vector<DenoiseTile> tiles = tiles_of(planes_);
+    parallel_for(tiles.size(), [&](std::size_t i) {
+        const FlushDenormals flush;
+        predict_tile(tiles[i], kernels_, planes_);
+    });
+    for_rows(planes_.predicted, [&](int y) { estimate_errors(y); });
+    for_rows(planes_.mask.rows(), [&](int y) { compare_errors(y); });
+    for_rows(planes_.rows, [&](int y) { write(y, result); });
+}
+
+void Band::copy_colours(int y) {
+    const int width = planes_.width;
+    for (int c = 0; c < kChannels; ++c) {
+        const ColourPlanes& colour = input_.colour[c];
+        const auto mean = [&](std::ptrdiff_t i) { return finite(colour.mean[i]); };
+        const auto difference = [&](std::ptrdiff_t i) { return finite(colour.difference[i]); };
+        fill_row(planes_.mean[c], y, width, mean);
+        fill_row(planes_.difference[c], y, width, difference);
+        fill_row(planes_.half[0][c], y, width,
+                 [&](std::ptrdiff_t i) { return mean(i) + difference(i); });
+        fill_row(planes_.half[1][c], y, width,
+                 [&](std::ptrdiff_t i) { return mean(i) - difference(i); });
+        kernels_.square(planes_.difference[c].row(y), planes_.squares[c].row(y), planes_.chunks);
+        planes_.squares[c].extend(y);
+    }
+    if (has_shape()) {
+        fill_row(planes_.shape, y, width,
+                 [&](std::ptrdiff_t i) { return std::max(0.0F, finite(input_.variance[i])); });
+    }
+}
+
+void Band::copy_features(int y) {
+    const bool is_predicted = y >= planes_.predicted.first && y < planes_.predicted.end;
+    for (std::size_t f = 0; f < input_.features.size(); ++f) {
+        const FeaturePlanes& feature = input_.features[f];
+        const auto exact = [&](std::ptrdiff_t i) { return finite(feature.exact[i]); };
+        const auto mean = [&](std::ptrdiff_t i) { return exact(i) + finite(feature.error[i]); };
+        const auto difference = [&](std::ptrdiff_t i) { return finite(feature.difference[i]); };
+        fill_row(planes_.features[0][f], y, planes_.width,
+                 [&](std::ptrdiff_t i) { return mean(i) + difference(i); });
+        fill_row(planes_.features[1][f], y, planes_.width,
+                 [&](std::ptrdiff_t i) { return mean(i) - difference(i); });
+        if (is_predicted) {
+            fill_row(planes_.exact[f], y, planes_.width, exact);
+        }
+    }
+}
+
+/// Rows beyond the picture are those at its edge.
+void Band::box_mean(const Plane& plane, int y, int radius, float* mean) const {
+    std::array<const float*, 2 * kLevel + 1> rows{};
+    for (int k = 0; k <= 2 * radius; ++k) {
+        rows[static_cast<std::size_t>(k)] =
+            plane.row(std::clamp(y - radius + k, 0, planes_.height - 1));
+    }
+    std::vector<float> buffer(static_cast<std::size_t>(planes_.chunks) * kChunk +
+                              2 * Plane::kMargin);
+    kernels_.box_mean({rows.data(), radius, mean, buffer.data(), planes_.chunks});
+}
+
+void Band::estimate_variance(int y) {
+    const std::size_t size = static_cast<std::size_t>(planes_.chunks) * kChunk;
+    std::vector<float> shape(size);
+    std::vector<float> large_shape(size);
+    std::vector<float> level(size);
+    std::vector<float> near_level(size);
+    if (has_shape()) {
+        box_mean(planes_.shape, y, kShape, shape.data());
+        box_mean(planes_.shape, y, kLevel, large_shape.data());
+    }
+    for (int c = 0; c < kChannels; ++c) {
+        box_mean(planes_.squares[c], y, kLevel, level.data());
+        box_mean(planes_.squares[c], y, kNearLevel, near_level.data());
+        kernels_.join_variance({level.data(), near_level.data(),
+                                has_shape() ? shape.data() : nullptr, large_shape.data(),
+                                planes_.variance[c].row(y), planes_.chunks});
+        planes_.variance[c].extend(y);
+    }
+}
+
+void Band::estimate_errors(int y) {
+    ErrorRow row{};
+    for (int c = 0; c < kChannels; ++c) {
+        row.mean[c] = planes_.mean[c].row(y);
+        row.difference[c] = planes_.difference[c].row(y);
+        row.from_a[c] = planes_.prediction[0][c].row(y);
+        row.from_b[c] = planes_.prediction[1][c].row(y);
+    }
+    row.noisy = planes_.noisy_error.row(y);
+    row.filtered = planes_.filtered_error.row(y);
+    row.chunks = planes_.chunks;
+    kernels_.estimate_errors(row);
+    float* squared = planes_.squared_excess.row(y);
+    for (int x = 0; x < planes_.width; ++x) {
+        const float excess = row.filtered[x] - row.noisy[x];
+        squared[x] = excess * excess;
+    }
+    planes_.squared_excess.extend(y);
+    planes_.noisy_error.extend(y);
+    planes_.filtered_error.extend(y);
+}
+
+/// The noisy picture stays where its error is lower by more than chance explains: twice the
+/// standard error of the difference over the square. In dark pixels at bright edges a single
+/// difference can be large.
+void Band::compare_errors(int y) {
+    constexpr float kPixels = (2 * kError + 1) * (2 * kError + 1);
+    constexpr float kStandardErrors = 2;
+    float* noisy = planes_.mean_noisy_error.row(y);
+    float* filtered = planes_.mean_filtered_error.row(y);
+    box_mean(planes_.noisy_error, y, kError, noisy);
+    box_mean(planes_.filtered_error, y, kError, filtered);
+    std::vector<float> squared(static_cast<std::size_t>(planes_.chunks) * kChunk);
+    box_mean(planes_.squared_excess, y, kError, squared.data());
+    float* mask = planes_.mask.row(y);
+    for (int x = 0; x < planes_.width; ++x) {
+        const float excess = filtered[x] - noisy[x];
+        const float chance = squared[static_cast<std::size_t>(x)] - excess * excess;
+        const bool is_worse =
+            excess > 0 && excess * excess * kPixels > kStandardErrors * kStandardErrors * chance;
+        mask[x] = is_worse ? 0.0F : 1.0F;
+    }
+    planes_.mask.extend(y);
+}
+
+void Band::write(int y, DenoisedPicture& result) const {
+    std::vector<float> share(static_cast<std::size_t>(planes_.chunks) * kChunk);
+    box_mean(planes_.mask, y, kMask, share.data());
+    const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(planes_.width);
+    for (std::size_t x = 0; x < static_cast<std::size_t>(planes_.width); ++x) {
+        for (std::size_t c = 0; c < kChannels; ++c) {
+            const float filtered =
+                0.5F * (planes_.prediction[0][c].row(y)[x] + planes_.prediction[1][c].row(y)[x]);
+            const float noisy = planes_.mean[c].row(y)[x];
+            result.rgb[3 * (first + x) + c] =
+                std::max(0.0F, filtered) * share[x] + std::max(0.0F, noisy) * (1 - share[x]);
+        }
+        result.error[first + x] = planes_.mean_filtered_error.row(y)[x] * share[x] +
+                                  planes_.mean_noisy_error.row(y)[x] * (1 - share[x]);
+    }
+}
+
+}  // namespace carom::render

@@ -1,0 +1,38 @@
+// The planes of a band, which is some rows of a picture while they are denoised. Internal to this
+// folder.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "render/denoise/plane.h"
+
+namespace carom::render {
+
+inline constexpr int kChannels = 3;
+inline constexpr int kHalves = 2;
+
+using ColourPlane = std::array<Plane, kChannels>;
+
+struct BandPlanes {
+    int width = 0;  // pixels of the whole picture
+    int height = 0;
+    int chunks = 0;  // of a row
+
+    RowRange rows;       // of the result
+    RowRange predicted;  // with those that the estimates of the error look at
+    RowRange weighed;    // with those that predictions look at
+    RowRange known;      // with those that the variance is estimated from
+
+    ColourPlane mean, difference, squares;             // squares of the differences
+    std::array<ColourPlane, kHalves> half;             // A and B
+    ColourPlane variance;                              // of a half
+    Plane shape;                                       // the known variance
+    std::vector<Plane> exact;                          // features
+    std::array<std::vector<Plane>, kHalves> features;  // of the halves' samples
+    std::array<ColourPlane, kHalves> prediction;       // from A and from B
+    Plane noisy_error, filtered_error, squared_excess;                 // of pixels
+    Plane mean_noisy_error, mean_filtered_error, mask;
+};
+
+}  // namespace carom::render

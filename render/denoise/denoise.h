@@ -1,0 +1,72 @@
+// Takes the noise of sampling out of a picture that was rendered as two halves.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/progress.h"
+
+namespace carom::render {
+
+/// Incremented whenever denoised pixels change for the same inputs.
+inline constexpr int kDenoiserRevision = 1;
+
+/// Numbers of a picture, row by row from the top left, of which every `step`th belongs to this
+/// plane. Borrowed.
+struct PlaneView {
+    const float* first = nullptr;
+    std::ptrdiff_t step = 1;
+
+    [[nodiscard]] float operator[](std::ptrdiff_t pixel) const { return first[pixel * step]; }
+};
+
+/// A channel of colour in both halves: A = mean + difference, B = mean - difference.
+struct ColourPlanes {
+    PlaneView mean;
+    PlaneView difference;
+};
+
+/// A channel of a feature, which is something that the camera sees at its rays' first hits (albedo,
+/// normal, light). In half A it is exact + error + difference, in half B exact + error -
+/// difference: means over the very samples that made the colour.
+struct FeaturePlanes {
+    PlaneView exact;  // the same mean over many more camera rays
+    PlaneView error;
+    PlaneView difference;
+};
+
+/// What is known of a noisy picture. Numbers that are not finite count as 0.
+struct DenoiseInput {
+    static constexpr std::size_t kMostFeatures = 9;
+
+    int width = 0;  // pixels
+    int height = 0;
+    ColourPlanes colour[3];
+    std::vector<FeaturePlanes> features;  // in threes, such as a colour; at most kMostFeatures
+    /// Variance of the mean luminance, right up to a factor that changes slowly over the picture;
+    /// `first` is null if it is not known.
+    PlaneView variance;
+};
+
+struct DenoisedPicture {
+    std::vector<float> rgb;  // width * height * 3, row by row from the top left, >= 0
+    /// The estimated mean over the channels of (x - r)^2 / (r^2 + 0.01), where r is the picture
+    /// without noise, averaged over 11x11 pixels. It is noisy itself and may be below 0; its mean
+    /// over a picture is right.
+    std::vector<float> error;
+};
+
+/// First-order regression on features (Bitterli, Rousselle, Moon, Iglesias-Guitian, Adler,
+/// Mitchell, Jarosz and Novak 2016, "Nonlinearly weighted first-order regression for denoising
+/// Monte Carlo renderings"): around each pixel, a linear function of the features is fitted to the
+/// colours of half A, weighted by the likeness of patches in half B (non-local means), and the
+/// other way round. It is fitted against the features of the half's own samples and evaluated at
+/// the exact ones, so that what lens, shutter and pixel filter did to these samples is taken out: a
+/// control variate. Where the estimated error of the noisy picture is lower, that one stays.
+///
+/// Rows are shared by the threads of the caller's arena. The bits depend neither on threads nor on
+/// the processor. Besides the result it takes about 12 kB of memory for each column of the picture.
+/// Throws Stopped.
+[[nodiscard]] DenoisedPicture denoise(const DenoiseInput& input, const WorkContext& context = {});
+
+}  // namespace carom::render

@@ -1,0 +1,97 @@
+// The vector code of the denoiser. Each function works on whole chunks of pixels in a row; lanes
+// run over pixels, so that a pixel's bits do not depend on the vector width. Internal to this
+// folder.
+#pragma once
+
+#include <cstddef>
+
+#include "render/denoise/plane.h"
+
+namespace carom::render {
+
+// Radii and bandwidth were chosen on four frames of billiards and dominoes at 480x270, with two
+// halves of 16 samples each: windows of 7x7 pixels with patches of 3x3 were better and ten times
+// cheaper than the 19x19 and 7x7 of the paper.
+inline constexpr int kWindow = 3;  // radius, pixels
+inline constexpr int kPatch = 1;   // radius, pixels
+inline constexpr float kBandwidth = 1.4f;
+inline constexpr int kWindowSide = 2 * kWindow + 1;
+inline constexpr int kNeighbours = kWindowSide * kWindowSide;
+inline constexpr int kMostRegressors = 9;
+
+/// Distances between the pixels of a row and their neighbours at one offset.
+struct DistanceRow {
+    const float* colour[3];  // of the pixels
+    const float* other_colour[3];
+    const float* variance[3];
+    const float* other_variance[3];
+    float* distance;  // result
+    int chunks = 0;
+};
+
+/// Weights of the neighbours at one offset, from the distances of three rows that begin one column
+/// before the pixels.
+struct WeightRow {
+    const float* distance[3];
+    float* weight;  // result: those of chunk i begin at weight[i * kNeighbours * kChunk]
+    int chunks = 0;
+    int neighbour = 0;  // the column of the first pixel's neighbour
+    int width = 0;      // of the picture; neighbours outside get the weight 0
+};
+
+/// A chunk of pixels whose colours are predicted. Pointers are those of the first pixel.
+struct RegressionChunk {
+    const float* colour[3];
+    const float* feature[kMostRegressors];  // of the same samples
+    const float* exact[kMostRegressors];    // where the prediction is evaluated
+    const float* weight;                    // kChunk numbers for each neighbour
+    const std::ptrdiff_t* neighbours;       // offsets from a pixel to its neighbours
+    int neighbour_count = 0;
+    float* result[3];
+};
+
+/// Means over squares of pixels, in one row.
+struct BoxRow {
+    const float* const* rows;  // 2 radius + 1 of them
+    int radius = 0;
+    float* mean;    // result
+    float* buffer;  // for the sums of columns: as long as a row of a Plane
+    int chunks = 0;
+};
+
+/// What the errors of a row of pixels are estimated from.
+struct ErrorRow {
+    const float* mean[3];        // of the halves
+    const float* difference[3];  // half of that between them
+    const float* from_a[3];      // predicted from half A
+    const float* from_b[3];
+    float* noisy;     // result: the relative squared error of the halves' mean
+    float* filtered;  // result: that of the predictions' mean
+    int chunks = 0;
+};
+
+/// How the level of the variance is joined with its shape.
+struct VarianceRow {
+    const float* level;        // mean of squared differences over a large square
+    const float* near_level;   // over a small square
+    const float* shape;        // of the known variance over a small square, or null
+    const float* large_shape;  // over a large square
+    float* variance;           // result, of one half
+    int chunks = 0;
+};
+
+struct DenoiseKernels {
+    void (*square)(const float* values, float* squares, int chunks);
+    void (*box_mean)(const BoxRow& row);
+    void (*join_variance)(const VarianceRow& row);
+    void (*measure_distances)(const DistanceRow& row);
+    void (*weigh)(const WeightRow& row);
+    /// By the number of features in threes.
+    void (*regress[kMostRegressors / 3 + 1])(const RegressionChunk& chunk);
+    void (*estimate_errors)(const ErrorRow& row);
+};
+
+/// The kernels of the best instruction set of this processor.
+[[nodiscard]] const DenoiseKernels& best_denoise_kernels();
+
+}  // namespace carom::render

@@ -1,0 +1,87 @@
+// Means over squares, variances and estimates of the error. Included once per instruction set.
+#include "render/denoise/denoise_kernels.h"
+#include "render/denoise/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace carom::render::HWY_NAMESPACE {
+
+inline HWY_ATTR void square(const float* values, float* squares, int chunks) {
+    for (int x = 0; x < chunks * kChunk; x += lane_count()) {
+        const F value = load(values + x);
+        store(product(value, value), squares + x);
+    }
+}
+
+/// The sum over columns and then over rows, each in one order, so that a pixel's bits do not depend
+/// on where a row begins.
+inline HWY_ATTR void box_mean(const BoxRow& row) {
+    const int side = 2 * row.radius + 1;
+    float* sums = row.buffer + Plane::kMargin;
+    for (int x = -kChunk; x < (row.chunks + 1) * kChunk; x += lane_count()) {
+        F total = load(row.rows[0] + x);
+        for (int k = 1; k < side; ++k) {
+            total = sum(total, load(row.rows[k] + x));
+        }
+        store(total, sums + x);
+    }
+    const F scale = all(1.f / static_cast<float>(side * side));
+    for (int x = 0; x < row.chunks * kChunk; x += lane_count()) {
+        F total = load(sums + x - row.radius);
+        for (int k = 1; k < side; ++k) {
+            total = sum(total, load(sums + x - row.radius + k));
+        }
+        store(product(total, scale), row.mean + x);
+    }
+}
+
+/// The squared differences say how large the variance is, but one of them says little of its pixel;
+/// the known variance says where it is large, but it is wrong by a factor. A half has twice the
+/// variance of the mean, which is the mean of (A - B)^2 / 4.
+inline HWY_ATTR void join_variance(const VarianceRow& row) {
+    constexpr float kLeast = 1e-20f;
+    for (int x = 0; x < row.chunks * kChunk; x += lane_count()) {
+        F variance = load(row.level + x);
+        if (row.shape != nullptr) {
+            const F shape = load(row.shape + x);
+            const F large = load(row.large_shape + x);
+            variance =
+                product(variance, quotient(sum(shape, all(kLeast)), sum(large, all(kLeast))));
+        }
+        variance = hn::Max(variance, product(all(0.5f), load(row.near_level + x)));
+        store(sum(variance, variance), row.variance + x);
+    }
+}
+
+/// The error of the mean of the predictions a and b from the halves A and B is
+///   ((a - B)^2 + (b - A)^2) / 2 - (A - B)^2 / 2 - (a - b)^2 / 4
+/// in the mean over many pixels, because the noise of a half is independent of the other half; that
+/// of the mean of A and B is (A - B)^2 / 4. Relative to r^2 + 0.01.
+inline HWY_ATTR void estimate_errors(const ErrorRow& row) {
+    const F half = all(0.5f);
+    const F third = all(1.f / 3);
+    for (int x = 0; x < row.chunks * kChunk; x += lane_count()) {
+        F noisy = all(0.f);
+        F filtered = all(0.f);
+        for (int c = 0; c < 3; ++c) {
+            const F mean = load(row.mean[c] + x);
+            const F difference = load(row.difference[c] + x);  // (A - B) / 2
+            const F a = load(row.from_a[c] + x);
+            const F b = load(row.from_b[c] + x);
+            const F r = product(half, sum(a, b));
+            const F scale = quotient(third, sum(product(r, r), all(0.01f)));
+            const F variance = product(difference, difference);
+            const F a_to_b = minus(a, minus(mean, difference));
+            const F b_to_a = minus(b, sum(mean, difference));
+            const F between = product(half, minus(a, b));
+            const F both = product(half, sum(product(a_to_b, a_to_b), product(b_to_a, b_to_a)));
+            const F error = minus(minus(both, sum(variance, variance)), product(between, between));
+            noisy = sum(noisy, product(variance, scale));
+            filtered = sum(filtered, product(error, scale));
+        }
+        store(noisy, row.noisy + x);
+        store(filtered, row.filtered + x);
+    }
+}
+
+}  // namespace carom::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();

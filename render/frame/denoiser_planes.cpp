@@ -1,0 +1,195 @@
+#include "render/frame/denoiser_planes.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <string>
+
+#include <Imath/half.h>
+
+#include "core/error.h"
+#include "render/denoise/denoise.h"
+
+namespace carom::render {
+namespace {
+
+constexpr std::size_t kColours = 3;
+constexpr std::size_t kFeatures = PixelFeatures::kCount;
+
+constexpr std::array<std::string_view, 9> kFeatureNames{"albedo.R", "albedo.G", "albedo.B",
+                                                        "normal.X", "normal.Y", "normal.Z",
+                                                        "light.R",  "light.G",  "light.B"};
+
+// The order of the channels.
+constexpr std::size_t kVariance = kColours;
+constexpr std::size_t kExact = kVariance + 1;
+constexpr std::size_t kError = kExact + kFeatures;
+constexpr std::size_t kDifference = kError + kFeatures;
+
+std::vector<std::string> channel_names() {
+    std::vector<std::string> names{"half.R", "half.G", "half.B", "half_variance.X"};
+    for (const char* kind : {"exact_", "error_", "half_"}) {
+        for (const std::string_view feature : kFeatureNames) {
+            names.push_back(kind + std::string(feature));
+        }
+    }
+    return names;
+}
+
+float as_half(float value) {
+    constexpr float kLargest = 65504;
+    return Imath::half(std::clamp(value, -kLargest, kLargest));
+}
+
+/// A half float with `bits` binary digits, of which there are at most 11.
+float rounded(float value, int bits) {
+    const auto half = Imath::half(as_half(value));
+    const int dropped = 11 - bits;
+    const unsigned magnitude = half.bits() & 0x7fffu;
+    unsigned kept = (magnitude + (1u << (dropped - 1))) >> dropped << dropped;
+    if (kept >= 0x7c00u) {  // infinite
+        kept = 0x7c00u - (1u << dropped);
+    }
+    Imath::half result;
+    result.setBits(static_cast<std::uint16_t>(kept | (half.bits() & 0x8000u)));
+    return result;
+}
+
+/// A difference of two means that are equal but for their rounding counts as none.
+float difference(float a, float b) {
+    constexpr float kRounding = 2e-6F;
+    const float result = a - b;
+    return std::abs(result) <= kRounding * (1 + std::abs(a)) ? 0 : result;
+}
+
+// Chosen for size: a frame of 1080p takes 23 MB more than without these channels, instead of 43 MB
+// with 6 bits and no steps. What is lost is small against the noise that the numbers describe.
+constexpr int kNoiseBits = 4;
+constexpr int kVarianceBits = 2;
+constexpr float kStep = 1.0F / 512;        // of differences of features
+constexpr float kExactStep = 1.0F / 4096;  // of albedo and normal
+
+/// The nearest multiple of `step`.
+float stepped(float value, float step) {
+    return std::round(value / step) * step;
+}
+
+float rounded_feature(float value) {
+    return rounded(stepped(value, kStep), kNoiseBits);
+}
+
+}  // namespace
+
+HalfMeans half_means(const PixelSums& pixel, int half) {
+    HalfMeans means;
+    const auto index = static_cast<std::size_t>(half);
+    if (index < pixel.halves.size() && pixel.halves[index].samples > 0) {
+        const HalfSums& sums = pixel.halves[index];
+        const float scale = 1.0F / static_cast<float>(sums.samples);
+        means.radiance = sums.radiance * scale;
+        means.features =
+            PixelFeatures{sums.albedo * scale, sums.normal * scale, sums.light * scale};
+    }
+    return means;
+}
+
+DenoiserPlanes::DenoiserPlanes(int width, int height) : width_(width) {
+    const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    for (std::string& name : channel_names()) {
+        channels_.push_back({std::move(name), std::vector<float>(pixels), true});
+    }
+}
+
+void DenoiserPlanes::write(int x, int y, const PixelSums& pixel, const PixelFeatures& exact) {
+    const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                           static_cast<std::size_t>(x);
+    const HalfMeans a = half_means(pixel, 0);
+    const HalfMeans b = half_means(pixel, 1);
+    const auto put = [&](std::size_t channel, float value) {
+        channels_[channel].values[at] = value;
+    };
+    for (std::size_t c = 0; c < kColours; ++c) {
+        const auto i = static_cast<int>(c);
+        put(c, rounded(0.5F * (a.radiance[i] - b.radiance[i]), kNoiseBits));
+    }
+    put(kVariance, rounded(pixel.samples > 0 ? pixel.means().variance : 0, kVarianceBits));
+    for (std::size_t f = 0; f < kFeatures; ++f) {
+        const auto i = static_cast<int>(f);
+        const bool is_light = f >= 6;
+        const float kept = as_half(is_light ? exact[i] : stepped(exact[i], kExactStep));
+        const float mean = 0.5F * (a.features[i] + b.features[i]);
+        put(kExact + f, kept);
+        // Where all rays saw the same, the error is none, although the exact mean is rounded.
+        put(kError + f, difference(mean, exact[i]) == 0 ? 0 : rounded_feature(mean - kept));
+        put(kDifference + f, rounded_feature(0.5F * (a.features[i] - b.features[i])));
+    }
+}
+
+void DenoiserPlanes::add_to_colours(const Film& a, const Film& b) {
+    for (std::size_t c = 0; c < kColours; ++c) {
+        std::vector<float>& values = channels_[c].values;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const float added = 0.5F * (a.rgba[4 * i + c] - b.rgba[4 * i + c]);
+            values[i] = added == 0 ? values[i] : rounded(values[i] + added, kNoiseBits);
+        }
+    }
+}
+
+void DenoiserPlanes::append_to(Film& film) {
+    for (Channel& channel : channels_) {
+        film.aovs.push_back(std::move(channel));
+    }
+    channels_.clear();
+}
+
+bool is_denoiser_channel(std::string_view name) {
+    static const std::vector<std::string> names = channel_names();
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+namespace {
+
+DenoiseInput input_of(const Film& film) {
+    std::vector<PlaneView> views;
+    for (const std::string& name : channel_names()) {
+        const auto found =
+            std::find_if(film.aovs.begin(), film.aovs.end(),
+                         [&](const Channel& channel) { return channel.name == name; });
+        if (found == film.aovs.end()) {
+            throw Error("a frame without the channel '" + name + "' cannot be denoised");
+        }
+        views.push_back({found->values.data()});
+    }
+    DenoiseInput input;
+    input.width = film.width;
+    input.height = film.height;
+    for (std::size_t c = 0; c < kColours; ++c) {
+        input.colour[c] = {{film.rgba.data() + c, 4}, views[c]};
+    }
+    input.variance = views[kVariance];
+    for (std::size_t f = 0; f < kFeatures; ++f) {
+        input.features.push_back({views[kExact + f], views[kError + f], views[kDifference + f]});
+    }
+    return input;
+}
+
+}  // namespace
+
+Film denoised(const Film& film, const WorkContext& context) {
+    const DenoisedPicture picture = denoise(input_of(film), context);
+    Film result;
+    result.width = film.width;
+    result.height = film.height;
+    result.rgba = film.rgba;
+    for (std::size_t i = 0; i < picture.error.size(); ++i) {
+        std::copy_n(&picture.rgb[kColours * i], kColours, &result.rgba[4 * i]);
+    }
+    std::copy_if(film.aovs.begin(), film.aovs.end(), std::back_inserter(result.aovs),
+                 [](const Channel& channel) { return !is_denoiser_channel(channel.name); });
+    result.notes = film.notes;
+    result.statistics = film.statistics;
+    return result;
+}
+
+}  // namespace carom::render

@@ -1,0 +1,59 @@
+// The channels of a frame that the denoiser needs, and the denoised frame.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/progress.h"
+#include "render/film/film.h"
+#include "render/frame/feature_tracer.h"
+#include "render/frame/pixel_sums.h"
+
+namespace carom::render {
+
+/// The means over one half of a pixel's samples; all 0 if it has none.
+struct HalfMeans {
+    V3f radiance{0, 0, 0};
+    PixelFeatures features;
+};
+[[nodiscard]] HalfMeans half_means(const PixelSums& pixel, int half);
+
+/// Collects these channels, one pixel at a time and from any thread. The halves of a pixel's
+/// samples are A and B:
+///   half.R .G .B              (A - B) / 2 of the colour
+///   half_variance.X           of the mean luminance, as if samples were independent
+///   exact_albedo.R .G .B, exact_normal.X .Y .Z, exact_light.R .G .B
+///                             features: means over more camera rays than there are samples
+///   error_albedo.R ...        (A + B) / 2 of the feature, minus its exact mean
+///   half_albedo.R ...         (A - B) / 2 of the feature
+/// Values have as few digits as suffice, so that they take little room in files.
+class DenoiserPlanes {
+  public:
+    /// No planes.
+    DenoiserPlanes() = default;
+    DenoiserPlanes(int width, int height);
+
+    [[nodiscard]] bool empty() const { return channels_.empty(); }
+
+    void write(int x, int y, const PixelSums& pixel, const PixelFeatures& exact);
+
+    /// Adds colours to the halves. Once all pixels are written, from one thread.
+    void add_to_colours(const Film& a, const Film& b);
+
+    /// Moves the channels to the film's; does nothing without planes.
+    void append_to(Film& film);
+
+  private:
+    int width_ = 0;
+    std::vector<Channel> channels_;
+};
+
+/// Whether it is the name of one of these channels.
+[[nodiscard]] bool is_denoiser_channel(std::string_view name);
+
+/// The film without noise (denoise.h) and without these channels, which it must have. It has the
+/// film's alpha, other channels, notes and statistics. Throws Stopped, and Error if channels are
+/// missing.
+[[nodiscard]] Film denoised(const Film& film, const WorkContext& context = {});
+
+}  // namespace carom::render

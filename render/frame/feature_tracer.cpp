@@ -1,0 +1,173 @@
+#include "render/frame/feature_tracer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace carom::render {
+namespace {
+
+/// Rays of a pixel after each round. Aligned runs of 4^k samples are well distributed.
+constexpr std::array<int, 3> kRounds{4, 16, 64};
+
+/// The range of a feature among a pixel's rays from which on it gets another round. Features are of
+/// the order of 1; those of lights count in proportion.
+constexpr std::array<float, 2> kNegligible{1.0F / 128, 1.0F / 16};
+
+/// A pixel counts as seeing what the pixels within this distance see, because a few rays easily
+/// miss a small bright light out of focus.
+constexpr int kReach = 2;
+
+constexpr std::uint64_t kOwnNumbers = 0xd1b54a32d192ed03;  // so that no sample has the same ones
+
+/// The largest value within `kReach`, for pixels of a rectangle.
+std::vector<float> widened(std::span<const FeaturePixel> pixels, const std::vector<float>& values) {
+    int left = pixels.front().x;
+    int top = pixels.front().y;
+    int right = left;
+    int bottom = top;
+    for (const FeaturePixel& pixel : pixels) {
+        left = std::min(left, pixel.x);
+        right = std::max(right, pixel.x);
+        top = std::min(top, pixel.y);
+        bottom = std::max(bottom, pixel.y);
+    }
+    const int width = right - left + 1;
+    const auto index = [&](int x, int y) {
+        return static_cast<std::size_t>((y - top) * width + x - left);
+    };
+    std::vector<float> grid(index(right, bottom) + 1, 0.0F);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        grid[index(pixels[i].x, pixels[i].y)] = values[i];
+    }
+    std::vector<float> result(values.size());
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const auto [x, y] = std::pair(pixels[i].x, pixels[i].y);
+        for (int v = std::max(top, y - kReach); v <= std::min(bottom, y + kReach); ++v) {
+            for (int u = std::max(left, x - kReach); u <= std::min(right, x + kReach); ++u) {
+                result[i] = std::max(result[i], grid[index(u, v)]);
+            }
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+/// What a pixel's rays saw up to now.
+struct FeatureTracer::Sums {
+    PixelFeatures sum{};
+    std::array<float, PixelFeatures::kCount> least{};
+    std::array<float, PixelFeatures::kCount> most{};
+    int rays = 0;
+
+    void include(const PixelFeatures& value) {
+        for (int i = 0; i < PixelFeatures::kCount; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            least[k] = std::min(least[k], value[i]);
+            most[k] = std::max(most[k], value[i]);
+        }
+    }
+    void add(const RadianceSample& sample) {
+        PixelFeatures value;
+        value.add(sample);
+        if (rays == 0) {
+            for (int i = 0; i < PixelFeatures::kCount; ++i) {
+                least[static_cast<std::size_t>(i)] = most[static_cast<std::size_t>(i)] = value[i];
+            }
+        }
+        include(value);
+        sum.add(sample);
+        rays += 1;
+    }
+    /// The largest range of a feature.
+    [[nodiscard]] float range() const {
+        float result = 0;
+        for (std::size_t i = 0; i < least.size(); ++i) {
+            const float size = std::max(1.0F, std::max(std::abs(most[i]), std::abs(least[i])));
+            result = std::max(result, (most[i] - least[i]) / size);
+        }
+        return result;
+    }
+};
+
+/// Collects rays and hands their results to the pixels in the order of the requests.
+class FeatureTracer::Queue {
+  public:
+    explicit Queue(const FeatureTracer& tracer) : tracer_(tracer) { sums_.reserve(kSize); }
+
+    void add(const FeaturePixel& pixel, const SampleStream& stream, Sums& sums) {
+        const std::size_t i = sums_.size();
+        batch_->x[i] = pixel.x;
+        batch_->y[i] = pixel.y;
+        batch_->pixel_hash[i] = static_cast<std::int32_t>(stream.pixel_hash());
+        batch_->reversed_sample[i] = static_cast<std::int32_t>(stream.reversed_sample());
+        sums_.push_back(&sums);
+        if (sums_.size() == kSize) {
+            flush();
+        }
+    }
+
+    void flush() {
+        batch_->count = static_cast<int>(sums_.size());
+        make_rays(tracer_.camera_, tracer_.fixings_, *batch_);
+        const RayBatch rays{batch_->count,
+                            {batch_->origin[0], batch_->origin[1], batch_->origin[2]},
+                            {batch_->direction[0], batch_->direction[1], batch_->direction[2]},
+                            batch_->time,
+                            RayKind::primary};
+        tracer_.integrator_.look(rays, tracer_.pixel_spread_, results_);
+        for (std::size_t i = 0; i < sums_.size(); ++i) {
+            sums_[i]->add(results_[i]);
+        }
+        sums_.clear();
+    }
+
+  private:
+    static constexpr std::size_t kSize = CameraBatch::kMost;
+
+    const FeatureTracer& tracer_;
+    std::unique_ptr<CameraBatch> batch_ = std::make_unique<CameraBatch>();
+    std::vector<Sums*> sums_;
+    std::vector<RadianceSample> results_ = std::vector<RadianceSample>(kSize);
+};
+
+FeatureTracer::FeatureTracer(const Integrator& integrator, const ThinLensCamera& camera,
+                             const CameraFixings& fixings, float pixel_spread, std::uint64_t seed)
+    : integrator_(integrator),
+      camera_(camera),
+      fixings_(fixings),
+      pixel_spread_(pixel_spread),
+      seed_(seed ^ kOwnNumbers) {}
+
+void FeatureTracer::trace(std::span<FeaturePixel> pixels) const {
+    std::vector<Sums> sums(pixels.size());
+    std::vector<float> ranges(pixels.size());
+    Queue queue(*this);
+    for (std::size_t round = 0; round < kRounds.size(); ++round) {
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+            if (round > 0 && ranges[i] <= kNegligible[round - 1]) {
+                continue;
+            }
+            const SampleStream first(seed_, static_cast<std::uint32_t>(pixels[i].x),
+                                     static_cast<std::uint32_t>(pixels[i].y), 0);
+            for (int ray = sums[i].rays; ray < kRounds[round]; ++ray) {
+                queue.add(pixels[i], first.of_sample(static_cast<std::uint32_t>(ray)), sums[i]);
+            }
+        }
+        queue.flush();
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+            sums[i].include(pixels[i].halves[0]);
+            sums[i].include(pixels[i].halves[1]);
+            ranges[i] = sums[i].range();
+        }
+        ranges = widened(pixels, ranges);
+    }
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        pixels[i].exact = sums[i].sum * (1.0F / static_cast<float>(sums[i].rays));
+    }
+}
+
+}  // namespace carom::render
