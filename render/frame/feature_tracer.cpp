@@ -96,7 +96,9 @@ struct FeatureTracer::Sums {
 /// Collects rays and hands their results to the pixels in the order of the requests.
 class FeatureTracer::Queue {
   public:
-    explicit Queue(const FeatureTracer& tracer) : tracer_(tracer) { sums_.reserve(kSize); }
+    explicit Queue(const FeatureTracer& tracer) : tracer_(tracer), workspace_(tracer.workspaces_) {
+        sums_.reserve(kSize);
+    }
 
     void add(const FeaturePixel& pixel, const SampleStream& stream, Sums& sums) {
         const std::size_t i = sums_.size();
@@ -118,7 +120,7 @@ class FeatureTracer::Queue {
                             {batch_->direction[0], batch_->direction[1], batch_->direction[2]},
                             batch_->time,
                             RayKind::primary};
-        tracer_.integrator_.look(rays, tracer_.pixel_spread_, results_);
+        tracer_.integrator_.look(rays, tracer_.pixel_spread_, results_, workspace_.get());
         for (std::size_t i = 0; i < sums_.size(); ++i) {
             sums_[i]->add(results_[i]);
         }
@@ -129,14 +131,17 @@ class FeatureTracer::Queue {
     static constexpr std::size_t kSize = CameraBatch::kMost;
 
     const FeatureTracer& tracer_;
+    WorkspacePool::Loan workspace_;
     std::unique_ptr<CameraBatch> batch_ = std::make_unique<CameraBatch>();
     std::vector<Sums*> sums_;
     std::vector<RadianceSample> results_ = std::vector<RadianceSample>(kSize);
 };
 
-FeatureTracer::FeatureTracer(const Integrator& integrator, const ThinLensCamera& camera,
-                             const CameraFixings& fixings, float pixel_spread, std::uint64_t seed)
+FeatureTracer::FeatureTracer(const Integrator& integrator, WorkspacePool& workspaces,
+                             const ThinLensCamera& camera, const CameraFixings& fixings,
+                             float pixel_spread, std::uint64_t seed)
     : integrator_(integrator),
+      workspaces_(workspaces),
       camera_(camera),
       fixings_(fixings),
       pixel_spread_(pixel_spread),

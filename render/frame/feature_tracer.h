@@ -7,6 +7,7 @@
 
 #include "render/camera/camera_batch.h"
 #include "render/integrator/integrator.h"
+#include "render/integrator/workspace_pool.h"
 
 namespace carom::render {
 
@@ -42,8 +43,9 @@ struct FeaturePixel {
 class FeatureTracer {
   public:
     /// Everything is borrowed. `seed`: of the frame.
-    FeatureTracer(const Integrator& integrator, const ThinLensCamera& camera,
-                  const CameraFixings& fixings, float pixel_spread, std::uint64_t seed);
+    FeatureTracer(const Integrator& integrator, WorkspacePool& workspaces,
+                  const ThinLensCamera& camera, const CameraFixings& fixings, float pixel_spread,
+                  std::uint64_t seed);
 
     /// Sets `exact` of all pixels, which lie in a rectangle and are neighbours of each other.
     void trace(std::span<FeaturePixel> pixels) const;
@@ -53,6 +55,7 @@ class FeatureTracer {
     class Queue;
 
     const Integrator& integrator_;
+    WorkspacePool& workspaces_;
     const ThinLensCamera& camera_;
     CameraFixings fixings_;
     float pixel_spread_;

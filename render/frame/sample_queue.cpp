@@ -12,7 +12,7 @@ SampleQueue::SampleQueue(const Setting& setting, std::stop_token stop, RenderSta
     : setting_(setting),
       stop_(std::move(stop)),
       count_(count),
-      workspace_(setting.integrator.make_workspace()),
+      workspace_(setting.workspaces),
       batch_(std::make_unique<CameraBatch>()),
       results_(kSize) {
     CAROM_ASSERT(setting.traced_at_once > 0);

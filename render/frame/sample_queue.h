@@ -8,6 +8,7 @@
 #include "render/camera/camera_batch.h"
 #include "render/frame/pixel_sums.h"
 #include "render/integrator/integrator.h"
+#include "render/integrator/workspace_pool.h"
 
 namespace carom::render {
 
@@ -18,6 +19,7 @@ class SampleQueue {
     /// Everything is borrowed.
     struct Setting {
         const Integrator& integrator;
+        WorkspacePool& workspaces;  // of the integrator
         const ThinLensCamera& camera;
         CameraFixings fixings;
         float pixel_spread;
@@ -50,7 +52,7 @@ class SampleQueue {
     Setting setting_;
     std::stop_token stop_;
     RenderStatistics& count_;
-    std::unique_ptr<Integrator::Workspace> workspace_;
+    WorkspacePool::Loan workspace_;
     std::unique_ptr<CameraBatch> batch_;
     std::vector<CameraTask> tasks_;
     std::vector<Pixel> pixels_;

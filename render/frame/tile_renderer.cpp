@@ -72,6 +72,7 @@ TileRenderer::TileRenderer(const RenderSettings& settings, const FrameInput& fra
                         ? std::make_unique<LightTracer>(scene, camera_)
                         : nullptr),
       integrator_(make_integrator(settings, scene, light_tracer_.get())),
+      workspaces_(std::make_unique<WorkspacePool>(*integrator_)),
       samples_(settings.integrator == IntegratorKind::distributed
                    ? camera_samples(settings.distributed)
                    : settings.samples),
@@ -79,8 +80,8 @@ TileRenderer::TileRenderer(const RenderSettings& settings, const FrameInput& fra
       fixings_{is_off(settings, &DistributedSettings::pixel_samples),
                is_off(settings, &DistributedSettings::blur_samples)},
       feature_tracer_(settings.for_denoiser
-                          ? std::make_unique<FeatureTracer>(*integrator_, camera_, fixings_,
-                                                            pixel_spread_, frame.seed)
+                          ? std::make_unique<FeatureTracer>(*integrator_, *workspaces_, camera_,
+                                                            fixings_, pixel_spread_, frame.seed)
                           : nullptr),
       counts_objects_(std::any_of(settings.aovs.begin(), settings.aovs.end(), is_matte)),
       tiles_x_(tiles_along(settings.width)),
@@ -116,8 +117,8 @@ RenderStatistics TileRenderer::add_samples(int tile, const TileSums& sums, const
     if (is_done(tile, sums, limit)) {
         return count;
     }
-    SampleQueue queue({*integrator_, camera_, fixings_, pixel_spread_, samples_at_once_,
-                       counts_objects_, settings_.for_denoiser},
+    SampleQueue queue({*integrator_, *workspaces_, camera_, fixings_, pixel_spread_,
+                       samples_at_once_, counts_objects_, settings_.for_denoiser},
                       stop, count);
     for_each_pixel(tile, [&](int x, int y) {
         if (!stop.stop_requested()) {

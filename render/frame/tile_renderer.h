@@ -109,6 +109,7 @@ class TileRenderer {
     float pixel_spread_;
     std::unique_ptr<const LightTracer> light_tracer_;  // for the path integrator only
     std::unique_ptr<const Integrator> integrator_;
+    std::unique_ptr<WorkspacePool> workspaces_;
     int samples_;  // per pixel
     std::size_t samples_at_once_;
     CameraFixings fixings_;

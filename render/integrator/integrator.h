@@ -65,9 +65,10 @@ class Integrator {
                                                 RenderStatistics& count) const = 0;
 
     /// What rays from the camera see: all of `sample` except the radiance. Only of integrators that
-    /// follow paths; the others set nothing. At most CameraBatch::kMost rays.
+    /// follow paths; the others set nothing. At most CameraBatch::kMost rays. `workspace`: as of
+    /// `samples`.
     virtual void look(const RayBatch& /*rays*/, float /*pixel_spread*/,
-                      std::span<RadianceSample> /*results*/) const {}
+                      std::span<RadianceSample> /*results*/, Workspace* /*workspace*/) const {}
 
   protected:
     Integrator() = default;

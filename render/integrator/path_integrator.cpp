@@ -60,7 +60,7 @@ RadianceSample PathIntegrator::sample(const Ray& camera_ray, float pixel_spread,
 }
 
 void PathIntegrator::look(const RayBatch& rays, float pixel_spread,
-                          std::span<RadianceSample> results) const {
+                          std::span<RadianceSample> results, Workspace* /*workspace*/) const {
     constexpr int kRoom = 16;  // behind the last ray, for vector code
     std::array<Hit, CameraBatch::kMost + kRoom> hits;
     scene_.frame.structure().closest_hits(rays, hits.data());
@@ -72,7 +72,6 @@ void PathIntegrator::look(const RayBatch& rays, float pixel_spread,
     }
 }
 
-/// What the path sees at its first hit, as `sample` does.
 RadianceSample PathIntegrator::seen(const Path& path, const Hit& hit) const {
     RadianceSample result;
     if (hit.object == kNoObject) {

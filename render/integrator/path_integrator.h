@@ -62,8 +62,8 @@ class PathIntegrator final : public Integrator {
                                         const SampleStream& stream, const SampleIndex& index,
                                         RenderStatistics& count) const override;
 
-    void look(const RayBatch& rays, float pixel_spread,
-              std::span<RadianceSample> results) const override;
+    void look(const RayBatch& rays, float pixel_spread, std::span<RadianceSample> results,
+              Workspace* workspace) const override;
 
     // For an integrator that carries many paths and leaves some of their vertices to this one.
 
@@ -71,6 +71,8 @@ class PathIntegrator final : public Integrator {
     void follow_from(Path path, const Hit& hit, PathWork& work) const;
     /// Adds the environment for a path that left the scene.
     void miss(const Path& path, PathWork& work) const;
+    /// What a camera's path sees at its first hit: all of `sample` except the radiance.
+    [[nodiscard]] RadianceSample seen(const Path& path, const Hit& hit) const;
     /// Adds the light of an area light that the path hit.
     void add_hit_light(const Path& path, const Hit& hit, PathWork& work) const;
     /// Adds the light of an object with an emissive material that the path hit.
@@ -91,7 +93,6 @@ class PathIntegrator final : public Integrator {
 
   private:
     void follow(Path path, PathWork& work) const;
-    [[nodiscard]] RadianceSample seen(const Path& path, const Hit& hit) const;
     [[nodiscard]] bool process_hit(Path& path, const Hit& hit, PathWork& work) const;
     [[nodiscard]] Surface resolve(const Path& path, const SurfacePoint& point) const;
     [[nodiscard]] bool scatter(Path& path, const ShadingVertex& vertex, const V2f& u,

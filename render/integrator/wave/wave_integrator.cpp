@@ -76,6 +76,7 @@ struct WaveIntegrator::Wave final : Integrator::Workspace {
     PathWave& next() { return vertex % 2 == 0 ? of_odd_vertices : of_even_vertices; }
     PathWave scattered{};  // to be appended to `next`
     int vertex = 0;
+    bool is_looking = false;  // nothing is followed beyond the first hit
     VertexWave vertices{};
     ShadowWave shadows{};
     SampleWave samples{};
@@ -153,22 +154,30 @@ void WaveIntegrator::samples(std::span<const CameraTask> tasks, float pixel_spre
 
 void WaveIntegrator::begin(std::span<const CameraTask> tasks, float pixel_spread, Wave& wave,
                            RenderStatistics& count) const {
-    wave.vertex = 0;
+    begin_paths(static_cast<int>(tasks.size()), pixel_spread, wave);
     PathWave& paths = wave.paths();
-    paths.count = static_cast<int>(tasks.size());
-    paths.vertex = 0;
-    wave.works.clear();
     for (int i = 0; i < paths.count; ++i) {
         const CameraTask& task = tasks[i];
         wave.works.push_back({PathDimensions(task.stream), task.index, count});
         wave.samples.pixel_hash.at[i] = static_cast<std::int32_t>(task.stream.pixel_hash());
         wave.samples.reversed_sample.at[i] =
             static_cast<std::int32_t>(task.stream.reversed_sample());
-        paths.slot.at[i] = i;
         paths.origin.set(i, task.ray.origin);
         paths.direction.set(i, task.ray.direction);
         paths.time.at[i] = task.ray.time;
     }
+    count.camera_rays += tasks.size();
+}
+
+// All of the paths except their rays.
+void WaveIntegrator::begin_paths(int count, float pixel_spread, Wave& wave) const {
+    wave.vertex = 0;
+    wave.is_looking = false;
+    wave.works.clear();
+    PathWave& paths = wave.paths();
+    paths.count = count;
+    paths.vertex = 0;
+    std::iota(paths.slot.at, paths.slot.at + count, 0);
     const auto fill = [&](auto& field, auto value) { std::fill_n(field.at, paths.count, value); };
     fill(paths.branch, 1);
     fill(paths.throughput.x, 1.0f);
@@ -182,7 +191,35 @@ void WaveIntegrator::begin(std::span<const CameraTask> tasks, float pixel_spread
     fill(paths.is_delta, 1);
     fill(paths.connects, has_light_tracer_ ? 1 : 0);
     fill(paths.connected_ball, -1);
-    count.camera_rays += tasks.size();
+}
+
+void WaveIntegrator::look(const RayBatch& rays, float pixel_spread,
+                          std::span<RadianceSample> results, Workspace* workspace) const {
+    Wave& wave = dynamic_cast<Wave&>(*workspace);
+    RenderStatistics count;
+    for (int from = 0; from < rays.count; from += kWaveSamples) {
+        begin_paths(std::min(kWaveSamples, rays.count - from), pixel_spread, wave);
+        wave.is_looking = true;
+        PathWave& paths = wave.paths();
+        const auto copy = [&](const float* numbers, Floats& field) {
+            std::copy_n(numbers + from, paths.count, field.at);
+        };
+        copy(rays.origin[0], paths.origin.x);
+        copy(rays.origin[1], paths.origin.y);
+        copy(rays.origin[2], paths.origin.z);
+        copy(rays.direction[0], paths.direction.x);
+        copy(rays.direction[1], paths.direction.y);
+        copy(rays.direction[2], paths.direction.z);
+        copy(rays.time, paths.time);
+        for (int i = 0; i < paths.count; ++i) {
+            wave.works.push_back({PathDimensions(SampleStream(0, 0, 0, 0)), {}, count});
+        }
+        process_hits(wave);
+        for (int i = 0; i < paths.count; ++i) {
+            results[static_cast<std::size_t>(from + i)] =
+                wave.works[static_cast<std::size_t>(i)].result;
+        }
+    }
 }
 
 // Sorts the hits: misses and vertices are collected; hits of lights are processed at once.
@@ -248,6 +285,10 @@ bool WaveIntegrator::becomes_vertex(int path, const Hit& hit, std::uint8_t trait
                                     Wave& wave) const {
     PathWork& work = wave.works[wave.paths().slot.at[path]];
     if ((traits & kLeavesWave) != 0) {
+        if (wave.is_looking) {
+            work.result = path_integrator_.seen(wave.paths().path(path), hit);
+            return false;
+        }
         path_integrator_.follow_from(wave.paths().path(path), hit, work);
         return false;
     }

@@ -38,8 +38,9 @@ std::vector<std::size_t> asked_for(int samples, std::size_t at_once, CountingInt
     const CameraState state = test::camera(Vec3(0, -2, 1), Vec3(0, 0, 0), 0.6);
     const ThinLensCamera camera(state, state, 16, 16, 0, PixelFilter::box, 1);
     RenderStatistics count;
-    SampleQueue queue({integrator, camera, {}, 0.001f, at_once, false}, integrator.stop.get_token(),
-                      count);
+    WorkspacePool workspaces(integrator);
+    SampleQueue queue({integrator, workspaces, camera, {}, 0.001f, at_once, false},
+                      integrator.stop.get_token(), count);
     for (int i = 0; i < samples; ++i) {
         queue.add(SampleStream(1, 3, 4, static_cast<std::uint32_t>(i)), {3, 4, i}, sums);
     }
