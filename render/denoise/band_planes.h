@@ -24,14 +24,14 @@ struct BandPlanes {
     RowRange weighed;    // with those that predictions look at
     RowRange known;      // with those that the variance is estimated from
 
-    ColourPlane mean, difference, squares;             // squares of the differences
-    std::array<ColourPlane, kHalves> half;             // A and B
-    ColourPlane variance;                              // of a half
-    Plane shape;                                       // the known variance
-    std::vector<Plane> exact;                          // features
-    std::array<std::vector<Plane>, kHalves> features;  // of the halves' samples
-    std::array<ColourPlane, kHalves> prediction;       // from A and from B
-    Plane noisy_error, filtered_error, squared_excess;                 // of pixels
+    ColourPlane mean, difference, squares;              // squares of the differences
+    std::array<ColourPlane, kHalves> half;              // A and B
+    ColourPlane variance;                               // of a half
+    Plane shape;                                        // the known variance
+    std::vector<Plane> exact;                           // features
+    std::array<std::vector<Plane>, kHalves> features;   // of the halves' samples
+    std::array<ColourPlane, kHalves> prediction;        // from A and from B
+    Plane noisy_error, filtered_error, squared_excess;  // of pixels
     Plane mean_noisy_error, mean_filtered_error, mask;
 };
 
