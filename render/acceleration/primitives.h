@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "render/acceleration/analytic_kernels.h"
+#include "render/acceleration/mesh_entry.h"
 #include "render/acceleration/shape_bounds.h"
 #include "render/acceleration/shapes.h"
-#include "render/acceleration/mesh_entry.h"
 
 namespace carom::render {
 

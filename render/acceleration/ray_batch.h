@@ -9,7 +9,8 @@
 namespace carom::render {
 
 /// Borrowed arrays of `count` numbers. Arrays that kernels read and write have room for kBeyond
-/// more numbers of any value. Directions have unit length, times lie in [0, 1], and rays begin at 0.
+/// more numbers of any value. Directions have unit length, times lie in [0, 1], and rays begin at
+/// 0.
 struct RayBatch {
     static constexpr int kBeyond = 16;  // the room beyond the last ray
 

@@ -92,15 +92,13 @@ void add_meshes(StaticGeometry::Data& data) {
         const SceneObject& object = data.objects[i];
         if (object.kind == ShapeKind::mesh && object.is_tracked()) {
             const MeshEntry entry{object.mesh.get(), 0};
-            data.tracked_meshes[i] =
-                std::make_shared<TriangleScene>(std::span(&entry, 1));
+            data.tracked_meshes[i] = std::make_shared<TriangleScene>(std::span(&entry, 1));
         } else if (object.kind == ShapeKind::mesh) {
             data.static_meshes.push_back({object.mesh.get(), i});
         }
     }
     if (!data.static_meshes.empty() && data.acceleration == AccelerationKind::hybrid) {
-        data.static_shapes.meshes =
-            std::make_shared<TriangleScene>(data.static_meshes);
+        data.static_shapes.meshes = std::make_shared<TriangleScene>(data.static_meshes);
     }
 }
 

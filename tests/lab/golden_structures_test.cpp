@@ -9,7 +9,7 @@ namespace {
 
 class GoldenPicture : public testing::TestWithParam<test::GoldenScene> {};
 
-// The scenes have no mesh; meshes in Embree are tested elsewhere.
+// The scenes have no mesh; meshes are tested elsewhere.
 TEST_P(GoldenPicture, EveryStructure_GivesTheSamePixels) {
     using Kind = AccelerationKind;
     const test::GoldenScene& golden = GetParam();

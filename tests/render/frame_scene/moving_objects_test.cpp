@@ -189,8 +189,8 @@ TEST(MovingMesh, TumblingMesh_IsWhereTheTrackHasIt) {
     }
 }
 
-/// The number of rays that hit; `hybrid` and Embree must give the same hits. Their tests of
-/// triangles round differently.
+/// The number of rays that hit; `hybrid` and Embree must give the same hits, except for the last
+/// bits on meshes, for which Embree has its own test.
 int compare_structures(const SceneBuilder& builder, int rays) {
     const BuiltScene hybrid(builder, kOpen, kClose, AccelerationKind::hybrid);
     const BuiltScene embree(builder, kOpen, kClose, AccelerationKind::embree);
@@ -204,7 +204,9 @@ int compare_structures(const SceneBuilder& builder, int rays) {
         const bool found = hybrid.frame.structure().closest_hit(ray, a);
         EXPECT_EQ(found, embree.frame.structure().closest_hit(ray, b));
         EXPECT_EQ(a.object, b.object) << i;
-        EXPECT_FLOAT_EQ(a.t, b.t) << i;
+        if (found) {
+            EXPECT_NEAR(a.t, b.t, 2e-6f * (1 + a.t)) << i;
+        }
         EXPECT_EQ(hybrid.frame.structure().any_hit(ray), found);
         hits += found ? 1 : 0;
     }
