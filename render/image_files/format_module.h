@@ -1,8 +1,8 @@
-// Formats other than EXR, PNG and Radiance, and OpenColorIO, through OpenImageIO. Debian's OpenImageIO loads
-// 240 further libraries, which takes longer than everything else that a program does before it
-// renders. It is therefore linked to a module of its own, carom-formats.so, which is loaded when
-// the first file needs it. The module is found by the run-time search path of the program
-// (libexec/carom).
+// Formats other than EXR, PNG and Radiance, and OpenColorIO, through OpenImageIO. Debian's
+// OpenImageIO loads 240 further libraries, which takes longer than everything else that a program
+// does before it renders. It is therefore linked to a module of its own, carom-formats.so, which is
+// loaded when the first file needs it. The module is found by the run-time search path of the
+// program (libexec/carom).
 #pragma once
 
 #include <cstddef>
