@@ -1,5 +1,7 @@
 #include "render/acceleration/moving_shape.h"
 
+#include <algorithm>
+
 #include "render/acceleration/triangle_scene.h"
 #include "render/geometry/intersect.h"
 
@@ -29,6 +31,12 @@ Ray in_body_axes(const MovingShape& shape, const Ray& ray) {
     local.origin = rotate_back(turn, ray.origin - shape.motion->position(ray.time));
     local.direction = rotate_back(turn, ray.direction);
     return local;
+}
+
+/// One of the eight corners of |p| <= 1.
+V3f corner_of(int number) {
+    const auto side = [number](int axis) { return (number >> axis & 1) != 0 ? 1.f : -1.f; };
+    return {side(0), side(1), side(2)};
 }
 
 std::optional<float> intersect_analytic(const MovingShape& shape, const Ray& local) {
@@ -72,6 +80,31 @@ bool occluded_by_moving(const MovingShape& shape, const Ray& ray) {
 Imath::Box3f swept_bounds(const RigidMotion& motion, float bounding_radius) {
     const V3f margin(bounding_radius * kWidening);
     return {motion.position_bounds().min - margin, motion.position_bounds().max + margin};
+}
+
+Imath::Box3f swept_bounds(const RigidMotion& motion, float bounding_radius,
+                          const Affine& body_from_unit, const V3f& half_size) {
+    const RigidMotion::Orientations turns = motion.orientations();
+    Imath::Box3f around_origin;
+    float largest = 0;  // distance of a corner
+    for (int corner = 0; corner < 8; ++corner) {
+        const V3f in_body = body_from_unit.point(corner_of(corner) * half_size);
+        largest = std::max(largest, in_body.length());
+        for (const Imath::Quatf& turn : turns.world_from_body) {
+            around_origin.extendBy(rotate(turn, in_body));
+        }
+    }
+    const V3f margin(largest * (turns.within + kWidening - 1));
+    const Imath::Box3f ball = swept_bounds(motion, bounding_radius);
+    const Imath::Box3f& path = motion.position_bounds();
+    Imath::Box3f box;
+    for (int axis = 0; axis < 3; ++axis) {
+        box.min[axis] =
+            std::max(ball.min[axis], path.min[axis] + around_origin.min[axis] - margin[axis]);
+        box.max[axis] =
+            std::min(ball.max[axis], path.max[axis] + around_origin.max[axis] + margin[axis]);
+    }
+    return box;
 }
 
 }  // namespace carom::render

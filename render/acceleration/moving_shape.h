@@ -15,5 +15,9 @@ namespace carom::render {
 /// A box around everything that the shape covers during the shutter: the path of its body's origin
 /// widened by `bounding_radius`, the largest distance of its points from that origin.
 [[nodiscard]] Imath::Box3f swept_bounds(const RigidMotion& motion, float bounding_radius);
+/// The same, but not larger than the shape's turned box: the box |p| <= `half_size`, mapped to the
+/// body's axes.
+[[nodiscard]] Imath::Box3f swept_bounds(const RigidMotion& motion, float bounding_radius,
+                                        const Affine& body_from_unit, const V3f& half_size);
 
 }  // namespace carom::render

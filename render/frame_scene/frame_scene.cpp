@@ -63,6 +63,16 @@ void add_spheres(ShapeSet& shapes, const RigidMotion& motion, float radius, std:
     }
 }
 
+/// Flat shapes touch the sides of their boxes.
+Imath::Box3f bounds_of(const SceneObject& object, const RigidMotion& motion) {
+    if (object.kind == ShapeKind::mesh || object.kind == ShapeKind::plane) {
+        return swept_bounds(motion, object.bounding_radius);
+    }
+    V3f half_size(1);
+    visit_shape(object.kind, [&](auto shape) { half_size = shape.half_size(object.profile); });
+    return swept_bounds(motion, object.bounding_radius, object.frame.world_from_unit, half_size);
+}
+
 void add_moving(ShapeSet& shapes, const StaticGeometry::Data& geometry, std::uint32_t index,
                 const std::shared_ptr<const RigidMotion>& motion) {
     const SceneObject& object = geometry.objects[index];
@@ -82,7 +92,7 @@ void add_moving(ShapeSet& shapes, const StaticGeometry::Data& geometry, std::uin
     shape.profile = object.profile;
     shape.motion = motion;
     shape.mesh = geometry.tracked_meshes[index];
-    shape.bounds = swept_bounds(*motion, object.bounding_radius);
+    shape.bounds = bounds_of(object, *motion);
     shape.object = index;
     shapes.moving.push_back(std::move(shape));
 }

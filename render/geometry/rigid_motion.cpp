@@ -10,10 +10,11 @@
 namespace carom::render {
 namespace {
 
-constexpr double kTurnTolerance = 3e-5;     // rad, at the times that are checked
-constexpr double kLargestTurn = 1.0;        // rad in one piece
-constexpr int kDeepest = 14;                // bisections of one segment of the path
-constexpr float kRoundingFraction = 1e-5f;  // of the coordinates, by which bounds are widened
+constexpr double kTurnTolerance = 3e-5;       // rad, at the times that are checked
+constexpr double kLargestTurn = 1.0;          // rad in one piece
+constexpr float kBetweenOrientations = 0.1f;  // rad, from one of `orientations` to the next
+constexpr int kDeepest = 14;                  // bisections of one segment of the path
+constexpr float kRoundingFraction = 1e-5f;    // of the coordinates, by which bounds are widened
 
 Imath::Quatf narrowed(const Quat& q) {
     return Imath::Quatf(static_cast<float>(q.r), V3f(q.v)).normalized();
@@ -56,6 +57,15 @@ Imath::Box3f widened(const sim::Bounds& bounds) {
         box.max[axis] += kRoundingFraction * size;
     }
     return box;
+}
+
+/// The orientation after this part of the piece, in [0, 1].
+Imath::Quatf turned(const TurnPiece& piece, float fraction) {
+    if (piece.half_angle == 0) {
+        return piece.world_from_body;
+    }
+    const SinCos turn = sin_cos(fraction * piece.half_angle);
+    return Imath::Quatf(turn.cosine, turn.sine * piece.axis) * piece.world_from_body;
 }
 
 /// The rotation between two orientations, by less than half a turn.
@@ -139,12 +149,22 @@ V3f RigidMotion::position(float time) const {
 
 Imath::Quatf RigidMotion::world_from_body(float time) const {
     const TurnPiece& piece = piece_at(turns_, time);
-    if (piece.half_angle == 0) {
-        return piece.world_from_body;
-    }
     const float fraction = std::clamp((time - piece.start) * piece.inverse_duration, 0.f, 1.f);
-    const SinCos turn = sin_cos(fraction * piece.half_angle);
-    return Imath::Quatf(turn.cosine, turn.sine * piece.axis) * piece.world_from_body;
+    return turned(piece, fraction);
+}
+
+RigidMotion::Orientations RigidMotion::orientations() const {
+    Orientations result;
+    for (const TurnPiece& piece : turns_) {
+        const float whole = 2 * piece.half_angle;
+        const int steps = 1 + static_cast<int>(std::min(whole / kBetweenOrientations, 63.f));
+        for (int i = 0; i <= steps; ++i) {
+            const float fraction = static_cast<float>(i) / static_cast<float>(steps);
+            result.world_from_body.push_back(turned(piece, fraction));
+        }
+        result.within = std::max(result.within, 0.5f * whole / static_cast<float>(steps));
+    }
+    return result;
 }
 
 bool RigidMotion::is_static() const {

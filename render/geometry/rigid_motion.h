@@ -60,6 +60,14 @@ class RigidMotion {
     [[nodiscard]] V3f position(float time) const;
     [[nodiscard]] Imath::Quatf world_from_body(float time) const;
 
+    /// Some orientations, and an angle (rad): at every time the object is turned by at most this
+    /// angle from one of them.
+    struct Orientations {
+        std::vector<Imath::Quatf> world_from_body;
+        float within = 0;
+    };
+    [[nodiscard]] Orientations orientations() const;
+
     /// Whether the object neither moves nor rotates.
     [[nodiscard]] bool is_static() const;
 

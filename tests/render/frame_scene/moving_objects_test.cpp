@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "render/acceleration/moving_shape.h"
 #include "render/geometry/intersect.h"
+#include "render/geometry/rigid_motion.h"
 #include "sim/timeline/rotation.h"
 #include "tests/render/frame_scene/scene_helpers.h"
 
@@ -187,6 +189,30 @@ TEST(MovingMesh, TumblingMesh_IsWhereTheTrackHasIt) {
     for (const AccelerationKind kind : {AccelerationKind::hybrid, AccelerationKind::embree}) {
         expect_box_hits(builder, Vec3(0.1, 0.4, 0.15), kind);
     }
+}
+
+// Bounds hold the shape at every time, and are tighter than those of a ball around it.
+TEST(SweptBounds, OfATumblingTile_HoldItsCornersAndLittleElse) {
+    const sim::Track track("tile", tumbling());
+    const render::RigidMotion motion(track, kOpen, kClose);
+    const V3f half(0.01f, 0.03f, 0.06f);
+    const render::Affine offset{Imath::M33f(), V3f(0.02f, 0, 0)};
+    const float radius = half.length() + 0.02f;
+    const Imath::Box3f bounds = render::swept_bounds(motion, radius, offset, half);
+    for (int step = 0; step <= 1000; ++step) {
+        const float time = static_cast<float>(step) / 1000;
+        for (int corner = 0; corner < 8; ++corner) {
+            const V3f side((corner & 1) != 0 ? half.x : -half.x,
+                           (corner & 2) != 0 ? half.y : -half.y,
+                           (corner & 4) != 0 ? half.z : -half.z);
+            const V3f point = motion.position(time) +
+                              render::rotate(motion.world_from_body(time), offset.point(side));
+            ASSERT_TRUE(bounds.intersects(point)) << time << " " << corner;
+        }
+    }
+    const Imath::Box3f ball = render::swept_bounds(motion, radius);
+    EXPECT_LT(bounds.size().x * bounds.size().y * bounds.size().z,
+              0.9f * ball.size().x * ball.size().y * ball.size().z);
 }
 
 /// The number of rays that hit; `hybrid` and Embree must give the same hits, except for the last
