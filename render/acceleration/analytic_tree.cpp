@@ -113,13 +113,17 @@ ShapeSet infinite_shapes(const ShapeSet& shapes) {
     return infinite;
 }
 
+// A turning shape is tested alone, but only by the rays of a batch that meet its box. (Frames of 32
+// falling dominoes take a seventh less time in loops than in a tree.)
+constexpr std::size_t kCostOfTurning = 2;
+
 std::size_t loop_cost(const ShapeSet& shapes) {
     std::size_t cost = 0;
     shapes.blocks.each([&]<class Shape>(const BlockList<Shape>& list) {
         cost += Shape::kIsBounded ? list.size : 0;
     });
     for (const MovingShape& shape : shapes.moving) {
-        cost += shape.is_infinite() ? 0 : kBlockLanes;
+        cost += shape.is_infinite() ? 0 : kCostOfTurning;
     }
     return cost;
 }
