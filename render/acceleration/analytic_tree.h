@@ -31,8 +31,8 @@ struct AnalyticTree {
 /// The infinite shapes of a set, which no tree can hold.
 [[nodiscard]] ShapeSet infinite_shapes(const ShapeSet& shapes);
 
-/// Cost of testing all bounded shapes for every ray, in single lanes of vectors: 1 for most; 8 for
-/// a moving shape, which is tested alone.
+/// Cost of testing all bounded shapes for every ray, in single lanes of vectors: 1 for most; 2 for
+/// a turning shape, which is tested alone, by the rays that meet its box.
 [[nodiscard]] std::size_t loop_cost(const ShapeSet& shapes);
 
 }  // namespace carom::render
