@@ -10,7 +10,7 @@ namespace carom::render {
 /// Samples and their rays as a structure of arrays; vector code may access elements beyond the
 /// last.
 struct CameraBatch {
-    static constexpr int kMost = 256;
+    static constexpr int kMost = 512;
     static constexpr int kStorage = kMost + 16;
 
     int count = 0;

@@ -9,7 +9,7 @@
 namespace carom::render {
 
 /// Largest number of camera samples in a wave, and of paths: a sample may split twice.
-inline constexpr int kWaveSamples = 256;
+inline constexpr int kWaveSamples = 512;
 inline constexpr int kWavePaths = 10 * kWaveSamples;
 /// Vector code may read and write beyond the last path.
 inline constexpr int kWaveStorage = kWavePaths + 16;
