@@ -5,7 +5,7 @@ import { equal, openText, textOf } from './harness.mjs';
 
 export const shot = 'bank_shot.yaml';
 const kFrames = 5;  // when it is stopped
-const kWanted = 20;  // at 5 s
+const kWanted = 60;  // at 5 s
 
 const filmState = (page) => page.evaluate(() => window.studio.films.film.value);
 const waitFor = (page, state) => page.waitForFunction(
@@ -31,7 +31,7 @@ const seeked = (page) => page.waitForFunction(() => {
 /// The bank shot as a film of six seconds with few frames.
 async function openSmall(context) {
     const text = readFileSync(context.path, 'utf8')
-        .replace('video: [3 s, 5 s]', 'video: [3 s, 6 s]').replace('size: [640, 360], fps: 24', 'size: [640, 360], fps: 4');
+        .replace('video: [3 s, 5 s]', 'video: [3 s, 6 s]').replace('size: [640, 360], fps: 24', 'size: [640, 360], fps: 12');
     return openText(context, 'small.yaml', text);
 }
 
