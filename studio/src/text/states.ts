@@ -17,6 +17,10 @@ export function lineBreak(text: string): string {
 /// Says that a change soon after the last event of its history becomes one with that.
 export const joinsLast = Annotation.define<boolean>();
 
+/// Changes within this time may become one step: on a slow machine, those of a drag in another window
+/// arrive some hundred milliseconds apart.
+const kOneStep = 1000;  // ms
+
 /// A history that forgets steps by itself would no longer fit the steps over all files.
 const kUnlimited = 1e9;
 
@@ -24,7 +28,7 @@ function extensionsOf(text: string, writable: boolean): Extension {
     return [
         EditorState.lineSeparator.of(lineBreak(text)),
         EditorState.readOnly.of(!writable),
-        history({ minDepth: kUnlimited,
+        history({ minDepth: kUnlimited, newGroupDelay: kOneStep,
             joinToEvent: (transaction, isAdjacent) =>
                 isAdjacent || transaction.annotation(joinsLast) === true }),
         extensions(writable),
