@@ -43,6 +43,16 @@ struct Place {
     pipeline::FileDescriptor lock;
 };
 
+/// A studio that was killed may hold the lock of its journal for a moment longer.
+pipeline::LockAttempt patient_lock(const std::string& path, bool is_worth_waiting) {
+    pipeline::LockAttempt attempt = pipeline::try_lock(path);
+    for (int i = 0; i < 20 && is_worth_waiting && attempt.state == pipeline::LockState::busy; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        attempt = pipeline::try_lock(path);
+    }
+    return attempt;
+}
+
 /// If possible one that another studio left behind. Throws Error if none can be made.
 std::optional<Place> find_place(const std::string& shot, const std::string& folder) {
     pipeline::create_folder(folder);
@@ -55,7 +65,7 @@ std::optional<Place> find_place(const std::string& shot, const std::string& fold
         if (place && !exists) {
             continue;
         }
-        pipeline::LockAttempt attempt = pipeline::try_lock(other.lock_path);
+        pipeline::LockAttempt attempt = patient_lock(other.lock_path, exists);
         if (attempt.state != pipeline::LockState::busy) {
             other.lock = std::move(attempt.descriptor);
             place = std::move(other);
