@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/integrator/path_state.h"
+#include "render/integrator/scalar_kernels.h"
 #include "render/integrator/transport_scene.h"
 #include "render/material/bsdf.h"
 
@@ -16,11 +17,9 @@ enum class DirectStrategy { both, lights_only, scattering_only };
 /// than one. With many area lights each gets one, because together they are smooth enough.
 [[nodiscard]] int first_vertex_samples(const LightSet& lights, std::size_t light);
 
-/// Weight of a sample made with density `pdf` when another strategy makes the same sample with
-/// density `other`: the power heuristic with exponent 2 (Veach 1997, section 9.2.4).
+/// The weight of multiple importance sampling (kernels/power_heuristic.h).
 [[nodiscard]] inline float power_heuristic(float pdf, float other) {
-    const float ratio = other / pdf;
-    return 1.0f / (1.0f + ratio * ratio);
+    return scalar::power_heuristic<scalar::One>(pdf, other);
 }
 
 /// A vertex of a path at which light is gathered.

@@ -7,6 +7,7 @@
 namespace carom::render::scalar {
 
 #define CAROM_KERNEL [[gnu::always_inline]] inline
+#include "render/integrator/kernels/power_heuristic.h"
 #include "render/integrator/kernels/roulette.h"
 #undef CAROM_KERNEL
 

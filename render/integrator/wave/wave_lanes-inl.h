@@ -1,5 +1,4 @@
-// Loads and stores of path_wave.h's arrays, and the power heuristic of integrator/direct_light.h.
-// Included once per instruction set.
+// Loads and stores of path_wave.h's arrays. Included once per instruction set.
 #if defined(CAROM_WAVE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CAROM_WAVE_LANES_INL_H
 #undef CAROM_WAVE_LANES_INL_H
@@ -10,6 +9,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "render/integrator/kernels-inl.h"
 #include "render/integrator/wave/path_wave.h"
 #include "render/light/kernels-inl.h"
 #include "render/material/kernels-inl.h"
@@ -59,12 +59,6 @@ HWY_INLINE void store_some(const F3& value, M mask, Floats3& field, int i) {
 }
 HWY_INLINE void store_some(I value, M mask, Words& field, int i) {
     hn::StoreU(hn::Compress(value, hn::RebindMask(IntTag(), mask)), IntTag(), field.at + i);
-}
-
-/// The power heuristic of direct_light.h.
-HWY_INLINE F power_heuristic(F pdf, F other) {
-    const F ratio = other / pdf;
-    return all(1.f) / (all(1.f) + ratio * ratio);
 }
 
 }  // namespace carom::render::HWY_NAMESPACE

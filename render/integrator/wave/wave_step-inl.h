@@ -19,13 +19,13 @@ HWY_INLINE F3 weighted_value(const VertexLanes& v, const F3& wi, F light_pdf) {
     const LobeValue base = base_towards(v, wi);
     const F by_base = base_probability(v) * base.pdf;
     if (!v.lobes.any_rough_coat) {
-        return base.value * power_heuristic(light_pdf, by_base);
+        return base.value * power_heuristic<Lanes>(light_pdf, by_base);
     }
     const LobeValue coat = coat_towards(v, wi);
     const F by_all = by_base + v.lobes.coat_choice * coat.pdf;
-    const F weight_of_base = power_heuristic(light_pdf, select(v.splits, by_base, by_all));
+    const F weight_of_base = power_heuristic<Lanes>(light_pdf, select(v.splits, by_base, by_all));
     const F weight_of_coat =
-        power_heuristic(light_pdf, select(v.splits, coat.pdf * v.coat_samples, by_all));
+        power_heuristic<Lanes>(light_pdf, select(v.splits, coat.pdf * v.coat_samples, by_all));
     return base.value * weight_of_base + coat.value * weight_of_coat;
 }
 
@@ -235,7 +235,7 @@ HWY_INLINE F weight_of_sky(const WaveScene& scene, const PathWave& paths, I path
     }
     const F last = gather(paths.pdf, path);
     return select(is_delta, all(1.f),
-                  power_heuristic(select(is_delta, all(1.f), last), expected * pdf));
+                  power_heuristic<Lanes>(select(is_delta, all(1.f), last), expected * pdf));
 }
 
 inline HWY_ATTR void find_sky(const WaveScene& scene, const PathWave& paths, MissWave& missed) {
