@@ -7,10 +7,13 @@ import { equal, open, serve, settle, textOf } from './harness.mjs';
 
 const kMine = 'cue: {at: [-0.61, 0.17]}';
 
-/// Resolves when a journal in the cache has the text; the server writes it every two seconds.
+/// Resolves when a journal in the cache has the text; the server writes it every two seconds. Files
+/// that are still being written do not count: a server that is killed before it renames them leaves
+/// no journal.
 async function journalHas(folder, words) {
     const journals = join(folder, 'cache/studio');
     const has = () => existsSync(journals) && readdirSync(journals)
+        .filter((name) => name.endsWith('.json'))
         .some((name) => readFileSync(join(journals, name), 'utf8').includes(words));
     for (let i = 0; i < 200 && !has(); ++i) {
         await wait(50);

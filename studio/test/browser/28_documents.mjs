@@ -32,6 +32,7 @@ export async function check({ page, path, folder, carom }) {
         [{ path: ['render', 'size'], value: [320, 180] }, { path: ['render', 'samples'], value: 4 }],
         'Make it smaller'));
     await page.evaluate(() => window.studio.idle());
+    await page.getByText('Stop').waitFor({ state: 'detached' }); // the speeds of the newer motion
     const saved = readFileSync(path, 'utf8');
     await tab('Contact sheet');
     await page.getByText('have to be rendered').waitFor();
