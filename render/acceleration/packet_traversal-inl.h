@@ -32,23 +32,51 @@ struct alignas(64) PacketRays {
     HWY_INLINE void prepare() {
         const PacketTag d;
         for (int lane = 0; lane < kPacketLanes; lane += static_cast<int>(hn::Lanes(d))) {
-            hn::Vec<PacketTag> sum = hn::Zero(d);
-            for (const auto& axis : origin) {
-                sum = hn::Add(sum, hn::Abs(hn::Load(d, axis + lane)));
-            }
-            const auto margin = hn::Mul(sum, hn::Set(d, 0x1p-18f));
+            hn::Vec<PacketTag> at[3];
             for (int axis = 0; axis < 3; ++axis) {
-                const auto at = hn::Load(d, origin[axis] + lane);
-                const auto toward = hn::Load(d, direction[axis] + lane);
-                hn::Store(hn::Add(at, margin), d, low_origin[axis] + lane);
-                hn::Store(hn::Sub(at, margin), d, high_origin[axis] + lane);
-                const auto size = hn::Max(hn::Abs(toward), hn::Set(d, 1e-30f));
-                hn::Store(hn::Div(hn::Set(d, 1.f), hn::CopySign(size, toward)), d,
+                at[axis] = hn::Load(d, origin[axis] + lane);
+            }
+            const auto margin = margin_of(at);
+            for (int axis = 0; axis < 3; ++axis) {
+                hn::Store(hn::Add(at[axis], margin), d, low_origin[axis] + lane);
+                hn::Store(hn::Sub(at[axis], margin), d, high_origin[axis] + lane);
+                hn::Store(finite_inverse(hn::Load(d, direction[axis] + lane)), d,
                           inverse[axis] + lane);
             }
         }
     }
+
+    static HWY_INLINE hn::Vec<PacketTag> margin_of(const hn::Vec<PacketTag> (&at)[3]) {
+        const auto sum = hn::Add(hn::Add(hn::Abs(at[0]), hn::Abs(at[1])), hn::Abs(at[2]));
+        return hn::Mul(sum, hn::Set(PacketTag(), 0x1p-18f));
+    }
+    static HWY_INLINE hn::Vec<PacketTag> finite_inverse(hn::Vec<PacketTag> toward) {
+        const PacketTag d;
+        const auto size = hn::Max(hn::Abs(toward), hn::Set(d, 1e-30f));
+        return hn::Div(hn::Set(d, 1.f), hn::CopySign(size, toward));
+    }
 };
+
+/// Where rays enter and leave a box.
+struct Passage {
+    hn::Vec<PacketTag> enter, leave;
+};
+
+/// `low` and `high`: PacketRays::low_origin and high_origin. Not cut at the rays' ends.
+HWY_INLINE Passage passage(const float (&low_planes)[3], const float (&high_planes)[3],
+                           const hn::Vec<PacketTag> (&low)[3], const hn::Vec<PacketTag> (&high)[3],
+                           const hn::Vec<PacketTag> (&inverse)[3]) {
+    const PacketTag d;
+    hn::Vec<PacketTag> near[3];
+    hn::Vec<PacketTag> far[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto a = hn::Mul(hn::Sub(hn::Set(d, low_planes[axis]), low[axis]), inverse[axis]);
+        const auto b = hn::Mul(hn::Sub(hn::Set(d, high_planes[axis]), high[axis]), inverse[axis]);
+        near[axis] = hn::Min(a, b);
+        far[axis] = hn::Max(a, b);
+    }
+    return {hn::Max(hn::Max(near[0], near[1]), near[2]), hn::Min(hn::Min(far[0], far[1]), far[2])};
+}
 
 /// Children that wait to be visited, and where each ray of a packet enters them: infinity for those
 /// that miss.
@@ -66,9 +94,12 @@ struct WaitingChild {
 inline constexpr int kFewRays = 3;
 inline constexpr int kFewInLeaf = 6;
 
-/// Visits the part of a tree below `start` with one ray of a packet, nearest first.
-/// `visit(leaf, enter)` returns true to end.
-template <class Visit>
+/// In which order the children of a node are visited.
+enum class Order { nearest_first, any };
+
+/// Visits the part of a tree below `start` with one ray of a packet. `visit(leaf, enter)` returns
+/// true to end.
+template <Order kOrder, class Visit>
 HWY_INLINE void traverse_alone(const WideTree& tree, const PacketRays& rays, int ray,
                                WaitingChild start, const Visit& visit) {
     const ChildTag d;
@@ -109,6 +140,12 @@ HWY_INLINE void traverse_alone(const WideTree& tree, const PacketRays& rays, int
                 hn::Store(enter, d, enters + lane);
                 children |= static_cast<unsigned>(bits[0]) << lane;
             }
+            if constexpr (kOrder == Order::any) {
+                for (; children != 0; children &= children - 1) {
+                    const int lane = std::countr_zero(children);
+                    stack[count++] = {enters[lane], node.children[lane]};
+                }
+            }
             if (children != 0) {
                 int lane = std::countr_zero(children);
                 WaitingChild first{enters[lane], node.children[lane]};
@@ -141,9 +178,9 @@ HWY_INLINE void traverse_alone(const WideTree& tree, const PacketRays& rays, int
     }
 }
 
-/// Visits a tree with a packet, nearest children first. `leaf_of_many(leaf, enter)` and
-/// `leaf_of_one(leaf, ray, enter)` test the triangles of a leaf and lower limits.
-template <class LeafOfMany, class LeafOfOne>
+/// Visits a tree with a packet. `leaf_of_many(leaf, enter)` and `leaf_of_one(leaf, ray, enter)`
+/// test the triangles of a leaf and lower limits.
+template <Order kOrder, class LeafOfMany, class LeafOfOne>
 HWY_INLINE void traverse_packet(const WideTree& tree, const PacketRays& rays,
                                 const LeafOfMany& leaf_of_many, const LeafOfOne& leaf_of_one) {
     const PacketTag d;
@@ -178,9 +215,9 @@ HWY_INLINE void traverse_packet(const WideTree& tree, const PacketRays& rays,
             for (unsigned left = bits[0] | static_cast<unsigned>(bits[1]) << 8u; left != 0;
                  left &= left - 1) {
                 const int ray = std::countr_zero(left);
-                traverse_alone(tree, rays, ray, {stack[count].enter[ray], current},
-                               [&](std::uint32_t leaf, float enter)
-                                   HWY_ATTR { return leaf_of_one(leaf, ray, enter); });
+                traverse_alone<kOrder>(tree, rays, ray, {stack[count].enter[ray], current},
+                                       [&](std::uint32_t leaf, float enter)
+                                           HWY_ATTR { return leaf_of_one(leaf, ray, enter); });
             }
             continue;
         }
@@ -200,25 +237,25 @@ HWY_INLINE void traverse_packet(const WideTree& tree, const PacketRays& rays,
         }
         int children = 0;
         for (int lane = 0; lane < kBlockLanes && node.children[lane] != 0; ++lane) {
-            F near[3];
-            F far[3];
-            for (int axis = 0; axis < 3; ++axis) {
-                const F a =
-                    hn::Mul(hn::Sub(hn::Set(d, node.planes[axis][0].values[lane]), low[axis]),
-                            inverse[axis]);
-                const F b =
-                    hn::Mul(hn::Sub(hn::Set(d, node.planes[axis][1].values[lane]), high[axis]),
-                            inverse[axis]);
-                near[axis] = hn::Min(a, b);
-                far[axis] = hn::Max(a, b);
-            }
-            const F enter = hn::Max(hn::Max(near[0], near[1]), hn::Max(near[2], t_min));
-            const F leave = hn::Min(hn::Min(far[0], far[1]), hn::Min(far[2], limit));
-            const auto inside = hn::And(hn::Le(enter, leave), active);
+            const float low_planes[3] = {node.planes[0][0].values[lane],
+                                         node.planes[1][0].values[lane],
+                                         node.planes[2][0].values[lane]};
+            const float high_planes[3] = {node.planes[0][1].values[lane],
+                                          node.planes[1][1].values[lane],
+                                          node.planes[2][1].values[lane]};
+            const Passage way = passage(low_planes, high_planes, low, high, inverse);
+            const F enter = hn::Max(way.enter, t_min);
+            const auto inside = hn::And(hn::Le(enter, hn::Min(way.leave, limit)), active);
             if (hn::AllFalse(d, inside)) {
                 continue;
             }
             const F kept = hn::IfThenElse(inside, enter, hn::Set(d, kInfinity));
+            if constexpr (kOrder == Order::any) {
+                hn::Store(kept, d, stack[count].enter);
+                stack[count].child = node.children[lane];
+                ++count;
+                continue;
+            }
             hn::Store(kept, d, found[children].enter);
             found[children].child = node.children[lane];
             const float nearest = hn::GetLane(hn::MinOfLanes(d, kept));

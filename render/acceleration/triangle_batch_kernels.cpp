@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 
 #include "render/acceleration/packet_traversal-inl.h"
+#include "render/lanes/packed_lanes-inl.h"
 #include "render/triangle/moller_trumbore-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -73,6 +74,7 @@ struct alignas(64) PacketHits {
 
 /// Nearest hits of a packet; distances are the rays' limits.
 struct ClosestOfPacket {
+    static constexpr Order kOrder = Order::nearest_first;
     const TriangleTree& tree;
     PacketRays& rays;
     PacketHits& hits;
@@ -154,6 +156,7 @@ struct ClosestOfPacket {
 
 /// Occlusion of a packet: limits become -1.
 struct AnyOfPacket {
+    static constexpr Order kOrder = Order::any;
     const TriangleTree& tree;
     PacketRays& rays;
 
@@ -191,43 +194,100 @@ struct AnyOfPacket {
 template <class Query>
 HWY_INLINE void ask(const Query& query) {
     query.rays.prepare();
-    traverse_packet(
+    traverse_packet<Query::kOrder>(
         query.tree.tree, query.rays,
         [&](std::uint32_t leaf, hn::Vec<PacketTag> enter) HWY_ATTR { query.of_many(leaf, enter); },
         [&](std::uint32_t leaf, int ray, float enter)
             HWY_ATTR { return query.of_one(leaf, ray, enter); });
 }
 
-/// Rays with finite numbers only, as in safe_ray.h.
-HWY_INLINE bool is_finite_ray(const RayBatch& rays, int i) {
-    const float probe =
-        0 *
-        (((rays.origin[0][i] + rays.origin[1][i]) + (rays.origin[2][i] + rays.direction[0][i])) +
-         ((rays.direction[1][i] + rays.direction[2][i]) + rays.time[i]));
-    return probe == 0;
-}
-
-/// Loads the rays from `first` on. Returns those that are to be asked: finite ones with t > 0.
-HWY_INLINE hn::Mask<PacketTag> load_rays(const RayBatch& batch, int first, hn::Vec<PacketTag> t,
-                                         PacketRays& rays) {
-    const PacketTag d;
-    const auto zero = hn::Zero(d);
-    hn::Vec<PacketTag> sum = hn::LoadU(d, batch.time + first);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto origin = hn::LoadU(d, batch.origin[axis] + first);
-        const auto direction = hn::LoadU(d, batch.direction[axis] + first);
-        sum = hn::Add(sum, hn::Add(origin, direction));
-        hn::Store(origin, d, rays.origin[axis]);
-        hn::Store(direction, d, rays.direction[axis]);
+/// Rays of a batch that wait to be asked, without gaps.
+class WaitingRays {
+  public:
+    /// Adds the rays from `first` on that may meet the tree before `t`: finite ones (safe_ray.h)
+    /// that pass through its box.
+    HWY_INLINE void add(const TriangleTree& tree, const RayBatch& batch, int first,
+                        hn::Vec<PacketTag> t) {
+        const PacketTag d;
+        const auto zero = hn::Zero(d);
+        hn::Vec<PacketTag> sum = hn::LoadU(d, batch.time + first);
+        hn::Vec<PacketTag> origin[3];
+        hn::Vec<PacketTag> direction[3];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            origin[axis] = hn::LoadU(d, batch.origin[axis] + first);
+            direction[axis] = hn::LoadU(d, batch.direction[axis] + first);
+            sum = hn::Add(sum, hn::Add(origin[axis], direction[axis]));
+        }
+        const auto is_finite = hn::Eq(hn::Mul(sum, zero), zero);
+        const auto is_asked = hn::And(hn::And(is_finite, hn::Gt(t, zero)),
+                                      hn::FirstN(d, static_cast<std::size_t>(batch.count - first)));
+        const auto limit = hn::Min(t, hn::Set(d, kLargest));
+        const PackedLanes goes(hn::And(is_asked, meets(tree.bounds, origin, direction, limit)));
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            hn::StoreU(goes.pack(origin[axis]), d, origin_[axis] + count_);
+            hn::StoreU(goes.pack(direction[axis]), d, direction_[axis] + count_);
+        }
+        hn::StoreU(goes.pack(limit), d, limit_ + count_);
+        const hn::RebindToSigned<PacketTag> di;
+        hn::StoreU(goes.pack(hn::Iota(di, first)), di, index_ + count_);
+        count_ += goes.count();
     }
-    const auto finite = hn::Eq(hn::Mul(sum, zero), zero);
-    const auto asked = hn::And(hn::And(finite, hn::Gt(t, zero)),
-                               hn::FirstN(d, static_cast<std::size_t>(batch.count - first)));
-    rays.t_min = 0;
-    hn::Store(hn::IfThenElse(asked, hn::Min(t, hn::Set(d, kLargest)), hn::Set(d, -1.f)), d,
-              rays.limit);
-    return asked;
-}
+
+    [[nodiscard]] HWY_INLINE int count() const { return count_; }
+
+    /// Moves the first rays to a packet, and their places in the batch to `index`. Returns how
+    /// many.
+    HWY_INLINE int take(PacketRays& rays, std::int32_t (&index)[kPacketLanes]) {
+        const PacketTag d;
+        const hn::RebindToSigned<PacketTag> di;
+        const int taken = std::min(count_, kLanes);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            hn::Store(hn::Load(d, origin_[axis]), d, rays.origin[axis]);
+            hn::Store(hn::Load(d, direction_[axis]), d, rays.direction[axis]);
+            hn::Store(hn::Load(d, origin_[axis] + kLanes), d, origin_[axis]);
+            hn::Store(hn::Load(d, direction_[axis] + kLanes), d, direction_[axis]);
+        }
+        hn::Store(hn::IfThenElse(hn::FirstN(d, static_cast<std::size_t>(taken)),
+                                 hn::Load(d, limit_), hn::Set(d, -1.f)),
+                  d, rays.limit);
+        hn::Store(hn::Load(d, limit_ + kLanes), d, limit_);
+        hn::Store(hn::Load(di, index_), di, index);
+        hn::Store(hn::Load(di, index_ + kLanes), di, index_);
+        rays.t_min = 0;
+        count_ -= taken;
+        return taken;
+    }
+
+  private:
+    static constexpr int kLanes = static_cast<int>(HWY_LANES(float)) < kPacketLanes
+                                      ? static_cast<int>(HWY_LANES(float))
+                                      : kPacketLanes;
+
+    /// Whether rays pass through a box, widened as in a traversal.
+    static HWY_INLINE hn::Mask<PacketTag> meets(const Imath::Box3f& box,
+                                                const hn::Vec<PacketTag> (&origin)[3],
+                                                const hn::Vec<PacketTag> (&direction)[3],
+                                                hn::Vec<PacketTag> limit) {
+        const auto margin = PacketRays::margin_of(origin);
+        hn::Vec<PacketTag> low[3];
+        hn::Vec<PacketTag> high[3];
+        hn::Vec<PacketTag> inverse[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = hn::Add(origin[axis], margin);
+            high[axis] = hn::Sub(origin[axis], margin);
+            inverse[axis] = PacketRays::finite_inverse(direction[axis]);
+        }
+        const Passage way = passage({box.min.x, box.min.y, box.min.z},
+                                    {box.max.x, box.max.y, box.max.z}, low, high, inverse);
+        return hn::Le(hn::Max(way.enter, hn::Zero(PacketTag())), hn::Min(way.leave, limit));
+    }
+
+    alignas(64) float origin_[3][2 * kPacketLanes] = {};
+    alignas(64) float direction_[3][2 * kPacketLanes] = {};
+    alignas(64) float limit_[2 * kPacketLanes] = {};
+    alignas(64) std::int32_t index_[2 * kPacketLanes] = {};
+    int count_ = 0;
+};
 
 inline HWY_ATTR void closest(const TriangleTree& tree, const RayBatch& batch,
                              const HitArrays& hits) {
@@ -235,29 +295,41 @@ inline HWY_ATTR void closest(const TriangleTree& tree, const RayBatch& batch,
         return;
     }
     const PacketTag d;
-    const hn::RebindToSigned<PacketTag> di;
     const auto lanes = static_cast<int>(hn::Lanes(d));
+    WaitingRays waiting;
     PacketRays rays;
     PacketHits nearest;
-    for (int first = 0; first < batch.count; first += lanes) {
-        const auto asked = load_rays(batch, first, hn::LoadU(d, hits.t + first), rays);
-        if (hn::AllFalse(d, asked)) {
-            continue;
+    alignas(64) std::int32_t index[kPacketLanes];
+    const auto ask_now = [&]() HWY_ATTR {
+        const int count = waiting.take(rays, index);
+        alignas(64) float before[kPacketLanes];
+        hn::Store(hn::Load(d, rays.limit), d, before);
+        for (int i = 0; i < count; ++i) {
+            nearest.object[i] = hits.object[index[i]];
+            nearest.primitive[i] = hits.primitive[index[i]];
         }
-        hn::Store(hn::LoadU(di, hits.object + first), di, nearest.object);
-        hn::Store(hn::LoadU(di, hits.primitive + first), di, nearest.primitive);
-        hn::Store(hn::LoadU(d, hits.u + first), d, nearest.u);
-        hn::Store(hn::LoadU(d, hits.v + first), d, nearest.v);
-        const auto before = hn::Load(d, rays.limit);
         ask(ClosestOfPacket{tree, rays, nearest});
-        // A ray without a hit keeps a t that may be infinite.
-        const auto limit = hn::Load(d, rays.limit);
-        const auto found = hn::Lt(limit, before);
-        hn::StoreU(hn::IfThenElse(found, limit, hn::LoadU(d, hits.t + first)), d, hits.t + first);
-        hn::StoreU(hn::Load(di, nearest.object), di, hits.object + first);
-        hn::StoreU(hn::Load(di, nearest.primitive), di, hits.primitive + first);
-        hn::StoreU(hn::Load(d, nearest.u), d, hits.u + first);
-        hn::StoreU(hn::Load(d, nearest.v), d, hits.v + first);
+        for (int i = 0; i < count; ++i) {
+            const int at = index[i];
+            const bool is_nearer = rays.limit[i] < before[i];
+            if (is_nearer || nearest.object[i] != hits.object[at]) {
+                // A ray without a hit keeps a t that may be infinite.
+                hits.t[at] = is_nearer ? rays.limit[i] : hits.t[at];
+                hits.object[at] = nearest.object[i];
+                hits.primitive[at] = nearest.primitive[i];
+                hits.u[at] = nearest.u[i];
+                hits.v[at] = nearest.v[i];
+            }
+        }
+    };
+    for (int first = 0; first < batch.count; first += lanes) {
+        waiting.add(tree, batch, first, hn::LoadU(d, hits.t + first));
+        if (waiting.count() >= lanes) {
+            ask_now();
+        }
+    }
+    if (waiting.count() > 0) {
+        ask_now();
     }
 }
 
@@ -265,40 +337,25 @@ inline HWY_ATTR void occlude(const TriangleTree& tree, const RayBatch& batch, fl
     if (tree.blocks.empty()) {
         return;
     }
-    const auto lanes = static_cast<int>(hn::Lanes(PacketTag()));
+    const PacketTag d;
+    const auto lanes = static_cast<int>(hn::Lanes(d));
+    WaitingRays waiting;
     PacketRays rays;
-    rays.t_min = 0;
-    int index[kPacketLanes];
-    int count = 0;
+    alignas(64) std::int32_t index[kPacketLanes];
     const auto ask_now = [&]() HWY_ATTR {
-        for (int i = count; i < lanes; ++i) {
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                rays.origin[axis][i] = 0;
-                rays.direction[axis][i] = 0;
-            }
-            rays.limit[i] = -1;
-        }
+        const int count = waiting.take(rays, index);
         ask(AnyOfPacket{tree, rays});
         for (int i = 0; i < count; ++i) {
             t[index[i]] = rays.limit[i] < 0 ? 0 : t[index[i]];
         }
-        count = 0;
     };
-    for (int i = 0; i < batch.count; ++i) {
-        if (!(t[i] > 0) || !is_finite_ray(batch, i)) {
-            continue;
-        }
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            rays.origin[axis][count] = batch.origin[axis][i];
-            rays.direction[axis][count] = batch.direction[axis][i];
-        }
-        rays.limit[count] = std::min(t[i], kLargest);
-        index[count++] = i;
-        if (count == lanes) {
+    for (int first = 0; first < batch.count; first += lanes) {
+        waiting.add(tree, batch, first, hn::LoadU(d, t + first));
+        if (waiting.count() >= lanes) {
             ask_now();
         }
     }
-    if (count > 0) {
+    if (waiting.count() > 0) {
         ask_now();
     }
 }
@@ -323,9 +380,9 @@ inline HWY_ATTR bool closest_of_ray(const TriangleTree& tree, const Ray& ray, Hi
     nearest.object[0] = -1;
     set_ray(ray, rays);
     const ClosestOfPacket query{tree, rays, nearest};
-    traverse_alone(tree.tree, rays, 0, {ray.t_min, 0},
-                   [&](std::uint32_t leaf, float enter)
-                       HWY_ATTR { return query.of_one(leaf, 0, enter); });
+    traverse_alone<Order::nearest_first>(tree.tree, rays, 0, {ray.t_min, 0},
+                                         [&](std::uint32_t leaf, float enter)
+                                             HWY_ATTR { return query.of_one(leaf, 0, enter); });
     if (nearest.object[0] < 0) {
         return false;
     }
@@ -341,9 +398,9 @@ inline HWY_ATTR bool any_of_ray(const TriangleTree& tree, const Ray& ray) {
     PacketRays rays;
     set_ray(ray, rays);
     const AnyOfPacket query{tree, rays};
-    traverse_alone(tree.tree, rays, 0, {ray.t_min, 0},
-                   [&](std::uint32_t leaf, float enter)
-                       HWY_ATTR { return query.of_one(leaf, 0, enter); });
+    traverse_alone<Order::any>(tree.tree, rays, 0, {ray.t_min, 0},
+                               [&](std::uint32_t leaf, float enter)
+                                   HWY_ATTR { return query.of_one(leaf, 0, enter); });
     return rays.limit[0] < 0;
 }
 

@@ -25,6 +25,9 @@ TriangleTree make_triangle_tree(std::span<const MeshEntry> meshes) {
         }
     }
     TriangleTree result;
+    for (const MovingBounds& one : bounds) {
+        result.bounds.extendBy(one.open);
+    }
     result.tree = build_wide_tree(bounds);
     result.blocks.reserve(result.tree.leaves.size());
     result.names.reserve(result.tree.leaves.size());

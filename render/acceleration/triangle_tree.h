@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include <Imath/ImathBox.h>
+
 #include "render/acceleration/analytic_blocks.h"
 #include "render/acceleration/mesh_entry.h"
 #include "render/acceleration/test_counts.h"
@@ -27,6 +29,7 @@ struct TriangleNames {
 
 struct TriangleTree {
     WideTree tree;
+    Imath::Box3f bounds;                // of all triangles
     LargeVector<TriangleBlock> blocks;  // by leaf
     LargeVector<TriangleNames> names;   // by leaf
 };

@@ -30,14 +30,15 @@ inline HWY_ATTR void play_roulette(const SampleWave& samples, PathWave& paths, W
         sampler.get_4d(index + index + all_words(1), u);
         const F3 throughput = gather(paths.throughput, path);
         const F survival = survival_of<Lanes>(throughput);
-        const M survives = hn::And(hn::Lt(u[2], survival),
-                                   hn::FirstN(d, static_cast<std::size_t>(reached.count - first)));
+        const PackedLanes survives(
+            hn::And(hn::Lt(u[2], survival),
+                    hn::FirstN(d, static_cast<std::size_t>(reached.count - first))));
         hn::ScatterIndex(throughput.x / survival, d, paths.throughput.x.at, path);
         hn::ScatterIndex(throughput.y / survival, d, paths.throughput.y.at, path);
         hn::ScatterIndex(throughput.z / survival, d, paths.throughput.z.at, path);
         // What is overwritten has been read.
         store_some(path, survives, reached.at, survivors);
-        survivors += static_cast<int>(hn::CountTrue(d, survives));
+        survivors += survives.count();
     }
     reached.count = survivors;
 }

@@ -43,7 +43,7 @@ struct ContinuingLanes {
 
 /// Appends the lanes in `goes` to `next`.
 HWY_INLINE void proceed(const WaveStep& step, const VertexLanes& v, const ScatterLanes& ray,
-                        F width, M goes, PathWave& next) {
+                        F width, const PackedLanes& goes, PathWave& next) {
     const int at = next.count;
     store_some(gather(step.paths.slot, v.path), goes, next.slot, at);
     store_some(ray.branch, goes, next.branch, at);
@@ -61,7 +61,7 @@ HWY_INLINE void proceed(const WaveStep& step, const VertexLanes& v, const Scatte
     store_some(ray.is_delta, goes, next.is_delta, at);
     store_some(ray.connects, goes, next.connects, at);
     store_some(ray.ball, goes, next.connected_ball, at);
-    next.count += static_cast<int>(hn::CountTrue(FloatTag(), goes));
+    next.count += goes.count();
 }
 
 /// Appends the directions that are above the surface and carry light. `samples`: the number of
@@ -95,7 +95,7 @@ HWY_INLINE void proceed(const WaveStep& step, const VertexLanes& v, const Contin
     const M shines = hn::Gt(largest(ray.weight), all(0.f));
     const M goes = hn::And(hn::And(wanted, to.valid), hn::And(above, shines));
     if (!hn::AllFalse(FloatTag(), goes)) {
-        proceed(step, v, ray, from.width, goes, next);
+        proceed(step, v, ray, from.width, PackedLanes(goes), next);
     }
 }
 

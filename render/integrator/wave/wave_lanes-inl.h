@@ -11,6 +11,7 @@
 
 #include "render/integrator/kernels-inl.h"
 #include "render/integrator/wave/path_wave.h"
+#include "render/lanes/packed_lanes-inl.h"
 #include "render/light/kernels-inl.h"
 #include "render/material/kernels-inl.h"
 #include "render/sampling/lanes-inl.h"
@@ -47,18 +48,18 @@ HWY_INLINE void store(const F3& value, Floats3& field, int i) {
     store(value.y, field.y, i);
     store(value.z, field.z, i);
 }
-/// Stores the lanes in `mask` without gaps; what follows them is undefined. (Some processors take a
+/// Stores the lanes in `goes` without gaps; what follows them is undefined. (Some processors take a
 /// hundred cycles for the instruction that stores just these.)
-HWY_INLINE void store_some(F value, M mask, Floats& field, int i) {
-    hn::StoreU(hn::Compress(value, mask), FloatTag(), field.at + i);
+HWY_INLINE void store_some(F value, const PackedLanes& goes, Floats& field, int i) {
+    hn::StoreU(goes.pack(value), FloatTag(), field.at + i);
 }
-HWY_INLINE void store_some(const F3& value, M mask, Floats3& field, int i) {
-    store_some(value.x, mask, field.x, i);
-    store_some(value.y, mask, field.y, i);
-    store_some(value.z, mask, field.z, i);
+HWY_INLINE void store_some(const F3& value, const PackedLanes& goes, Floats3& field, int i) {
+    store_some(value.x, goes, field.x, i);
+    store_some(value.y, goes, field.y, i);
+    store_some(value.z, goes, field.z, i);
 }
-HWY_INLINE void store_some(I value, M mask, Words& field, int i) {
-    hn::StoreU(hn::Compress(value, hn::RebindMask(IntTag(), mask)), IntTag(), field.at + i);
+HWY_INLINE void store_some(I value, const PackedLanes& goes, Words& field, int i) {
+    hn::StoreU(goes.pack(value), IntTag(), field.at + i);
 }
 
 }  // namespace carom::render::HWY_NAMESPACE

@@ -181,10 +181,10 @@ HWY_INLINE void select_caustics(const WaveStep& step, const VertexLanes& v,
     }
     const F roulette =
         sampler.get_1d(all_words(PathDimensions::kCaustics) + v.vertex_index + v.vertex_index);
-    const M asks = hn::And(v.connects, hn::Lt(roulette, total));
+    const PackedLanes asks(hn::And(v.connects, hn::Lt(roulette, total)));
     const I index = hn::Iota(IntTag(), v.first);
     store_some(index, asks, step.near_balls.at, step.near_balls.count);
-    step.near_balls.count += static_cast<int>(hn::CountTrue(FloatTag(), asks));
+    step.near_balls.count += asks.count();
 }
 
 inline HWY_ATTR void take_step(const WaveStep& step) {
