@@ -66,6 +66,33 @@ HWY_INLINE kernels::Triple<hn::Vec<PacketTag>> load_packet(const float (&lanes)[
     return {{hn::Load(d, lanes[0]), hn::Load(d, lanes[1]), hn::Load(d, lanes[2])}};
 }
 
+/// Whether a ray starts beyond a slab and does not return to it.
+HWY_INLINE bool leaves(const LeafSlab& slab, const PacketRays& rays, int ray) {
+    const float height = slab.normal.x * rays.origin[0][ray] + slab.normal.y * rays.origin[1][ray] +
+                         slab.normal.z * rays.origin[2][ray];
+    const float rise = slab.normal.x * rays.direction[0][ray] +
+                       slab.normal.y * rays.direction[1][ray] +
+                       slab.normal.z * rays.direction[2][ray];
+    return (height > slab.high && rise >= 0) || (height < slab.low && rise <= 0);
+}
+
+/// The same of the rays of a packet, with the same products and sums.
+HWY_INLINE hn::Mask<PacketTag> leaves(const LeafSlab& slab,
+                                      const kernels::Triple<hn::Vec<PacketTag>>& origin,
+                                      const kernels::Triple<hn::Vec<PacketTag>>& direction) {
+    const PacketTag d;
+    const auto along = [&](const kernels::Triple<hn::Vec<PacketTag>>& v) HWY_ATTR {
+        return hn::Add(hn::Add(hn::Mul(hn::Set(d, slab.normal.x), v.at[0]),
+                               hn::Mul(hn::Set(d, slab.normal.y), v.at[1])),
+                       hn::Mul(hn::Set(d, slab.normal.z), v.at[2]));
+    };
+    const auto height = along(origin);
+    const auto rise = along(direction);
+    const auto zero = hn::Zero(d);
+    return hn::Or(hn::And(hn::Gt(height, hn::Set(d, slab.high)), hn::Ge(rise, zero)),
+                  hn::And(hn::Lt(height, hn::Set(d, slab.low)), hn::Le(rise, zero)));
+}
+
 struct alignas(64) PacketHits {
     std::int32_t object[kPacketLanes];
     std::int32_t primitive[kPacketLanes];
@@ -86,6 +113,11 @@ struct ClosestOfPacket {
         const TriangleNames& names = tree.names[leaf];
         const auto origin = load_packet(rays.origin);
         const auto direction = load_packet(rays.direction);
+        const auto gone = leaves(tree.slabs[leaf], origin, direction);
+        enter = hn::IfThenElse(gone, hn::Set(d, kInfinity), enter);
+        if (hn::AllTrue(d, hn::Eq(enter, hn::Set(d, kInfinity)))) {
+            return;
+        }
         for (int k = 0; k < kBlockLanes && names.object.values[k] >= 0; ++k) {
             const auto hit = test<PacketTag>(origin, direction, triangle_in_all(d, block.corner, k),
                                              triangle_in_all(d, block.edge_b, k),
@@ -114,6 +146,9 @@ struct ClosestOfPacket {
     }
 
     HWY_INLINE bool of_one(std::uint32_t leaf, int ray, float enter) const {
+        if (leaves(tree.slabs[leaf], rays, ray)) {
+            return false;
+        }
         const ChildTag d;
         const TriangleNames& names = tree.names[leaf];
         for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
@@ -165,6 +200,11 @@ struct AnyOfPacket {
         const TriangleBlock& block = tree.blocks[leaf];
         const auto origin = load_packet(rays.origin);
         const auto direction = load_packet(rays.direction);
+        const auto gone = leaves(tree.slabs[leaf], origin, direction);
+        enter = hn::IfThenElse(gone, hn::Set(d, kInfinity), enter);
+        if (hn::AllTrue(d, hn::Eq(enter, hn::Set(d, kInfinity)))) {
+            return;
+        }
         auto limit = hn::Load(d, rays.limit);
         for (int k = 0; k < kBlockLanes && tree.names[leaf].object.values[k] >= 0; ++k) {
             const auto hit = test<PacketTag>(origin, direction, triangle_in_all(d, block.corner, k),
@@ -177,6 +217,9 @@ struct AnyOfPacket {
     }
 
     HWY_INLINE bool of_one(std::uint32_t leaf, int ray, float enter) const {
+        if (leaves(tree.slabs[leaf], rays, ray)) {
+            return false;
+        }
         const ChildTag d;
         for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
             const auto hit = test_block<ChildTag>(tree.blocks[leaf], lane, rays, ray);

@@ -1,8 +1,46 @@
 #include "render/acceleration/triangle_tree.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+
+#include "render/geometry/ray.h"
 
 namespace carom::render {
+namespace {
+
+/// By how much slabs are widened for the rounding of distances, as a fraction of the coordinates:
+/// an eighth of the distance at which rays start off their surface.
+constexpr float kSlabMargin = kOffsetFraction / 8;
+
+/// The slab of the first `count` triangles of a block, along the mean of their normals.
+LeafSlab slab_of(const TriangleBlock& block, std::uint32_t count) {
+    const auto vector = [](const Lanes(&lanes)[3], std::uint32_t lane) {
+        return V3f(lanes[0].values[lane], lanes[1].values[lane], lanes[2].values[lane]);
+    };
+    V3f sum(0, 0, 0);
+    for (std::uint32_t lane = 0; lane < count; ++lane) {
+        const V3f normal = vector(block.edge_b, lane) % vector(block.edge_c, lane);
+        sum += sum.dot(normal) < 0 ? -normal : normal;
+    }
+    LeafSlab slab{sum.length() > 0 ? sum.normalized() : V3f(0, 0, 1), kInfinity, -kInfinity};
+    float size = 0;
+    for (std::uint32_t lane = 0; lane < count; ++lane) {
+        const V3f a = vector(block.corner, lane);
+        for (const V3f& corner :
+             {a, a + vector(block.edge_b, lane), a + vector(block.edge_c, lane)}) {
+            const float height = slab.normal.dot(corner);
+            slab.low = std::min(slab.low, height);
+            slab.high = std::max(slab.high, height);
+            size = std::max({size, std::abs(corner.x), std::abs(corner.y), std::abs(corner.z)});
+        }
+    }
+    slab.low -= kSlabMargin * size;
+    slab.high += kSlabMargin * size;
+    return slab;
+}
+
+}  // namespace
 
 TriangleTree make_triangle_tree(std::span<const MeshEntry> meshes) {
     struct Place {
@@ -29,6 +67,7 @@ TriangleTree make_triangle_tree(std::span<const MeshEntry> meshes) {
         result.bounds.extendBy(one.open);
     }
     result.tree = build_wide_tree(bounds);
+    result.slabs.reserve(result.tree.leaves.size());
     result.blocks.reserve(result.tree.leaves.size());
     result.names.reserve(result.tree.leaves.size());
     for (const WideLeaf& leaf : result.tree.leaves) {
@@ -47,6 +86,7 @@ TriangleTree make_triangle_tree(std::span<const MeshEntry> meshes) {
             names.object.values[lane] = static_cast<std::int32_t>(meshes[place.mesh].object);
             names.number.values[lane] = static_cast<std::int32_t>(place.number);
         }
+        result.slabs.push_back(slab_of(block, leaf.count));
         result.blocks.push_back(block);
         result.names.push_back(names);
     }
@@ -55,7 +95,7 @@ TriangleTree make_triangle_tree(std::span<const MeshEntry> meshes) {
 
 std::size_t bytes_of(const TriangleTree& tree) {
     return bytes_of(tree.tree) +
-           tree.blocks.size() * (sizeof(TriangleBlock) + sizeof(TriangleNames));
+           tree.blocks.size() * (sizeof(TriangleBlock) + sizeof(TriangleNames) + sizeof(LeafSlab));
 }
 
 }  // namespace carom::render

@@ -27,9 +27,17 @@ struct TriangleNames {
     ObjectLanes number;  // index in the mesh
 };
 
+/// Two parallel planes with a leaf's triangles between them: low <= dot(normal, p) <= high. Where
+/// the triangles are coplanar, rays that leave them need no other test.
+struct LeafSlab {
+    V3f normal;
+    float low, high;
+};
+
 struct TriangleTree {
     WideTree tree;
     Imath::Box3f bounds;                // of all triangles
+    std::vector<LeafSlab> slabs;        // by leaf
     LargeVector<TriangleBlock> blocks;  // by leaf
     LargeVector<TriangleNames> names;   // by leaf
 };
