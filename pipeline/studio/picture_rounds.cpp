@@ -237,14 +237,27 @@ void PictureRounds::store(Work& work) {
         render::Film film = kept.frame->film(work.context);
         const render::ImageMetadata metadata =
             pipeline::stored_frame_metadata(shot, film.statistics);
-        write(key, film, metadata);
-        film = render::as_stored(std::move(film), metadata);
         if (pipeline::denoises(shot)) {
+            film = render::as_stored(std::move(film), metadata);
+            write_noisy(key, film);
             film = pipeline::denoised_picture(film, shot, {{}, work.context.stop});
             write(work.question.film_keys[i], film, pipeline::stored_frame_metadata(shot, {}));
+        } else {
+            write(key, film, metadata);
+            film = render::as_stored(std::move(film), metadata);
         }
         kept.stored = std::move(film);
         kept.frame.reset();
+    }
+}
+
+void PictureRounds::write_noisy(const Hash128& key, const render::Film& film) {
+    if (store_->noisy_size_bytes(key) > 0) {
+        return;
+    }
+    if (auto claim = store_->claim(key)) {
+        store_->write_noisy(key, film);
+        claim->finish();
     }
 }
 

@@ -92,6 +92,7 @@ class PictureRounds {
     /// Reads the layers of the last level from the cache. Returns whether it has all.
     [[nodiscard]] bool read_stored(Work& work);
     void store(Work& work);
+    void write_noisy(const Hash128& key, const render::Film& film);
     void write(const Hash128& key, const render::Film& film, const render::ImageMetadata& metadata);
 
     std::string cache_folder_;
