@@ -99,7 +99,6 @@ TEST(FilmForecast, OfADenoisedFilm_CountsNoisyFramesAndTheFilter) {
     film.shot.render.width = 256;
     film.shot.render.height = 144;
     film.shot.render.samples = 2;
-    const FilmForecast plain = film.forecast("film.mkv");
     film.shot.render.for_denoiser = true;
     film.shot.output.denoise.strength = 1;
     const FilmForecast forecast = film.forecast("film.mkv");
@@ -114,9 +113,8 @@ TEST(FilmForecast, OfADenoisedFilm_CountsNoisyFramesAndTheFilter) {
     EXPECT_GT(static_cast<double>(forecast.store_bytes), 0.67 * static_cast<double>(stored));
     EXPECT_LT(static_cast<double>(forecast.store_bytes), 1.5 * static_cast<double>(stored));
     const auto written = static_cast<double>(fs::file_size(film.folder.path("film.mkv")));
-    EXPECT_GT(static_cast<double>(forecast.film_bytes), 0.5 * written);
-    EXPECT_LT(static_cast<double>(forecast.film_bytes), 2 * written);
-    EXPECT_LT(forecast.film_bytes, plain.film_bytes) << "noise takes most of a lossless film";
+    EXPECT_GT(static_cast<double>(forecast.film_bytes), 0.7 * written);
+    EXPECT_LT(static_cast<double>(forecast.film_bytes), 1.4 * written);
     EXPECT_LE(forecast.serial_per_picture, forecast.seconds_per_picture);
 }
 
