@@ -18,6 +18,7 @@ pkg_check_modules(TINYOBJ REQUIRED IMPORTED_TARGET tinyobjloader_double)
 pkg_check_modules(OPENEXR REQUIRED IMPORTED_TARGET OpenEXR)
 # Its -pthread, which glibc does not need, would not fit the precompiled headers.
 set_target_properties(PkgConfig::OPENEXR PROPERTIES INTERFACE_COMPILE_OPTIONS "")
+pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(PNG REQUIRED IMPORTED_TARGET libpng)
 pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET OpenImageIO)
 pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)

@@ -78,6 +78,8 @@ const char* name_of(CacheEntry::Kind kind) {
             return "frame";
         case CacheEntry::Kind::sums:
             return "stopped frame";
+        case CacheEntry::Kind::noisy:
+            return "noisy frame";
         case CacheEntry::Kind::bake:
             break;
     }
@@ -133,6 +135,9 @@ void list(const CacheCommand& command) {
         if (total_of(entries, CacheEntry::Kind::sums).count > 0) {
             text += total_text(entries, CacheEntry::Kind::sums, "stopped frame");
         }
+        if (total_of(entries, CacheEntry::Kind::noisy).count > 0) {
+            text += total_text(entries, CacheEntry::Kind::noisy, "noisy frame");
+        }
         text += reservations_text(reservations);
     }
     print_text(text);
@@ -140,7 +145,12 @@ void list(const CacheCommand& command) {
 
 void prune(const CacheCommand& command, CommandContext& context) {
     pipeline::PruneOptions options;
-    options.limit = command.all ? 0 : limit_of(command.cache);
+    if (command.features) {
+        options.only_noisy = true;
+        options.limit = command.unused_for.empty() ? 0 : pipeline::kNoLimit;
+    } else {
+        options.limit = command.all ? 0 : limit_of(command.cache);
+    }
     if (!command.unused_for.empty()) {
         options.remove_before = Clock::now() - std::chrono::duration_cast<Clock::duration>(
                                                    parse_duration(command.unused_for));

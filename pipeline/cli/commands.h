@@ -76,6 +76,7 @@ struct CacheCommand {
     bool json = false;                 // list
     std::string unused_for;            // prune: "30 d"; empty: any age
     bool all = false;                  // prune
+    bool features = false;             // prune: only noisy frames
     bool dry_run = false;              // prune, push, pull, merge
     bool keep = false;                 // verify: damaged files are only listed
     std::string place;                 // push, pull: the other cache, as rsync takes it

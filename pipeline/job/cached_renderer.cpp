@@ -52,30 +52,37 @@ CachedRender CachedRenderer::render_frame(const FilmPlan::Picture& picture,
     const render::RenderStatistics counts = film.statistics;
     const render::ImageMetadata metadata =
         stored_frame_metadata(source_.shot(), counts, source_.tier());
-    const bool twice = store_.contains(key);
-    store_.write(key, film, metadata);
+    bool twice = false;
+    if (picture.key == key) {
+        twice = store_.contains(key);
+        store_.write(key, film, metadata);
+        film = render::as_stored(std::move(film), metadata);
+    } else {
+        film = render::as_stored(std::move(film), metadata);
+        twice = store_.noisy_size_bytes(key) > 0;
+        store_.write_noisy(key, film);
+    }
     remove_sums(store_, key);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     if (!continued) {
         expected_seconds_ = elapsed.count();  // of the next one
     }
-    return {RenderOrigin::rendered,
-            elapsed.count(),
-            counts,
-            render::as_stored(std::move(film), metadata),
-            twice,
-            continued};
+    return {RenderOrigin::rendered, elapsed.count(), counts, std::move(film), twice, continued};
 }
 
 /// The picture before it is denoised, from the store if it is there.
 CachedRender CachedRenderer::noisy(const FilmPlan::Picture& picture, const WorkContext& context) {
-    if (std::optional<render::Film> film = store_.read(picture.noisy_key)) {
+    const auto stored = [&] { return store_.read_noisy(picture.noisy_key); };
+    if (std::optional<render::Film> film = stored()) {
         return {.origin = RenderOrigin::rendered, .film = std::move(film)};
     }
     // Somebody may be rendering it for other settings of the denoiser.
     std::optional<Claim> claim = store_.claim(picture.noisy_key);
     if (!claim) {
         return {RenderOrigin::claimed_elsewhere};
+    }
+    if (std::optional<render::Film> film = stored()) {  // finished before the claim
+        return {.origin = RenderOrigin::rendered, .film = std::move(film)};
     }
     CachedRender result = render_frame(picture, context);
     claim->finish();
@@ -127,7 +134,7 @@ render::Film CachedRenderer::render_from(render::FrameSums& sums, const FilmPlan
 /// A failure is ignored: the picture begins anew then.
 void CachedRenderer::keep(const render::FrameSums& sums, const Hash128& key) const {
     try {
-        if (!store_.contains(key)) {
+        if (!store_.contains(key) && store_.noisy_size_bytes(key) == 0) {
             write_sums(store_, key, sums);
         }
     } catch (const Error&) {

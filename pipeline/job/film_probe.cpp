@@ -215,7 +215,7 @@ render::Film mosaic_of(const std::vector<render::Film>& blocks, std::size_t colu
     film.width = static_cast<int>(columns * side);
     film.height = static_cast<int>(rows * side);
     for (const render::Channel& channel : blocks.front().aovs) {
-        film.aovs.push_back({channel.name, {}});
+        film.aovs.push_back({channel.name, {}, channel.is_half});
     }
     for (std::size_t y = 0; y < rows * side; ++y) {
         for (std::size_t x = 0; x < columns * side; ++x) {

@@ -23,7 +23,7 @@ std::uint64_t usual_bytes(const Shot& shot) {
 std::uint64_t bytes_of(const FilmPlan::Picture& picture, const FrameStore& store) {
     const std::uint64_t own = store.size_bytes(picture.key);
     const bool is_denoised = picture.key != picture.noisy_key;
-    return own > 0 && is_denoised ? own + store.size_bytes(picture.noisy_key) : own;
+    return own > 0 && is_denoised ? own + store.noisy_size_bytes(picture.noisy_key) : own;
 }
 
 }  // namespace

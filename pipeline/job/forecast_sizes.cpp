@@ -17,6 +17,7 @@
 #include "pipeline/video/picture_kind.h"
 #include "pipeline/video/picture_writer.h"
 #include "pipeline/video/view_transform.h"
+#include "render/film/packed_film.h"
 
 namespace carom::pipeline {
 namespace {
@@ -25,6 +26,13 @@ namespace {
 struct PixelCost {
     double bytes = 0;
     double seconds = 0;  // CPU time
+};
+
+/// What a pixel of a picture costs in the store, where it may also be before it is denoised.
+struct StorePixelCost {
+    double bytes = 0;
+    double seconds = 0;          // CPU time, of one thread: to write
+    double denoise_seconds = 0;  // CPU time, of all threads
 };
 
 /// What a pixel of a film costs: in a key frame, and in a picture that is coded by its difference.
@@ -88,11 +96,21 @@ Cost mean_cost(const FilmProbe& probe, const std::vector<double Cost::*>& member
     return mean;
 }
 
-/// Measures a file that `write` makes of the blocks of the site's first picture.
-PixelCost file_cost(const SiteMeasurement& site, const std::string& path,
-                    const std::function<void(const render::Film&)>& write) {
+/// The blocks of the site's first picture.
+render::Film first_mosaic(const SiteMeasurement& site) {
     const std::vector<render::Film>& blocks = site.blocks.front();
-    const render::Film mosaic = mosaic_of(blocks, std::min<std::size_t>(blocks.size(), 20));
+    return mosaic_of(blocks, std::min<std::size_t>(blocks.size(), 20));
+}
+
+/// What is shown of a mosaic, which must have been rendered by the shot.
+render::Film shown(render::Film mosaic, const Shot& shot) {
+    return denoises(shot) ? denoised_picture(render::as_stored(std::move(mosaic), {}), shot)
+                          : std::move(mosaic);
+}
+
+/// Measures a file that `write` makes of the mosaic.
+PixelCost file_cost(const render::Film& mosaic, const std::string& path,
+                    const std::function<void(const render::Film&)>& write) {
     const double begin = process_cpu_seconds();
     write(mosaic);
     const double seconds = process_cpu_seconds() - begin;
@@ -100,16 +118,41 @@ PixelCost file_cost(const SiteMeasurement& site, const std::string& path,
             seconds / pixels_of(mosaic)};
 }
 
+StorePixelCost store_cost(const SiteMeasurement& site, const Shot& shot, const std::string& path) {
+    render::Film mosaic = first_mosaic(site);
+    StorePixelCost cost;
+    if (denoises(shot)) {
+        const double pixels = pixels_of(mosaic);
+        const render::Film noisy = render::as_stored(std::move(mosaic), {});
+        const double begin = process_cpu_seconds();
+        cost.bytes = static_cast<double>(render::pack_film(noisy).size()) / pixels;
+        const double packed = process_cpu_seconds();
+        mosaic = denoised_picture(noisy, shot);
+        cost.denoise_seconds = (process_cpu_seconds() - packed) / pixels;
+        cost.seconds = (packed - begin) / pixels;
+    }
+    const PixelCost file = file_cost(mosaic, path, [&](const render::Film& film) {
+        render::write_exr(film, path, stored_frame_metadata(shot));
+    });
+    cost.bytes += file.bytes;
+    cost.seconds += file.seconds;
+    return cost;
+}
+
 FilmPixelCost sequence_cost(const SiteMeasurement& site, const Shot& shot, const DisplayView& view,
                             const std::string& output) {
-    const double begin = process_cpu_seconds();
     const std::size_t count = site.common_blocks();
+    std::vector<render::Film> mosaics;
+    for (const std::vector<render::Film>& blocks : site.blocks) {
+        mosaics.push_back(
+            shown(mosaic_of({blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(count)},
+                            columns_for(count)),
+                  shot));
+    }
+    const double begin = process_cpu_seconds();
     std::vector<std::vector<std::uint16_t>> pictures;
     VideoFormat format{0, 0, shot.timing.fps};
-    for (const std::vector<render::Film>& blocks : site.blocks) {
-        const render::Film mosaic =
-            mosaic_of({blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(count)},
-                      columns_for(count));
+    for (const render::Film& mosaic : mosaics) {
         format.width = mosaic.width;
         format.height = mosaic.height;
         pictures.push_back(shot.output.hdr10 ? to_hdr10(mosaic, shot.output) : view.to_16(mosaic));
@@ -175,9 +218,9 @@ void add_film(const FilmSource& source, const FilmPlan& plan, const FilmProbe& p
         const std::string path = folder.path("picture" + extension_of(output));
         const PixelCost cost = mean_cost<PixelCost>(
             probe, {&PixelCost::bytes, &PixelCost::seconds}, [&](const SiteMeasurement& site) {
-                return file_cost(site, path, [&](const render::Film& mosaic) {
-                    write_picture(mosaic, view, path, {});
-                });
+                return file_cost(
+                    shown(first_mosaic(site), shot), path,
+                    [&](const render::Film& mosaic) { write_picture(mosaic, view, path, {}); });
             });
         forecast.film_bytes = static_cast<std::uint64_t>(frames * pixels * cost.bytes);
         forecast.encoding_seconds = frames * pixels * cost.seconds;
@@ -203,9 +246,9 @@ bool has_sequences(const Shot& shot, const std::string& output) {
 
 double usual_store_bytes_per_pixel(const Shot& shot) {
     constexpr double kUsual = 3.5;
-    constexpr double kForDenoiser = 12;  // halves and features
-    return kUsual + (denoises(shot) ? kUsual + kForDenoiser : 0) +
-           sizeof(float) * static_cast<double>(shot.render.aovs.size());
+    constexpr double kNoisy = 13;  // with halves and features
+    const double aovs = sizeof(float) * static_cast<double>(shot.render.aovs.size());
+    return denoises(shot) ? kUsual + kNoisy + 2 * aovs : kUsual + aovs;
 }
 
 void add_sizes(const FilmSource& source, const FilmPlan& plan, const FilmProbe& probe,
@@ -213,18 +256,15 @@ void add_sizes(const FilmSource& source, const FilmPlan& plan, const FilmProbe& 
     const Shot& shot = source.shot();
     const ScratchFolder folder;
     const std::string path = folder.path("picture.exr");
-    const PixelCost cost = mean_cost<PixelCost>(
-        probe, {&PixelCost::bytes, &PixelCost::seconds}, [&](const SiteMeasurement& site) {
-            return file_cost(site, path, [&](const render::Film& mosaic) {
-                render::write_exr(mosaic, path, stored_frame_metadata(shot));
-            });
-        });
+    const StorePixelCost cost = mean_cost<StorePixelCost>(
+        probe, {&StorePixelCost::bytes, &StorePixelCost::seconds, &StorePixelCost::denoise_seconds},
+        [&](const SiteMeasurement& site) { return store_cost(site, shot, path); });
     const double pixels = static_cast<double>(shot.render.width) * shot.render.height;
     // It may be that not one block could be measured in time.
     const double bytes = cost.bytes > 0 ? cost.bytes : usual_store_bytes_per_pixel(shot);
     forecast.store_bytes =
         static_cast<std::uint64_t>(static_cast<double>(forecast.pictures) * pixels * bytes);
-    forecast.seconds_per_picture += pixels * cost.seconds;
+    forecast.seconds_per_picture += pixels * (cost.seconds + cost.denoise_seconds);
     forecast.serial_per_picture += pixels * cost.seconds;
     if (!output.empty()) {
         add_film(source, plan, probe, output, forecast);

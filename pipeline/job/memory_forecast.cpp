@@ -28,9 +28,10 @@ constexpr double kSumsPerPixel = 144;
 /// One AOV, while it is rendered and while it is stored.
 constexpr double kPerPixelAndAov = 20;
 
-/// What the denoiser needs: 31 channels, while they are rendered, stored and filtered, and the sums
-/// of both halves. An estimate from the sizes of these arrays.
-constexpr double kForDenoiser = 31 * 12 + 130;
+/// What the denoiser needs: 31 channels, while they are rendered, packed and filtered.
+constexpr double kForDenoiser = 165;
+/// The sums of both halves of all samples.
+constexpr double kHalfSumsPerPixel = 110;
 
 /// The memory of a mesh in multiples of its file size: arrays in double, and Embree's tree.
 double mesh_growth(const std::string& extension) {
@@ -86,12 +87,15 @@ double encoder_bytes(const Shot& shot, const std::string& output, double pixels)
 std::uint64_t forecast_memory(const Shot& shot, const std::string& output, bool keeps_sums) {
     const double pixels = static_cast<double>(shot.render.width) * shot.render.height;
     const auto aovs = static_cast<double>(shot.render.aovs.size());
+    double per_pixel = kPicturePerPixel + aovs * kPerPixelAndAov;
+    if (shot.render.for_denoiser) {
+        per_pixel += kForDenoiser;
+    }
+    if (keeps_sums || render::is_adaptive(shot.render)) {
+        per_pixel += kSumsPerPixel + (shot.render.for_denoiser ? kHalfSumsPerPixel : 0);
+    }
     const double bytes =
-        kProgram + scene_bytes(shot) +
-        pixels * (kPicturePerPixel +
-                  (keeps_sums || render::is_adaptive(shot.render) ? kSumsPerPixel : 0) +
-                  aovs * kPerPixelAndAov + (shot.render.for_denoiser ? kForDenoiser : 0)) +
-        encoder_bytes(shot, output, pixels);
+        kProgram + scene_bytes(shot) + pixels * per_pixel + encoder_bytes(shot, output, pixels);
     return static_cast<std::uint64_t>(std::llround(bytes));
 }
 

@@ -63,7 +63,7 @@ class UnstoredPictures {
         if (!denoises(source_.shot())) {
             return render(picture, counts, stop);
         }
-        std::optional<render::Film> noisy = cache_.read(plan_.pictures[picture].noisy_key);
+        std::optional<render::Film> noisy = cache_.read_noisy(plan_.pictures[picture].noisy_key);
         if (!noisy) {
             noisy = render(picture, counts, stop);
         }

@@ -91,6 +91,7 @@ std::vector<CacheEntry> list_cache(const std::string& folder) {
     std::vector<CacheEntry> entries;
     collect_entries(fs::path(folder) / "frames", ".exr", CacheEntry::Kind::frame, entries);
     collect_entries(fs::path(folder) / "frames", ".sums", CacheEntry::Kind::sums, entries);
+    collect_entries(fs::path(folder) / "frames", kNoisyExtension, CacheEntry::Kind::noisy, entries);
     collect_entries(fs::path(folder) / "bakes", ".bake", CacheEntry::Kind::bake, entries);
     std::sort(entries.begin(), entries.end(), [](const CacheEntry& a, const CacheEntry& b) {
         return a.last_used != b.last_used ? a.last_used < b.last_used : a.path < b.path;

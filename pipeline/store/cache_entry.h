@@ -1,4 +1,5 @@
-// The entries of the cache: finished frames, samples of frames that were stopped, and bakes.
+// The entries of the cache: finished frames, noisy ones for the denoiser, samples of frames that
+// were stopped, and bakes.
 #pragma once
 
 #include <chrono>
@@ -13,7 +14,12 @@
 namespace carom::pipeline {
 
 struct CacheEntry {
-    enum class Kind { frame, bake, sums };  // sums: of a frame that was stopped
+    enum class Kind {
+        frame,
+        bake,
+        sums,   // of a frame that was stopped
+        noisy,  // a frame before it was denoised, with what only the denoiser reads
+    };
     Kind kind = Kind::frame;
     std::string path;
     Hash128 key;  // a frame's key or a bake's physics hash, which is also the file's name
@@ -23,6 +29,9 @@ struct CacheEntry {
 
 /// The key that 32 lower-case hexadecimal digits stand for.
 [[nodiscard]] std::optional<Hash128> parse_key(const std::string& digits);
+
+/// The ending of the name of a noisy frame.
+inline constexpr const char* kNoisyExtension = ".noisy";
 
 /// A file about a frame in the folder of the frames, and the files of a frame and of a bake.
 [[nodiscard]] std::string file_about(const Hash128& key, const std::string& frames_folder,

@@ -1,5 +1,6 @@
 #include "pipeline/store/cache_maintenance.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -14,7 +15,7 @@ bool is_intact(const CacheEntry& entry) {
     if (entry.kind == CacheEntry::Kind::sums) {
         return true;  // whoever goes on with them checks them
     }
-    if (entry.kind == CacheEntry::Kind::frame) {
+    if (entry.kind == CacheEntry::Kind::frame || entry.kind == CacheEntry::Kind::noisy) {
         return verify_checksum(entry.path, entry.key) != FrameFileState::damaged;
     }
     try {
@@ -24,8 +25,17 @@ bool is_intact(const CacheEntry& entry) {
     }
 }
 
+namespace {
+
+bool is_noisy(const CacheEntry& entry) {
+    return entry.kind == CacheEntry::Kind::noisy;
+}
+
+}  // namespace
+
 PruneResult prune_cache(const std::string& folder, const PruneOptions& options) {
-    const std::vector<CacheEntry> entries = list_cache(folder);
+    std::vector<CacheEntry> entries = list_cache(folder);
+    std::stable_partition(entries.begin(), entries.end(), is_noisy);
     PruneResult result;
     for (const CacheEntry& entry : entries) {
         ++result.kept;
@@ -33,11 +43,14 @@ PruneResult prune_cache(const std::string& folder, const PruneOptions& options) 
     }
     const std::set<Hash128> pinned = pinned_keys(folder);
     for (const CacheEntry& entry : entries) {
+        if (options.only_noisy && !is_noisy(entry)) {
+            continue;
+        }
         const bool is_old = entry.last_used < options.remove_before;
-        const bool exceeds_limit =
-            result.kept_bytes > options.limit && entry.last_used < options.keep_since;
+        const bool exceeds_limit = result.kept_bytes > options.limit &&
+                                   (is_noisy(entry) || entry.last_used < options.keep_since);
         if (!is_old && !exceeds_limit) {
-            break;  // all following entries were used later
+            continue;
         }
         if (!pinned.contains(entry.key) && (options.dry_run || remove_entry(entry))) {
             ++result.removed;

@@ -29,12 +29,13 @@ inline constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::ma
 
 struct PruneOptions {
     std::uint64_t limit = kNoLimit;  // bytes of all entries together
-    /// The limit removes no entry that was used at or after this time.
+    /// The limit removes no entry that was used at or after this time, except noisy frames.
     std::chrono::system_clock::time_point keep_since = std::chrono::system_clock::time_point::max();
     /// Entries that were last used before this time are removed whatever the limit.
     std::chrono::system_clock::time_point remove_before =
         std::chrono::system_clock::time_point::min();
-    bool dry_run = false;  // only count what would be removed
+    bool only_noisy = false;  // nothing but noisy frames is removed
+    bool dry_run = false;     // only count what would be removed
 };
 
 struct PruneResult {
@@ -44,9 +45,10 @@ struct PruneResult {
     std::uint64_t kept_bytes = 0;
 };
 
-/// Removes the least recently used entries until the rest fits, except what running jobs need
-/// (pins.h). A job that needs a removed frame renders it again. Throws Error if the folder cannot
-/// be read.
+/// Removes entries until the rest fits: noisy frames first, even those of running jobs, which have
+/// read them already, since their denoised frames are there; then what was used least recently,
+/// except what running jobs need (pins.h). A job that needs a removed frame renders it again.
+/// Throws Error if the folder cannot be read.
 PruneResult prune_cache(const std::string& folder, const PruneOptions& options);
 
 /// Whether the file is what its name says, by its checksum. A file that was removed in the meantime

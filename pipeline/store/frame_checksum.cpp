@@ -6,6 +6,7 @@
 #include <cstring>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <fcntl.h>
@@ -62,6 +63,16 @@ std::vector<std::byte> read_all(int descriptor, const std::string& path) {
     return bytes;
 }
 
+/// Appends the trailer and flushes the file.
+void finish(const FileDescriptor& file, const std::string& path, const Trailer& trailer) {
+    if (!write_all(file.get(), trailer)) {
+        throw Error(system_problem(path, "the frame cannot be written"));
+    }
+    if (::fsync(file.get()) != 0) {
+        throw Error(system_problem(path, "the frame cannot be flushed to disk"));
+    }
+}
+
 }  // namespace
 
 void append_checksum(const std::string& path, const Hash128& key) {
@@ -69,13 +80,16 @@ void append_checksum(const std::string& path, const Hash128& key) {
     if (!file.is_open()) {
         throw Error(system_problem(path, "the frame cannot be written"));
     }
-    const std::vector<std::byte> contents = read_all(file.get(), path);
-    if (!write_all(file.get(), make_trailer(contents, key))) {
+    finish(file, path, make_trailer(read_all(file.get(), path), key));
+}
+
+void write_with_checksum(const std::string& path, std::span<const std::byte> contents,
+                         const Hash128& key) {
+    const FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    if (!file.is_open() || !write_all(file.get(), contents)) {
         throw Error(system_problem(path, "the frame cannot be written"));
     }
-    if (::fsync(file.get()) != 0) {
-        throw Error(system_problem(path, "the frame cannot be flushed to disk"));
-    }
+    finish(file, path, make_trailer(contents, key));
 }
 
 namespace {
@@ -95,17 +109,24 @@ std::optional<std::vector<std::byte>> read_if_exists(const std::string& path) {
 }  // namespace
 
 FrameFileState verify_checksum(const std::string& path, const Hash128& key) {
-    const std::optional<std::vector<std::byte>> bytes = read_if_exists(path);
+    return read_checked(path, key).state;
+}
+
+CheckedContents read_checked(const std::string& path, const Hash128& key) {
+    std::optional<std::vector<std::byte>> bytes = read_if_exists(path);
     if (!bytes) {
-        return FrameFileState::missing;
+        return {FrameFileState::missing};
     }
     if (bytes->size() < kTrailerSize) {
-        return FrameFileState::damaged;
+        return {FrameFileState::damaged};
     }
     const std::span<const std::byte> whole(*bytes);
     const Trailer expected = make_trailer(whole.first(bytes->size() - kTrailerSize), key);
-    return std::ranges::equal(whole.last(kTrailerSize), expected) ? FrameFileState::intact
-                                                                  : FrameFileState::damaged;
+    if (!std::ranges::equal(whole.last(kTrailerSize), expected)) {
+        return {FrameFileState::damaged};
+    }
+    bytes->resize(bytes->size() - kTrailerSize);
+    return {FrameFileState::intact, std::move(*bytes)};
 }
 
 std::string describe_damage(const std::string& path, const Hash128& key) {

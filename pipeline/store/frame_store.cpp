@@ -10,8 +10,26 @@
 #include "core/error.h"
 #include "pipeline/store/cache_entry.h"
 #include "pipeline/store/frame_checksum.h"
+#include "render/film/film_check.h"
+#include "render/film/packed_film.h"
 
 namespace carom::pipeline {
+namespace {
+
+std::uint64_t size_of_file(const std::string& path) {
+    const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    struct stat status {};
+    return file.is_open() && ::fstat(file.get(), &status) == 0
+               ? static_cast<std::uint64_t>(status.st_size)
+               : 0;
+}
+
+std::string undecodable(const Error& error) {
+    return std::string("it cannot be decoded: ") + error.what();
+}
+
+}  // namespace
+
 FrameStore::FrameStore(std::string folder, DamageObserver on_damage, ClaimTimes times,
                        StoreAccess access)
     : folder_(std::move(folder)),
@@ -42,11 +60,11 @@ bool FrameStore::contains(const Hash128& key) const {
 }
 
 std::uint64_t FrameStore::size_bytes(const Hash128& key) const {
-    const FileDescriptor file(::open(path_of(key).c_str(), O_RDONLY | O_CLOEXEC));
-    struct stat status {};
-    return file.is_open() && ::fstat(file.get(), &status) == 0
-               ? static_cast<std::uint64_t>(status.st_size)
-               : 0;
+    return size_of_file(path_of(key));
+}
+
+std::uint64_t FrameStore::noisy_size_bytes(const Hash128& key) const {
+    return size_of_file(file_of(key, kNoisyExtension));
 }
 
 bool FrameStore::is_intact(const Hash128& key) const {
@@ -89,7 +107,27 @@ std::optional<render::Film> FrameStore::read(const Hash128& key) const {
     try {
         return render::read_exr(path);
     } catch (const Error& error) {
-        discard(path, std::string("it cannot be decoded: ") + error.what());
+        discard(path, undecodable(error));
+        return std::nullopt;
+    }
+}
+
+std::optional<render::Film> FrameStore::read_noisy(const Hash128& key) const {
+    const std::string path = file_of(key, kNoisyExtension);
+    const CheckedContents contents = read_checked(path, key);
+    switch (contents.state) {
+        case FrameFileState::missing:
+            return std::nullopt;
+        case FrameFileState::damaged:
+            discard(path, describe_damage(path, key));
+            return std::nullopt;
+        case FrameFileState::intact:
+            break;
+    }
+    try {
+        return render::unpack_film(contents.bytes);
+    } catch (const Error& error) {
+        discard(path, undecodable(error));
         return std::nullopt;
     }
 }
@@ -101,6 +139,14 @@ void FrameStore::write(const Hash128& key, const render::Film& film,
     render::write_exr(film, partial.path(), metadata);
     append_checksum(partial.path(), key);
     partial.rename_to(path_of(key));
+}
+
+void FrameStore::write_noisy(const Hash128& key, const render::Film& film) const {
+    CAROM_ASSERT(access_ != StoreAccess::only_read);
+    PartialFile partial = begin_file(key);
+    render::check_film(film, partial.path());
+    write_with_checksum(partial.path(), render::pack_film(film), key);
+    partial.rename_to(file_of(key, kNoisyExtension));
 }
 
 PartialFile FrameStore::begin_file(const Hash128& key) const {

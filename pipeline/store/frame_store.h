@@ -24,6 +24,7 @@ enum class StoreAccess {
 
 /// A folder of EXR files, one per key. Several threads and processes may share it.
 ///   FOLDER/ab/abcdef....exr   finished frames, sorted by the first two digits of the key
+///   FOLDER/ab/abcdef....noisy frames before they were denoised, with what the denoiser reads
 ///   FOLDER/ab/abcdef....sums  samples of frames that were stopped (sums_file.h)
 ///   FOLDER/partial/           files being written; leftovers of killed writers are removed
 ///   FOLDER/locks/             claims (claims.h)
@@ -63,6 +64,17 @@ class FrameStore {
     /// Writes the frame under a temporary name, flushes it to disk and renames it. Throws Error.
     void write(const Hash128& key, const render::Film& film,
                const render::ImageMetadata& metadata) const;
+
+    /// The noisy frame: the picture with this key before it was denoised, with the denoiser's
+    /// channels. The same promises as those of read(); nothing but the denoiser needs it, so it may
+    /// be removed at any time (prune_cache).
+    [[nodiscard]] std::optional<render::Film> read_noisy(const Hash128& key) const;
+
+    /// Writes a noisy frame, as write() does. `film`: as render::as_stored returns it.
+    void write_noisy(const Hash128& key, const render::Film& film) const;
+
+    /// The size of the noisy frame's file; 0 if there is none.
+    [[nodiscard]] std::uint64_t noisy_size_bytes(const Hash128& key) const;
 
     /// The right to render this frame, or nothing if another process has claimed it or finished it
     /// on another machine. The store must outlive it. Throws CacheUnusable if the folder cannot be

@@ -87,9 +87,11 @@ void PictureRounds::keep_samples_of(const PictureQuestion& question) {
         }
     }
     kept_ = std::move(kept);
-    if (question.channel) {
-        for (auto& [key, one] : kept_) {
-            one.stored.reset();  // it has colours only
+    for (auto& [key, one] : kept_) {
+        // With a channel, because it has colours only; otherwise, if it is denoised differently.
+        if (question.channel ||
+            std::ranges::find(question.film_keys, one.film_key) == question.film_keys.end()) {
+            one.stored.reset();
         }
     }
 }
@@ -98,6 +100,9 @@ int PictureRounds::samples_of(const PictureQuestion& question, std::size_t level
     int samples = std::numeric_limits<int>::max();
     for (const Hash128& key : question.keys[level]) {
         const auto found = kept_.find(key);
+        if (found != kept_.end() && found->second.stored) {
+            continue;  // it has all
+        }
         const bool has = found != kept_.end() && found->second.frame;
         samples = std::min(samples, has ? found->second.frame->samples() : 0);
     }
@@ -109,8 +114,9 @@ void PictureRounds::refine_to_end(Work& work, const Show& show) {
     int up_to = std::max(1, samples_of(work.question, last));
     for (;;) {
         refine(work, last, std::min(up_to, work.question.most));
-        if (work.question.is_films) {
-            store(work);
+        if (work.question.is_films ||
+            (!work.question.channel && pipeline::denoises(work.question.shot))) {
+            finish(work);
         }
         Picture picture = picture_of(work, last);
         const bool complete = picture.head.complete;
@@ -207,27 +213,54 @@ void PictureRounds::paint(Work& work, std::size_t level, const render::Film& fil
 bool PictureRounds::read_stored(Work& work) {
     bool all = true;
     for (std::size_t i = 0; i < work.question.layers.size(); ++i) {
-        const Hash128& key = work.question.keys.back()[i];
-        const auto found = kept_.find(key);
-        if (found != kept_.end() && found->second.stored) {
-            continue;
+        Kept& kept = kept_[work.question.keys.back()[i]];
+        if (!kept.stored) {
+            if (std::optional<render::Film> film = find_stored(work, i)) {
+                keep_finished(work, i, std::move(*film));
+            }
         }
-        const Hash128& film_key = work.question.film_keys[i];
-        std::optional<render::Film> film = store_->read(film_key);
-        all = all && film.has_value();
-        if (film) {
-            store_->mark_used(film_key);
-            kept_[key].stored = std::move(film);
-            kept_[key].frame.reset();
-        }
+        all = all && kept.stored.has_value();
     }
     return all;
 }
 
+std::optional<render::Film> PictureRounds::find_stored(const Work& work, std::size_t layer) {
+    const Hash128& film_key = work.question.film_keys[layer];
+    std::optional<render::Film> film = store_->read(film_key);
+    if (film) {
+        store_->mark_used(film_key);
+    } else if (pipeline::denoises(work.question.shot)) {
+        film = store_->read_noisy(work.question.keys.back()[layer]);
+        if (film) {
+            film = denoised(work, layer, *film);
+        }
+    }
+    return film;
+}
+
+void PictureRounds::keep_finished(const Work& work, std::size_t layer, render::Film film) {
+    Kept& kept = kept_.at(work.question.keys.back()[layer]);
+    kept.stored = std::move(film);
+    kept.film_key = work.question.film_keys[layer];
+    kept.frame.reset();
+}
+
+/// The picture that the film shows, which is stored if it is a frame of the film.
+render::Film PictureRounds::denoised(const Work& work, std::size_t layer,
+                                     const render::Film& noisy) {
+    const pipeline::Shot& shot = work.question.shot;
+    render::Film film = pipeline::denoised_picture(noisy, shot, {{}, work.context.stop});
+    if (work.question.is_films) {
+        write(work.question.film_keys[layer], film, pipeline::stored_frame_metadata(shot, {}));
+    }
+    return film;
+}
+
 // A frame is claimed only while it is written: a film that is rendered at the same time does not
 // wait for somebody who looks at a picture.
-void PictureRounds::store(Work& work) {
+void PictureRounds::finish(Work& work) {
     const pipeline::Shot& shot = work.question.shot;
+    const bool denoises = pipeline::denoises(shot);
     for (std::size_t i = 0; i < work.question.layers.size(); ++i) {
         const Hash128& key = work.question.keys.back()[i];
         Kept& kept = kept_.at(key);
@@ -237,14 +270,27 @@ void PictureRounds::store(Work& work) {
         render::Film film = kept.frame->film(work.context);
         const render::ImageMetadata metadata =
             pipeline::stored_frame_metadata(shot, film.statistics);
-        write(key, film, metadata);
-        film = render::as_stored(std::move(film), metadata);
-        if (pipeline::denoises(shot)) {
-            film = pipeline::denoised_picture(film, shot, {{}, work.context.stop});
-            write(work.question.film_keys[i], film, pipeline::stored_frame_metadata(shot, {}));
+        if (work.question.is_films && !denoises) {
+            write(key, film, metadata);
         }
-        kept.stored = std::move(film);
-        kept.frame.reset();
+        film = render::as_stored(std::move(film), metadata);
+        if (denoises) {
+            if (work.question.is_films) {
+                write_noisy(key, film);
+            }
+            film = denoised(work, i, film);
+        }
+        keep_finished(work, i, std::move(film));
+    }
+}
+
+void PictureRounds::write_noisy(const Hash128& key, const render::Film& film) {
+    if (store_->noisy_size_bytes(key) > 0) {
+        return;
+    }
+    if (auto claim = store_->claim(key)) {
+        store_->write_noisy(key, film);
+        claim->finish();
     }
 }
 

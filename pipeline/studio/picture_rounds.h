@@ -69,7 +69,8 @@ class PictureRounds {
     struct Kept {
         std::shared_ptr<const render::PreparedScene> scene;  // outlives the frame
         std::optional<render::ProgressiveFrame> frame;
-        std::optional<render::Film> stored;
+        std::optional<render::Film> stored;  // as the film shows it: denoised if it is
+        Hash128 film_key{};                  // of `stored`, in the film
     };
     struct Work;
 
@@ -91,7 +92,14 @@ class PictureRounds {
 
     /// Reads the layers of the last level from the cache. Returns whether it has all.
     [[nodiscard]] bool read_stored(Work& work);
-    void store(Work& work);
+    /// The picture of a layer from the cache, where that may have to be denoised.
+    [[nodiscard]] std::optional<render::Film> find_stored(const Work& work, std::size_t layer);
+    /// Denoises layers that have all samples, and stores those that are the film's.
+    void finish(Work& work);
+    void keep_finished(const Work& work, std::size_t layer, render::Film film);
+    [[nodiscard]] render::Film denoised(const Work& work, std::size_t layer,
+                                        const render::Film& noisy);
+    void write_noisy(const Hash128& key, const render::Film& film);
     void write(const Hash128& key, const render::Film& film, const render::ImageMetadata& metadata);
 
     std::string cache_folder_;

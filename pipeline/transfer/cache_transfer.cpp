@@ -83,7 +83,9 @@ Selection choose(const CacheFiles& from, const CacheFiles& to, const TransferOpt
 CacheFiles own_files(const std::string& cache_folder) {
     CacheFiles files;
     for (const pipeline::CacheEntry& entry : pipeline::list_cache(cache_folder)) {
-        files[{entry.kind, entry.key}] = entry.bytes;
+        if (entry.kind == Kind::frame || entry.kind == Kind::bake) {
+            files[{entry.kind, entry.key}] = entry.bytes;
+        }
     }
     return files;
 }

@@ -1,13 +1,10 @@
 // Writing of frames as EXR. The other direction: exr_read.cpp.
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <exception>
 #include <span>
-#include <string_view>
 #include <vector>
 
-#include <Imath/half.h>
 #include <ImfChannelList.h>
 #include <ImfChromaticitiesAttribute.h>
 #include <ImfFrameBuffer.h>
@@ -17,11 +14,10 @@
 #include <ImfOutputFile.h>
 #include <ImfRationalAttribute.h>
 #include <ImfStringAttribute.h>
-#include <fmt/core.h>
 
-#include "core/assert.h"
-#include "core/error.h"
 #include "render/film/exr_notes.h"
+#include "render/film/film_check.h"
+#include "render/film/half_float.h"
 #include "render/film/image_file.h"
 #include "render/film/picture_bytes.h"
 #include "render/image_files/exr_library.h"
@@ -29,7 +25,6 @@
 namespace carom::render {
 namespace {
 
-constexpr float kLargestHalf = 65504;
 constexpr const char* kColourNames[4] = {"R", "G", "B", "A"};
 
 /// A file in memory.
@@ -52,44 +47,6 @@ class MemoryFile : public Imf::OStream {
     std::vector<std::byte> bytes_;
     std::size_t position_ = 0;
 };
-
-std::size_t pixel_count(const Film& film) {
-    return static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
-}
-
-void check_finite(const std::string& channel, std::size_t pixel, float value, int width,
-                  const std::string& path) {
-    if (!std::isfinite(value)) {
-        const std::size_t columns = static_cast<std::size_t>(width);
-        throw Error(fmt::format(
-            "'{}': pixel ({}, {}), channel {}, is not a finite number; such a picture is not "
-            "written",
-            path, pixel % columns, pixel / columns, channel));
-    }
-}
-
-void check_sizes(const Film& film) {
-    CAROM_ASSERT(film.width > 0 && film.height > 0);
-    CAROM_ASSERT(film.rgba.size() == 4 * pixel_count(film));
-    for (const Channel& aov : film.aovs) {
-        CAROM_ASSERT(aov.values.size() == pixel_count(film));
-    }
-}
-
-void check_pixels(const Film& film, const std::string& path) {
-    for (std::size_t i = 0; i < film.rgba.size(); ++i) {
-        check_finite(kColourNames[i % 4], i / 4, film.rgba[i], film.width, path);
-    }
-    for (const Channel& aov : film.aovs) {
-        for (std::size_t p = 0; p < aov.values.size(); ++p) {
-            check_finite(aov.name, p, aov.values[p], film.width, path);
-        }
-    }
-}
-
-Imath::half as_half(float value) {
-    return Imath::half(std::clamp(value, -kLargestHalf, kLargestHalf));
-}
 
 void add_texts(Imf::Header& header, const ImageMetadata& texts) {
     for (const auto& [key, value] : texts) {
@@ -124,7 +81,7 @@ using Halves = std::vector<Imath::half>;
 
 Halves as_halves(const std::vector<float>& values) {
     Halves halves(values.size());
-    std::transform(values.begin(), values.end(), halves.begin(), as_half);
+    std::transform(values.begin(), values.end(), halves.begin(), to_half);
     return halves;
 }
 
@@ -157,8 +114,7 @@ Imf::FrameBuffer buffer_of(const Film& film, const Halves& colours,
 
 void write_exr(const Film& film, const std::string& path, const ImageMetadata& metadata,
                const std::optional<ExrStandardAttributes>& standard) {
-    check_sizes(film);
-    check_pixels(film, path);
+    check_film(film, path);
     const Halves colours = as_halves(film.rgba);
     std::vector<Halves> halves;
     for (const Channel& aov : film.aovs) {
@@ -187,7 +143,7 @@ void write_exr(const Film& film, const std::string& path, const ImageMetadata& m
 }
 
 Film as_stored(Film film, const ImageMetadata& metadata) {
-    std::transform(film.rgba.begin(), film.rgba.end(), film.rgba.begin(), as_half);
+    std::transform(film.rgba.begin(), film.rgba.end(), film.rgba.begin(), to_half);
     film.notes.insert(metadata.begin(), metadata.end());
     std::erase_if(film.notes, [](const auto& note) { return !is_note(note.first); });
     film.statistics = {};

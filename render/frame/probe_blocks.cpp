@@ -78,7 +78,7 @@ Film cut_block(const Film& whole, const ProbeBlock& block, int size) {
     film.width = size;
     film.height = size;
     for (const Channel& channel : whole.aovs) {
-        film.aovs.push_back({channel.name, {}});
+        film.aovs.push_back({channel.name, {}, channel.is_half});
     }
     for (int i = 0; i < size * size; ++i) {
         const int x = std::min(block.x * size + i % size, whole.width - 1);

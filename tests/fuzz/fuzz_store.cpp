@@ -1,6 +1,6 @@
 // Fuzzes the frame store. A file with any bytes must be read as a frame or count as missing. With a
-// correct checksum the bytes are passed to the EXR reader. The folder may contain files of any
-// name.
+// correct checksum the bytes are passed to the EXR reader and to that of noisy frames. The folder
+// may contain files of any name.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -39,8 +39,8 @@ std::string make_folder() {
     return folder;
 }
 
-void put(const FrameStore& store, const std::uint8_t* data, std::size_t size, bool with_checksum) {
-    const std::filesystem::path path = store.path_of(kKey);
+void put(const std::filesystem::path& path, const std::uint8_t* data, std::size_t size,
+         bool with_checksum) {
     std::filesystem::create_directories(path.parent_path());
     std::ofstream(path, std::ios::binary)
         .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
@@ -56,6 +56,15 @@ void read(const FrameStore& store) {
         return;
     }
     require(film->width > 0 && film->height > 0, "empty");
+}
+
+void read_noisy(const FrameStore& store) {
+    const auto film = store.read_noisy(kKey);
+    require(film.has_value() == (store.noisy_size_bytes(kKey) > 0),
+            "a damaged noisy frame was not removed");
+    if (film) {
+        require(film->rgba.size() == 4ULL * film->width * film->height, "of another size");
+    }
 }
 
 /// Uses the first line as the name of a file among the frames.
@@ -81,9 +90,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static const std::string folder = make_folder();
     static const FrameStore store(folder);
     for (const bool with_checksum : {false, true}) {
-        put(store, data, size, with_checksum);
+        put(store.path_of(kKey), data, size, with_checksum);
+        put(store.file_of(kKey, kNoisyExtension), data, size, with_checksum);
         try {
             read(store);
+            read_noisy(store);
         } catch (const Error& error) {
             std::fprintf(stderr, "a file was not recognised as damaged: %s\n", error.what());
             std::abort();

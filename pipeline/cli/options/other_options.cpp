@@ -210,9 +210,15 @@ void describe(CacheCommand& command, CommandDescription& description) {
                 "Also remove all files that were not used for this long: 30d, 12h.")
         .excludes({"--all"});
     prune.flag("--all", command.all, "Remove everything.");
+    prune
+        .flag("--features", command.features,
+              "Remove only what the denoiser reads: noisy frames with their features. Films show "
+              "the denoised ones, which stay; another strength of denoising renders again.")
+        .excludes({"--all", "--cache-size"});
     prune.flag("--dry-run", command.dry_run, "Only print what would be removed.");
     prune.examples = {
-        {"carom cache prune --unused-for 30d", "Remove what was not used for 30 days."}};
+        {"carom cache prune --unused-for 30d", "Remove what was not used for 30 days."},
+        {"carom cache prune --features", "Keep only what films show."}};
 
     CommandDescription& verify =
         add_action(description, command, "verify", "Read every file and remove damaged ones.",

@@ -1,34 +1,11 @@
 // R traces the film's frame at the play head. With all samples it is `carom frame`'s picture, byte
 // for byte, and `carom render` finds it. The free view, channels and the comparison work, too.
 import { spawnSync } from 'node:child_process';
-import { createHash } from 'node:crypto';
-import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { equal, settle } from './harness.mjs';
+import { equal } from './harness.mjs';
+import { hashOfFrame, hashOfPicture, traced } from './picture_harness.mjs';
 
 const kFrame = 84;
-
-async function traced(page) {
-    await page.waitForFunction(() => window.studio.state.picture.value?.head.complete);
-    await settle(page);
-    return page.evaluate(() => window.studio.state.picture.value.head);
-}
-
-/// Red, green and blue from the upper left corner, of a bitmap that starts with its last row.
-function rowsOfBitmap(bytes) {
-    const [width, height] = [bytes.readInt32LE(18), bytes.readInt32LE(22)];
-    const first = bytes.readUInt32LE(10);
-    const pixel = bytes.readUInt16LE(28) / 8;
-    const stride = Math.ceil((width * pixel) / 4) * 4;
-    const rows = Buffer.alloc(width * height * 3);
-    for (let y = 0; y < height; ++y) {
-        for (let x = 0; x < width; ++x) {
-            const at = first + (height - 1 - y) * stride + x * pixel;
-            rows.set([bytes[at + 2], bytes[at + 1], bytes[at]], 3 * (y * width + x));
-        }
-    }
-    return rows;
-}
 
 /// The line between both pictures is dragged in the view, and Save keeps what is shown.
 async function dragLine(page) {
@@ -67,22 +44,7 @@ export async function check({ page, path, folder, carom }) {
     const said = plan.stdout + plan.stderr;
     equal(said.includes('1 stored, 0 to render'), true, said);
 
-    // The picture of `carom frame`, rendered in a cache of its own.
-    const file = join(folder, 'frame.bmp');
-    const frame = spawnSync(carom, ['frame', path, '--frame', String(kFrame), '-o', file, '--cache',
-        join(folder, 'other')], { encoding: 'utf8' });
-    equal(frame.status, 0, frame.stderr);
-    const rows = rowsOfBitmap(readFileSync(file));
-    const shown = await page.evaluate(() => {
-        const { pixels } = window.studio.state.picture.value;
-        let text = '';
-        for (let i = 0; i < pixels.length; i += 4) {
-            text += String.fromCharCode(pixels[i], pixels[i + 1], pixels[i + 2]);
-        }
-        return btoa(text);
-    });
-    const hash = (bytes) => createHash('sha256').update(bytes).digest('hex');
-    equal(hash(Buffer.from(shown, 'base64')), hash(rows), 'the pixels of carom frame');
+    equal(await hashOfPicture(page), hashOfFrame(carom, path, kFrame, folder), 'the pixels of carom frame');
 
     await page.getByRole('button', { name: 'Compare', exact: true }).click();
     await page.getByLabel('What the picture shows').selectOption('object_id');

@@ -109,6 +109,35 @@ TEST_F(CacheCommands, ListVerifyAndPrune_ReportAndRemoveFiles) {
     EXPECT_EQ(stored_frames(), 0);
 }
 
+TEST_F(CacheCommands, NoisyFrames_AreListedAndRemovedApart) {
+    const std::vector<std::string> render{
+        "render", "tiny.yaml", "--set", "output.denoise=true", "--set", "render.samples=8"};
+    const auto with_output = [&](const std::string& name) {
+        std::vector<std::string> arguments = render;
+        arguments.insert(arguments.end(), {"-o", name});
+        return run(arguments);
+    };
+    ASSERT_EQ(with_output("film.mp4").exit_code, 0);
+    EXPECT_THAT(run({"cache", "list"}).out,
+                ContainsRegex("\n6 frames, [0-9.]+ kB, used between .*\n1 bake, .*\n"
+                              "6 noisy frames, [0-9.]+ kB, used between .*\nreserved "));
+    EXPECT_THAT(run({"cache", "list", "--json"}).out, HasSubstr("{\"kind\":\"noisy frame\","));
+    EXPECT_THAT(run({"cache", "prune", "--features", "--dry-run"}).err,
+                ContainsRegex("^carom: would remove 6 files \\([0-9.]+ kB\\); 7 files "
+                              "\\([0-9.]+ kB\\) stay in '.*'\n$"));
+    EXPECT_THAT(run({"cache", "prune", "--features", "--unused-for", "1h"}).err,
+                StartsWith("carom: removed 0 files (0 B); 13 files ("));
+    EXPECT_THAT(run({"cache", "prune", "--features"}).err,
+                ContainsRegex("^carom: removed 6 files \\([0-9.]+ kB\\); 7 files "
+                              "\\([0-9.]+ kB\\) stay in '.*'\n$"));
+    EXPECT_EQ(stored_frames(), 6);
+    EXPECT_THAT(run({"cache", "list"}).out, Not(HasSubstr("noisy")));
+    EXPECT_EQ(with_output("again.mp4").exit_code, 0);
+    EXPECT_EQ(text_of("again.mp4"), text_of("film.mp4"));
+    EXPECT_THAT(run({"cache", "list"}).out, Not(HasSubstr("noisy"))) << "nothing was rendered";
+    EXPECT_EQ(run({"cache", "prune", "--features", "--all"}).exit_code, 2);
+}
+
 TEST_F(CacheCommands, RenderWithALimit_KeepsTheCacheSmall) {
     ASSERT_EQ(run({"render", "tiny.yaml", "-o", "a.mp4"}).exit_code, 0);
     for (const auto& entry : std::filesystem::recursive_directory_iterator(path("cache"))) {

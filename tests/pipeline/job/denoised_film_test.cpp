@@ -1,11 +1,18 @@
 // Films whose pictures are denoised: what is stored, and that a frame has the same bytes wherever
 // it is made.
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/job/film_plan.h"
+#include "pipeline/job/film_status.h"
+#include "pipeline/job/film_worker.h"
+#include "pipeline/job/scene_renderer.h"
+#include "pipeline/store/cache_maintenance.h"
 #include "pipeline/store/frame_store.h"
 #include "render/film/image_file.h"
 #include "tests/pipeline/job/tiny_shot.h"
@@ -60,7 +67,8 @@ TEST_F(DenoisedFilm, Picture_IsStoredBeforeAndAfter) {
     EXPECT_GT(film.statistics.camera_rays, 0u);
     EXPECT_TRUE(film.aovs.empty());
     ASSERT_NE(key(1), noisy_key(1));
-    const auto before = store().read(noisy_key(1));
+    const auto before = store().read_noisy(noisy_key(1));
+    EXPECT_FALSE(store().contains(noisy_key(1)));
     const auto after = store().read(key(1));
     ASSERT_TRUE(before && after);
     EXPECT_FALSE(before->aovs.empty());
@@ -68,12 +76,11 @@ TEST_F(DenoisedFilm, Picture_IsStoredBeforeAndAfter) {
     EXPECT_NE(before->rgba, film.rgba);
     const render::Film plain = make_frame(noisy, bake, 1, options(), {}, {});
     EXPECT_EQ(plain.rgba, before->rgba) << "the noisy picture is the frame's without denoising";
-    EXPECT_EQ(plain.statistics.camera_rays, 0u);
 }
 
 TEST_F(DenoisedFilm, OtherStrength_RendersNothing) {
     const render::Film full = frame(1, options());
-    const auto before = store().read(noisy_key(1));
+    const auto before = store().read_noisy(noisy_key(1));
     const Hash128 old = key(1);
     shot.output.denoise.strength = 0.5;
     EXPECT_NE(key(1), old);
@@ -125,10 +132,86 @@ TEST_F(DenoisedFilm, FilmAndFrames_ShowTheSame) {
 TEST_F(DenoisedFilm, DamagedNoisyPicture_IsRenderedAgain) {
     const render::Film expected = frame(1, options());
     std::filesystem::remove(store().path_of(key(1)));
-    std::filesystem::resize_file(store().path_of(noisy_key(1)), 100);
+    std::filesystem::resize_file(store().file_of(noisy_key(1), kNoisyExtension), 100);
     const render::Film again = frame(1, options());
     EXPECT_EQ(again.rgba, expected.rgba);
     EXPECT_GT(again.statistics.camera_rays, 0u);
+}
+
+TEST_F(DenoisedFilm, WithoutItsNoisyFrames_IsMadeAgainFromTheDenoisedOnes) {
+    FilmJobOptions with = options();
+    with.output = folder.path("film.mkv");
+    static_cast<void>(make_film(shot, bake, with, {}, {}));
+    const std::string film = read_text(with.output);
+    PruneOptions features;
+    features.only_noisy = true;
+    features.limit = 0;
+    EXPECT_EQ(prune_cache(folder.path("cache"), features).removed, 9U);
+    with.output = folder.path("again.mkv");
+    EXPECT_EQ(make_film(shot, bake, with, {}, {}).rendered, 0);
+    EXPECT_EQ(read_text(with.output), film);
+    shot.output.denoise.strength = 0.5;
+    EXPECT_GT(frame(1, options()).statistics.camera_rays, 0u) << "there is nothing to denoise";
+}
+
+TEST_F(DenoisedFilm, LimitOfTheCache_RemovesNoisyFramesFirst) {
+    FilmJobOptions with = options();
+    with.output = folder.path("film.mkv");
+    with.cache_limit = 1;
+    static_cast<void>(make_film(shot, bake, with, {}, {}));
+    for (std::int64_t number = 0; number < 12; ++number) {
+        EXPECT_TRUE(store().contains(key(number))) << number;
+        EXPECT_EQ(store().noisy_size_bytes(noisy_key(number)), 0U) << number;
+    }
+}
+
+TEST_F(DenoisedFilm, ChunksAndWorkers_MakeTheFilmOfASingleRun) {
+    FilmJobOptions with = options();
+    with.output = folder.path("film.mkv");
+    static_cast<void>(make_film(shot, bake, with, {}, {}));
+    const std::string film = read_text(with.output);
+    FilmJobOptions chunk = options("chunks");
+    for (const std::int64_t number : {1, 2}) {
+        chunk.chunk = {number, 2};
+        static_cast<void>(make_film(shot, bake, chunk, {}, {}));
+    }
+    FilmJobOptions mux = options("chunks");
+    mux.output = folder.path("chunks.mkv");
+    EXPECT_EQ(mux_film(shot, bake, mux, {}, {}).rendered, 0);
+    EXPECT_EQ(read_text(mux.output), film);
+    {
+        std::vector<std::jthread> workers;
+        for (std::size_t i = 0; i < 3; ++i) {
+            workers.emplace_back([&, i] {
+                const WorkerOptions worker{i, 3, std::chrono::seconds(60)};
+                EXPECT_TRUE(
+                    work_on_film(shot, bake, options("farm"), worker, {}, {}, {}).is_complete);
+            });
+        }
+    }
+    mux = options("farm");
+    mux.output = folder.path("farm.mkv");
+    static_cast<void>(mux_complete_film(shot, bake, mux, {}, {}));
+    EXPECT_EQ(read_text(mux.output), film);
+}
+
+TEST_F(DenoisedFilm, StopBeforeDenoising_LosesNoSample) {
+    const render::Film expected = frame(1, options());
+    std::stop_source stop;
+    FilmJobOptions with = options("other");
+    with.renderer = [&, render = make_scene_renderer(shot, 1, nullptr)](const FrameInputs& inputs,
+                                                                        const WorkContext& context,
+                                                                        render::FrameSums* sums) {
+        render::Film film = render(inputs, context, sums);
+        stop.request_stop();
+        return film;
+    };
+    EXPECT_THROW((void)make_frame(shot, bake, 1, with, {}, stop.get_token()), Stopped);
+    EXPECT_GT(store("other").noisy_size_bytes(noisy_key(1)), 0U);
+    EXPECT_FALSE(store("other").contains(key(1)));
+    const render::Film again = frame(1, options("other"));
+    EXPECT_EQ(again.statistics.camera_rays, 0u);
+    EXPECT_EQ(again.rgba, expected.rgba);
 }
 
 }  // namespace

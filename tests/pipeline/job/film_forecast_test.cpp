@@ -94,6 +94,30 @@ TEST(FilmForecast, Sizes_AreThoseOfTheFilm) {
     EXPECT_LT(static_cast<double>(forecast.film_bytes), 2 * written);
 }
 
+TEST(FilmForecast, OfADenoisedFilm_CountsNoisyFramesAndTheFilter) {
+    ForecastFixture film;
+    film.shot.render.width = 256;
+    film.shot.render.height = 144;
+    film.shot.render.samples = 2;
+    film.shot.render.for_denoiser = true;
+    film.shot.output.denoise.strength = 1;
+    const FilmForecast forecast = film.forecast("film.mkv");
+    (void)make_film(film.shot, film.bake, film.options("film.mkv"), {}, {});
+    std::uintmax_t stored = 0;
+    std::uintmax_t noisy = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(film.folder.path("cache/frames"))) {
+        stored += entry.is_regular_file() ? entry.file_size() : 0;
+        noisy += entry.path().extension() == ".noisy" ? entry.file_size() : 0;
+    }
+    EXPECT_GT(noisy, stored / 2);
+    EXPECT_GT(static_cast<double>(forecast.store_bytes), 0.67 * static_cast<double>(stored));
+    EXPECT_LT(static_cast<double>(forecast.store_bytes), 1.5 * static_cast<double>(stored));
+    const auto written = static_cast<double>(fs::file_size(film.folder.path("film.mkv")));
+    EXPECT_GT(static_cast<double>(forecast.film_bytes), 0.7 * written);
+    EXPECT_LT(static_cast<double>(forecast.film_bytes), 1.4 * written);
+    EXPECT_LE(forecast.serial_per_picture, forecast.seconds_per_picture);
+}
+
 TEST(FilmForecast, OfEachKindOfFile_HasASize) {
     ForecastFixture film;
     EXPECT_EQ(film.forecast("").film_bytes, 0U) << "frames are only stored";

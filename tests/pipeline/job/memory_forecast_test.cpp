@@ -47,6 +47,14 @@ TEST(ForecastMemory_OfAFilmThatKeepsSums, CountsThem) {
     EXPECT_EQ(forecast_memory(shot, "f.mp4"), plain + 144'000'000);
 }
 
+TEST(ForecastMemory_OfDenoisedPictures, CountsChannelsAndTheSumsOfBothHalves) {
+    Shot shot = film_of(1000, 1000);
+    const std::uint64_t plain = forecast_memory(shot, "f.mp4");
+    shot.render.for_denoiser = true;
+    EXPECT_EQ(forecast_memory(shot, "f.mp4"), plain + 165'000'000);
+    EXPECT_EQ(forecast_memory(shot, "f.mp4", true), plain + 419'000'000);
+}
+
 TEST(ForecastMemory_OfDeepColour, IsMore) {
     Shot shot = encoded_with(1280, 720, Codec::hevc, "medium");
     const double usual = megabytes(shot, "f.mp4");

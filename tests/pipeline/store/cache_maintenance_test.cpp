@@ -33,12 +33,13 @@ struct Cache {
 
     [[nodiscard]] std::string path() const { return folder.path(); }
 
-    std::string add_frame(std::uint64_t number, int age, std::size_t bytes = 1000) const {
+    std::string add_frame(std::uint64_t number, int age, std::size_t bytes = 1000,
+                          const char* extension = ".exr") const {
         const Hash128 key{number, 7};
         const std::string name = key.to_string();
         const std::string parent = path() + "/frames/" + name.substr(0, 2);
         fs::create_directories(parent);
-        const std::string file = parent + "/" + name + ".exr";
+        const std::string file = parent + "/" + name + extension;
         write_text(file, std::string(bytes - 40, 'x'));
         append_checksum(file, key);
         set_age(file, age);
@@ -88,6 +89,52 @@ TEST(PruneCache, Limit_RemovesTheLeastRecentlyUsed) {
     EXPECT_EQ(result.kept_bytes, 2000U);
     EXPECT_TRUE(fs::exists(a) && !fs::exists(b) && fs::exists(c));
     EXPECT_EQ(prune_cache(cache.path(), options).removed, 0U);
+}
+
+TEST(PruneCache, Limit_RemovesNoisyFramesFirst) {
+    const Cache cache;
+    const std::string old = cache.add_frame(1, 9);
+    const std::string noisy = cache.add_frame(2, 5, 1000, kNoisyExtension);
+    const std::string young_noisy = cache.add_frame(3, 1, 1000, kNoisyExtension);
+    mark_used(young_noisy);
+    PruneOptions options;
+    options.keep_since = Clock::now() - hours(1);
+    options.limit = 2000;
+    EXPECT_EQ(prune_cache(cache.path(), options).removed, 1U);
+    EXPECT_TRUE(fs::exists(old) && !fs::exists(noisy) && fs::exists(young_noisy));
+    options.limit = 1000;
+    EXPECT_EQ(prune_cache(cache.path(), options).removed, 1U);
+    EXPECT_TRUE(fs::exists(old) && !fs::exists(young_noisy)) << "also one of a running job";
+    options.limit = 0;
+    EXPECT_EQ(prune_cache(cache.path(), options).kept, 0U);
+}
+
+TEST(PruneCache, OnlyNoisyFrames_KeepsEverythingElse) {
+    const Cache cache;
+    const std::string frame = cache.add_frame(1, 50), bake = cache.add_bake(50);
+    const std::string old = cache.add_frame(2, 50, 1000, kNoisyExtension);
+    const std::string young = cache.add_frame(3, 1, 1000, kNoisyExtension);
+    PruneOptions options;
+    options.only_noisy = true;
+    options.remove_before = Clock::now() - hours(24);
+    EXPECT_EQ(prune_cache(cache.path(), options).removed, 1U);
+    EXPECT_TRUE(!fs::exists(old) && fs::exists(young));
+    options.limit = 0;
+    const PruneResult result = prune_cache(cache.path(), options);
+    EXPECT_EQ(result.removed, 1U);
+    EXPECT_EQ(result.removed_bytes, 1000U);
+    EXPECT_TRUE(!fs::exists(young) && fs::exists(frame) && fs::exists(bake));
+}
+
+TEST(VerifyCache, DamagedNoisyFrame_IsFound) {
+    const Cache cache;
+    (void)cache.add_frame(1, 1, 1000, kNoisyExtension);
+    const std::string damaged = cache.add_frame(2, 1, 1000, kNoisyExtension);
+    fs::resize_file(damaged, 500);
+    const VerifyResult result = verify_cache(cache.path(), {}, {});
+    EXPECT_EQ(result.checked, 2U);
+    ASSERT_EQ(result.damaged.size(), 1U);
+    EXPECT_EQ(result.damaged[0].path, damaged);
 }
 
 TEST(PruneCache, FileInUse_IsKeptWhateverTheLimit) {

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 
 #include "core/error.h"
+#include "pipeline/store/frame_checksum.h"
 #include "tests/pipeline/store/child_process.h"
 #include "tests/pipeline/store/sample_frames.h"
 #include "tests/pipeline/video/scratch_folder.h"
@@ -80,6 +81,59 @@ TEST(FrameStore, FrameWithNan_IsRejectedAndLeavesNothing) {
     EXPECT_THROW(store.write(make_key(1), film, {}), Error);
     EXPECT_FALSE(store.contains(make_key(1)));
     EXPECT_THAT(names_in(folder.path("partial")), IsEmpty());
+}
+
+TEST(FrameStore, NoisyFrame_IsReadBackUnchangedAndIsNoFrame) {
+    const ScratchFolder folder;
+    const FrameStore store(folder.path());
+    const Hash128 key = make_key(1);
+    EXPECT_FALSE(store.read_noisy(key));
+    EXPECT_EQ(store.noisy_size_bytes(key), 0U);
+    render::Film film = make_film(1);
+    film.aovs.push_back({"half.R", std::vector<float>(32, 0.25f), true});
+    store.write_noisy(key, film);
+    EXPECT_FALSE(store.contains(key));
+    EXPECT_FALSE(store.read(key));
+    EXPECT_EQ(store.noisy_size_bytes(key), fs::file_size(store.file_of(key, ".noisy")));
+    const std::optional<render::Film> back = store.read_noisy(key);
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->rgba, film.rgba);
+    ASSERT_EQ(back->aovs.size(), 2U);
+    EXPECT_EQ(back->aovs[0].values, film.aovs[0].values);
+    EXPECT_EQ(back->aovs[1].values, film.aovs[1].values);
+    EXPECT_THAT(names_in(folder.path("partial")), IsEmpty());
+    film.rgba[5] = std::numeric_limits<float>::infinity();
+    EXPECT_THAT([&] { store.write_noisy(make_key(2), film); },
+                ::testing::ThrowsMessage<Error>(
+                    ::testing::HasSubstr("': pixel (1, 0), channel G, is not a finite number; such "
+                                         "a picture is not written")));
+    EXPECT_THAT(names_in(folder.path("partial")), IsEmpty());
+}
+
+TEST(FrameStore, AnyDamagedByteOfANoisyFrame_MakesItMissing) {
+    const ScratchFolder folder;
+    std::vector<std::string> damages;
+    const FrameStore store(folder.path(), [&](const std::string&, const std::string& damage) {
+        damages.push_back(damage);
+    });
+    const Hash128 key = make_key(1);
+    store.write_noisy(key, make_film(1));
+    const std::string path = store.file_of(key, ".noisy");
+    const std::string whole = read_text(path);
+    for (std::size_t at = 0; at < whole.size(); at += 1 + whole.size() / 100) {
+        std::string damaged = whole;
+        damaged[at] = static_cast<char>(damaged[at] ^ (1 << at % 8));
+        write_text(path, damaged);
+        EXPECT_FALSE(store.read_noisy(key)) << at;
+        EXPECT_FALSE(fs::exists(path)) << at;
+    }
+    EXPECT_EQ(damages.front(), "its contents have changed since it was written");
+    write_text(path, "not a film, but long enough to contain a checksum");
+    append_checksum(path, key);
+    EXPECT_FALSE(store.read_noisy(key));
+    EXPECT_EQ(damages.back(), "it cannot be decoded: it is no packed film");
+    write_text(path, whole);
+    EXPECT_TRUE(store.read_noisy(key));
 }
 
 TEST(FrameStore, AnyDamagedByte_MakesTheFrameMissing) {

@@ -127,6 +127,70 @@ TEST_F(View, OtherView_TakesNoNewSample) {
     EXPECT_EQ(view_.counts().scenes, 1u);
 }
 
+/// A shot whose frames are denoised.
+std::shared_ptr<pipeline::Shot> denoised(std::shared_ptr<pipeline::Shot> shot, double strength) {
+    shot->render.for_denoiser = true;
+    shot->output.denoise.strength = strength;
+    return shot;
+}
+
+/// As 8-bit colours with alpha.
+std::vector<std::uint8_t> rgba_of_film(const pipeline::Shot& shot, const sim::Timeline& timeline,
+                                       std::int64_t frame) {
+    sim::Bake bake;
+    bake.timeline = timeline;
+    pipeline::FilmJobOptions options;
+    const testing::ScratchFolder folder;
+    options.cache_folder = folder.path();
+    const std::vector<std::uint8_t> rgb =
+        pipeline::DisplayView(shot.output)
+            .to_8(pipeline::make_frame(shot, bake, frame, options, {}, {}));
+    std::vector<std::uint8_t> rgba(rgb.size() / 3 * 4, 255);
+    for (std::size_t i = 0; i < rgb.size(); ++i) {
+        rgba[i / 3 * 4 + i % 3] = rgb[i];
+    }
+    return rgba;
+}
+
+TEST_F(View, LastPictureOfADenoisedFilm_IsTheFilmsFrame) {
+    const auto shot = denoised(make_shot(), 1);
+    show(shot, 1);
+    view_.ask(kPage, frame(1, 4));
+    const std::vector<Picture> seen = pictures();
+    EXPECT_TRUE(seen.back().head.stored);
+    EXPECT_EQ(seen.back().rgba, rgba_of_film(*shot, *timeline_, 4));
+    const PictureCounts counts = view_.counts();
+    const auto weaker = denoised(make_shot(), 0.5);
+    show(weaker, 2);
+    EXPECT_EQ(pictures().back().rgba, rgba_of_film(*weaker, *timeline_, 4));
+    EXPECT_NE(pictures().back().rgba, seen.back().rgba);
+    EXPECT_EQ(view_.counts().camera_rays, counts.camera_rays) << "from the noisy frame";
+    EXPECT_EQ(view_.counts().frames_stored, 2u);
+}
+
+TEST_F(View, LastPictureAtAnotherSize_IsDenoised) {
+    See see = frame(1, 2);
+    see.width = 64;
+    see.height = 36;
+    const auto shot = denoised(make_shot(), 1);
+    show(shot, 1);
+    view_.ask(kPage, see);
+    const Picture last = pictures().back();
+    EXPECT_TRUE(last.head.complete);
+    EXPECT_FALSE(last.head.stored);
+    EXPECT_EQ(last.head.samples, 8);
+    EXPECT_EQ(view_.counts().frames_stored, 0u);
+    auto same = std::make_shared<pipeline::Shot>(*shot);
+    same->render.width = 64;
+    same->render.height = 36;
+    EXPECT_EQ(last.rgba, rgba_of_film(*same, *timeline_, 2));
+    const PictureCounts counts = view_.counts();
+    see.q = 2;
+    view_.ask(kPage, see);
+    EXPECT_EQ(pictures().back().rgba, last.rgba);
+    EXPECT_EQ(view_.counts().camera_rays, counts.camera_rays);
+}
+
 TEST_F(View, NewestQuestion_IsTheOneThatIsAnsweredLast) {
     show(make_shot(), 1);
     for (std::int64_t q = 1; q <= 20; ++q) {

@@ -1,0 +1,135 @@
+// A packed film has a magic number, its size, its notes, the names and kinds of its channels, and
+// then the numbers of each: R, G, B, A and the others (packed_plane.h). Texts follow their length
+// in four bytes.
+#include "render/film/packed_film.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "core/assert.h"
+#include "core/error.h"
+#include "render/film/byte_stream.h"
+#include "render/film/half_float.h"
+#include "render/film/packed_plane.h"
+
+namespace carom::render {
+namespace {
+
+constexpr std::array<char, 8> kMagic{'c', 'a', 'r', 'o', 'm', 'p', 'f', '1'};
+constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;
+/// Zstandard packs a byte that is repeated 128 kB at a time in four bytes (RFC 8878, 3.1.1.2).
+constexpr std::int64_t kMostPacked = 32'768;
+
+void append_text(const std::string& text, std::vector<std::byte>& bytes) {
+    append_value(static_cast<std::uint32_t>(text.size()), bytes);
+    const auto* first = reinterpret_cast<const std::byte*>(text.data());
+    bytes.insert(bytes.end(), first, first + text.size());
+}
+
+std::string take_text(std::span<const std::byte>& bytes) {
+    const std::span<const std::byte> text = take_bytes(take_value<std::uint32_t>(bytes), bytes);
+    return {reinterpret_cast<const char*>(text.data()), text.size()};
+}
+
+/// Packs every `step`th value.
+void append_halves(const float* first, std::size_t step, std::vector<std::uint16_t>& halves,
+                   PlanePacker& packer, std::vector<std::byte>& bytes) {
+    for (std::size_t i = 0; i < halves.size(); ++i) {
+        halves[i] = to_half(first[step * i]).bits();
+    }
+    packer.append(halves, bytes);
+}
+
+void take_halves(std::span<const std::byte>& bytes, std::vector<std::uint16_t>& halves,
+                 float* first, std::size_t step) {
+    unpack_halves(bytes, halves);
+    Imath::half half;
+    for (std::size_t i = 0; i < halves.size(); ++i) {
+        half.setBits(halves[i]);
+        first[step * i] = half;
+    }
+}
+
+/// The film without its numbers.
+Film take_header(std::span<const std::byte>& bytes) {
+    if (take_value<std::array<char, 8>>(bytes) != kMagic) {
+        throw Error("it is no packed film");
+    }
+    Film film;
+    film.width = take_value<std::int32_t>(bytes);
+    film.height = take_value<std::int32_t>(bytes);
+    for (auto count = take_value<std::uint32_t>(bytes); count > 0; --count) {
+        std::string key = take_text(bytes);
+        film.notes[std::move(key)] = take_text(bytes);
+    }
+    for (auto count = take_value<std::uint32_t>(bytes); count > 0; --count) {
+        std::string name = take_text(bytes);
+        film.aovs.push_back({std::move(name), {}, take_value<std::uint8_t>(bytes) != 0});
+    }
+    const std::int64_t pixels = std::int64_t{film.width} * film.height;
+    if (film.width <= 0 || film.height <= 0 || pixels > kMostPixels ||
+        pixels > kMostPacked * static_cast<std::int64_t>(bytes.size())) {
+        throw Error("it is too short for its pixels");
+    }
+    return film;
+}
+
+}  // namespace
+
+std::vector<std::byte> pack_film(const Film& film) {
+    const std::size_t pixels = film.rgba.size() / 4;
+    std::vector<std::byte> bytes;
+    append_value(kMagic, bytes);
+    append_value(std::int32_t{film.width}, bytes);
+    append_value(std::int32_t{film.height}, bytes);
+    append_value(static_cast<std::uint32_t>(film.notes.size()), bytes);
+    for (const auto& [key, text] : film.notes) {
+        append_text(key, bytes);
+        append_text(text, bytes);
+    }
+    append_value(static_cast<std::uint32_t>(film.aovs.size()), bytes);
+    for (const Channel& channel : film.aovs) {
+        CAROM_ASSERT(channel.values.size() == pixels);
+        append_text(channel.name, bytes);
+        append_value(static_cast<std::uint8_t>(channel.is_half), bytes);
+    }
+    PlanePacker packer;
+    std::vector<std::uint16_t> halves(pixels);
+    for (std::size_t c = 0; c < 4; ++c) {
+        append_halves(film.rgba.data() + c, 4, halves, packer, bytes);
+    }
+    for (const Channel& channel : film.aovs) {
+        if (channel.is_half) {
+            append_halves(channel.values.data(), 1, halves, packer, bytes);
+        } else {
+            packer.append(channel.values, bytes);
+        }
+    }
+    return bytes;
+}
+
+Film unpack_film(std::span<const std::byte> bytes) {
+    Film film = take_header(bytes);
+    const auto pixels =
+        static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
+    film.rgba.resize(4 * pixels);
+    std::vector<std::uint16_t> halves(pixels);
+    for (std::size_t c = 0; c < 4; ++c) {
+        take_halves(bytes, halves, film.rgba.data() + c, 4);
+    }
+    for (Channel& channel : film.aovs) {
+        channel.values.resize(pixels);
+        if (channel.is_half) {
+            take_halves(bytes, halves, channel.values.data(), 1);
+        } else {
+            unpack_floats(bytes, channel.values);
+        }
+    }
+    if (!bytes.empty()) {
+        throw Error("it is longer than its channels");
+    }
+    return film;
+}
+
+}  // namespace carom::render
