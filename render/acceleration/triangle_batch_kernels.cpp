@@ -10,12 +10,21 @@
 
 #include "render/acceleration/packet_traversal-inl.h"
 #include "render/lanes/packed_lanes-inl.h"
+#include "render/lanes/vector_lanes-inl.h"
 #include "render/triangle/moller_trumbore-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
 namespace kernels = triangle::HWY_NAMESPACE;
+
+#define CAROM_KERNEL HWY_INLINE
+#define CAROM_KERNEL_ATTRIBUTE HWY_ATTR
+#include "render/acceleration/kernels/culling.h"
+#undef CAROM_KERNEL_ATTRIBUTE
+#undef CAROM_KERNEL
+
+using PacketLanes = VectorLanes<PacketTag>;
 
 template <class D>
 HWY_INLINE kernels::Triple<hn::Vec<D>> broadcast(D d, const V3f& v) {
@@ -66,31 +75,11 @@ HWY_INLINE kernels::Triple<hn::Vec<PacketTag>> load_packet(const float (&lanes)[
     return {{hn::Load(d, lanes[0]), hn::Load(d, lanes[1]), hn::Load(d, lanes[2])}};
 }
 
-/// Whether a ray starts beyond a slab and does not return to it.
-HWY_INLINE bool leaves(const LeafSlab& slab, const PacketRays& rays, int ray) {
-    const float height = slab.normal.x * rays.origin[0][ray] + slab.normal.y * rays.origin[1][ray] +
-                         slab.normal.z * rays.origin[2][ray];
-    const float rise = slab.normal.x * rays.direction[0][ray] +
-                       slab.normal.y * rays.direction[1][ray] +
-                       slab.normal.z * rays.direction[2][ray];
-    return (height > slab.high && rise >= 0) || (height < slab.low && rise <= 0);
-}
-
-/// The same of the rays of a packet, with the same products and sums.
-HWY_INLINE hn::Mask<PacketTag> leaves(const LeafSlab& slab,
-                                      const kernels::Triple<hn::Vec<PacketTag>>& origin,
-                                      const kernels::Triple<hn::Vec<PacketTag>>& direction) {
-    const PacketTag d;
-    const auto along = [&](const kernels::Triple<hn::Vec<PacketTag>>& v) HWY_ATTR {
-        return hn::Add(hn::Add(hn::Mul(hn::Set(d, slab.normal.x), v.at[0]),
-                               hn::Mul(hn::Set(d, slab.normal.y), v.at[1])),
-                       hn::Mul(hn::Set(d, slab.normal.z), v.at[2]));
+HWY_INLINE bool leaves_slab(const LeafSlab& slab, const PacketRays& rays, int ray) {
+    const auto vector = [&](const float(&lanes)[3][kPacketLanes]) {
+        return kernels::Triple<float>{{lanes[0][ray], lanes[1][ray], lanes[2][ray]}};
     };
-    const auto height = along(origin);
-    const auto rise = along(direction);
-    const auto zero = hn::Zero(d);
-    return hn::Or(hn::And(hn::Gt(height, hn::Set(d, slab.high)), hn::Ge(rise, zero)),
-                  hn::And(hn::Lt(height, hn::Set(d, slab.low)), hn::Le(rise, zero)));
+    return leave_slab<ScalarLanes<float>>(slab, vector(rays.origin), vector(rays.direction));
 }
 
 struct alignas(64) PacketHits {
@@ -113,7 +102,7 @@ struct ClosestOfPacket {
         const TriangleNames& names = tree.names[leaf];
         const auto origin = load_packet(rays.origin);
         const auto direction = load_packet(rays.direction);
-        const auto gone = leaves(tree.slabs[leaf], origin, direction);
+        const auto gone = leave_slab<PacketLanes>(tree.slabs[leaf], origin, direction);
         enter = hn::IfThenElse(gone, hn::Set(d, kInfinity), enter);
         if (hn::AllTrue(d, hn::Eq(enter, hn::Set(d, kInfinity)))) {
             return;
@@ -146,7 +135,7 @@ struct ClosestOfPacket {
     }
 
     HWY_INLINE bool of_one(std::uint32_t leaf, int ray, float enter) const {
-        if (leaves(tree.slabs[leaf], rays, ray)) {
+        if (leaves_slab(tree.slabs[leaf], rays, ray)) {
             return false;
         }
         const ChildTag d;
@@ -200,7 +189,7 @@ struct AnyOfPacket {
         const TriangleBlock& block = tree.blocks[leaf];
         const auto origin = load_packet(rays.origin);
         const auto direction = load_packet(rays.direction);
-        const auto gone = leaves(tree.slabs[leaf], origin, direction);
+        const auto gone = leave_slab<PacketLanes>(tree.slabs[leaf], origin, direction);
         enter = hn::IfThenElse(gone, hn::Set(d, kInfinity), enter);
         if (hn::AllTrue(d, hn::Eq(enter, hn::Set(d, kInfinity)))) {
             return;
@@ -217,7 +206,7 @@ struct AnyOfPacket {
     }
 
     HWY_INLINE bool of_one(std::uint32_t leaf, int ray, float enter) const {
-        if (leaves(tree.slabs[leaf], rays, ray)) {
+        if (leaves_slab(tree.slabs[leaf], rays, ray)) {
             return false;
         }
         const ChildTag d;
@@ -248,27 +237,31 @@ HWY_INLINE void ask(const Query& query) {
 class WaitingRays {
   public:
     /// Adds the rays from `first` on that may meet the tree before `t`: finite ones (safe_ray.h)
-    /// that pass through its box.
+    /// that pass through its box and not above its horizon.
     HWY_INLINE void add(const TriangleTree& tree, const RayBatch& batch, int first,
                         hn::Vec<PacketTag> t) {
         const PacketTag d;
         const auto zero = hn::Zero(d);
         hn::Vec<PacketTag> sum = hn::LoadU(d, batch.time + first);
-        hn::Vec<PacketTag> origin[3];
-        hn::Vec<PacketTag> direction[3];
+        kernels::Triple<hn::Vec<PacketTag>> origin;
+        kernels::Triple<hn::Vec<PacketTag>> direction;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            origin[axis] = hn::LoadU(d, batch.origin[axis] + first);
-            direction[axis] = hn::LoadU(d, batch.direction[axis] + first);
-            sum = hn::Add(sum, hn::Add(origin[axis], direction[axis]));
+            origin.at[axis] = hn::LoadU(d, batch.origin[axis] + first);
+            direction.at[axis] = hn::LoadU(d, batch.direction[axis] + first);
+            sum = hn::Add(sum, hn::Add(origin.at[axis], direction.at[axis]));
         }
         const auto is_finite = hn::Eq(hn::Mul(sum, zero), zero);
         const auto is_asked = hn::And(hn::And(is_finite, hn::Gt(t, zero)),
                                       hn::FirstN(d, static_cast<std::size_t>(batch.count - first)));
         const auto limit = hn::Min(t, hn::Set(d, kLargest));
-        const PackedLanes goes(hn::And(is_asked, meets(tree.bounds, origin, direction, limit)));
+        auto may_hit = hn::And(is_asked, meets(tree.bounds, origin.at, direction.at, limit));
+        if (tree.horizon.width > 0) {
+            may_hit = hn::AndNot(pass_above<PacketLanes>(tree.horizon, origin, direction), may_hit);
+        }
+        const PackedLanes goes(may_hit);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            hn::StoreU(goes.pack(origin[axis]), d, origin_[axis] + count_);
-            hn::StoreU(goes.pack(direction[axis]), d, direction_[axis] + count_);
+            hn::StoreU(goes.pack(origin.at[axis]), d, origin_[axis] + count_);
+            hn::StoreU(goes.pack(direction.at[axis]), d, direction_[axis] + count_);
         }
         hn::StoreU(goes.pack(limit), d, limit_ + count_);
         const hn::RebindToSigned<PacketTag> di;
@@ -403,6 +396,12 @@ inline HWY_ATTR void occlude(const TriangleTree& tree, const RayBatch& batch, fl
     }
 }
 
+HWY_INLINE bool passes_above(const Horizon& map, const Ray& ray) {
+    const auto triple = [](const V3f& v) { return kernels::Triple<float>{{v.x, v.y, v.z}}; };
+    return map.width > 0 && ray.t_min >= 0 &&
+           pass_above<ScalarLanes<float>>(map, triple(ray.origin), triple(ray.direction));
+}
+
 /// A packet of one ray.
 HWY_INLINE void set_ray(const Ray& ray, PacketRays& rays) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -415,7 +414,7 @@ HWY_INLINE void set_ray(const Ray& ray, PacketRays& rays) {
 }
 
 inline HWY_ATTR bool closest_of_ray(const TriangleTree& tree, const Ray& ray, Hit& hit) {
-    if (tree.blocks.empty()) {
+    if (tree.blocks.empty() || passes_above(tree.horizon, ray)) {
         return false;
     }
     PacketRays rays;
@@ -435,7 +434,7 @@ inline HWY_ATTR bool closest_of_ray(const TriangleTree& tree, const Ray& ray, Hi
 }
 
 inline HWY_ATTR bool any_of_ray(const TriangleTree& tree, const Ray& ray) {
-    if (tree.blocks.empty()) {
+    if (tree.blocks.empty() || passes_above(tree.horizon, ray)) {
         return false;
     }
     PacketRays rays;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "render/acceleration/mesh_entry.h"
 #include "render/acceleration/ray_batch.h"
@@ -12,9 +13,10 @@
 
 namespace carom::render {
 
-/// A tree over the triangles of meshes; immutable after construction and shared by threads. The
-/// same meshes give the same hits, bit for bit, on every processor, whether a ray is asked alone or
-/// among others.
+/// Trees over the triangles of meshes; immutable after construction and shared by threads. Meshes
+/// that are apart, such as a table and the lamps above it, have trees of their own. The same meshes
+/// give the same hits, bit for bit, on every processor, whether a ray is asked alone or among
+/// others.
 class TriangleScene {
   public:
     /// Copies what it needs of the meshes.
@@ -33,11 +35,11 @@ class TriangleScene {
     /// See AccelerationStructure.
     void test_occlusion(const RayBatch& rays, float* t_max) const;
 
-    [[nodiscard]] std::size_t bytes() const { return bytes_of(tree_); }
+    [[nodiscard]] std::size_t bytes() const;
 
   private:
     const TriangleBatchKernels& kernels_;
-    TriangleTree tree_;
+    std::vector<TriangleTree> trees_;
 };
 
 }  // namespace carom::render

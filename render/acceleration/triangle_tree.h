@@ -9,6 +9,7 @@
 #include <Imath/ImathBox.h>
 
 #include "render/acceleration/analytic_blocks.h"
+#include "render/acceleration/horizon.h"
 #include "render/acceleration/mesh_entry.h"
 #include "render/acceleration/test_counts.h"
 #include "render/acceleration/wide_tree.h"
@@ -40,6 +41,7 @@ struct TriangleTree {
     std::vector<LeafSlab> slabs;        // by leaf
     LargeVector<TriangleBlock> blocks;  // by leaf
     LargeVector<TriangleNames> names;   // by leaf
+    Horizon horizon;                    // may be empty
 };
 
 [[nodiscard]] TriangleTree make_triangle_tree(std::span<const MeshEntry> meshes);
