@@ -11,20 +11,27 @@
 
 namespace carom::render {
 
-/// Means over a pixel of what its camera rays see at their first hits.
+/// Means over a pixel of what its camera rays see at their first hits and, if these have a coat, of
+/// what is seen in it.
 struct PixelFeatures {
-    V3f albedo{0, 0, 0};
+    V3f albedo{0, 0, 0};  // and the mirrored albedo, as the coat reflects it
     V3f normal{0, 0, 0};
-    V3f light{0, 0, 0};  // radiance of lights and the room
+    V3f light{0, 0, 0};  // radiance of lights and the room, seen directly or in a smooth coat
 
     static constexpr int kCount = 9;
     [[nodiscard]] float operator[](int i) const {
         return i < 3 ? albedo[i] : i < 6 ? normal[i - 3] : light[i - 6];
     }
     void add(const RadianceSample& sample) {
-        albedo += sample.albedo;
+        albedo += sample.albedo + sample.mirrored;
         normal += sample.normal;
         light += sample.light;
+    }
+    PixelFeatures& operator+=(const PixelFeatures& other) {
+        albedo += other.albedo;
+        normal += other.normal;
+        light += other.light;
+        return *this;
     }
     [[nodiscard]] PixelFeatures operator*(float factor) const {
         return {albedo * factor, normal * factor, light * factor};
@@ -35,7 +42,8 @@ struct PixelFeatures {
 struct FeaturePixel {
     int x = 0, y = 0;
     PixelFeatures halves[2];  // means over its two halves of samples
-    PixelFeatures exact{};    // result
+    int samples = 0;          // of both
+    PixelFeatures exact{};    // result: mean over the camera rays and these samples
 };
 
 /// Traces 4 rays for each pixel, 16 if these or the samples saw different things there or within

@@ -22,7 +22,7 @@ struct HalfSums {
 
     void add(const RadianceSample& sample) {
         radiance += sample.radiance;
-        albedo += sample.albedo;
+        albedo += sample.albedo + sample.mirrored;
         normal += sample.normal;
         light += sample.light;
         samples += 1;

@@ -182,8 +182,9 @@ void TileRenderer::write(int tile, const TileSums& sums, DenoiserPlanes& planes)
     }
     std::vector<FeaturePixel> pixels;
     for_each_pixel(tile, [&](int x, int y) {
-        pixels.push_back({x, y, half_means(at(tile, sums, x, y), 0).features,
-                          half_means(at(tile, sums, x, y), 1).features});
+        const PixelSums& pixel = at(tile, sums, x, y);
+        pixels.push_back(
+            {x, y, {half_means(pixel, 0).features, half_means(pixel, 1).features}, pixel.samples});
     });
     feature_tracer_->trace(pixels);
     std::size_t i = 0;

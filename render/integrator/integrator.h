@@ -5,7 +5,6 @@
 #include <memory>
 #include <span>
 
-#include "render/acceleration/ray_batch.h"
 #include "render/film/film.h"
 #include "render/geometry/ray.h"
 #include "render/sampling/sampler.h"
@@ -18,7 +17,10 @@ struct RadianceSample {
     float coverage = 0;   // 1 if the camera ray hit something
     V3f normal{0, 0, 0};  // at the hit, world axes, towards the camera
     V3f albedo{0, 0, 0};
-    V3f light{0, 0, 0};  // of the radiance: what the camera sees directly, of lights and room
+    /// Albedo of what the first surface's coat shows, times what the coat reflects of it.
+    V3f mirrored{0, 0, 0};
+    /// Of the radiance: what the camera sees of lights and room, directly or in a smooth coat.
+    V3f light{0, 0, 0};
     std::uint32_t object = kNoObject;  // that was hit; lights are numbered after the objects
 };
 
@@ -64,10 +66,9 @@ class Integrator {
                                                 const SampleIndex& index,
                                                 RenderStatistics& count) const = 0;
 
-    /// What rays from the camera see: all of `sample` except the radiance. Only of integrators that
-    /// follow paths; the others set nothing. At most CameraBatch::kMost rays. `workspace`: as of
-    /// `samples`.
-    virtual void look(const RayBatch& /*rays*/, float /*pixel_spread*/,
+    /// What rays from the camera see: all of `sample` except the radiance, with the same means.
+    /// Only of integrators that follow paths; the others set nothing. `workspace`: as of `samples`.
+    virtual void look(std::span<const CameraTask> /*tasks*/, float /*pixel_spread*/,
                       std::span<RadianceSample> /*results*/, Workspace* /*workspace*/) const {}
 
   protected:

@@ -9,7 +9,6 @@
 
 #include "core/assert.h"
 #include "core/colour.h"
-#include "render/camera/camera_batch.h"
 #include "render/geometry/validity.h"
 #include "render/integrator/scalar_kernels.h"
 
@@ -59,44 +58,62 @@ RadianceSample PathIntegrator::sample(const Ray& camera_ray, float pixel_spread,
     return total(work);
 }
 
-void PathIntegrator::look(const RayBatch& rays, float pixel_spread,
+void PathIntegrator::look(std::span<const CameraTask> tasks, float pixel_spread,
                           std::span<RadianceSample> results, Workspace* /*workspace*/) const {
-    constexpr int kRoom = 16;  // behind the last ray, for vector code
-    std::array<Hit, CameraBatch::kMost + kRoom> hits;
-    scene_.frame.structure().closest_hits(rays, hits.data());
-    for (int i = 0; i < rays.count; ++i) {
-        Path path{rays.ray(i, kInfinity)};
+    RenderStatistics count;
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+        PathWork work{PathDimensions(tasks[i].stream), tasks[i].index, count};
+        Path path{tasks[i].ray};
         path.spread = pixel_spread;
-        const auto index = static_cast<std::size_t>(i);
-        results[index] = seen(path, hits[index]);
+        path.last.connects = light_tracer_ != nullptr;
+        Hit hit;
+        if (scene_.frame.structure().closest_hit(path.ray, hit)) {
+            see(path, hit, work);
+        } else {
+            miss(path, work);
+        }
+        results[i] = work.result;
     }
 }
 
-RadianceSample PathIntegrator::seen(const Path& path, const Hit& hit) const {
-    RadianceSample result;
-    if (hit.object == kNoObject) {
-        result.light = direct_.environment(path);
-        return result;
-    }
-    result.coverage = 1;
-    result.object = hit.object;
+void PathIntegrator::see(Path path, const Hit& hit, PathWork& work) const {
     if (scene_.is_light(hit)) {
-        result.light = direct_.hit_light(path, hit);
-        result.normal = -path.ray.direction;
-        return result;
+        add_hit_light(path, hit, work);
+        return;
+    }
+    if (path.vertex == 0) {
+        work.result.coverage = 1;
+        work.result.object = hit.object;
+    }
+    if (has_emission_) {
+        add_emission(path, hit, work);
+    }
+    if (path.vertex > settings_.max_bounces) {
+        return;
     }
     const SurfacePoint point = scene_.frame.surface_at(path.ray, hit);
-    const Material& material = scene_.materials[point.material];
-    const float cosine = -point.geometric_normal.dot(path.ray.direction);
-    if (cosine > 0 && material.is_emissive()) {
-        result.light = direct_.hit_emitter(path, hit, material.emission(), cosine);
+    path.width += path.spread * hit.t;
+    const Surface surface = resolve(path, point);
+    work.add_surface(path, surface);
+    const Bsdf bsdf(surface, -path.ray.direction);
+    const ShadingVertex vertex = vertex_at(path, point, surface, bsdf);
+    if (path.vertex > 0 || !vertex.splits) {
+        return;
     }
-    Path arrived = path;
-    arrived.width += path.spread * hit.t;
-    const Surface surface = resolve(arrived, point);
-    result.normal = surface.frame.z;
-    result.albedo = surface.base;
-    return result;
+    path.last.connected_ball = path.last.connects ? std::int64_t{hit.object} : -1;
+    path.last.connects = false;
+    const V3f numbers = work.dimensions.further(path);
+    path.branch *= 2;
+    if (!turn(path, vertex, Layers::coat, V2f(numbers.x, numbers.y), vertex.glossy_samples)) {
+        return;
+    }
+    path.throughput *= static_cast<float>(vertex.glossy_samples);  // one stands for all
+    Hit next;
+    if (scene_.frame.structure().closest_hit(path.ray, next)) {
+        see(path, next, work);
+    } else {
+        miss(path, work);
+    }
 }
 
 RadianceSample PathIntegrator::total(PathWork& work) const {
@@ -129,8 +146,13 @@ void PathIntegrator::follow_from(Path path, const Hit& hit, PathWork& work) cons
     }
 }
 
+void PathIntegrator::add_light(const Path& path, const V3f& radiance, PathWork& work) {
+    work.add_light(path.throughput * radiance, path.vertex,
+                   is_imaged(path.vertex, path.branch, path.last.is_delta));
+}
+
 void PathIntegrator::miss(const Path& path, PathWork& work) const {
-    work.add(path.throughput * direct_.environment(path), path.vertex);
+    add_light(path, direct_.environment(path), work);
 }
 
 void PathIntegrator::add_hit_light(const Path& path, const Hit& hit, PathWork& work) const {
@@ -141,7 +163,7 @@ void PathIntegrator::add_hit_light(const Path& path, const Hit& hit, PathWork& w
     if (is_sampled_as_caustic(path, hit)) {
         return;
     }
-    work.add(path.throughput * direct_.hit_light(path, hit), path.vertex);
+    add_light(path, direct_.hit_light(path, hit), work);
     if (path.vertex == 0) {
         work.result.normal = -path.ray.direction;
     }
@@ -177,17 +199,9 @@ bool PathIntegrator::process_hit(Path& path, const Hit& hit, PathWork& work) con
     if (surface.is_inside) {
         path.throughput *= surface.layers->glass->transmittance(hit.t);
     }
-    if (path.vertex == 0) {
-        work.result.normal = surface.frame.z;
-        work.result.albedo = surface.base;
-    }
+    work.add_surface(path, surface);
     const Bsdf bsdf(surface, wo);
-    const bool splits = path.vertex < settings_.split_vertices && bsdf.has_coat();
-    const bool shows_gloss = splits && path.vertex == 0 && bsdf.can_evaluate(Layers::coat);
-    const ShadingVertex vertex{
-        point.position, point.position + surface.geometric_normal * point.offset,
-        surface,        bsdf,
-        splits,         shows_gloss ? settings_.glossy_samples : 1};
+    const ShadingVertex vertex = vertex_at(path, point, surface, bsdf);
     const VertexNumbers u = work.dimensions.vertex(path);
     const V3f direct = direct_.sample_lights(path, vertex, u.light, work.dimensions, work.count);
     work.add(path.throughput * direct, path.vertex + 1);
@@ -200,6 +214,15 @@ bool PathIntegrator::process_hit(Path& path, const Hit& hit, PathWork& work) con
     path.last.connected_ball = path.last.connects ? std::int64_t{hit.object} : -1;
     path.last.connects = connects;
     return scatter(path, vertex, u.scattering, work);
+}
+
+ShadingVertex PathIntegrator::vertex_at(const Path& path, const SurfacePoint& point,
+                                        const Surface& surface, const Bsdf& bsdf) const {
+    const bool splits = path.vertex < settings_.split_vertices && bsdf.has_coat();
+    const bool shows_gloss = splits && path.vertex == 0 && bsdf.can_evaluate(Layers::coat);
+    return {point.position, point.position + surface.geometric_normal * point.offset,
+            surface,        bsdf,
+            splits,         shows_gloss ? settings_.glossy_samples : 1};
 }
 
 // `path.width` is the width at the point.
@@ -231,8 +254,7 @@ void PathIntegrator::add_emission(const Path& path, const Hit& hit, PathWork& wo
     const float cosine = -point.geometric_normal.dot(path.ray.direction);
     const Material& material = scene_.materials[point.material];
     if (cosine > 0 && material.is_emissive()) {
-        work.add(path.throughput * direct_.hit_emitter(path, hit, material.emission(), cosine),
-                 path.vertex);
+        add_light(path, direct_.hit_emitter(path, hit, material.emission(), cosine), work);
     }
 }
 
@@ -259,30 +281,35 @@ bool PathIntegrator::survives_in_glass(Path& path, const PathWork& work) const {
     return true;
 }
 
+bool PathIntegrator::turn(Path& path, const ShadingVertex& vertex, Layers layers,
+                          const V2f& numbers, int samples) const {
+    const auto sample = vertex.bsdf.sample(layers, numbers);
+    if (!sample || largest(sample->weight) <= 0) {
+        return false;
+    }
+    path.throughput *= sample->weight / static_cast<float>(samples);
+    path.last.pdf = sample->pdf * static_cast<float>(samples);
+    path.last.is_delta = sample->is_delta;
+    // Caustics are sampled for paths of a broad lobe followed by one specular reflection, only.
+    path.last.connects = path.last.connects && !sample->is_delta;
+    path.last.connected_ball = sample->is_delta ? path.last.connected_ball : -1;
+    path.ray = Ray{vertex.origin_towards(sample->direction), sample->direction, 0, kInfinity,
+                   path.ray.time};
+    path.spread = sample->is_delta
+                      ? std::min(path.spread * kMirrorSpread, kWidestSpread)
+                      : std::max(path.spread,
+                                 std::min(kLobeFraction / std::sqrt(sample->pdf), kWidestSpread));
+    path.vertex += 1;
+    return true;
+}
+
 // Turns `path` into its next direction, after following its coat to the end; false if it ends here.
 bool PathIntegrator::scatter(Path& path, const ShadingVertex& vertex, const V2f& u,
                              PathWork& work) const {
-    const auto proceed = [&](Path& next_path, Layers layers, const V2f& numbers, int samples = 1) {
-        const auto sample = vertex.bsdf.sample(layers, numbers);
-        if (!sample || largest(sample->weight) <= 0) {
-            return false;
-        }
-        next_path.throughput *= sample->weight / static_cast<float>(samples);
-        next_path.last.pdf = sample->pdf * static_cast<float>(samples);
-        next_path.last.is_delta = sample->is_delta;
-        // Caustics are sampled for paths of a broad lobe followed by one specular reflection, only.
-        next_path.last.connects = next_path.last.connects && !sample->is_delta;
-        next_path.last.connected_ball = sample->is_delta ? next_path.last.connected_ball : -1;
-        next_path.ray = Ray{vertex.origin_towards(sample->direction), sample->direction, 0,
-                            kInfinity, path.ray.time};
-        next_path.spread =
-            sample->is_delta
-                ? std::min(next_path.spread * kMirrorSpread, kWidestSpread)
-                : std::max(next_path.spread,
-                           std::min(kLobeFraction / std::sqrt(sample->pdf), kWidestSpread));
-        next_path.vertex += 1;
-        work.count.scattered_rays += 1;
-        return true;
+    const auto proceed = [&](Path& next, Layers layers, const V2f& numbers, int samples = 1) {
+        const bool goes = turn(next, vertex, layers, numbers, samples);
+        work.count.scattered_rays += goes ? 1 : 0;
+        return goes;
     };
     if (!vertex.splits) {
         return proceed(path, Layers::all, u);

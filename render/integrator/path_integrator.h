@@ -36,10 +36,23 @@ struct PathWork {
 
     void add(const V3f& radiance, int scatterings) {
         validate(radiance);
-        if (scatterings == 0) {
+        (scatterings <= 1 ? direct : indirect) += radiance;
+    }
+    /// Adds the light of a lamp or the room that a path reached at this vertex.
+    void add_light(const V3f& radiance, int vertex, bool is_seen) {
+        add(radiance, vertex);
+        if (is_seen) {
             result.light += radiance;
         }
-        (scatterings <= 1 ? direct : indirect) += radiance;
+    }
+    /// Notes what the camera sees at the path's vertex, directly or in a coat.
+    void add_surface(const Path& path, const Surface& surface) {
+        if (path.vertex == 0) {
+            result.normal = surface.frame.z;
+            result.albedo = surface.base;
+        } else if (is_seen_in_coat(path.vertex, path.branch)) {
+            result.mirrored += path.throughput * surface.base;
+        }
     }
 
   private:
@@ -62,8 +75,8 @@ class PathIntegrator final : public Integrator {
                                         const SampleStream& stream, const SampleIndex& index,
                                         RenderStatistics& count) const override;
 
-    void look(const RayBatch& rays, float pixel_spread, std::span<RadianceSample> results,
-              Workspace* workspace) const override;
+    void look(std::span<const CameraTask> tasks, float pixel_spread,
+              std::span<RadianceSample> results, Workspace* workspace) const override;
 
     // For an integrator that carries many paths and leaves some of their vertices to this one.
 
@@ -71,8 +84,9 @@ class PathIntegrator final : public Integrator {
     void follow_from(Path path, const Hit& hit, PathWork& work) const;
     /// Adds the environment for a path that left the scene.
     void miss(const Path& path, PathWork& work) const;
-    /// What a camera's path sees at its first hit: all of `sample` except the radiance.
-    [[nodiscard]] RadianceSample seen(const Path& path, const Hit& hit) const;
+    /// Adds what the path sees at its hit, its first one or one that it sees in a coat: all of
+    /// `sample` except the radiance.
+    void see(Path path, const Hit& hit, PathWork& work) const;
     /// Adds the light of an area light that the path hit.
     void add_hit_light(const Path& path, const Hit& hit, PathWork& work) const;
     /// Adds the light of an object with an emissive material that the path hit.
@@ -95,6 +109,13 @@ class PathIntegrator final : public Integrator {
     void follow(Path path, PathWork& work) const;
     [[nodiscard]] bool process_hit(Path& path, const Hit& hit, PathWork& work) const;
     [[nodiscard]] Surface resolve(const Path& path, const SurfacePoint& point) const;
+    /// The next direction from a part of the surface of which `samples` are taken; false if the
+    /// light is absorbed.
+    [[nodiscard]] bool turn(Path& path, const ShadingVertex& vertex, Layers layers,
+                            const V2f& numbers, int samples) const;
+    [[nodiscard]] ShadingVertex vertex_at(const Path& path, const SurfacePoint& point,
+                                          const Surface& surface, const Bsdf& bsdf) const;
+    static void add_light(const Path& path, const V3f& radiance, PathWork& work);
     [[nodiscard]] bool scatter(Path& path, const ShadingVertex& vertex, const V2f& u,
                                PathWork& work) const;
     [[nodiscard]] bool is_sampled_as_caustic(const Path& path, const Hit& hit) const;

@@ -46,6 +46,15 @@ inline constexpr int kMostSplits = 2;
 /// The difference between the branches of two directions of the same coat.
 inline constexpr std::uint32_t kBranchesOfOneCoat = 1u << (kMostSplits + 1);
 
+/// Whether such a path leads from the coat of what the camera sees to what is seen in it.
+[[nodiscard]] inline bool is_seen_in_coat(int vertex, std::uint32_t branch) {
+    return vertex == 1 && branch % 2 == 0;
+}
+/// Whether the camera sees what such a path leads to as an image: directly or in a smooth coat.
+[[nodiscard]] inline bool is_imaged(int vertex, std::uint32_t branch, bool is_delta) {
+    return vertex == 0 || (is_seen_in_coat(vertex, branch) && is_delta);
+}
+
 /// One branch of a camera sample.
 struct Path {
     Ray ray{V3f(0, 0, 0), V3f(0, 0, 1)};

@@ -234,6 +234,18 @@ HWY_INLINE V2 lattice_lanes(const V2& u, int k, int n) {
     return {x - hn::Floor(x), y - hn::Floor(y)};
 }
 
+/// `u`: the number by which coat or base is chosen.
+HWY_INLINE ContinuingLanes continuing(const WaveStep& step, const VertexLanes& v, F u) {
+    ContinuingLanes from;
+    from.spread = gather(step.paths.spread, v.path);
+    from.width =
+        gather(step.paths.width, v.path) + from.spread * load(step.vertices.distance, v.first);
+    from.branch = gather(step.paths.branch, v.path);
+    from.by_chance = hn::AndNot(v.splits, v.valid);
+    from.takes_coat = hn::And(from.by_chance, hn::Lt(u, v.lobes.coat_choice));
+    return from;
+}
+
 HWY_INLINE void follow_coats(const WaveStep& step, const VertexLanes& v,
                              const ContinuingLanes& from, const LaneSampler& sampler, const V2& u,
                              bool connects) {
@@ -268,13 +280,7 @@ HWY_INLINE void follow_coats(const WaveStep& step, const VertexLanes& v,
 HWY_INLINE void scatter(const WaveStep& step, const VertexLanes& v, const LaneSampler& sampler,
                         const V2& u, bool connects) {
     const IntTag di;
-    ContinuingLanes from;
-    from.spread = gather(step.paths.spread, v.path);
-    from.width =
-        gather(step.paths.width, v.path) + from.spread * load(step.vertices.distance, v.first);
-    from.branch = gather(step.paths.branch, v.path);
-    from.by_chance = hn::AndNot(v.splits, v.valid);
-    from.takes_coat = hn::And(from.by_chance, hn::Lt(u.x, v.lobes.coat_choice));
+    const ContinuingLanes from = continuing(step, v, u.x);
     follow_coats(step, v, from, sampler, u, connects);
 
     const M bases = hn::AndNot(from.takes_coat, v.valid);

@@ -76,7 +76,7 @@ struct WaveIntegrator::Wave final : Integrator::Workspace {
     PathWave& next() { return vertex % 2 == 0 ? of_odd_vertices : of_even_vertices; }
     PathWave scattered{};  // to be appended to `next`
     int vertex = 0;
-    bool is_looking = false;  // nothing is followed beyond the first hit
+    bool is_looking = false;  // nothing is followed beyond what a coat shows
     VertexWave vertices{};
     ShadowWave shadows{};
     SampleWave samples{};
@@ -88,6 +88,11 @@ struct WaveIntegrator::Wave final : Integrator::Workspace {
     std::vector<int> group_ends;  // in the vertices, by group
     std::vector<PathWork> works;  // of samples
 };
+
+WaveStep WaveIntegrator::step_of(Wave& wave) const {
+    return {wave_scene_,  wave.samples,    wave.paths(), wave.vertices,
+            wave.shadows, wave.near_balls, wave.next(),  wave.scattered};
+}
 
 WaveIntegrator::WaveIntegrator(const TransportScene& scene, const PathSettings& settings,
                                const LightTracer* light_tracer)
@@ -133,10 +138,10 @@ void WaveIntegrator::samples(std::span<const CameraTask> tasks, float pixel_spre
     for (std::size_t from = 0; from < tasks.size(); from += wave_samples_) {
         const std::size_t size = std::min(wave_samples_, tasks.size() - from);
         begin(tasks.subspan(from, size), pixel_spread, wave, count);
+        count.camera_rays += size;
         while (wave.paths().count > 0) {
             process_hits(wave);
-            kernels_->take_step({wave_scene_, wave.samples, wave.paths(), wave.vertices,
-                                 wave.shadows, wave.near_balls, wave.next(), wave.scattered});
+            kernels_->take_step(step_of(wave));
             append(wave.scattered, wave.next());
             CAROM_VALIDATE(is_valid(wave.next()));
             count.scattered_rays += static_cast<std::uint64_t>(wave.next().count);
@@ -154,8 +159,12 @@ void WaveIntegrator::samples(std::span<const CameraTask> tasks, float pixel_spre
 
 void WaveIntegrator::begin(std::span<const CameraTask> tasks, float pixel_spread, Wave& wave,
                            RenderStatistics& count) const {
-    begin_paths(static_cast<int>(tasks.size()), pixel_spread, wave);
+    wave.vertex = 0;
+    wave.is_looking = false;
+    wave.works.clear();
     PathWave& paths = wave.paths();
+    paths.count = static_cast<int>(tasks.size());
+    paths.vertex = 0;
     for (int i = 0; i < paths.count; ++i) {
         const CameraTask& task = tasks[i];
         wave.works.push_back({PathDimensions(task.stream), task.index, count});
@@ -166,18 +175,7 @@ void WaveIntegrator::begin(std::span<const CameraTask> tasks, float pixel_spread
         paths.direction.set(i, task.ray.direction);
         paths.time.at[i] = task.ray.time;
     }
-    count.camera_rays += tasks.size();
-}
-
-// All of the paths except their rays.
-void WaveIntegrator::begin_paths(int count, float pixel_spread, Wave& wave) const {
-    wave.vertex = 0;
-    wave.is_looking = false;
-    wave.works.clear();
-    PathWave& paths = wave.paths();
-    paths.count = count;
-    paths.vertex = 0;
-    std::iota(paths.slot.at, paths.slot.at + count, 0);
+    std::iota(paths.slot.at, paths.slot.at + paths.count, 0);
     const auto fill = [&](auto& field, auto value) { std::fill_n(field.at, paths.count, value); };
     fill(paths.branch, 1);
     fill(paths.throughput.x, 1.0f);
@@ -193,31 +191,20 @@ void WaveIntegrator::begin_paths(int count, float pixel_spread, Wave& wave) cons
     fill(paths.connected_ball, -1);
 }
 
-void WaveIntegrator::look(const RayBatch& rays, float pixel_spread,
+void WaveIntegrator::look(std::span<const CameraTask> tasks, float pixel_spread,
                           std::span<RadianceSample> results, Workspace* workspace) const {
     Wave& wave = dynamic_cast<Wave&>(*workspace);
     RenderStatistics count;
-    for (int from = 0; from < rays.count; from += kWaveSamples) {
-        begin_paths(std::min(kWaveSamples, rays.count - from), pixel_spread, wave);
+    for (std::size_t from = 0; from < tasks.size(); from += wave_samples_) {
+        const std::size_t size = std::min(wave_samples_, tasks.size() - from);
+        begin(tasks.subspan(from, size), pixel_spread, wave, count);
         wave.is_looking = true;
-        PathWave& paths = wave.paths();
-        const auto copy = [&](const float* numbers, Floats& field) {
-            std::copy_n(numbers + from, paths.count, field.at);
-        };
-        copy(rays.origin[0], paths.origin.x);
-        copy(rays.origin[1], paths.origin.y);
-        copy(rays.origin[2], paths.origin.z);
-        copy(rays.direction[0], paths.direction.x);
-        copy(rays.direction[1], paths.direction.y);
-        copy(rays.direction[2], paths.direction.z);
-        copy(rays.time, paths.time);
-        for (int i = 0; i < paths.count; ++i) {
-            wave.works.push_back({PathDimensions(SampleStream(0, 0, 0, 0)), {}, count});
-        }
         process_hits(wave);
-        for (int i = 0; i < paths.count; ++i) {
-            results[static_cast<std::size_t>(from + i)] =
-                wave.works[static_cast<std::size_t>(i)].result;
+        kernels_->look_into_coats(step_of(wave));
+        wave.vertex = 1;
+        process_hits(wave);
+        for (std::size_t i = 0; i < size; ++i) {
+            results[from + i] = wave.works[i].result;
         }
     }
 }
@@ -257,12 +244,31 @@ void WaveIntegrator::process_hits(Wave& wave) const {
         }
         first = last;
     }
-    for (int i = 0; wave.vertex == 0 && i < wave.vertices.count; ++i) {
-        PathWork& work = wave.works[paths.slot.at[wave.vertices.path.at[i]]];
-        work.result.coverage = 1;
-        work.result.object = static_cast<std::uint32_t>(wave.vertices.object.at[i]);
-        work.result.normal = wave.vertices.normal.get(i);
-        work.result.albedo = wave.vertices.base.get(i);
+    if (wave.vertex == 0) {
+        note_first_surfaces(wave);
+    } else if (wave.vertex == 1) {
+        note_mirrored_surfaces(wave);
+    }
+}
+
+void WaveIntegrator::note_first_surfaces(Wave& wave) {
+    for (int i = 0; i < wave.vertices.count; ++i) {
+        RadianceSample& result = wave.works[wave.paths().slot.at[wave.vertices.path.at[i]]].result;
+        result.coverage = 1;
+        result.object = static_cast<std::uint32_t>(wave.vertices.object.at[i]);
+        result.normal = wave.vertices.normal.get(i);
+        result.albedo = wave.vertices.base.get(i);
+    }
+}
+
+void WaveIntegrator::note_mirrored_surfaces(Wave& wave) {
+    const PathWave& paths = wave.paths();
+    for (int i = 0; i < wave.vertices.count; ++i) {
+        const int path = wave.vertices.path.at[i];
+        if (is_seen_in_coat(1, static_cast<std::uint32_t>(paths.branch.at[path]))) {
+            wave.works[paths.slot.at[path]].result.mirrored +=
+                paths.throughput.get(path) * wave.vertices.base.get(i);
+        }
     }
 }
 
@@ -276,7 +282,9 @@ void WaveIntegrator::add_misses(Wave& wave) const {
         const int path = missed.at.at[k];
         const V3f light =
             wave_scene_.sky ? wave.missed.light.get(k) : paths.throughput.get(path) * constant_sky_;
-        wave.works[paths.slot.at[path]].add(light, wave.vertex);
+        const bool seen = is_imaged(wave.vertex, static_cast<std::uint32_t>(paths.branch.at[path]),
+                                    paths.is_delta.at[path] != 0);
+        wave.works[paths.slot.at[path]].add_light(light, wave.vertex, seen);
     }
 }
 
@@ -286,7 +294,7 @@ bool WaveIntegrator::becomes_vertex(int path, const Hit& hit, std::uint8_t trait
     PathWork& work = wave.works[wave.paths().slot.at[path]];
     if ((traits & kLeavesWave) != 0) {
         if (wave.is_looking) {
-            work.result = path_integrator_.seen(wave.paths().path(path), hit);
+            path_integrator_.see(wave.paths().path(path), hit, work);
             return false;
         }
         path_integrator_.follow_from(wave.paths().path(path), hit, work);

@@ -33,16 +33,18 @@ class WaveIntegrator final : public Integrator {
     void samples(std::span<const CameraTask> tasks, float pixel_spread,
                  std::span<RadianceSample> results, Workspace* workspace,
                  RenderStatistics& count) const override;
-    void look(const RayBatch& rays, float pixel_spread, std::span<RadianceSample> results,
-              Workspace* workspace) const override;
+    void look(std::span<const CameraTask> tasks, float pixel_spread,
+              std::span<RadianceSample> results, Workspace* workspace) const override;
 
   private:
     struct Wave;
 
     void begin(std::span<const CameraTask> tasks, float pixel_spread, Wave& wave,
                RenderStatistics& count) const;
-    void begin_paths(int count, float pixel_spread, Wave& wave) const;
+    [[nodiscard]] WaveStep step_of(Wave& wave) const;
     void process_hits(Wave& wave) const;
+    static void note_first_surfaces(Wave& wave);
+    static void note_mirrored_surfaces(Wave& wave);
     void add_misses(Wave& wave) const;
     [[nodiscard]] bool becomes_vertex(int path, const Hit& hit, std::uint8_t traits,
                                       Wave& wave) const;

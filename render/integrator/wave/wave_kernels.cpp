@@ -21,8 +21,8 @@ inline const WaveKernels* wave_kernels_of_target() {
 #if HWY_TARGET == HWY_SCALAR
     return nullptr;
 #else
-    static constexpr WaveKernels kKernels = {play_roulette, find_surfaces, take_step, find_sky,
-                                             sum_light};
+    static constexpr WaveKernels kKernels = {play_roulette,   find_surfaces, take_step,
+                                             look_into_coats, find_sky,      sum_light};
     return &kKernels;
 #endif
 }

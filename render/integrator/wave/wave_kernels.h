@@ -47,6 +47,9 @@ struct WaveKernels {
     void (*find_surfaces)(const SurfaceTask& task);
     /// Fills `shadows`, `near_balls`, `reflected` and `scattered`.
     void (*take_step)(const WaveStep& step);
+    /// Fills `reflected` with one direction of the coat of each first vertex that has one, which
+    /// stands for all of its directions.
+    void (*look_into_coats)(const WaveStep& step);
     /// Fills `light` for the paths that left the scene; it must have a picture of the sky.
     void (*find_sky)(const WaveScene& scene, const PathWave& paths, MissWave& missed);
     /// Sums the unoccluded shadow rays for each of the first `vertices` vertices.

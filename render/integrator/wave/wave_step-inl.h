@@ -223,6 +223,32 @@ inline HWY_ATTR void take_step(const WaveStep& step) {
     }
 }
 
+inline HWY_ATTR void look_into_coats(const WaveStep& step) {
+    step.reflected.count = 0;
+    step.reflected.vertex = 1;
+    for (int first = 0; first < step.vertices.count; first += lane_count()) {
+        const VertexLanes v = vertices_at(step, first);
+        if (hn::AllFalse(FloatTag(), v.splits)) {
+            continue;
+        }
+        V2 numbers{all(0.f), all(0.f)};
+        if (v.lobes.any_rough_coat) {
+            const I slot = gather(step.paths.slot, v.path);
+            const LaneSampler sampler(
+                hn::BitCast(WordTag(), gather(step.samples.pixel_hash, slot)),
+                hn::BitCast(WordTag(), gather(step.samples.reversed_sample, slot)));
+            F further[4];
+            sampler.get_4d(v.vertex_index + v.vertex_index + all_words(1), further);
+            numbers = {further[0], further[1]};
+        }
+        const ContinuingLanes from = continuing(step, v, all(0.f));
+        DirectionLanes to = sample_coat(v, from, numbers);
+        to.weight = to.weight * v.coat_samples;
+        proceed(step, v, from, to, from.branch + from.branch, v.coat_samples, v.splits, false,
+                step.reflected);
+    }
+}
+
 /// The weight of the environment's light for paths that left the scene: DirectLight::weight_of_hit.
 HWY_INLINE F weight_of_sky(const WaveScene& scene, const PathWave& paths, I path, F pdf) {
     const M is_delta = is_equal(gather(paths.is_delta, path), hn::Set(IntTag(), 1));

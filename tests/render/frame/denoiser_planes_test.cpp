@@ -70,16 +70,26 @@ TEST(DenoiserPlanes, FirstHalf_IsFrameOfHalfTheSamples) {
         }
         EXPECT_GT(differences / static_cast<double>(half.size()), 1e-3);
     }
+    const std::vector<float>& upright = channel(first, "N.Z");
     for (const std::string name : {"albedo.R", "albedo.B", "normal.Y", "normal.Z"}) {
         const std::string stored = name.starts_with("normal") ? "N" + name.substr(6) : name;
         const std::vector<float>& expected = channel(first, stored);
         const std::vector<float>& exact = channel(both, "exact_" + name);
         const std::vector<float>& error = channel(both, "error_" + name);
         const std::vector<float>& half = channel(both, "half_" + name);
+        int mirroring = 0;
         for (std::size_t i = 0; i < expected.size(); ++i) {
             const float bound = 3e-3f + (std::abs(half[i]) + std::abs(error[i])) / 16;
-            ASSERT_NEAR(exact[i] + error[i] + half[i], expected[i], bound) << name << " " << i;
+            const float found = exact[i] + error[i] + half[i];
+            // Coats, which only the balls have, add what is seen in them.
+            if (name.starts_with("albedo") && upright[i] < 0.9999f) {
+                ASSERT_GE(found, expected[i] - bound) << name << " " << i;
+                mirroring += found > expected[i] + bound ? 1 : 0;
+            } else {
+                ASSERT_NEAR(found, expected[i], bound) << name << " " << i;
+            }
         }
+        EXPECT_EQ(mirroring > 10, name.starts_with("albedo")) << name << " " << mirroring;
     }
 }
 

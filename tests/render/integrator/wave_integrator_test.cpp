@@ -273,6 +273,38 @@ std::vector<WaveCase> wave_cases() {
     return cases;
 }
 
+bool is_near(const render::V3f& a, const render::V3f& b) {
+    return (a - b).length() <= kRounding * (a.length() + b.length());
+}
+
+/// Rays that end at what they see find the same as the samples, whichever way they are followed. A
+/// rough coat shows a sample another part of its surroundings, in the mean the same.
+void expect_same_sights(const render::Integrator& one, const render::Integrator& many,
+                        const std::vector<CameraTask>& tasks, float spread,
+                        const std::vector<RadianceSample>& samples) {
+    std::vector<RadianceSample> seen_alone(tasks.size());
+    std::vector<RadianceSample> seen(tasks.size());
+    one.look(tasks, spread, seen_alone, nullptr);
+    const auto workspace = many.make_workspace();
+    many.look(tasks, spread, seen, workspace.get());
+    render::V3f sum(0, 0, 0);
+    float squares = 0;
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+        EXPECT_EQ(seen[i].object, samples[i].object) << i;
+        EXPECT_EQ(seen[i].coverage, samples[i].coverage) << i;
+        EXPECT_EQ(seen[i].normal, samples[i].normal) << i;
+        EXPECT_EQ(seen[i].albedo, samples[i].albedo) << i;
+        EXPECT_TRUE(is_near(seen[i].light, samples[i].light)) << i;
+        EXPECT_EQ(seen_alone[i].albedo, seen[i].albedo) << i;
+        EXPECT_TRUE(is_near(seen_alone[i].mirrored, seen[i].mirrored)) << i;
+        EXPECT_TRUE(is_near(seen_alone[i].light, seen[i].light)) << i;
+        const render::V3f difference = seen[i].mirrored - samples[i].mirrored;
+        sum += difference;
+        squares += difference.length2();
+    }
+    EXPECT_LE(sum.length(), 4 * std::sqrt(squares) + 1e-4f);
+}
+
 class Waves : public testing::TestWithParam<WaveCase> {};
 
 TEST_P(Waves, Gather_WhatPathsGatherOneAtATime) {
@@ -315,10 +347,13 @@ TEST_P(Waves, Gather_WhatPathsGatherOneAtATime) {
         EXPECT_EQ(alone.coverage, together[i].coverage) << i;
         EXPECT_EQ(alone.normal, together[i].normal) << i;
         EXPECT_EQ(alone.albedo, together[i].albedo) << i;
+        EXPECT_TRUE(is_near(alone.mirrored, together[i].mirrored)) << i;
+        EXPECT_TRUE(is_near(alone.light, together[i].light)) << i;
         const float size = alone.radiance.length() + together[i].radiance.length();
         // Light is added up in another order.
         EXPECT_LE((alone.radiance - together[i].radiance).length(), kRounding * size) << i;
     }
+    expect_same_sights(one, many, tasks, spread, together);
     EXPECT_EQ(count_together.camera_rays, count_alone.camera_rays);
     EXPECT_EQ(count_together.scattered_rays, count_alone.scattered_rays);
     EXPECT_EQ(count_together.shadow_rays, count_alone.shadow_rays);

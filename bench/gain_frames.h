@@ -1,0 +1,45 @@
+// The frames on which the gain of denoising is measured.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/frame/frame.h"
+
+namespace carom::bench {
+
+/// A frame that can be rendered any number of times, with any seed.
+class GainFrame {
+  public:
+    virtual ~GainFrame() = default;
+
+    /// Renders with `samples` even samples of a pixel, on the calling thread's arena. `seed`: of
+    /// the noise.
+    [[nodiscard]] virtual render::Film render(int samples, bool for_denoiser, int seed) const = 0;
+
+  protected:
+    GainFrame() = default;
+    GainFrame(const GainFrame&) = default;
+    GainFrame& operator=(const GainFrame&) = default;
+};
+
+struct GainOptions {
+    int width = 320;  // pixels
+    int height = 180;
+    int max_bounces = 3;
+};
+
+/// The name of a film in examples/ and a second of it, as in "park@3"; the frame after that one, as
+/// in "park@3+1"; or "benchmark", the scene for comparisons between renderers. Throws
+/// std::exception.
+[[nodiscard]] std::unique_ptr<const GainFrame> open_gain_frame(const std::string& name,
+                                                               const GainOptions& options);
+
+/// Those of which the gain is measured.
+[[nodiscard]] const std::vector<std::string>& gain_frames();
+
+/// Those whose change to the next frame is measured.
+[[nodiscard]] const std::vector<std::string>& flicker_frames();
+
+}  // namespace carom::bench
