@@ -182,12 +182,12 @@ bool PathIntegrator::process_hit(Path& path, const Hit& hit, PathWork& work) con
         work.result.albedo = surface.base;
     }
     const Bsdf bsdf(surface, wo);
-    const bool splits = path.vertex < settings_.split_vertices && bsdf.has_coat();
-    const bool shows_gloss = splits && path.vertex == 0 && bsdf.can_evaluate(Layers::coat);
+    const auto following = scalar::following_at<scalar::One>(
+        path.vertex, settings_.split_vertices, settings_.glossy_samples, bsdf.has_coat(),
+        bsdf.can_evaluate(Layers::coat));
     const ShadingVertex vertex{
-        point.position, point.position + surface.geometric_normal * point.offset,
-        surface,        bsdf,
-        splits,         shows_gloss ? settings_.glossy_samples : 1};
+        point.position,   point.position + surface.geometric_normal * point.offset, surface, bsdf,
+        following.splits, following.shows_gloss ? settings_.glossy_samples : 1};
     const VertexNumbers u = work.dimensions.vertex(path);
     const V3f direct = direct_.sample_lights(path, vertex, u.light, work.dimensions, work.count);
     work.add(path.throughput * direct, path.vertex + 1);

@@ -32,11 +32,10 @@ bool Bsdf::can_evaluate(Layers layers) const {
     if (phong_) {
         return layers != Layers::coat && phong_->can_evaluate();
     }
-    const bool coat = layers != Layers::base && lobes_.has_rough_coat();
-    const bool facets = lobes_.facets() > 0 && surface_->layers->alpha > 0;
+    const auto kinds = lobes_.kinds();
     const bool glass = lobes_.glass() > 0 && surface_->layers->glass->alpha > 0;
-    const bool base = layers != Layers::coat &&
-                      (facets || glass || lobes_.choose_diffuse() > 0 || lobes_.choose_sheen() > 0);
+    const bool coat = layers != Layers::base && kinds.coat_scatters;
+    const bool base = layers != Layers::coat && (kinds.base_scatters || glass);
     return coat || base;
 }
 
@@ -44,11 +43,8 @@ bool Bsdf::is_broad() const {
     if (phong_) {
         return phong_->is_broad();
     }
-    const LayerConstants& layers = *surface_->layers;
-    const bool narrow_coat = lobes_.has_rough_coat() && layers.coat_alpha < kBroadAlpha;
-    const bool narrow_facets =
-        lobes_.facets() > 0 && layers.alpha > 0 && layers.alpha < kBroadAlpha;
-    return can_evaluate(Layers::all) && !narrow_coat && !narrow_facets && !transmits();
+    const auto kinds = lobes_.kinds();
+    return kinds.scatters() && !kinds.is_narrow && !transmits();
 }
 
 BsdfValue Bsdf::evaluate_local(Layers layers, const V3f& wi) const {

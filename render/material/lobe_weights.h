@@ -49,6 +49,9 @@ class LobeWeights {
     /// Whether the base has no other lobe than the diffuse one.
     [[nodiscard]] bool is_diffuse() const { return lobes_.is_diffuse; }
     [[nodiscard]] bool has_rough_coat() const { return lobes_.has_rough_coat; }
+    [[nodiscard]] scalar::LobeKindsOf<scalar::One> kinds() const {
+        return scalar::kinds_of_lobes<scalar::One>(layers_, lobes_);
+    }
 
   private:
     scalar::LayersOf<scalar::One> layers_{};

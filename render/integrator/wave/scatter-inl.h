@@ -227,13 +227,6 @@ HWY_INLINE DirectionLanes sample_base(const VertexLanes& v, F u_x, F u_y) {
     return to;
 }
 
-/// The `k`th of `n` points of lattice_point (path_state.h).
-HWY_INLINE V2 lattice_lanes(const V2& u, int k, int n) {
-    const F x = u.x + all(static_cast<float>(k) / static_cast<float>(n));
-    const F y = u.y + all(static_cast<float>(k) * 0.618034f);
-    return {x - hn::Floor(x), y - hn::Floor(y)};
-}
-
 HWY_INLINE void follow_coats(const WaveStep& step, const VertexLanes& v,
                              const ContinuingLanes& from, const LaneSampler& sampler, const V2& u,
                              bool connects) {
@@ -255,7 +248,7 @@ HWY_INLINE void follow_coats(const WaveStep& step, const VertexLanes& v,
     for (int k = 0; k < samples; ++k) {
         V2 point = numbers;
         if (v.any_gloss) {
-            const V2 shifted = lattice_lanes(numbers, k, samples);
+            const V2 shifted = lattice_point<Lanes>(numbers, k, samples);
             point = {select(v.shows_gloss, shifted.x, numbers.x),
                      select(v.shows_gloss, shifted.y, numbers.y)};
         }
