@@ -158,34 +158,21 @@ std::optional<BsdfSample> Bsdf::sample_coat(Layers layers, const V2f& u, float p
 }
 
 std::optional<BsdfSample> Bsdf::sample_base(Layers layers, const V2f& u, float probability) const {
-    V2f square = u;
-    const auto takes = [&](float lobe_probability) {
-        if (lobe_probability <= 0) {
-            return false;
+    const float by_glass = lobes_.choose_glass();
+    V2f rest = u;
+    if (by_glass > 0) {
+        rest.x = by_glass < 1 ? remap_sample(u.x, by_glass) : u.x;
+        if (u.x < by_glass) {
+            return sample_glass(layers, rest, probability * by_glass);
         }
-        const bool taken = square.x < lobe_probability;
-        if (lobe_probability < 1) {
-            square.x = remap_sample(square.x, lobe_probability);
-        }
-        return taken;
-    };
-    if (takes(lobes_.choose_glass())) {
-        return sample_glass(layers, square, probability * lobes_.choose_glass());
     }
-    if (takes(lobes_.choose_facets() / (1.0f - lobes_.choose_glass()))) {
-        const float alpha = surface_->layers->alpha;
-        if (alpha <= 0) {
-            return mirror(lobes_.facet_reflectance(wo_.z) *
-                          (lobes_.facets() / (probability * lobes_.choose_facets())));
-        }
-        return finish(layers, reflect(wo_, Ggx(alpha).sample_visible(wo_, square)));
+    const auto chosen = lobes_.sample_base(wo_, rest);
+    if (!chosen.valid) {
+        return std::nullopt;
     }
-    if (lobes_.choose_sheen() > 0 &&
-        takes(lobes_.choose_sheen() / (lobes_.choose_sheen() + lobes_.choose_diffuse()))) {
-        return finish(layers, sample_cone(square, 1.0f));  // uniform over the hemisphere
-    }
-    return lobes_.choose_diffuse() > 0 ? finish(layers, sample_cosine_hemisphere(square))
-                                       : std::nullopt;
+    return chosen.is_delta ? mirror(lobes_.facet_reflectance(wo_.z) *
+                                    (lobes_.facets() / (probability * lobes_.choose_facets())))
+                           : finish(layers, scalar::vector_of(chosen.wi));
 }
 
 std::optional<BsdfSample> Bsdf::sample_glass(Layers layers, const V2f& u, float probability) const {

@@ -5,6 +5,12 @@ namespace {
 
 using scalar::One;
 
+LobeWeights::Value value_of(const scalar::LobeValueOf<One>& found) {
+    return {scalar::vector_of(found.value), found.pdf};
+}
+
+}  // namespace
+
 scalar::LayersOf<One> layers_of(const LayerConstants& layers) {
     return {layers.coat_weight,
             layers.coat_ior,
@@ -18,12 +24,6 @@ scalar::LayersOf<One> layers_of(const LayerConstants& layers) {
             layers.tables(),
             0};
 }
-
-LobeWeights::Value value_of(const scalar::LobeValueOf<One>& found) {
-    return {scalar::vector_of(found.value), found.pdf};
-}
-
-}  // namespace
 
 LobeWeights::LobeWeights(const Surface& surface, float cosine)
     : layers_(layers_of(*surface.layers)),
@@ -43,6 +43,12 @@ LobeWeights::Value LobeWeights::coat_towards(const V3f& wo, const V3f& wi) const
 LobeWeights::Value LobeWeights::base_towards(const V3f& wo, const V3f& wi) const {
     return value_of(
         scalar::base_towards<One>(layers_, lobes_, base_, scalar::three(wo), scalar::three(wi)));
+}
+
+scalar::BaseDirectionOf<One> LobeWeights::sample_base(const V3f& wo, const V2f& u) const {
+    return scalar::sample_base_direction<One>(layers_, lobes_,
+                                              lobes_.choose_facets / (1.0f - lobes_.choose_glass),
+                                              scalar::three(wo), scalar::two(u));
 }
 
 }  // namespace carom::render

@@ -8,6 +8,9 @@
 
 namespace carom::render {
 
+/// The numbers of a material's layers for the kernels; borrows the tables.
+[[nodiscard]] scalar::LayersOf<scalar::One> layers_of(const LayerConstants& layers);
+
 /// Each layer takes from the layers below it the fraction that it scatters itself: with `cosine` of
 /// the viewer's direction to the normal, > 0,
 ///   coat = w E(cosine) [as a lobe],  below = (1 - w E(cosine)) x the rest,
@@ -30,6 +33,9 @@ class LobeWeights {
     [[nodiscard]] Value coat_towards(const V3f& wo, const V3f& wi) const;
     /// Without glass.
     [[nodiscard]] Value base_towards(const V3f& wo, const V3f& wi) const;
+    /// A direction of one of these lobes, chosen by `u`.
+    [[nodiscard]] scalar::BaseDirectionOf<scalar::One> sample_base(const V3f& wo,
+                                                                   const V2f& u) const;
 
     /// Fraction that the coat reflects.
     [[nodiscard]] float coat() const { return lobes_.coat; }
@@ -41,11 +47,9 @@ class LobeWeights {
     [[nodiscard]] float facets() const { return lobes_.facets; }
     /// Fraction that reaches the glass below all layers.
     [[nodiscard]] float glass() const { return lobes_.glass; }
-    // Probabilities of the base's lobes; they add up to 1 unless all are 0.
+    // Probabilities of the base's lobes.
     [[nodiscard]] float choose_glass() const { return lobes_.choose_glass; }
     [[nodiscard]] float choose_facets() const { return lobes_.choose_facets; }
-    [[nodiscard]] float choose_sheen() const { return lobes_.choose_sheen; }
-    [[nodiscard]] float choose_diffuse() const { return lobes_.choose_diffuse; }
     /// Whether the base has no other lobe than the diffuse one.
     [[nodiscard]] bool is_diffuse() const { return lobes_.is_diffuse; }
     [[nodiscard]] bool has_rough_coat() const { return lobes_.has_rough_coat; }

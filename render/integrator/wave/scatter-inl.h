@@ -148,54 +148,17 @@ HWY_INLINE DirectionLanes sample_coat(const VertexLanes& v, const ContinuingLane
     return to;
 }
 
-/// Chooses a lobe of the base: Bsdf::sample_base without glass.
-HWY_INLINE DirectionLanes choose_base_direction(const VertexLanes& v, F u_x, F u_y) {
-    const F zero = all(0.f);
-    const F one = all(1.f);
-    const Lobes& lobes = v.lobes;
-    DirectionLanes to;
-    to.is_delta = no_lanes();
-    to.valid = hn::Gt(lobes.choose_diffuse, zero);
-    M by_facets = no_lanes();
-    F3 of_facets = mirrored(v);
-    const auto rest = [&](F u, F probability) HWY_ATTR {
-        const M remaps = hn::And(hn::Gt(probability, zero), hn::Lt(probability, one));
-        return select(remaps, remap_sample<Lanes>(u, probability), u);
-    };
-    if (lobes.any_facets) {
-        by_facets = hn::Lt(u_x, lobes.choose_facets);
-        u_x = rest(u_x, lobes.choose_facets);
-        const M is_rough = hn::Gt(v.layers.alpha, zero);
-        const GgxOf<Lanes> ggx(select(is_rough, v.layers.alpha, one));
-        const F3 glossy = reflect<Lanes>(v.wo, ggx.sample_visible(v.wo, {u_x, u_y}));
-        of_facets = select(is_rough, glossy, of_facets);
-        to.is_delta = hn::AndNot(is_rough, by_facets);
-    }
-    M by_sheen = no_lanes();
-    if (lobes.any_sheen) {
-        const F sum = lobes.choose_sheen + lobes.choose_diffuse;
-        const F probability = lobes.choose_sheen / select(hn::Gt(sum, zero), sum, one);
-        by_sheen = hn::Lt(u_x, probability);
-        u_x = rest(u_x, probability);
-    }
-    to.wi = sample_cosine_hemisphere<Lanes>({u_x, u_y});
-    if (lobes.any_sheen) {
-        to.wi = select(by_sheen, sample_cone<Lanes>({u_x, u_y}, one), to.wi);
-        to.valid = hn::Or(to.valid, by_sheen);
-    }
-    if (lobes.any_facets) {
-        to.wi = select(by_facets, of_facets, to.wi);
-        to.valid = hn::Or(to.valid, by_facets);
-    }
-    return to;
-}
-
 /// A direction of the layers below the coat.
 HWY_INLINE DirectionLanes sample_base(const VertexLanes& v, F u_x, F u_y) {
     const FloatTag d;
     const Lobes& lobes = v.lobes;
     const F one = all(1.f);
-    DirectionLanes to = choose_base_direction(v, u_x, u_y);
+    const BaseDirectionOf<Lanes> chosen =
+        sample_base_direction<Lanes>(v.layers, lobes, lobes.choose_facets, v.wo, {u_x, u_y});
+    DirectionLanes to;
+    to.wi = chosen.wi;
+    to.is_delta = chosen.is_delta;
+    to.valid = chosen.valid;
     const F probability = base_probability(v);
     const LobeValue base = base_towards(v, to.wi);
     to.pdf = probability * base.pdf;

@@ -43,23 +43,18 @@ HWY_INLINE M no_lanes() {
     return hn::MaskFromVec(hn::Zero(FloatTag()));
 }
 
-/// `number_of` returns a number of each lane's material.
+/// `number_of` returns a number of each lane's material. Waves have no glass.
 template <class NumberOf>
 HWY_INLINE Layers layers_from(const WaveMaterials& materials, I material,
                               const NumberOf& number_of) {
-    return {number_of(materials.coat_weight),
-            number_of(materials.coat_ior),
-            number_of(materials.coat_alpha),
-            number_of(materials.sheen),
-            {number_of(materials.sheen_red), number_of(materials.sheen_green),
-             number_of(materials.sheen_blue)},
-            number_of(materials.metal),
-            number_of(materials.specular),
-            number_of(materials.alpha),
-            all(0.f),
-            {materials.coat_albedo.data(), materials.sheen_albedo.data(),
-             materials.specular_albedo.data(), materials.mirror_albedo.data()},
-            Lanes::product(material, kAlbedoNodes)};
+    Layers layers;
+    std::size_t place = 0;
+    Layers::each_number(
+        layers, [&](F& number) HWY_ATTR { number = number_of(materials.numbers[place++]); });
+    layers.transmission = all(0.f);
+    layers.tables = materials.tables();
+    layers.first = Lanes::product(material, kAlbedoNodes);
+    return layers;
 }
 
 /// Vertices are sorted, so that mostly all lanes have the same material.

@@ -5,6 +5,6 @@
 #include "render/material/kernels/microfacet.h"
 #include "render/material/kernels/albedo_table.h"
 #include "render/material/kernels/lobes.h"
-#include "render/material/kernels/lobe_kinds.h"
+#include "render/material/kernels/base_direction.h"
 #include "render/material/kernels/resolve.h"
 // clang-format on
