@@ -11,22 +11,8 @@ LobeWeights::Value value_of(const scalar::LobeValueOf<One>& found) {
 
 }  // namespace
 
-scalar::LayersOf<One> layers_of(const LayerConstants& layers) {
-    return {layers.coat_weight,
-            layers.coat_ior,
-            layers.coat_alpha,
-            layers.sheen,
-            scalar::three(layers.sheen_colour),
-            layers.metal,
-            layers.specular,
-            layers.alpha,
-            layers.transmission,
-            layers.tables(),
-            0};
-}
-
 LobeWeights::LobeWeights(const Surface& surface, float cosine)
-    : layers_(layers_of(*surface.layers)),
+    : layers_(surface.layers->numbers()),
       base_(scalar::three(surface.base)),
       lobes_(scalar::weigh_lobes<One>(layers_, base_, cosine, surface.is_inside)) {}
 

@@ -8,9 +8,6 @@
 
 namespace carom::render {
 
-/// The numbers of a material's layers for the kernels; borrows the tables.
-[[nodiscard]] scalar::LayersOf<scalar::One> layers_of(const LayerConstants& layers);
-
 /// Each layer takes from the layers below it the fraction that it scatters itself: with `cosine` of
 /// the viewer's direction to the normal, > 0,
 ///   coat = w E(cosine) [as a lobe],  below = (1 - w E(cosine)) x the rest,

@@ -164,7 +164,7 @@ HWY_INLINE DirectionLanes sample_base(const VertexLanes& v, F u_x, F u_y) {
     to.pdf = probability * base.pdf;
     // The diffuse lobe alone is sampled in proportion to its value, so that its albedo remains.
     to.weight = lobes.diffuse * (one / probability);
-    if (lobes.any_sheen || lobes.any_facets || lobes.any_rough_coat) {
+    if (lobes.any_glossy()) {
         F3 value = base.value;
         F pdf = to.pdf;
         M is_lambert = lobes.is_diffuse;

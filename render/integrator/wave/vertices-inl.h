@@ -127,7 +127,7 @@ HWY_INLINE F base_probability(const VertexLanes& v) {
 
 /// `wi` in the axes of the vertex' frame; only its height if that suffices for the lobes.
 HWY_INLINE F3 local_direction(const VertexLanes& v, const F3& wi, F height) {
-    if (v.lobes.any_sheen || v.lobes.any_facets || v.lobes.any_rough_coat) {
+    if (v.lobes.any_glossy()) {
         return {dot(wi, v.frame.x), dot(wi, v.frame.y), height};
     }
     return {all(0.f), all(0.f), height};

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <variant>
 
-#include "render/material/lobe_weights.h"
-
 namespace carom::render {
 namespace {
 
@@ -36,7 +34,7 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
 }
 
 void add_material(const Material& material, WaveMaterials& materials) {
-    const auto layers = layers_of(material.layers());
+    const auto layers = material.layers().numbers();
     std::size_t place = 0;
     scalar::LayersOf<scalar::One>::each_number(layers, [&](float number) {
         if (place == materials.numbers.size()) {

@@ -43,6 +43,11 @@ struct LobesOf {
     bool any_sheen;   // false: no lane has sheen
     bool any_facets;  // false: no lane has metal or a highlight
     bool any_rough_coat;
+
+    /// false: no lane has another lobe than the diffuse one and specular ones.
+    [[nodiscard]] CAROM_KERNEL bool any_glossy() const {
+        return any_sheen || any_facets || any_rough_coat;
+    }
 };
 
 /// Reflectance of a facet at `cosine`, metal and highlight together.
