@@ -94,6 +94,44 @@ TEST(IntersectRectangle, EdgesAndCorners_BelongToIt) {
     EXPECT_FALSE(at(0, -1.001f));
 }
 
+/// The fraction of rays for which float and double differ by more than 1e-3 of the shape's size.
+template <ShapeKind kKind>
+double unlike_double(const V3f& profile) {
+    constexpr int kRays = 50'000;
+    test::TestRandom random(5);
+    int hits = 0;
+    int unlike = 0;
+    for (int i = 0; i < kRays; ++i) {
+        const float far = i % 4 == 0 ? 100.f : 4.f;
+        const V3f origin = far * random_vector(random);
+        const V3f direction = (2.f * random_vector(random) - origin).normalized();
+        const auto narrow = intersect_unit_shape<kKind>(UnitRay{origin, direction}, profile);
+        const auto exact = intersect_unit_shape<kKind>(
+            RaySegment<double>{Vec3(origin), Vec3(direction)}, Vec3(profile));
+        const bool is_alike =
+            narrow.has_value() == exact.has_value() &&
+            (!exact || std::abs(static_cast<double>(*narrow) - *exact) < 1e-3 * (1 + *exact));
+        hits += exact ? 1 : 0;
+        unlike += is_alike ? 0 : 1;
+    }
+    EXPECT_GT(hits, kRays / 50);
+    return static_cast<double>(unlike) / hits;
+}
+
+TEST(IntersectUnitShape, EveryKind_FloatAgreesWithDouble) {
+    constexpr double kGrazing = 2e-4;  // rays along an edge or silhouette
+    EXPECT_LT(unlike_double<ShapeKind::ball>(V3f(0)), kGrazing);
+    EXPECT_LT(unlike_double<ShapeKind::box>(V3f(0)), kGrazing);
+    EXPECT_LT(unlike_double<ShapeKind::rectangle>(V3f(0)), kGrazing);
+    EXPECT_LT(unlike_double<ShapeKind::triangle>(V3f(0)), kGrazing);
+    EXPECT_LT(unlike_double<ShapeKind::disk>(V3f(0)), kGrazing);
+    EXPECT_LT(unlike_double<ShapeKind::frustum>(V3f(1, 0, 0)), kGrazing);
+    EXPECT_LT(unlike_double<ShapeKind::frustum>(V3f(0.5f, -0.5f, 0)), kGrazing);
+    EXPECT_LT(unlike_double<ShapeKind::capsule>(V3f(1.5f, 0, 0)), kGrazing);
+    EXPECT_LT(unlike_double<ShapeKind::rounded_box>(V3f(0.2f, 1, 0)), kGrazing);
+    EXPECT_LT(unlike_double<ShapeKind::plane>(V3f(0)), kGrazing);
+}
+
 TEST(IntersectTriangle, RandomRays_AgreeWithDouble) {
     test::TestRandom random(3);
     int hits = 0;
