@@ -7,7 +7,7 @@
 
 #include "render/acceleration/primitives.h"
 #include "render/acceleration/test_counts.h"
-#include "render/geometry/intersect.h"
+#include "render/geometry/scalar_kernels.h"
 
 namespace carom::render {
 
@@ -25,7 +25,7 @@ class Query {
         const float margin = kMarginFraction * (std::abs(o.x) + std::abs(o.y) + std::abs(o.z));
         slack_ = static_cast<double>(margin);
         for (int axis = 0; axis < 3; ++axis) {
-            const float reciprocal = finite_reciprocal(ray.direction[axis]);
+            const float reciprocal = scalar::finite_reciprocal<scalar::One>(ray.direction[axis]);
             const float apart = std::copysign(margin, ray.direction[axis]);
             inverse_[axis] = reciprocal;
             near_origin_[axis] = (o[axis] + apart) * reciprocal;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lab/structures/extents.h"
-#include "render/geometry/intersect.h"
+#include "render/geometry/scalar_kernels.h"
 
 namespace carom::render {
 
@@ -78,7 +78,7 @@ void SlabHierarchy::search(Query& query) const {
     Projected along{};
     for (std::size_t k = 0; k < kNormals; ++k) {
         along.origin[k] = normals()[k].dot(o);
-        along.inverse[k] = finite_reciprocal(normals()[k].dot(ray.direction));
+        along.inverse[k] = scalar::finite_reciprocal<scalar::One>(normals()[k].dot(ray.direction));
         along.margin[k] = far * std::abs(along.inverse[k]);
     }
     std::vector<HeapEntry> storage;

@@ -71,11 +71,11 @@ struct AlignedBoxBlock {
     void set(int lane, const V3f& low, const V3f& high);
 };
 
-/// A unit shape under an affine map. In unused lanes the map sends every point to (2, 2, 2), which
-/// lies outside all unit shapes.
+/// A unit shape under an affine map. In unused lanes the map sends every point to infinity.
 struct MappedBlock {
     // Rows of unit_from_world; the translation is the last one.
-    Lanes map[4][3] = {{}, {}, {}, {Lanes::all(2), Lanes::all(2), Lanes::all(2)}};
+    Lanes map[4][3] = {
+        {}, {}, {}, {Lanes::all(kInfinity), Lanes::all(kInfinity), Lanes::all(kInfinity)}};
     Lanes one_sided;  // rectangles: 1 if rays from below, z < 0, pass; otherwise 0
     ObjectLanes object;
 

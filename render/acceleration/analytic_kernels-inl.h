@@ -12,18 +12,20 @@ struct BestLanes {
 
     /// Accepts nearer hits, and of equally near ones the lower object. Object -1, no hit yet, is
     /// never replaced at equal distance.
-    HWY_INLINE void offer(D d, hn::Mask<D> valid, hn::Vec<D> other_t, const ObjectLanes& objects,
-                          int lane) {
-        if (hn::AllFalse(d, hn::And(valid, hn::Le(other_t, t)))) {
-            return;
+    /// Returns whether there is any.
+    HWY_INLINE bool offer(D d, const LaneHits<D>& hits, const ObjectLanes& objects, int lane) {
+        const hn::Vec<D> other_t = hits.t;
+        if (hn::AllFalse(d, hn::And(hits.valid, hn::Le(other_t, t)))) {
+            return false;
         }
         const Int<D> di;
         const hn::Vec<Int<D>> other = hn::LoadU(di, objects.values + lane);
         const hn::Mask<D> lower = hn::RebindMask(d, hn::Lt(other, object));
         const hn::Mask<D> better = hn::Or(hn::Lt(other_t, t), hn::And(hn::Eq(other_t, t), lower));
-        const hn::Mask<D> take = hn::And(valid, better);
+        const hn::Mask<D> take = hn::And(hits.valid, better);
         t = hn::IfThenElse(take, other_t, t);
         object = hn::IfThenElse(hn::RebindMask(di, take), other, object);
+        return true;
     }
 
     HWY_INLINE void reduce(D d, Candidate& best) const {
@@ -46,11 +48,14 @@ HWY_INLINE void scan(D d, const RayLanes<D>& ray, const std::vector<Block>& bloc
                      const Test& test, BestLanes<D>& best) {
     for (const Block& block : blocks) {
         for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
-            hn::Vec<D> t = best.t;
-            const hn::Mask<D> valid = test(d, ray, block, lane, t);
-            best.offer(d, valid, t, block.object, lane);
+            best.offer(d, test(d, ray, block, lane), block.object, lane);
         }
     }
+}
+
+template <class D>
+HWY_INLINE bool is_any_before(D d, const LaneHits<D>& hits, hn::Vec<D> t_max) {
+    return !hn::AllFalse(d, hn::And(hits.valid, hn::Lt(hits.t, t_max)));
 }
 
 template <class D, class Block, class Test>
@@ -58,9 +63,7 @@ HWY_INLINE bool scan_any(D d, const RayLanes<D>& ray, hn::Vec<D> t_max,
                          const std::vector<Block>& blocks, const Test& test) {
     for (const Block& block : blocks) {
         for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
-            hn::Vec<D> t = t_max;
-            const hn::Mask<D> valid = test(d, ray, block, lane, t);
-            if (!hn::AllFalse(d, hn::And(valid, hn::Lt(t, t_max)))) {
+            if (is_any_before(d, test(d, ray, block, lane), t_max)) {
                 return true;
             }
         }
@@ -76,8 +79,7 @@ HWY_INLINE void scan_all(ShapeList<Shapes...> /*list*/, const AnalyticBlocks& bl
                          const Ray& ray, const RayLanes<WideTag>& lanes,
                          BestLanes<WideTag>& nearest) {
     const WideTag d;
-    (scan(d, lanes, blocks.of<Shapes>().blocks, test_for_ray(Shapes(), d, lanes, ray.direction),
-          nearest),
+    (scan(d, lanes, blocks.of<Shapes>().blocks, test_for_ray(Shapes(), d, ray.direction), nearest),
      ...);
 }
 
@@ -96,7 +98,7 @@ HWY_INLINE bool hits_any(ShapeList<Shapes...> /*list*/, const AnalyticBlocks& bl
     const WideTag d;
     const hn::Vec<WideTag> t_max = hn::Set(d, ray.t_max);
     return (scan_any(d, lanes, t_max, blocks.of<Shapes>().blocks,
-                     test_for_ray(Shapes(), d, lanes, ray.direction)) ||
+                     test_for_ray(Shapes(), d, ray.direction)) ||
             ...);
 }
 
@@ -135,17 +137,13 @@ HWY_INLINE PacketMask past_spheres(const BlockList<Shape>& list, const ShadowRay
                                    PacketMask open) {
     const WideTag d;
     const RayLanes<WideTag> origin = broadcast_from_packet(packet, 0);
-    const LaneTest<Shape> test;
     for (const auto& block : list.blocks) {
         for (int lane = 0; lane < kBlockLanes && open != 0;
              lane += static_cast<int>(hn::Lanes(d))) {
-            hn::Vec<WideTag> offset[3];
-            const hn::Vec<WideTag> radius2 = test.sphere_offsets(d, origin, block, lane, offset);
+            const SphereLanes<WideTag> spheres = spheres_from(d, origin, block, lane);
             open = without_occluded(open, [&](int i) HWY_ATTR {
-                const RayLanes<WideTag> ray = broadcast_from_packet(packet, i);
-                hn::Vec<WideTag> t = hn::Zero(d);
-                const hn::Mask<WideTag> valid = hit_sphere(d, ray, offset, radius2, t);
-                return !hn::AllFalse(d, hn::And(valid, hn::Lt(t, hn::Set(d, packet.t_max[i]))));
+                return is_any_before(d, spheres.hit(broadcast_from_packet(packet, i)),
+                                     hn::Set(d, packet.t_max[i]));
             });
         }
     }
@@ -165,12 +163,11 @@ template <class Block, class Test>
 HWY_INLINE bool hit_one(const Block& block, int lane, const RayLanes<OneTag>& ray, const Test& test,
                         float& t) {
     const OneTag d;
-    hn::Vec<OneTag> distance = hn::Set(d, t);
-    const hn::Mask<OneTag> valid = test(d, ray, block, lane, distance);
-    if (hn::AllFalse(d, hn::And(valid, hn::Lt(distance, hn::Set(d, t))))) {
+    const LaneHits<OneTag> hit = test(d, ray, block, lane);
+    if (!is_any_before(d, hit, hn::Set(d, t))) {
         return false;
     }
-    t = hn::GetLane(distance);
+    t = hn::GetLane(hit.t);
     return true;
 }
 
@@ -179,7 +176,7 @@ HWY_INLINE bool hit_listed(const BlockList<Shape>& list, std::uint32_t index, co
                            float& t) {
     const RayLanes<OneTag> lanes = broadcast(OneTag(), ray);
     return hit_one(list.blocks[index / kBlockLanes], static_cast<int>(index % kBlockLanes), lanes,
-                   test_for_ray(Shape(), OneTag(), lanes, ray.direction), t);
+                   test_for_ray(Shape(), OneTag(), ray.direction), t);
 }
 
 template <class... Shapes>

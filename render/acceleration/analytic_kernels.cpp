@@ -1,8 +1,6 @@
 #include "render/acceleration/analytic_kernels.h"
 
-#include "render/geometry/intersect.h"
-
-// Targets above AVX2 do not speed up these loops and would change the bits.
+// Targets above AVX2 do not speed up these loops.
 #define HWY_DISABLED_TARGETS (HWY_AVX3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/acceleration/analytic_kernels.cpp"

@@ -29,12 +29,7 @@ struct ClosestInBlock {
                              hn::Set(Int<D>(), static_cast<std::int32_t>(best->object))};
         bool offered = false;
         for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
-            hn::Vec<D> t = nearest.t;
-            const hn::Mask<D> valid = test(d, ray, block, lane, t);
-            if (!hn::AllFalse(d, hn::And(valid, hn::Le(t, nearest.t)))) {
-                nearest.offer(d, valid, t, block.object, lane);
-                offered = true;
-            }
+            offered |= nearest.offer(d, test(d, ray, block, lane), block.object, lane);
         }
         if (offered) {
             Candidate candidate{best->t, best->object};
@@ -66,9 +61,7 @@ struct AnyInBlock {
     HWY_INLINE bool operator()(D d, const RayLanes<D>& ray, const Block& block,
                                const Test& test) const {
         for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
-            hn::Vec<D> t = hn::Set(d, t_max);
-            const hn::Mask<D> valid = test(d, ray, block, lane, t);
-            if (!hn::AllFalse(d, hn::And(valid, hn::Lt(t, hn::Set(d, t_max))))) {
+            if (is_any_before(d, test(d, ray, block, lane), hn::Set(d, t_max))) {
                 return true;
             }
         }
@@ -106,14 +99,13 @@ template <class D, class... Shapes>
 struct RayTests<D, ShapeList<Shapes...>> {
     template <class Shape>
     struct Of {
-        [[no_unique_address]] decltype(test_for_ray(Shape(), D(), std::declval<RayLanes<D>>(),
-                                                    V3f())) test;
+        [[no_unique_address]] decltype(test_for_ray(Shape(), D(), V3f())) test;
     };
     struct All : Of<Shapes>... {};
     All all;
 
-    HWY_INLINE RayTests(D d, const RayLanes<D>& lanes, const V3f& direction)
-        : all{Of<Shapes>{test_for_ray(Shapes(), d, lanes, direction)}...} {}
+    HWY_INLINE RayTests(D d, const V3f& direction)
+        : all{Of<Shapes>{test_for_ray(Shapes(), d, direction)}...} {}
 
     template <class Shape>
     HWY_INLINE const auto& of() const {
@@ -130,11 +122,7 @@ struct VisitLeaf {
     Query query;
 
     HWY_INLINE VisitLeaf(D d, const AnalyticTree& tree_of, const Ray& of, const Query& asked)
-        : tree(tree_of),
-          ray(of),
-          lanes(broadcast(d, of)),
-          tests(d, lanes, of.direction),
-          query(asked) {}
+        : tree(tree_of), ray(of), lanes(broadcast(d, of)), tests(d, of.direction), query(asked) {}
 
     /// Returns true if the query is answered.
     HWY_INLINE bool operator()(std::uint32_t leaf) const {

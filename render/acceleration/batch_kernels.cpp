@@ -1,9 +1,5 @@
 #include "render/acceleration/batch_kernels.h"
 
-#include <cmath>
-
-#include "render/geometry/intersect.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/acceleration/batch_kernels.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once per instruction set
@@ -20,10 +16,12 @@ using BatchTag = hn::CappedTag<float, 16>;
 HWY_INLINE RayLanes<BatchTag> rays_from(const RayBatch& rays, int first) {
     const BatchTag d;
     RayLanes<BatchTag> lanes;
-    for (int axis = 0; axis < 3; ++axis) {
-        lanes.origin[axis] = hn::LoadU(d, rays.origin[axis] + first);
-        lanes.direction[axis] = hn::LoadU(d, rays.direction[axis] + first);
-    }
+    const auto three = [&](const std::array<const float*, 3>& numbers) HWY_ATTR {
+        return Three<hn::Vec<BatchTag>>{hn::LoadU(d, numbers[0] + first),
+                                        hn::LoadU(d, numbers[1] + first),
+                                        hn::LoadU(d, numbers[2] + first)};
+    };
+    lanes.line = {three(rays.origin), three(rays.direction)};
     lanes.t_min = hn::Zero(d);
     lanes.time = hn::LoadU(d, rays.time + first);
     return lanes;
@@ -32,10 +30,8 @@ HWY_INLINE RayLanes<BatchTag> rays_from(const RayBatch& rays, int first) {
 /// Rays with finite numbers only, as in safe_ray.h; other rays hit nothing.
 HWY_INLINE hn::Mask<BatchTag> finite_rays(const RayLanes<BatchTag>& rays) {
     const BatchTag d;
-    hn::Vec<BatchTag> sum = rays.time;
-    for (int axis = 0; axis < 3; ++axis) {
-        sum = hn::Add(sum, hn::Add(rays.origin[axis], rays.direction[axis]));
-    }
+    const Three<hn::Vec<BatchTag>> probe = rays.line.origin + rays.line.direction;
+    const hn::Vec<BatchTag> sum = rays.time + probe.x + probe.y + probe.z;
     return hn::Eq(hn::Mul(sum, hn::Zero(d)), hn::Zero(d));
 }
 
@@ -56,8 +52,7 @@ template <class Query, class... Shapes>
 HWY_INLINE void all_shapes(ShapeList<Shapes...> /*list*/, const AnalyticBlocks& blocks,
                            const RayLanes<BatchTag>& rays, const Query& query) {
     static_cast<void>(
-        (each_shape(blocks.of<Shapes>().blocks, test_for_rays(Shapes(), BatchTag(), rays), query) ||
-         ...));
+        (each_shape(blocks.of<Shapes>().blocks, test_for_rays(Shapes(), rays), query) || ...));
 }
 
 inline HWY_ATTR void closest(const AnalyticBlocks& blocks, const RayBatch& rays, float* t,
@@ -72,8 +67,7 @@ inline HWY_ATTR void closest(const AnalyticBlocks& blocks, const RayBatch& rays,
         hn::Vec<Int<BatchTag>> best = hn::LoadU(di, object + first);
         all_shapes(LaneShapes(), blocks, lanes,
                    [&](const auto& block, InAll shape, const auto& test) HWY_ATTR {
-                       hn::Vec<BatchTag> other_t = nearest;
-                       const hn::Mask<BatchTag> valid = test(d, lanes, block, shape, other_t);
+                       const auto [other_t, valid] = test(d, lanes, block, shape);
                        if (hn::AllFalse(d, hn::And(valid, hn::Le(other_t, nearest)))) {
                            return false;
                        }
@@ -104,8 +98,7 @@ inline HWY_ATTR void occlude(const AnalyticBlocks& blocks, const RayBatch& rays,
         hn::Vec<BatchTag> t_max = hn::IfThenElseZero(valid_rays, before);
         all_shapes(LaneShapes(), blocks, lanes,
                    [&](const auto& shapes, InAll shape, const auto& test) HWY_ATTR {
-                       hn::Vec<BatchTag> other_t = t_max;
-                       const hn::Mask<BatchTag> valid = test(d, lanes, shapes, shape, other_t);
+                       const auto [other_t, valid] = test(d, lanes, shapes, shape);
                        const hn::Mask<BatchTag> occluded = hn::And(valid, hn::Lt(other_t, t_max));
                        if (hn::AllFalse(d, occluded)) {
                            return false;
@@ -119,26 +112,20 @@ inline HWY_ATTR void occlude(const AnalyticBlocks& blocks, const RayBatch& rays,
 
 inline HWY_ATTR std::uint64_t meet_box(const Imath::Box3f& box, const RayBatch& rays,
                                        const float* t) {
+    using L = VectorLanes<BatchTag>;
     const BatchTag d;
     const hn::Vec<BatchTag> zero = hn::Zero(d);
     const hn::Vec<BatchTag> wider = hn::Set(d, 1.0001f);
     std::uint64_t result = 0;
     for (int first = 0; first < rays.count; first += static_cast<int>(hn::Lanes(d))) {
         const RayLanes<BatchTag> lanes = rays_from(rays, first);
-        hn::Vec<BatchTag> enter = zero;
-        hn::Vec<BatchTag> leave = hn::Set(d, kInfinity);
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto inverse = finite_reciprocals(d, lanes.direction[axis]);
-            const auto low =
-                hn::Mul(hn::Sub(hn::Set(d, box.min[axis]), lanes.origin[axis]), inverse);
-            const auto high =
-                hn::Mul(hn::Sub(hn::Set(d, box.max[axis]), lanes.origin[axis]), inverse);
-            enter = hn::Max(enter, hn::Min(low, high));
-            leave = hn::Min(leave, hn::Max(low, high));
-        }
+        const BoxCrossingOf<L> crossing =
+            cross_box<L>(lanes.line.origin, finite_reciprocals<L>(lanes.line.direction),
+                         all_of<L>(box.min), all_of<L>(box.max));
+        const hn::Vec<BatchTag> enter = hn::Max(crossing.enter, zero);
         const hn::Vec<BatchTag> limit = hn::LoadU(d, t + first);
-        hn::Mask<BatchTag> meets =
-            hn::And(hn::Le(enter, hn::Mul(leave, wider)), hn::Le(enter, hn::Mul(limit, wider)));
+        hn::Mask<BatchTag> meets = hn::And(hn::Le(enter, hn::Mul(crossing.leave, wider)),
+                                           hn::Le(enter, hn::Mul(limit, wider)));
         meets = hn::And(meets, finite_rays(lanes));
         meets =
             hn::And(meets, hn::And(hn::Gt(limit, zero),

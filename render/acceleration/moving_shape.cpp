@@ -14,10 +14,12 @@ bool may_hit(const MovingShape& shape, const Ray& ray) {
     if (shape.is_infinite()) {
         return true;
     }
-    const V3f inverse(finite_reciprocal(ray.direction.x), finite_reciprocal(ray.direction.y),
-                      finite_reciprocal(ray.direction.z));
-    const auto crossing = cross_box(ray.origin, inverse, shape.bounds.min, shape.bounds.max);
-    return crossing && crossing->leave * kWidening >= ray.t_min && crossing->enter <= ray.t_max;
+    using scalar::One;
+    using scalar::three;
+    const auto crossing = scalar::cross_box<One>(
+        three(ray.origin), scalar::finite_reciprocals<One>(three(ray.direction)),
+        three(shape.bounds.min), three(shape.bounds.max));
+    return crossing.meets && crossing.leave * kWidening >= ray.t_min && crossing.enter <= ray.t_max;
 }
 
 UnitRay in_unit_axes(const MovingShape& shape, const Ray& local) {
@@ -43,7 +45,7 @@ std::optional<float> intersect_analytic(const MovingShape& shape, const Ray& loc
     using Distance = std::optional<float>;
     const UnitRay ray = in_unit_axes(shape, local);
     return visit_shape<Distance>(shape.kind, std::nullopt, [&](auto unit_shape) {
-        return decltype(unit_shape)::intersect(ray, shape.profile);
+        return intersect_unit_shape<decltype(unit_shape)::kKind>(ray, shape.profile);
     });
 }
 

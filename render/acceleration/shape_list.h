@@ -1,9 +1,9 @@
 // The single list of the shapes that rays can hit. All code that enumerates shapes is a fold over
 // it.
 //
-// To add a shape: give it a ShapeKind, a struct below and a place in UnitShapes, a LaneTest in
-// lane_tests/, and its surface in render/geometry/kernels/unit_points.h. A missing part does not
-// compile.
+// To add a shape: give it a ShapeKind, a struct below and a place in UnitShapes, and in
+// render/geometry/kernels/ its test (unit_shape_hits.h) and its surface (unit_points.h). A missing
+// part does not compile.
 #pragma once
 
 #include <algorithm>
@@ -11,14 +11,10 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <type_traits>
 
 #include "core/vectors.h"
 #include "render/acceleration/analytic_blocks.h"
-#include "render/geometry/capsule.h"
-#include "render/geometry/intersect.h"
-#include "render/geometry/rounded_box.h"
 #include "render/geometry/shape_kind.h"
 
 namespace carom::render {
@@ -26,7 +22,6 @@ namespace carom::render {
 /// Each unit shape has
 /// - kKind and Block, the storage of eight of them for the kernels;
 /// - kIsBounded: whether a bounding box exists;
-/// - intersect(ray, profile): the first hit of a ray in the shape's own axes;
 /// - half_size(profile): of a bounding box centred at the origin;
 /// - bounding_radius(scale, profile): the largest distance of its surface from its centre if the
 ///   map scales its axes by `scale` and keeps them perpendicular.
@@ -51,9 +46,6 @@ struct FlatShape : UnitShape<kKindOfShape> {
 
 /// |p| <= 1.
 struct UnitBall : UnitShape<ShapeKind::ball> {
-    static std::optional<float> intersect(const UnitRay& ray, const V3f& /*profile*/) {
-        return intersect_sphere(ray, 1.f);
-    }
     static double bounding_radius(const Vec3& scale, const V3f& /*profile*/) {
         return std::max({scale.x, scale.y, scale.z});
     }
@@ -61,34 +53,19 @@ struct UnitBall : UnitShape<ShapeKind::ball> {
 
 /// |x|, |y|, |z| <= 1.
 struct UnitBox : UnitShape<ShapeKind::box> {
-    static std::optional<float> intersect(const UnitRay& ray, const V3f& /*profile*/) {
-        const auto hit = intersect_box(ray, V3f(-1), V3f(1));
-        return hit ? std::optional(hit->t) : std::nullopt;
-    }
     static double bounding_radius(const Vec3& scale, const V3f& /*profile*/) {
         return scale.length();
     }
 };
 
 /// |x|, |y| <= 1.
-struct UnitRectangle : FlatShape<ShapeKind::rectangle> {
-    static std::optional<float> intersect(const UnitRay& ray, const V3f& /*profile*/) {
-        return intersect_rectangle(ray, V2f(1));
-    }
-};
+struct UnitRectangle : FlatShape<ShapeKind::rectangle> {};
 
 /// x, y >= 0 and x + y <= 1.
-struct UnitTriangle : FlatShape<ShapeKind::triangle> {
-    static std::optional<float> intersect(const UnitRay& ray, const V3f& /*profile*/) {
-        return intersect_unit_triangle(ray);
-    }
-};
+struct UnitTriangle : FlatShape<ShapeKind::triangle> {};
 
 /// x^2 + y^2 <= 1.
 struct UnitDisk : FlatShape<ShapeKind::disk> {
-    static std::optional<float> intersect(const UnitRay& ray, const V3f& /*profile*/) {
-        return intersect_unit_disk(ray);
-    }
     static double bounding_radius(const Vec3& scale, const V3f& /*profile*/) {
         return std::max(scale.x, scale.y);
     }
@@ -97,9 +74,6 @@ struct UnitDisk : FlatShape<ShapeKind::disk> {
 /// x^2 + y^2 <= (middle + slope z)^2 and |z| <= 1, with the profile (middle, slope, 0): (1, 0, 0)
 /// is a cylinder, (1/2, -1/2, 0) a cone.
 struct UnitFrustum : UnitShape<ShapeKind::frustum, ProfiledBlock> {
-    static std::optional<float> intersect(const UnitRay& ray, const V3f& profile) {
-        return intersect_frustum(ray, profile.x, profile.y);
-    }
     static double bounding_radius(const Vec3& scale, const V3f& /*profile*/) {
         return Vec2(std::max(scale.x, scale.y), scale.z).length();
     }
@@ -108,9 +82,6 @@ struct UnitFrustum : UnitShape<ShapeKind::frustum, ProfiledBlock> {
 /// All points within distance 1 of the segment from (0, 0, -h) to (0, 0, h), with the profile
 /// (h, 0, 0).
 struct UnitCapsule : UnitShape<ShapeKind::capsule, ProfiledBlock> {
-    static std::optional<float> intersect(const UnitRay& ray, const V3f& profile) {
-        return intersect_unit_capsule(ray, profile.x);
-    }
     static V3f half_size(const V3f& profile) { return V3f(1, 1, 1 + profile.x); }
     static double bounding_radius(const Vec3& scale, const V3f& profile) {
         return static_cast<double>(profile.x) * scale.z + std::max({scale.x, scale.y, scale.z});
@@ -119,9 +90,6 @@ struct UnitCapsule : UnitShape<ShapeKind::capsule, ProfiledBlock> {
 
 /// All points within distance 1 of the box |p| <= core; the profile is `core`.
 struct UnitRoundedBox : UnitShape<ShapeKind::rounded_box, ProfiledBlock> {
-    static std::optional<float> intersect(const UnitRay& ray, const V3f& profile) {
-        return intersect_unit_rounded_box(ray, profile);
-    }
     static V3f half_size(const V3f& profile) { return profile + V3f(1); }
     static double bounding_radius(const Vec3& scale, const V3f& profile) {
         return (scale * Vec3(profile)).length() + std::max({scale.x, scale.y, scale.z});
@@ -131,9 +99,6 @@ struct UnitRoundedBox : UnitShape<ShapeKind::rounded_box, ProfiledBlock> {
 /// The infinite plane z = 0.
 struct UnitPlane : UnitShape<ShapeKind::plane> {
     static constexpr bool kIsBounded = false;
-    static std::optional<float> intersect(const UnitRay& ray, const V3f& /*profile*/) {
-        return intersect_plane(ray);
-    }
     static double bounding_radius(const Vec3& /*scale*/, const V3f& /*profile*/) { return 1; }
 };
 
@@ -186,11 +151,10 @@ inline constexpr std::uint32_t kLaneShape = LaneShapes::index_of<Shape>();
 inline constexpr std::uint32_t kLaneShapeCount = LaneShapes::kSize;
 
 template <class Shape>
-concept CompleteUnitShape = requires(const UnitRay& ray, const V3f& profile, const Vec3& scale,
+concept CompleteUnitShape = requires(const V3f& profile, const Vec3& scale,
                                      typename Shape::Block& block) {
     { Shape::kKind } -> std::convertible_to<ShapeKind>;
     { Shape::kIsBounded } -> std::convertible_to<bool>;
-    { Shape::intersect(ray, profile) } -> std::same_as<std::optional<float>>;
     { Shape::half_size(profile) } -> std::same_as<V3f>;
     { Shape::bounding_radius(scale, profile) } -> std::same_as<double>;
     block.set_profile(0, profile);

@@ -1,8 +1,7 @@
 // Intersection tests of all analytic shapes in vector lanes: one ray against several shapes, or
 // several rays against one shape. Included once per instruction set.
 #include "render/acceleration/lane_tests/box_test-inl.h"
-#include "render/acceleration/lane_tests/flat_test-inl.h"
-#include "render/acceleration/lane_tests/round_test-inl.h"
+#include "render/acceleration/lane_tests/lane_test-inl.h"
 #include "render/acceleration/lane_tests/sphere_test-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -10,24 +9,22 @@ namespace carom::render::HWY_NAMESPACE {
 
 /// The test of a shape for one ray in all lanes; `direction` is the ray's.
 template <class Shape, class D>
-HWY_INLINE LaneTest<Shape> test_for_ray(Shape /*shape*/, D /*d*/, const RayLanes<D>& /*ray*/,
-                                        const V3f& /*direction*/) {
+HWY_INLINE LaneTest<Shape> test_for_ray(Shape /*shape*/, D /*d*/, const V3f& /*direction*/) {
     return {};
 }
 template <class D>
-HWY_INLINE AlignedBoxTest<D> test_for_ray(AlignedBox /*shape*/, D d, const RayLanes<D>& ray,
-                                          const V3f& direction) {
-    return AlignedBoxTest<D>(d, ray, direction);
+HWY_INLINE AlignedBoxTest<D> test_for_ray(AlignedBox /*shape*/, D d, const V3f& direction) {
+    return AlignedBoxTest<D>(d, direction);
 }
 
 /// The test of a shape for rays that differ from lane to lane.
 template <class Shape, class D>
-HWY_INLINE LaneTest<Shape> test_for_rays(Shape /*shape*/, D /*d*/, const RayLanes<D>& /*rays*/) {
+HWY_INLINE LaneTest<Shape> test_for_rays(Shape /*shape*/, const RayLanes<D>& /*rays*/) {
     return {};
 }
 template <class D>
-HWY_INLINE AlignedBoxRays<D> test_for_rays(AlignedBox /*shape*/, D d, const RayLanes<D>& rays) {
-    return AlignedBoxRays<D>(d, rays);
+HWY_INLINE AlignedBoxRays<D> test_for_rays(AlignedBox /*shape*/, const RayLanes<D>& rays) {
+    return AlignedBoxRays<D>(rays);
 }
 
 }  // namespace carom::render::HWY_NAMESPACE

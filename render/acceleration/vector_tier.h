@@ -1,6 +1,8 @@
 // Which vector instructions frames are rendered with. The last bits of a frame depend on its tier:
-// AVX2 has fused multiply-add, and the tiers below process samples in another order. Wider vectors
-// than those of AVX2 give the same bits as AVX2 (a test compares them), so they are no tier.
+// processors below AVX2 follow one path at a time, which adds up light in another order than paths
+// in step, and Embree, for `acceleration: embree`, has routines of its own for each instruction
+// set. Where rays hit is the same in every tier (analytic_kernels_test compares the bits). Wider
+// vectors than those of AVX2 give the same bits as AVX2, so they are no tier.
 #pragma once
 
 #include <array>

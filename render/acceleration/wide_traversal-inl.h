@@ -5,7 +5,7 @@
 
 #include "render/acceleration/wide_tally.h"
 #include "render/acceleration/wide_tree.h"
-#include "render/geometry/intersect.h"
+#include "render/geometry/scalar_kernels.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
@@ -29,7 +29,7 @@ struct TreeRay {
         const V3f& o = ray.origin;
         const float margin = kMarginFraction * (std::abs(o.x) + std::abs(o.y) + std::abs(o.z));
         for (int axis = 0; axis < 3; ++axis) {
-            const float reciprocal = finite_reciprocal(ray.direction[axis]);
+            const float reciprocal = scalar::finite_reciprocal<scalar::One>(ray.direction[axis]);
             const float apart = std::copysign(margin, ray.direction[axis]);
             inverse[axis] = hn::Set(d, reciprocal);
             near_origin[axis] = hn::Set(d, (o[axis] + apart) * reciprocal);

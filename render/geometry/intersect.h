@@ -1,5 +1,4 @@
-// Intersection of one ray with one shape in scalar code, for moving objects in their own axes and
-// as the reference for the vectorised kernels. T is float or double.
+// Intersection of one ray with one shape in its own axes. T is float or double.
 //
 // Every function returns distances in (t_min, t_max) along a direction of any length except zero,
 // in units of that length.
@@ -30,165 +29,16 @@ struct RaySegment {
 
 using UnitRay = RaySegment<float>;
 
-/// The nearer of two distances (near <= far) that is on the segment.
-template <class T>
-[[nodiscard]] std::optional<T> first_on_segment(const RaySegment<T>& ray, T near, T far) {
-    if (ray.contains(near)) {
-        return near;
-    }
-    if (ray.contains(far)) {
-        return far;
-    }
-    return std::nullopt;
-}
-
-/// Sphere around the origin, from outside or inside. The discriminant is computed from the distance
-/// between centre and line, which is accurate far away (Haines, Günther and Akenine-Möller 2019,
-/// "Precision improvements for ray/sphere intersection", Ray Tracing Gems, section 7.3).
-template <class T>
-[[nodiscard]] std::optional<T> intersect_sphere(const RaySegment<T>& ray, T radius) {
-    const T a = ray.direction.dot(ray.direction);
-    const T b = -ray.origin.dot(ray.direction) / a;  // distance of the closest approach
-    const V3<T> closest = ray.origin + b * ray.direction;
-    const T discriminant = radius * radius - closest.dot(closest);
-    if (!(discriminant >= 0)) {
-        return std::nullopt;
-    }
-    const T half_chord = std::sqrt(discriminant / a);
-    return first_on_segment(ray, b - half_chord, b + half_chord);
-}
-
-/// 1 / x, with a huge finite value of the same sign in place of infinity: its product with zero is
-/// zero instead of NaN.
-template <class T>
-[[nodiscard]] T finite_reciprocal(T x) {
-    constexpr T kTiny = T(1e-30);
-    return T(1) / (std::abs(x) < kTiny ? std::copysign(kTiny, x) : x);
-}
-
-/// Where a ray enters and leaves an axis-aligned box, and through which faces. Faces 0 to 5 are -x,
-/// +x, -y, +y, -z, +z.
-template <class T>
-struct BoxCrossing {
-    T enter, leave;
-    int enter_face, leave_face;
-};
-
-/// The slab test of Kay and Kajiya 1986; empty if the line misses the box.
-template <class T>
-[[nodiscard]] std::optional<BoxCrossing<T>> cross_box(const V3<T>& origin,
-                                                      const V3<T>& inverse_direction,
-                                                      const V3<T>& low, const V3<T>& high) {
-    constexpr T kHuge = std::numeric_limits<T>::max();
-    BoxCrossing<T> crossing{-kHuge, kHuge, 0, 0};
-    for (int axis = 0; axis < 3; ++axis) {
-        T near = (low[axis] - origin[axis]) * inverse_direction[axis];
-        T far = (high[axis] - origin[axis]) * inverse_direction[axis];
-        const bool backwards = inverse_direction[axis] < 0;
-        if (backwards) {
-            std::swap(near, far);
-        }
-        if (near > crossing.enter) {
-            crossing.enter = near;
-            crossing.enter_face = 2 * axis + (backwards ? 1 : 0);
-        }
-        if (far < crossing.leave) {
-            crossing.leave = far;
-            crossing.leave_face = 2 * axis + (backwards ? 0 : 1);
-        }
-    }
-    if (crossing.enter > crossing.leave) {
-        return std::nullopt;
-    }
-    return crossing;
-}
-
-struct BoxHit {
-    float t;
-    int face;
-};
-
-/// The first face hit; from inside, the face through which the ray leaves.
-[[nodiscard]] inline std::optional<BoxHit> intersect_box(const RaySegment<float>& ray,
-                                                         const V3f& low, const V3f& high) {
-    const V3f inverse(finite_reciprocal(ray.direction.x), finite_reciprocal(ray.direction.y),
-                      finite_reciprocal(ray.direction.z));
-    const auto crossing = cross_box(ray.origin, inverse, low, high);
-    if (!crossing) {
-        return std::nullopt;
-    }
-    if (ray.contains(crossing->enter)) {
-        return BoxHit{crossing->enter, crossing->enter_face};
-    }
-    if (ray.contains(crossing->leave)) {
-        return BoxHit{crossing->leave, crossing->leave_face};
-    }
-    return std::nullopt;
-}
-
-/// The plane z = 0; a ray within the plane misses it.
-template <class T>
-[[nodiscard]] std::optional<T> intersect_plane(const RaySegment<T>& ray) {
-    if (ray.direction.z == 0) {
-        return std::nullopt;
-    }
-    const T t = -ray.origin.z / ray.direction.z;
-    return ray.contains(t) ? std::optional<T>(t) : std::nullopt;
-}
-
-/// |x| <= half_size.x, |y| <= half_size.y on the plane z = 0.
-template <class T>
-[[nodiscard]] std::optional<T> intersect_rectangle(const RaySegment<T>& ray,
-                                                   const Imath::Vec2<T>& half_size) {
-    const std::optional<T> t = intersect_plane(ray);
-    if (!t) {
-        return std::nullopt;
-    }
-    const T x = ray.origin.x + *t * ray.direction.x;
-    const T y = ray.origin.y + *t * ray.direction.y;
-    const bool inside = std::abs(x) <= half_size.x && std::abs(y) <= half_size.y;
-    return inside ? t : std::nullopt;
-}
-
-/// x, y >= 0 and x + y <= 1 on the plane z = 0. The edges are widened by a few roundings, so that
-/// adjacent triangles leave no gap.
-template <class T>
-[[nodiscard]] std::optional<T> intersect_unit_triangle(const RaySegment<T>& ray) {
-    const std::optional<T> t = intersect_plane(ray);
-    if (!t) {
-        return std::nullopt;
-    }
-    const T x = ray.origin.x + *t * ray.direction.x;
-    const T y = ray.origin.y + *t * ray.direction.y;
-    const T margin = T(kTriangleMargin);
-    const bool inside = x >= -margin && y >= -margin && x + y <= 1 + margin;
-    return inside ? t : std::nullopt;
-}
-
-/// x^2 + y^2 <= 1 on the plane z = 0.
-template <class T>
-[[nodiscard]] std::optional<T> intersect_unit_disk(const RaySegment<T>& ray) {
-    const std::optional<T> t = intersect_plane(ray);
-    if (!t) {
-        return std::nullopt;
-    }
-    const T x = ray.origin.x + *t * ray.direction.x;
-    const T y = ray.origin.y + *t * ray.direction.y;
-    return x * x + y * y <= 1 ? t : std::nullopt;
-}
-
-template <class T>
-[[nodiscard]] std::optional<T> intersect_frustum(const RaySegment<T>& ray, T middle, T slope) {
-    const auto crossings = scalar::cross_frustum<ScalarLanes<T>>(
-        {scalar::three(ray.origin), scalar::three(ray.direction)}, middle, slope);
-    std::optional<T> nearest;
-    for (int face = 0; face < 4; ++face) {
-        const T t = crossings.t[face];
-        if (crossings.valid[face] && ray.contains(t) && (!nearest || t < *nearest)) {
-            nearest = t;
-        }
-    }
-    return nearest;
+/// The first hit of a unit shape (render/acceleration/shape_list.h) on the segment. Lanes give the
+/// same bits (kernels/unit_shape_hits.h).
+template <ShapeKind kKind, class T>
+[[nodiscard]] std::optional<T> intersect_unit_shape(const RaySegment<T>& ray,
+                                                    const V3<T>& profile = V3<T>(0)) {
+    using L = ScalarLanes<T>;
+    const scalar::RayOf<L> line{scalar::three(ray.origin), scalar::three(ray.direction)};
+    const auto hit =
+        scalar::hit_unit_shape<kKind, L>(line, ray.t_min, {scalar::three(profile), T(0)});
+    return hit.valid && hit.t < ray.t_max ? std::optional<T>(hit.t) : std::nullopt;
 }
 
 template <class T>

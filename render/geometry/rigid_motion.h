@@ -24,8 +24,9 @@ struct PathPiece {
     float end = 1;
 
     [[nodiscard]] V3f position(float time) const {
-        const float d = time - start;
-        return c[0] + d * (c[1] + d * (c[2] + d * c[3]));
+        using scalar::three;
+        return scalar::vector_of(scalar::point_on_path<scalar::One>(
+            three(c[0]), three(c[1]), three(c[2]), three(c[3]), time - start));
     }
     [[nodiscard]] bool is_constant() const {
         const V3f zero(0, 0, 0);

@@ -14,17 +14,7 @@ namespace carom::render::scalar {
 
 #define CAROM_KERNEL [[gnu::always_inline]] inline
 #define CAROM_KERNEL_ATTRIBUTE
-// The order of these matters.
-// clang-format off
-#include "render/geometry/kernels/angles.h"
-#include "render/geometry/kernels/basis.h"
-#include "render/geometry/kernels/maps.h"
-#include "render/geometry/kernels/frustum.h"
-#include "render/geometry/kernels/surface_points.h"
-#include "render/geometry/kernels/unit_points.h"
-#include "render/geometry/kernels/shape_points.h"
-#include "render/geometry/kernels/mesh_points.h"
-// clang-format on
+#include "render/geometry/kernels/all.h"
 #undef CAROM_KERNEL_ATTRIBUTE
 #undef CAROM_KERNEL
 

@@ -10,6 +10,7 @@
 #include "core/elementary_float.h"
 #include "render/geometry/validity.h"
 #include "render/integrator/path_state.h"
+#include "render/integrator/scalar_kernels.h"
 #include "render/integrator/shadow_ray_constants.h"
 #include "render/sampling/gaussian_lobe.h"
 

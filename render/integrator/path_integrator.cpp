@@ -218,11 +218,12 @@ bool PathIntegrator::process_hit(Path& path, const Hit& hit, PathWork& work) con
 
 ShadingVertex PathIntegrator::vertex_at(const Path& path, const SurfacePoint& point,
                                         const Surface& surface, const Bsdf& bsdf) const {
-    const bool splits = path.vertex < settings_.split_vertices && bsdf.has_coat();
-    const bool shows_gloss = splits && path.vertex == 0 && bsdf.can_evaluate(Layers::coat);
-    return {point.position, point.position + surface.geometric_normal * point.offset,
-            surface,        bsdf,
-            splits,         shows_gloss ? settings_.glossy_samples : 1};
+    const auto following = scalar::following_at<scalar::One>(
+        path.vertex, settings_.split_vertices, settings_.glossy_samples, bsdf.has_coat(),
+        bsdf.can_evaluate(Layers::coat));
+    return {point.position,   point.position + surface.geometric_normal * point.offset,
+            surface,          bsdf,
+            following.splits, following.shows_gloss ? settings_.glossy_samples : 1};
 }
 
 // `path.width` is the width at the point.

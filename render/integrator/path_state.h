@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 
 #include "render/geometry/ray.h"
@@ -65,17 +64,6 @@ struct Path {
     float width = 0;           // of the pixel's cone at the ray's origin, m
     float spread = 0;          // growth of that width per m
 };
-
-/// The `k`th of `n` well-spread points, each uniform if `u` is: a lattice shifted by `u` (Cranley
-/// and Patterson 1976, "Randomization of number theoretic methods for multiple integration").
-[[nodiscard]] inline V2f lattice_point(const V2f& u, int k, int n) {
-    if (n == 1) {
-        return u;
-    }
-    const float x = u.x + static_cast<float>(k) / static_cast<float>(n);
-    const float y = u.y + static_cast<float>(k) * 0.618034f;
-    return {x - std::floor(x), y - std::floor(y)};
-}
 
 /// The random numbers of a vertex: points of the unit square, low-discrepancy over the samples of a
 /// pixel. A choice between lights or lobes remaps its number and uses it again.

@@ -32,11 +32,10 @@ bool Bsdf::can_evaluate(Layers layers) const {
     if (phong_) {
         return layers != Layers::coat && phong_->can_evaluate();
     }
-    const bool coat = layers != Layers::base && lobes_.has_rough_coat();
-    const bool facets = lobes_.facets() > 0 && surface_->layers->alpha > 0;
+    const auto kinds = lobes_.kinds();
     const bool glass = lobes_.glass() > 0 && surface_->layers->glass->alpha > 0;
-    const bool base = layers != Layers::coat &&
-                      (facets || glass || lobes_.choose_diffuse() > 0 || lobes_.choose_sheen() > 0);
+    const bool coat = layers != Layers::base && kinds.coat_scatters;
+    const bool base = layers != Layers::coat && (kinds.base_scatters || glass);
     return coat || base;
 }
 
@@ -44,11 +43,8 @@ bool Bsdf::is_broad() const {
     if (phong_) {
         return phong_->is_broad();
     }
-    const LayerConstants& layers = *surface_->layers;
-    const bool narrow_coat = lobes_.has_rough_coat() && layers.coat_alpha < kBroadAlpha;
-    const bool narrow_facets =
-        lobes_.facets() > 0 && layers.alpha > 0 && layers.alpha < kBroadAlpha;
-    return can_evaluate(Layers::all) && !narrow_coat && !narrow_facets && !transmits();
+    const auto kinds = lobes_.kinds();
+    return kinds.scatters() && !kinds.is_narrow && !transmits();
 }
 
 BsdfValue Bsdf::evaluate_local(Layers layers, const V3f& wi) const {
@@ -162,34 +158,21 @@ std::optional<BsdfSample> Bsdf::sample_coat(Layers layers, const V2f& u, float p
 }
 
 std::optional<BsdfSample> Bsdf::sample_base(Layers layers, const V2f& u, float probability) const {
-    V2f square = u;
-    const auto takes = [&](float lobe_probability) {
-        if (lobe_probability <= 0) {
-            return false;
+    const float by_glass = lobes_.choose_glass();
+    V2f rest = u;
+    if (by_glass > 0) {
+        rest.x = by_glass < 1 ? remap_sample(u.x, by_glass) : u.x;
+        if (u.x < by_glass) {
+            return sample_glass(layers, rest, probability * by_glass);
         }
-        const bool taken = square.x < lobe_probability;
-        if (lobe_probability < 1) {
-            square.x = remap_sample(square.x, lobe_probability);
-        }
-        return taken;
-    };
-    if (takes(lobes_.choose_glass())) {
-        return sample_glass(layers, square, probability * lobes_.choose_glass());
     }
-    if (takes(lobes_.choose_facets() / (1.0f - lobes_.choose_glass()))) {
-        const float alpha = surface_->layers->alpha;
-        if (alpha <= 0) {
-            return mirror(lobes_.facet_reflectance(wo_.z) *
-                          (lobes_.facets() / (probability * lobes_.choose_facets())));
-        }
-        return finish(layers, reflect(wo_, Ggx(alpha).sample_visible(wo_, square)));
+    const auto chosen = lobes_.sample_base(wo_, rest);
+    if (!chosen.valid) {
+        return std::nullopt;
     }
-    if (lobes_.choose_sheen() > 0 &&
-        takes(lobes_.choose_sheen() / (lobes_.choose_sheen() + lobes_.choose_diffuse()))) {
-        return finish(layers, sample_cone(square, 1.0f));  // uniform over the hemisphere
-    }
-    return lobes_.choose_diffuse() > 0 ? finish(layers, sample_cosine_hemisphere(square))
-                                       : std::nullopt;
+    return chosen.is_delta ? mirror(lobes_.facet_reflectance(wo_.z) *
+                                    (lobes_.facets() / (probability * lobes_.choose_facets())))
+                           : finish(layers, scalar::vector_of(chosen.wi));
 }
 
 std::optional<BsdfSample> Bsdf::sample_glass(Layers layers, const V2f& u, float probability) const {

@@ -17,15 +17,7 @@ namespace carom::render::HWY_NAMESPACE {
 
 #define CAROM_KERNEL HWY_INLINE
 #define CAROM_KERNEL_ATTRIBUTE HWY_ATTR
-// The order of these matters.
-// clang-format off
-#include "render/material/kernels/fresnel.h"
-#include "render/material/kernels/sheen.h"
-#include "render/material/kernels/microfacet.h"
-#include "render/material/kernels/albedo_table.h"
-#include "render/material/kernels/lobes.h"
-#include "render/material/kernels/resolve.h"
-// clang-format on
+#include "render/material/kernels/all.h"
 #undef CAROM_KERNEL_ATTRIBUTE
 #undef CAROM_KERNEL
 

@@ -5,20 +5,6 @@ namespace {
 
 using scalar::One;
 
-scalar::LayersOf<One> layers_of(const LayerConstants& layers) {
-    return {layers.coat_weight,
-            layers.coat_ior,
-            layers.coat_alpha,
-            layers.sheen,
-            scalar::three(layers.sheen_colour),
-            layers.metal,
-            layers.specular,
-            layers.alpha,
-            layers.transmission,
-            layers.tables(),
-            0};
-}
-
 LobeWeights::Value value_of(const scalar::LobeValueOf<One>& found) {
     return {scalar::vector_of(found.value), found.pdf};
 }
@@ -26,7 +12,7 @@ LobeWeights::Value value_of(const scalar::LobeValueOf<One>& found) {
 }  // namespace
 
 LobeWeights::LobeWeights(const Surface& surface, float cosine)
-    : layers_(layers_of(*surface.layers)),
+    : layers_(surface.layers->numbers()),
       base_(scalar::three(surface.base)),
       lobes_(scalar::weigh_lobes<One>(layers_, base_, cosine, surface.is_inside)) {}
 
@@ -43,6 +29,12 @@ LobeWeights::Value LobeWeights::coat_towards(const V3f& wo, const V3f& wi) const
 LobeWeights::Value LobeWeights::base_towards(const V3f& wo, const V3f& wi) const {
     return value_of(
         scalar::base_towards<One>(layers_, lobes_, base_, scalar::three(wo), scalar::three(wi)));
+}
+
+scalar::BaseDirectionOf<One> LobeWeights::sample_base(const V3f& wo, const V2f& u) const {
+    return scalar::sample_base_direction<One>(layers_, lobes_,
+                                              lobes_.choose_facets / (1.0f - lobes_.choose_glass),
+                                              scalar::three(wo), scalar::two(u));
 }
 
 }  // namespace carom::render

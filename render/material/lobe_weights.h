@@ -30,6 +30,9 @@ class LobeWeights {
     [[nodiscard]] Value coat_towards(const V3f& wo, const V3f& wi) const;
     /// Without glass.
     [[nodiscard]] Value base_towards(const V3f& wo, const V3f& wi) const;
+    /// A direction of one of these lobes, chosen by `u`.
+    [[nodiscard]] scalar::BaseDirectionOf<scalar::One> sample_base(const V3f& wo,
+                                                                   const V2f& u) const;
 
     /// Fraction that the coat reflects.
     [[nodiscard]] float coat() const { return lobes_.coat; }
@@ -41,14 +44,15 @@ class LobeWeights {
     [[nodiscard]] float facets() const { return lobes_.facets; }
     /// Fraction that reaches the glass below all layers.
     [[nodiscard]] float glass() const { return lobes_.glass; }
-    // Probabilities of the base's lobes; they add up to 1 unless all are 0.
+    // Probabilities of the base's lobes.
     [[nodiscard]] float choose_glass() const { return lobes_.choose_glass; }
     [[nodiscard]] float choose_facets() const { return lobes_.choose_facets; }
-    [[nodiscard]] float choose_sheen() const { return lobes_.choose_sheen; }
-    [[nodiscard]] float choose_diffuse() const { return lobes_.choose_diffuse; }
     /// Whether the base has no other lobe than the diffuse one.
     [[nodiscard]] bool is_diffuse() const { return lobes_.is_diffuse; }
     [[nodiscard]] bool has_rough_coat() const { return lobes_.has_rough_coat; }
+    [[nodiscard]] scalar::LobeKindsOf<scalar::One> kinds() const {
+        return scalar::kinds_of_lobes<scalar::One>(layers_, lobes_);
+    }
 
   private:
     scalar::LayersOf<scalar::One> layers_{};

@@ -52,6 +52,21 @@ LayerConstants make_layers(const StandardMaterial& m, AlbedoTables& tables) {
 
 }  // namespace
 
+scalar::LayersOf<scalar::One> LayerConstants::numbers() const {
+    return {coat_weight,
+            coat_ior,
+            coat_alpha,
+            sheen,
+            scalar::three(sheen_colour),
+            metal,
+            specular,
+            alpha,
+            transmission,
+            {coat_albedo.values().data(), sheen_albedo.values().data(),
+             specular_albedo.values().data(), mirror_albedo.values().data()},
+            0};
+}
+
 Material::Material(const StandardMaterial& description, ImageCache& images, AlbedoTables& tables)
     : texture_(description.base, images),
       layers_(make_layers(description, tables)),

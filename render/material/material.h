@@ -10,6 +10,7 @@
 #include "render/material/glass.h"
 #include "render/material/lobe_constants.h"
 #include "render/material/phong.h"
+#include "render/material/scalar_kernels.h"
 #include "render/scene/material_description.h"
 #include "render/texture/texture.h"
 
@@ -34,13 +35,11 @@ struct LayerConstants {
     AlbedoTable specular_albedo;
     AlbedoTable mirror_albedo;
 
-    [[nodiscard]] AlbedoNumbers tables() const {
-        return {coat_albedo.values().data(), sheen_albedo.values().data(),
-                specular_albedo.values().data(), mirror_albedo.values().data()};
-    }
-
     float transmission = 0;                       // fraction of the base that is glass
     std::shared_ptr<const GlassConstants> glass;  // null: not transmissive
+
+    /// The same for kernels; borrows the tables.
+    [[nodiscard]] scalar::LayersOf<scalar::One> numbers() const;
 };
 
 /// Everything that scattering at one point needs, as plain data without textures or scene.

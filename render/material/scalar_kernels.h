@@ -10,15 +10,7 @@ namespace carom::render::scalar {
 
 #define CAROM_KERNEL [[gnu::always_inline]] inline
 #define CAROM_KERNEL_ATTRIBUTE
-// The order of these matters.
-// clang-format off
-#include "render/material/kernels/fresnel.h"
-#include "render/material/kernels/sheen.h"
-#include "render/material/kernels/microfacet.h"
-#include "render/material/kernels/albedo_table.h"
-#include "render/material/kernels/lobes.h"
-#include "render/material/kernels/resolve.h"
-// clang-format on
+#include "render/material/kernels/all.h"
 #undef CAROM_KERNEL_ATTRIBUTE
 #undef CAROM_KERNEL
 

@@ -1,4 +1,4 @@
-// Boxes: one ray against several of them, or several rays against one.
+// Boxes along the axes of the world: one ray against several of them, or several rays against one.
 #if defined(CAROM_BOX_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CAROM_BOX_TEST_INL_H
 #undef CAROM_BOX_TEST_INL_H
@@ -13,82 +13,51 @@
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
+/// For the same ray in all lanes. Which planes it crosses first is known beforehand.
 template <class D>
 struct AlignedBoxTest {
-    hn::Vec<D> inverse[3];
-    hn::Vec<D> scaled_origin[3];  // origin / direction
-    int near_side[3];             // which of the two planes the ray hits first
+    using L = VectorLanes<D>;
 
-    HWY_INLINE AlignedBoxTest(D d, const RayLanes<D>& ray, const V3f& direction)
-        : inverse{hn::Set(d, finite_reciprocal(direction.x)),
-                  hn::Set(d, finite_reciprocal(direction.y)),
-                  hn::Set(d, finite_reciprocal(direction.z))},
-          scaled_origin{hn::Mul(ray.origin[0], inverse[0]), hn::Mul(ray.origin[1], inverse[1]),
-                        hn::Mul(ray.origin[2], inverse[2])},
-          near_side{std::signbit(direction.x) ? 1 : 0, std::signbit(direction.y) ? 1 : 0,
-                    std::signbit(direction.z) ? 1 : 0} {}
+    Three<hn::Vec<D>> inverse;
+    int first[3];  // which of the two planes the ray hits first
 
-    HWY_INLINE hn::Vec<D> distance(D d, const Lanes& plane, int lane, int axis) const {
-        return hn::MulSub(load(d, plane, lane), inverse[axis], scaled_origin[axis]);
-    }
+    HWY_INLINE AlignedBoxTest(D /*d*/, const V3f& direction)
+        : inverse(finite_reciprocals<L>(all_of<L>(direction))),
+          first{std::signbit(direction.x) ? 1 : 0, std::signbit(direction.y) ? 1 : 0,
+                std::signbit(direction.z) ? 1 : 0} {}
 
-    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const AlignedBoxBlock& block,
-                                      int lane, hn::Vec<D>& t) const {
-        const hn::Vec<D> near[3] = {distance(d, block.planes[0][near_side[0]], lane, 0),
-                                    distance(d, block.planes[1][near_side[1]], lane, 1),
-                                    distance(d, block.planes[2][near_side[2]], lane, 2)};
-        const hn::Vec<D> far[3] = {distance(d, block.planes[0][1 - near_side[0]], lane, 0),
-                                   distance(d, block.planes[1][1 - near_side[1]], lane, 1),
-                                   distance(d, block.planes[2][1 - near_side[2]], lane, 2)};
-        return hit_slabs(ray, near, far, t);
+    HWY_INLINE LaneHits<D> operator()(D d, const RayLanes<D>& ray, const AlignedBoxBlock& block,
+                                      int lane) const {
+        const auto slab = [&](hn::Vec<D> origin, hn::Vec<D> inverse_direction, int axis) HWY_ATTR {
+            return cross_sorted_slab<L>(origin, inverse_direction,
+                                        load(d, block.planes[axis][first[axis]], lane),
+                                        load(d, block.planes[axis][1 - first[axis]], lane));
+        };
+        const Three<hn::Vec<D>>& o = ray.line.origin;
+        return cross_slabs<L>(slab(o.x, inverse.x, 0), slab(o.y, inverse.y, 1),
+                              slab(o.z, inverse.z, 2))
+            .first_hit(ray.t_min);
     }
 };
 
-/// The slab test for rays that differ from lane to lane.
+/// For rays that differ from lane to lane.
 template <class D>
 struct AlignedBoxRays {
-    hn::Vec<D> inverse[3];
-    hn::Vec<D> scaled_origin[3];
+    using L = VectorLanes<D>;
 
-    HWY_INLINE AlignedBoxRays(D d, const RayLanes<D>& ray)
-        : inverse{finite_reciprocals(d, ray.direction[0]), finite_reciprocals(d, ray.direction[1]),
-                  finite_reciprocals(d, ray.direction[2])},
-          scaled_origin{hn::Mul(ray.origin[0], inverse[0]), hn::Mul(ray.origin[1], inverse[1]),
-                        hn::Mul(ray.origin[2], inverse[2])} {}
+    Three<hn::Vec<D>> inverse;
 
-    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const AlignedBoxBlock& block,
-                                      InAll shape, hn::Vec<D>& t) const {
-        hn::Vec<D> near[3];
-        hn::Vec<D> far[3];
-        for (int axis = 0; axis < 3; ++axis) {
-            const hn::Vec<D> low = hn::MulSub(load(d, block.planes[axis][0], shape), inverse[axis],
-                                              scaled_origin[axis]);
-            const hn::Vec<D> high = hn::MulSub(load(d, block.planes[axis][1], shape), inverse[axis],
-                                               scaled_origin[axis]);
-            near[axis] = hn::Min(low, high);
-            far[axis] = hn::Max(low, high);
-        }
-        return hit_slabs(ray, near, far, t);
-    }
-};
+    HWY_INLINE explicit AlignedBoxRays(const RayLanes<D>& ray)
+        : inverse(finite_reciprocals<L>(ray.line.direction)) {}
 
-template <>
-struct LaneTest<UnitBox> {
-    template <class D, class At>
-    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
-                                      At lane, hn::Vec<D>& t) const {
-        hn::Vec<D> near[3];
-        hn::Vec<D> far[3];
-        for (int axis = 0; axis < 3; ++axis) {
-            const hn::Vec<D> origin = mapped_origin(d, ray, block, lane, axis);
-            const hn::Vec<D> inverse =
-                finite_reciprocals(d, mapped_direction(d, ray, block, lane, axis));
-            const hn::Vec<D> to_low = hn::Mul(hn::Sub(hn::Set(d, -1.f), origin), inverse);
-            const hn::Vec<D> to_high = hn::Mul(hn::Sub(hn::Set(d, 1.f), origin), inverse);
-            near[axis] = hn::Min(to_low, to_high);
-            far[axis] = hn::Max(to_low, to_high);
-        }
-        return hit_slabs(ray, near, far, t);
+    HWY_INLINE LaneHits<D> operator()(D d, const RayLanes<D>& ray, const AlignedBoxBlock& block,
+                                      InAll shape) const {
+        const auto corner = [&](int side) HWY_ATTR {
+            return Three<hn::Vec<D>>{load(d, block.planes[0][side], shape),
+                                     load(d, block.planes[1][side], shape),
+                                     load(d, block.planes[2][side], shape)};
+        };
+        return cross_box<L>(ray.line.origin, inverse, corner(0), corner(1)).first_hit(ray.t_min);
     }
 };
 

@@ -1,4 +1,5 @@
-// Where a line meets a unit frustum, in lanes. Included as render/lanes/kernels/vectors.h is.
+// Rays against frustums (cylinders and cones), in lanes. Included as render/lanes/kernels/vectors.h
+// is.
 
 /// The distances at which a ray may hit the unit frustum: x^2 + y^2 <= (middle + slope z)^2 for |z|
 /// <= 1.
@@ -20,7 +21,7 @@ CAROM_KERNEL FrustumCrossingsOf<L> cross_frustum(const RayOf<L>& ray, typename L
     const V one = L::all(1);
     const V margin = L::all(kFrustumMargin);
     const Three<V>& d = ray.direction;
-    const V shift = L::opposite_sign(dot(ray.origin, d)) / dot(d, d);
+    const V shift = nearest_to_centre<L>(ray, dot(d, d));
     const Three<V> p = ray.at(shift);
     const V radius = middle + slope * p.z;
     const V a = d.x * d.x + d.y * d.y - (slope * d.z) * (slope * d.z);
@@ -46,4 +47,23 @@ CAROM_KERNEL FrustumCrossingsOf<L> cross_frustum(const RayOf<L>& ray, typename L
     set_cap(FrustumCrossingsOf<L>::bottom, (L::all(-1) - p.z) / d.z, middle - slope);
     set_cap(FrustumCrossingsOf<L>::top, (one - p.z) / d.z, middle + slope);
     return result;
+}
+
+/// The nearest of the frustum's crossings.
+template <class L>
+CAROM_KERNEL DistanceOf<L> hit_unit_frustum(const RayOf<L>& ray, typename L::Value t_min,
+                                            typename L::Value middle, typename L::Value slope) {
+    using Crossings = FrustumCrossingsOf<L>;
+    const Crossings crossings = cross_frustum<L>(ray, middle, slope);
+    auto nearest = L::all(kInfinity);
+    const auto offer = [&](int face) CAROM_KERNEL_ATTRIBUTE {
+        const auto t = crossings.t[face];
+        const auto is_nearer = L::both(L::is_less(t_min, t), L::is_less(t, nearest));
+        nearest = L::select(L::both(crossings.valid[face], is_nearer), t, nearest);
+    };
+    offer(Crossings::side_a);
+    offer(Crossings::side_b);
+    offer(Crossings::bottom);
+    offer(Crossings::top);
+    return {nearest, L::is_less(nearest, L::all(kInfinity))};
 }

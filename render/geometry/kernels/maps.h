@@ -73,3 +73,13 @@ struct PoseOf {
         return {turn.undo(ray.origin - position), turn.undo(ray.direction)};
     }
 };
+
+/// A point on a cubic piece of a path, at the time d after its start; see PathPiece.
+template <class L>
+CAROM_KERNEL Three<typename L::Value> point_on_path(const Three<typename L::Value>& c0,
+                                                    const Three<typename L::Value>& c1,
+                                                    const Three<typename L::Value>& c2,
+                                                    const Three<typename L::Value>& c3,
+                                                    typename L::Value d) {
+    return c0 + (c1 + (c2 + c3 * d) * d) * d;
+}

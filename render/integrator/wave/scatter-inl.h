@@ -148,60 +148,23 @@ HWY_INLINE DirectionLanes sample_coat(const VertexLanes& v, const ContinuingLane
     return to;
 }
 
-/// Chooses a lobe of the base: Bsdf::sample_base without glass.
-HWY_INLINE DirectionLanes choose_base_direction(const VertexLanes& v, F u_x, F u_y) {
-    const F zero = all(0.f);
-    const F one = all(1.f);
-    const Lobes& lobes = v.lobes;
-    DirectionLanes to;
-    to.is_delta = no_lanes();
-    to.valid = hn::Gt(lobes.choose_diffuse, zero);
-    M by_facets = no_lanes();
-    F3 of_facets = mirrored(v);
-    const auto rest = [&](F u, F probability) HWY_ATTR {
-        const M remaps = hn::And(hn::Gt(probability, zero), hn::Lt(probability, one));
-        return select(remaps, remap_sample<Lanes>(u, probability), u);
-    };
-    if (lobes.any_facets) {
-        by_facets = hn::Lt(u_x, lobes.choose_facets);
-        u_x = rest(u_x, lobes.choose_facets);
-        const M is_rough = hn::Gt(v.layers.alpha, zero);
-        const GgxOf<Lanes> ggx(select(is_rough, v.layers.alpha, one));
-        const F3 glossy = reflect<Lanes>(v.wo, ggx.sample_visible(v.wo, {u_x, u_y}));
-        of_facets = select(is_rough, glossy, of_facets);
-        to.is_delta = hn::AndNot(is_rough, by_facets);
-    }
-    M by_sheen = no_lanes();
-    if (lobes.any_sheen) {
-        const F sum = lobes.choose_sheen + lobes.choose_diffuse;
-        const F probability = lobes.choose_sheen / select(hn::Gt(sum, zero), sum, one);
-        by_sheen = hn::Lt(u_x, probability);
-        u_x = rest(u_x, probability);
-    }
-    to.wi = sample_cosine_hemisphere<Lanes>({u_x, u_y});
-    if (lobes.any_sheen) {
-        to.wi = select(by_sheen, sample_cone<Lanes>({u_x, u_y}, one), to.wi);
-        to.valid = hn::Or(to.valid, by_sheen);
-    }
-    if (lobes.any_facets) {
-        to.wi = select(by_facets, of_facets, to.wi);
-        to.valid = hn::Or(to.valid, by_facets);
-    }
-    return to;
-}
-
 /// A direction of the layers below the coat.
 HWY_INLINE DirectionLanes sample_base(const VertexLanes& v, F u_x, F u_y) {
     const FloatTag d;
     const Lobes& lobes = v.lobes;
     const F one = all(1.f);
-    DirectionLanes to = choose_base_direction(v, u_x, u_y);
+    const BaseDirectionOf<Lanes> chosen =
+        sample_base_direction<Lanes>(v.layers, lobes, lobes.choose_facets, v.wo, {u_x, u_y});
+    DirectionLanes to;
+    to.wi = chosen.wi;
+    to.is_delta = chosen.is_delta;
+    to.valid = chosen.valid;
     const F probability = base_probability(v);
     const LobeValue base = base_towards(v, to.wi);
     to.pdf = probability * base.pdf;
     // The diffuse lobe alone is sampled in proportion to its value, so that its albedo remains.
     to.weight = lobes.diffuse * (one / probability);
-    if (lobes.any_sheen || lobes.any_facets || lobes.any_rough_coat) {
+    if (lobes.any_glossy()) {
         F3 value = base.value;
         F pdf = to.pdf;
         M is_lambert = lobes.is_diffuse;
@@ -225,13 +188,6 @@ HWY_INLINE DirectionLanes sample_base(const VertexLanes& v, F u_x, F u_y) {
     }
     to.world = unit(v.frame.to_world(to.wi));
     return to;
-}
-
-/// The `k`th of `n` points of lattice_point (path_state.h).
-HWY_INLINE V2 lattice_lanes(const V2& u, int k, int n) {
-    const F x = u.x + all(static_cast<float>(k) / static_cast<float>(n));
-    const F y = u.y + all(static_cast<float>(k) * 0.618034f);
-    return {x - hn::Floor(x), y - hn::Floor(y)};
 }
 
 /// `u`: the number by which coat or base is chosen.
@@ -267,7 +223,7 @@ HWY_INLINE void follow_coats(const WaveStep& step, const VertexLanes& v,
     for (int k = 0; k < samples; ++k) {
         V2 point = numbers;
         if (v.any_gloss) {
-            const V2 shifted = lattice_lanes(numbers, k, samples);
+            const V2 shifted = lattice_point<Lanes>(numbers, k, samples);
             point = {select(v.shows_gloss, shifted.x, numbers.x),
                      select(v.shows_gloss, shifted.y, numbers.y)};
         }

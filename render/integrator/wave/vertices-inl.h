@@ -43,23 +43,18 @@ HWY_INLINE M no_lanes() {
     return hn::MaskFromVec(hn::Zero(FloatTag()));
 }
 
-/// `number_of` returns a number of each lane's material.
+/// `number_of` returns a number of each lane's material. Waves have no glass.
 template <class NumberOf>
 HWY_INLINE Layers layers_from(const WaveMaterials& materials, I material,
                               const NumberOf& number_of) {
-    return {number_of(materials.coat_weight),
-            number_of(materials.coat_ior),
-            number_of(materials.coat_alpha),
-            number_of(materials.sheen),
-            {number_of(materials.sheen_red), number_of(materials.sheen_green),
-             number_of(materials.sheen_blue)},
-            number_of(materials.metal),
-            number_of(materials.specular),
-            number_of(materials.alpha),
-            all(0.f),
-            {materials.coat_albedo.data(), materials.sheen_albedo.data(),
-             materials.specular_albedo.data(), materials.mirror_albedo.data()},
-            Lanes::product(material, kAlbedoNodes)};
+    Layers layers;
+    std::size_t place = 0;
+    Layers::each_number(
+        layers, [&](F& number) HWY_ATTR { number = number_of(materials.numbers[place++]); });
+    layers.transmission = all(0.f);
+    layers.tables = materials.tables();
+    layers.first = Lanes::product(material, kAlbedoNodes);
+    return layers;
 }
 
 /// Vertices are sorted, so that mostly all lanes have the same material.
@@ -77,32 +72,18 @@ HWY_INLINE Layers layers_of(const WaveMaterials& materials, I material) {
     });
 }
 
-HWY_INLINE M is_narrow(M exists, F alpha) {
-    return hn::And(exists, hn::And(hn::Gt(alpha, all(0.f)), hn::Lt(alpha, all(kBroadAlpha))));
-}
-
-/// Sets which lobes there are, and how they are followed: PathIntegrator::process_hit.
+/// Sets which lobes there are, and how they are followed.
 HWY_INLINE void decide(const WaveStep& step, VertexLanes& v) {
-    const Lobes& lobes = v.lobes;
-    const F zero = all(0.f);
-    const M has_coat = hn::Gt(lobes.coat, zero);
-    v.scatters = hn::Or(hn::Gt(lobes.choose_diffuse, zero), hn::Gt(lobes.choose_sheen, zero));
-    M is_broad = v.valid;
-    if (lobes.any_facets) {
-        const M has_facets = hn::Gt(lobes.facets, zero);
-        v.scatters = hn::Or(v.scatters, hn::And(has_facets, hn::Gt(v.layers.alpha, zero)));
-        is_broad = hn::AndNot(is_narrow(has_facets, v.layers.alpha), is_broad);
-    }
-    if (lobes.any_rough_coat) {
-        v.scatters = hn::Or(v.scatters, lobes.has_rough_coat);
-        is_broad = hn::AndNot(is_narrow(lobes.has_rough_coat, v.layers.coat_alpha), is_broad);
-    }
-    v.scatters = hn::And(v.scatters, v.valid);
-    v.connects = hn::And(is_broad, v.scatters);
-    v.splits =
-        step.paths.vertex < step.scene.split_vertices ? hn::And(v.valid, has_coat) : no_lanes();
-    v.any_gloss = step.paths.vertex == 0 && step.scene.glossy_samples > 1 && lobes.any_rough_coat;
-    v.shows_gloss = v.any_gloss ? hn::And(v.splits, lobes.has_rough_coat) : no_lanes();
+    const LobeKindsOf<Lanes> kinds = kinds_of_lobes<Lanes>(v.layers, v.lobes);
+    v.scatters = hn::And(kinds.scatters(), v.valid);
+    v.connects = hn::AndNot(kinds.is_narrow, v.scatters);
+    const M has_coat = hn::And(v.valid, hn::Gt(v.lobes.coat, all(0.f)));
+    const FollowingOf<Lanes> following =
+        following_at<Lanes>(step.paths.vertex, step.scene.split_vertices, step.scene.glossy_samples,
+                            has_coat, v.lobes.has_rough_coat);
+    v.splits = following.splits;
+    v.shows_gloss = following.shows_gloss;
+    v.any_gloss = following.any_gloss;
     v.coat_samples =
         select(v.shows_gloss, all(static_cast<float>(step.scene.glossy_samples)), all(1.f));
 }
@@ -146,7 +127,7 @@ HWY_INLINE F base_probability(const VertexLanes& v) {
 
 /// `wi` in the axes of the vertex' frame; only its height if that suffices for the lobes.
 HWY_INLINE F3 local_direction(const VertexLanes& v, const F3& wi, F height) {
-    if (v.lobes.any_sheen || v.lobes.any_facets || v.lobes.any_rough_coat) {
+    if (v.lobes.any_glossy()) {
         return {dot(wi, v.frame.x), dot(wi, v.frame.y), height};
     }
     return {all(0.f), all(0.f), height};

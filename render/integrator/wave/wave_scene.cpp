@@ -33,29 +33,32 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
     return light;
 }
 
-void add_table(const AlbedoTable& table, std::vector<float>& tables) {
-    tables.insert(tables.end(), table.values().begin(), table.values().end());
-}
-
 void add_material(const Material& material, WaveMaterials& materials) {
-    const LayerConstants& layers = material.layers();
-    materials.coat_weight.push_back(layers.coat_weight);
-    materials.coat_ior.push_back(layers.coat_ior);
-    materials.coat_alpha.push_back(layers.coat_alpha);
-    materials.sheen.push_back(layers.sheen);
-    materials.sheen_red.push_back(layers.sheen_colour.x);
-    materials.sheen_green.push_back(layers.sheen_colour.y);
-    materials.sheen_blue.push_back(layers.sheen_colour.z);
-    materials.metal.push_back(layers.metal);
-    materials.specular.push_back(layers.specular);
-    materials.alpha.push_back(layers.alpha);
-    add_table(layers.coat_albedo, materials.coat_albedo);
-    add_table(layers.sheen_albedo, materials.sheen_albedo);
-    add_table(layers.specular_albedo, materials.specular_albedo);
-    add_table(layers.mirror_albedo, materials.mirror_albedo);
+    const auto layers = material.layers().numbers();
+    std::size_t place = 0;
+    scalar::LayersOf<scalar::One>::each_number(layers, [&](float number) {
+        if (place == materials.numbers.size()) {
+            materials.numbers.emplace_back();
+        }
+        materials.numbers[place++].push_back(number);
+    });
+    const auto tables = AlbedoNumbers::each(layers.tables);
+    for (std::size_t kind = 0; kind < tables.size(); ++kind) {
+        const float* const table = *tables[kind];
+        materials.albedos[kind].insert(materials.albedos[kind].end(), table, table + kAlbedoNodes);
+    }
 }
 
 }  // namespace
+
+AlbedoNumbers WaveMaterials::tables() const {
+    AlbedoNumbers tables;
+    const auto each = AlbedoNumbers::each(tables);
+    for (std::size_t kind = 0; kind < each.size(); ++kind) {
+        *each[kind] = albedos[kind].data();
+    }
+    return tables;
+}
 
 WaveScene make_wave_scene(const TransportScene& scene, const PathSettings& settings,
                           const Caustics& caustics) {

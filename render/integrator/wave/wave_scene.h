@@ -1,6 +1,7 @@
 // The scene as structures of arrays for the wave kernels.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -27,11 +28,11 @@ struct WaveLight {
 
 /// LayerConstants of the materials, as a structure of arrays.
 struct WaveMaterials {
-    std::vector<float> coat_weight, coat_ior, coat_alpha;
-    std::vector<float> sheen, sheen_red, sheen_green, sheen_blue;
-    std::vector<float> metal, specular, alpha;
-    // kAlbedoNodes numbers for each material.
-    std::vector<float> coat_albedo, sheen_albedo, specular_albedo, mirror_albedo;
+    std::vector<std::vector<float>> numbers;  // in the order of LayersOf::each_number
+    // kAlbedoNodes numbers for each material, by kind of table.
+    std::array<std::vector<float>, kAlbedoKinds> albedos;
+
+    [[nodiscard]] AlbedoNumbers tables() const;
 };
 
 /// What the kernels need to know about a scene.

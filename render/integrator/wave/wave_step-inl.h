@@ -92,7 +92,7 @@ HWY_INLINE int sample_environment(const WaveStep& step, const VertexLanes& v, st
         }
         V2 point{rest, u.y};
         if (v.any_gloss) {
-            const V2 shifted = lattice_lanes(u, j, samples);
+            const V2 shifted = lattice_point<Lanes>(u, j, samples);
             point = {select(v.shows_gloss, shifted.x, rest), select(v.shows_gloss, shifted.y, u.y)};
         }
         const M now = j == 0 ? wanted : v.shows_gloss;

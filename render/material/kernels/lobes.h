@@ -11,6 +11,21 @@ struct LayersOf {
     typename L::Value transmission;
     AlbedoNumbers tables;
     typename L::Int first;  // of the material's numbers in each of the tables
+
+    /// Calls `visit` with each number of the layers but glass, always in the same order.
+    template <class Layers, class Visit>
+    CAROM_KERNEL static void each_number(Layers& layers, const Visit& visit) {
+        visit(layers.coat_weight);
+        visit(layers.coat_ior);
+        visit(layers.coat_alpha);
+        visit(layers.sheen);
+        visit(layers.sheen_colour.x);
+        visit(layers.sheen_colour.y);
+        visit(layers.sheen_colour.z);
+        visit(layers.metal);
+        visit(layers.specular);
+        visit(layers.alpha);
+    }
 };
 
 /// See LobeWeights.
@@ -28,6 +43,11 @@ struct LobesOf {
     bool any_sheen;   // false: no lane has sheen
     bool any_facets;  // false: no lane has metal or a highlight
     bool any_rough_coat;
+
+    /// false: no lane has another lobe than the diffuse one and specular ones.
+    [[nodiscard]] CAROM_KERNEL bool any_glossy() const {
+        return any_sheen || any_facets || any_rough_coat;
+    }
 };
 
 /// Reflectance of a facet at `cosine`, metal and highlight together.
@@ -142,6 +162,41 @@ CAROM_KERNEL LobesOf<L> weigh_lobes(const LayersOf<L>& layers, const Three<typen
         lobes.coat_choice = L::select(is_coated, chosen, zero);
     }
     return lobes;
+}
+
+/// What kinds of lobes a surface has besides glass.
+template <class L>
+struct LobeKindsOf {
+    typename L::Mask coat_scatters, base_scatters;  // not only specularly
+    typename L::Mask is_narrow;                     // some lobe is, but not specular
+
+    [[nodiscard]] CAROM_KERNEL typename L::Mask scatters() const {
+        return L::either(coat_scatters, base_scatters);
+    }
+};
+
+template <class L>
+CAROM_KERNEL LobeKindsOf<L> kinds_of_lobes(const LayersOf<L>& layers, const LobesOf<L>& lobes) {
+    const auto zero = L::all(0);
+    const auto is_narrow = [](typename L::Value alpha) CAROM_KERNEL_ATTRIBUTE {
+        return L::is_less(alpha, L::all(kBroadAlpha));
+    };
+    LobeKindsOf<L> kinds;
+    kinds.coat_scatters = lobes.has_rough_coat;
+    kinds.base_scatters =
+        L::either(L::is_less(zero, lobes.choose_diffuse), L::is_less(zero, lobes.choose_sheen));
+    kinds.is_narrow = L::is_less(zero, zero);
+    if (lobes.any_facets) {
+        const auto has_rough_facets =
+            L::both(L::is_less(zero, lobes.facets), L::is_less(zero, layers.alpha));
+        kinds.base_scatters = L::either(kinds.base_scatters, has_rough_facets);
+        kinds.is_narrow = L::both(has_rough_facets, is_narrow(layers.alpha));
+    }
+    if (lobes.any_rough_coat) {
+        kinds.is_narrow =
+            L::either(kinds.is_narrow, L::both(lobes.has_rough_coat, is_narrow(layers.coat_alpha)));
+    }
+    return kinds;
 }
 
 /// BSDF times cosine of `wi`, and the density of sampling it.

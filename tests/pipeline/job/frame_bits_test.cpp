@@ -1,10 +1,12 @@
 // Checks that the pixels of the example films do not depend on how they are computed.
 #include <algorithm>
 #include <filesystem>
+#include <string_view>
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
+#include "render/acceleration/vector_tier.h"
 #include "render/frame/frame.h"
 #include "render/frame/progressive_frame.h"
 #include "tests/pipeline/job/example_frames.h"
@@ -76,6 +78,37 @@ TEST_P(ExampleBits, WiderVectorsAndSamplesInRounds_GiveTheSameBits) {
     for (const std::int64_t frame : frames_of(film, GetParam())) {
         expect_same_bits_in_wider_vectors(film, frame);
         expect_same_bits_in_rounds(film, frame);
+    }
+}
+
+/// The middle frame with a tier; empty if the machine lacks it.
+std::vector<float> pixels_with(const ExampleFilm& film, std::string_view option) {
+    const std::string_view tier = render::tier_named(option);
+    if (!render::machine_has_tier(tier)) {
+        return {};
+    }
+    const render::TierLimit limit(tier);
+    return film.render(film.frame_count() / 2).rgba;
+}
+
+// The tiers differ only in that AVX2 follows many paths of `path` in step.
+TEST(FrameBits, TiersBelowAvx2_GiveTheSameBits) {
+    const std::string examples = CAROM_SOURCE_DIR "/examples/";
+    for (const char* name : {"jump_shot.yaml", "distributed.yaml"}) {
+        const ScratchFolder bakes;
+        ExampleFilm film(examples + name, bakes.path());
+        film.shot.render.samples = 1;
+        film.shot.render.distributed.pixel_samples = 1;
+        film.shot.render.distributed.blur_samples = 1;
+        film.shot.render.distributed.lens_samples = 1;
+        const std::vector<float> expected = pixels_with(film, "scalar");
+        for (const std::string_view option : {"ssse3", "sse4", "avx2"}) {
+            const std::vector<float> pixels = pixels_with(film, option);
+            const bool is_in_step = option == "avx2" && std::string(name) == "jump_shot.yaml";
+            if (!pixels.empty() && !is_in_step) {
+                EXPECT_EQ(differing_pixels(pixels, expected), 0) << name << ", " << option;
+            }
+        }
     }
 }
 

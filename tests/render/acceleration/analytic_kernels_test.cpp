@@ -1,12 +1,15 @@
 #include "render/acceleration/analytic_kernels.h"
 
 #include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <hwy/highway.h>
 
 #include "render/acceleration/hybrid_structure.h"
 #include "render/acceleration/vector_tier.h"
+#include "render/geometry/intersect.h"
+#include "tests/render/acceleration/owned_batch.h"
 #include "tests/render/acceleration/random_shapes.h"
 
 namespace carom::render {
@@ -28,40 +31,103 @@ class OtherTier {
     }
 };
 
-TEST(AnalyticKernels, EveryTier_FindsTheSameShapes) {
+/// The nearest hits of rays alone, under a tree and in a batch, and whether each ray hits anything.
+struct Answers {
+    std::vector<Hit> alone, in_tree, in_batch;
+    std::vector<bool> any;
+
+    Answers(const ShapeSet& shapes, const std::vector<Ray>& rays) : in_batch(rays.size()) {
+        constexpr std::size_t kNeverATree = 100'000;
+        const HybridStructure structure(shapes, kNeverATree);
+        const HybridStructure tree(shapes, 0);
+        for (const Ray& ray : rays) {
+            static_cast<void>(structure.closest_hit(ray, alone.emplace_back()));
+            static_cast<void>(tree.closest_hit(ray, in_tree.emplace_back()));
+            any.push_back(structure.any_hit(ray));
+        }
+        const test::OwnedBatch batch(rays);
+        structure.closest_hits(batch.rays(), in_batch.data());
+    }
+};
+
+bool is_same(const Hit& a, const Hit& b) {
+    return a.object == b.object && a.t == b.t && a.primitive == b.primitive && a.u == b.u &&
+           a.v == b.v;
+}
+
+TEST(AnalyticKernels, EveryTier_GivesTheSameBits) {
     test::TestRandom random(1);
     test::RandomScene scene;
     scene.add_static(random, 9);
     scene.add_moving(random, 6);
-    scene.shapes.moving.clear();
-    const HybridStructure best(scene.shapes);
+    scene.add_static_meshes(random, 2);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 20'000; ++i) {
+        rays.push_back(test::random_ray_toward(random, 3, 2));
+    }
+    const Answers best(scene.shapes, rays);
     // The lowest target is called SCALAR by g++ and EMU128 by clang.
-    for (const std::int64_t target : {HWY_SSE4, HWY_SCALAR, HWY_EMU128}) {
-        if ((HWY_TARGETS & target) == 0) {
+    for (const std::int64_t target : {HWY_AVX2, HWY_SSE4, HWY_SSSE3, HWY_SCALAR, HWY_EMU128}) {
+        if ((HWY_TARGETS & target) == 0 || !machine_has_tier(hwy::TargetName(target))) {
             continue;
         }
         const OtherTier tier(target);
         EXPECT_EQ(simd_tier(), std::string_view(hwy::TargetName(target)));
-        const HybridStructure other(scene.shapes);
-        int differing = 0;
-        for (int i = 0; i < 20'000; ++i) {
-            const Ray ray = test::random_ray_toward(random, 3, 2);
-            Hit a;
-            Hit b;
-            const bool found = best.closest_hit(ray, a);
-            ASSERT_EQ(best.any_hit(ray), found);
-            ASSERT_EQ(other.any_hit(ray), other.closest_hit(ray, b));
-            if (a.object != b.object) {
-                ++differing;  // next to an edge or silhouette, where fused rounding decides
-                continue;
-            }
-            if (found && a.t < 100) {  // beyond are rays that are almost in the plane
-                ASSERT_NEAR(a.t, b.t, 1e-4f * (1 + a.t));
-            }
+        const Answers other(scene.shapes, rays);
+        int hits = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            hits += best.alone[i].object != kNoObject ? 1 : 0;
+            ASSERT_TRUE(is_same(best.alone[i], other.alone[i])) << simd_tier() << ", ray " << i;
+            ASSERT_TRUE(is_same(best.alone[i], other.in_tree[i])) << simd_tier() << ", ray " << i;
+            ASSERT_TRUE(is_same(best.alone[i], other.in_batch[i])) << simd_tier() << ", ray " << i;
+            ASSERT_EQ(best.any[i], other.any[i]) << simd_tier() << ", ray " << i;
         }
-        EXPECT_LE(differing, 2);
+        EXPECT_GT(hits, 10'000);
     }
     EXPECT_EQ(simd_tier(), best_kernels().tier);
+}
+
+/// Every ray must hit the shapes of a kind at the distance that a single ray's test finds.
+template <class Shape>
+void compare_with_single_rays(const AnalyticBlocks& blocks, const std::vector<Ray>& rays) {
+    int hits = 0;
+    const BlockList<Shape>& list = blocks.of<Shape>();
+    for (std::uint32_t index = 0; index < list.size; ++index) {
+        const auto& block = list.blocks[index / kBlockLanes];
+        const int lane = static_cast<int>(index % kBlockLanes);
+        if (block.one_sided.values[lane] != 0) {
+            continue;
+        }
+        const Affine unit_from_world = block.unit_from_world(lane);
+        for (const Ray& ray : rays) {
+            const UnitRay in_unit{unit_from_world.point(ray.origin),
+                                  unit_from_world.vector(ray.direction), ray.t_min, ray.t_max};
+            const auto expected =
+                intersect_unit_shape<Shape::kKind>(in_unit, block.profile_of(lane));
+            float t = ray.t_max;
+            const bool found = best_kernels().one(blocks, kLaneShape<Shape>, index, ray, t);
+            EXPECT_EQ(found, expected.has_value());
+            EXPECT_EQ(t, expected.value_or(ray.t_max));
+            hits += found ? 1 : 0;
+        }
+    }
+    EXPECT_GT(hits, 100) << static_cast<int>(Shape::kKind);
+}
+
+TEST(AnalyticKernels, Lanes_GiveTheBitsOfSingleRays) {
+    test::TestRandom random(2);
+    test::RandomScene scene;
+    scene.add_static(random, 9);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 50'000; ++i) {
+        rays.push_back(test::random_ray_toward(random, 3, 2));
+        rays.back().t_min = i % 5 == 0 ? random.between(0, 3) : 0;
+        rays.back().t_max = i % 3 == 0 ? random.between(0.1f, 5) : kInfinity;
+    }
+    const auto compare_all = [&]<class... Shapes>(ShapeList<Shapes...>) {
+        (compare_with_single_rays<Shapes>(scene.shapes.blocks, rays), ...);
+    };
+    compare_all(UnitShapes());
 }
 
 TEST(AnalyticKernels, NoTierAboveAvx2) {

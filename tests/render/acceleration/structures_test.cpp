@@ -237,9 +237,9 @@ Hit nearest_sphere(const std::vector<sim::Track>& tracks, const std::vector<floa
     Hit best;
     for (std::uint32_t i = 0; i < tracks.size(); ++i) {
         const Vec3 centre = tracks[i].sample(static_cast<double>(ray.time)).position;
-        const RaySegment<double> segment{Vec3(ray.origin) - centre, Vec3(ray.direction), 0,
-                                         std::numeric_limits<double>::infinity()};
-        const auto t = intersect_sphere(segment, static_cast<double>(radii[i]));
+        const auto radius = static_cast<double>(radii[i]);
+        const auto t = intersect_unit_shape<ShapeKind::ball>(
+            RaySegment<double>{(Vec3(ray.origin) - centre) / radius, Vec3(ray.direction) / radius});
         if (t && static_cast<float>(*t) < best.t) {
             best = {static_cast<float>(*t), i, 0, 0, 0};
         }

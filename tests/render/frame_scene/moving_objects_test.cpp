@@ -86,13 +86,8 @@ std::optional<double> expected_hit(const MotionState& state, const Vec3& half, c
     const Quat back = ~state.orientation;
     const Vec3 origin = back.rotateVector(Vec3(ray.origin) - state.position);
     const Vec3 direction = back.rotateVector(Vec3(ray.direction));
-    const Vec3 inverse(finite_reciprocal(direction.x), finite_reciprocal(direction.y),
-                       finite_reciprocal(direction.z));
-    const auto crossing = cross_box(origin, inverse, -half, half);
-    if (!crossing || crossing->leave <= 0) {
-        return std::nullopt;
-    }
-    return crossing->enter > 0 ? crossing->enter : crossing->leave;
+    return intersect_unit_shape<ShapeKind::box>(
+        RaySegment<double>{origin / half, direction / half});
 }
 
 void expect_box_hits(const SceneBuilder& builder, const Vec3& half, AccelerationKind kind) {

@@ -14,20 +14,20 @@ V3f random_vector(test::TestRandom& random) {
     return V3f(x, y, z);
 }
 
-TEST(IntersectSphere, FromOutsideAndInside_NearestBeyondTMin) {
-    const RaySegment<float> outside{V3f(-3, 0, 0), V3f(1, 0, 0)};
-    EXPECT_FLOAT_EQ(*intersect_sphere(outside, 1.f), 2);
-    const RaySegment<float> inside{V3f(0, 0, 0), V3f(0, 1, 0)};
-    EXPECT_FLOAT_EQ(*intersect_sphere(inside, 1.f), 1);
-    const RaySegment<float> behind{V3f(3, 0, 0), V3f(1, 0, 0)};
-    EXPECT_FALSE(intersect_sphere(behind, 1.f));
-    const RaySegment<float> late{V3f(-3, 0, 0), V3f(1, 0, 0), 2.5f, 3.5f};
-    EXPECT_FALSE(intersect_sphere(late, 1.f));
-    const RaySegment<float> scaled{V3f(-3, 0, 0), V3f(4, 0, 0)};
-    EXPECT_FLOAT_EQ(*intersect_sphere(scaled, 1.f), 0.5f);
+template <class T>
+std::optional<T> hit_ball(const RaySegment<T>& ray) {
+    return intersect_unit_shape<ShapeKind::ball>(ray);
 }
 
-TEST(IntersectSphere, FarAway_FloatFindsTheSurface) {
+TEST(IntersectBall, FromOutsideAndInside_NearestBeyondTMin) {
+    EXPECT_FLOAT_EQ(*hit_ball(UnitRay{V3f(-3, 0, 0), V3f(1, 0, 0)}), 2);
+    EXPECT_FLOAT_EQ(*hit_ball(UnitRay{V3f(0, 0, 0), V3f(0, 1, 0)}), 1);
+    EXPECT_FALSE(hit_ball(UnitRay{V3f(3, 0, 0), V3f(1, 0, 0)}));
+    EXPECT_FALSE(hit_ball(UnitRay{V3f(-3, 0, 0), V3f(1, 0, 0), 2.5f, 3.5f}));
+    EXPECT_FLOAT_EQ(*hit_ball(UnitRay{V3f(-3, 0, 0), V3f(4, 0, 0)}), 0.5f);
+}
+
+TEST(IntersectBall, FarAway_FloatFindsTheSurface) {
     // The textbook discriminant b^2 - c is useless at this distance: in float its error is a
     // thousand squared radii times 1e-7.
     test::TestRandom random(1);
@@ -35,8 +35,8 @@ TEST(IntersectSphere, FarAway_FloatFindsTheSurface) {
         const V3f origin = 1000.f * random_vector(random);
         const V3f aim = 0.6f * random_vector(random);
         const V3f direction = (aim - origin).normalized();
-        const auto t = intersect_sphere(RaySegment<float>{origin, direction}, 1.f);
-        const auto exact = intersect_sphere(RaySegment<double>{Vec3(origin), Vec3(direction)}, 1.0);
+        const auto t = hit_ball(UnitRay{origin, direction});
+        const auto exact = hit_ball(RaySegment<double>{Vec3(origin), Vec3(direction)});
         // The aim is rounded to 1e-4 at this distance; most rays pass well inside.
         if (aim.length() < 0.9f) {
             ASSERT_TRUE(t && exact);
@@ -45,54 +45,91 @@ TEST(IntersectSphere, FarAway_FloatFindsTheSurface) {
     }
 }
 
-TEST(IntersectBox, SixFaces_AreNamed) {
-    const V3f low(-1, -2, -3);
-    const V3f high(1, 2, 3);
+std::optional<float> hit_box(const V3f& origin, const V3f& direction) {
+    return intersect_unit_shape<ShapeKind::box>(UnitRay{origin, direction});
+}
+
+TEST(IntersectBox, SixFaces_FromOutsideAndInside) {
     for (int axis = 0; axis < 3; ++axis) {
-        for (const int side : {0, 1}) {
-            RaySegment<float> ray{V3f(0.1f, 0.2f, 0.3f), V3f(0, 0, 0)};
-            ray.origin[axis] = side == 0 ? -10.f : 10.f;
-            ray.direction[axis] = side == 0 ? 1.f : -1.f;
-            const auto hit = intersect_box(ray, low, high);
-            ASSERT_TRUE(hit);
-            EXPECT_EQ(hit->face, 2 * axis + side);
-            EXPECT_FLOAT_EQ(hit->t, 10 - high[axis]);
-            // From inside, the opposite face is hit.
-            ray.origin[axis] = 0;
-            const auto leaving = intersect_box(ray, low, high);
-            ASSERT_TRUE(leaving);
-            EXPECT_EQ(leaving->face, 2 * axis + 1 - side);
-            EXPECT_FLOAT_EQ(leaving->t, high[axis]);
+        for (const float side : {-1.f, 1.f}) {
+            V3f origin(0.1f, 0.2f, 0.3f);
+            origin[axis] = 10 * side;
+            V3f direction(0, 0, 0);
+            direction[axis] = -side;
+            ASSERT_TRUE(hit_box(origin, direction));
+            EXPECT_FLOAT_EQ(*hit_box(origin, direction), 9);
+            EXPECT_FALSE(hit_box(origin, -direction));
+            origin[axis] = 0.25f * side;  // the opposite face is hit
+            ASSERT_TRUE(hit_box(origin, direction));
+            EXPECT_FLOAT_EQ(*hit_box(origin, direction), 1.25f);
         }
     }
 }
 
 TEST(IntersectBox, RayAlongAFace_IsDecidedWithoutNaN) {
-    const auto at = [](float y) {
-        return intersect_box(RaySegment<float>{V3f(-5, y, 0), V3f(1, 0, 0)}, V3f(-1), V3f(1));
-    };
+    const auto at = [](float y) { return hit_box(V3f(-5, y, 0), V3f(1, 0, 0)); };
     ASSERT_TRUE(at(0.999f));
-    EXPECT_FLOAT_EQ(at(0.999f)->t, 4);
+    EXPECT_FLOAT_EQ(*at(0.999f), 4);
     EXPECT_FALSE(at(1.001f));
-    EXPECT_TRUE(!at(1) || at(1)->t == 4);  // within the face itself both answers are right
+    EXPECT_TRUE(!at(1) || *at(1) == 4);  // within the face itself both answers are right
 }
 
 TEST(IntersectPlane, ParallelRay_Misses) {
-    EXPECT_FALSE(intersect_plane(RaySegment<float>{V3f(0, 0, 0), V3f(1, 0, 0)}));
-    EXPECT_FALSE(intersect_plane(RaySegment<float>{V3f(0, 0, 1), V3f(1, 0, 0)}));
-    EXPECT_FLOAT_EQ(*intersect_plane(RaySegment<float>{V3f(5, 5, 2), V3f(0, 0, -1)}), 2);
-    EXPECT_FLOAT_EQ(*intersect_plane(RaySegment<float>{V3f(5, 5, -2), V3f(0, 0, 1)}), 2);
+    const auto hit = [](const V3f& origin, const V3f& direction) {
+        return intersect_unit_shape<ShapeKind::plane>(UnitRay{origin, direction});
+    };
+    EXPECT_FALSE(hit(V3f(0, 0, 0), V3f(1, 0, 0)));
+    EXPECT_FALSE(hit(V3f(0, 0, 1), V3f(1, 0, 0)));
+    EXPECT_FLOAT_EQ(*hit(V3f(5, 5, 2), V3f(0, 0, -1)), 2);
+    EXPECT_FLOAT_EQ(*hit(V3f(5, 5, -2), V3f(0, 0, 1)), 2);
 }
 
 TEST(IntersectRectangle, EdgesAndCorners_BelongToIt) {
-    const V2f half(2, 1);
     const auto at = [&](float x, float y) {
-        return intersect_rectangle(RaySegment<float>{V3f(x, y, 3), V3f(0, 0, -1)}, half);
+        return intersect_unit_shape<ShapeKind::rectangle>(UnitRay{V3f(x, y, 3), V3f(0, 0, -1)});
     };
     EXPECT_TRUE(at(0, 0));
-    EXPECT_TRUE(at(2, 1));
-    EXPECT_FALSE(at(2.001f, 0));
+    EXPECT_TRUE(at(1, -1));
+    EXPECT_FALSE(at(1.001f, 0));
     EXPECT_FALSE(at(0, -1.001f));
+}
+
+/// The fraction of rays for which float and double differ by more than 1e-3 of the shape's size.
+template <ShapeKind kKind>
+double unlike_double(const V3f& profile) {
+    constexpr int kRays = 50'000;
+    test::TestRandom random(5);
+    int hits = 0;
+    int unlike = 0;
+    for (int i = 0; i < kRays; ++i) {
+        const float far = i % 4 == 0 ? 100.f : 4.f;
+        const V3f origin = far * random_vector(random);
+        const V3f direction = (2.f * random_vector(random) - origin).normalized();
+        const auto narrow = intersect_unit_shape<kKind>(UnitRay{origin, direction}, profile);
+        const auto exact = intersect_unit_shape<kKind>(
+            RaySegment<double>{Vec3(origin), Vec3(direction)}, Vec3(profile));
+        const bool is_alike =
+            narrow.has_value() == exact.has_value() &&
+            (!exact || std::abs(static_cast<double>(*narrow) - *exact) < 1e-3 * (1 + *exact));
+        hits += exact ? 1 : 0;
+        unlike += is_alike ? 0 : 1;
+    }
+    EXPECT_GT(hits, kRays / 50);
+    return static_cast<double>(unlike) / hits;
+}
+
+TEST(IntersectUnitShape, EveryKind_FloatAgreesWithDouble) {
+    constexpr double kGrazing = 2e-4;  // rays along an edge or silhouette
+    EXPECT_LT(unlike_double<ShapeKind::ball>(V3f(0)), kGrazing);
+    EXPECT_LT(unlike_double<ShapeKind::box>(V3f(0)), kGrazing);
+    EXPECT_LT(unlike_double<ShapeKind::rectangle>(V3f(0)), kGrazing);
+    EXPECT_LT(unlike_double<ShapeKind::triangle>(V3f(0)), kGrazing);
+    EXPECT_LT(unlike_double<ShapeKind::disk>(V3f(0)), kGrazing);
+    EXPECT_LT(unlike_double<ShapeKind::frustum>(V3f(1, 0, 0)), kGrazing);
+    EXPECT_LT(unlike_double<ShapeKind::frustum>(V3f(0.5f, -0.5f, 0)), kGrazing);
+    EXPECT_LT(unlike_double<ShapeKind::capsule>(V3f(1.5f, 0, 0)), kGrazing);
+    EXPECT_LT(unlike_double<ShapeKind::rounded_box>(V3f(0.2f, 1, 0)), kGrazing);
+    EXPECT_LT(unlike_double<ShapeKind::plane>(V3f(0)), kGrazing);
 }
 
 TEST(IntersectTriangle, RandomRays_AgreeWithDouble) {

@@ -1,0 +1,55 @@
+// Rays against shapes in the plane z = 0, in lanes. Included as render/lanes/kernels/vectors.h is.
+
+/// The plane z = 0; a ray within the plane misses it.
+template <class L>
+CAROM_KERNEL DistanceOf<L> hit_unit_plane(const RayOf<L>& ray, typename L::Value t_min) {
+    const auto t = L::opposite_sign(ray.origin.z / ray.direction.z);
+    return {t, is_finite_beyond<L>(t_min, t)};
+}
+
+/// Where a ray crosses the plane z = 0.
+template <class L>
+struct PlanePointOf {
+    DistanceOf<L> distance;
+    typename L::Value x, y;
+
+    CAROM_KERNEL PlanePointOf(const RayOf<L>& ray, typename L::Value t_min)
+        : distance(hit_unit_plane<L>(ray, t_min)),
+          x(ray.origin.x + ray.direction.x * distance.t),
+          y(ray.origin.y + ray.direction.y * distance.t) {}
+
+    [[nodiscard]] CAROM_KERNEL DistanceOf<L> hit_where(typename L::Mask inside) const {
+        return {distance.t, L::both(inside, distance.valid)};
+    }
+};
+
+/// |x|, |y| <= 1. A one-sided rectangle (`one_sided` is not 0) is not seen by rays from below,
+/// z < 0.
+template <class L>
+CAROM_KERNEL DistanceOf<L> hit_unit_rectangle(const RayOf<L>& ray, typename L::Value t_min,
+                                              typename L::Value one_sided) {
+    const PlanePointOf<L> at(ray, t_min);
+    const auto inside =
+        L::both(L::is_at_most(L::size(at.x), L::all(1)), L::is_at_most(L::size(at.y), L::all(1)));
+    const auto is_visible =
+        L::either(L::is_less(ray.direction.z, L::all(0)), L::is_equal(one_sided, L::all(0)));
+    return at.hit_where(L::both(inside, is_visible));
+}
+
+/// x, y >= 0 and x + y <= 1. The edges are widened by a few roundings, so that adjacent triangles
+/// leave no gap.
+template <class L>
+CAROM_KERNEL DistanceOf<L> hit_unit_triangle(const RayOf<L>& ray, typename L::Value t_min) {
+    const PlanePointOf<L> at(ray, t_min);
+    const auto low = L::all(-kTriangleMargin);
+    const auto high = L::all(1 + kTriangleMargin);
+    return at.hit_where(L::both(L::both(L::is_at_most(low, at.x), L::is_at_most(low, at.y)),
+                                L::is_at_most(at.x + at.y, high)));
+}
+
+/// x^2 + y^2 <= 1.
+template <class L>
+CAROM_KERNEL DistanceOf<L> hit_unit_disk(const RayOf<L>& ray, typename L::Value t_min) {
+    const PlanePointOf<L> at(ray, t_min);
+    return at.hit_where(L::is_at_most(at.x * at.x + at.y * at.y, L::all(1)));
+}
