@@ -93,9 +93,10 @@ void FrameStore::mark_used(const Hash128& key) const {
     }
 }
 
-std::optional<render::Film> FrameStore::read(const Hash128& key) const {
-    const std::string path = path_of(key);
-    switch (verify_checksum(path, key)) {
+template <class Decode>
+std::optional<render::Film> FrameStore::decoded(const std::string& path, const Hash128& key,
+                                                FrameFileState state, const Decode& decode) const {
+    switch (state) {
         case FrameFileState::missing:
             return std::nullopt;
         case FrameFileState::damaged:
@@ -105,31 +106,22 @@ std::optional<render::Film> FrameStore::read(const Hash128& key) const {
             break;
     }
     try {
-        return render::read_exr(path);
+        return decode();
     } catch (const Error& error) {
         discard(path, undecodable(error));
         return std::nullopt;
     }
 }
 
+std::optional<render::Film> FrameStore::read(const Hash128& key) const {
+    const std::string path = path_of(key);
+    return decoded(path, key, verify_checksum(path, key), [&] { return render::read_exr(path); });
+}
+
 std::optional<render::Film> FrameStore::read_noisy(const Hash128& key) const {
     const std::string path = file_of(key, kNoisyExtension);
     const CheckedContents contents = read_checked(path, key);
-    switch (contents.state) {
-        case FrameFileState::missing:
-            return std::nullopt;
-        case FrameFileState::damaged:
-            discard(path, describe_damage(path, key));
-            return std::nullopt;
-        case FrameFileState::intact:
-            break;
-    }
-    try {
-        return render::unpack_film(contents.bytes);
-    } catch (const Error& error) {
-        discard(path, undecodable(error));
-        return std::nullopt;
-    }
+    return decoded(path, key, contents.state, [&] { return render::unpack_film(contents.bytes); });
 }
 
 void FrameStore::write(const Hash128& key, const render::Film& film,

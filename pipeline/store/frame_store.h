@@ -10,6 +10,7 @@
 #include "core/hash.h"
 #include "pipeline/store/cache_folder.h"
 #include "pipeline/store/claims.h"
+#include "pipeline/store/frame_checksum.h"
 #include "pipeline/store/partial_file.h"
 #include "render/film/film.h"
 #include "render/film/image_file.h"
@@ -92,6 +93,12 @@ class FrameStore {
 
   private:
     void discard(const std::string& path, const std::string& damage) const;
+    /// What `decode()` makes of an intact file; nothing if it is missing. A damaged file is
+    /// discarded.
+    template <class Decode>
+    [[nodiscard]] std::optional<render::Film> decoded(const std::string& path, const Hash128& key,
+                                                      FrameFileState state,
+                                                      const Decode& decode) const;
 
     std::string folder_;
     StoreAccess access_;
