@@ -27,8 +27,8 @@ FrameWork::FrameWork(const PreparedScene& scene, std::span<const sim::Track> tra
       frame_(frame),
       frame_scene_(checked(scene, frame, settings).geometry, tracks, frame.scene_open,
                    frame.scene_close, options),
-      transport_{frame_scene_, scene.data().materials, scene.data().lights,
-                 scene.data().object_count},
+      lights_(scene.data().lights.in_frame(frame_scene_.motions())),
+      transport_{frame_scene_, scene.data().materials, lights_, scene.data().object_count},
       tiles_(settings, frame, transport_) {}
 
 Film FrameWork::empty_film() const {

@@ -49,6 +49,7 @@ class FrameWork {
     RenderSettings settings_;
     FrameInput frame_;
     FrameScene frame_scene_;
+    LightSet lights_;
     TransportScene transport_;
     TileRenderer tiles_;
 };

@@ -89,7 +89,7 @@ RadianceSample PathIntegrator::seen(const Path& path, const Hit& hit) const {
     const Material& material = scene_.materials[point.material];
     const float cosine = -point.geometric_normal.dot(path.ray.direction);
     if (cosine > 0 && material.is_emissive()) {
-        result.light = direct_.hit_emitter(path, hit, material.emission(), cosine);
+        result.light = direct_.hit_emitter(path, hit, material.emission(), point.geometric_normal);
     }
     Path arrived = path;
     arrived.width += path.spread * hit.t;
@@ -231,8 +231,9 @@ void PathIntegrator::add_emission(const Path& path, const Hit& hit, PathWork& wo
     const float cosine = -point.geometric_normal.dot(path.ray.direction);
     const Material& material = scene_.materials[point.material];
     if (cosine > 0 && material.is_emissive()) {
-        work.add(path.throughput * direct_.hit_emitter(path, hit, material.emission(), cosine),
-                 path.vertex);
+        const V3f light =
+            direct_.hit_emitter(path, hit, material.emission(), point.geometric_normal);
+        work.add(path.throughput * light, path.vertex);
     }
 }
 
