@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/colour.h"
+#include "core/elementary.h"
 #include "render/light/scalar_kernels.h"
 
 namespace carom::render {
@@ -98,7 +99,7 @@ double set_rounded(EmissiveShapeConstants& shape) {
     shape.is_symmetric = true;
     const double pi = static_cast<double>(kPi);
     // The map of a rounded shape without shear stretches all areas alike.
-    const double scale = std::pow(static_cast<double>(shape.volume_scale), 2.0 / 3);
+    const double scale = power(static_cast<double>(shape.volume_scale), 2.0 / 3);
     const double x = static_cast<double>(shape.profile.x);
     const double y = static_cast<double>(shape.profile.y);
     const double z = static_cast<double>(shape.profile.z);
@@ -128,8 +129,8 @@ std::optional<EmissiveShape> EmissiveShape::make(const Description& shape, const
     made.profile = shape.kind == ShapeKind::capsule ? V3f(0, 0, shape.profile.x) : shape.profile;
     double area = 0;
     if (*kind == Kind::sphere || *kind == Kind::ellipsoid) {
-        area = 4 * static_cast<double>(kPi) *
-               std::pow(static_cast<double>(made.volume_scale), 2.0 / 3);
+        area =
+            4 * static_cast<double>(kPi) * power(static_cast<double>(made.volume_scale), 2.0 / 3);
     } else if (*kind == Kind::disk) {
         area = set_disk(made);
     } else if (*kind == Kind::frustum) {

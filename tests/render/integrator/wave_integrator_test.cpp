@@ -280,6 +280,16 @@ std::vector<WaveCase> wave_cases() {
                      }});
     cases.push_back(
         {"PaintAndMeshes", with_lights([](SceneBuilder& builder) { add_paint(builder); })});
+    cases.push_back({"ClearGlass",
+                     with_lights([](SceneBuilder& builder) {
+                         StandardMaterial glass;
+                         glass.transmission = 1;
+                         glass.roughness = 0;
+                         builder.material("clear", glass);
+                         builder.sphere("lens", 0.12, Vec3(0.3, -0.4, 0.16), "clear");
+                         builder.sphere("rolling lens", 0.1, Vec3(0, 0, 0), "clear", "moving");
+                     }),
+                     {.max_bounces = 4}});
     cases.push_back({"EightBounces", with_lights([](SceneBuilder&) {}), {.max_bounces = 8}});
     cases.push_back({"WhiteRoomWithRoulette", with_lights(add_white_room), {.max_bounces = 8}});
     cases.push_back({"DirectLightOnly", with_lights([](SceneBuilder&) {}), {.max_bounces = 0}});
