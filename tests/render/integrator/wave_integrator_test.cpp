@@ -286,6 +286,9 @@ std::vector<WaveCase> wave_cases() {
                          glass.transmission = 1;
                          glass.roughness = 0;
                          builder.material("clear", glass);
+                         builder.scene.lights.push_back(
+                             {"point", render::PointLight{Vec3(0.4, 0.5, 0.9), Vec3(1, 1, 1)}});
+                         builder.bulb(Vec3(-0.2, 0.6, 1.2), 0.01, 300);
                          builder.sphere("lens", 0.12, Vec3(0.3, -0.4, 0.16), "clear");
                          builder.sphere("rolling lens", 0.1, Vec3(0, 0, 0), "clear", "moving");
                      }),
