@@ -16,6 +16,9 @@ struct Aov {
     bool is_seen_by_centre;
 };
 
+constexpr std::string_view kVariance = "variance";
+constexpr std::string_view kVarianceChannel = "variance.X";
+
 // A name of more than one letter ends in ".X" or similar: compositors take the part before the last
 // dot as the layer and drop channels without one.
 constexpr std::array<Aov, 7> kAovs{{{"depth", {"Z"}, true},
@@ -24,7 +27,7 @@ constexpr std::array<Aov, 7> kAovs{{{"depth", {"Z"}, true},
                                     {"motion", {"motion.X", "motion.Y"}, true},
                                     {"object_id", {"object_id.X"}, true},
                                     {"material_id", {"material_id.X"}, true},
-                                    {"variance", {"variance.X"}, false}}};
+                                    {kVariance, {kVarianceChannel}, false}}};
 
 constexpr std::string_view kObjectMatte = "cryptomatte_object";
 constexpr std::string_view kMaterialMatte = "cryptomatte_material";
@@ -137,6 +140,21 @@ MatteRanks AovPlanes::ranks(const PixelMeans& means, const std::vector<float>& i
                          static_cast<float>(entry.samples) / static_cast<float>(means.samples)});
     }
     return ranked(found);
+}
+
+bool AovPlanes::has_variance() const {
+    return std::find(names_.begin(), names_.end(), kVariance) != names_.end();
+}
+
+void AovPlanes::add_variance(const std::vector<float>& variance) {
+    if (!has_variance()) {
+        return;
+    }
+    const auto channel = std::find_if(channels_.begin(), channels_.end(),
+                                      [](const Channel& c) { return c.name == kVarianceChannel; });
+    for (std::size_t pixel = 0; pixel < channel->values.size(); ++pixel) {
+        channel->values[pixel] += variance[pixel];
+    }
 }
 
 void AovPlanes::write(int x, int y, const PixelMeans& means) {

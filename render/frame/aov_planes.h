@@ -50,7 +50,8 @@ struct PixelMeans {
 ///   motion     motion.X .Y       pixels (right, down) that the point moves from open to close
 ///   object_id  object_id.X       1 + index in the scene's objects, then its lights; 0: background
 ///   material_id material_id.X    1 + index in the scene's materials; 0: background, or a light
-///   variance   variance.X        of the pixel's mean luminance, as if samples were independent
+///   variance   variance.X        of the pixel's mean luminance, as if its samples were independent;
+///                                of splats as in splat_moments.h
 ///   cryptomatte_object, cryptomatte_material
 ///              CryptoObject00.R ... mattes by the names of objects and materials (cryptomatte.h)
 /// Depth, motion, object and material are those that the pixel's centre sees through the centre of
@@ -66,6 +67,12 @@ class AovPlanes {
     [[nodiscard]] bool needs_objects() const { return !notes_.empty(); }
 
     void write(int x, int y, const PixelMeans& means);
+
+    /// Whether the variance is among the channels.
+    [[nodiscard]] bool has_variance() const;
+    /// Adds the variance of light that pixels do not sample themselves, row by row, if the variance
+    /// is among the channels. Once all pixels are written, from one thread.
+    void add_variance(const std::vector<float>& variance);
 
     /// The channels in the order of `settings.aovs`.
     [[nodiscard]] std::vector<Channel> take() { return std::move(channels_); }

@@ -10,7 +10,6 @@
 #include "render/frame/adaptive_progress.h"
 #include "render/frame/frame_sums_data.h"
 #include "render/frame/frame_work.h"
-#include "render/frame/sample_plan.h"
 #include "render/frame/tile_loop.h"
 
 namespace carom::render {
@@ -77,7 +76,7 @@ void render_adaptively(const FrameWork& work, const WorkContext& context, FrameS
                 static_cast<double>(sums.seconds[static_cast<std::size_t>(tile)]));
         });
     if (sums.plan.empty()) {
-        sums.plan = plan_samples(sums.pixels, work.settings());
+        sums.plan = work.plan(sums.pixels, context);
     }
     progress.set_plan(tiles.further_samples(sums.plan));
     for_all_tiles(
@@ -125,7 +124,7 @@ Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks
     }
     Film film = std::move(planes.film);
     film.statistics = data.statistics;
-    work.add_reflections(film, planes.denoiser, context);
+    work.add_reflections(film, planes.denoiser, planes.aovs, context);
     film.aovs = planes.aovs.take();
     film.notes = planes.aovs.take_notes();
     planes.denoiser.append_to(film);

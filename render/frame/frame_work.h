@@ -6,6 +6,7 @@
 #include "core/progress.h"
 #include "render/frame/aov_planes.h"
 #include "render/frame/frame.h"
+#include "render/frame/splat_moments.h"
 #include "render/frame/tile_renderer.h"
 #include "render/frame_scene/frame_scene.h"
 #include "render/integrator/transport_scene.h"
@@ -37,18 +38,39 @@ class FrameWork {
     [[nodiscard]] DenoiserPlanes make_denoiser_planes() const;
 
     /// Adds the images of lights in balls, with as many samples as the pixels of `film` have on
-    /// average, and counts their rays in `film`; their halves to `planes` unless these are empty.
-    /// Throws Stopped.
-    void add_reflections(Film& film, DenoiserPlanes& planes, const WorkContext& context) const;
+    /// average, and counts their rays in `film`; their halves to `planes` and their variance to
+    /// `aovs`. Throws Stopped.
+    void add_reflections(Film& film, DenoiserPlanes& planes, AovPlanes& aovs,
+                         const WorkContext& context) const;
+
+    /// Adds the variance of these images to `aovs` alone, for pictures with so many `samples` per
+    /// pixel. Throws Stopped.
+    void add_reflections(AovPlanes& aovs, double samples, const WorkContext& context) const;
+
+    /// The samples of each pixel with adaptive sampling (sample_plan.h), from the first ones. The
+    /// images of lights in balls are traced for it; these rays are not counted. Throws Stopped.
+    [[nodiscard]] std::vector<int> plan(const std::vector<PixelSums>& pilot,
+                                        const WorkContext& context) const;
 
   private:
-    void add_reflections(Film& film, double samples, int half, RenderStatistics& statistics,
-                         const WorkContext& context) const;
+    /// A half of the samples, of which there are `samples` per pixel.
+    struct Half {
+        double samples = 0;
+        int index = 0;
+        float weight = 1;  // in the picture
+    };
+    using Images = std::vector<std::vector<Splat>>;
+    [[nodiscard]] Images trace_reflections(const Half& half, RenderStatistics& statistics,
+                                           const WorkContext& context) const;
+    /// One half with all samples, or two if the samples are taken in halves.
+    [[nodiscard]] std::vector<Half> halves(double samples) const;
+    [[nodiscard]] SplatMoments measured(double samples, const WorkContext& context) const;
 
     const PreparedScene& prepared_;
     RenderSettings settings_;
     FrameInput frame_;
     FrameScene frame_scene_;
+    LightSet lights_;
     TransportScene transport_;
     TileRenderer tiles_;
 };

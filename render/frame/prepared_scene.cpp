@@ -9,7 +9,8 @@
 #include <utility>
 
 #include "core/error.h"
-#include "render/frame_scene/static_triangles.h"
+#include "render/frame_scene/flat_faces.h"
+#include "render/frame_scene/scene_object.h"
 #include "render/threads/thread_arena.h"
 
 namespace carom::render {
@@ -91,13 +92,33 @@ SceneNames names_of(const SceneDescription& scene) {
     return names;
 }
 
+/// None for planes, which are too large to be sampled.
+std::optional<EmissiveObject> emissive_object(const StaticGeometry& geometry, std::uint32_t index,
+                                              const V3f& radiance) {
+    const SceneObject& object = geometry.object(index);
+    if (object.kind == ShapeKind::plane) {
+        return std::nullopt;
+    }
+    const auto shape = EmissiveShape::make(
+        {object.kind, object.is_round, object.half_size.x, object.frame.unit_from_world,
+         object.frame.world_from_unit, object.profile, object.bounding_radius},
+        radiance);
+    return shape ? EmissiveObject(*shape)
+                 : EmissiveObject(EmissiveSurface(flat_faces(geometry, index), radiance));
+}
+
 void add_shining_objects(LightSet& lights, const SceneDescription& scene,
                          const StaticGeometry& geometry, const std::vector<Material>& materials) {
     for (std::uint32_t object = 0; object < scene.objects.size(); ++object) {
         const Material& material = materials[geometry.material_of_object(object)];
-        if (material.is_emissive()) {
-            lights.add(object,
-                       EmissiveSurface(static_triangles(geometry, object), material.emission()));
+        if (!material.is_emissive()) {
+            continue;
+        }
+        const auto emissive = emissive_object(geometry, object, material.emission());
+        if (emissive && geometry.object(object).is_tracked()) {
+            lights.add_tracked(object, *emissive);
+        } else if (emissive) {
+            lights.add(object, *emissive);
         }
     }
 }

@@ -8,7 +8,6 @@
 #include "render/acceleration/flush_denormals.h"
 #include "render/frame/frame_sums_data.h"
 #include "render/frame/frame_work.h"
-#include "render/frame/sample_plan.h"
 #include "render/frame/tile_loop.h"
 
 namespace carom::render {
@@ -100,7 +99,7 @@ void ProgressiveFrame::refine(int up_to_samples, const WorkContext& context) {
         done = up_to_samples > first ? 0.5 : 1;
         data_->add_samples(std::min(up_to_samples, first), part_of(context, 0, done));
         if (data_->samples == first) {
-            data_->sums.plan = plan_samples(data_->sums.pixels, data_->work.settings());
+            data_->sums.plan = data_->work.plan(data_->sums.pixels, context);
         }
     }
     if (!data_->lacks_plan()) {
@@ -128,7 +127,8 @@ const RenderStatistics& ProgressiveFrame::statistics() const {
 /// Without planes for the denoiser, even if the settings ask for them.
 void ProgressiveFrame::Data::add_reflections(Film& film, const WorkContext& context) const {
     DenoiserPlanes planes = work.make_denoiser_planes();
-    work.add_reflections(film, planes, context);
+    AovPlanes no_aovs = work.make_aovs({});
+    work.add_reflections(film, planes, no_aovs, context);
 }
 
 Film ProgressiveFrame::picture(const WorkContext& context) const {
@@ -148,6 +148,9 @@ std::vector<Channel> ProgressiveFrame::channels(const std::string& aov,
     AovPlanes planes = data_->work.make_aovs({aov});
     data_->write_tiles(
         context, [&](int tile, const TileSums& sums) { data_->tiles().write(tile, sums, planes); });
+    const auto samples = static_cast<double>(data_->sums.statistics.camera_rays);
+    data_->work.add_reflections(planes, samples / static_cast<double>(data_->work.pixel_count()),
+                                context);
     return planes.take();
 }
 
@@ -161,7 +164,7 @@ Film ProgressiveFrame::film(const WorkContext& context) const {
         data_->tiles().write(tile, sums, denoiser);
     });
     film.statistics = data_->sums.statistics;
-    data_->work.add_reflections(film, denoiser, context);
+    data_->work.add_reflections(film, denoiser, planes, context);
     film.aovs = planes.take();
     film.notes = planes.take_notes();
     denoiser.append_to(film);

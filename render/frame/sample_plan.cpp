@@ -13,7 +13,7 @@ constexpr double kDarkest = 0.01;  // lower bound on the squared luminance in re
 
 }  // namespace
 
-double relative_variance(const PixelSums& pixel, int samples) {
+double relative_variance(const PixelSums& pixel, int samples, float more) {
     constexpr int kCount = PixelSums::kGroups;
     double mean = 0;
     for (const float sum : pixel.groups) {
@@ -24,6 +24,7 @@ double relative_variance(const PixelSums& pixel, int samples) {
         const double d = static_cast<double>(sum) * kCount / samples - mean;
         squares += d * d;
     }
+    mean += static_cast<double>(more);
     return squares / (kCount * (kCount - 1)) / (mean * mean + kDarkest);
 }
 
@@ -64,41 +65,66 @@ double wanted_samples(double deviation, double scale, const RenderSettings& sett
 namespace {
 
 double mean_square_error(const std::vector<double>& deviations, double scale,
-                         const RenderSettings& settings) {
+                         const RenderSettings& settings, double of_splats) {
     double sum = 0;
+    double samples = 0;
     for (const double deviation : deviations) {
-        sum += deviation * deviation / wanted_samples(deviation, scale, settings);
+        const double wanted = wanted_samples(deviation, scale, settings);
+        sum += deviation * deviation / wanted;
+        samples += wanted;
     }
-    return sum / static_cast<double>(deviations.size());
+    const double pixels = static_cast<double>(deviations.size());
+    return sum / pixels + of_splats * pixels / samples;
 }
 
 }  // namespace
 
-double samples_per_deviation(const std::vector<double>& deviations,
-                             const RenderSettings& settings) {
+double samples_per_deviation(const std::vector<double>& deviations, const RenderSettings& settings,
+                             double of_splats) {
     // Bisection: the error falls as the scale grows.
     const double target = settings.noise * settings.noise;
     double low = 0;
     double high = 1e9;
     for (int step = 0; step < 50; ++step) {
         const double middle = step < 20 ? std::sqrt((low + 1) * high) : 0.5 * (low + high);
-        (mean_square_error(deviations, middle, settings) > target ? low : high) = middle;
+        (mean_square_error(deviations, middle, settings, of_splats) > target ? low : high) = middle;
     }
     return high;
 }
 
-std::vector<int> plan_samples(const std::vector<PixelSums>& pilot, const RenderSettings& settings) {
+namespace {
+
+/// Of all pixels, for one sample per pixel; `splats` are those of `settings.samples`.
+double mean_relative_variance(const SplatMoments& splats, const std::vector<PixelSums>& pilot,
+                              const RenderSettings& settings) {
+    double sum = 0;
+    for (std::size_t i = 0; i < splats.variance().size(); ++i) {
+        double luminance = static_cast<double>(splats.mean()[i]);
+        for (const float group : pilot[i].groups) {
+            luminance += static_cast<double>(group) / settings.samples;
+        }
+        sum += static_cast<double>(splats.variance()[i]) / (luminance * luminance + kDarkest);
+    }
+    return sum * settings.samples / static_cast<double>(pilot.size());
+}
+
+}  // namespace
+
+std::vector<int> plan_samples(const std::vector<PixelSums>& pilot, const RenderSettings& settings,
+                              const SplatMoments& splats) {
     CAROM_ASSERT(settings.noise > 0 && settings.samples % PixelSums::kGroups == 0);
     std::vector<double> deviations;
     deviations.reserve(pilot.size());
-    for (const PixelSums& pixel : pilot) {
-        deviations.push_back(relative_variance(pixel, settings.samples));
+    for (std::size_t i = 0; i < pilot.size(); ++i) {
+        const float more = splats.empty() ? 0 : splats.mean()[i];
+        deviations.push_back(relative_variance(pilot[i], settings.samples, more));
     }
     deviations = around(deviations, settings.width, settings.height);
     for (double& value : deviations) {
         value = std::sqrt(value * settings.samples);  // of one sample
     }
-    const double scale = samples_per_deviation(deviations, settings);
+    const double scale = samples_per_deviation(deviations, settings,
+                                               mean_relative_variance(splats, pilot, settings));
     const int group = settings.samples / PixelSums::kGroups;
     const int quantum =
         settings.for_denoiser ? group + group % 2 : group;  // both halves grow alike

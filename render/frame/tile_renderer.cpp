@@ -237,7 +237,9 @@ std::vector<Splat> TileRenderer::reflection(std::size_t index, double samples, i
     return light_tracer_->splats(index, samples, seed_of_half(seed_, half), count);
 }
 
-void TileRenderer::add(const std::vector<Splat>& splats, Film& film) const {
+/// Calls pixel(index, density of its filter there) for the pixels on which the splat lands.
+template <class Pixel>
+void TileRenderer::for_each_pixel_of(const Splat& splat, const Pixel& pixel) const {
     const PixelFilterSampler& filter = camera_.filter();
     const auto filter_radius = static_cast<float>(0.5 * filter.width());
     const auto first = [&](float place) {
@@ -246,22 +248,37 @@ void TileRenderer::add(const std::vector<Splat>& splats, Film& film) const {
     const auto last = [&](float place, int size) {
         return std::min(size - 1, static_cast<int>(std::floor(place - 0.5f + filter_radius)));
     };
-    const auto density = [&](float place, int pixel) {
-        return filter.pdf_1d(static_cast<double>(place - 0.5f - static_cast<float>(pixel)));
+    const auto density = [&](float place, int at) {
+        return filter.pdf_1d(static_cast<double>(place - 0.5f - static_cast<float>(at)));
     };
-    for (const Splat& splat : splats) {
-        for (int y = first(splat.position.y); y <= last(splat.position.y, settings_.height); ++y) {
-            const double across = density(splat.position.y, y);
-            for (int x = first(splat.position.x); x <= last(splat.position.x, settings_.width);
-                 ++x) {
-                const auto weight = static_cast<float>(across * density(splat.position.x, x));
-                for (int channel = 0; channel < 3; ++channel) {
-                    film.rgba[4 * index(x, y) + static_cast<std::size_t>(channel)] +=
-                        weight * splat.flux[channel];
-                }
-            }
+    for (int y = first(splat.position.y); y <= last(splat.position.y, settings_.height); ++y) {
+        const double across = density(splat.position.y, y);
+        for (int x = first(splat.position.x); x <= last(splat.position.x, settings_.width); ++x) {
+            pixel(index(x, y), static_cast<float>(across * density(splat.position.x, x)));
         }
     }
+}
+
+void TileRenderer::add(const std::vector<Splat>& splats, Film& film) const {
+    for (const Splat& splat : splats) {
+        for_each_pixel_of(splat, [&](std::size_t pixel, float weight) {
+            for (int channel = 0; channel < 3; ++channel) {
+                film.rgba[4 * pixel + static_cast<std::size_t>(channel)] +=
+                    weight * splat.flux[channel];
+            }
+        });
+    }
+}
+
+void TileRenderer::add(const std::vector<Splat>& splats, float weight,
+                       SplatMoments& moments) const {
+    for (const Splat& splat : splats) {
+        const float flux = luminance(splat.flux);
+        for_each_pixel_of(splat, [&](std::size_t pixel, float density) {
+            moments.add(pixel, splat.quarter, density * flux);
+        });
+    }
+    moments.finish_image(weight);
 }
 
 }  // namespace carom::render

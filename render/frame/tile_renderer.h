@@ -16,6 +16,7 @@
 #include "render/frame/frame.h"
 #include "render/frame/pixel_sums.h"
 #include "render/frame/sample_queue.h"
+#include "render/frame/splat_moments.h"
 #include "render/integrator/integrator.h"
 #include "render/integrator/light_tracer.h"
 #include "render/integrator/transport_scene.h"
@@ -86,8 +87,12 @@ class TileRenderer {
     [[nodiscard]] std::vector<Splat> reflection(std::size_t index, double samples, int half,
                                                 RenderStatistics& count) const;
     void add(const std::vector<Splat>& splats, Film& film) const;
+    /// Adds an image; the picture gets `weight` times its light.
+    void add(const std::vector<Splat>& splats, float weight, SplatMoments& moments) const;
 
   private:
+    template <class Pixel>
+    void for_each_pixel_of(const Splat& splat, const Pixel& pixel) const;
     template <class Pixel>
     void for_each_pixel(int tile, const Pixel& pixel) const;
     [[nodiscard]] bool is_done(int tile, const TileSums& sums, const SampleLimit& limit) const;

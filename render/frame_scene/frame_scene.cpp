@@ -217,6 +217,10 @@ const SceneObject& FrameScene::object(std::uint32_t object) const {
     return data_->geometry->objects[object];
 }
 
+std::span<const std::shared_ptr<const RigidMotion>> FrameScene::motions() const {
+    return data_->motions;
+}
+
 bool FrameScene::moves(std::uint32_t object) const {
     return data_->motions[object] != nullptr;
 }

@@ -17,6 +17,7 @@
 namespace carom::render {
 
 struct SceneObject;    // render/frame_scene/scene_object.h
+class RigidMotion;     // render/geometry/rigid_motion.h
 class StaticGeometry;  // render/frame_scene/static_geometry.h: shared by all frames
 
 /// Moving spheres keep their exact paths (Hermite segments between impacts); static shapes come
@@ -61,6 +62,8 @@ class FrameScene {
 
     /// The object as described in the scene.
     [[nodiscard]] const SceneObject& object(std::uint32_t object) const;
+    /// By object: its motion during the shutter; null if it follows no track.
+    [[nodiscard]] std::span<const std::shared_ptr<const RigidMotion>> motions() const;
     /// Whether it follows a track.
     [[nodiscard]] bool moves(std::uint32_t object) const;
     [[nodiscard]] std::size_t object_count() const;

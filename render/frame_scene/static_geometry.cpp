@@ -172,6 +172,11 @@ std::optional<std::uint32_t> StaticGeometry::object_of_light(std::uint32_t light
     return data_->object_of_light[light];
 }
 
+const SceneObject& StaticGeometry::object(std::uint32_t object) const {
+    CAROM_ASSERT(object < data_->objects.size());
+    return data_->objects[object];
+}
+
 const std::string& StaticGeometry::name_of_object(std::uint32_t object) const {
     CAROM_ASSERT(object < data_->objects.size());
     return data_->objects[object].name;

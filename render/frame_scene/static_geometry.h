@@ -13,6 +13,8 @@
 
 namespace carom::render {
 
+struct SceneObject;  // scene_object.h
+
 /// Built once per shot, then read by any number of threads.
 ///
 /// Objects are numbered as in the scene. Lights with a surface follow them, in the order of the
@@ -39,6 +41,9 @@ class StaticGeometry {
 
     /// The object of a light; none for lights without a surface.
     [[nodiscard]] std::optional<std::uint32_t> object_of_light(std::uint32_t light) const;
+
+    /// The object as described in the scene.
+    [[nodiscard]] const SceneObject& object(std::uint32_t object) const;
 
     [[nodiscard]] const std::string& name_of_object(std::uint32_t object) const;
 

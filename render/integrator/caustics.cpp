@@ -14,6 +14,9 @@ Caustics::Caustics(const TransportScene& scene)
     for (const SpecularBall& ball : specular_balls(scene)) {
         add(ball);
     }
+    for (const SpecularBall& ball : clear_balls(scene)) {
+        add(ball);
+    }
 }
 
 void Caustics::add(const SpecularBall& ball) {
@@ -38,8 +41,8 @@ void Caustics::add(const SpecularBall& ball) {
     ball_bounds_.z.push_back(middle.z);
     ball_bounds_.bounding_radius.push_back(ball.radius + travel);
     ball_bounds_.radius2.push_back(ball.radius * ball.radius);
-    const float reflectance = luminance(ball.material->mirror_reflectance(1));
-    ball_bounds_.gain.push_back(std::max(1.0f, reflectance / kCoatReflectance));
+    const float fraction = ball.refracts ? 1.0f : luminance(ball.material->mirror_reflectance(1));
+    ball_bounds_.gain.push_back(std::max(1.0f, fraction / kCoatReflectance));
 }
 
 bool Caustics::connects(const Path& path, const ShadingVertex& vertex) const {
@@ -114,6 +117,11 @@ V3f Caustics::sample_connection(std::size_t index, const Path& path, const Shadi
     if (intensities[light] <= 0) {
         return V3f(0, 0, 0);
     }
+    const float light_probability = intensities[light] / intensity_[index];
+    if (balls_[index].refracts) {
+        return sample_refraction(balls_[index], light, path, vertex, V2f(u[2], u[3]), count) /
+               light_probability;
+    }
     const auto connection =
         connect(scene_, balls_[index], light, vertex.position, path.ray.time, V2f(u[2], u[3]));
     if (!connection) {
@@ -125,8 +133,26 @@ V3f Caustics::sample_connection(std::size_t index, const Path& path, const Shadi
         is_occluded(scene_, *connection, vertex.origin, path.ray.time, count)) {
         return V3f(0, 0, 0);
     }
-    const float light_probability = intensities[light] / intensity_[index];
     return value * (connection->solid_angle / light_probability);
+}
+
+V3f Caustics::sample_refraction(const SpecularBall& ball, std::size_t light, const Path& path,
+                                const ShadingVertex& vertex, const V2f& u,
+                                RenderStatistics& count) const {
+    const RefractedConnections found =
+        connect_through(scene_, ball, light, vertex.position, path.ray.time, u);
+    V3f sum(0, 0, 0);
+    for (int i = 0; i < found.count; ++i) {
+        const RefractedConnections::One& one = found.at[static_cast<std::size_t>(i)];
+        const SpecularConnection& outside = one.outside;
+        const V3f value =
+            vertex.bsdf.evaluate(Layers::all, outside.direction).value * outside.radiance;
+        if (luminance(value) > 0 &&
+            !is_occluded(scene_, one, vertex.origin, path.ray.time, count)) {
+            sum += value * outside.solid_angle;
+        }
+    }
+    return sum;
 }
 
 }  // namespace carom::render

@@ -1,4 +1,5 @@
-// Specular caustics: light that a smooth ball reflects onto other surfaces.
+// Specular caustics: light that a smooth ball reflects onto other surfaces, or that comes through a
+// ball of clear glass from a small lamp.
 #pragma once
 
 #include <array>
@@ -28,8 +29,15 @@ class Caustics {
     [[nodiscard]] V3f estimate(const Path& path, const ShadingVertex& vertex, std::uint32_t object,
                                const PathDimensions& dimensions, RenderStatistics& count) const;
 
-    /// Whether `light`, when a path hits it after a specular reflection on `object`, was sampled at
-    /// the vertex before, provided that vertex `connects`.
+    /// Whether the ball is one of clear glass, through which light is sampled; otherwise it is its
+    /// reflection that is sampled.
+    [[nodiscard]] bool refracts(std::uint32_t object) const {
+        return object < index_.size() && index_[object] >= 0 &&
+               balls_[static_cast<std::size_t>(index_[object])].refracts;
+    }
+
+    /// Whether `light`, when a path hits it after a specular reflection on `object`, or through it
+    /// if it `refracts`, was sampled at the vertex before, provided that vertex `connects`.
     [[nodiscard]] bool covers(std::uint32_t object, std::size_t light) const {
         return object < index_.size() && index_[object] >= 0 &&
                pairs_[static_cast<std::size_t>(index_[object]) * light_count_ + light] > 0;
@@ -40,7 +48,8 @@ class Caustics {
         std::vector<float> x, y, z;          // the centre of the box around all positions
         std::vector<float> bounding_radius;  // from there to the farthest point of the surface
         std::vector<float> radius2;
-        std::vector<float> gain;  // its reflectance over that of a coat of index 1.5, at least 1
+        std::vector<float>
+            gain;  // its reflectance or transmittance over a coat's of index 1.5; >= 1
     };
     [[nodiscard]] const BallBounds& ball_bounds() const { return ball_bounds_; }
     /// By object: its index in `places`, or -1; objects beyond the end have none.
@@ -51,6 +60,9 @@ class Caustics {
     [[nodiscard]] float total_weight(const ShadingVertex& vertex, std::size_t own) const;
     [[nodiscard]] V3f sample_connection(std::size_t ball, const Path& path,
                                         const ShadingVertex& vertex, const std::array<float, 4>& u,
+                                        RenderStatistics& count) const;
+    [[nodiscard]] V3f sample_refraction(const SpecularBall& ball, std::size_t light,
+                                        const Path& path, const ShadingVertex& vertex, const V2f& u,
                                         RenderStatistics& count) const;
     void add(const SpecularBall& ball);
 

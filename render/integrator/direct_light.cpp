@@ -12,14 +12,14 @@ namespace carom::render {
 namespace {
 
 /// Expected number of directions that a path's first vertex samples towards the environment.
-float environment_samples(const LightSet& lights, const ShadingVertex& vertex) {
+float environment_samples(const LightSet& lights, const ShadingVertex& vertex, float time) {
     const std::size_t environment = lights.area_light_count();
     if (vertex.glossy_samples > 1 || !lights.is_environment(environment)) {
         return static_cast<float>(vertex.glossy_samples);
     }
     float total = 0;
     for (std::size_t light = 0; light < lights.sampled_count(); ++light) {
-        total += lights.importance(light, vertex.position, vertex.surface.frame.z);
+        total += lights.importance(light, vertex.position, vertex.surface.frame.z, time);
     }
     const float importance = lights.environment().importance();
     return total > 0 ? std::clamp(importance / (kFullSamplingFraction * total),
@@ -72,6 +72,8 @@ class DirectLight::ShadowRays {
         packet_.add(direction, distance * kOneMinusShadowEpsilon);
     }
 
+    [[nodiscard]] float time() const { return packet_.time; }
+
     /// The sum of all unoccluded light.
     [[nodiscard]] V3f sum() {
         trace();
@@ -112,7 +114,8 @@ V3f DirectLight::sample_lights(Path& path, const ShadingVertex& vertex, const V2
     }
     ShadowRays shadow_rays(scene_.frame.structure(), vertex, path.ray.time, count);
     if (!path.last.all_lights) {
-        if (const auto choice = lights.choose(vertex.position, path.last.normal, u.x)) {
+        if (const auto choice =
+                lights.choose(vertex.position, path.last.normal, u.x, path.ray.time)) {
             path.last.total_importance = choice->total;
             sample_light(choice->light, choice->probability, V2f(choice->u, u.y), vertex,
                          shadow_rays);
@@ -126,7 +129,7 @@ V3f DirectLight::sample_lights(Path& path, const ShadingVertex& vertex, const V2
 void DirectLight::sample_all_lights(Path& path, const ShadingVertex& vertex,
                                     const PathDimensions& dimensions,
                                     ShadowRays& shadow_rays) const {
-    path.last.environment_samples = environment_samples(scene_.lights, vertex);
+    path.last.environment_samples = environment_samples(scene_.lights, vertex, path.ray.time);
     std::array<V2f, 2> pair;
     std::uint32_t asked = 0;  // points taken from the pairs
     for (std::size_t light = 0; light < scene_.lights.sampled_count(); ++light) {
@@ -159,7 +162,7 @@ void DirectLight::sample_all_lights(Path& path, const ShadingVertex& vertex,
 // `expected`: the expected number of directions towards this light at the vertex.
 void DirectLight::sample_light(std::size_t light, float expected, const V2f& u,
                                const ShadingVertex& vertex, ShadowRays& shadow_rays) const {
-    const auto sample = scene_.lights.sample(light, vertex.position, u);
+    const auto sample = scene_.lights.sample(light, vertex.position, u, shadow_rays.time());
     if (!sample) {
         return;
     }
@@ -202,22 +205,16 @@ float DirectLight::weight_of_hit(const Path& path, std::size_t light, float pdf)
                          ? last.environment_samples
                          : static_cast<float>(first_vertex_samples(scene_.lights, light));
     if (!last.all_lights) {
-        expected = last.total_importance > 0
-                       ? scene_.lights.importance(light, last.position, last.normal) /
-                             last.total_importance
-                       : 0.0f;
+        expected =
+            last.total_importance > 0
+                ? scene_.lights.importance(light, last.position, last.normal, path.ray.time) /
+                      last.total_importance
+                : 0.0f;
     }
     if (strategy_ == DirectStrategy::lights_only) {
         return expected * pdf > 0 ? 0.0f : 1.0f;
     }
     return power_heuristic(last.pdf, expected * pdf);
-}
-
-float DirectLight::weight_of_hit(const Path& path, std::size_t light, float distance,
-                                 float cosine) const {
-    return weight_of_hit(
-        path, light,
-        scene_.lights.pdf(light, path.last.position, path.ray.direction, distance, cosine));
 }
 
 V3f DirectLight::hit_light(const Path& path, const Hit& hit) const {
@@ -229,13 +226,19 @@ V3f DirectLight::hit_light(const Path& path, const Hit& hit) const {
     const float gain = path.last.is_delta ? 1.0f
                                           : scene_.lights.gain(light, path.last.position,
                                                                path.ray.direction, hit.t);
-    return radiance * (gain * weight_of_hit(path, light, hit.t, 0));
+    const float pdf = scene_.lights.pdf(light, path.last.position, path.ray.direction, hit.t);
+    return radiance * (gain * weight_of_hit(path, light, pdf));
 }
 
 V3f DirectLight::hit_emitter(const Path& path, const Hit& hit, const V3f& radiance,
-                             float cosine) const {
+                             const V3f& normal) const {
     const auto light = scene_.lights.emissive_light(hit.object);
-    return light ? radiance * weight_of_hit(path, *light, hit.t, cosine) : radiance;
+    if (!light) {
+        return radiance;
+    }
+    const float pdf = scene_.lights.pdf_of_object(*light, path.last.position, path.ray.direction,
+                                                  hit.t, normal, path.ray.time);
+    return radiance * weight_of_hit(path, *light, pdf);
 }
 
 V3f DirectLight::environment(const Path& path) const {

@@ -57,9 +57,9 @@ class DirectLight {
     [[nodiscard]] V3f hit_light(const Path& path, const Hit& hit) const;
 
     /// Radiance of an object with an emissive material that the path's ray hit, weighted likewise.
-    /// `radiance` goes towards the path, at this `cosine` to the normal of the object's front.
+    /// `radiance` goes towards the path; `normal` is the unit normal of the object's front.
     [[nodiscard]] V3f hit_emitter(const Path& path, const Hit& hit, const V3f& radiance,
-                                  float cosine) const;
+                                  const V3f& normal) const;
 
     /// Radiance of the environment for a ray that left the scene, weighted likewise.
     [[nodiscard]] V3f environment(const Path& path) const;
@@ -73,8 +73,6 @@ class DirectLight {
     [[nodiscard]] V3f scattered(const ShadingVertex& vertex, const V3f& direction,
                                 float light_pdf) const;
     [[nodiscard]] float weight_of_hit(const Path& path, std::size_t light, float pdf) const;
-    [[nodiscard]] float weight_of_hit(const Path& path, std::size_t light, float distance,
-                                      float cosine) const;
 
     TransportScene scene_;
     DirectStrategy strategy_;

@@ -148,9 +148,7 @@ V3f DistributedIntegrator::direct(const Vertex& vertex, Work& work) const {
         V2f u = light % 2 == 0 ? V2f(numbers[0], numbers[1]) : V2f(numbers[2], numbers[3]);
         if (settings_.shadow_samples == 1) {
             // The centre: both coordinates of a rectangle, the axis of a sphere's cone.
-            const bool is_sphere = light < lights.area_light_count() &&
-                                   std::holds_alternative<SphereEmitter>(lights.area_light(light));
-            u = V2f(is_sphere ? 0.0f : 0.5f, 0.5f);
+            u = V2f(lights.is_round(light) ? 0.0f : 0.5f, 0.5f);
         }
         // All rays to a delta light are the same.
         const int rays = lights.is_delta(light) ? 1 : samples;
@@ -167,7 +165,7 @@ V3f DistributedIntegrator::from_light(std::size_t light, const V2f& u, const Ver
                                       Work& work) const {
     work.count.shadow_rays += 1;
     const Surface& surface = vertex.surface;
-    const auto sample = scene_.lights.sample(light, vertex.point.position, u);
+    const auto sample = scene_.lights.sample(light, vertex.point.position, u, vertex.from.ray.time);
     const float cosine = sample ? surface.frame.z.dot(sample->direction) : 0.0f;
     V3f scattered(0, 0, 0);
     if (cosine > 0 && surface.geometric_normal.dot(sample->direction) > 0) {

@@ -72,13 +72,15 @@ void LightTracer::add_if_small(const SpecularBall& ball, std::size_t light) {
 std::vector<Splat> LightTracer::splats(std::size_t index, double samples, std::uint64_t seed,
                                        RenderStatistics& count) const {
     const Pair& pair = pairs_[index];
-    const auto number = static_cast<std::uint32_t>(std::ceil(samples * pair.size));
+    const auto in_quarter = static_cast<std::uint32_t>(std::ceil(0.25 * samples * pair.size));
+    const std::uint32_t number = 4 * in_quarter;
     const float weight = 1.0f / static_cast<float>(number);
     std::vector<Splat> result;
     for (std::uint32_t i = 0; i < number; ++i) {
         const SampleStream stream(seed, static_cast<std::uint32_t>(index), kRow, i);
         if (const auto there = sample_splat(pair.ball, pair.light, stream.camera_sample(), count)) {
-            result.push_back({there->position, there->flux * weight});
+            result.push_back(
+                {there->position, there->flux * weight, static_cast<int>(i / in_quarter)});
         }
     }
     return result;

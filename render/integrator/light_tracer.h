@@ -14,6 +14,7 @@ namespace carom::render {
 struct Splat {
     V2f position;       // pixels from the top left
     V3f flux{0, 0, 0};  // a pixel gets this times the density of its filter there
+    int quarter = 0;    // of the image's samples, to which it belongs
 };
 
 /// Camera paths find the reflection of a small bulb in a ball only by chance, and less often where

@@ -18,6 +18,27 @@ namespace {
 // Probability of continuing a path within glass after its last bounce.
 constexpr float kSurvivalInGlass = 0.95f;
 
+/// Caustics are sampled for paths of a broad lobe followed by one specular reflection on a ball, or
+/// by the two refractions of a path through it. `index`: of the vertex.
+void set_connected_ball(const ShadingVertex& vertex, const BsdfSample& sample, int index,
+                        LastScattering& last) {
+    const std::int64_t connected = last.connected_ball;
+    const std::int64_t entered = last.entered_ball;
+    last.connected_ball = last.entered_ball = -1;
+    last.passed_ball = false;
+    if (!sample.is_delta) {
+        return;
+    }
+    if (vertex.surface.geometric_normal.dot(sample.direction) >= 0) {
+        last.connected_ball = connected;
+    } else if (vertex.surface.is_inside) {
+        last.connected_ball = entered;
+        last.passed_ball = true;
+    } else if (index > 0) {
+        last.entered_ball = connected;
+    }
+}
+
 }  // namespace
 
 // With expensive checks on, an invalid radiance stops the program where it first appears.
@@ -213,6 +234,9 @@ bool PathIntegrator::process_hit(Path& path, const Hit& hit, PathWork& work) con
     }
     path.last.connected_ball = path.last.connects ? std::int64_t{hit.object} : -1;
     path.last.connects = connects;
+    if (path.last.entered_ball != std::int64_t{hit.object}) {
+        path.last.entered_ball = -1;
+    }
     return scatter(path, vertex, u.scattering, work);
 }
 
@@ -247,6 +271,9 @@ bool PathIntegrator::is_sampled_as_caustic(const Path& path, const Hit& hit) con
     }
     const auto ball = static_cast<std::uint32_t>(path.last.connected_ball);
     const std::size_t light = scene_.light_of(hit);
+    if (caustics_.refracts(ball) != path.last.passed_ball) {
+        return false;
+    }
     return path.vertex == 1 ? light_tracer_->covers(ball, light) : caustics_.covers(ball, light);
 }
 
@@ -255,7 +282,9 @@ void PathIntegrator::add_emission(const Path& path, const Hit& hit, PathWork& wo
     const float cosine = -point.geometric_normal.dot(path.ray.direction);
     const Material& material = scene_.materials[point.material];
     if (cosine > 0 && material.is_emissive()) {
-        add_light(path, direct_.hit_emitter(path, hit, material.emission(), cosine), work);
+        const V3f light =
+            direct_.hit_emitter(path, hit, material.emission(), point.geometric_normal);
+        add_light(path, light, work);
     }
 }
 
@@ -293,7 +322,7 @@ bool PathIntegrator::turn(Path& path, const ShadingVertex& vertex, Layers layers
     path.last.is_delta = sample->is_delta;
     // Caustics are sampled for paths of a broad lobe followed by one specular reflection, only.
     path.last.connects = path.last.connects && !sample->is_delta;
-    path.last.connected_ball = sample->is_delta ? path.last.connected_ball : -1;
+    set_connected_ball(vertex, *sample, path.vertex, path.last);
     path.ray = Ray{vertex.origin_towards(sample->direction), sample->direction, 0, kInfinity,
                    path.ray.time};
     path.spread = sample->is_delta

@@ -35,6 +35,9 @@ struct LastScattering {
     bool connects = false;  // caustics were sampled there, or light tracing covers the camera
     /// The ball that reflected the path after a vertex that connects; -1: none.
     std::int64_t connected_ball = -1;
+    bool passed_ball = false;  // ... or refracted it in and out again
+    /// The ball of glass that the path entered after a vertex that connects, and is in; -1: none.
+    std::int64_t entered_ball = -1;
     bool all_lights = false;  // every light was sampled there, rather than one
     float total_importance = 0;
     float environment_samples = 1;

@@ -23,8 +23,9 @@ struct LightSample {
 
 /// A point on a light, sampled by area, for connections that are reflected on the way.
 struct EmitterPoint {
-    V3f position;
-    V3f normal;     // unit, of the area that the point was chosen on, on the side of the receiver
+    V3f position{0, 0, 0};
+    V3f normal{0, 0,
+               1};  // unit, of the area that the point was chosen on, on the side of the receiver
     float pdf = 0;  // 1/m^2, > 0
 };
 

@@ -5,6 +5,7 @@
 
 #include <Imath/ImathBox.h>
 
+#include "render/light/scalar_kernels.h"
 #include "render/sampling/one_minus_epsilon.h"
 
 namespace carom::render {
@@ -41,8 +42,9 @@ EmissiveSurface::EmissiveSurface(const std::vector<Triangle>& triangles, const V
     }
     area_cdf_.back() = 1;
     area_ = static_cast<float>(sum);
-    centre_ = bounds.center();
-    bounding_radius_ = 0.5f * bounds.size().length();
+    // Half of the area, as the orientation is unknown.
+    importance_ = {bounds.center(), 0.5f * bounds.size().length(),
+                   luminance(radiance_) * area_ * 0.5f};
 }
 
 std::optional<LightSample> EmissiveSurface::sample(const V3f& point, const V2f& u) const {
@@ -70,16 +72,8 @@ std::optional<LightSample> EmissiveSurface::sample(const V3f& point, const V2f& 
 }
 
 float EmissiveSurface::importance(const V3f& point, const V3f& normal) const {
-    const V3f to_light = centre_ - point;
-    const float distance2 = std::max(to_light.length2(), 1e-12f);
-    const float distance = std::sqrt(distance2);
-    const float cosine = to_light.dot(normal) / distance;
-    // 0 only if the whole surface lies below the horizon.
-    const float seen = distance > bounding_radius_ && cosine + bounding_radius_ / distance <= 0
-                           ? 0.0f
-                           : std::max(cosine, kLeastHorizonCosine);
-    return luminance(radiance_) * area_ * 0.5f * seen /
-           std::max(distance2, bounding_radius_ * bounding_radius_);
+    return scalar::importance_of_object<scalar::One>(importance_, scalar::three(point),
+                                                     scalar::three(normal));
 }
 
 }  // namespace carom::render

@@ -1,4 +1,4 @@
-// A triangle mesh that emits light by its material.
+// Flat faces that emit light by their material.
 #pragma once
 
 #include <array>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/light/area_light.h"
+#include "render/light/emissive_shape_constants.h"
 
 namespace carom::render {
 
@@ -15,7 +16,8 @@ class EmissiveSurface {
   public:
     using Triangle = std::array<V3f, 3>;
 
-    /// `triangles` in world space; degenerate ones are left out.
+    /// `triangles` in the axes of the body, or the world's without a track; degenerate ones are
+    /// left out.
     EmissiveSurface(const std::vector<Triangle>& triangles, const V3f& radiance);
 
     [[nodiscard]] bool is_dark() const { return area_ <= 0 || luminance(radiance_) <= 0; }
@@ -30,14 +32,15 @@ class EmissiveSurface {
     [[nodiscard]] const V3f& radiance() const { return radiance_; }
     /// As for area lights, with the orientation unknown.
     [[nodiscard]] float importance(const V3f& point, const V3f& normal) const;
+    /// For kernels.
+    [[nodiscard]] const ObjectImportance& importance_constants() const { return importance_; }
 
   private:
     std::vector<Triangle> triangles_;
     std::vector<float> area_cdf_;  // cumulative distribution of the triangles' areas
     V3f radiance_;
     float area_ = 0;
-    V3f centre_{0, 0, 0};        // of the bounding box
-    float bounding_radius_ = 0;  // half its diagonal
+    ObjectImportance importance_;  // of the bounding box
 };
 
 }  // namespace carom::render

@@ -9,6 +9,7 @@
 
 #include "render/light/area_light_constants.h"
 #include "render/light/delta_light_constants.h"
+#include "render/light/emissive_shape_constants.h"
 #include "render/light/environment_picture.h"
 #include "render/sampling/kernels-inl.h"
 
@@ -24,6 +25,7 @@ namespace carom::render::HWY_NAMESPACE {
 #include "render/light/kernels/light_sample.h"
 #include "render/light/kernels/area_light.h"
 #include "render/light/kernels/delta_light.h"
+#include "render/light/kernels/emissive_object.h"
 // clang-format on
 #undef CAROM_KERNEL_ATTRIBUTE
 #undef CAROM_KERNEL

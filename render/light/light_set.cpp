@@ -20,7 +20,7 @@ LightSet::LightSet(const std::vector<LightDescription>& lights) {
         } else if (const auto* sphere = std::get_if<SphereLight>(&description.light)) {
             area_lights_.emplace_back(SphereEmitter(*sphere));
         } else if (const auto* environment = std::get_if<EnvironmentLight>(&description.light)) {
-            environment_ = Environment(*environment);
+            environment_ = std::make_shared<const Environment>(*environment);
         } else if (const auto* point = std::get_if<PointLight>(&description.light)) {
             delta_lights_.emplace_back(*point);
         } else if (const auto* spot = std::get_if<SpotLight>(&description.light)) {
@@ -31,26 +31,47 @@ LightSet::LightSet(const std::vector<LightDescription>& lights) {
     }
 }
 
-void LightSet::add(std::uint32_t object, EmissiveSurface surface) {
-    if (surface.is_dark()) {
+void LightSet::add(std::uint32_t object, EmissiveObject emissive) {
+    if (emissive.is_dark()) {
         return;
     }
     if (object >= light_of_object_.size()) {
         light_of_object_.resize(object + 1);
     }
     light_of_object_[object] = sampled_count();
-    emissive_.push_back(std::move(surface));
+    emissive_.push_back(std::move(emissive));
 }
 
-float LightSet::importance(std::size_t light, const V3f& point, const V3f& normal) const {
+void LightSet::add_tracked(std::uint32_t object, EmissiveObject emissive) {
+    tracked_.push_back({object, std::move(emissive)});
+}
+
+LightSet LightSet::in_frame(std::span<const std::shared_ptr<const RigidMotion>> motions) const {
+    LightSet result = *this;
+    for (const Tracked& tracked : tracked_) {
+        result.add(tracked.object, tracked.emissive.moving(motions[tracked.object]));
+    }
+    return result;
+}
+
+bool LightSet::is_round(std::size_t light) const {
     if (light >= first_emissive()) {
-        return emissive_[light - first_emissive()].importance(point, normal);
+        return emissive_[light - first_emissive()].is_round();
+    }
+    return light < area_lights_.size() &&
+           std::holds_alternative<SphereEmitter>(area_lights_[light]);
+}
+
+float LightSet::importance(std::size_t light, const V3f& point, const V3f& normal,
+                           float time) const {
+    if (light >= first_emissive()) {
+        return emissive_[light - first_emissive()].importance(point, normal, time);
     }
     if (is_delta(light)) {
         return delta_lights_[light - first_delta()].importance(point, normal);
     }
     if (is_environment(light)) {
-        return environment_.importance();
+        return environment_->importance();
     }
     return std::visit([&](const auto& emitter) { return emitter.importance(point, normal); },
                       area_lights_[light]);
@@ -58,13 +79,13 @@ float LightSet::importance(std::size_t light, const V3f& point, const V3f& norma
 
 // Reservoir sampling in one pass: each light replaces the choice with the probability of its weight
 // over the sum of all weights up to it (PBR, section A.2).
-std::optional<LightSet::Choice> LightSet::choose(const V3f& point, const V3f& normal,
-                                                 float u) const {
+std::optional<LightSet::Choice> LightSet::choose(const V3f& point, const V3f& normal, float u,
+                                                 float time) const {
     Choice choice;
     choice.u = u;
     float chosen = 0;
     for (std::size_t light = 0; light < sampled_count(); ++light) {
-        const float weight = importance(light, point, normal);
+        const float weight = importance(light, point, normal, time);
         if (weight <= 0) {
             continue;
         }
@@ -85,24 +106,24 @@ std::optional<LightSet::Choice> LightSet::choose(const V3f& point, const V3f& no
     return choice;
 }
 
-std::optional<LightSample> LightSet::sample(std::size_t light, const V3f& point,
-                                            const V2f& u) const {
-    std::optional<LightSample> result = sample_any(light, point, u);
+std::optional<LightSample> LightSet::sample(std::size_t light, const V3f& point, const V2f& u,
+                                            float time) const {
+    std::optional<LightSample> result = sample_any(light, point, u, time);
     CAROM_VALIDATE(!result ||
                    (is_unit(result->direction) && result->distance > 0 && result->pdf > 0));
     return result;
 }
 
-std::optional<LightSample> LightSet::sample_any(std::size_t light, const V3f& point,
-                                                const V2f& u) const {
+std::optional<LightSample> LightSet::sample_any(std::size_t light, const V3f& point, const V2f& u,
+                                                float time) const {
     if (light >= first_emissive()) {
-        return emissive_[light - first_emissive()].sample(point, u);
+        return emissive_[light - first_emissive()].sample(point, u, time);
     }
     if (is_delta(light)) {
         return delta_lights_[light - first_delta()].sample(point);
     }
     if (is_environment(light)) {
-        return environment_.sample(u);
+        return environment_->sample(u);
     }
     return std::visit([&](const auto& emitter) { return emitter.sample(point, u); },
                       area_lights_[light]);
@@ -116,7 +137,7 @@ V3f LightSet::radiance(std::size_t light, const LightSample& sample) const {
         return delta_lights_[light - first_delta()].radiance(sample);
     }
     if (is_environment(light)) {
-        return environment_.radiance(sample);
+        return environment_->radiance(sample);
     }
     return std::visit(
         [&](const auto& emitter) {
@@ -135,13 +156,15 @@ float LightSet::gain(std::size_t light, const V3f& point, const V3f& direction,
         area_lights_[light]);
 }
 
-float LightSet::pdf(std::size_t light, const V3f& point, const V3f& direction, float distance,
-                    float cosine) const {
-    if (light >= first_emissive()) {
-        return emissive_[light - first_emissive()].pdf(distance, cosine);
-    }
+float LightSet::pdf_of_object(std::size_t light, const V3f& point, const V3f& direction,
+                              float distance, const V3f& normal, float time) const {
+    return emissive_[light - first_emissive()].pdf(point, direction, distance, normal, time);
+}
+
+float LightSet::pdf(std::size_t light, const V3f& point, const V3f& direction,
+                    float distance) const {
     if (is_environment(light)) {
-        return environment_.pdf(direction);
+        return environment_->pdf(direction);
     }
     return std::visit([&](const auto& emitter) { return emitter.pdf(point, direction, distance); },
                       area_lights_[light]);

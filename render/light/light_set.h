@@ -3,21 +3,24 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "render/geometry/ray.h"
 #include "render/light/area_light.h"
 #include "render/light/delta_light.h"
-#include "render/light/emissive_surface.h"
+#include "render/light/emissive_object.h"
 #include "render/light/environment.h"
 #include "render/scene/scene_description.h"
 
 namespace carom::render {
 
 /// Lights that can be sampled are numbered from 0: area lights in the order of the description,
-/// then the environment if it is sampled, then delta lights, then emissive objects. Immutable after
-/// construction; shared by all threads.
+/// then the environment if it is sampled, then delta lights, then emissive objects, first those
+/// that follow no track. Immutable after construction; shared by all threads. Copies share pictures
+/// and meshes. `time`: in [0, 1] of the shutter; it matters for moving objects only.
 class LightSet {
   public:
     LightSet() = default;
@@ -26,9 +29,15 @@ class LightSet {
     /// picture that cannot be read.
     explicit LightSet(const std::vector<LightDescription>& lights);
 
-    /// Adds an object with an emissive material to the sampled lights. Must be called before the
-    /// set is shared.
-    void add(std::uint32_t object, EmissiveSurface surface);
+    /// Adds an object with an emissive material to the sampled lights, unless it is dark. Must be
+    /// called before the set is shared.
+    void add(std::uint32_t object, EmissiveObject emissive);
+    /// Adds an object that follows a track, likewise; only `in_frame` makes it a sampled light.
+    void add_tracked(std::uint32_t object, EmissiveObject emissive);
+
+    /// The lights of one frame. `motions`: by object, the motion of those that follow a track.
+    [[nodiscard]] LightSet in_frame(
+        std::span<const std::shared_ptr<const RigidMotion>> motions) const;
 
     /// The number of the light that the object is; none if the object is not sampled.
     [[nodiscard]] std::optional<std::size_t> emissive_light(std::uint32_t object) const {
@@ -42,16 +51,20 @@ class LightSet {
         return first_delta() + delta_lights_.size();
     }
     [[nodiscard]] bool is_environment(std::size_t light) const {
-        return light == area_lights_.size() && environment_.is_sampled();
+        return light == area_lights_.size() && environment_->is_sampled();
     }
     /// Whether the light is a delta light: one direction leads to it from any point.
     [[nodiscard]] bool is_delta(std::size_t light) const {
         return light >= first_delta() && light < first_emissive();
     }
 
+    /// Whether it is sampled over the cone that a sphere subtends.
+    [[nodiscard]] bool is_round(std::size_t light) const;
+
     /// Estimate of the unoccluded light at a surface, by which lights are chosen. It is 0 only
     /// where nothing arrives.
-    [[nodiscard]] float importance(std::size_t light, const V3f& point, const V3f& normal) const;
+    [[nodiscard]] float importance(std::size_t light, const V3f& point, const V3f& normal,
+                                   float time = 0) const;
 
     struct Choice {
         std::size_t light = 0;
@@ -62,20 +75,23 @@ class LightSet {
 
     /// Chooses one light in proportion to importance, for `u` in [0, 1); empty if all importances
     /// are 0.
-    [[nodiscard]] std::optional<Choice> choose(const V3f& point, const V3f& normal, float u) const;
+    [[nodiscard]] std::optional<Choice> choose(const V3f& point, const V3f& normal, float u,
+                                               float time = 0) const;
 
     /// A direction towards one light; empty if the light cannot reach the point.
     [[nodiscard]] std::optional<LightSample> sample(std::size_t light, const V3f& point,
-                                                    const V2f& u) const;
+                                                    const V2f& u, float time = 0) const;
 
     /// Radiance that arrives along a sample of that light if nothing occludes it.
     [[nodiscard]] V3f radiance(std::size_t light, const LightSample& sample) const;
 
     /// Density of `sample` (1/sr, given that light) for a direction from `point` that hits the
-    /// light at `distance`, for any light except delta lights. `cosine`: at an object, to its
-    /// front's normal.
+    /// light at `distance`, for an area light or the environment.
     [[nodiscard]] float pdf(std::size_t light, const V3f& point, const V3f& direction,
-                            float distance, float cosine = 0) const;
+                            float distance) const;
+    /// Likewise for an emissive object, whose front has this unit `normal` there.
+    [[nodiscard]] float pdf_of_object(std::size_t light, const V3f& point, const V3f& direction,
+                                      float distance, const V3f& normal, float time) const;
 
     /// Radiance of an area light towards the unit `direction`, away from the light, as cameras and
     /// specular reflections see it.
@@ -91,20 +107,28 @@ class LightSet {
     [[nodiscard]] const DeltaLight& delta_light(std::size_t light) const {
         return delta_lights_[light - first_delta()];
     }
-    [[nodiscard]] const Environment& environment() const { return environment_; }
+    [[nodiscard]] const Environment& environment() const { return *environment_; }
+    [[nodiscard]] const EmissiveObject& emissive_object(std::size_t light) const {
+        return emissive_[light - first_emissive()];
+    }
 
   private:
     [[nodiscard]] std::optional<LightSample> sample_any(std::size_t light, const V3f& point,
-                                                        const V2f& u) const;
+                                                        const V2f& u, float time) const;
     [[nodiscard]] std::size_t first_delta() const {
-        return area_lights_.size() + (environment_.is_sampled() ? 1 : 0);
+        return area_lights_.size() + (environment_->is_sampled() ? 1 : 0);
     }
 
     std::vector<AreaLight> area_lights_;
-    Environment environment_;
+    std::shared_ptr<const Environment> environment_ = std::make_shared<const Environment>();
     std::vector<DeltaLight> delta_lights_;
-    std::vector<EmissiveSurface> emissive_;
+    std::vector<EmissiveObject> emissive_;
     std::vector<std::optional<std::size_t>> light_of_object_;
+    struct Tracked {
+        std::uint32_t object = 0;
+        EmissiveObject emissive;
+    };
+    std::vector<Tracked> tracked_;
 };
 
 }  // namespace carom::render

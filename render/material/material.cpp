@@ -95,6 +95,12 @@ bool Material::is_mirror() const {
     return base_mirrors ? layers_.sheen == 0 && constant_base().has_value() : coat_mirrors;
 }
 
+bool Material::is_clear_glass() const {
+    return !is_phong_ && layers_.glass && layers_.glass->alpha == 0 && layers_.glass->ior > 1 &&
+           layers_.transmission >= 1 && layers_.coat_weight <= 0 && layers_.metal <= 0 &&
+           layers_.sheen <= 0 && bump_ <= 0;
+}
+
 V3f Material::mirror_reflectance(float cosine) const {
     const float coat = layers_.coat_weight > 0
                            ? layers_.coat_weight * fresnel_dielectric(cosine, layers_.coat_ior)

@@ -83,6 +83,8 @@ class Material {
     /// Whether it reflects specularly by a smooth coat or a smooth base, everywhere along the
     /// geometric normal and with constant reflectance.
     [[nodiscard]] bool is_mirror() const;
+    /// Whether it is smooth glass and nothing else.
+    [[nodiscard]] bool is_clear_glass() const;
     /// For a mirror: the specular reflectance at an angle with this cosine, as in Bsdf.
     [[nodiscard]] V3f mirror_reflectance(float cosine) const;
 

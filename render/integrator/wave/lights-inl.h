@@ -38,28 +38,41 @@ struct LanesAtOnce {
     }
 };
 
-inline HWY_ATTR F importance_one_by_one(const LightSet& lights, std::size_t light, const F3& point,
-                                        const F3& normal, M wanted) {
-    const LanesAtOnce points(point);
+/// Where light is gathered.
+struct PlaceLanes {
+    F3 position;
+    F time;
+};
+
+/// A list of lanes, as one number each: above 0 where `mask` holds.
+HWY_INLINE void list_lanes(M mask, float* is_wanted) {
+    hn::Store(select(mask, all(1.f), all(0.f)), FloatTag(), is_wanted);
+}
+
+inline HWY_ATTR F importance_one_by_one(const LightSet& lights, std::size_t light,
+                                        const PlaceLanes& place, const F3& normal, M wanted) {
+    const LanesAtOnce points(place.position);
     const LanesAtOnce normals(normal);
     alignas(64) float values[16] = {};
-    alignas(64) float is_wanted[16];
-    hn::Store(select(wanted, all(1.f), all(0.f)), FloatTag(), is_wanted);
+    alignas(64) float is_wanted[16], times[16];
+    list_lanes(wanted, is_wanted);
+    hn::Store(place.time, FloatTag(), times);
     for (int i = 0; i < lane_count(); ++i) {
         if (is_wanted[i] > 0) {
-            values[i] = lights.importance(light, points.get(i), normals.get(i));
+            values[i] = lights.importance(light, points.get(i), normals.get(i), times[i]);
         }
     }
     return hn::Load(FloatTag(), values);
 }
 
 inline HWY_ATTR LightLanes sample_one_by_one(const LightSet& lights, std::size_t light,
-                                             const F3& point, const V2& u, M wanted) {
-    const LanesAtOnce points(point);
-    alignas(64) float u_x[16], u_y[16], is_wanted[16];
+                                             const PlaceLanes& place, const V2& u, M wanted) {
+    const LanesAtOnce points(place.position);
+    alignas(64) float u_x[16], u_y[16], is_wanted[16], times[16];
     hn::Store(u.x, FloatTag(), u_x);
     hn::Store(u.y, FloatTag(), u_y);
-    hn::Store(select(wanted, all(1.f), all(0.f)), FloatTag(), is_wanted);
+    hn::Store(place.time, FloatTag(), times);
+    list_lanes(wanted, is_wanted);
     LanesAtOnce directions, radiances;
     alignas(64) float distances[16], pdfs[16], valid[16];
     for (int i = 0; i < lane_count(); ++i) {
@@ -70,7 +83,8 @@ inline HWY_ATTR LightLanes sample_one_by_one(const LightSet& lights, std::size_t
         if (is_wanted[i] <= 0) {
             continue;
         }
-        if (const auto sample = lights.sample(light, points.get(i), V2f(u_x[i], u_y[i]))) {
+        if (const auto sample =
+                lights.sample(light, points.get(i), V2f(u_x[i], u_y[i]), times[i])) {
             directions.set(i, sample->direction);
             radiances.set(i, lights.radiance(light, *sample));
             distances[i] = sample->distance;
@@ -82,22 +96,76 @@ inline HWY_ATTR LightLanes sample_one_by_one(const LightSet& lights, std::size_t
             radiances.lanes(), hn::Gt(hn::Load(FloatTag(), valid), all(0.f))};
 }
 
-HWY_INLINE F importance(const WaveScene& scene, std::size_t light, const F3& point,
+/// The body of an emissive object at each path's time.
+struct BodyLanes {
+    bool moves, turns;
+    F3 position;
+    TurnOf<Lanes> turn;
+
+    [[nodiscard]] HWY_INLINE F3 vector(const F3& world) const {
+        return turns ? turn.undo(world) : world;
+    }
+    [[nodiscard]] HWY_INLINE F3 point(const F3& world) const {
+        return moves ? vector(world - position) : world;
+    }
+    [[nodiscard]] HWY_INLINE F3 to_world(const F3& vector) const {
+        return turns ? turn.apply(vector) : vector;
+    }
+};
+
+inline HWY_ATTR BodyLanes body_at(const WaveLight& light, F time, M wanted) {
+    BodyLanes body{
+        light.motion != nullptr, light.turns(), all(V3f(0, 0, 0)), {all(1.f), all(V3f(0, 0, 0))}};
+    if (!body.moves) {
+        return body;
+    }
+    LanesAtOnce positions(body.position);
+    LanesAtOnce vectors(body.position);
+    alignas(64) float times[16], reals[16] = {}, is_wanted[16];
+    hn::Store(time, FloatTag(), times);
+    list_lanes(wanted, is_wanted);
+    for (int i = 0; i < lane_count(); ++i) {
+        if (is_wanted[i] <= 0) {
+            continue;
+        }
+        positions.set(i, light.motion->position(times[i]));
+        if (body.turns) {
+            const Imath::Quatf turn = light.motion->world_from_body(times[i]);
+            reals[i] = turn.r;
+            vectors.set(i, turn.v);
+        }
+    }
+    body.position = positions.lanes();
+    body.turn = {hn::Load(FloatTag(), reals), vectors.lanes()};
+    return body;
+}
+
+HWY_INLINE F importance(const WaveScene& scene, std::size_t light, const PlaceLanes& place,
                         const F3& normal, M wanted) {
     const WaveLight& known = scene.light[light];
     switch (known.kind) {
         case WaveLight::Kind::rectangle:
-            return importance_of_rectangle<Lanes>(known.rectangle, point, normal);
+            return importance_of_rectangle<Lanes>(known.rectangle, place.position, normal);
         case WaveLight::Kind::sphere:
-            return importance_of_sphere<Lanes>(known.sphere, point, normal);
+            return importance_of_sphere<Lanes>(known.sphere, place.position, normal);
         case WaveLight::Kind::environment:
             return all(scene.environment_importance);
         case WaveLight::Kind::delta:
-            return importance_of_delta_light<Lanes>(known.delta, point, normal);
+            return importance_of_delta_light<Lanes>(known.delta, place.position, normal);
+        case WaveLight::Kind::curved_object: {
+            const BodyLanes body = body_at(known, place.time, wanted);
+            return importance_of_shape<Lanes>(known.shape, body.point(place.position),
+                                              body.vector(normal));
+        }
+        case WaveLight::Kind::flat_object: {
+            const BodyLanes body = body_at(known, place.time, wanted);
+            return importance_of_object<Lanes>(known.importance, body.point(place.position),
+                                               body.vector(normal));
+        }
         case WaveLight::Kind::other:
             break;
     }
-    return importance_one_by_one(*scene.lights, light, point, normal, wanted);
+    return importance_one_by_one(*scene.lights, light, place, normal, wanted);
 }
 
 HWY_INLINE LightLanes sample_environment(const EnvironmentPicture& sky, const V2& u) {
@@ -106,22 +174,35 @@ HWY_INLINE LightLanes sample_environment(const EnvironmentPicture& sky, const V2
             found.valid};
 }
 
-HWY_INLINE LightLanes sample(const WaveScene& scene, std::size_t light, const F3& point,
+/// Not inlined: the shapes' code is long.
+HWY_NOINLINE HWY_ATTR LightLanes sample_curved_object(const WaveLight& light,
+                                                      const PlaceLanes& place, const V2& u,
+                                                      M wanted) {
+    const BodyLanes body = body_at(light, place.time, wanted);
+    LightLanes found = sample_shape<Lanes>(light.shape, body.point(place.position), u);
+    found.direction = body.to_world(found.direction);
+    return found;
+}
+
+HWY_INLINE LightLanes sample(const WaveScene& scene, std::size_t light, const PlaceLanes& place,
                              const V2& u, M wanted) {
     const WaveLight& known = scene.light[light];
     switch (known.kind) {
         case WaveLight::Kind::rectangle:
-            return sample_rectangle<Lanes>(known.rectangle, point, u);
+            return sample_rectangle<Lanes>(known.rectangle, place.position, u);
         case WaveLight::Kind::sphere:
-            return sample_sphere_light<Lanes>(known.sphere, point, u);
+            return sample_sphere_light<Lanes>(known.sphere, place.position, u);
         case WaveLight::Kind::environment:
             return sample_environment(*scene.sky, u);
         case WaveLight::Kind::delta:
-            return sample_delta_light<Lanes>(known.delta, point);
+            return sample_delta_light<Lanes>(known.delta, place.position);
+        case WaveLight::Kind::curved_object:
+            return sample_curved_object(known, place, u, wanted);
+        case WaveLight::Kind::flat_object:
         case WaveLight::Kind::other:
             break;
     }
-    return sample_one_by_one(*scene.lights, light, point, u, wanted);
+    return sample_one_by_one(*scene.lights, light, place, u, wanted);
 }
 
 /// The choice of one light in every lane, as LightSet::choose.
@@ -132,13 +213,13 @@ struct ChoiceLanes {
     F u;
 };
 
-HWY_INLINE ChoiceLanes choose_light(const WaveScene& scene, const F3& point, const F3& normal, F u,
-                                    M wanted) {
+HWY_INLINE ChoiceLanes choose_light(const WaveScene& scene, const PlaceLanes& place,
+                                    const F3& normal, F u, M wanted) {
     const IntTag di;
     ChoiceLanes choice{hn::Set(di, -1), all(0.f), all(0.f), u};
     F chosen = all(0.f);
     for (std::size_t light = 0; light < scene.light.size(); ++light) {
-        const F weight = importance(scene, light, point, normal, wanted);
+        const F weight = importance(scene, light, place, normal, wanted);
         const M counts = hn::Gt(weight, all(0.f));
         choice.total = select(counts, choice.total + weight, choice.total);
         const F probability = weight / choice.total;

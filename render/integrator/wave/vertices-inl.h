@@ -23,6 +23,7 @@ struct VertexLanes {
     M valid;
     I path;
     F3 position, geometric_normal, origin;
+    F time;
     Basis frame;
     F3 throughput;
     F3 wo;  // towards the viewer, in the axes of `frame`, z > 0
@@ -99,6 +100,7 @@ HWY_INLINE VertexLanes vertices_at(const WaveStep& step, int first) {
     v.position = load(in.position, first);
     v.geometric_normal = load(in.geometric_normal, first);
     v.origin = v.position + v.geometric_normal * load(in.offset, first);
+    v.time = gather(step.paths.time, v.path);
     v.frame = basis_around<Lanes>(load(in.normal, first));
     v.throughput = gather(step.paths.throughput, v.path);
     v.wo = v.frame.from_world(-gather(step.paths.direction, v.path));

@@ -18,7 +18,16 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
         light.delta = lights.delta_light(index).constants();
         return light;
     }
-    if (index >= lights.area_light_count()) {
+    if (index >= lights.first_emissive()) {
+        const EmissiveObject& object = lights.emissive_object(index);
+        light.motion = object.motion();
+        if (const EmissiveShape* shape = object.curved()) {
+            light.kind = WaveLight::Kind::curved_object;
+            light.shape = shape->constants();
+        } else {
+            light.kind = WaveLight::Kind::flat_object;
+            light.importance = object.flat()->importance_constants();
+        }
         return light;
     }
     const AreaLight& area_light = lights.area_light(index);

@@ -16,13 +16,21 @@ namespace carom::render {
 
 /// A light for the kernels.
 struct WaveLight {
-    enum class Kind { rectangle, sphere, environment, delta, other };
+    enum class Kind { rectangle, sphere, environment, delta, curved_object, flat_object, other };
     Kind kind = Kind::other;
     int samples = 1;  // at a path's first vertex
     RectangleConstants rectangle;
     SphereConstants sphere;
     DeltaLightConstants delta;
+    EmissiveShapeConstants shape;         // of a curved object
+    ObjectImportance importance;          // of a flat object
+    const RigidMotion* motion = nullptr;  // of an object that moves
 
+    /// Whether the orientation of its body matters.
+    [[nodiscard]] bool turns() const {
+        return motion != nullptr &&
+               (kind == Kind::flat_object || shape.kind != EmissiveShapeConstants::Kind::sphere);
+    }
     [[nodiscard]] bool is_environment() const { return kind == Kind::environment; }
 };
 

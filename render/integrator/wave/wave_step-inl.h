@@ -60,13 +60,17 @@ HWY_INLINE void add_shadow_rays(const WaveStep& step, const VertexLanes& v, cons
     out.count += static_cast<int>(hn::CountTrue(d, is_lit));
 }
 
+HWY_INLINE PlaceLanes place_of(const VertexLanes& v) {
+    return {v.position, v.time};
+}
+
 HWY_INLINE F environment_sample_count(const WaveStep& step, const VertexLanes& v) {
     if (!step.scene.has_environment()) {
         return v.coat_samples;
     }
     F total = all(0.f);
     for (std::size_t light = 0; light < step.scene.light.size(); ++light) {
-        total = total + importance(step.scene, light, v.position, v.frame.z, v.scatters);
+        total = total + importance(step.scene, light, place_of(v), v.frame.z, v.scatters);
     }
     const F fraction =
         all(step.scene.environment_importance) / (all(kFullSamplingFraction) * total);
@@ -96,7 +100,7 @@ HWY_INLINE int sample_environment(const WaveStep& step, const VertexLanes& v, st
             point = {select(v.shows_gloss, shifted.x, rest), select(v.shows_gloss, shifted.y, u.y)};
         }
         const M now = j == 0 ? wanted : v.shows_gloss;
-        add_shadow_rays(step, v, sample(step.scene, light, v.position, point, now), expected, now,
+        add_shadow_rays(step, v, sample(step.scene, light, place_of(v), point, now), expected, now,
                         k);
     }
     return k;
@@ -131,8 +135,8 @@ HWY_INLINE void sample_all_lights(const WaveStep& step, VertexLanes& v,
         if (known.is_environment()) {
             k = sample_environment(step, v, light, u, k);
         } else {
-            add_shadow_rays(step, v, sample(step.scene, light, v.position, u, v.scatters), all(1.f),
-                            v.scatters, k++);
+            add_shadow_rays(step, v, sample(step.scene, light, place_of(v), u, v.scatters),
+                            all(1.f), v.scatters, k++);
         }
     }
 }
@@ -140,7 +144,7 @@ HWY_INLINE void sample_all_lights(const WaveStep& step, VertexLanes& v,
 /// Samples one light, chosen by importance, at later vertices.
 HWY_INLINE void sample_one_light(const WaveStep& step, VertexLanes& v, const V2& u) {
     const FloatTag d;
-    const ChoiceLanes choice = choose_light(step.scene, v.position, v.frame.z, u.x, v.scatters);
+    const ChoiceLanes choice = choose_light(step.scene, place_of(v), v.frame.z, u.x, v.scatters);
     v.total_importance = select(v.scatters, choice.total, all(0.f));
     LightLanes found{v.frame.z, all(0.f), all(1.f), all(V3f(0, 0, 0)), no_lanes()};
     for (std::size_t light = 0; light < step.scene.light.size(); ++light) {
@@ -150,7 +154,7 @@ HWY_INLINE void sample_one_light(const WaveStep& step, VertexLanes& v, const V2&
         if (hn::AllFalse(d, takes)) {
             continue;
         }
-        const LightLanes one = sample(step.scene, light, v.position, {choice.u, u.y}, takes);
+        const LightLanes one = sample(step.scene, light, place_of(v), {choice.u, u.y}, takes);
         found.direction = select(takes, one.direction, found.direction);
         found.distance = select(takes, one.distance, found.distance);
         found.pdf = select(takes, one.pdf, found.pdf);
@@ -215,7 +219,7 @@ inline HWY_ATTR void take_step(const WaveStep& step) {
             sample_one_light(step, v, {u[0], u[1]});
         }
         store(v.origin, step.shadows.origin, first);
-        store(gather(step.paths.time, v.path), step.shadows.time, first);
+        store(v.time, step.shadows.time, first);
         if (connects) {
             select_caustics(step, v, sampler);
         }

@@ -127,5 +127,62 @@ TEST(Caustics, OfParallelLight_AreThoseOfAFarBulb) {
     EXPECT_LT(sun.error, 0.003 * bulb.mean);
 }
 
+/// A floor below a ball of clear glass, and the light of a lamp behind it.
+SceneBuilder glass_over_floor() {
+    SceneBuilder builder;
+    StandardMaterial glass;
+    glass.transmission = 1;
+    glass.ior = 1.5;
+    glass.roughness = 0;
+    glass.transmission_colour = Vec3(0.9, 0.95, 0.8);
+    builder.diffuse("floor", 0.5).material("glass", glass);
+    builder.object("floor", PlaneShape{}, Vec3(0, 0, 0), "floor");
+    return builder.sphere("ball", 0.2, Vec3(0, 0, 0.35), "glass");
+}
+
+Estimate seen_below(const SceneDescription& scene, bool caustics, int bounces) {
+    PathSettings path;
+    path.caustics = caustics;
+    path.max_bounces = bounces;
+    return test::picture_luminance(
+        scene, test::camera(Vec3(0, -1.4, 0.5), Vec3(-0.05, -0.05, 0), 0.25), path, 32, 64);
+}
+
+// Chance hits are so rare that their error is several percent; the spread of each path is tested
+// exactly in refracted_paths_test.cpp.
+TEST(Caustics, ThroughClearGlass_SampledOrFoundByChance_HaveTheSameMean) {
+    const SceneDescription scene = glass_over_floor().bulb(Vec3(0.3, 0.2, 1.6), 0.02, 1200).scene;
+    for (const int bounces : {1, 4}) {
+        const Estimate sampled = seen_below(scene, true, bounces);
+        const Estimate by_chance = seen_below(scene, false, bounces);
+        EXPECT_NEAR(sampled.mean, by_chance.mean, 4 * std::hypot(sampled.error, by_chance.error))
+            << bounces;
+        EXPECT_LT(sampled.error, by_chance.error) << bounces;
+    }
+    // Nearer to the floor or farther from it than its focus the ball concentrates light less.
+    SceneBuilder far = glass_over_floor().bulb(Vec3(0.3, 0.2, 1.6), 0.02, 1200);
+    far.scene.objects.back().world_from_object = test::moved_to(Vec3(0, 0, 0.25));
+    EXPECT_LT(3 * seen_below(far.scene, true, 1).error, seen_below(far.scene, false, 1).error);
+}
+
+// A lamp that looks larger is left to chance hits.
+TEST(Caustics, ThroughClearGlass_OfLargerLamps_AreFoundByChance) {
+    const SceneDescription scene = glass_over_floor().bulb(Vec3(0.3, 0.2, 1.6), 0.09, 60).scene;
+    EXPECT_EQ(seen_below(scene, true, 4).mean, seen_below(scene, false, 4).mean);
+}
+
+TEST(Caustics, ThroughClearGlass_OfAPoint_AreThoseOfASmallBulb) {
+    const Vec3 place(0.3, 0.2, 1.6);
+    SceneBuilder point = glass_over_floor();
+    point.scene.lights.push_back({"point", PointLight{place, Vec3(2)}});
+    SceneBuilder bulb = glass_over_floor();
+    bulb.scene.lights.push_back(small_bulb(place, 0.004, 2));
+    const Estimate by_point = seen_below(point.scene, true, 1);
+    const Estimate by_bulb = seen_below(bulb.scene, true, 1);
+    EXPECT_NEAR(by_point.mean, by_bulb.mean, 4 * std::hypot(by_point.error, by_bulb.error));
+    const Estimate unlit = seen_below(point.scene, false, 1);
+    EXPECT_GT(by_point.mean, 1.05 * unlit.mean);
+}
+
 }  // namespace
 }  // namespace carom::render

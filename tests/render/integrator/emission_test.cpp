@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/render/integrator/distributed_scene.h"
+#include "tests/render/integrator/every_shape.h"
 #include "tests/render/integrator/integrator_scene.h"
 
 namespace carom::render {
@@ -68,13 +69,116 @@ TEST(Emission, EveryStrategy_HasTheSameMean) {
     }
 }
 
-// Round objects are found by scattered rays alone: the same light with more noise.
 TEST(Emission, EmissiveBall_IsABulb) {
     const SceneBuilder ball = unlit().sphere("glowing", 0.3, Vec3(-0.6, 0.2, 0.9), "glow");
     const SceneBuilder bulb = unlit().bulb(Vec3(-0.6, 0.2, 0.9), 0.3, 4);
     const Estimate as_object = seen(ball, DirectStrategy::both, 1);
     const Estimate as_light = seen(bulb, DirectStrategy::both, 1);
     EXPECT_NEAR(as_object.mean, as_light.mean, 4 * std::hypot(as_object.error, as_light.error));
+    EXPECT_LT(as_object.error, 1.5 * as_light.error);
+}
+
+/// A picture of a matt white spot at the origin, of which the camera sees nearly a point, under one
+/// emissive object. Returns the spot's irradiance over pi times the radiance of the object.
+Estimate lit_spot(const Shape& shape, const std::string& track, const test::Motion& motion,
+                  DirectStrategy strategy, int samples) {
+    SceneBuilder builder;
+    builder.diffuse("white", 1).object("floor", RectangleShape{Vec2(0.2, 0.2)}, Vec3(0), "white");
+    StandardMaterial glow;
+    glow.base = Vec3(0, 0, 0);
+    glow.emission = Vec3(2, 2, 2);
+    builder.material("glow", glow).object("light", shape, Vec3(0, 0, 0.8), "glow", track);
+    PathSettings path;
+    path.strategy = strategy;
+    path.max_bounces = 1;
+    path.split_vertices = 0;
+    Estimate found = test::picture_luminance(builder.scene,
+                                             test::camera(Vec3(0, -0.5, 0.2), Vec3(0, 0, 0), 0.001),
+                                             path, 16, samples, motion);
+    return {found.mean / 2, found.error / 2};
+}
+
+// The configuration factor of a small surface that faces a sphere is (radius / distance)^2, that of
+// a parallel disk radius^2 / (radius^2 + distance^2) (Howell, "A catalog of radiation heat transfer
+// configuration factors", B-13 and B-11).
+TEST(Emission, SphereAndDiskAboveASpot_GiveTheClosedForm) {
+    constexpr double kHeight = 0.8;
+    const Estimate sphere = lit_spot(SphereShape{0.1}, "", {}, DirectStrategy::both, 16);
+    EXPECT_NEAR(sphere.mean, 0.01 / (kHeight * kHeight), 4 * sphere.error + 2e-5);
+    EXPECT_LT(sphere.error, 0.002 * sphere.mean);
+    const Estimate by_chance =
+        lit_spot(SphereShape{0.1}, "", {}, DirectStrategy::scattering_only, 16);
+    EXPECT_NEAR(by_chance.mean, sphere.mean, 4 * by_chance.error);
+    EXPECT_GT(by_chance.error, 10 * sphere.error);  // a hundred times the variance
+    // A capsule that is nearly a ball; from below both look alike.
+    const Estimate capsule = lit_spot(CapsuleShape{0.1, 1e-4}, "", {}, DirectStrategy::both, 16);
+    EXPECT_NEAR(capsule.mean, 0.01 / (kHeight * kHeight), 4 * capsule.error + 2e-5);
+}
+
+// The mean over positions at distance x from the vertical of radius^2 height / (height^2 +
+// x^2)^(3/2) for x from -a to a is radius^2 / (height sqrt(height^2 + a^2)).
+TEST(Emission, BallThatMovesDuringTheShutter_GivesTheMeanOfItsPositions) {
+    constexpr double kHeight = 0.8;
+    constexpr double kReach = 0.9;
+    const test::Motion motion{{test::straight_track("passes", Vec3(-kReach, 0, kHeight),
+                                                    Vec3(kReach, 0, kHeight), 0, 0.1)},
+                              0.1};
+    const double expected = 0.01 / (kHeight * std::hypot(kHeight, kReach));
+    const Estimate both = lit_spot(SphereShape{0.1}, "passes", motion, DirectStrategy::both, 64);
+    EXPECT_NEAR(both.mean, expected, 4 * both.error + 2e-5);
+    EXPECT_LT(both.error, 0.005 * both.mean);
+    const Estimate by_chance =
+        lit_spot(SphereShape{0.1}, "passes", motion, DirectStrategy::scattering_only, 64);
+    EXPECT_NEAR(by_chance.mean, both.mean, 4 * by_chance.error);
+    EXPECT_GT(by_chance.error, 5 * both.error);
+}
+
+/// A spot of a floor beside one emissive shape, under a ceiling, seen from above.
+Estimate beside(const ObjectDescription& shape, const Vec3& place, const test::Motion& motion,
+                DirectStrategy strategy) {
+    SceneBuilder builder;
+    builder.diffuse("white", 0.6).object("floor", PlaneShape{}, Vec3(0), "white");
+    builder.object("ceiling", BoxShape{{4, 4, 0.1}}, Vec3(0, 0, 1.3), "white");
+    StandardMaterial glow;
+    glow.emission = Vec3(4, 4, 4);
+    builder.material("glow", glow).scene.objects.push_back(shape);
+    PathSettings path;
+    path.strategy = strategy;
+    path.max_bounces = 1;
+    const Vec3 spot(place.x, place.y - 0.5, 0);
+    return test::picture_luminance(builder.scene, test::camera(spot + Vec3(0, -0.3, 1), spot, 0.2),
+                                   path, 8, 8, motion);
+}
+
+// Each shape alone, turned or moving: sampling has the mean of chance hits, and no light counts
+// twice or goes missing where both are combined.
+TEST(Emission, EveryShape_IsSampledAndHasTheSameMean) {
+    constexpr double kShutter = 0.02;
+    const std::vector<test::PlacedShape> shapes = test::every_shape();
+    for (const auto placement : {test::Placement::turned, test::Placement::moving}) {
+        SceneBuilder all;
+        test::add_every_shape(all, placement, "glow");
+        const test::Motion motion{test::tracks_of_every_shape(kShutter), kShutter};
+        for (std::size_t i = 0; i < shapes.size(); ++i) {
+            if (shapes[i].name == "plane") {
+                continue;  // infinite: hit by chance
+            }
+            const auto seen = [&](DirectStrategy strategy) {
+                return beside(all.scene.objects[i], test::place_of(i, shapes[i].name), motion,
+                              strategy);
+            };
+            const Estimate both = seen(DirectStrategy::both);
+            const Estimate lights = seen(DirectStrategy::lights_only);
+            const Estimate scattering = seen(DirectStrategy::scattering_only);
+            const std::string name =
+                shapes[i].name + (placement == test::Placement::moving ? ", moving" : ", turned");
+            EXPECT_GT(both.mean, 0.002) << name;
+            EXPECT_NEAR(lights.mean, both.mean, 5 * std::hypot(lights.error, both.error)) << name;
+            EXPECT_NEAR(scattering.mean, both.mean, 5 * std::hypot(scattering.error, both.error))
+                << name;
+            EXPECT_LT(1.5 * both.error, scattering.error) << name;
+        }
+    }
 }
 
 TEST(Emission, InTheDistributedIntegrator_LightsTheFloorAndIsSeen) {

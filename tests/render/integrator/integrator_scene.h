@@ -30,16 +30,24 @@ inline Estimate estimate_of(const std::vector<double>& values) {
     return {mean, std::sqrt(std::max(0.0, squares / n - mean * mean) / (n - 1))};
 }
 
+/// How objects move while the shutter is open.
+struct Motion {
+    std::vector<sim::Track> tracks;
+    double shutter = 0;  // s
+};
+
 /// Mean luminance of a picture over `runs` runs with different seeds, with `samples` per pixel
 /// each.
 inline Estimate picture_luminance(const render::SceneDescription& scene,
                                   const render::CameraState& camera,
-                                  const render::PathSettings& path, int runs, int samples) {
+                                  const render::PathSettings& path, int runs, int samples,
+                                  const Motion& motion = {}) {
     const render::RenderSettings settings = small_settings(16, 16, samples);
     const render::PreparedScene prepared(scene, settings);
     const auto& data = prepared.data();
-    const render::FrameScene frame(data.geometry, {}, 0, 0);
-    const render::PathIntegrator integrator({frame, data.materials, data.lights, data.object_count},
+    const render::FrameScene frame(data.geometry, motion.tracks, 0, motion.shutter);
+    const render::LightSet lights = data.lights.in_frame(frame.motions());
+    const render::PathIntegrator integrator({frame, data.materials, lights, data.object_count},
                                             path);
     const render::ThinLensCamera lens(camera, camera, 16, 16, 0, render::PixelFilter::box, 1);
     std::vector<double> means;

@@ -169,6 +169,23 @@ void add_shape_cases(std::vector<WaveCase>& cases) {
     }
 }
 
+/// Every shape emits light.
+void add_glowing_cases(std::vector<WaveCase>& cases) {
+    const std::pair<const char*, Placement> placements[] = {{"Upright", Placement::upright},
+                                                            {"Turned", Placement::turned},
+                                                            {"Moving", Placement::moving}};
+    for (const auto& [name, placement] : placements) {
+        cases.push_back(
+            {std::string("Glowing") + name + "Shapes", [placement](SceneBuilder& builder) {
+                 StandardMaterial glowing;
+                 glowing.emission = Vec3(0.5, 0.4, 0.1);
+                 builder.material("glowing", glowing);
+                 builder.lamp(Vec3(0, 0, 1.5), 0.4, 0.2, 6);
+                 add_every_shape(builder, placement, "glowing");
+             }});
+    }
+}
+
 std::vector<WaveCase> wave_cases() {
     const auto with_lights = [](const std::function<void(SceneBuilder&)>& more) {
         return [more](SceneBuilder& builder) {
@@ -263,6 +280,19 @@ std::vector<WaveCase> wave_cases() {
                      }});
     cases.push_back(
         {"PaintAndMeshes", with_lights([](SceneBuilder& builder) { add_paint(builder); })});
+    cases.push_back({"ClearGlass",
+                     with_lights([](SceneBuilder& builder) {
+                         StandardMaterial glass;
+                         glass.transmission = 1;
+                         glass.roughness = 0;
+                         builder.material("clear", glass);
+                         builder.scene.lights.push_back(
+                             {"point", render::PointLight{Vec3(0.4, 0.5, 0.9), Vec3(1, 1, 1)}});
+                         builder.bulb(Vec3(-0.2, 0.6, 1.2), 0.01, 300);
+                         builder.sphere("lens", 0.12, Vec3(0.3, -0.4, 0.16), "clear");
+                         builder.sphere("rolling lens", 0.1, Vec3(0, 0, 0), "clear", "moving");
+                     }),
+                     {.max_bounces = 4}});
     cases.push_back({"EightBounces", with_lights([](SceneBuilder&) {}), {.max_bounces = 8}});
     cases.push_back({"WhiteRoomWithRoulette", with_lights(add_white_room), {.max_bounces = 8}});
     cases.push_back({"DirectLightOnly", with_lights([](SceneBuilder&) {}), {.max_bounces = 0}});
@@ -270,6 +300,7 @@ std::vector<WaveCase> wave_cases() {
     cases.push_back({"NoCaustics", with_lights([](SceneBuilder&) {}), {.caustics = false}});
     cases.push_back({"Clamped", with_lights([](SceneBuilder&) {}), {.clamp = 0.2f}});
     add_shape_cases(cases);
+    add_glowing_cases(cases);
     return cases;
 }
 
@@ -316,7 +347,8 @@ TEST_P(Waves, Gather_WhatPathsGatherOneAtATime) {
     const auto& data = prepared.data();
     const std::vector<sim::Track> tracks = table_tracks();
     const render::FrameScene frame(data.geometry, tracks, 0, kShutter);
-    const render::TransportScene scene{frame, data.materials, data.lights, data.object_count};
+    const render::LightSet lights = data.lights.in_frame(frame.motions());
+    const render::TransportScene scene{frame, data.materials, lights, data.object_count};
     ASSERT_TRUE(render::WaveIntegrator::can_do(scene, GetParam().path));
     const render::CameraState state = camera(Vec3(0.3, -1.6, 1.1), Vec3(0, 0, 0.05), 0.8);
     const render::ThinLensCamera lens(state, state, kSide, kSide, 0, render::PixelFilter::box, 1);
@@ -372,7 +404,8 @@ TEST(WaveIntegrator, Samples_DoNotDependOnOthersInTheWave) {
     const auto& data = prepared.data();
     const std::vector<sim::Track> tracks = table_tracks();
     const render::FrameScene frame(data.geometry, tracks, 0, kShutter);
-    const render::TransportScene scene{frame, data.materials, data.lights, data.object_count};
+    const render::LightSet lights = data.lights.in_frame(frame.motions());
+    const render::TransportScene scene{frame, data.materials, lights, data.object_count};
     const render::CameraState state = camera(Vec3(0.3, -1.6, 1.1), Vec3(0, 0, 0.05), 0.8);
     const render::ThinLensCamera lens(state, state, kSide, kSide, 0, render::PixelFilter::box, 1);
     const render::WaveIntegrator many(scene, {});

@@ -100,9 +100,9 @@ TEST(EmissiveSurface, WithoutArea_IsDark) {
     const V3f p(1, 2, 3);
     EXPECT_TRUE(EmissiveSurface({{p, p, p}}, V3f(1, 1, 1)).is_dark());
     LightSet lights;
-    lights.add(3, EmissiveSurface({}, V3f(1, 1, 1)));
+    lights.add(3, EmissiveObject(EmissiveSurface({}, V3f(1, 1, 1))));
     EXPECT_EQ(lights.sampled_count(), 0U);
-    lights.add(5, EmissiveSurface(triangles(), V3f(1, 1, 1)));
+    lights.add(5, EmissiveObject(EmissiveSurface(triangles(), V3f(1, 1, 1))));
     EXPECT_EQ(lights.emissive_light(5), std::optional<std::size_t>(0));
     EXPECT_FALSE(lights.emissive_light(3));
     EXPECT_FALSE(lights.emissive_light(99));

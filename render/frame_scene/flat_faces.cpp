@@ -1,4 +1,4 @@
-#include "render/frame_scene/static_triangles.h"
+#include "render/frame_scene/flat_faces.h"
 
 #include <utility>
 
@@ -9,7 +9,7 @@ namespace {
 
 using Triangle = std::array<V3f, 3>;
 
-/// Faces of the unit shape, mapped to world space.
+/// Faces of the unit shape, mapped to the axes of the body or the world.
 class Faces {
   public:
     explicit Faces(const UnitFrame& frame) : frame_(frame) {}
@@ -47,11 +47,8 @@ std::vector<Triangle> of_mesh(const TriangleMesh& mesh) {
 
 }  // namespace
 
-std::vector<Triangle> static_triangles(const StaticGeometry& geometry, std::uint32_t index) {
+std::vector<Triangle> flat_faces(const StaticGeometry& geometry, std::uint32_t index) {
     const SceneObject& object = geometry.data().objects[index];
-    if (object.is_tracked()) {
-        return {};
-    }
     const V3f x(1, 0, 0);
     const V3f y(0, 1, 0);
     const V3f z(0, 0, 1);

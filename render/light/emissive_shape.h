@@ -1,0 +1,55 @@
+// An emissive disk, ball, cylinder, cone, capsule or rounded box.
+#pragma once
+
+#include <optional>
+
+#include "render/geometry/shape_kind.h"
+#include "render/light/area_light.h"
+#include "render/light/emissive_shape_constants.h"
+
+namespace carom::render {
+
+/// A convex curved shape that emits the same radiance everywhere from its front (a disk) or
+/// outside. Balls are sampled uniformly over the cone that they subtend; ellipsoids likewise in the
+/// axes in which they are round; the others uniformly by area, on the side that faces the receiver
+/// where the shape is symmetric. All lengths and directions are in the axes of the shape's body, or
+/// in the world's for a shape that follows no track.
+class EmissiveShape {
+  public:
+    /// What the constructor needs to know about the shape.
+    struct Description {
+        ShapeKind kind = ShapeKind::ball;
+        bool is_round = false;      // a ball with three equal radii
+        float radius = 1;           // of a round ball, m
+        Affine unit_from_body;      // the unit shape is described in shape_list.h
+        Affine body_from_unit;      // its inverse
+        V3f profile{0, 0, 0};       // of the unit shape
+        float bounding_radius = 1;  // largest distance of the surface from the body's origin, m
+    };
+
+    /// Empty if shapes of the kind are not sampled here: those with flat faces only
+    /// (EmissiveSurface), and planes.
+    [[nodiscard]] static std::optional<EmissiveShape> make(const Description& shape,
+                                                           const V3f& radiance);
+
+    [[nodiscard]] bool is_dark() const;
+    [[nodiscard]] bool is_round() const {
+        return shape_.kind == EmissiveShapeConstants::Kind::sphere;
+    }
+
+    /// Empty if the sampled point faces away, and within the shape.
+    [[nodiscard]] std::optional<LightSample> sample(const V3f& point, const V2f& u) const;
+    /// Density of `sample` (1/sr) for a ray from `point` that hits the shape's front at `distance`,
+    /// where the unit `normal` points outward.
+    [[nodiscard]] float pdf(const V3f& point, const V3f& direction, float distance,
+                            const V3f& normal) const;
+    [[nodiscard]] const V3f& radiance() const { return shape_.radiance; }
+    [[nodiscard]] float importance(const V3f& point, const V3f& normal) const;
+    /// For kernels.
+    [[nodiscard]] const EmissiveShapeConstants& constants() const { return shape_; }
+
+  private:
+    EmissiveShapeConstants shape_;
+};
+
+}  // namespace carom::render

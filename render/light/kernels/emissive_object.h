@@ -1,0 +1,269 @@
+// Emissive objects in lanes: their importance, and the sampling of curved shapes. Included as
+// render/lanes/kernels/vectors.h is. Points, normals and directions are in the axes of the object's
+// body.
+
+/// 0 only where the whole object lies below the horizon. The orientation of its faces is left out.
+template <class L>
+CAROM_KERNEL typename L::Value importance_of_object(const ObjectImportance& object,
+                                                    const Three<typename L::Value>& point,
+                                                    const Three<typename L::Value>& normal) {
+    const Three<typename L::Value> to_light = all_of<L>(object.centre) - point;
+    const auto distance2 = L::larger(dot(to_light, to_light), L::all(1e-12f));
+    const auto distance = L::root(distance2);
+    const auto cosine = dot(to_light, normal) / distance;
+    const auto radius = L::all(object.bounding_radius);
+    const auto is_hidden =
+        L::both(L::is_less(radius, distance), L::is_at_most(cosine + radius / distance, L::all(0)));
+    const auto seen =
+        L::select(is_hidden, L::all(0), L::larger(cosine, L::all(kLeastHorizonCosine)));
+    return L::all(object.strength) * seen / L::larger(distance2, radius * radius);
+}
+
+template <class L>
+CAROM_KERNEL typename L::Value importance_of_shape(const EmissiveShapeConstants& shape,
+                                                   const Three<typename L::Value>& point,
+                                                   const Three<typename L::Value>& normal) {
+    return shape.kind == EmissiveShapeConstants::Kind::sphere
+               ? importance_of_sphere<L>(shape.sphere, point, normal)
+               : importance_of_object<L>(shape.importance, point, normal);
+}
+
+/// A point of a unit shape's surface.
+template <class L>
+struct UnitSampleOf {
+    Three<typename L::Value> position;
+    Three<typename L::Value> normal;  // unit, outward
+    typename L::Value density;        // per area of the unit shape, if the point faces the receiver
+};
+
+/// A part of the surface in each lane, and the number that chose it, used again.
+template <class L>
+struct PartOf {
+    typename L::Mask is_part[EmissiveShapeConstants::kMostParts];
+    typename L::Value density, rest;
+};
+
+template <class L>
+CAROM_KERNEL PartOf<L> choose_part(const EmissiveShapeConstants& shape, int count,
+                                   typename L::Value u) {
+    PartOf<L> part;
+    auto is_open = L::is_at_most(L::all(0), u);  // always true
+    part.density = L::all(1);
+    part.rest = L::all(0);
+    float low = 0;
+    for (int i = 0; i < count; ++i) {
+        const float high = shape.part_end[i];
+        part.is_part[i] = L::both(is_open, L::is_less(u, L::all(high)));
+        is_open = L::both(is_open, L::opposite(part.is_part[i]));
+        if (high > low) {
+            const auto rest =
+                limited<L>((u - L::all(low)) / L::all(high - low), 0, kOneMinusEpsilon);
+            part.rest = L::select(part.is_part[i], rest, part.rest);
+            part.density = L::select(part.is_part[i], L::all(shape.part_density[i]), part.density);
+        }
+        low = high;
+    }
+    return part;
+}
+
+/// The parts of a frustum: side, top, bottom.
+template <class L>
+CAROM_KERNEL UnitSampleOf<L> sample_unit_frustum(const EmissiveShapeConstants& shape,
+                                                 const Two<typename L::Value>& u) {
+    using V = typename L::Value;
+    const float middle = shape.profile.x;
+    const float slope = shape.profile.y;
+    const PartOf<L> part = choose_part<L>(shape, 3, u.x);
+    const SinCosOf<L> angle = sin_cos_turn<L>(u.y);
+    // The radius of the side is linear in z, so its square is uniform.
+    const V radius = L::root(L::larger(L::all(0), L::all((middle - slope) * (middle - slope)) +
+                                                      L::all(4 * middle * slope) * part.rest));
+    const V z =
+        (L::all(slope - 2 * middle) + L::all(4 * middle) * part.rest) / (radius + L::all(middle));
+    const V cap = L::root(part.rest) *
+                  L::select(part.is_part[1], L::all(middle + slope), L::all(middle - slope));
+    const auto is_side = part.is_part[0];
+    const V r = L::select(is_side, radius, cap);
+    const V end = L::select(part.is_part[1], L::all(1), L::all(-1));
+    const float across = 1 / std::sqrt(1 + slope * slope);
+    const V level = L::select(is_side, L::all(across), L::all(0));
+    return {{r * angle.cosine, r * angle.sine, L::select(is_side, z, end)},
+            {level * angle.cosine, level * angle.sine,
+             L::select(is_side, L::all(-slope * across), end)},
+            part.density};
+}
+
+/// The parts of the points within distance 1 of a box: corners (together a sphere), edges along x,
+/// y and z (cylinders), faces across x, y and z.
+template <class L>
+CAROM_KERNEL UnitSampleOf<L> sample_unit_rounded(const EmissiveShapeConstants& shape,
+                                                 const Two<typename L::Value>& u) {
+    using V = typename L::Value;
+    const PartOf<L> part = choose_part<L>(shape, 7, u.x);
+    const SinCosOf<L> angle = sin_cos_turn<L>(u.y);
+    const V zero = L::all(0);
+    const V along = L::all(2) * part.rest - L::all(1);
+    const V across = L::all(2) * u.y - L::all(1);
+    const V level = L::root(L::larger(zero, L::all(1) - along * along));
+    // A face: which of the two, and the place along its first side.
+    const V side = L::select(L::is_less(part.rest, L::all(0.5f)), L::all(1), L::all(-1));
+    const V place =
+        L::all(2) * (along - L::select(L::is_less(zero, side), L::all(-0.5f), L::all(0.5f)));
+    const auto is_corner = part.is_part[0];
+    Three<V> normal{L::select(is_corner, level * angle.cosine, zero),
+                    L::select(is_corner, level * angle.sine, zero),
+                    L::select(is_corner, along, zero)};
+    Three<V> core{zero, zero, zero};
+    const auto towards = [&](V direction, float half) CAROM_KERNEL_ATTRIBUTE {
+        return L::flip_sign(L::all(half), direction);
+    };
+    const Three<V> corner{towards(normal.x, shape.profile.x), towards(normal.y, shape.profile.y),
+                          towards(normal.z, shape.profile.z)};
+    core = select<L>(is_corner, corner, core);
+    // `a` is the edge's or the face's axis; b and c follow it.
+    const auto put = [&](int axis, V Three<V>::*a, V Three<V>::*b, V Three<V>::*c)
+                         CAROM_KERNEL_ATTRIBUTE {
+                             const float half_a = shape.profile[axis];
+                             const float half_b = shape.profile[(axis + 1) % 3];
+                             const float half_c = shape.profile[(axis + 2) % 3];
+                             const auto is_edge = part.is_part[1 + axis];
+                             normal.*b = L::select(is_edge, angle.cosine, normal.*b);
+                             normal.*c = L::select(is_edge, angle.sine, normal.*c);
+                             core.*a = L::select(is_edge, along * L::all(half_a), core.*a);
+                             core.*b = L::select(is_edge, towards(angle.cosine, half_b), core.*b);
+                             core.*c = L::select(is_edge, towards(angle.sine, half_c), core.*c);
+                             const auto is_face = part.is_part[4 + axis];
+                             normal.*a = L::select(is_face, side, normal.*a);
+                             core.*a = L::select(is_face, towards(side, half_a), core.*a);
+                             core.*b = L::select(is_face, place * L::all(half_b), core.*b);
+                             core.*c = L::select(is_face, across * L::all(half_c), core.*c);
+                         };
+    put(0, &Three<V>::x, &Three<V>::y, &Three<V>::z);
+    put(1, &Three<V>::y, &Three<V>::z, &Three<V>::x);
+    put(2, &Three<V>::z, &Three<V>::x, &Three<V>::y);
+    return {normal + core, normal, part.density};
+}
+
+/// A direction towards a point of the surface: uniform by area in each part.
+template <class L>
+CAROM_KERNEL LightSampleOf<L> sample_shape_by_area(const EmissiveShapeConstants& shape,
+                                                   const Three<typename L::Value>& point,
+                                                   const Two<typename L::Value>& u) {
+    using V = typename L::Value;
+    using Kind = EmissiveShapeConstants::Kind;
+    const AffineOf<L> unit_from_body = affine_of<L>(shape.unit_from_body);
+    UnitSampleOf<L> found;
+    if (shape.kind == Kind::disk) {
+        const Two<V> place = sample_disk<L>(u);
+        found = {{place.x, place.y, L::all(0)},
+                 {L::all(0), L::all(0), L::all(1)},
+                 L::all(shape.part_density[0])};
+    } else if (shape.kind == Kind::frustum) {
+        found = sample_unit_frustum<L>(shape, u);
+    } else {
+        found = sample_unit_rounded<L>(shape, u);
+    }
+    if (shape.is_symmetric) {
+        const V height = dot(unit_from_body.point(point) - found.position, found.normal);
+        const V sign = L::select(L::is_less(L::all(0), height), L::all(1), L::all(-1));
+        found.position = found.position * sign;
+        found.normal = found.normal * sign;
+    }
+    const Three<V> to_light = affine_of<L>(shape.body_from_unit).point(found.position) - point;
+    // The unit shape's area grows by the length of this normal times `volume_scale`.
+    const Three<V> normal = unit_from_body.inverse_normal(found.normal);
+    const V height = L::opposite_sign(dot(to_light, normal));
+    const V distance2 = dot(to_light, to_light);
+    const auto valid =
+        L::both(L::is_less(L::all(0), height), L::is_less(L::all(1e-18f), distance2));
+    const V distance = L::root(L::select(valid, distance2, L::all(1)));
+    const V pdf = found.density * distance2 * distance /
+                  (L::select(valid, height, L::all(1)) * L::all(shape.volume_scale));
+    return {to_light * (L::all(1) / distance), distance, pdf, all_of<L>(shape.radiance), valid};
+}
+
+/// 1 / sr in the axes of the unit ball, for a point outside.
+template <class L>
+CAROM_KERNEL typename L::Value unit_cone(const Three<typename L::Value>& point) {
+    return one_minus_cos_of_sphere<L>(L::all(1), L::root(dot(point, point)));
+}
+
+/// Uniform within the cone that the unit ball subtends, mapped to the body's axes: solid angles
+/// grow by the determinant over the cube of the length to which the map stretches the direction.
+template <class L>
+CAROM_KERNEL LightSampleOf<L> sample_ellipsoid(const EmissiveShapeConstants& shape,
+                                               const Three<typename L::Value>& point,
+                                               const Two<typename L::Value>& u) {
+    using V = typename L::Value;
+    SphereConstants ball;
+    ball.radius = 1;
+    const LightSampleOf<L> found =
+        sample_sphere_light<L>(ball, affine_of<L>(shape.unit_from_body).point(point), u);
+    const Three<V> direction = affine_of<L>(shape.body_from_unit).vector(found.direction);
+    const V stretch = L::root(dot(direction, direction));
+    return {direction * (L::all(1) / stretch), found.distance * stretch,
+            found.pdf * stretch * stretch * stretch / L::all(shape.volume_scale),
+            all_of<L>(shape.radiance), found.valid};
+}
+
+/// Not valid within the shape, on its surface, and where the sampled point faces away.
+template <class L>
+CAROM_KERNEL LightSampleOf<L> sample_shape(const EmissiveShapeConstants& shape,
+                                           const Three<typename L::Value>& point,
+                                           const Two<typename L::Value>& u) {
+    using Kind = EmissiveShapeConstants::Kind;
+    LightSampleOf<L> found;
+    if (shape.kind == Kind::sphere) {
+        found = sample_sphere_light<L>(shape.sphere, point, u);
+    } else if (shape.kind == Kind::ellipsoid) {
+        found = sample_ellipsoid<L>(shape, point, u);
+    } else {
+        found = sample_shape_by_area<L>(shape, point, u);
+    }
+    found.valid = L::both(found.valid, L::is_less(L::all(0), found.distance));
+    return found;
+}
+
+/// Density of `sample_shape` (1/sr) for a ray from `point` that hits the shape at `distance` from
+/// the front, where the unit `normal` points outward.
+template <class L>
+CAROM_KERNEL typename L::Value pdf_of_shape(const EmissiveShapeConstants& shape,
+                                            const Three<typename L::Value>& point,
+                                            const Three<typename L::Value>& direction,
+                                            typename L::Value distance,
+                                            const Three<typename L::Value>& normal) {
+    using V = typename L::Value;
+    using Kind = EmissiveShapeConstants::Kind;
+    const V one = L::all(1);
+    if (shape.kind == Kind::sphere || shape.kind == Kind::ellipsoid) {
+        const bool is_round = shape.kind == Kind::sphere;
+        const Three<V> centre = all_of<L>(shape.sphere.centre);
+        const Three<V> from_centre = is_round ? (point - centre) * L::all(1 / shape.sphere.radius)
+                                              : affine_of<L>(shape.unit_from_body).point(point);
+        const auto is_outside = L::is_less(one, dot(from_centre, from_centre));
+        const V pdf = one / (L::all(kTurn) * unit_cone<L>(from_centre));
+        V scale = one;
+        if (!is_round) {
+            const Three<V> along = affine_of<L>(shape.unit_from_body).vector(direction);
+            const V shrink = L::root(dot(along, along));
+            scale = one / (shrink * shrink * shrink * L::all(shape.volume_scale));
+        }
+        return L::select(is_outside, pdf * scale, L::all(0));
+    }
+    const V cosine = L::opposite_sign(dot(direction, normal));
+    const auto faces = L::is_less(L::all(0), cosine);
+    const Three<V> on_unit = affine_of<L>(shape.body_from_unit).inverse_normal(normal);
+    const V size = L::root(dot(on_unit, on_unit));
+    V density = L::all(shape.part_density[0]);
+    if (shape.kind == Kind::frustum) {
+        // A side is never as steep as this.
+        constexpr float kCapCosine = 0.7f;
+        density = L::select(L::is_less(size * L::all(kCapCosine), on_unit.z),
+                            L::all(shape.part_density[1]), density);
+        density = L::select(L::is_less(on_unit.z, size * L::all(-kCapCosine)),
+                            L::all(shape.part_density[2]), density);
+    }
+    const V pdf = density * size * distance * distance /
+                  (L::select(faces, cosine, one) * L::all(shape.volume_scale));
+    return L::select(faces, pdf, L::all(0));
+}
