@@ -41,6 +41,7 @@ struct Denoised {
     std::vector<Picture> noisy, clean;  // by seed
     Cost cost;
     double noisy_error = 0;
+    double estimated = 0;  // error, by the denoiser itself
     double rendering = 0;  // CPU s
     double filtering = 0;
 };
@@ -73,6 +74,9 @@ Denoised denoise(const GainFrame& frame, int samples, const Reference& reference
         result.rendering +=
             cpu_of([&] { noisy = frame.render(samples, true, seed); }) / options.seeds;
         result.filtering += cpu_of([&] { clean = render::denoised(noisy); }) / options.seeds;
+        for (const float error : render::error_after_denoising(noisy)) {
+            result.estimated += static_cast<double>(error) / (pixels * options.seeds);
+        }
         result.noisy.push_back(colours_of(noisy));
         result.clean.push_back(colours_of(clean));
         result.noisy_error += error_of(result.noisy.back(), reference) / options.seeds;
@@ -136,9 +140,10 @@ void measure(const std::string& name, const Options& options, Products& products
         products.least[i] = std::min(products.least[i], gain);
         std::printf(
             "  %4d denoised: %6.3f CPU s (%.3f rendering, %.3f filtering), error %.3e from "
-            "%.3e (%.2f); at equal time %.2f\n",
+            "%.3e (%.2f), estimated %.3e; at equal time %.2f\n",
             options.samples[i], result.cost.seconds, result.rendering, result.filtering,
-            result.cost.error, result.noisy_error, result.noisy_error / result.cost.error, gain);
+            result.cost.error, result.noisy_error, result.noisy_error / result.cost.error,
+            result.estimated, gain);
         if (options.seeds > 1) {
             print(compare_blocks(result.noisy, result.clean, reference, options.size.width),
                   options.lists_blocks);

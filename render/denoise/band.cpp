@@ -69,7 +69,9 @@ BandPlanes make_planes(const DenoiseInput& input, const RowRange& rows) {
     planes.shape = input.variance.first != nullptr ? Plane(planes.known, width) : Plane();
     planes.exact.assign(input.features.size(), Plane(planes.predicted, width));
     planes.features.fill(std::vector<Plane>(input.features.size(), Plane(planes.weighed, width)));
+    planes.share = Plane(planes.predicted, width);
     planes.prediction.fill(colour_plane(planes.predicted, width));
+    planes.checked = planes.prediction;
     planes.noisy_error = planes.filtered_error = planes.squared_excess =
         Plane(planes.predicted, width);
     planes.mean_noisy_error = planes.mean_filtered_error = planes.mask =
@@ -132,6 +134,11 @@ void Band::copy_features(int y) {
             fill_row(planes_.exact[f], y, planes_.width, exact);
         }
     }
+    if (is_predicted && input_.share_of_samples.first != nullptr) {
+        fill_row(planes_.share, y, planes_.width, [&](std::ptrdiff_t i) {
+            return std::clamp(finite(input_.share_of_samples[i]), 0.0F, 1.0F);
+        });
+    }
 }
 
 /// Rows beyond the picture are those at its edge.
@@ -171,8 +178,8 @@ void Band::estimate_errors(int y) {
     for (int c = 0; c < kChannels; ++c) {
         row.mean[c] = planes_.mean[c].row(y);
         row.difference[c] = planes_.difference[c].row(y);
-        row.from_a[c] = planes_.prediction[0][c].row(y);
-        row.from_b[c] = planes_.prediction[1][c].row(y);
+        row.from_a[c] = planes_.checked[0][c].row(y);
+        row.from_b[c] = planes_.checked[1][c].row(y);
     }
     row.noisy = planes_.noisy_error.row(y);
     row.filtered = planes_.filtered_error.row(y);

@@ -30,7 +30,9 @@ struct BandPlanes {
     Plane shape;                                        // the known variance
     std::vector<Plane> exact;                           // features
     std::array<std::vector<Plane>, kHalves> features;   // of the halves' samples
+    Plane share;                                        // of the samples in the exact features
     std::array<ColourPlane, kHalves> prediction;        // from A and from B
+    std::array<ColourPlane, kHalves> checked;           // the same, knowing nothing of B and A
     Plane noisy_error, filtered_error, squared_excess;  // of pixels
     Plane mean_noisy_error, mean_filtered_error, mask;
 };

@@ -42,12 +42,15 @@ struct WeightRow {
 /// A chunk of pixels whose colours are predicted. Pointers are those of the first pixel.
 struct RegressionChunk {
     const float* colour[3];
-    const float* feature[kMostRegressors];  // of the same samples
-    const float* exact[kMostRegressors];    // where the prediction is evaluated
-    const float* weight;                    // kChunk numbers for each neighbour
-    const std::ptrdiff_t* neighbours;       // offsets from a pixel to its neighbours
+    const float* feature[kMostRegressors];        // of the same samples
+    const float* other_feature[kMostRegressors];  // of the other half's samples
+    const float* exact[kMostRegressors];          // where the prediction is evaluated
+    const float* share;                           // of the samples in the exact features
+    const float* weight;                          // kChunk numbers for each neighbour
+    const std::ptrdiff_t* neighbours;             // offsets from a pixel to its neighbours
     int neighbour_count = 0;
     float* result[3];
+    float* checked[3];  // the same, evaluated where nothing is known of the other half
 };
 
 /// Means over squares of pixels, in one row.

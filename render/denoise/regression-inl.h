@@ -117,7 +117,8 @@ HWY_INLINE void sum_all(const RegressionChunk& chunk, int lane, NormalSums<kFeat
     }
 }
 
-/// Eliminates the constant, then the features (LDL^T), and evaluates the fit at the exact features.
+/// Eliminates the constant, then the features (LDL^T), and evaluates the fit at the exact features,
+/// and at those without the samples of the other half.
 /// The ridge keeps features that explain nothing from being used. A feature of large values, such
 /// as a lamp's light, has one in proportion, so that rounding leaves every pivot positive.
 template <int kFeatures>
@@ -126,14 +127,23 @@ HWY_INLINE void solve(const RegressionChunk& chunk, int lane, NormalSums<kFeatur
     constexpr float kLeastPivot = 1e-6f;
     const F weight = sums.matrix(0, 0);
     F result[3];
+    F checked[3];
     for (int c = 0; c < 3; ++c) {
-        result[c] = quotient(sums.right(0, c), weight);
+        result[c] = checked[c] = quotient(sums.right(0, c), weight);
     }
-    F place[kFeatures + 1];  // of the exact features relative to the neighbours' mean
+    // Of the exact features relative to the neighbours' mean, and of those without the other half:
+    // with the share s of both halves, these are (exact - s / 2 other) / (1 - s / 2).
+    F place[kFeatures + 1];
+    F without[kFeatures + 1];
     F least[kFeatures + 1];
+    const F half_share = product(all(0.5f), load(chunk.share + lane));
+    const F others = quotient(half_share, minus(all(1.f), half_share));
     for (int i = 1; i <= kFeatures; ++i) {
-        const F moved = minus(load(chunk.exact[i - 1] + lane), load(chunk.feature[i - 1] + lane));
+        const F exact = load(chunk.exact[i - 1] + lane);
+        const F moved = minus(exact, load(chunk.feature[i - 1] + lane));
         place[i] = minus(moved, quotient(sums.matrix(0, i), weight));
+        const F of_other = minus(exact, load(chunk.other_feature[i - 1] + lane));
+        without[i] = sum(place[i], product(others, of_other));
     }
     for (int i = 1; i <= kFeatures; ++i) {
         const F size = sum(weight, sums.matrix(i, i));
@@ -158,14 +168,18 @@ HWY_INLINE void solve(const RegressionChunk& chunk, int lane, NormalSums<kFeatur
                 sums.right(j, c) = minus(sums.right(j, c), product(factor, sums.right(i, c)));
             }
             place[j] = minus(place[j], product(factor, place[i]));
+            without[j] = minus(without[j], product(factor, without[i]));
         }
         const F along = product(place[i], scale);
+        const F along_without = product(without[i], scale);
         for (int c = 0; c < 3; ++c) {
             result[c] = sum(result[c], product(along, sums.right(i, c)));
+            checked[c] = sum(checked[c], product(along_without, sums.right(i, c)));
         }
     }
     for (int c = 0; c < 3; ++c) {
         store(result[c], chunk.result[c] + lane);
+        store(checked[c], chunk.checked[c] + lane);
     }
 }
 

@@ -127,11 +127,14 @@ class HalfTile {
             for (int c = 0; c < kChannels; ++c) {
                 chunk.colour[c] = planes_.half[half_][c].row(y) + x;
                 chunk.result[c] = planes_.prediction[half_][c].row(y) + x;
+                chunk.checked[c] = planes_.checked[half_][c].row(y) + x;
             }
             for (std::size_t i = 0; i < features.size(); ++i) {
                 chunk.feature[i] = planes_.features[half_][features[i]].row(y) + x;
+                chunk.other_feature[i] = planes_.features[1 - half_][features[i]].row(y) + x;
                 chunk.exact[i] = planes_.exact[features[i]].row(y) + x;
             }
+            chunk.share = planes_.share.row(y) + x;
             chunk.weight = weights_of(y, number);
             chunk.neighbours = offsets.data();
             chunk.neighbour_count = neighbours.count();

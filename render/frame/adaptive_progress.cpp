@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -12,6 +14,9 @@ namespace carom::render {
 namespace {
 
 constexpr int kEstimates = 16;  // during the first samples
+
+/// The part of the error that the denoiser leaves with few samples (docs/denoising.md).
+constexpr float kLeftByDenoiser = 0.13F;
 
 /// Close to the golden section of `tiles` and coprime to it, so that its multiples visit every tile
 /// once and are evenly spread.
@@ -37,10 +42,10 @@ int AdaptiveProgress::nth_tile(int n) const {
     return static_cast<int>(std::int64_t{n} * stride_ % tiles_);
 }
 
-void AdaptiveProgress::first_samples_done(int tile, const std::vector<double>& deviations,
+void AdaptiveProgress::first_samples_done(int tile, const std::vector<float>& errors,
                                           double seconds) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    begun_[static_cast<std::size_t>(tile)] = {seconds, deviations};
+    begun_[static_cast<std::size_t>(tile)] = {seconds, errors};
     work_ += seconds;
     begun_count_ += 1;
     const int between = std::max(1, tiles_ / kEstimates);
@@ -54,32 +59,39 @@ void AdaptiveProgress::first_samples_done(int tile, const std::vector<double>& d
 
 /// From a plan for the tiles that have their first samples.
 double AdaptiveProgress::expected_ratio() const {
-    std::vector<double> all;
+    MeasuredError error;
     for (const BegunTile& tile : begun_) {
-        all.insert(all.end(), tile.deviations.begin(), tile.deviations.end());
+        error.by_pixel.insert(error.by_pixel.end(), tile.errors.begin(), tile.errors.end());
     }
-    const double scale = samples_per_deviation(all, settings_);
+    for (float& value : error.by_pixel) {
+        value *= settings_.for_denoiser ? kLeftByDenoiser : 1;
+        error.mean += static_cast<double>(value) / static_cast<double>(error.by_pixel.size());
+    }
+    const std::vector<int> expected =
+        next_round(std::vector<int>(error.by_pixel.size(), settings_.samples), error, settings_)
+            .expected;
     double first = 0;
     double further = 0;
+    auto samples = expected.begin();
     for (const BegunTile& tile : begun_) {
-        double samples = 0;
-        for (const double deviation : tile.deviations) {
-            samples += wanted_samples(deviation, scale, settings_);
-        }
-        const double mean =
-            samples / static_cast<double>(std::max<std::size_t>(1, tile.deviations.size()));
+        const auto end = samples + std::ssize(tile.errors);
+        const double sum = std::accumulate(samples, end, 0.0);
+        samples = end;
         first += tile.seconds;
-        further += tile.seconds * std::max(0.0, mean / settings_.samples - 1);
+        if (!tile.errors.empty()) {
+            const double mean = sum / static_cast<double>(tile.errors.size());
+            further += tile.seconds * (mean / settings_.samples - 1);
+        }
     }
     return first > 0 ? further / first : 0;
 }
 
-void AdaptiveProgress::set_plan(std::vector<double> further) {
+void AdaptiveProgress::begin_round(std::vector<double> now, const std::vector<double>& in_all) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    further_ = std::move(further);
+    round_ = std::move(now);
     all_work_ = work_;
     for (std::size_t tile = 0; tile < begun_.size(); ++tile) {
-        all_work_ += begun_[tile].seconds * further_[tile];
+        all_work_ += begun_[tile].seconds * in_all[tile];
     }
     report(all_work_ > 0 ? work_ / all_work_ : 0);
 }
@@ -87,9 +99,8 @@ void AdaptiveProgress::set_plan(std::vector<double> further) {
 void AdaptiveProgress::tile_done(int tile) {
     const std::lock_guard<std::mutex> lock(mutex_);
     const auto index = static_cast<std::size_t>(tile);
-    work_ += begun_[index].seconds * further_[index];
-    done_count_ += 1;
-    report(done_count_ == tiles_ ? 1 : work_ / std::max(all_work_, work_));
+    work_ += begun_[index].seconds * round_[index];
+    report(work_ / std::max(all_work_, work_));
 }
 
 /// A fraction that was overestimated stays until the work has caught up.

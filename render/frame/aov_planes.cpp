@@ -85,6 +85,9 @@ AovPlanes::AovPlanes(const RenderSettings& settings, const FrameInput& frame,
         }
         needs_centre_ray_ = needs_centre_ray_ || aov->is_seen_by_centre;
     }
+    if (has_variance() && has_halves(settings)) {
+        squared_differences_.resize(pixels);
+    }
 }
 
 /// Adds the channels of a matte and returns their names.
@@ -146,14 +149,61 @@ bool AovPlanes::has_variance() const {
     return std::find(names_.begin(), names_.end(), kVariance) != names_.end();
 }
 
-void AovPlanes::add_variance(const std::vector<float>& variance) {
+namespace {
+
+/// Sums over squares of 17x17 values, cut at the edges of the picture.
+std::vector<double> sums_around(const std::vector<float>& values, int width) {
+    constexpr int kReach = 8;
+    const int height = static_cast<int>(std::ssize(values) / width);
+    // Sums over the rectangles from the first value on (Crow 1984, "Summed-area tables for texture
+    // mapping").
+    const std::size_t stride = static_cast<std::size_t>(width) + 1;
+    std::vector<double> table(stride * (static_cast<std::size_t>(height) + 1));
+    const auto corner = [&](int x, int y) -> double& {
+        return table[static_cast<std::size_t>(y) * stride + static_cast<std::size_t>(x)];
+    };
+    for (int y = 0; y < height; ++y) {
+        double row = 0;
+        for (int x = 0; x < width; ++x) {
+            row += static_cast<double>(
+                values[static_cast<std::size_t>(y) * (stride - 1) + static_cast<std::size_t>(x)]);
+            corner(x + 1, y + 1) = corner(x + 1, y) + row;
+        }
+    }
+    std::vector<double> result;
+    result.reserve(values.size());
+    for (int y = 0; y < height; ++y) {
+        const auto [top, bottom] =
+            std::pair(std::max(0, y - kReach), std::min(height, y + kReach + 1));
+        for (int x = 0; x < width; ++x) {
+            const auto [left, right] =
+                std::pair(std::max(0, x - kReach), std::min(width, x + kReach + 1));
+            result.push_back(corner(right, bottom) - corner(left, bottom) - corner(right, top) +
+                             corner(left, top));
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+void AovPlanes::finish_variance(const std::vector<float>& more) {
     if (!has_variance()) {
         return;
     }
     const auto channel = std::find_if(channels_.begin(), channels_.end(),
                                       [](const Channel& c) { return c.name == kVarianceChannel; });
-    for (std::size_t pixel = 0; pixel < channel->values.size(); ++pixel) {
-        channel->values[pixel] += variance[pixel];
+    std::vector<float>& variance = channel->values;
+    if (!squared_differences_.empty()) {
+        const std::vector<double> measured = sums_around(squared_differences_, width_);
+        const std::vector<double> assumed = sums_around(variance, width_);
+        for (std::size_t pixel = 0; pixel < variance.size(); ++pixel) {
+            variance[pixel] *=
+                assumed[pixel] > 0 ? static_cast<float>(measured[pixel] / assumed[pixel]) : 0.0F;
+        }
+    }
+    for (std::size_t pixel = 0; pixel < variance.size(); ++pixel) {
+        variance[pixel] += more[pixel];
     }
 }
 
@@ -192,6 +242,9 @@ void AovPlanes::write(int x, int y, const PixelMeans& means) {
             put(std::array{centre.material});
         } else {
             put(std::array{means.variance});
+            if (!squared_differences_.empty()) {
+                squared_differences_[pixel] = means.squared_difference;
+            }
         }
     }
 }

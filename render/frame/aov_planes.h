@@ -40,7 +40,10 @@ struct PixelMeans {
     int samples = 1;
     V3f normal{0, 0, 0};
     V3f albedo{0, 0, 0};
-    float variance = 0;  // of the mean luminance
+    float variance = 0;  // of the mean luminance, if samples were independent
+    /// ((A - B) / 2)^2, where A and B are the mean luminances of the halves of the samples: the
+    /// variance of the mean, if the halves are independent.
+    float squared_difference = 0;
 };
 
 /// Collects the requested channels, one pixel at a time and from any thread:
@@ -50,8 +53,11 @@ struct PixelMeans {
 ///   motion     motion.X .Y       pixels (right, down) that the point moves from open to close
 ///   object_id  object_id.X       1 + index in the scene's objects, then its lights; 0: background
 ///   material_id material_id.X    1 + index in the scene's materials; 0: background, or a light
-///   variance   variance.X        of the pixel's mean luminance, as if its samples were independent;
-///                                of splats as in splat_moments.h
+///   variance   variance.X        of the pixel's mean luminance. If the samples are taken in
+///   halves,
+///                                these are compared (finish_variance); if not, as if samples were
+///                                independent, which is two to eight times too much. Of splats as
+///                                in splat_moments.h
 ///   cryptomatte_object, cryptomatte_material
 ///              CryptoObject00.R ... mattes by the names of objects and materials (cryptomatte.h)
 /// Depth, motion, object and material are those that the pixel's centre sees through the centre of
@@ -70,9 +76,12 @@ class AovPlanes {
 
     /// Whether the variance is among the channels.
     [[nodiscard]] bool has_variance() const;
-    /// Adds the variance of light that pixels do not sample themselves, row by row, if the variance
-    /// is among the channels. Once all pixels are written, from one thread.
-    void add_variance(const std::vector<float>& variance);
+    /// Finishes the variance, if it is among the channels, once all pixels are written; from one
+    /// thread. The difference of a pixel's halves alone says little, and samples that are
+    /// well distributed deviate less than independent ones, by a factor that changes slowly over
+    /// the picture: this factor is measured in 17x17 pixels. `more`: the variance of light that
+    /// pixels do not sample themselves, row by row.
+    void finish_variance(const std::vector<float>& more);
 
     /// The channels in the order of `settings.aovs`.
     [[nodiscard]] std::vector<Channel> take() { return std::move(channels_); }
@@ -97,6 +106,7 @@ class AovPlanes {
     std::vector<float> material_ids_;  // for Cryptomatte, of the object's material
     Film::Notes notes_;
     std::vector<Channel> channels_;
+    std::vector<float> squared_differences_;  // of halves, for the variance
     const FrameScene& scene_;
     ThinLensCamera camera_;  // without a lens
     int width_;

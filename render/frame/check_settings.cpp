@@ -65,8 +65,8 @@ std::vector<Diagnostic> find_problems(const RenderSettings& settings, const RayB
     problems.unless_between("samples", settings.samples, 1, 65536);
     problems.unless_between("noise", settings.noise, 0.0, 1.0);
     problems.unless_between("max_samples", settings.max_samples, 1, 65536);
-    if (settings.noise > 0 && settings.samples % 4 != 0) {
-        problems.add("samples", fmt::format("samples is {}; with noise it must be a multiple of 4",
+    if (settings.noise > 0 && settings.samples % 2 != 0) {
+        problems.add("samples", fmt::format("samples is {}; with noise it must be an even number",
                                             settings.samples));
     }
     if (settings.for_denoiser && settings.integrator == IntegratorKind::distributed) {

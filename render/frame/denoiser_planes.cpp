@@ -26,6 +26,7 @@ constexpr std::size_t kVariance = kColours;
 constexpr std::size_t kExact = kVariance + 1;
 constexpr std::size_t kError = kExact + kFeatures;
 constexpr std::size_t kDifference = kError + kFeatures;
+constexpr std::size_t kShare = kDifference + kFeatures;
 
 std::vector<std::string> channel_names() {
     std::vector<std::string> names{"half.R", "half.G", "half.B", "half_variance.X"};
@@ -34,6 +35,7 @@ std::vector<std::string> channel_names() {
             names.push_back(kind + std::string(feature));
         }
     }
+    names.emplace_back("exact_share.X");
     return names;
 }
 
@@ -81,17 +83,15 @@ float rounded_feature(float value) {
 
 }  // namespace
 
-HalfMeans half_means(const PixelSums& pixel, int half) {
-    HalfMeans means;
+PixelFeatures features_of_half(const PixelSums& pixel, int half) {
     const auto index = static_cast<std::size_t>(half);
-    if (index < pixel.halves.size() && pixel.halves[index].samples > 0) {
-        const HalfSums& sums = pixel.halves[index];
-        const float scale = 1.0F / static_cast<float>(sums.samples);
-        means.radiance = sums.radiance * scale;
-        means.features =
-            PixelFeatures{sums.albedo * scale, sums.normal * scale, sums.light * scale};
+    const int samples = pixel.samples_of_half(half);
+    if (index >= pixel.halves.size() || samples == 0) {
+        return {};
     }
-    return means;
+    const HalfSums& sums = pixel.halves[index];
+    const float scale = 1.0F / static_cast<float>(samples);
+    return {sums.albedo * scale, sums.normal * scale, sums.light * scale};
 }
 
 DenoiserPlanes::DenoiserPlanes(int width, int height) : width_(width) {
@@ -101,28 +101,30 @@ DenoiserPlanes::DenoiserPlanes(int width, int height) : width_(width) {
     }
 }
 
-void DenoiserPlanes::write(int x, int y, const PixelSums& pixel, const PixelFeatures& exact) {
+void DenoiserPlanes::write(int x, int y, const PixelSums& pixel, const TracedFeatures& traced) {
     const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                            static_cast<std::size_t>(x);
-    const HalfMeans a = half_means(pixel, 0);
-    const HalfMeans b = half_means(pixel, 1);
+    const V3f difference_of_colour = pixel.mean_of_half(0) - pixel.mean_of_half(1);
+    const PixelFeatures halves[2] = {features_of_half(pixel, 0), features_of_half(pixel, 1)};
+    const PixelFeatures exact = traced.with_samples(halves, pixel.samples);
     const auto put = [&](std::size_t channel, float value) {
         channels_[channel].values[at] = value;
     };
     for (std::size_t c = 0; c < kColours; ++c) {
         const auto i = static_cast<int>(c);
-        put(c, rounded(0.5F * (a.radiance[i] - b.radiance[i]), kNoiseBits));
+        put(c, rounded(0.5F * difference_of_colour[i], kNoiseBits));
     }
+    put(kShare, as_half(traced.share_of_samples(pixel.samples)));
     put(kVariance, rounded(pixel.samples > 0 ? pixel.means().variance : 0, kVarianceBits));
     for (std::size_t f = 0; f < kFeatures; ++f) {
         const auto i = static_cast<int>(f);
         const bool is_light = f >= 6;
         const float kept = as_half(is_light ? exact[i] : stepped(exact[i], kExactStep));
-        const float mean = 0.5F * (a.features[i] + b.features[i]);
+        const float mean = 0.5F * (halves[0][i] + halves[1][i]);
         put(kExact + f, kept);
         // Where all rays saw the same, the error is none, although the exact mean is rounded.
         put(kError + f, difference(mean, exact[i]) == 0 ? 0 : rounded_feature(mean - kept));
-        put(kDifference + f, rounded_feature(0.5F * (a.features[i] - b.features[i])));
+        put(kDifference + f, rounded_feature(0.5F * (halves[0][i] - halves[1][i])));
     }
 }
 
@@ -171,10 +173,15 @@ DenoiseInput input_of(const Film& film) {
     for (std::size_t f = 0; f < kFeatures; ++f) {
         input.features.push_back({views[kExact + f], views[kError + f], views[kDifference + f]});
     }
+    input.share_of_samples = views[kShare];
     return input;
 }
 
 }  // namespace
+
+std::vector<float> error_after_denoising(const Film& film, const WorkContext& context) {
+    return denoise(input_of(film), context).error;
+}
 
 Film denoised(const Film& film, const WorkContext& context) {
     const DenoisedPicture picture = denoise(input_of(film), context);

@@ -11,21 +11,18 @@
 
 namespace carom::render {
 
-/// The means over one half of a pixel's samples; all 0 if it has none.
-struct HalfMeans {
-    V3f radiance{0, 0, 0};
-    PixelFeatures features;
-};
-[[nodiscard]] HalfMeans half_means(const PixelSums& pixel, int half);
+/// The means over what one half of a pixel's samples saw; all 0 if it has none.
+[[nodiscard]] PixelFeatures features_of_half(const PixelSums& pixel, int half);
 
 /// Collects these channels, one pixel at a time and from any thread. The halves of a pixel's
 /// samples are A and B:
 ///   half.R .G .B              (A - B) / 2 of the colour
 ///   half_variance.X           of the mean luminance, as if samples were independent
 ///   exact_albedo.R .G .B, exact_normal.X .Y .Z, exact_light.R .G .B
-///                             features: means over more camera rays than there are samples
+///                             features: means over more camera rays, and the samples
 ///   error_albedo.R ...        (A + B) / 2 of the feature, minus its exact mean
 ///   half_albedo.R ...         (A - B) / 2 of the feature
+///   exact_share.X             weight of the samples in the exact features
 /// Values have as few digits as suffice, so that they take little room in files.
 class DenoiserPlanes {
   public:
@@ -35,7 +32,7 @@ class DenoiserPlanes {
 
     [[nodiscard]] bool empty() const { return channels_.empty(); }
 
-    void write(int x, int y, const PixelSums& pixel, const PixelFeatures& exact);
+    void write(int x, int y, const PixelSums& pixel, const TracedFeatures& traced);
 
     /// Adds colours to the halves. Once all pixels are written, from one thread.
     void add_to_colours(const Film& a, const Film& b);
@@ -55,5 +52,10 @@ class DenoiserPlanes {
 /// film's alpha, other channels, notes and statistics. Throws Stopped, and Error if channels are
 /// missing.
 [[nodiscard]] Film denoised(const Film& film, const WorkContext& context = {});
+
+/// By pixel, the error that such a film will have after denoising: DenoisedPicture::error. Throws
+/// as denoised() does.
+[[nodiscard]] std::vector<float> error_after_denoising(const Film& film,
+                                                       const WorkContext& context = {});
 
 }  // namespace carom::render

@@ -179,13 +179,22 @@ void FeatureTracer::trace(std::span<FeaturePixel> pixels) const {
         ranges = widened(pixels, ranges);
     }
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const float weight = kWeightOfSample * static_cast<float>(pixels[i].samples);
-        PixelFeatures total = sums[i].sum;
-        for (const PixelFeatures& half : pixels[i].halves) {
-            total += half * (0.5F * weight);
-        }
-        pixels[i].exact = total * (1.0F / (static_cast<float>(sums[i].rays) + weight));
+        pixels[i].traced = {sums[i].sum, sums[i].rays};
     }
+}
+
+PixelFeatures TracedFeatures::with_samples(const PixelFeatures (&halves)[2], int samples) const {
+    const float weight = kWeightOfSample * static_cast<float>(samples);
+    PixelFeatures total = sum;
+    for (const PixelFeatures& half : halves) {
+        total += half * (0.5F * weight);
+    }
+    return total * (1.0F / (static_cast<float>(rays) + weight));
+}
+
+float TracedFeatures::share_of_samples(int samples) const {
+    const float weight = kWeightOfSample * static_cast<float>(samples);
+    return weight / (static_cast<float>(rays) + weight);
 }
 
 }  // namespace carom::render

@@ -38,12 +38,23 @@ struct PixelFeatures {
     }
 };
 
+/// Sums over camera rays of a pixel.
+struct TracedFeatures {
+    PixelFeatures sum{};
+    int rays = 0;
+
+    /// The mean over these rays and `samples` samples of the pixel, whose halves have the means
+    /// `halves`.
+    [[nodiscard]] PixelFeatures with_samples(const PixelFeatures (&halves)[2], int samples) const;
+    /// The weight of the samples in it, [0, 1].
+    [[nodiscard]] float share_of_samples(int samples) const;
+};
+
 /// A pixel whose features are wanted.
 struct FeaturePixel {
     int x = 0, y = 0;
     PixelFeatures halves[2];  // means over its two halves of samples
-    int samples = 0;          // of both
-    PixelFeatures exact{};    // result: mean over the camera rays and these samples
+    TracedFeatures traced{};  // result
 };
 
 /// Traces 4 rays for each pixel, 16 if these or the samples saw different things there or within
@@ -55,7 +66,7 @@ class FeatureTracer {
                   const ThinLensCamera& camera, const CameraFixings& fixings, float pixel_spread,
                   std::uint64_t seed);
 
-    /// Sets `exact` of all pixels, which lie in a rectangle and are neighbours of each other.
+    /// Sets `traced` of all pixels, which lie in a rectangle and are neighbours of each other.
     void trace(std::span<FeaturePixel> pixels) const;
 
   private:

@@ -21,10 +21,11 @@ struct Planes {
     AovPlanes aovs;
     DenoiserPlanes denoiser;
 
-    void write(const TileRenderer& tiles, int tile, const TileSums& sums) {
+    void write(const TileRenderer& tiles, int tile, const TileSums& sums,
+               const std::vector<TracedFeatures>& features = {}) {
         tiles.write(tile, sums, film);
         tiles.write(tile, sums, aovs);
-        tiles.write(tile, sums, denoiser);
+        tiles.write(tile, sums, denoiser, features);
     }
 };
 
@@ -51,15 +52,14 @@ void render_evenly(const FrameWork& work, const WorkContext& context, FrameSums:
         [&](int) { progress.finish_tile(); });
 }
 
-void render_adaptively(const FrameWork& work, const WorkContext& context, FrameSums::Data& sums,
-                       Planes& planes) {
+/// The first samples of an adaptive frame.
+void take_first_samples(const FrameWork& work, const WorkContext& context, FrameSums::Data& sums,
+                        AdaptiveProgress& progress) {
     using Clock = std::chrono::steady_clock;
     const TileRenderer& tiles = work.tiles();
-    const int count = tiles.tile_count();
-    AdaptiveProgress progress(context.progress, work.settings(), count);
-    sums.seconds.resize(static_cast<std::size_t>(count));
+    sums.seconds.resize(static_cast<std::size_t>(tiles.tile_count()));
     for_all_tiles(
-        count, context, sums.statistics,
+        tiles.tile_count(), context, sums.statistics,
         [&](int n) {
             const Clock::time_point begin = Clock::now();
             const int tile = progress.nth_tile(n);
@@ -72,25 +72,57 @@ void render_adaptively(const FrameWork& work, const WorkContext& context, FrameS
         [&](int n) {
             const int tile = progress.nth_tile(n);
             progress.first_samples_done(
-                tile, tiles.deviations(tile, sums.pixels),
+                tile, tiles.errors(tile, tiles.sums_of(tile, sums.pixels)),
                 static_cast<double>(sums.seconds[static_cast<std::size_t>(tile)]));
         });
-    if (sums.plan.empty()) {
-        sums.plan = work.plan(sums.pixels, context);
-    }
-    progress.set_plan(tiles.further_samples(sums.plan));
+}
+
+/// The samples that the plan of the sums still asks for.
+void take_round(const FrameWork& work, const WorkContext& context, FrameSums::Data& sums,
+                AdaptiveProgress& progress) {
+    const TileRenderer& tiles = work.tiles();
     for_all_tiles(
-        count, context, sums.statistics,
+        tiles.tile_count(), context, sums.statistics,
         [&](int tile) {
-            const TileSums pixels = tiles.sums_of(tile, sums.pixels);
-            const RenderStatistics rays =
-                tiles.add_samples(tile, pixels, SampleLimit::planned(sums.plan), context.stop);
-            if (!context.stop.stop_requested()) {
-                planes.write(tiles, tile, pixels);
-            }
-            return rays;
+            return tiles.add_samples(tile, tiles.sums_of(tile, sums.pixels),
+                                     SampleLimit::planned(sums.plan), context.stop);
         },
         [&](int tile) { progress.tile_done(tile); });
+}
+
+void render_adaptively(const FrameWork& work, const WorkContext& context, FrameSums::Data& sums,
+                       Planes& planes) {
+    const TileRenderer& tiles = work.tiles();
+    AdaptiveProgress progress(context.progress, work.settings(), tiles.tile_count());
+    take_first_samples(work, context, sums, progress);
+    const bool goes_on = !sums.plan.empty();
+    if (!goes_on) {
+        sums.features = work.trace_features(sums.pixels, context);
+        sums.plan.assign(work.pixel_count(), work.settings().samples);
+    } else {
+        const std::vector<double> lacking = tiles.lacking_samples(sums.pixels, sums.plan);
+        progress.begin_round(lacking, lacking);
+        take_round(work, context, sums, progress);
+    }
+    for (;;) {
+        SampleRound round = work.next_round(sums.pixels, sums.features, sums.plan, context);
+        if (!round.is_needed) {
+            break;
+        }
+        sums.plan = std::move(round.plan);
+        progress.begin_round(tiles.lacking_samples(sums.pixels, sums.plan),
+                             tiles.lacking_samples(sums.pixels, round.expected));
+        take_round(work, context, sums, progress);
+    }
+    RenderStatistics none;
+    for_all_tiles(
+        tiles.tile_count(), {{}, context.stop}, none,
+        [&](int tile) {
+            planes.write(tiles, tile, tiles.sums_of(tile, sums.pixels), sums.features);
+            return RenderStatistics{};
+        },
+        [](int) {});
+    progress.finish();
 }
 
 /// With room for the sums of a frame, unless it has them.

@@ -11,7 +11,7 @@
 namespace carom::render {
 namespace {
 
-constexpr std::array<char, 8> kMagic{'c', 'a', 'r', 'o', 'm', 's', 'u', '2'};
+constexpr std::array<char, 8> kMagic{'c', 'a', 'r', 'o', 'm', 's', 'u', '3'};
 constexpr std::size_t kPiece = std::size_t{1} << 20;  // bytes
 
 /// Calls `visit` for each value of a pixel except its lists.
@@ -25,17 +25,25 @@ void for_each_value(Visit& visit, Pixel& pixel) {
     visit(pixel.luminance);
     visit(pixel.luminance2);
     visit(pixel.samples);
-    visit(pixel.groups);
+    visit(pixel.half_radiance[0]);
+    visit(pixel.half_radiance[1]);
 }
 
 template <class Visit, class Half>
 requires std::is_same_v<std::remove_const_t<Half>, HalfSums>
 void for_each_value(Visit& visit, Half& half) {
-    visit(half.radiance);
     visit(half.albedo);
     visit(half.normal);
     visit(half.light);
-    visit(half.samples);
+}
+
+template <class Visit, class Traced>
+requires std::is_same_v<std::remove_const_t<Traced>, TracedFeatures>
+void for_each_value(Visit& visit, Traced& traced) {
+    visit(traced.sum.albedo);
+    visit(traced.sum.normal);
+    visit(traced.sum.light);
+    visit(traced.rays);
 }
 
 /// Collects small values into pieces.
@@ -46,6 +54,7 @@ class Writer {
     void operator()(const Vec3& value) { (*this)(std::array{value.x, value.y, value.z}); }
     void operator()(const V3f& value) { (*this)(std::array{value.x, value.y, value.z}); }
     void operator()(const HalfSums& half) { for_each_value(*this, half); }
+    void operator()(const TracedFeatures& traced) { for_each_value(*this, traced); }
     template <class Value>
     void operator()(const Value& value) {
         static_assert(std::is_trivially_copyable_v<Value>);
@@ -94,6 +103,7 @@ class Reader {
         value = {xyz[0], xyz[1], xyz[2]};
     }
     void operator()(HalfSums& half) { for_each_value(*this, half); }
+    void operator()(TracedFeatures& traced) { for_each_value(*this, traced); }
     template <class Value>
     void operator()(Value& value) {
         static_assert(std::is_trivially_copyable_v<Value>);
@@ -136,6 +146,7 @@ void FrameSums::save(const Sink& sink) const {
     write(std::uint64_t{data_->pixels.size()});
     write(data_->statistics);
     write.list(data_->plan);
+    write.list(data_->features);
     write.list(data_->seconds);
     for (const PixelSums& pixel : data_->pixels) {
         for_each_value(write, pixel);
@@ -158,6 +169,7 @@ std::optional<FrameSums> FrameSums::load(const Source& source, std::size_t pixel
     }
     read(data.statistics);
     read.list(data.plan);
+    read.list(data.features);
     read.list(data.seconds);
     data.pixels.resize(pixels);
     for (PixelSums& pixel : data.pixels) {
@@ -165,7 +177,8 @@ std::optional<FrameSums> FrameSums::load(const Source& source, std::size_t pixel
         read.list(pixel.objects);
         read.list(pixel.halves);
     }
-    if (!read.is_good() || (!data.plan.empty() && data.plan.size() != pixels)) {
+    const auto fits = [&](std::size_t size) { return size == 0 || size == pixels; };
+    if (!read.is_good() || !fits(data.plan.size()) || !fits(data.features.size())) {
         return std::nullopt;
     }
     return sums;

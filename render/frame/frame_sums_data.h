@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/film/film.h"
+#include "render/frame/feature_tracer.h"
 #include "render/frame/frame_sums.h"
 #include "render/frame/pixel_sums.h"
 
@@ -11,9 +12,11 @@ namespace carom::render {
 
 struct FrameSums::Data {
     std::vector<PixelSums> pixels;  // row by row
-    std::vector<int> plan;          // with adaptive sampling, once the first samples are taken
-    std::vector<float> seconds;     // that the first samples of each tile took, with such sampling
-    RenderStatistics statistics;    // of all rays
+    // With adaptive sampling, once the first samples are taken:
+    std::vector<int> plan;                 // samples after the current round (sample_plan.h)
+    std::vector<TracedFeatures> features;  // for the denoiser
+    std::vector<float> seconds;   // that the first samples of each tile took, with such sampling
+    RenderStatistics statistics;  // of all rays
 };
 
 }  // namespace carom::render

@@ -6,6 +6,7 @@
 #include "core/progress.h"
 #include "render/frame/aov_planes.h"
 #include "render/frame/frame.h"
+#include "render/frame/sample_plan.h"
 #include "render/frame/splat_moments.h"
 #include "render/frame/tile_renderer.h"
 #include "render/frame_scene/frame_scene.h"
@@ -29,6 +30,11 @@ class FrameWork {
         return static_cast<std::size_t>(settings_.width) *
                static_cast<std::size_t>(settings_.height);
     }
+    /// Where a pixel is in values that are stored row by row.
+    [[nodiscard]] std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(settings_.width) +
+               static_cast<std::size_t>(x);
+    }
     /// A black film of the frame's size.
     [[nodiscard]] Film empty_film() const;
     /// The planes of the channels with these names.
@@ -47,10 +53,18 @@ class FrameWork {
     /// pixel. Throws Stopped.
     void add_reflections(AovPlanes& aovs, double samples, const WorkContext& context) const;
 
-    /// The samples of each pixel with adaptive sampling (sample_plan.h), from the first ones. The
-    /// images of lights in balls are traced for it; these rays are not counted. Throws Stopped.
-    [[nodiscard]] std::vector<int> plan(const std::vector<PixelSums>& pilot,
-                                        const WorkContext& context) const;
+    /// What the camera rays of all pixels saw, of which `sums` are known; empty unless it is for
+    /// the denoiser. Throws Stopped.
+    [[nodiscard]] std::vector<TracedFeatures> trace_features(std::vector<PixelSums>& sums,
+                                                             const WorkContext& context) const;
+
+    /// The next round of adaptive sampling (sample_plan.h) for a frame that has all samples of
+    /// `plan`. `features`: of all pixels. The images of lights in balls are traced for it; these
+    /// rays are not counted. Throws Stopped.
+    [[nodiscard]] SampleRound next_round(std::vector<PixelSums>& sums,
+                                         const std::vector<TracedFeatures>& features,
+                                         const std::vector<int>& plan,
+                                         const WorkContext& context) const;
 
   private:
     /// A half of the samples, of which there are `samples` per pixel.
@@ -60,6 +74,14 @@ class FrameWork {
         float weight = 1;  // in the picture
     };
     using Images = std::vector<std::vector<Splat>>;
+    [[nodiscard]] MeasuredError measured_error(std::vector<PixelSums>& sums,
+                                               const std::vector<TracedFeatures>& features,
+                                               const WorkContext& context) const;
+    /// The images of lights in balls of each half: one picture with all samples, or two if the
+    /// samples are taken in halves. Their variance is added to `moments` unless it is empty.
+    [[nodiscard]] std::vector<Film> reflections(double samples, RenderStatistics& statistics,
+                                                SplatMoments& moments,
+                                                const WorkContext& context) const;
     [[nodiscard]] Images trace_reflections(const Half& half, RenderStatistics& statistics,
                                            const WorkContext& context) const;
     /// One half with all samples, or two if the samples are taken in halves.

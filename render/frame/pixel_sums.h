@@ -12,27 +12,21 @@
 
 namespace carom::render {
 
-/// Of the samples of one half of a pixel.
+/// What the samples of one half of a pixel saw.
 struct HalfSums {
-    V3f radiance{0, 0, 0};
     V3f albedo{0, 0, 0};
     V3f normal{0, 0, 0};
     V3f light{0, 0, 0};
-    int samples = 0;
 
     void add(const RadianceSample& sample) {
-        radiance += sample.radiance;
         albedo += sample.albedo + sample.mirrored;
         normal += sample.normal;
         light += sample.light;
-        samples += 1;
     }
 };
 
 /// In double, so that thousands of samples lose no precision. Samples are added in their order.
 struct PixelSums {
-    static constexpr int kGroups = 4;
-
     Vec3 radiance{0, 0, 0};
     Vec3 normal{0, 0, 0};
     Vec3 albedo{0, 0, 0};
@@ -40,25 +34,35 @@ struct PixelSums {
     double luminance = 0;
     double luminance2 = 0;
     int samples = 0;  // that were added
-    /// Sums of luminance over each quarter of the first samples; their differences estimate the
-    /// noise.
-    std::array<float, kGroups> groups{};
+    /// Sums of radiance over the two halves of the samples: those with even and with odd indices.
+    std::array<V3f, 2> half_radiance{};
     /// How many samples hit which object; empty unless objects are counted.
     std::vector<ObjectCount> objects;
-    /// Of the two halves of the samples; empty unless they are kept apart.
+    /// What the two halves saw; empty unless it is for the denoiser.
     std::vector<HalfSums> halves;
 
-    /// Adds the sample to its half: even ones to the first.
+    /// Adds what the sample with the index `samples` saw to its half.
     void add_to_half(const RadianceSample& sample) {
         halves.resize(2);
         halves[static_cast<std::size_t>(samples % 2)].add(sample);
     }
 
-    /// Adds the sample with the index `samples`. `group`: the quarter that it belongs to, or -1.
-    void add(const RadianceSample& sample, int group = -1) {
+    /// The number of samples of a half.
+    [[nodiscard]] int samples_of_half(int half) const { return (samples + 1 - half) / 2; }
+
+    /// The mean radiance of a half; 0 if it has no samples.
+    [[nodiscard]] V3f mean_of_half(int half) const {
+        const int count = samples_of_half(half);
+        return count > 0 ? half_radiance[static_cast<std::size_t>(half)] / static_cast<float>(count)
+                         : V3f(0, 0, 0);
+    }
+
+    /// Adds the sample with the index `samples`.
+    void add(const RadianceSample& sample) {
         CAROM_VALIDATE(is_light(sample.radiance) && is_finite(sample.normal) &&
                        is_light(sample.albedo));
         radiance += Vec3(sample.radiance);
+        half_radiance[static_cast<std::size_t>(samples % 2)] += sample.radiance;
         normal += Vec3(sample.normal);
         albedo += Vec3(sample.albedo);
         coverage += static_cast<double>(sample.coverage);
@@ -66,9 +70,6 @@ struct PixelSums {
         luminance += y;
         luminance2 += y * y;
         samples += 1;
-        if (group >= 0) {
-            groups[static_cast<std::size_t>(group)] += static_cast<float>(y);
-        }
     }
 
     void count_object(std::uint32_t object) {
@@ -93,6 +94,9 @@ struct PixelSums {
         if (samples > 1) {
             result.variance = static_cast<float>(std::max(0.0, luminance2 / samples - mean * mean) /
                                                  (samples - 1));
+            const float difference =
+                0.5F * (carom::luminance(mean_of_half(0)) - carom::luminance(mean_of_half(1)));
+            result.squared_difference = difference * difference;
         }
         return result;
     }

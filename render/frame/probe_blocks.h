@@ -24,9 +24,10 @@ struct ProbedTile {
     int width = 0;  // at the frame's edge less than a tile's
     int height = 0;
     std::size_t block = 0;
-    double seconds = 0;  // CPU time spent so far
-    double taken = 0;    // samples, of all pixels
-    double wanted = 0;   // the samples that its pixels need
+    double seconds = 0;        // CPU time spent on samples so far
+    double fixed_seconds = 0;  // and on what does not depend on their number
+    double taken = 0;          // samples, of all pixels
+    double wanted = 0;         // the samples that its pixels need
 
     [[nodiscard]] double pixels() const { return static_cast<double>(width) * height; }
 };

@@ -35,19 +35,21 @@ struct ProgressiveFrame::Data {
 
     FrameWork work;
     FrameSums::Data sums;
-    int samples = 0;  // that all pixels have, unless they have all of their own
+    int samples = 0;  // that all pixels have, unless they have all of the current round
+    bool is_planned = !work.tiles().is_adaptive();  // no further round is needed
 
     [[nodiscard]] const TileRenderer& tiles() const { return work.tiles(); }
-    [[nodiscard]] bool lacks_plan() const { return tiles().is_adaptive() && sums.plan.empty(); }
+    /// The most samples of a pixel after the current round.
+    [[nodiscard]] int most_of_round() const {
+        return sums.plan.empty() ? tiles().samples()
+                                 : *std::max_element(sums.plan.begin(), sums.plan.end());
+    }
     [[nodiscard]] int most_samples() const {
-        if (!tiles().is_adaptive()) {
-            return tiles().samples();
-        }
         const RenderSettings& settings = work.settings();
-        return lacks_plan() ? std::max(settings.samples, settings.max_samples)
-                            : *std::max_element(sums.plan.begin(), sums.plan.end());
+        return is_planned ? most_of_round() : std::max(settings.samples, settings.max_samples);
     }
 
+    void plan_next_round(const WorkContext& context);
     void add_samples(int up_to, const WorkContext& context);
     void add_reflections(Film& film, const WorkContext& context) const;
     template <class Write>
@@ -55,9 +57,6 @@ struct ProgressiveFrame::Data {
 };
 
 void ProgressiveFrame::Data::add_samples(int up_to, const WorkContext& context) {
-    if (up_to <= samples) {
-        return;
-    }
     const SampleLimit limit{up_to, sums.plan.empty() ? nullptr : &sums.plan};
     TileProgress progress(context.progress, tiles().tile_count());
     for_all_tiles(
@@ -67,7 +66,18 @@ void ProgressiveFrame::Data::add_samples(int up_to, const WorkContext& context) 
                                        context.stop);
         },
         [&](int) { progress.finish_tile(); });
-    samples = up_to;
+    samples = std::max(samples, up_to);
+}
+
+/// Once all pixels have the samples of the current round.
+void ProgressiveFrame::Data::plan_next_round(const WorkContext& context) {
+    if (sums.plan.empty()) {
+        sums.features = work.trace_features(sums.pixels, context);
+        sums.plan.assign(work.pixel_count(), work.settings().samples);
+    }
+    SampleRound round = work.next_round(sums.pixels, sums.features, sums.plan, context);
+    is_planned = !round.is_needed;
+    sums.plan = std::move(round.plan);
 }
 
 template <class Write>
@@ -93,18 +103,26 @@ ProgressiveFrame::ProgressiveFrame(ProgressiveFrame&&) noexcept = default;
 ProgressiveFrame& ProgressiveFrame::operator=(ProgressiveFrame&&) noexcept = default;
 
 void ProgressiveFrame::refine(int up_to_samples, const WorkContext& context) {
-    const int first = data_->tiles().samples();
-    double done = 0;
-    if (data_->lacks_plan()) {
-        done = up_to_samples > first ? 0.5 : 1;
-        data_->add_samples(std::min(up_to_samples, first), part_of(context, 0, done));
-        if (data_->samples == first) {
-            data_->sums.plan = data_->work.plan(data_->sums.pixels, context);
-        }
+    if (data_->is_planned && up_to_samples <= data_->samples) {
+        return;
     }
-    if (!data_->lacks_plan()) {
-        data_->add_samples(std::min(up_to_samples, data_->most_samples()),
-                           part_of(context, done, 1));
+    // A round of adaptive sampling fills half of the rest of the progress.
+    for (double done = 0;;) {
+        const int up_to = std::min(up_to_samples, data_->most_of_round());
+        const bool is_last = data_->is_planned || up_to < data_->most_of_round();
+        const double end = is_last ? 1 : 0.5 * (1 + done);
+        data_->add_samples(up_to, part_of(context, done, end));
+        if (is_last) {
+            return;
+        }
+        data_->plan_next_round(context);
+        if (data_->is_planned) {
+            if (context.progress) {
+                context.progress(1);
+            }
+            return;
+        }
+        done = end;
     }
 }
 
@@ -117,7 +135,7 @@ int ProgressiveFrame::most_samples() const {
 }
 
 bool ProgressiveFrame::finished() const {
-    return !data_->lacks_plan() && data_->samples == data_->most_samples();
+    return data_->is_planned && data_->samples >= data_->most_samples();
 }
 
 const RenderStatistics& ProgressiveFrame::statistics() const {
@@ -161,7 +179,7 @@ Film ProgressiveFrame::film(const WorkContext& context) const {
     data_->write_tiles(context, [&](int tile, const TileSums& sums) {
         data_->tiles().write(tile, sums, film);
         data_->tiles().write(tile, sums, planes);
-        data_->tiles().write(tile, sums, denoiser);
+        data_->tiles().write(tile, sums, denoiser, data_->sums.features);
     });
     film.statistics = data_->sums.statistics;
     data_->work.add_reflections(film, denoiser, planes, context);

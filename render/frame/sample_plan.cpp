@@ -3,53 +3,57 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
 
 #include "core/assert.h"
 
 namespace carom::render {
 namespace {
 
-constexpr double kDarkest = 0.01;  // lower bound on the squared luminance in relative errors
+constexpr float kDarkest = 0.01F;   // lower bound on the squared radiance in relative errors
+constexpr int kReach = 2;           // of the neighbours of a pixel
+constexpr double kTolerance = 1.1;  // of the squared error
 
-}  // namespace
-
-double relative_variance(const PixelSums& pixel, int samples, float more) {
-    constexpr int kCount = PixelSums::kGroups;
-    double mean = 0;
-    for (const float sum : pixel.groups) {
-        mean += static_cast<double>(sum) / samples;
+/// The sum over the values within `kReach` of each place of a line, of which there are `count`.
+template <class Value>
+void add_up_line(const Value& value, int count, std::vector<double>& sums) {
+    sums.resize(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+        double sum = 0;
+        for (int k = std::max(0, i - kReach); k <= std::min(count - 1, i + kReach); ++k) {
+            sum += static_cast<double>(value(k));
+        }
+        sums[static_cast<std::size_t>(i)] = sum;
     }
-    double squares = 0;
-    for (const float sum : pixel.groups) {
-        const double d = static_cast<double>(sum) * kCount / samples - mean;
-        squares += d * d;
-    }
-    mean += static_cast<double>(more);
-    return squares / (kCount * (kCount - 1)) / (mean * mean + kDarkest);
 }
 
-namespace {
-
-/// Means over the neighbours of each pixel, without the pixel itself.
-std::vector<double> around(const std::vector<double>& values, int width, int height) {
-    std::vector<double> result(values.size());
-    const auto place = [&](int x, int y) {
+/// The mean over the neighbours of each pixel, without the pixel itself.
+std::vector<float> around(const std::vector<float>& values, int width, int height) {
+    const auto place = [width](int x, int y) {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                static_cast<std::size_t>(x);
     };
+    std::vector<double> columns(values.size());
+    std::vector<double> line;
+    for (int x = 0; x < width; ++x) {
+        add_up_line([&](int y) { return values[place(x, y)]; }, height, line);
+        for (int y = 0; y < height; ++y) {
+            columns[place(x, y)] = line[static_cast<std::size_t>(y)];
+        }
+    }
+    const auto within = [](int i, int count) {
+        return std::min(count - 1, i + kReach) - std::max(0, i - kReach) + 1;
+    };
+    std::vector<float> result(values.size());
     for (int y = 0; y < height; ++y) {
+        add_up_line([&](int x) { return columns[place(x, y)]; }, width, line);
         for (int x = 0; x < width; ++x) {
-            double sum = 0;
-            int count = 0;
-            for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height - 1); ++j) {
-                for (int i = std::max(x - 1, 0); i <= std::min(x + 1, width - 1); ++i) {
-                    if (i != x || j != y) {
-                        sum += values[place(i, j)];
-                        count += 1;
-                    }
-                }
-            }
-            result[place(x, y)] = count > 0 ? sum / count : 0;
+            const int others = within(x, width) * within(y, height) - 1;
+            const double sum =
+                line[static_cast<std::size_t>(x)] - static_cast<double>(values[place(x, y)]);
+            result[place(x, y)] = others > 0 ? static_cast<float>(sum / others) : 0.0F;
         }
     }
     return result;
@@ -57,84 +61,154 @@ std::vector<double> around(const std::vector<double>& values, int width, int hei
 
 }  // namespace
 
-double wanted_samples(double deviation, double scale, const RenderSettings& settings) {
-    return std::clamp(scale * deviation, static_cast<double>(settings.samples),
-                      static_cast<double>(std::max(settings.max_samples, settings.samples)));
-}
-
-namespace {
-
-double mean_square_error(const std::vector<double>& deviations, double scale,
-                         const RenderSettings& settings, double of_splats) {
-    double sum = 0;
-    double samples = 0;
-    for (const double deviation : deviations) {
-        const double wanted = wanted_samples(deviation, scale, settings);
-        sum += deviation * deviation / wanted;
-        samples += wanted;
+float error_of_halves(const V3f& mean, const V3f& difference) {
+    float sum = 0;
+    for (int c = 0; c < 3; ++c) {
+        sum += difference[c] * difference[c] / (mean[c] * mean[c] + kDarkest);
     }
-    const double pixels = static_cast<double>(deviations.size());
-    return sum / pixels + of_splats * pixels / samples;
+    return sum / 3;
 }
 
-}  // namespace
+MeasuredError measured_error(std::vector<float> after_denoising) {
+    const double sum = std::accumulate(after_denoising.begin(), after_denoising.end(), 0.0);
+    return {sum / static_cast<double>(after_denoising.size()), std::move(after_denoising)};
+}
 
-double samples_per_deviation(const std::vector<double>& deviations, const RenderSettings& settings,
-                             double of_splats) {
-    // Bisection: the error falls as the scale grows.
-    const double target = settings.noise * settings.noise;
-    double low = 0;
-    double high = 1e9;
-    for (int step = 0; step < 50; ++step) {
-        const double middle = step < 20 ? std::sqrt((low + 1) * high) : 0.5 * (low + high);
-        (mean_square_error(deviations, middle, settings, of_splats) > target ? low : high) = middle;
+MeasuredError error_of_halves(const std::vector<V3f>& mean, const std::vector<V3f>& difference,
+                              int width, int height) {
+    std::vector<float> errors;
+    errors.reserve(mean.size());
+    for (std::size_t i = 0; i < mean.size(); ++i) {
+        errors.push_back(error_of_halves(mean[i], difference[i]));
     }
-    return high;
+    MeasuredError result = measured_error(std::move(errors));
+    result.by_pixel = around(result.by_pixel, width, height);
+    return result;
 }
 
-namespace {
-
-/// Of all pixels, for one sample per pixel; `splats` are those of `settings.samples`.
-double mean_relative_variance(const SplatMoments& splats, const std::vector<PixelSums>& pilot,
-                              const RenderSettings& settings) {
-    double sum = 0;
-    for (std::size_t i = 0; i < splats.variance().size(); ++i) {
-        double luminance = static_cast<double>(splats.mean()[i]);
-        for (const float group : pilot[i].groups) {
-            luminance += static_cast<double>(group) / settings.samples;
+std::vector<int> sample_levels(const RenderSettings& settings) {
+    std::vector<int> levels{settings.samples};
+    const int most = settings.max_samples;
+    for (int level = 2; level <= most; level *= 4) {
+        if (level > settings.samples) {
+            levels.push_back(level);
         }
-        sum += static_cast<double>(splats.variance()[i]) / (luminance * luminance + kDarkest);
     }
-    return sum * settings.samples / static_cast<double>(pilot.size());
+    if (levels.back() < most - most % 2) {
+        levels.push_back(most - most % 2);
+    }
+    return levels;
 }
+
+double error_power(const RenderSettings& settings) {
+    return settings.for_denoiser ? 0.75 : 1.4;
+}
+
+namespace {
+
+/// How a frame's error falls if each pixel is raised through the levels as far as it is worth it.
+class Forecast {
+  public:
+    Forecast(const std::vector<int>& plan, const MeasuredError& error,
+             const RenderSettings& settings)
+        : levels_(sample_levels(settings)) {
+        const double power = error_power(settings);
+        // By the level that a pixel has and by that which it is raised to.
+        const std::size_t count = levels_.size();
+        left_.resize(count, std::vector<double>(count, 1));
+        worth_.resize(count, std::vector<double>(count, 0));
+        for (std::size_t from = 0; from < count; ++from) {
+            for (std::size_t to = from + 1; to < count; ++to) {
+                left_[from][to] = std::pow(static_cast<double>(levels_[from]) / levels_[to], power);
+                worth_[from][to] =
+                    (left_[from][to - 1] - left_[from][to]) / (levels_[to] - levels_[to - 1]);
+            }
+        }
+        pixels_.reserve(plan.size());
+        double sum = 0;
+        for (std::size_t i = 0; i < plan.size(); ++i) {
+            const auto level = std::upper_bound(levels_.begin() + 1, levels_.end(), plan[i]);
+            pixels_.push_back({static_cast<std::uint8_t>(level - levels_.begin() - 1),
+                               std::max(0.0F, error.by_pixel[i])});
+            sum += static_cast<double>(pixels_.back().error);
+        }
+        // Smoothing and what is below 0 change the mean.
+        scale_ = sum > 0 ? error.mean * static_cast<double>(plan.size()) / sum : 0;
+    }
+
+    /// The highest level for which each step takes away more than `limit` of the error per sample.
+    [[nodiscard]] std::size_t level_of(std::size_t pixel, double limit) const {
+        const auto& [from, error] = pixels_[pixel];
+        std::size_t level = from;
+        while (level + 1 < levels_.size() &&
+               static_cast<double>(error) * worth_[from][level + 1] > limit) {
+            ++level;
+        }
+        return level;
+    }
+
+    [[nodiscard]] double mean_error(double limit) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < pixels_.size(); ++i) {
+            sum +=
+                static_cast<double>(pixels_[i].error) * left_[pixels_[i].level][level_of(i, limit)];
+        }
+        return scale_ * sum / static_cast<double>(pixels_.size());
+    }
+
+    /// The largest limit for which the mean error reaches the target; 0 if none does.
+    [[nodiscard]] double limit_for(double target) const {
+        if (mean_error(0) >= target) {
+            return 0;
+        }
+        // By halving the ratio of the bounds: the error grows with the limit.
+        double low = 1e-15;
+        double high = 1e6;
+        for (int step = 0; step < 32; ++step) {
+            const double middle = std::sqrt(low * high);
+            (mean_error(middle) > target ? high : low) = middle;
+        }
+        return low;
+    }
+
+    [[nodiscard]] SampleRound round(double limit) const {
+        SampleRound result;
+        result.plan.reserve(pixels_.size());
+        result.expected.reserve(pixels_.size());
+        for (std::size_t i = 0; i < pixels_.size(); ++i) {
+            const std::size_t from = pixels_[i].level;
+            const std::size_t to = level_of(i, limit);
+            result.plan.push_back(levels_[std::min(to, from + 1)]);
+            result.expected.push_back(levels_[to]);
+            result.is_needed = result.is_needed || to > from;
+        }
+        return result;
+    }
+
+  private:
+    struct Pixel {
+        std::uint8_t level;
+        float error;
+    };
+
+    std::vector<int> levels_;
+    std::vector<std::vector<double>> left_;   // of the error
+    std::vector<std::vector<double>> worth_;  // of the last step: part of the error per sample
+    std::vector<Pixel> pixels_;
+    double scale_ = 0;  // of errors
+};
 
 }  // namespace
 
-std::vector<int> plan_samples(const std::vector<PixelSums>& pilot, const RenderSettings& settings,
-                              const SplatMoments& splats) {
-    CAROM_ASSERT(settings.noise > 0 && settings.samples % PixelSums::kGroups == 0);
-    std::vector<double> deviations;
-    deviations.reserve(pilot.size());
-    for (std::size_t i = 0; i < pilot.size(); ++i) {
-        const float more = splats.empty() ? 0 : splats.mean()[i];
-        deviations.push_back(relative_variance(pilot[i], settings.samples, more));
+SampleRound next_round(const std::vector<int>& plan, const MeasuredError& error,
+                       const RenderSettings& settings) {
+    CAROM_ASSERT(plan.size() == error.by_pixel.size());
+    const double target = settings.noise * settings.noise;
+    if (error.mean <= kTolerance * target) {
+        return {plan, plan, false};
     }
-    deviations = around(deviations, settings.width, settings.height);
-    for (double& value : deviations) {
-        value = std::sqrt(value * settings.samples);  // of one sample
-    }
-    const double scale = samples_per_deviation(deviations, settings,
-                                               mean_relative_variance(splats, pilot, settings));
-    const int group = settings.samples / PixelSums::kGroups;
-    const int quantum =
-        settings.for_denoiser ? group + group % 2 : group;  // both halves grow alike
-    std::vector<int> plan;
-    plan.reserve(pilot.size());
-    for (const double deviation : deviations) {
-        const double wanted = wanted_samples(deviation, scale, settings);
-        plan.push_back(static_cast<int>(std::ceil(wanted / quantum - 1e-6)) * quantum);
-    }
-    return plan;
+    const Forecast forecast(plan, error, settings);
+    return forecast.round(forecast.limit_for(target));
 }
 
 }  // namespace carom::render

@@ -1,43 +1,59 @@
-// Adaptive sampling: the number of samples of each pixel, from its first samples.
+// Adaptive sampling: which pixels get more samples in the next round.
 #pragma once
 
 #include <vector>
 
-#include "render/frame/pixel_sums.h"
-#include "render/frame/splat_moments.h"
+#include "render/geometry/ray.h"
 #include "render/scene/render_settings.h"
 
 namespace carom::render {
 
-/// The squared relative error of the mean of a pixel's first `samples` samples. `more`: luminance
-/// of the pixel that its samples do not contain.
-[[nodiscard]] double relative_variance(const PixelSums& pixel, int samples, float more = 0);
+/// What was measured of a frame's error, by pixel: estimates of the mean over the channels of
+/// (x - r)^2 / (r^2 + 0.01), where r is the picture without noise.
+struct MeasuredError {
+    double mean = 0;              // over the frame
+    std::vector<float> by_pixel;  // smoothed; those below 0 count as 0
+};
 
-/// The factor from the standard deviation of a pixel's samples to its number of samples, given the
-/// `deviations` of all pixels. `of_splats`: the mean squared relative error of splats for one
-/// sample per pixel; their number grows with the mean number of samples.
-[[nodiscard]] double samples_per_deviation(const std::vector<double>& deviations,
-                                           const RenderSettings& settings, double of_splats = 0);
+/// The estimate for a noisy pixel, from its two halves: their mean is `mean`, half of their
+/// difference `difference`.
+[[nodiscard]] float error_of_halves(const V3f& mean, const V3f& difference);
 
-/// Number of samples of a pixel with the given standard deviation, before rounding.
-[[nodiscard]] double wanted_samples(double deviation, double samples_per_deviation,
-                                    const RenderSettings& settings);
+/// The same for a noisy picture. `by_pixel` is the mean over the up to 24
+/// pixels around each one. It does not contain the pixel itself: otherwise pixels that happened to
+/// be too bright would get more samples than those that happened to be too dark, and the picture
+/// would become darker.
+[[nodiscard]] MeasuredError error_of_halves(const std::vector<V3f>& mean,
+                                            const std::vector<V3f>& difference, int width,
+                                            int height);
 
-/// Samples of every pixel, row by row, between `settings.samples`, which `pilot` already contains,
-/// and `settings.max_samples`: the fewest that bring the root mean square of the pixels' relative
-/// errors,
-///   sqrt(mean over pixels of variance / (luminance^2 + 0.01)),
-/// splats included, down to `settings.noise`. For a given total, that error is least if each
-/// pixel's number is proportional to its standard deviation (Neyman 1934, "On the two different
-/// aspects of the representative method", section III.2). The noise of splats depends on the total
-/// alone, so that it changes nothing about that. `splats`: those of as many samples; empty if there
-/// are none.
-///
-/// The number of a pixel depends on the samples of its up to eight neighbours and not on its own
-/// (except for its small part in the scale common to all), so that its mean stays unbiased. Small
-/// bright reflections that the first samples miss altogether get no more than their surroundings.
-[[nodiscard]] std::vector<int> plan_samples(const std::vector<PixelSums>& pilot,
-                                            const RenderSettings& settings,
-                                            const SplatMoments& splats = {});
+/// The numbers of samples that a pixel can have: `settings.samples`, then those whose halves have
+/// 4^k samples, which are distributed best, and at last `settings.max_samples`.
+[[nodiscard]] std::vector<int> sample_levels(const RenderSettings& settings);
+
+/// The error of a picture after denoising (denoiser_planes.h).
+[[nodiscard]] MeasuredError measured_error(std::vector<float> after_denoising);
+
+/// How the error of a pixel is taken to fall: with this power of its number of samples, if it is
+/// raised to the next level. Measured on frames of the examples with 8 and 32 samples
+/// (docs/denoising.md).
+[[nodiscard]] double error_power(const RenderSettings& settings);
+
+struct SampleRound {
+    /// Samples of each pixel after the round; as before if no round is needed.
+    std::vector<int> plan;
+    /// Those that it is expected to have after all rounds.
+    std::vector<int> expected;
+    bool is_needed = false;
+};
+
+/// Plans the next round of a frame whose pixels have the samples `plan`, each of them a level. No
+/// round is needed if the frame's error is at most 5 % larger than `settings.noise`, or if no pixel
+/// may get more samples. Otherwise it plans the cheapest way to that error if the errors of pixels
+/// fall as expected: a pixel is raised to the next level if that takes away more error per sample
+/// than a limit common to all. As this may turn out otherwise, a round raises pixels by one level
+/// only; then the error is measured again.
+[[nodiscard]] SampleRound next_round(const std::vector<int>& plan, const MeasuredError& error,
+                                     const RenderSettings& settings);
 
 }  // namespace carom::render

@@ -20,15 +20,14 @@ SampleQueue::SampleQueue(const Setting& setting, std::stop_token stop, RenderSta
     pixels_.reserve(kSize);
 }
 
-void SampleQueue::add(const SampleStream& stream, const SampleIndex& index, PixelSums& sums,
-                      int group) {
+void SampleQueue::add(const SampleStream& stream, const SampleIndex& index, PixelSums& sums) {
     const std::size_t i = tasks_.size();
     batch_->x[i] = index.x;
     batch_->y[i] = index.y;
     batch_->pixel_hash[i] = static_cast<std::int32_t>(stream.pixel_hash());
     batch_->reversed_sample[i] = static_cast<std::int32_t>(stream.reversed_sample());
     tasks_.push_back({Ray{}, stream, index});
-    pixels_.push_back({&sums, group});
+    pixels_.push_back(&sums);
     if (tasks_.size() == kSize) {
         flush();
     }
@@ -59,11 +58,11 @@ void SampleQueue::flush() {
     const std::size_t traced = trace();
     for (std::size_t i = 0; i < traced; ++i) {
         if (setting_.keeps_halves) {
-            pixels_[i].sums->add_to_half(results_[i]);
+            pixels_[i]->add_to_half(results_[i]);
         }
-        pixels_[i].sums->add(results_[i], pixels_[i].group);
+        pixels_[i]->add(results_[i]);
         if (setting_.counts_objects) {
-            pixels_[i].sums->count_object(results_[i].object);
+            pixels_[i]->count_object(results_[i].object);
         }
     }
     tasks_.clear();

@@ -25,12 +25,12 @@ class SampleQueue {
         float pixel_spread;
         std::size_t traced_at_once;  // samples between two checks for a stop request
         bool counts_objects;         // that samples hit
-        bool keeps_halves = false;   // of the samples apart
+        bool keeps_halves = false;   // what the halves of the samples saw
     };
     SampleQueue(const Setting& setting, std::stop_token stop, RenderStatistics& count);
 
-    /// `sums` must stay in place until `flush`; `group`: of the pixel's sums, or -1.
-    void add(const SampleStream& stream, const SampleIndex& index, PixelSums& sums, int group = -1);
+    /// `sums` must stay in place until `flush`.
+    void add(const SampleStream& stream, const SampleIndex& index, PixelSums& sums);
 
     /// Returns when all samples are added. Once a stop is requested, it returns soon, and the
     /// remaining samples are forgotten.
@@ -44,18 +44,13 @@ class SampleQueue {
     /// Returns how many of `results_` were computed before a stop was requested.
     [[nodiscard]] std::size_t trace();
 
-    struct Pixel {
-        PixelSums* sums;
-        int group;
-    };
-
     Setting setting_;
     std::stop_token stop_;
     RenderStatistics& count_;
     WorkspacePool::Loan workspace_;
     std::unique_ptr<CameraBatch> batch_;
     std::vector<CameraTask> tasks_;
-    std::vector<Pixel> pixels_;
+    std::vector<PixelSums*> pixels_;
     std::vector<RadianceSample> results_;
 };
 

@@ -135,15 +135,14 @@ void TileRenderer::request(int x, int y, int samples, PixelSums& sums, SampleQue
                              0);
     const SampleStream second(seed_of_half(seed_, 1), static_cast<std::uint32_t>(x),
                               static_cast<std::uint32_t>(y), 0);
-    const int group_samples = is_adaptive() ? settings_.samples / PixelSums::kGroups : 0;
+    const bool halves = has_halves(settings_);
     for (int sample = sums.samples; sample < samples; ++sample) {
-        const int group = sample < PixelSums::kGroups * group_samples ? sample / group_samples : -1;
         const auto number = static_cast<std::uint32_t>(sample);
-        if (settings_.for_denoiser) {
+        if (halves) {
             const SampleStream& half = sample % 2 == 0 ? first : second;
-            queue.add(half.of_sample(number / 2), {x, y, sample}, sums, group);
+            queue.add(half.of_sample(number / 2), {x, y, sample}, sums);
         } else {
-            queue.add(first.of_sample(number), {x, y, sample}, sums, group);
+            queue.add(first.of_sample(number), {x, y, sample}, sums);
         }
     }
 }
@@ -176,56 +175,72 @@ void TileRenderer::write(int tile, const TileSums& sums, AovPlanes& aovs) const 
     });
 }
 
-void TileRenderer::write(int tile, const TileSums& sums, DenoiserPlanes& planes) const {
-    if (planes.empty()) {
-        return;
-    }
+std::vector<FeaturePixel> TileRenderer::features_of(int tile, const TileSums& sums) const {
     std::vector<FeaturePixel> pixels;
     for_each_pixel(tile, [&](int x, int y) {
         const PixelSums& pixel = at(tile, sums, x, y);
-        pixels.push_back(
-            {x, y, {half_means(pixel, 0).features, half_means(pixel, 1).features}, pixel.samples});
+        pixels.push_back({x, y, {features_of_half(pixel, 0), features_of_half(pixel, 1)}});
     });
-    feature_tracer_->trace(pixels);
-    std::size_t i = 0;
-    for_each_pixel(tile, [&](int x, int y) {
-        planes.write(x, y, at(tile, sums, x, y), pixels[i].exact);
-        ++i;
-    });
+    return pixels;
 }
 
-std::vector<double> TileRenderer::deviations(int tile, const std::vector<PixelSums>& pilot) const {
+std::vector<FeaturePixel> TileRenderer::trace_features(int tile, const TileSums& sums) const {
+    std::vector<FeaturePixel> pixels = features_of(tile, sums);
+    feature_tracer_->trace(pixels);
+    return pixels;
+}
+
+void TileRenderer::write(int tile, const TileSums& sums, DenoiserPlanes& planes,
+                         const std::vector<TracedFeatures>& features) const {
+    if (planes.empty()) {
+        return;
+    }
+    const std::vector<FeaturePixel> pixels =
+        features.empty() ? trace_features(tile, sums) : features_of(tile, sums);
+    for (const FeaturePixel& pixel : pixels) {
+        const PixelSums& own = at(tile, sums, pixel.x, pixel.y);
+        const TracedFeatures& traced =
+            features.empty() ? pixel.traced : features[index(pixel.x, pixel.y)];
+        planes.write(pixel.x, pixel.y, own, traced);
+    }
+}
+
+std::vector<float> TileRenderer::errors(int tile, const TileSums& sums) const {
     constexpr int kBlock = 4;  // pixels a side
     constexpr int kBlocks = kTileSize / kBlock;
-    std::vector<double> variances(std::size_t{kBlocks} * kBlocks);
-    std::vector<int> pixels(variances.size());
+    std::vector<float> errors(std::size_t{kBlocks} * kBlocks);
+    std::vector<int> pixels(errors.size());
     for_each_pixel(tile, [&](int x, int y) {
         const auto block =
             static_cast<std::size_t>(y % kTileSize / kBlock * kBlocks + x % kTileSize / kBlock);
-        variances[block] += relative_variance(pilot[index(x, y)], settings_.samples);
+        const PixelSums& pixel = at(tile, sums, x, y);
+        const V3f a = pixel.mean_of_half(0);
+        const V3f b = pixel.mean_of_half(1);
+        errors[block] += error_of_halves(0.5F * (a + b), 0.5F * (a - b));
         pixels[block] += 1;
     });
-    std::vector<double> result;
-    for (std::size_t block = 0; block < variances.size(); ++block) {
+    std::vector<float> result;
+    for (std::size_t block = 0; block < errors.size(); ++block) {
         if (pixels[block] > 0) {
-            result.push_back(std::sqrt(variances[block] / pixels[block] * settings_.samples));
+            result.push_back(errors[block] / static_cast<float>(pixels[block]));
         }
     }
     return result;
 }
 
-std::vector<double> TileRenderer::further_samples(const std::vector<int>& plan) const {
-    std::vector<double> further;
+std::vector<double> TileRenderer::lacking_samples(const std::vector<PixelSums>& sums,
+                                                  const std::vector<int>& plan) const {
+    std::vector<double> lacking;
     for (int tile = 0; tile < tile_count(); ++tile) {
-        double planned = 0;
+        double samples = 0;
         int pixels = 0;
         for_each_pixel(tile, [&](int x, int y) {
-            planned += plan[index(x, y)];
+            samples += plan[index(x, y)] - sums[index(x, y)].samples;
             pixels += 1;
         });
-        further.push_back(planned / pixels / settings_.samples - 1);
+        lacking.push_back(samples / pixels / settings_.samples);
     }
-    return further;
+    return lacking;
 }
 
 std::size_t TileRenderer::reflection_count() const {

@@ -70,14 +70,20 @@ class TileRenderer {
     void write(int tile, const TileSums& sums, Film& film) const;
     /// Writes the tile's pixels of other channels, except pixels without a sample.
     void write(int tile, const TileSums& sums, AovPlanes& aovs) const;
-    /// Writes what the denoiser needs of the tile's pixels, for which camera rays are traced.
-    void write(int tile, const TileSums& sums, DenoiserPlanes& planes) const;
+    /// Writes what the denoiser needs of the tile's pixels. `features`: what camera rays of the
+    /// frame's pixels saw; if there are none, they are traced.
+    void write(int tile, const TileSums& sums, DenoiserPlanes& planes,
+               const std::vector<TracedFeatures>& features = {}) const;
+    /// Traces camera rays for the tile's pixels, of which `sums` are known. For the denoiser only.
+    [[nodiscard]] std::vector<FeaturePixel> trace_features(int tile, const TileSums& sums) const;
 
-    /// Standard deviations of the samples of some of the tile's pixels, means over blocks of 4x4.
-    [[nodiscard]] std::vector<double> deviations(int tile,
-                                                 const std::vector<PixelSums>& pilot) const;
-    /// By tile, the number of samples that `plan` adds to the first ones, as a multiple of these.
-    [[nodiscard]] std::vector<double> further_samples(const std::vector<int>& plan) const;
+    /// The errors of blocks of 4x4 of the tile's pixels without denoising: means of those of
+    /// MeasuredError.
+    [[nodiscard]] std::vector<float> errors(int tile, const TileSums& sums) const;
+    /// By tile, the number of samples that its pixels lack for `plan`, as a multiple of the first
+    /// ones of all pixels.
+    [[nodiscard]] std::vector<double> lacking_samples(const std::vector<PixelSums>& sums,
+                                                      const std::vector<int>& plan) const;
 
     /// The light that pixels do not sample themselves: `reflection_count` images of lights
     /// (light_tracer.h), each of which adds to any pixels. They may be computed concurrently but
@@ -100,6 +106,7 @@ class TileRenderer {
         return sums.first[static_cast<std::size_t>(y - tile_top(tile)) * sums.row +
                           static_cast<std::size_t>(x - tile_left(tile))];
     }
+    [[nodiscard]] std::vector<FeaturePixel> features_of(int tile, const TileSums& sums) const;
     void request(int x, int y, int samples, PixelSums& sums, SampleQueue& queue) const;
     [[nodiscard]] int tile_left(int tile) const { return tile % tiles_x_ * kTileSize; }
     [[nodiscard]] int tile_top(int tile) const { return tile / tiles_x_ * kTileSize; }

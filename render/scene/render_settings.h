@@ -32,8 +32,9 @@ struct RenderSettings {
     int height = 720;
     IntegratorKind integrator = IntegratorKind::path;
     int samples = 64;  // per pixel, [1, 65536]; powers of two converge best (path)
-    /// Adaptive sampling (path): `samples` (then a multiple of 4) is the minimum, and noisy pixels
-    /// get more until the root mean square over the pixels' relative errors is this value; 0: off.
+    /// Adaptive sampling (path): `samples`, which is then even, is the minimum, and pixels get more
+    /// where that takes away most of the error, until the frame's relative error is this value
+    /// (sample_plan.h); 0: off. If it is for the denoiser, this is the error after denoising.
     double noise = 0;
     int max_samples = 1024;           // of one pixel, [1, 65536]
     int max_bounces = 4;              // [0, 64] (path)
@@ -55,6 +56,12 @@ struct RenderSettings {
 /// Whether the samples of a pixel depend on the noise of its first ones.
 [[nodiscard]] inline bool is_adaptive(const RenderSettings& settings) {
     return settings.integrator == IntegratorKind::path && settings.noise > 0;
+}
+
+/// Whether a pixel's samples are two sets, each with random numbers of its own, whose difference
+/// shows the error of their mean.
+[[nodiscard]] inline bool has_halves(const RenderSettings& settings) {
+    return settings.for_denoiser || is_adaptive(settings);
 }
 
 }  // namespace carom::render

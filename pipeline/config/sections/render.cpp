@@ -177,9 +177,9 @@ void add_sampling(MapSpec<RenderSection>& s) {
     add("samples", &RenderSettings::samples, integer(1, 65536),
         "samples per pixel, for `path` only. Powers of two converge best");
     add("noise", &RenderSettings::noise, number(between(0, 1)),
-        "adaptive sampling: noisy pixels get more than `samples` (which is then a multiple of 4) "
-        "until the frame's relative error (root mean square) is this value; 0: each pixel gets "
-        "`samples`");
+        "adaptive sampling: pixels get more than `samples` (which is then even; 8, 32 and 128 "
+        "converge best) where that helps most, until the frame's relative error (root mean square), "
+        "after denoising if it is on, is this value; 0: each pixel gets `samples`");
     add("max_samples", &RenderSettings::max_samples, integer(1, 65536),
         "largest number of samples of one pixel if `noise` is set");
     add("max_bounces", &RenderSettings::max_bounces, integer(0, 64),
@@ -249,10 +249,10 @@ const MapSpec<RenderSection>& render_spec() {
             list_of(choice<std::string>(aov_names()), 0, 9), "further channels of each frame");
         s.check([](Reader& reader, const Node& node, RenderSection& r) {
             const Entry* noise = node.find("noise");
-            if (noise != nullptr && r.settings.noise > 0 && r.settings.samples % 4 != 0) {
+            if (noise != nullptr && r.settings.noise > 0 && r.settings.samples % 2 != 0) {
                 reader.error(
                     noise->value.place,
-                    fmt::format("'noise' needs 'samples' to be a multiple of 4, which {} is not",
+                    fmt::format("'noise' needs 'samples' to be an even number, which {} is not",
                                 r.settings.samples));
             }
         });

@@ -1,12 +1,16 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numeric>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "render/frame/adaptive_progress.h"
+#include "render/frame/denoiser_planes.h"
 #include "render/frame/sample_plan.h"
 #include "render/threads/thread_arena.h"
+#include "tests/render/frame/table_scene.h"
 #include "tests/render/scene_builder.h"
 
 namespace carom::render {
@@ -15,72 +19,97 @@ namespace {
 using test::SceneBuilder;
 
 RenderSettings plan_settings(int width, int height, double noise) {
-    RenderSettings settings = test::small_settings(width, height, 16);
+    RenderSettings settings = test::small_settings(width, height, 8);
     settings.noise = noise;
-    settings.max_samples = 256;
+    settings.max_samples = 512;
     return settings;
 }
 
-/// A pixel of luminance 1 whose groups of four samples deviate by `spread` up and down.
-PixelSums pixel(float spread) {
-    PixelSums sums;
-    sums.groups = {4 + 4 * spread, 4 - 4 * spread, 4 + 4 * spread, 4 - 4 * spread};
-    return sums;
+MeasuredError even_error(std::size_t pixels, double error) {
+    return {error, std::vector<float>(pixels, static_cast<float>(error))};
 }
 
-TEST(SamplePlan, QuietPictures_GetTheLeast) {
+TEST(SampleLevels, HalvesHavePowersOfFour) {
+    RenderSettings settings = plan_settings(8, 8, 0.01);
+    EXPECT_EQ(sample_levels(settings), (std::vector<int>{8, 32, 128, 512}));
+    settings.samples = 64;
+    settings.max_samples = 1025;
+    EXPECT_EQ(sample_levels(settings), (std::vector<int>{64, 128, 512, 1024}));
+    settings.max_samples = 16;
+    EXPECT_EQ(sample_levels(settings), std::vector<int>{64});
+}
+
+TEST(SampleRound, PictureWhoseErrorIsSmallEnough_NeedsNone) {
     const RenderSettings settings = plan_settings(8, 8, 0.01);
-    const std::vector<PixelSums> pilot(64, pixel(0.001f));
-    EXPECT_EQ(plan_samples(pilot, settings), std::vector<int>(64, 16));
+    const std::vector<int> plan(64, 8);
+    EXPECT_TRUE(next_round(plan, even_error(64, 1.11e-4), settings).is_needed);
+    const SampleRound round = next_round(plan, even_error(64, 1.09e-4), settings);
+    EXPECT_FALSE(round.is_needed);
+    EXPECT_EQ(round.plan, plan);
+    EXPECT_EQ(round.expected, plan);
 }
 
-TEST(SamplePlan, EvenNoise_GetsWhatTheSquareRootLawSays) {
-    RenderSettings settings = plan_settings(8, 8, 0.02);
-    // Groups that differ by s: the mean of four has the variance s^2 / 3.
-    const std::vector<PixelSums> pilot(64, pixel(0.1f));
-    const double variance = 0.01 / 3 / 1.01;
-    const double wanted = 16 * variance / (0.02 * 0.02);  // 132
-    for (const int samples : plan_samples(pilot, settings)) {
-        EXPECT_GE(samples, wanted);
-        EXPECT_LT(samples, wanted + 5);
-        EXPECT_EQ(samples % 4, 0);
+TEST(SampleRound, EvenError_RaisesAllByOneLevel) {
+    const RenderSettings settings = plan_settings(8, 8, 0.01);
+    // The error falls to a 4^1.4th part with each level.
+    const SampleRound round = next_round(std::vector<int>(64, 8), even_error(64, 4e-3), settings);
+    EXPECT_TRUE(round.is_needed);
+    EXPECT_EQ(round.plan, std::vector<int>(64, 32));
+    EXPECT_EQ(round.expected, std::vector<int>(64, 128));
+}
+
+TEST(SampleRound, PixelsWithTheLargestErrors_AreRaised) {
+    const RenderSettings settings = plan_settings(16, 8, 0.01);
+    MeasuredError error = even_error(16 * 8, 0);
+    for (std::size_t i = 0; i < error.by_pixel.size(); ++i) {
+        error.by_pixel[i] = i % 16 < 8 ? 1e-5F : 5e-4F;
+        error.mean += static_cast<double>(error.by_pixel[i]) / (16 * 8);
     }
-    settings.max_samples = 64;
-    EXPECT_EQ(plan_samples(pilot, settings), std::vector<int>(64, 64));
-}
-
-TEST(SamplePlan, NoisyHalf_GetsMoreByItsDeviation) {
-    RenderSettings settings = plan_settings(16, 8, 0.03);
-    settings.max_samples = 4096;
-    std::vector<PixelSums> pilot;
-    for (int i = 0; i < 16 * 8; ++i) {
-        pilot.push_back(pixel(i % 16 < 8 ? 0.1f : 0.3f));
+    const SampleRound round = next_round(std::vector<int>(16 * 8, 8), error, settings);
+    for (std::size_t i = 0; i < round.plan.size(); ++i) {
+        EXPECT_EQ(round.plan[i], i % 16 < 8 ? 8 : 32);
+        EXPECT_EQ(round.expected[i], round.plan[i]);
     }
-    const std::vector<int> plan = plan_samples(pilot, settings);
-    EXPECT_NEAR(plan[4 * 16 + 12], 3 * plan[4 * 16 + 3], 12);
 }
 
-TEST(SamplePlan, OwnSamples_HaveNoSayButInTheCommonScale) {
-    RenderSettings settings = plan_settings(32, 32, 0.02);
-    settings.max_samples = 65536;
-    std::vector<PixelSums> pilot(32 * 32, pixel(0.1f));
-    const std::size_t odd = 16 * 32 + 16;
-    pilot[odd] = pixel(0.9f);
-    const std::vector<int> plan = plan_samples(pilot, settings);
-    EXPECT_EQ(plan[odd], plan[0]);          // the same as a pixel whose neighbourhood is average
-    EXPECT_GT(plan[odd + 1], 2 * plan[0]);  // a neighbour of the noisy pixel
+TEST(SampleRound, PixelsWithTheMostSamples_StayAsTheyAre) {
+    const RenderSettings settings = plan_settings(8, 8, 0.01);
+    std::vector<int> plan(64, 512);
+    EXPECT_FALSE(next_round(plan, even_error(64, 1), settings).is_needed);
+    plan[5] = 128;
+    const SampleRound round = next_round(plan, even_error(64, 1), settings);
+    EXPECT_TRUE(round.is_needed);
+    EXPECT_EQ(round.plan, std::vector<int>(64, 512));
+}
+
+// A picture of luminance 1 whose halves differ at one pixel.
+TEST(ErrorOfHalves, OwnSamples_HaveNoSayButInTheMean) {
+    constexpr int kSide = 9;
+    std::vector<V3f> difference(kSide * kSide, V3f(0, 0, 0));
+    difference[4 * kSide + 4] = V3f(0.3F, 0, 0);
+    const MeasuredError error =
+        error_of_halves(std::vector<V3f>(kSide * kSide, V3f(1, 1, 1)), difference, kSide, kSide);
+    const double own = 0.09 / 1.01 / 3;
+    EXPECT_NEAR(error.mean, own / (kSide * kSide), 1e-9);
+    for (int y = 0; y < kSide; ++y) {
+        for (int x = 0; x < kSide; ++x) {
+            const bool is_near = std::abs(x - 4) <= 2 && std::abs(y - 4) <= 2;
+            const bool is_own = x == 4 && y == 4;
+            EXPECT_NEAR(error.by_pixel[static_cast<std::size_t>(y * kSide + x)],
+                        is_near && !is_own ? own / 24 : 0, 1e-7)
+                << x << ", " << y;
+        }
+    }
 }
 
 class Progress : public testing::Test {
   protected:
     static constexpr int kTiles = 32;
 
-    /// All tiles take one second for their first samples; the samples of every pixel have this
-    /// deviation.
-    void begin_tiles(int from, int to, double deviation) {
+    /// All tiles take one second for their first samples; the pixels have this error.
+    void begin_tiles(int from, int to, float error) {
         for (int n = from; n < to; ++n) {
-            progress_.first_samples_done(progress_.nth_tile(n), std::vector<double>(16, deviation),
-                                         1);
+            progress_.first_samples_done(progress_.nth_tile(n), std::vector<float>(16, error), 1);
         }
     }
 
@@ -89,36 +118,42 @@ class Progress : public testing::Test {
     AdaptiveProgress progress_{callback_, plan_settings(512, 16, 0.02), kTiles};
 };
 
-TEST_F(Progress, FirstSamples_AreTheFractionThatTheirNoisePredicts) {
-    const double deviation = 0.02 * std::sqrt(64);  // needs 64 samples for a noise of 0.02
-    begin_tiles(0, 1, deviation);
+TEST_F(Progress, FirstSamples_AreTheFractionThatTheirErrorPredicts) {
+    const float error = 4e-4F * 6;  // needs 32 samples
+    begin_tiles(0, 1, error);
     EXPECT_TRUE(fractions_.empty()) << "one tile says too little";
-    begin_tiles(1, 8, deviation);
+    begin_tiles(1, 8, error);
     EXPECT_NEAR(fractions_.back(), 8.0 / kTiles / 4, 1e-6);
-    begin_tiles(8, kTiles, deviation);
+    begin_tiles(8, kTiles, error);
     EXPECT_NEAR(fractions_.back(), 0.25, 1e-6);
-    progress_.set_plan(std::vector<double>(kTiles, 3));
+    progress_.begin_round(std::vector<double>(kTiles, 1), std::vector<double>(kTiles, 3));
+    for (int tile = 0; tile < kTiles; ++tile) {
+        progress_.tile_done(tile);
+    }
+    EXPECT_NEAR(fractions_.back(), 0.5, 1e-6);
+    progress_.begin_round(std::vector<double>(kTiles, 2), std::vector<double>(kTiles, 2));
     for (int tile = 0; tile < kTiles / 2; ++tile) {
         progress_.tile_done(tile);
     }
-    EXPECT_NEAR(fractions_.back(), 0.25 + 0.5 * 0.75, 1e-6);
+    EXPECT_NEAR(fractions_.back(), 0.75, 1e-6);
     for (int tile = kTiles / 2; tile < kTiles; ++tile) {
         progress_.tile_done(tile);
     }
+    progress_.finish();
     EXPECT_EQ(fractions_.back(), 1);
     EXPECT_TRUE(std::is_sorted(fractions_.begin(), fractions_.end()));
 }
 
 TEST_F(Progress, QuietFrame_IsDoneWithItsFirstSamples) {
-    begin_tiles(0, kTiles / 2, 1e-6);
+    begin_tiles(0, kTiles / 2, 1e-9F);
     EXPECT_NEAR(fractions_.back(), 0.5, 1e-6);
-    begin_tiles(kTiles / 2, kTiles, 1e-6);
+    begin_tiles(kTiles / 2, kTiles, 1e-9F);
     EXPECT_NEAR(fractions_.back(), 1, 1e-6);
 }
 
-TEST_F(Progress, PlanWithMoreSamplesThanExpected_KeepsTheFraction) {
-    begin_tiles(0, kTiles, 1e-6);
-    progress_.set_plan(std::vector<double>(kTiles, 1));
+TEST_F(Progress, RoundThatWasNotExpected_KeepsTheFraction) {
+    begin_tiles(0, kTiles, 1e-9F);
+    progress_.begin_round(std::vector<double>(kTiles, 1), std::vector<double>(kTiles, 1));
     progress_.tile_done(0);
     EXPECT_NEAR(fractions_.back(), 1, 1e-6);
     EXPECT_TRUE(std::is_sorted(fractions_.begin(), fractions_.end()));
@@ -195,38 +230,77 @@ TEST(AdaptiveSampling, MeanIsThatOfManySamples) {
     EXPECT_LT(error, 2e-3 * truth);
 }
 
-TEST(AdaptiveSampling, ReachesItsTargetWithFewerSamplesThanEvenOnes) {
-    Spots scene;
-    RenderSettings settings = plan_settings(48, 32, 0.005);
-    settings.max_samples = 4096;
-    const PreparedScene prepared(scene.builder.scene, settings);
-    const auto render = [&](int seed, const RenderSettings& with) {
-        scene.frame.seed = static_cast<std::uint64_t>(seed);
-        return render_frame(prepared, {}, scene.frame, with);
-    };
-    RenderSettings many = settings;
-    many.noise = 0;
-    many.samples = 4096;
-    const Film truth = render(100, many);
-    const auto error_of = [&](const Film& film) {
-        double sum = 0;
-        for (std::size_t i = 0; i < film.rgba.size(); i += 4) {
-            const auto y = [&](const Film& f) {
-                return static_cast<double>(luminance(V3f(f.rgba[i], f.rgba[i + 1], f.rgba[i + 2])));
-            };
-            const double d = y(film) - y(truth);
-            sum += d * d / (y(truth) * y(truth) + 0.01);
+/// sqrt(mean of (x - r)^2 / (r^2 + 0.01)).
+double relative_error(const Film& film, const Film& truth) {
+    double sum = 0;
+    for (std::size_t i = 0; i < film.rgba.size(); ++i) {
+        if (i % 4 != 3) {
+            const auto r = static_cast<double>(truth.rgba[i]);
+            const double d = static_cast<double>(film.rgba[i]) - r;
+            sum += d * d / (r * r + 0.01);
         }
-        return std::sqrt(4 * sum / static_cast<double>(film.rgba.size()));
-    };
-    const Film film = render(1, settings);
-    EXPECT_LT(error_of(film), 0.0055);
-    RenderSettings even = settings;
-    even.noise = 0;
-    even.samples = static_cast<int>(film.statistics.camera_rays / (48 * 32));
-    EXPECT_GT(even.samples, 16);
-    EXPECT_LT(error_of(film), 0.8 * error_of(render(1, even)));
+    }
+    return std::sqrt(sum / (3.0 / 4) / static_cast<double>(film.rgba.size()));
 }
+
+/// Errors of a frame of the table, means over a few seeds.
+struct TableErrors {
+    double error = 0;
+    double samples = 0;  // per pixel
+};
+
+class AdaptiveTable : public testing::TestWithParam<bool> {
+  protected:
+    AdaptiveTable() {
+        RenderSettings many = settings_;
+        many.samples = 1024;
+        truth_ = render_frame(scene_, test::table_tracks(), frame_of_seed(100), many);
+    }
+
+    [[nodiscard]] TableErrors measure(const RenderSettings& settings) const {
+        constexpr int kSeeds = 3;
+        double squares = 0;
+        TableErrors result;
+        for (int seed = 1; seed <= kSeeds; ++seed) {
+            Film film = render_frame(scene_, test::table_tracks(), frame_of_seed(seed), settings);
+            result.samples += static_cast<double>(film.statistics.camera_rays) /
+                              (settings.width * settings.height * kSeeds);
+            film = settings.for_denoiser ? denoised(film) : film;
+            squares += std::pow(relative_error(film, truth_), 2) / kSeeds;
+        }
+        result.error = std::sqrt(squares);
+        return result;
+    }
+
+    static FrameInput frame_of_seed(int seed) {
+        FrameInput frame = test::table_frame();
+        frame.seed = static_cast<std::uint64_t>(seed);
+        return frame;
+    }
+
+    RenderSettings settings_ = test::small_settings(128, 96, 8);
+    PreparedScene scene_{test::table().scene, settings_};
+    Film truth_;
+};
+
+TEST_P(AdaptiveTable, ErrorIsTheTarget_AndEvenSamplesLeaveMore) {
+    settings_.for_denoiser = GetParam();
+    settings_.samples = GetParam() ? 32 : 8;
+    settings_.max_samples = 2048;
+    settings_.noise = GetParam() ? 0.004 : 0.008;
+    const TableErrors adaptive = measure(settings_);
+    EXPECT_GT(adaptive.error, settings_.noise / 1.3);
+    EXPECT_LT(adaptive.error, settings_.noise * 1.3);
+    EXPECT_GT(adaptive.samples, 1.2 * settings_.samples);
+    settings_.noise = 0;
+    settings_.samples = 2 * static_cast<int>(adaptive.samples / 2);
+    EXPECT_LT(adaptive.error, 0.9 * measure(settings_).error) << settings_.samples;
+}
+
+INSTANTIATE_TEST_SUITE_P(WithAndWithoutDenoiser, AdaptiveTable, testing::Values(false, true),
+                         [](const testing::TestParamInfo<bool>& tested) {
+                             return tested.param ? "Denoised" : "Noisy";
+                         });
 
 TEST(AdaptiveSampling, FrameThatNeedsNoMore_HasItsProgressInItsFirstSamples) {
     const Spots scene;
@@ -236,9 +310,9 @@ TEST(AdaptiveSampling, FrameThatNeedsNoMore_HasItsProgressInItsFirstSamples) {
     WorkContext context;
     context.progress = [&](double fraction) { fractions.push_back(fraction); };
     const Film film = render_frame(prepared, {}, scene.frame, settings, context);
-    EXPECT_EQ(film.statistics.camera_rays, 96u * 64 * 16);
+    EXPECT_EQ(film.statistics.camera_rays, 96u * 64 * 8);
     constexpr std::size_t kTiles = 6 * 4;
-    ASSERT_GT(fractions.size(), kTiles);
+    ASSERT_EQ(fractions.size(), kTiles + 1);
     for (std::size_t i = 0; i < kTiles; ++i) {
         EXPECT_NEAR(fractions[i], static_cast<double>(i + 1) / kTiles, 1e-9);
     }

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "render/frame/progressive_frame.h"
-#include "render/frame/sample_plan.h"
 #include "render/frame/splat_moments.h"
+#include "render/light/area_light.h"
 #include "tests/render/scene_builder.h"
 
 namespace carom::render {
@@ -125,31 +125,19 @@ TEST(SplatVariance, OfAProgressiveFrame_IsTheSame) {
     EXPECT_EQ(progressive.channels("variance").at(0).values, test::plane(film, "variance.X"));
 }
 
-// With a quarter more variance a quarter more samples are planned.
-TEST(SplatVariance, AdaptiveSampling_MeasuresIt) {
-    RenderSettings settings = test::small_settings(8, 8, 16);
-    settings.noise = 0.02;
-    settings.max_samples = 4096;
-    PixelSums noisy;  // luminance 1, the variance of the mean 0.01 / 3
-    noisy.groups = {4.4f, 3.6f, 4.4f, 3.6f};
-    const std::vector<PixelSums> pilot(64, noisy);
-    const double own = 0.01 / 3;
-    SplatMoments splats(64);
-    const auto deviation = static_cast<float>(std::sqrt(0.25 * own * 3 / 4));
-    for (std::size_t pixel = 0; pixel < 64; ++pixel) {  // they add no light on average
-        splats.add(pixel, 0, deviation);
-        splats.add(pixel, 1, -deviation);
-    }
-    splats.finish_image(1);
-    ASSERT_NEAR(splats.variance()[0], own / 4, 1e-6);
-    const double target = settings.noise * settings.noise;
-    const double without = 16 * own / 1.01 / target;
-    for (const int samples : plan_samples(pilot, settings)) {
-        EXPECT_NEAR(samples, without, 4.1);
-    }
-    for (const int samples : plan_samples(pilot, settings, splats)) {
-        EXPECT_NEAR(samples, 1.25 * without, 4.1);
-    }
+// All light is splatted, and the error is measured.
+TEST(SplatVariance, AdaptiveSampling_TakesSamplesForIt) {
+    const BlackBall scene(0.06);
+    RenderSettings settings = test::small_settings(kSide, kSide, 8);
+    settings.max_samples = 512;
+    const PreparedScene prepared(scene.builder.scene, settings);
+    const auto samples = [&](double noise) {
+        settings.noise = noise;
+        const Film film = render_frame(prepared, {}, scene.frame, settings);
+        return film.statistics.camera_rays;
+    };
+    EXPECT_EQ(samples(1), std::uint64_t{8} * kSide * kSide);
+    EXPECT_GT(samples(0.002), std::uint64_t{16} * kSide * kSide);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ inline RenderSettings denoiser_settings() {
 
 inline RenderSettings adaptive_denoiser_settings() {
     RenderSettings settings = adaptive_settings();
-    settings.samples = 12;  // quarters have an odd number of samples
+    settings.samples = 12;  // halves are no powers of four
     settings.for_denoiser = true;
     return settings;
 }
