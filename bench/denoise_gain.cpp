@@ -25,6 +25,7 @@ struct Options {
     std::vector<std::string> frames = gain_frames();
     std::vector<int> samples{2, 8, 32};                   // denoised
     std::vector<int> compared{2, 4, 8, 16, 32, 64, 128};  // noisy
+    std::vector<double> noise;                            // targets of adaptive sampling
     int seeds = 4;
     double storing = 0.06 / (640 * 360);  // CPU s for a pixel's channels
     bool lists_blocks = false;
@@ -58,7 +59,7 @@ Cost noisy_cost(const GainFrame& frame, int samples, const Reference& reference,
     Cost cost{samples};
     for (int seed = 0; seed < options.seeds; ++seed) {
         render::Film film;
-        cost.seconds += cpu_of([&] { film = frame.render(samples, false, seed); }) / options.seeds;
+        cost.seconds += cpu_of([&] { film = frame.render({samples}, seed); }) / options.seeds;
         cost.error += error_of(colours_of(film), reference) / options.seeds;
     }
     return cost;
@@ -71,8 +72,10 @@ Denoised denoise(const GainFrame& frame, int samples, const Reference& reference
     for (int seed = 0; seed < options.seeds; ++seed) {
         render::Film noisy;
         render::Film clean;
-        result.rendering +=
-            cpu_of([&] { noisy = frame.render(samples, true, seed); }) / options.seeds;
+        result.rendering += cpu_of([&] {
+                                noisy = frame.render({samples, 0, true}, seed);
+                            }) /
+                            options.seeds;
         result.filtering += cpu_of([&] { clean = render::denoised(noisy); }) / options.seeds;
         for (const float error : render::error_after_denoising(noisy)) {
             result.estimated += static_cast<double>(error) / (pixels * options.seeds);
@@ -121,6 +124,30 @@ void print(const BlockGain& gain, bool lists_blocks) {
     }
 }
 
+/// Adaptive sampling from 8 samples on.
+void measure_adaptive(const GainFrame& frame, double noise, bool for_denoiser,
+                      const Reference& reference, const Options& options) {
+    constexpr int kFirst = 8;
+    double seconds = 0;
+    double error = 0;
+    double samples = 0;
+    for (int seed = 0; seed < options.seeds; ++seed) {
+        render::Film film;
+        seconds += cpu_of([&] {
+            film = frame.render({kFirst, noise, for_denoiser}, seed);
+            film = for_denoiser ? render::denoised(film) : film;
+        });
+        error += error_of(colours_of(film), reference);
+        samples += static_cast<double>(film.statistics.camera_rays) / options.size.width /
+                   options.size.height;
+    }
+    const double left = std::sqrt(error / options.seeds);
+    std::printf("  %s until %.4f: left %.4f (%.2f), %.1f samples, %.3f CPU s\n",
+                for_denoiser ? "denoised" : "noisy", noise, left, left / noise,
+                samples / options.seeds, seconds / options.seeds);
+    std::fflush(stdout);
+}
+
 /// Products of gains, by the place of the sample count in the options.
 struct Products {
     std::vector<double> gain, least;
@@ -150,6 +177,10 @@ void measure(const std::string& name, const Options& options, Products& products
         }
         std::fflush(stdout);
     }
+    for (const double noise : options.noise) {
+        measure_adaptive(*frame, noise, false, reference, options);
+        measure_adaptive(*frame, noise, true, reference, options);
+    }
 }
 
 void measure_flicker(const std::string& name, const Options& options) {
@@ -166,8 +197,8 @@ void measure_flicker(const std::string& name, const Options& options) {
         Flicker noisy;
         Flicker clean;
         for (int seed = 0; seed < options.seeds; ++seed) {
-            const render::Film a = frame->render(samples, true, 2 * seed);
-            const render::Film b = next->render(samples, true, 2 * seed + 1);
+            const render::Film a = frame->render({samples, 0, true}, 2 * seed);
+            const render::Film b = next->render({samples, 0, true}, 2 * seed + 1);
             noisy += flicker(colours_of(a), colours_of(b), before, after, options.size.width);
             clean += flicker(colours_of(render::denoised(a)), colours_of(render::denoised(b)),
                              before, after, options.size.width);
@@ -209,6 +240,7 @@ int main(int count, char** words) {
     app.add_option("--frames", options.frames, "FILM@SECOND or benchmark");
     app.add_option("--samples", options.samples, "that are denoised")->capture_default_str();
     app.add_option("--compared", options.compared, "samples of the noisy pictures");
+    app.add_option("--noise", options.noise, "targets of adaptive sampling");
     app.add_option("--seeds", options.seeds)->capture_default_str();
     app.add_option("--width", options.size.width)->capture_default_str();
     app.add_option("--height", options.size.height)->capture_default_str();

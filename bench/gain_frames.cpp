@@ -30,11 +30,13 @@ std::uint64_t mixed(std::uint64_t frame_seed, int seed) {
 }
 
 render::Film render_with(const render::PreparedScene& scene, const std::vector<sim::Track>& tracks,
-                         render::FrameInput frame, render::RenderSettings settings, int samples,
-                         bool for_denoiser, int seed) {
+                         render::FrameInput frame, render::RenderSettings settings,
+                         const Sampling& sampling, int seed) {
     frame.seed = mixed(frame.seed, seed);
-    settings.samples = samples;
-    settings.for_denoiser = for_denoiser;
+    settings.samples = sampling.samples;
+    settings.noise = sampling.noise;
+    settings.max_samples = 2048;
+    settings.for_denoiser = sampling.for_denoiser;
     return render::render_frame(scene, tracks, frame, settings);
 }
 
@@ -52,9 +54,8 @@ class FilmFrame final : public GainFrame {
         scene_.emplace(shot_.scene, shot_.render);
     }
 
-    [[nodiscard]] render::Film render(int samples, bool for_denoiser, int seed) const override {
-        return render_with(*scene_, inputs_.tracks, inputs_.frame, shot_.render, samples,
-                           for_denoiser, seed);
+    [[nodiscard]] render::Film render(const Sampling& sampling, int seed) const override {
+        return render_with(*scene_, inputs_.tracks, inputs_.frame, shot_.render, sampling, seed);
     }
 
   private:
@@ -81,9 +82,8 @@ class BenchmarkFrame final : public GainFrame {
         scene_.emplace(peer_.scene, peer_.settings);
     }
 
-    [[nodiscard]] render::Film render(int samples, bool for_denoiser, int seed) const override {
-        return render_with(*scene_, peer_.tracks, peer_.frame, peer_.settings, samples,
-                           for_denoiser, seed);
+    [[nodiscard]] render::Film render(const Sampling& sampling, int seed) const override {
+        return render_with(*scene_, peer_.tracks, peer_.frame, peer_.settings, sampling, seed);
     }
 
   private:

@@ -9,14 +9,20 @@
 
 namespace carom::bench {
 
+/// How a frame is sampled.
+struct Sampling {
+    int samples = 8;   // of each pixel; the first ones with adaptive sampling
+    double noise = 0;  // the error at which adaptive sampling ends; 0: all samples are even
+    bool for_denoiser = false;
+};
+
 /// A frame that can be rendered any number of times, with any seed.
 class GainFrame {
   public:
     virtual ~GainFrame() = default;
 
-    /// Renders with `samples` even samples of a pixel, on the calling thread's arena. `seed`: of
-    /// the noise.
-    [[nodiscard]] virtual render::Film render(int samples, bool for_denoiser, int seed) const = 0;
+    /// Renders on the calling thread's arena. `seed`: of the noise.
+    [[nodiscard]] virtual render::Film render(const Sampling& sampling, int seed) const = 0;
 
   protected:
     GainFrame() = default;

@@ -83,8 +83,8 @@ void make_reference(const std::string& path, const GainFrame& frame, int samples
             sums = read(path, head[1]);
             continue;
         }
-        const Picture picture = colours_of(
-            frame.render(kReferenceNet, false, kFirstSeed + static_cast<int>(sums.pictures)));
+        const Picture picture =
+            colours_of(frame.render({kReferenceNet}, kFirstSeed + static_cast<int>(sums.pictures)));
         sums.numbers = static_cast<std::uint32_t>(picture.size());
         sums.even.resize(picture.size());
         sums.odd.resize(picture.size());

@@ -54,10 +54,11 @@ struct DenoiseInput {
 struct DenoisedPicture {
     std::vector<float> rgb;  // width * height * 3, row by row from the top left, >= 0
     /// The estimated mean over the channels of (x - r)^2 / (r^2 + 0.01), where r is the picture
-    /// without noise, averaged over 11x11 pixels. It is noisy itself and may be below 0; its mean
-    /// over a picture is right. What is predicted from one half is compared with the other half,
-    /// whose noise is independent; for that it is predicted from features that do not contain the
-    /// other half's samples, which makes the error up to 15 % larger than it is.
+    /// without noise, averaged over 11x11 pixels. It is noisy itself, but right on average, except
+    /// that it is not taken to be less than 6 % of the noisy picture's. What is predicted from one
+    /// half is compared with the other half, whose noise is independent; for that it is predicted
+    /// from features that do not contain the other half's samples, which makes the error up to 15 %
+    /// larger than it is.
     std::vector<float> error;
 };
 

@@ -17,6 +17,11 @@ namespace {
 
 /// What a frame consists of.
 struct Planes {
+    explicit Planes(const FrameWork& work)
+        : film(work.empty_film()),
+          aovs(work.make_aovs(work.settings().aovs)),
+          denoiser(work.make_denoiser_planes()) {}
+
     Film film;
     AovPlanes aovs;
     DenoiserPlanes denoiser;
@@ -31,8 +36,8 @@ struct Planes {
 
 /// Takes all samples of a tile before those of the next one. Unless `sums` has room for all, only
 /// the sums of the tiles in work are in memory.
-void render_evenly(const FrameWork& work, const WorkContext& context, FrameSums::Data& sums,
-                   Planes& planes) {
+Planes render_evenly(const FrameWork& work, const WorkContext& context, FrameSums::Data& sums) {
+    Planes planes(work);
     constexpr std::size_t kSide = TileRenderer::kTileSize;
     const TileRenderer& tiles = work.tiles();
     TileProgress progress(context.progress, tiles.tile_count());
@@ -50,6 +55,7 @@ void render_evenly(const FrameWork& work, const WorkContext& context, FrameSums:
             return count;
         },
         [&](int) { progress.finish_tile(); });
+    return planes;
 }
 
 /// The first samples of an adaptive frame.
@@ -90,8 +96,7 @@ void take_round(const FrameWork& work, const WorkContext& context, FrameSums::Da
         [&](int tile) { progress.tile_done(tile); });
 }
 
-void render_adaptively(const FrameWork& work, const WorkContext& context, FrameSums::Data& sums,
-                       Planes& planes) {
+Planes render_adaptively(const FrameWork& work, const WorkContext& context, FrameSums::Data& sums) {
     const TileRenderer& tiles = work.tiles();
     AdaptiveProgress progress(context.progress, work.settings(), tiles.tile_count());
     take_first_samples(work, context, sums, progress);
@@ -114,6 +119,7 @@ void render_adaptively(const FrameWork& work, const WorkContext& context, FrameS
                              tiles.lacking_samples(sums.pixels, round.expected));
         take_round(work, context, sums, progress);
     }
+    Planes planes(work);
     RenderStatistics none;
     for_all_tiles(
         tiles.tile_count(), {{}, context.stop}, none,
@@ -123,6 +129,7 @@ void render_adaptively(const FrameWork& work, const WorkContext& context, FrameS
         },
         [](int) {});
     progress.finish();
+    return planes;
 }
 
 /// With room for the sums of a frame, unless it has them.
@@ -143,17 +150,13 @@ Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks
     const FlushDenormals flush;  // while Embree builds
     const FrameWork work(scene, tracks, frame, settings,
                          probe != nullptr ? probe->options : StructureOptions{});
-    Planes planes{work.empty_film(), work.make_aovs(settings.aovs), work.make_denoiser_planes()};
     FrameSums own;
     FrameSums::Data& data = sums != nullptr ? sums->data() : own.data();
     if (sums != nullptr || work.tiles().is_adaptive()) {
         make_room(data, work.pixel_count());
     }
-    if (work.tiles().is_adaptive()) {
-        render_adaptively(work, context, data, planes);
-    } else {
-        render_evenly(work, context, data, planes);
-    }
+    Planes planes = work.tiles().is_adaptive() ? render_adaptively(work, context, data)
+                                               : render_evenly(work, context, data);
     Film film = std::move(planes.film);
     film.statistics = data.statistics;
     work.add_reflections(film, planes.denoiser, planes.aovs, context);
