@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/assert.h"
+#include "core/elementary.h"
 
 namespace carom::render {
 namespace {
@@ -112,14 +113,14 @@ class Forecast {
     Forecast(const std::vector<int>& plan, const MeasuredError& error,
              const RenderSettings& settings)
         : levels_(sample_levels(settings)) {
-        const double power = error_power(settings);
+        const double exponent = error_power(settings);
         // By the level that a pixel has and by that which it is raised to.
         const std::size_t count = levels_.size();
         left_.resize(count, std::vector<double>(count, 1));
         worth_.resize(count, std::vector<double>(count, 0));
         for (std::size_t from = 0; from < count; ++from) {
             for (std::size_t to = from + 1; to < count; ++to) {
-                left_[from][to] = std::pow(static_cast<double>(levels_[from]) / levels_[to], power);
+                left_[from][to] = power(static_cast<double>(levels_[from]) / levels_[to], exponent);
                 worth_[from][to] =
                     (left_[from][to - 1] - left_[from][to]) / (levels_[to] - levels_[to - 1]);
             }

@@ -33,7 +33,7 @@ std::vector<std::string> names_in(const std::string& folder) {
 /// Small and noisy, whatever the shot says.
 std::vector<std::string> tiny() {
     return {"render.size=[48, 28]",
-            "render.samples=1",
+            "render.samples=2",
             "render.noise=0",
             "render.max_bounces=1",
             "render.distributed.pixel_samples=1",
