@@ -182,8 +182,10 @@ void Band::estimate_errors(int y) {
     for (int c = 0; c < kChannels; ++c) {
         row.mean[c] = planes_.mean[c].row(y);
         row.difference[c] = planes_.difference[c].row(y);
-        row.from_a[c] = planes_.checked[0][c].row(y);
-        row.from_b[c] = planes_.checked[1][c].row(y);
+        row.from_a[c] = planes_.prediction[0][c].row(y);
+        row.from_b[c] = planes_.prediction[1][c].row(y);
+        row.checked_a[c] = planes_.checked[0][c].row(y);
+        row.checked_b[c] = planes_.checked[1][c].row(y);
     }
     row.noisy = planes_.noisy_error.row(y);
     row.filtered = planes_.filtered_error.row(y);

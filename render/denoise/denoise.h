@@ -57,8 +57,7 @@ struct DenoisedPicture {
     /// without noise, averaged over 11x11 pixels. It is noisy itself, but right on average, except
     /// that it is not taken to be less than 6 % of the noisy picture's. What is predicted from one
     /// half is compared with the other half, whose noise is independent; for that it is predicted
-    /// from features that do not contain the other half's samples, which makes the error up to 15 %
-    /// larger than it is.
+    /// from features that do not contain the other half's samples.
     std::vector<float> error;
 };
 

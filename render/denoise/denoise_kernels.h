@@ -68,8 +68,10 @@ struct ErrorRow {
     const float* difference[3];  // half of that between them
     const float* from_a[3];      // predicted from half A
     const float* from_b[3];
-    float* noisy;     // result: the relative squared error of the halves' mean
-    float* filtered;  // result: that of the predictions' mean
+    const float* checked_a[3];  // the same, knowing nothing of B
+    const float* checked_b[3];  // and of A
+    float* noisy;               // result: the relative squared error of the halves' mean
+    float* filtered;            // result: that of the predictions' mean
     int chunks = 0;
 };
 

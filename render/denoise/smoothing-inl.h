@@ -55,7 +55,8 @@ inline HWY_ATTR void join_variance(const VarianceRow& row) {
 /// The error of the mean of the predictions a and b from the halves A and B is
 ///   ((a - B)^2 + (b - A)^2) / 2 - (A - B)^2 / 2 - (a - b)^2 / 4
 /// in the mean over many pixels, because the noise of a half is independent of the other half; that
-/// of the mean of A and B is (A - B)^2 / 4. Relative to r^2 + 0.01.
+/// of the mean of A and B is (A - B)^2 / 4. Relative to r^2 + 0.01. In the first two terms a and b
+/// are predictions that know nothing of B and A.
 inline HWY_ATTR void estimate_errors(const ErrorRow& row) {
     const F half = all(0.5f);
     const F third = all(1.f / 3);
@@ -70,8 +71,8 @@ inline HWY_ATTR void estimate_errors(const ErrorRow& row) {
             const F r = product(half, sum(a, b));
             const F scale = quotient(third, sum(product(r, r), all(0.01f)));
             const F variance = product(difference, difference);
-            const F a_to_b = minus(a, minus(mean, difference));
-            const F b_to_a = minus(b, sum(mean, difference));
+            const F a_to_b = minus(load(row.checked_a[c] + x), minus(mean, difference));
+            const F b_to_a = minus(load(row.checked_b[c] + x), sum(mean, difference));
             const F between = product(half, minus(a, b));
             const F both = product(half, sum(product(a_to_b, a_to_b), product(b_to_a, b_to_a)));
             const F error = minus(minus(both, sum(variance, variance)), product(between, between));

@@ -192,6 +192,33 @@ TEST(Denoise, EstimatedError_IsRight) {
     EXPECT_LT(estimated, real * 1.3);
 }
 
+// The samples' features carry the noise of the colours into the exact ones. Unless the estimate
+// leaves the other half's samples out, the prediction seems to know the half that it is compared
+// with, and the error comes out far below 0.
+TEST(Denoise, EstimatedErrorOfFeaturesThatContainSamples_IsRight) {
+    NoisyPicture picture(192, 128);
+    for (int c = 0; c < 3; ++c) {
+        picture.set_colour(c, [](int, int) { return 0.4f; });
+        picture.set_feature(c, [](int, int) { return 0.5f; });
+    }
+    Noise noise(12);
+    picture.add_feature_noise(noise, 1, 0.2f, 0.7f);
+    picture.mix_samples_into_exact(0.5f);
+    const DenoisedPicture result = denoise(picture.input());
+    const auto mean_of_error = [](const DenoisedPicture& of) {
+        double sum = 0;
+        for (const float error : of.error) {
+            sum += static_cast<double>(error);
+        }
+        return sum / static_cast<double>(of.error.size());
+    };
+    const double error = picture.error_of(result) / (0.4 * 0.4 + 0.01);
+    EXPECT_GT(mean_of_error(result), 0.8 * error);
+    EXPECT_LT(mean_of_error(result), 2 * error);
+    picture.share.clear();
+    EXPECT_LT(mean_of_error(denoise(picture.input())), 0.5 * error);
+}
+
 // A texture with little noise, which can just be seen, beside squares with much, which are smaller
 // than the one over which the level of the variance is measured.
 TEST(Denoise, KnownVariance_KeepsWhatIsBesideNoise) {

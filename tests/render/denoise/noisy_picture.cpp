@@ -63,6 +63,16 @@ void NoisyPicture::add_feature_noise(Noise& noise, int feature, float deviation,
     });
 }
 
+void NoisyPicture::mix_samples_into_exact(float part) {
+    share.assign(mean[0].size(), part);
+    for (std::size_t f = 0; f < kFeatures; ++f) {
+        for (std::size_t i = 0; i < exact[f].size(); ++i) {
+            exact[f][i] += part * error[f][i];
+            error[f][i] *= 1 - part;
+        }
+    }
+}
+
 DenoiseInput NoisyPicture::input() const {
     DenoiseInput input;
     input.width = width;
@@ -76,6 +86,9 @@ DenoiseInput NoisyPicture::input() const {
     }
     if (!variance.empty()) {
         input.variance = {variance.data()};
+    }
+    if (!share.empty()) {
+        input.share_of_samples = {share.data()};
     }
     return input;
 }
@@ -99,6 +112,9 @@ NoisyPicture NoisyPicture::part(int x0, int y0, int part_width, int part_height)
     }
     if (!variance.empty()) {
         copy(variance, result.variance);
+    }
+    if (!share.empty()) {
+        copy(share, result.share);
     }
     return result;
 }

@@ -43,6 +43,7 @@ class NoisyPicture {
     std::vector<float> error[kFeatures];
     std::vector<float> feature_difference[kFeatures];
     std::vector<float> variance;  // empty: not known
+    std::vector<float> share;     // of the samples in the exact features; empty: none
 
     /// Sets a channel's truth in both halves.
     void set_colour(int channel, const Value& value);
@@ -52,6 +53,9 @@ class NoisyPicture {
     void add_noise(Noise& noise, float deviation);
     /// Adds noise to a feature of both halves, and `slope` times that noise to all colours.
     void add_feature_noise(Noise& noise, int feature, float deviation, float slope);
+
+    /// Mixes this share of the samples' means into the exact features.
+    void mix_samples_into_exact(float part);
 
     [[nodiscard]] DenoiseInput input() const;
     /// The part of the picture that begins at (x, y).

@@ -1,10 +1,14 @@
 #include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "core/hash.h"
 #include "render/frame/aov_planes.h"
+#include "tests/render/frame/table_scene.h"
 #include "tests/render/scene_builder.h"
 
 namespace carom::render {
@@ -234,6 +238,54 @@ TEST(Aovs, Variance_IsTheMeansAndFallsWithSamples) {
     const double ratio = mean_variance(16) / mean_variance(64);
     EXPECT_GT(ratio, 3);
     EXPECT_LT(ratio, 5.5);
+}
+
+/// The mean over the pixels of the variance of their luminance over seeds, and of what the channel
+/// says of it.
+struct MeanVariances {
+    double empirical = 0;
+    double channel = 0;
+};
+
+MeanVariances variances_of_table(bool halves) {
+    constexpr int kSeeds = 48;
+    constexpr int kSamples = 32;
+    RenderSettings settings = with_all_aovs(kSamples);
+    settings.for_denoiser = halves;
+    const PreparedScene scene(test::table().scene, settings);
+    std::vector<double> sums(std::size_t{32} * 18), squares(sums.size());
+    MeanVariances result;
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+        FrameInput frame = test::table_frame();
+        frame.seed = static_cast<std::uint64_t>(seed);
+        const Film film = render_frame(scene, test::table_tracks(), frame, settings);
+        const std::vector<float>& variance = plane(film, "variance.X");
+        for (std::size_t i = 0; i < sums.size(); ++i) {
+            const float* rgb = &film.rgba[4 * i];
+            const auto y = static_cast<double>(luminance(V3f(rgb[0], rgb[1], rgb[2])));
+            sums[i] += y;
+            squares[i] += y * y;
+            result.channel += static_cast<double>(variance[i]);
+        }
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const double mean = sums[i] / kSeeds;
+        result.empirical += (squares[i] / kSeeds - mean * mean) * kSeeds / (kSeeds - 1);
+    }
+    result.channel /= kSeeds;
+    return result;
+}
+
+TEST(Aovs, VarianceOfFramesWithHalves_IsThatOverSeeds) {
+    const MeanVariances found = variances_of_table(true);
+    EXPECT_GT(found.channel, found.empirical / 1.2);
+    EXPECT_LT(found.channel, found.empirical * 1.2);
+}
+
+// Well distributed samples deviate less than independent ones, as which they are taken.
+TEST(Aovs, VarianceOfEvenSamples_IsTooLarge) {
+    const MeanVariances found = variances_of_table(false);
+    EXPECT_GT(found.channel, 2 * found.empirical);
 }
 
 }  // namespace
