@@ -75,11 +75,12 @@ HWY_INLINE kernels::Triple<hn::Vec<PacketTag>> load_packet(const float (&lanes)[
     return {{hn::Load(d, lanes[0]), hn::Load(d, lanes[1]), hn::Load(d, lanes[2])}};
 }
 
-HWY_INLINE bool leaves_slab(const LeafSlab& slab, const PacketRays& rays, int ray) {
+HWY_INLINE bool stays_beyond(const LeafSlab& slab, const PacketRays& rays, int ray) {
     const auto vector = [&](const float(&lanes)[3][kPacketLanes]) {
         return kernels::Triple<float>{{lanes[0][ray], lanes[1][ray], lanes[2][ray]}};
     };
-    return leave_slab<ScalarLanes<float>>(slab, vector(rays.origin), vector(rays.direction));
+    return stay_beyond<ScalarLanes<float>>(slab, vector(rays.origin), vector(rays.direction),
+                                           rays.limit[ray]);
 }
 
 struct alignas(64) PacketHits {
@@ -102,7 +103,8 @@ struct ClosestOfPacket {
         const TriangleNames& names = tree.names[leaf];
         const auto origin = load_packet(rays.origin);
         const auto direction = load_packet(rays.direction);
-        const auto gone = leave_slab<PacketLanes>(tree.slabs[leaf], origin, direction);
+        const auto gone =
+            stay_beyond<PacketLanes>(tree.slabs[leaf], origin, direction, hn::Load(d, rays.limit));
         enter = hn::IfThenElse(gone, hn::Set(d, kInfinity), enter);
         if (hn::AllTrue(d, hn::Eq(enter, hn::Set(d, kInfinity)))) {
             return;
@@ -135,7 +137,7 @@ struct ClosestOfPacket {
     }
 
     HWY_INLINE bool of_one(std::uint32_t leaf, int ray, float enter) const {
-        if (leaves_slab(tree.slabs[leaf], rays, ray)) {
+        if (stays_beyond(tree.slabs[leaf], rays, ray)) {
             return false;
         }
         const ChildTag d;
@@ -189,7 +191,8 @@ struct AnyOfPacket {
         const TriangleBlock& block = tree.blocks[leaf];
         const auto origin = load_packet(rays.origin);
         const auto direction = load_packet(rays.direction);
-        const auto gone = leave_slab<PacketLanes>(tree.slabs[leaf], origin, direction);
+        const auto gone =
+            stay_beyond<PacketLanes>(tree.slabs[leaf], origin, direction, hn::Load(d, rays.limit));
         enter = hn::IfThenElse(gone, hn::Set(d, kInfinity), enter);
         if (hn::AllTrue(d, hn::Eq(enter, hn::Set(d, kInfinity)))) {
             return;
@@ -206,7 +209,7 @@ struct AnyOfPacket {
     }
 
     HWY_INLINE bool of_one(std::uint32_t leaf, int ray, float enter) const {
-        if (leaves_slab(tree.slabs[leaf], rays, ray)) {
+        if (stays_beyond(tree.slabs[leaf], rays, ray)) {
             return false;
         }
         const ChildTag d;
@@ -233,11 +236,38 @@ HWY_INLINE void ask(const Query& query) {
             HWY_ATTR { return query.of_one(leaf, ray, enter); });
 }
 
+/// Tests rays with boxes, widened as in a traversal.
+class BoxTest {
+  public:
+    HWY_INLINE BoxTest(const kernels::Triple<hn::Vec<PacketTag>>& origin,
+                       const kernels::Triple<hn::Vec<PacketTag>>& direction) {
+        const auto margin = PacketRays::margin_of(origin.at);
+        for (int axis = 0; axis < 3; ++axis) {
+            low_[axis] = hn::Add(origin.at[axis], margin);
+            high_[axis] = hn::Sub(origin.at[axis], margin);
+            inverse_[axis] = PacketRays::finite_inverse(direction.at[axis]);
+        }
+    }
+    [[nodiscard]] HWY_INLINE hn::Mask<PacketTag> meets(const float (&low_planes)[3],
+                                                       const float (&high_planes)[3],
+                                                       hn::Vec<PacketTag> limit) const {
+        const Passage way = passage(low_planes, high_planes, low_, high_, inverse_);
+        return hn::Le(hn::Max(way.enter, hn::Zero(PacketTag())), hn::Min(way.leave, limit));
+    }
+    [[nodiscard]] HWY_INLINE hn::Mask<PacketTag> meets(const Imath::Box3f& box,
+                                                       hn::Vec<PacketTag> limit) const {
+        return meets({box.min.x, box.min.y, box.min.z}, {box.max.x, box.max.y, box.max.z}, limit);
+    }
+
+  private:
+    hn::Vec<PacketTag> low_[3], high_[3], inverse_[3];
+};
+
 /// Rays of a batch that wait to be asked, without gaps.
 class WaitingRays {
   public:
     /// Adds the rays from `first` on that may meet the tree before `t`: finite ones (safe_ray.h)
-    /// that pass through its box and not above its horizon.
+    /// that pass through its box and not above its horizon, and meet a leaf if there are few.
     HWY_INLINE void add(const TriangleTree& tree, const RayBatch& batch, int first,
                         hn::Vec<PacketTag> t) {
         const PacketTag d;
@@ -254,9 +284,13 @@ class WaitingRays {
         const auto is_asked = hn::And(hn::And(is_finite, hn::Gt(t, zero)),
                                       hn::FirstN(d, static_cast<std::size_t>(batch.count - first)));
         const auto limit = hn::Min(t, hn::Set(d, kLargest));
-        auto may_hit = hn::And(is_asked, meets(tree.bounds, origin.at, direction.at, limit));
+        const BoxTest boxes(origin, direction);
+        auto may_hit = hn::And(is_asked, boxes.meets(tree.bounds, limit));
         if (tree.horizon.width > 0) {
             may_hit = hn::AndNot(pass_above<PacketLanes>(tree.horizon, origin, direction), may_hit);
+        }
+        if (tree.tree.nodes.size() == 1 && !hn::AllFalse(d, may_hit)) {
+            may_hit = hn::And(meet_leaves(tree, boxes, origin, direction, limit), may_hit);
         }
         const PackedLanes goes(may_hit);
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -299,23 +333,30 @@ class WaitingRays {
                                       ? static_cast<int>(HWY_LANES(float))
                                       : kPacketLanes;
 
-    /// Whether rays pass through a box, widened as in a traversal.
-    static HWY_INLINE hn::Mask<PacketTag> meets(const Imath::Box3f& box,
-                                                const hn::Vec<PacketTag> (&origin)[3],
-                                                const hn::Vec<PacketTag> (&direction)[3],
-                                                hn::Vec<PacketTag> limit) {
-        const auto margin = PacketRays::margin_of(origin);
-        hn::Vec<PacketTag> low[3];
-        hn::Vec<PacketTag> high[3];
-        hn::Vec<PacketTag> inverse[3];
-        for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = hn::Add(origin[axis], margin);
-            high[axis] = hn::Sub(origin[axis], margin);
-            inverse[axis] = PacketRays::finite_inverse(direction[axis]);
+    /// Whether rays may hit a leaf of a tree of one node. Most rays towards a lamp miss those of
+    /// the shade around it.
+    static HWY_INLINE hn::Mask<PacketTag> meet_leaves(
+        const TriangleTree& tree, const BoxTest& boxes,
+        const kernels::Triple<hn::Vec<PacketTag>>& origin,
+        const kernels::Triple<hn::Vec<PacketTag>>& direction, hn::Vec<PacketTag> limit) {
+        const WideNode& node = tree.tree.nodes[0];
+        const auto planes = [&](int side, int lane, float(&three)[3]) HWY_ATTR {
+            for (int axis = 0; axis < 3; ++axis) {
+                three[axis] = node.planes[axis][side].values[lane];
+            }
+        };
+        auto meets = hn::MaskFromVec(hn::Zero(PacketTag()));
+        for (int lane = 0; lane < kBlockLanes && node.children[lane] != 0; ++lane) {
+            float low[3];
+            float high[3];
+            planes(0, lane, low);
+            planes(1, lane, high);
+            const LeafSlab& slab = tree.slabs[static_cast<std::uint32_t>(-1 - node.children[lane])];
+            meets =
+                hn::Or(meets, hn::AndNot(stay_beyond<PacketLanes>(slab, origin, direction, limit),
+                                         boxes.meets(low, high, limit)));
         }
-        const Passage way = passage({box.min.x, box.min.y, box.min.z},
-                                    {box.max.x, box.max.y, box.max.z}, low, high, inverse);
-        return hn::Le(hn::Max(way.enter, hn::Zero(PacketTag())), hn::Min(way.leave, limit));
+        return meets;
     }
 
     alignas(64) float origin_[3][2 * kPacketLanes] = {};

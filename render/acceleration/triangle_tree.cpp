@@ -13,6 +13,17 @@ namespace {
 /// an eighth of the distance at which rays start off their surface.
 constexpr float kSlabMargin = kOffsetFraction / 8;
 
+/// The rounding of the distance of a hit, as a fraction of coordinates, for a triangle with a right
+/// angle.
+constexpr float kHitRounding = 0x1p-20f;
+
+/// By how much a triangle's angle at its first corner enlarges that. Triangles without area are
+/// never hit.
+float enlargement(const V3f& edge_b, const V3f& edge_c) {
+    const float area = (edge_b % edge_c).length();
+    return area > 0 ? edge_b.length() * edge_c.length() / area : 1.f;
+}
+
 /// The slab of the first `count` triangles of a block, along the mean of their normals.
 LeafSlab slab_of(const TriangleBlock& block, std::uint32_t count) {
     const auto vector = [](const Lanes(&lanes)[3], std::uint32_t lane) {
@@ -23,20 +34,24 @@ LeafSlab slab_of(const TriangleBlock& block, std::uint32_t count) {
         const V3f normal = vector(block.edge_b, lane) % vector(block.edge_c, lane);
         sum += sum.dot(normal) < 0 ? -normal : normal;
     }
-    LeafSlab slab{sum.length() > 0 ? sum.normalized() : V3f(0, 0, 1), kInfinity, -kInfinity};
-    float size = 0;
+    LeafSlab slab{sum.length() > 0 ? sum.normalized() : V3f(0, 0, 1), kInfinity, -kInfinity, 0,
+                  kHitRounding};
     for (std::uint32_t lane = 0; lane < count; ++lane) {
         const V3f a = vector(block.corner, lane);
+        slab.rounding = std::max(
+            slab.rounding,
+            kHitRounding * enlargement(vector(block.edge_b, lane), vector(block.edge_c, lane)));
         for (const V3f& corner :
              {a, a + vector(block.edge_b, lane), a + vector(block.edge_c, lane)}) {
             const float height = slab.normal.dot(corner);
             slab.low = std::min(slab.low, height);
             slab.high = std::max(slab.high, height);
-            size = std::max({size, std::abs(corner.x), std::abs(corner.y), std::abs(corner.z)});
+            slab.size =
+                std::max({slab.size, std::abs(corner.x), std::abs(corner.y), std::abs(corner.z)});
         }
     }
-    slab.low -= kSlabMargin * size;
-    slab.high += kSlabMargin * size;
+    slab.low -= kSlabMargin * slab.size;
+    slab.high += kSlabMargin * slab.size;
     return slab;
 }
 

@@ -84,18 +84,26 @@ struct ScalarLanes {
 
     static Value gather(const float* numbers, Int index) { return numbers[index]; }
     static Int gather_int(const std::int32_t* numbers, Int index) { return numbers[index]; }
-    /// Word number `index` of a memory that may hold any type.
-    static Word gather_word(const void* from, Int index) {
-        Word word;
-        std::memcpy(&word, static_cast<const char*>(from) + std::ptrdiff_t{index} * 4,
-                    sizeof(word));
-        return word;
-    }
-    /// The 32 bits that begin at a byte; there must be as many.
+    /// The 32 bits that begin at a byte of a memory that may hold any type; there must be as many.
     static Word gather_bytes(const void* from, Int byte) {
         Word word;
         std::memcpy(&word, static_cast<const char*>(from) + byte, sizeof(word));
         return word;
+    }
+
+    /// Two numbers that lie side by side, at `index` and behind it.
+    struct Pair {
+        Value first, second;
+    };
+    static Pair gather_pair(const float* numbers, Int index) {
+        return {numbers[index], numbers[index + 1]};
+    }
+    struct WordPair {
+        Word first, second;
+    };
+    /// The 32 bits that begin at a byte, and the next 32.
+    static WordPair gather_bytes_pair(const void* from, Int byte) {
+        return {gather_bytes(from, byte), gather_bytes(from, byte + 4)};
     }
 
     /// x, negated where `by` is negative.

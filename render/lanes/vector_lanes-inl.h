@@ -90,11 +90,30 @@ struct VectorLanes {
     static HWY_INLINE Int gather_int(const std::int32_t* numbers, Int index) {
         return hn::GatherIndex(IntTag(), numbers, index);
     }
-    static HWY_INLINE Word gather_word(const void* from, Int index) {
-        return hn::GatherIndex(WordTag(), static_cast<const std::uint32_t*>(from), index);
-    }
     static HWY_INLINE Word gather_bytes(const void* from, Int byte) {
         return hn::GatherOffset(WordTag(), static_cast<const std::uint32_t*>(from), byte);
+    }
+
+    struct Pair {
+        Value first, second;
+    };
+    static HWY_INLINE Pair gather_pair(const float* numbers, Int index) {
+        const WordPair bits = gather_bytes_pair(numbers, hn::ShiftLeft<2>(index));
+        return {hn::BitCast(D(), bits.first), hn::BitCast(D(), bits.second)};
+    }
+    struct WordPair {
+        Word first, second;
+    };
+    /// Processors gather one long number in about the time of a short one.
+    static HWY_INLINE WordPair gather_bytes_pair(const void* from, Int byte) {
+#if HWY_TARGET == HWY_SCALAR
+        return {gather_bytes(from, byte), gather_bytes(from, byte + all_int(4))};
+#else
+        const hn::Half<IntTag> half;
+        const Word low = gather_long(from, hn::LowerHalf(half, byte));
+        const Word high = gather_long(from, hn::UpperHalf(half, byte));
+        return {hn::ConcatEven(WordTag(), high, low), hn::ConcatOdd(WordTag(), high, low)};
+#endif
     }
 
     static HWY_INLINE Value flip_sign(Value x, Value by) {
@@ -110,6 +129,18 @@ struct VectorLanes {
     }
 
   private:
+#if HWY_TARGET != HWY_SCALAR
+    /// For each of half as many bytes the two words that begin there.
+    template <class HalfInt>
+    static HWY_INLINE Word gather_long(const void* from, HalfInt byte) {
+        const hn::Repartition<std::uint64_t, WordTag> longs;
+        const hn::RebindToSigned<decltype(longs)> offsets;
+        return hn::BitCast(WordTag(),
+                           hn::GatherOffset(longs, static_cast<const std::uint64_t*>(from),
+                                            hn::PromoteTo(offsets, byte)));
+    }
+#endif
+
     /// Nibbles by a table lookup, then bytes by another.
     static HWY_INLINE Word reversed_by_tables(Word x) {
         const hn::Repartition<std::uint8_t, WordTag> bytes;

@@ -1,18 +1,31 @@
 // Which rays need not be tested with triangles, in lanes. Included as
 // render/lanes/kernels/vectors.h is, after render/triangle/kernels/common.h.
 
-/// Whether rays start beyond a slab and do not return to it.
+/// Whether rays stay beyond a slab up to `end`: they start there and do not turn to it, or do not
+/// reach it. `end` is finite.
 template <class L>
-CAROM_KERNEL typename L::Mask leave_slab(const LeafSlab& slab,
-                                         const kernels::Triple<typename L::Value>& origin,
-                                         const kernels::Triple<typename L::Value>& direction) {
+CAROM_KERNEL typename L::Mask stay_beyond(const LeafSlab& slab,
+                                          const kernels::Triple<typename L::Value>& origin,
+                                          const kernels::Triple<typename L::Value>& direction,
+                                          typename L::Value end) {
     const kernels::Triple<typename L::Value> normal{
         {L::all(slab.normal.x), L::all(slab.normal.y), L::all(slab.normal.z)}};
     const auto height = dot(normal, origin);
     const auto rise = dot(normal, direction);
     const auto zero = L::all(0);
-    return L::either(L::both(L::is_less(L::all(slab.high), height), L::is_at_most(zero, rise)),
-                     L::both(L::is_less(height, L::all(slab.low)), L::is_at_most(rise, zero)));
+    const auto low = L::all(slab.low);
+    const auto high = L::all(slab.high);
+    // For the rounding of a hit's distance, which may pass for one before the end.
+    const auto reach =
+        L::size(origin.at[0]) + L::size(origin.at[1]) + L::size(origin.at[2]) + L::all(slab.size);
+    const auto margin = reach * L::all(slab.rounding);
+    const auto height_of_end = height + rise * end;
+    const auto stays_above =
+        L::either(L::is_at_most(zero, rise), L::is_less(high + margin, height_of_end));
+    const auto stays_below =
+        L::either(L::is_at_most(rise, zero), L::is_less(height_of_end, low - margin));
+    return L::either(L::both(L::is_less(high, height), stays_above),
+                     L::both(L::is_less(height, low), stays_below));
 }
 
 /// Whether rays pass above everything that the map shows. It must not be empty.

@@ -3,13 +3,13 @@
 template <class L>
 CAROM_KERNEL Three<typename L::Value> three_at(const float* numbers, typename L::Int index) {
     const auto first = index + index + index;
-    return {L::gather(numbers, first), L::gather(numbers, first + L::all_int(1)),
-            L::gather(numbers, first + L::all_int(2))};
+    const auto x_and_y = L::gather_pair(numbers, first);
+    return {x_and_y.first, x_and_y.second, L::gather(numbers, first + L::all_int(2))};
 }
 template <class L>
 CAROM_KERNEL Two<typename L::Value> two_at(const float* numbers, typename L::Int index) {
-    const auto first = index + index;
-    return {L::gather(numbers, first), L::gather(numbers, first + L::all_int(1))};
+    const auto both = L::gather_pair(numbers, index + index);
+    return {both.first, both.second};
 }
 
 /// Where a ray hits a mesh, in the mesh's own axes, from the triangle's number and the weights of
@@ -23,8 +23,10 @@ CAROM_KERNEL SurfacePointOf<L> point_on_mesh(const MeshArrays& mesh, typename L:
     const V zero = L::all(0);
     const V one = L::all(1);
     const auto first = triangle + triangle + triangle;
-    const auto index_a = L::gather_int(mesh.triangles, first);
-    const auto index_b = L::gather_int(mesh.triangles, first + L::all_int(1));
+    const auto twofold = first + first;
+    const auto corners = L::gather_bytes_pair(mesh.triangles, twofold + twofold);
+    const auto index_a = L::from_word(corners.first);
+    const auto index_b = L::from_word(corners.second);
     const auto index_c = L::gather_int(mesh.triangles, first + L::all_int(2));
     const Three<V> a = three_at<L>(mesh.vertices, index_a);
     const Three<V> edge_b = three_at<L>(mesh.vertices, index_b) - a;

@@ -24,16 +24,19 @@ CAROM_KERNEL Three<typename L::Value> sky_radiance(const EnvironmentPicture& pic
     const auto fy = y - L::to_value(y0);
     const int stride = picture.width + 2;
     const auto first = L::product(y0, stride) + x0;
-    const auto pixel = [&](int offset) CAROM_KERNEL_ATTRIBUTE {
+    const auto row = [&](int offset) CAROM_KERNEL_ATTRIBUTE {
         const auto index = first + L::all_int(offset);
-        const auto byte = index + index + index + index;
-        return shared_exponent_value<L>(L::gather_bytes(picture.padded, byte));
+        return L::gather_bytes_pair(picture.padded, index + index + index + index);
     };
     const auto mix = [](const Three<typename L::Value>& a, const Three<typename L::Value>& b,
                         typename L::Value t)
                          CAROM_KERNEL_ATTRIBUTE { return a * (L::all(1) - t) + b * t; };
-    const auto top = mix(pixel(stride + 1), pixel(stride + 2), fx);
-    const auto bottom = mix(pixel(2 * stride + 1), pixel(2 * stride + 2), fx);
+    const auto mix_pixels = [&](const typename L::WordPair& pixels) CAROM_KERNEL_ATTRIBUTE {
+        return mix(shared_exponent_value<L>(pixels.first), shared_exponent_value<L>(pixels.second),
+                   fx);
+    };
+    const auto top = mix_pixels(row(stride + 1));
+    const auto bottom = mix_pixels(row(2 * stride + 1));
     return mix(top, bottom, fy) * all_of<L>(picture.scale);
 }
 

@@ -7,7 +7,6 @@ CAROM_KERNEL typename L::Value albedo_at(const float* tables, typename L::Int fi
     const auto place = L::root(limited<L>(cosine, 0, 1)) * L::all(kAlbedoNodes - 1);
     const auto node = L::smaller_int(L::to_int(place), L::all_int(kAlbedoNodes - 2));
     const auto fraction = place - L::to_value(node);
-    const auto low = L::gather(tables, first + node);
-    const auto high = L::gather(tables, first + node + L::all_int(1));
-    return low + (high - low) * fraction;
+    const auto around = L::gather_pair(tables, first + node);
+    return around.first + (around.second - around.first) * fraction;
 }

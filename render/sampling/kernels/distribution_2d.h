@@ -6,13 +6,6 @@ struct CellOf {
     typename L::Value within;  // [0, 1)
 };
 
-/// The number at `index` of a table of 16-bit numbers, which has room for one more.
-template <class L>
-CAROM_KERNEL typename L::Int short_at(const std::uint16_t* table, typename L::Int index) {
-    const auto word = L::gather_bytes(table, index + index);
-    return L::from_word(word & L::all_word(0xffffu));
-}
-
 /// The cell whose interval of a cumulative distribution contains u. The distribution has `count` +
 /// 1 numbers from `first` on, and its cuts are `count` numbers from `first_cut` on.
 template <class L>
@@ -22,10 +15,12 @@ CAROM_KERNEL CellOf<L> find_cell(const float* cdf, typename L::Int first, const 
         L::smaller_int(L::to_int(u * L::all(static_cast<float>(count))), L::all_int(count - 1));
     const auto one = L::all_int(1);
     const auto last = L::all_int(count - 1);
-    // The cell lies between those in which this part and the next one begin.
-    auto index = short_at<L>(cuts, first_cut + part);
-    auto end =
-        L::select_int(L::is_less_int(part, last), short_at<L>(cuts, first_cut + part + one), last);
+    // The cell lies between those in which this part and the next one begin. Both are in one word.
+    const auto cut = first_cut + part;
+    const auto both_cuts = L::gather_bytes(cuts, cut + cut);
+    auto index = L::from_word(both_cuts & L::all_word(0xffffu));
+    auto end = L::select_int(L::is_less_int(part, last),
+                             L::from_word(L::template shifted_right<16>(both_cuts)), last);
     for (;;) {
         const auto is_open = L::is_less_int(index, end);
         if (L::none(is_open)) {
@@ -37,30 +32,28 @@ CAROM_KERNEL CellOf<L> find_cell(const float* cdf, typename L::Int first, const 
         index = L::select_int(L::both(is_open, is_below), middle, index);
         end = L::select_int(is_below, end, middle - one);
     }
-    auto upper = L::gather(cdf, first + index + one);
+    auto edges = L::gather_pair(cdf, first + index);
     for (;;) {
-        const auto goes = L::both(L::is_less_int(index, last), L::is_at_most(upper, u));
+        const auto goes = L::both(L::is_less_int(index, last), L::is_at_most(edges.second, u));
         if (L::none(goes)) {
             break;
         }
         index = L::select_int(goes, index + one, index);
-        upper = L::gather(cdf, first + index + one);
+        edges = L::gather_pair(cdf, first + index);
     }
-    auto lower = L::gather(cdf, first + index);
     // u times the number of parts may have been rounded up into the next part.
     for (;;) {
-        const auto goes = L::both(L::is_less_int(L::all_int(0), index), L::is_less(u, lower));
+        const auto goes = L::both(L::is_less_int(L::all_int(0), index), L::is_less(u, edges.first));
         if (L::none(goes)) {
             break;
         }
         index = L::select_int(goes, index - one, index);
-        upper = L::select(goes, lower, upper);
-        lower = L::gather(cdf, first + index);
+        edges = L::gather_pair(cdf, first + index);
     }
-    const auto width = upper - lower;
+    const auto width = edges.second - edges.first;
     const auto exists = L::is_less(L::all(0), width);
     const auto within =
-        L::select(exists, (u - lower) / L::select(exists, width, L::all(1)), L::all(0));
+        L::select(exists, (u - edges.first) / L::select(exists, width, L::all(1)), L::all(0));
     return {index, L::smaller(within, L::all(kOneMinusEpsilon))};
 }
 

@@ -8,15 +8,18 @@ CAROM_KERNEL typename L::Value filter_offset(const PixelFilterTables& filter, ty
     }
     auto at =
         L::gather_int(filter.guide, L::to_int(u * L::all(static_cast<float>(filter.guide_count))));
-    const auto number = [&](int which) CAROM_KERNEL_ATTRIBUTE {
-        return L::gather(filter.cells + which, at + at + at);
+    const auto numbers = [&](int which) CAROM_KERNEL_ATTRIBUTE {
+        return L::gather_pair(filter.cells + which, at + at + at);
     };
+    auto slope_and_next_cdf = numbers(2);
     for (;;) {
-        const auto goes_on = L::is_at_most(number(3), u);  // the next cell's cdf
+        const auto goes_on = L::is_at_most(slope_and_next_cdf.second, u);
         if (L::none(goes_on)) {
             break;
         }
         at = at + L::select_int(goes_on, L::all_int(1), L::all_int(0));
+        slope_and_next_cdf = numbers(2);
     }
-    return number(1) + number(2) * (u - number(0));
+    const auto cdf_and_start = numbers(0);
+    return cdf_and_start.second + slope_and_next_cdf.first * (u - cdf_and_start.first);
 }

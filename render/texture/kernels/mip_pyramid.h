@@ -84,14 +84,16 @@ CAROM_KERNEL Three<typename L::Value> look_up_half_colour(const PyramidTables& p
                                                           const Two<typename L::Value>& uv,
                                                           typename L::Value footprint) {
     const TexelPlaceOf<L> place = texel_place<L>(pyramid, uv, footprint);
-    const auto upper = place.upper + place.upper;  // words
-    const auto lower = place.lower + place.lower;
-    const auto texel = [&](typename L::Int word, int offset) CAROM_KERNEL_ATTRIBUTE {
-        return half_colour<L>(L::gather_word(pyramid.texels, word + L::all_int(offset)),
-                              L::gather_word(pyramid.texels, word + L::all_int(offset + 1)));
+    const auto texel = [&](typename L::Int index) CAROM_KERNEL_ATTRIBUTE {
+        const auto twofold = index + index;
+        const auto fourfold = twofold + twofold;
+        const auto words = L::gather_bytes_pair(pyramid.texels, fourfold + fourfold);
+        return half_colour<L>(words.first, words.second);
     };
-    return bilinear<L, Three<typename L::Value>>(texel(upper, 0), texel(upper, 2), texel(lower, 0),
-                                                 texel(lower, 2), place);
+    const auto one = L::all_int(1);
+    return bilinear<L, Three<typename L::Value>>(texel(place.upper), texel(place.upper + one),
+                                                 texel(place.lower), texel(place.lower + one),
+                                                 place);
 }
 
 /// See MipPyramid::lookup. Both texels of a row are in one word.

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -257,6 +258,64 @@ TEST(TriangleBatch, ManyRays_AgreeWithALoopOverTriangles) {
         differing += is_same ? 0 : 1;
     }
     EXPECT_EQ(differing, 0);
+}
+
+/// A shade around a lamp: a square trough that opens downwards, of walls with two sides.
+TriangleMesh make_shade() {
+    TriangleMesh mesh;
+    for (const float apart : {0.f, 0.01f}) {
+        for (const V3f& ring : {V3f(0.5f, 0.2f, 0), V3f(0.4f, 0.1f, 0.3f)}) {
+            for (const auto& [x, y] :
+                 {std::pair(-1.f, -1.f), {1.f, -1.f}, {1.f, 1.f}, {-1.f, 1.f}}) {
+                mesh.vertices.emplace_back(x * (ring.x + apart), y * (ring.y + apart),
+                                           ring.z + apart);
+            }
+        }
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size() - 8);
+        for (std::uint32_t k = 0; k < 4; ++k) {
+            const std::uint32_t a = first + k;
+            const std::uint32_t b = first + (k + 1) % 4;
+            mesh.triangles.push_back({a, b, b + 4});
+            mesh.triangles.push_back({a, b + 4, a + 4});
+        }
+        mesh.triangles.push_back({first + 4, first + 5, first + 6});
+        mesh.triangles.push_back({first + 4, first + 6, first + 7});
+    }
+    return mesh;
+}
+
+/// Segments from below to points in and around a shade, many of which end close to a wall.
+TEST(TriangleBatch, RaysTowardsALampInItsShade_AgreeWithALoopOverTriangles) {
+    const TriangleMesh mesh = make_shade();
+    const MeshEntry entry{&mesh, 3};
+    const TriangleScene scene(std::span(&entry, 1));
+    TestRandom random(8);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 20'000; ++i) {
+        const V3f end(random.between(-0.55f, 0.55f), random.between(-0.25f, 0.25f),
+                      random.between(0, 0.32f));
+        Ray ray;
+        ray.origin = V3f(random.between(-1, 1), random.between(-1, 1), random.between(-1, 0.1f));
+        ray.direction = (end - ray.origin).normalized();
+        ray.t_max = (end - ray.origin).length();
+        rays.push_back(ray);
+    }
+    const Answers answers = ask(scene, rays);
+    int hits = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        float nearest = rays[i].t_max;
+        for (const auto& [a, b, c] : mesh.triangles) {
+            const auto hit = moller_trumbore({rays[i].origin, rays[i].direction, 0, nearest},
+                                             mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]);
+            nearest = hit ? hit->t : nearest;
+        }
+        const bool is_hit = nearest < rays[i].t_max;
+        hits += is_hit ? 1 : 0;
+        ASSERT_EQ(answers.t[i], nearest) << i;
+        ASSERT_EQ(answers.t_max[i], is_hit ? 0 : rays[i].t_max) << i;
+    }
+    EXPECT_GT(hits, 5'000);
+    EXPECT_LT(hits, 15'000);
 }
 
 TEST(TriangleBatch, SameDistance_LowerObjectThenLowerTriangle) {
