@@ -86,14 +86,14 @@ struct ScalarLanes {
     static Int gather_int(const std::int32_t* numbers, Int index) { return numbers[index]; }
     /// Word number `index` of a memory that may hold any type.
     static Word gather_word(const void* from, Int index) {
-        Word word;
+        Word word = 0;
         std::memcpy(&word, static_cast<const char*>(from) + std::ptrdiff_t{index} * 4,
                     sizeof(word));
         return word;
     }
     /// The 32 bits that begin at a byte; there must be as many.
     static Word gather_bytes(const void* from, Int byte) {
-        Word word;
+        Word word = 0;
         std::memcpy(&word, static_cast<const char*>(from) + byte, sizeof(word));
         return word;
     }
