@@ -103,10 +103,13 @@ struct Decomposer {
 
 }  // namespace carom::detail
 
+// In parentheses the condition could not be taken apart.
+// NOLINTBEGIN(bugprone-macro-parentheses)
 #define CAROM_CHECK_CONDITION(condition)                                             \
     ((condition) ? void(0)                                                           \
                  : ::carom::detail::assertion_failed(#condition, __FILE__, __LINE__, \
                                                      ::carom::detail::Decomposer() << condition))
+// NOLINTEND(bugprone-macro-parentheses)
 
 #ifdef CAROM_ASSERTIONS
 #define CAROM_ASSERT(condition) CAROM_CHECK_CONDITION(condition)

@@ -153,7 +153,7 @@ void Band::box_mean(const Plane& plane, int y, int radius, float* mean) const {
             plane.row(std::clamp(y - radius + k, 0, planes_.height - 1));
     }
     std::vector<float> buffer(static_cast<std::size_t>(planes_.chunks) * kChunk +
-                              2 * Plane::kMargin);
+                              std::size_t{2} * Plane::kMargin);
     kernels_.box_mean({rows.data(), radius, mean, buffer.data(), planes_.chunks});
 }
 

@@ -95,7 +95,7 @@ HWY_INLINE void sum_rows(const RegressionChunk& chunk, int lane, NormalSums<kFea
         load_values(chunk.feature + kFirstFeature, offset, own + kFirstFeature,
                     values + kFirstFeature, Needed());
         load_values(chunk.colour, offset, values + kFeatures, std::make_integer_sequence<int, 3>());
-        const F w = load(chunk.weight + k * kChunk + lane);
+        const F w = load(chunk.weight + std::ptrdiff_t{k} * kChunk + lane);
         add_to_rows<kFeatures, kFirst>(w, values, total, std::make_integer_sequence<int, kCount>());
     }
     store_sums(total, sums.at + kBegin, std::make_integer_sequence<int, kSize>());

@@ -62,11 +62,12 @@ class HalfTile {
         for (int y = tile_.rows.first; y < tile_.rows.end; ++y) {
             const NeighbourRows neighbours(y, planes_.height);
             if (neighbours.contains(dy)) {
-                kernels_.weigh({{distance_row(y - 1), distance_row(y), distance_row(y + 1)},
-                                weights_of(y, 0) + neighbours.index(dx, dy) * kChunk,
-                                tile_.chunks,
-                                tile_.x + dx,
-                                planes_.width});
+                kernels_.weigh(
+                    {{distance_row(y - 1), distance_row(y), distance_row(y + 1)},
+                     weights_of(y, 0) + std::ptrdiff_t{neighbours.index(dx, dy)} * kChunk,
+                     tile_.chunks,
+                     tile_.x + dx,
+                     planes_.width});
             }
         }
     }

@@ -211,8 +211,8 @@ std::vector<float> TileRenderer::errors(int tile, const TileSums& sums) const {
     std::vector<float> errors(std::size_t{kBlocks} * kBlocks);
     std::vector<int> pixels(errors.size());
     for_each_pixel(tile, [&](int x, int y) {
-        const auto block =
-            static_cast<std::size_t>(y % kTileSize / kBlock * kBlocks + x % kTileSize / kBlock);
+        const int number = y % kTileSize / kBlock * kBlocks + x % kTileSize / kBlock;
+        const auto block = static_cast<std::size_t>(number);
         const PixelSums& pixel = at(tile, sums, x, y);
         const V3f a = pixel.mean_of_half(0);
         const V3f b = pixel.mean_of_half(1);

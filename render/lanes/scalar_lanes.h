@@ -86,7 +86,7 @@ struct ScalarLanes {
     static Int gather_int(const std::int32_t* numbers, Int index) { return numbers[index]; }
     /// The 32 bits that begin at a byte of a memory that may hold any type; there must be as many.
     static Word gather_bytes(const void* from, Int byte) {
-        Word word;
+        Word word = 0;
         std::memcpy(&word, static_cast<const char*>(from) + byte, sizeof(word));
         return word;
     }

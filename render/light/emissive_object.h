@@ -48,7 +48,7 @@ class EmissiveObject {
 
   private:
     template <class Visitor>
-    auto visit(const Visitor& visitor) const {
+    [[nodiscard]] auto visit(const Visitor& visitor) const {
         const EmissiveSurface* surface = flat();
         return surface != nullptr ? visitor(*surface) : visitor(*curved());
     }

@@ -215,7 +215,9 @@ struct RandomScene {
                     shape.profile = random_core(random);
                 }
                 shape.motion = std::make_shared<render::RigidMotion>(random_track(random, 2), 0, 1);
-                float bounding_radius = half_size.length() + (half_size * shape.profile).length();
+                // A capsule's only measure is half the length of its axis, which is z.
+                const V3f core = kind == Kind::capsule ? V3f(0, 0, shape.profile.x) : shape.profile;
+                float bounding_radius = half_size.length() + (half_size * core).length();
                 if (kind == Kind::mesh) {
                     meshes.push_back(std::make_unique<render::TriangleMesh>(bumpy_ball(0.2f, 6)));
                     const render::MeshEntry entry{meshes.back().get(), 0};

@@ -161,7 +161,7 @@ void add_shape_cases(std::vector<WaveCase>& cases) {
     for (const auto& [texture_name, texture] : textures) {
         for (const auto& [placement_name, placement] : placements) {
             cases.push_back({std::string(placement_name) + "With" + texture_name,
-                             [texture, placement](SceneBuilder& builder) {
+                             [texture = texture, placement = placement](SceneBuilder& builder) {
                                  add_lights(builder);
                                  add_shapes(builder, placement, texture);
                              }});
@@ -175,14 +175,14 @@ void add_glowing_cases(std::vector<WaveCase>& cases) {
                                                             {"Turned", Placement::turned},
                                                             {"Moving", Placement::moving}};
     for (const auto& [name, placement] : placements) {
-        cases.push_back(
-            {std::string("Glowing") + name + "Shapes", [placement](SceneBuilder& builder) {
-                 StandardMaterial glowing;
-                 glowing.emission = Vec3(0.5, 0.4, 0.1);
-                 builder.material("glowing", glowing);
-                 builder.lamp(Vec3(0, 0, 1.5), 0.4, 0.2, 6);
-                 add_every_shape(builder, placement, "glowing");
-             }});
+        cases.push_back({std::string("Glowing") + name + "Shapes",
+                         [placement = placement](SceneBuilder& builder) {
+                             StandardMaterial glowing;
+                             glowing.emission = Vec3(0.5, 0.4, 0.1);
+                             builder.material("glowing", glowing);
+                             builder.lamp(Vec3(0, 0, 1.5), 0.4, 0.2, 6);
+                             add_every_shape(builder, placement, "glowing");
+                         }});
     }
 }
 

@@ -93,7 +93,11 @@ inline render::SurfacePoint random_texture_point(TestRandom& random) {
     const float reach = random.next() % 3 == 0 ? 0.03f : 2.0f;
     const auto within = [&](float most) { return random.between(-most, most); };
     point.object_position = {within(reach), within(reach), within(reach)};
-    render::V3f normal(within(1), within(1), within(1));
+    // Drawn in separate statements: compilers evaluate the arguments of a call in different orders.
+    render::V3f normal;
+    for (const int axis : {2, 1, 0}) {
+        normal[axis] = within(1);
+    }
     if (random.next() % 4 == 0) {
         normal[static_cast<int>(random.next() % 3)] = 0;
     }
@@ -110,7 +114,8 @@ inline float random_footprint(TestRandom& random) {
     if (random.next() % 8 == 0) {
         return 0;
     }
-    return std::ldexp(random.between(1, 2), static_cast<int>(random.next() % 20) - 17);
+    const int exponent = static_cast<int>(random.next() % 20) - 17;
+    return std::ldexp(random.between(1, 2), exponent);
 }
 
 }  // namespace carom::test
