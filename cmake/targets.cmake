@@ -25,6 +25,8 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 
 # Programs find modules that they load on demand (render/image_files/format_module.h) beside those in libexec/carom.
+# g++'s sanitizers call dlopen from their own library, where the RUNPATH of the program does not count; the presets asan and tsan
+# link with --disable-new-dtags, which writes an RPATH instead.
 set(CMAKE_BUILD_RPATH ${PROJECT_BINARY_DIR}/libexec/carom)
 set(CMAKE_INSTALL_RPATH "\$ORIGIN")
 

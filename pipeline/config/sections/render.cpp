@@ -178,7 +178,8 @@ void add_sampling(MapSpec<RenderSection>& s) {
         "samples per pixel, for `path` only. Powers of two converge best");
     add("noise", &RenderSettings::noise, number(between(0, 1)),
         "adaptive sampling: pixels get more than `samples` (which is then even; 8, 32 and 128 "
-        "converge best) where that helps most, until the frame's relative error (root mean square), "
+        "converge best) where that helps most, until the frame's relative error (root mean "
+        "square), "
         "after denoising if it is on, is this value; 0: each pixel gets `samples`");
     add("max_samples", &RenderSettings::max_samples, integer(1, 65536),
         "largest number of samples of one pixel if `noise` is set");

@@ -42,6 +42,8 @@ struct WaveNumbers {
 };
 
 /// An affine map of every object.
+// Copying the array is the compiler's code:
+// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming)
 struct WaveMaps {
     WaveNumbers rows[3];
     WaveNumbers translation;

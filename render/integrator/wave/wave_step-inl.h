@@ -31,7 +31,8 @@ HWY_INLINE F3 weighted_value(const VertexLanes& v, const F3& wi, F light_pdf) {
 
 /// Writes no `k`th shadow rays for the vertices.
 HWY_INLINE void add_no_shadow_rays(const WaveStep& step, const VertexLanes& v, int k) {
-    hn::StoreU(all(0.f), FloatTag(), step.shadows.t_max + k * step.shadows.stride + v.first);
+    hn::StoreU(all(0.f), FloatTag(),
+               step.shadows.t_max + std::ptrdiff_t{k} * step.shadows.stride + v.first);
 }
 
 /// Writes the `k`th shadow ray of the vertices. `expected`: expected number of directions towards
