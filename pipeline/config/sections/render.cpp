@@ -179,8 +179,7 @@ void add_sampling(MapSpec<RenderSection>& s) {
     add("noise", &RenderSettings::noise, number(between(0, 1)),
         "adaptive sampling: pixels get more than `samples` (which is then even; 8, 32 and 128 "
         "converge best) where that helps most, until the frame's relative error (root mean "
-        "square), "
-        "after denoising if it is on, is this value; 0: each pixel gets `samples`");
+        "square), after denoising if it is on, is this value; 0: each pixel gets `samples`");
     add("max_samples", &RenderSettings::max_samples, integer(1, 65536),
         "largest number of samples of one pixel if `noise` is set");
     add("max_bounces", &RenderSettings::max_bounces, integer(0, 64),
