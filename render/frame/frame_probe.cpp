@@ -28,10 +28,9 @@ struct FrameProbe::Data {
         : work(scene, tracks, frame, settings),
           blocks(settings.width, settings.height, block_size) {}
 
-    [[nodiscard]] bool sample(std::size_t first, const SampleLimit& limit,
-                              const std::stop_token& stop);
-    [[nodiscard]] bool trace_features(std::size_t first, const std::stop_token& stop);
-    [[nodiscard]] bool sample_adaptively(const std::stop_token& stop);
+    void sample(std::size_t first, const SampleLimit& limit, const std::stop_token& stop);
+    void trace_features(std::size_t first, const std::stop_token& stop);
+    void sample_adaptively(const std::stop_token& stop);
     template <class Visit>
     void for_each_pixel_of_blocks(const Visit& visit) const;
     [[nodiscard]] SampleRound next_round(const WorkContext& context) const;
@@ -59,54 +58,45 @@ struct FrameProbe::Data {
     double planning_seconds = 0;  // CPU time of the rounds of all tiles, without their samples
 };
 
-/// Adds samples to the tiles from `first` on. Returns whether they have those of `limit`.
-bool FrameProbe::Data::sample(std::size_t first, const SampleLimit& limit,
+/// Adds samples to the tiles from `first` on, until they have those of `limit`. Throws Stopped.
+void FrameProbe::Data::sample(std::size_t first, const SampleLimit& limit,
                               const std::stop_token& stop) {
     RenderStatistics total;
-    try {
-        for_all_tiles(
-            static_cast<int>(tiles.size() - first), {{}, stop}, total,
-            [&](int i) {
-                const std::size_t n = first + static_cast<std::size_t>(i);
-                const double begin = thread_cpu_seconds();
-                const RenderStatistics count =
-                    work.tiles().add_samples(tiles[n].index, sums_of(n), limit, stop);
-                tiles[n].seconds += thread_cpu_seconds() - begin;
-                tiles[n].taken += static_cast<double>(count.camera_rays);
-                return count;
-            },
-            [](int) {});
-    } catch (const Stopped&) {
-        return false;
-    }
-    return true;
+    for_all_tiles(
+        static_cast<int>(tiles.size() - first), {{}, stop}, total,
+        [&](int i) {
+            const std::size_t n = first + static_cast<std::size_t>(i);
+            const double begin = thread_cpu_seconds();
+            const RenderStatistics count =
+                work.tiles().add_samples(tiles[n].index, sums_of(n), limit, stop);
+            tiles[n].seconds += thread_cpu_seconds() - begin;
+            tiles[n].taken += static_cast<double>(count.camera_rays);
+            return count;
+        },
+        [](int) {});
 }
 
-/// Takes the first camera rays of the tiles from `first` on, if it is for the denoiser.
-bool FrameProbe::Data::trace_features(std::size_t first, const std::stop_token& stop) {
+/// Takes the first camera rays of the tiles from `first` on, if it is for the denoiser. Throws
+/// Stopped.
+void FrameProbe::Data::trace_features(std::size_t first, const std::stop_token& stop) {
     if (!work.settings().for_denoiser) {
-        return true;
+        return;
     }
     features.resize(sums.size());
     RenderStatistics none;
-    try {
-        for_all_tiles(
-            static_cast<int>(tiles.size() - first), {{}, stop}, none,
-            [&](int i) {
-                const std::size_t n = first + static_cast<std::size_t>(i);
-                const double begin = thread_cpu_seconds();
-                for (const FeaturePixel& pixel :
-                     work.tiles().trace_features(tiles[n].index, sums_of(n))) {
-                    features[place(n, pixel.x, pixel.y)] = pixel.traced;
-                }
-                tiles[n].fixed_seconds += thread_cpu_seconds() - begin;
-                return RenderStatistics{};
-            },
-            [](int) {});
-    } catch (const Stopped&) {
-        return false;
-    }
-    return true;
+    for_all_tiles(
+        static_cast<int>(tiles.size() - first), {{}, stop}, none,
+        [&](int i) {
+            const std::size_t n = first + static_cast<std::size_t>(i);
+            const double begin = thread_cpu_seconds();
+            for (const FeaturePixel& pixel :
+                 work.tiles().trace_features(tiles[n].index, sums_of(n))) {
+                features[place(n, pixel.x, pixel.y)] = pixel.traced;
+            }
+            tiles[n].fixed_seconds += thread_cpu_seconds() - begin;
+            return RenderStatistics{};
+        },
+        [](int) {});
 }
 
 /// Calls visit(x, y, n, pixel) for each place of a picture of all blocks, one below the other: the
@@ -164,18 +154,13 @@ SampleRound FrameProbe::Data::next_round(const WorkContext& context) const {
 }
 
 /// Takes the rounds of all tiles. A plan depends on all of them, so that later ones can change how
-/// many samples the earlier ones get. Returns whether they have all of them.
-bool FrameProbe::Data::sample_adaptively(const std::stop_token& stop) {
+/// many samples the earlier ones get. Throws Stopped.
+void FrameProbe::Data::sample_adaptively(const std::stop_token& stop) {
     std::vector<int> plan(work.pixel_count(), work.settings().samples);
     planning_seconds = 0;
     for (;;) {
-        SampleRound round;
         const double begin = process_cpu_seconds();
-        try {
-            round = next_round({{}, stop});
-        } catch (const Stopped&) {
-            return false;
-        }
+        const SampleRound round = next_round({{}, stop});
         planning_seconds += process_cpu_seconds() - begin;
         for (ProbedTile& tile : tiles) {
             tile.wanted = 0;
@@ -193,11 +178,9 @@ bool FrameProbe::Data::sample_adaptively(const std::stop_token& stop) {
             }
         });
         if (!round.is_needed) {
-            return true;
+            return;
         }
-        if (!sample(0, SampleLimit::planned(plan), stop)) {
-            return false;
-        }
+        sample(0, SampleLimit::planned(plan), stop);
     }
 }
 
@@ -295,12 +278,16 @@ std::vector<Film> FrameProbe::render_blocks(int count, const WorkContext& contex
     for (std::size_t n = first; n < data.tiles.size(); ++n) {
         data.tiles[n].wanted = renderer.samples() * data.tiles[n].pixels();
     }
-    bool is_complete = !next.empty() && data.sample(first, {renderer.samples()}, context.stop);
-    if (is_complete && renderer.is_adaptive()) {
-        is_complete =
-            data.trace_features(first, context.stop) && data.sample_adaptively(context.stop);
+    std::vector<Film> films;
+    try {
+        data.sample(first, {renderer.samples()}, context.stop);
+        if (renderer.is_adaptive() && !next.empty()) {
+            data.trace_features(first, context.stop);
+            data.sample_adaptively(context.stop);
+        }
+        films = data.films(next, first);
+    } catch (const Stopped&) {  // what was rendered by then counts
     }
-    std::vector<Film> films = is_complete ? data.films(next, first) : std::vector<Film>();
     data.update_cost();
     return films;
 }
