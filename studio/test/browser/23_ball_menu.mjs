@@ -7,6 +7,7 @@ const kRadius = 0.028575;
 export async function check({ page }) {
     await page.waitForFunction(() => window.studio.view.context.meshNode('nine'));
     await page.keyboard.press('1');
+    await settle(page);
     const before = await textOf(page);
     const place = (name) => page.evaluate((one) => window.studio.state.shot.value.objects
         .find((object) => object.name === one).position, name);
