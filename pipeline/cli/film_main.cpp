@@ -4,8 +4,27 @@
 #include "pipeline/cli/helper_program.h"
 #include "pipeline/cli/run_program.h"
 
+#ifdef __GLIBC__  // which the headers above define
+#include <malloc.h>
+#endif
+
+namespace {
+
+/// A film's frames need the same memory one after the other: asking the kernel for it each time
+/// takes three percent of a quick frame.
+void keep_memory() {
+#ifdef __GLIBC__
+    constexpr int kBytes = 1 << 30;
+    mallopt(M_TRIM_THRESHOLD, kBytes);
+    mallopt(M_MMAP_THRESHOLD, kBytes);
+#endif
+}
+
+}  // namespace
+
 int main(int argument_count, char** arguments) {
     using namespace carom::cli;
+    keep_memory();
     const auto parsed = parse_command_line({arguments + 1, arguments + argument_count});
     if (const auto* early_exit = std::get_if<EarlyExit>(&parsed)) {
         return print(*early_exit);

@@ -33,7 +33,7 @@ CachedRender CachedRenderer::render(const FilmPlan::Picture& picture, const Work
     if (context.stop.stop_requested()) {
         throw Stopped();
     }
-    CachedRender result = picture.key == picture.noisy_key ? render_frame(picture, context)
+    CachedRender result = picture.key == picture.noisy_key ? render_and_store(picture, context)
                                                            : denoise(picture, context);
     if (result.origin == RenderOrigin::rendered) {
         claim->finish();
@@ -41,69 +41,103 @@ CachedRender CachedRenderer::render(const FilmPlan::Picture& picture, const Work
     return result;
 }
 
-/// Renders the picture before it is denoised, under the claim of its caller.
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace
+
+render::ImageMetadata CachedRenderer::metadata(const render::RenderStatistics& counts) const {
+    return stored_frame_metadata(source_.shot(), counts, source_.tier());
+}
+
+/// Renders the picture before it is denoised, under the claim of its caller, who stores it.
 CachedRender CachedRenderer::render_frame(const FilmPlan::Picture& picture,
                                           const WorkContext& context) {
     const auto begin = std::chrono::steady_clock::now();
-    const Hash128& key = picture.noisy_key;
-    render::FrameSums sums = read_sums(store_, key, pixel_count(source_.shot().render));
+    render::FrameSums sums =
+        read_sums(store_, picture.noisy_key, pixel_count(source_.shot().render));
     const bool continued = sums.samples() > 0;
     render::Film film = render_from(sums, picture, context);
-    const render::RenderStatistics counts = film.statistics;
-    const render::ImageMetadata metadata =
-        stored_frame_metadata(source_.shot(), counts, source_.tier());
-    bool twice = false;
-    if (picture.key == key) {
-        twice = store_.contains(key);
-        store_.write(key, film, metadata);
-        film = render::as_stored(std::move(film), metadata);
-    } else {
-        film = render::as_stored(std::move(film), metadata);
-        twice = store_.noisy_size_bytes(key) > 0;
-        store_.write_noisy(key, film);
-    }
-    remove_sums(store_, key);
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    CachedRender result{.origin = RenderOrigin::rendered,
+                        .seconds = seconds_since(begin),
+                        .counts = film.statistics,
+                        .film = std::move(film),
+                        .continued = continued};
     if (!continued) {
-        expected_seconds_ = elapsed.count();  // of the next one
+        expected_seconds_ = result.seconds;  // of the next one
     }
-    return {RenderOrigin::rendered, elapsed.count(), counts, std::move(film), twice, continued};
+    return result;
 }
 
-/// The picture before it is denoised, from the store if it is there.
-CachedRender CachedRenderer::noisy(const FilmPlan::Picture& picture, const WorkContext& context) {
+CachedRender CachedRenderer::render_and_store(const FilmPlan::Picture& picture,
+                                              const WorkContext& context) {
+    CachedRender result = render_frame(picture, context);
+    const auto begin = std::chrono::steady_clock::now();
+    result.twice = store_.contains(picture.key);
+    store_.write(picture.key, *result.film, metadata(result.counts));
+    result.film = render::as_stored(std::move(*result.film), metadata(result.counts));
+    remove_sums(store_, picture.noisy_key);
+    result.seconds += seconds_since(begin);
+    return result;
+}
+
+/// From the picture before it was denoised, if the store has it.
+CachedRender CachedRenderer::denoise(const FilmPlan::Picture& picture, const WorkContext& context) {
     const auto stored = [&] { return store_.read_noisy(picture.noisy_key); };
-    if (std::optional<render::Film> film = stored()) {
-        return {.origin = RenderOrigin::rendered, .film = std::move(film)};
+    std::optional<render::Film> noisy = stored();
+    if (noisy) {
+        return filter(
+            picture, {RenderOrigin::rendered}, *noisy, [] {}, context);
     }
     // Somebody may be rendering it for other settings of the denoiser.
     std::optional<Claim> claim = store_.claim(picture.noisy_key);
     if (!claim) {
         return {RenderOrigin::claimed_elsewhere};
     }
-    if (std::optional<render::Film> film = stored()) {  // finished before the claim
-        return {.origin = RenderOrigin::rendered, .film = std::move(film)};
+    noisy = stored();  // finished before the claim
+    if (noisy) {
+        return filter(
+            picture, {RenderOrigin::rendered}, *noisy, [] {}, context);
     }
     CachedRender result = render_frame(picture, context);
-    claim->finish();
-    return result;
+    noisy = render::as_stored(std::move(*result.film), metadata(result.counts));
+    result.twice = store_.noisy_size_bytes(picture.noisy_key) > 0;
+    const auto store = [&] {
+        store_.write_noisy(picture.noisy_key, *noisy);
+        remove_sums(store_, picture.noisy_key);
+        claim->finish();
+    };
+    return filter(picture, std::move(result), *noisy, store, context);
 }
 
-CachedRender CachedRenderer::denoise(const FilmPlan::Picture& picture, const WorkContext& context) {
-    CachedRender result = noisy(picture, context);
-    if (result.origin != RenderOrigin::rendered) {
-        return result;
-    }
+/// Denoises the picture and stores it. `meanwhile` is called once; packing a frame takes as long as
+/// filtering it.
+CachedRender CachedRenderer::filter(const FilmPlan::Picture& picture, CachedRender result,
+                                    const render::Film& noisy,
+                                    const std::function<void()>& meanwhile,
+                                    const WorkContext& context) const {
     const auto begin = std::chrono::steady_clock::now();
+    bool is_stopped = false;  // which must not keep `meanwhile` from being called
+    const auto denoise = [&] {
+        try {
+            result.film = denoised_picture(noisy, source_.shot(), {{}, context.stop});
+        } catch (const Stopped&) {
+            is_stopped = true;
+        }
+    };
     render::ThreadArena arena(threads_);
-    result.film = arena.execute([&] {
-        return denoised_picture(*result.film, source_.shot(), {{}, context.stop});
+    arena.execute([&] {
+        render::parallel_for(2, [&](std::size_t task) { task == 0 ? meanwhile() : denoise(); });
     });
+    if (is_stopped) {
+        throw Stopped();
+    }
     result.twice = result.twice || store_.contains(picture.key);
-    store_.write(picture.key, *result.film,
-                 stored_frame_metadata(source_.shot(), {}, source_.tier()));
-    result.seconds +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    store_.write(picture.key, *result.film, metadata({}));
+    result.seconds += seconds_since(begin);
     return result;
 }
 

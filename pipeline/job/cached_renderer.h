@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "pipeline/job/film_plan.h"
@@ -53,9 +54,15 @@ class CachedRenderer {
   private:
     [[nodiscard]] CachedRender render_frame(const FilmPlan::Picture& picture,
                                             const WorkContext& context);
+    [[nodiscard]] CachedRender render_and_store(const FilmPlan::Picture& picture,
+                                                const WorkContext& context);
     [[nodiscard]] CachedRender denoise(const FilmPlan::Picture& picture,
                                        const WorkContext& context);
-    [[nodiscard]] CachedRender noisy(const FilmPlan::Picture& picture, const WorkContext& context);
+    [[nodiscard]] CachedRender filter(const FilmPlan::Picture& picture, CachedRender result,
+                                      const render::Film& noisy,
+                                      const std::function<void()>& meanwhile,
+                                      const WorkContext& context) const;
+    [[nodiscard]] render::ImageMetadata metadata(const render::RenderStatistics& counts) const;
     [[nodiscard]] render::Film render_from(render::FrameSums& sums,
                                            const FilmPlan::Picture& picture,
                                            const WorkContext& context) const;

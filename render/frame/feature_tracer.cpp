@@ -11,14 +11,21 @@ namespace {
 
 /// Rays of a pixel after each round. Aligned runs of 4^k samples are well distributed.
 constexpr std::array<int, 3> kRounds{4, 16, 64};
+constexpr int kLastOfFewSamples = 32;  // instead of 64, for less than kFewSamples
+constexpr int kFewSamples = 8;
 
-/// The range of a feature among a pixel's rays from which on it gets another round. Features are of
-/// the order of 1; those of lights count in proportion.
-constexpr std::array<float, 2> kNegligible{1.0F / 32, 1.0F / 8};
+/// A pixel gets the rays of a round if a feature's range among its samples and rays is larger than
+/// this, divided by the square root of the number of samples: what few samples leave of the noise
+/// is more than what few rays add. Features are of the order of 1; lights count in proportion, and
+/// normals a quarter, because the weave of cloth turns them by more than it changes what is seen.
+constexpr std::array<float, 3> kDifferent{1.0F / 8, 1.0F / 4, 1};
+constexpr float kWeightOfNormal = 0.25F;
 
-/// A pixel counts as seeing what the pixels within this distance see, because a few rays easily
-/// miss a small bright light out of focus.
+/// Before the first round a pixel counts as seeing what pixels within this distance see, because
+/// its halves may agree by chance; then this is true of lights only, because a few rays easily miss
+/// a small bright one out of focus, and of all else within kNear.
 constexpr int kReach = 2;
+constexpr int kNear = 1;
 
 /// How much a sample counts against a camera ray. Samples have means of their own that are worth
 /// more than 4 rays where little varies, and with many samples than 64. If all of their noise went
@@ -28,74 +35,90 @@ constexpr float kWeightOfSample = 0.5F;
 
 constexpr std::uint64_t kOwnNumbers = 0xd1b54a32d192ed03;  // so that no sample has the same ones
 
-/// The largest value within `kReach`, for pixels of a rectangle.
-std::vector<float> widened(std::span<const FeaturePixel> pixels, const std::vector<float>& values) {
-    int left = pixels.front().x;
-    int top = pixels.front().y;
-    int right = left;
-    int bottom = top;
-    for (const FeaturePixel& pixel : pixels) {
-        left = std::min(left, pixel.x);
-        right = std::max(right, pixel.x);
-        top = std::min(top, pixel.y);
-        bottom = std::max(bottom, pixel.y);
+/// By pixel, the range of a feature that decides about more rays.
+class Ranges {
+  public:
+    explicit Ranges(std::span<const FeaturePixel> pixels)
+        : left_(pixels.front().x), top_(pixels.front().y), width_(1), height_(1) {
+        for (const FeaturePixel& pixel : pixels) {
+            left_ = std::min(left_, pixel.x);
+            top_ = std::min(top_, pixel.y);
+        }
+        for (const FeaturePixel& pixel : pixels) {
+            width_ = std::max(width_, pixel.x - left_ + 1);
+            height_ = std::max(height_, pixel.y - top_ + 1);
+        }
+        values_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
     }
-    const int width = right - left + 1;
-    const auto index = [&](int x, int y) {
-        return static_cast<std::size_t>((y - top) * width + x - left);
-    };
-    std::vector<float> grid(index(right, bottom) + 1, 0.0F);
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        grid[index(pixels[i].x, pixels[i].y)] = values[i];
+
+    [[nodiscard]] float& at(const FeaturePixel& pixel) {
+        return values_[index(pixel.x - left_, pixel.y - top_)];
     }
-    std::vector<float> result(values.size());
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const auto [x, y] = std::pair(pixels[i].x, pixels[i].y);
-        for (int v = std::max(top, y - kReach); v <= std::min(bottom, y + kReach); ++v) {
-            for (int u = std::max(left, x - kReach); u <= std::min(right, x + kReach); ++u) {
-                result[i] = std::max(result[i], grid[index(u, v)]);
+
+    /// Each value becomes the largest one within `reach`, in rows and in columns.
+    void widen(int reach) {
+        widen(reach, width_, height_, [&](int x, int y) { return index(x, y); });
+        widen(reach, height_, width_, [&](int y, int x) { return index(x, y); });
+    }
+
+  private:
+    [[nodiscard]] std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y * width_ + x);
+    }
+    template <class Index>
+    void widen(int reach, int length, int lines, const Index& index) {
+        line_.resize(static_cast<std::size_t>(length));
+        for (int line = 0; line < lines; ++line) {
+            for (int i = 0; i < length; ++i) {
+                float largest = 0;
+                for (int k = std::max(0, i - reach); k <= std::min(length - 1, i + reach); ++k) {
+                    largest = std::max(largest, values_[index(k, line)]);
+                }
+                line_[static_cast<std::size_t>(i)] = largest;
+            }
+            for (int i = 0; i < length; ++i) {
+                values_[index(i, line)] = line_[static_cast<std::size_t>(i)];
             }
         }
     }
-    return result;
-}
+
+    int left_, top_, width_, height_;
+    std::vector<float> values_, line_;
+};
 
 }  // namespace
 
-/// What a pixel's rays saw up to now.
+/// What a pixel's samples and rays saw up to now.
 struct FeatureTracer::Sums {
-    PixelFeatures sum{};
+    PixelFeatures sum{};  // of rays
     std::array<float, PixelFeatures::kCount> least{};
     std::array<float, PixelFeatures::kCount> most{};
     int rays = 0;
 
-    void include(const PixelFeatures& value) {
-        for (int i = 0; i < PixelFeatures::kCount; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            least[k] = std::min(least[k], value[i]);
-            most[k] = std::max(most[k], value[i]);
-        }
+    explicit Sums(const PixelFeatures (&halves)[2])
+        : least(halves[0].values), most(halves[0].values) {
+        include(halves[1]);
     }
     void add(const RadianceSample& sample) {
-        PixelFeatures value;
-        value.add(sample);
-        if (rays == 0) {
-            for (int i = 0; i < PixelFeatures::kCount; ++i) {
-                least[static_cast<std::size_t>(i)] = most[static_cast<std::size_t>(i)] = value[i];
-            }
-        }
-        include(value);
-        sum.add(sample);
+        sum += PixelFeatures::of(sample);
         rays += 1;
     }
-    /// The largest range of a feature.
-    [[nodiscard]] float range() const {
-        float result = 0;
-        for (std::size_t i = 0; i < least.size(); ++i) {
-            const float size = std::max(1.0F, std::max(std::abs(most[i]), std::abs(least[i])));
-            result = std::max(result, (most[i] - least[i]) / size);
+    void include(const PixelFeatures& value) {
+        for (std::size_t i = 0; i < PixelFeatures::kCount; ++i) {
+            least[i] = std::min(least[i], value[i]);
+            most[i] = std::max(most[i], value[i]);
         }
-        return result;
+    }
+    /// The largest ranges of albedo and normal, and of light.
+    [[nodiscard]] std::pair<float, float> ranges() const {
+        std::array<float, PixelFeatures::kCount> range{};
+        for (std::size_t i = 0; i < range.size(); ++i) {
+            const float size = std::max(1.0F, std::max(most[i], -least[i]));
+            const bool is_normal = i >= PixelFeatures::kNormal && i < PixelFeatures::kLight;
+            range[i] = (is_normal ? kWeightOfNormal : 1.0F) * (most[i] - least[i]) / size;
+        }
+        const auto light = range.begin() + PixelFeatures::kLight;
+        return {*std::max_element(range.begin(), light), *std::max_element(light, range.end())};
     }
 };
 
@@ -106,6 +129,8 @@ class FeatureTracer::Queue {
         sums_.reserve(kSize);
         tasks_.reserve(kSize);
     }
+
+    bool is_last_round = false;  // after which no ranges are asked for
 
     void add(const FeaturePixel& pixel, const SampleStream& stream, Sums& sums) {
         const std::size_t i = sums_.size();
@@ -129,6 +154,9 @@ class FeatureTracer::Queue {
         tracer_.integrator_.look(tasks_, tracer_.pixel_spread_, results_, workspace_.get());
         for (std::size_t i = 0; i < sums_.size(); ++i) {
             sums_[i]->add(results_[i]);
+            if (!is_last_round) {
+                sums_[i]->include(PixelFeatures::of(results_[i]));
+            }
         }
         sums_.clear();
         tasks_.clear();
@@ -147,36 +175,51 @@ class FeatureTracer::Queue {
 
 FeatureTracer::FeatureTracer(const Integrator& integrator, WorkspacePool& workspaces,
                              const ThinLensCamera& camera, const CameraFixings& fixings,
-                             float pixel_spread, std::uint64_t seed)
+                             float pixel_spread, int samples, std::uint64_t seed)
     : integrator_(integrator),
       workspaces_(workspaces),
       camera_(camera),
       fixings_(fixings),
       pixel_spread_(pixel_spread),
-      seed_(seed ^ kOwnNumbers) {}
+      seed_(seed ^ kOwnNumbers) {
+    const float scale = 1 / std::sqrt(static_cast<float>(samples));
+    for (std::size_t round = 0; round < kRounds.size(); ++round) {
+        rounds_[round] = {kRounds[round], scale * kDifferent[round]};
+    }
+    if (samples < kFewSamples) {
+        rounds_.back().rays = kLastOfFewSamples;
+    }
+}
 
 void FeatureTracer::trace(std::span<FeaturePixel> pixels) const {
-    std::vector<Sums> sums(pixels.size());
-    std::vector<float> ranges(pixels.size());
+    std::vector<Sums> sums;
+    sums.reserve(pixels.size());
+    for (const FeaturePixel& pixel : pixels) {
+        sums.emplace_back(pixel.halves);
+    }
     Queue queue(*this);
-    for (std::size_t round = 0; round < kRounds.size(); ++round) {
+    Ranges near(pixels);
+    Ranges far(pixels);
+    for (const Round& round : rounds_) {
         for (std::size_t i = 0; i < pixels.size(); ++i) {
-            if (round > 0 && ranges[i] <= kNegligible[round - 1]) {
+            const auto [range, of_light] = sums[i].ranges();
+            near.at(pixels[i]) = range;
+            far.at(pixels[i]) = &round == &rounds_.front() ? std::max(range, of_light) : of_light;
+        }
+        queue.is_last_round = &round == &rounds_.back();
+        near.widen(kNear);
+        far.widen(kReach);
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+            if (std::max(near.at(pixels[i]), far.at(pixels[i])) <= round.negligible) {
                 continue;
             }
             const SampleStream first(seed_, static_cast<std::uint32_t>(pixels[i].x),
                                      static_cast<std::uint32_t>(pixels[i].y), 0);
-            for (int ray = sums[i].rays; ray < kRounds[round]; ++ray) {
+            for (int ray = sums[i].rays; ray < round.rays; ++ray) {
                 queue.add(pixels[i], first.of_sample(static_cast<std::uint32_t>(ray)), sums[i]);
             }
         }
         queue.flush();
-        for (std::size_t i = 0; i < pixels.size(); ++i) {
-            sums[i].include(pixels[i].halves[0]);
-            sums[i].include(pixels[i].halves[1]);
-            ranges[i] = sums[i].range();
-        }
-        ranges = widened(pixels, ranges);
     }
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         pixels[i].traced = {sums[i].sum, sums[i].rays};
@@ -189,12 +232,13 @@ PixelFeatures TracedFeatures::with_samples(const PixelFeatures (&halves)[2], int
     for (const PixelFeatures& half : halves) {
         total += half * (0.5F * weight);
     }
-    return total * (1.0F / (static_cast<float>(rays) + weight));
+    const float all = static_cast<float>(rays) + weight;
+    return all > 0 ? total * (1.0F / all) : PixelFeatures();
 }
 
 float TracedFeatures::share_of_samples(int samples) const {
     const float weight = kWeightOfSample * static_cast<float>(samples);
-    return weight / (static_cast<float>(rays) + weight);
+    return weight > 0 ? weight / (static_cast<float>(rays) + weight) : 0.0F;
 }
 
 }  // namespace carom::render

@@ -1,42 +1,17 @@
 // What the camera sees of a pixel, as a mean over many rays that end at their first hits.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "render/camera/camera_batch.h"
+#include "render/frame/pixel_features.h"
 #include "render/integrator/integrator.h"
 #include "render/integrator/workspace_pool.h"
 
 namespace carom::render {
-
-/// Means over a pixel of what its camera rays see at their first hits and, if these have a coat, of
-/// what is seen in it.
-struct PixelFeatures {
-    V3f albedo{0, 0, 0};  // and the mirrored albedo, as the coat reflects it
-    V3f normal{0, 0, 0};
-    V3f light{0, 0, 0};  // radiance of lights and the room, seen directly or in a smooth coat
-
-    static constexpr int kCount = 9;
-    [[nodiscard]] float operator[](int i) const {
-        return i < 3 ? albedo[i] : i < 6 ? normal[i - 3] : light[i - 6];
-    }
-    void add(const RadianceSample& sample) {
-        albedo += sample.albedo + sample.mirrored;
-        normal += sample.normal;
-        light += sample.light;
-    }
-    PixelFeatures& operator+=(const PixelFeatures& other) {
-        albedo += other.albedo;
-        normal += other.normal;
-        light += other.light;
-        return *this;
-    }
-    [[nodiscard]] PixelFeatures operator*(float factor) const {
-        return {albedo * factor, normal * factor, light * factor};
-    }
-};
 
 /// Sums over camera rays of a pixel.
 struct TracedFeatures {
@@ -57,14 +32,16 @@ struct FeaturePixel {
     TracedFeatures traced{};  // result
 };
 
-/// Traces 4 rays for each pixel, 16 if these or the samples saw different things there or within
-/// two pixels, and 64 if they saw very different ones. Immutable; any thread may call.
+/// Traces rays for pixels whose halves of samples saw different things there or within two pixels:
+/// 4, then 16 if these saw different things too, and 64 (32 for less than 8 samples) if very
+/// different ones. Lights count that were seen within two pixels. Immutable; any thread may call.
 class FeatureTracer {
   public:
-    /// Everything is borrowed. `seed`: of the frame.
+    /// Everything is borrowed. `samples`: that pixels have or will have; the more, the more exact
+    /// the features must be. `seed`: of the frame.
     FeatureTracer(const Integrator& integrator, WorkspacePool& workspaces,
                   const ThinLensCamera& camera, const CameraFixings& fixings, float pixel_spread,
-                  std::uint64_t seed);
+                  int samples, std::uint64_t seed);
 
     /// Sets `traced` of all pixels, which lie in a rectangle and are neighbours of each other.
     void trace(std::span<FeaturePixel> pixels) const;
@@ -72,12 +49,17 @@ class FeatureTracer {
   private:
     struct Sums;
     class Queue;
+    struct Round {
+        int rays = 0;          // that pixels have after it
+        float negligible = 0;  // range of features up to which it is needless
+    };
 
     const Integrator& integrator_;
     WorkspacePool& workspaces_;
     const ThinLensCamera& camera_;
     CameraFixings fixings_;
     float pixel_spread_;
+    std::array<Round, 3> rounds_{};
     std::uint64_t seed_;
 };
 

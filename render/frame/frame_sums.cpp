@@ -40,9 +40,7 @@ void for_each_value(Visit& visit, Half& half) {
 template <class Visit, class Traced>
 requires std::is_same_v<std::remove_const_t<Traced>, TracedFeatures>
 void for_each_value(Visit& visit, Traced& traced) {
-    visit(traced.sum.albedo);
-    visit(traced.sum.normal);
-    visit(traced.sum.light);
+    visit(traced.sum.values);
     visit(traced.rays);
 }
 

@@ -54,6 +54,12 @@ std::uint64_t seed_of_half(std::uint64_t seed, int half) {
     return half == 0 ? seed : seed ^ 0x9e3779b97f4a7c15;  // a number without structure
 }
 
+/// For exact features. What adaptive sampling leaves is about what this many even samples would.
+int expected_samples(const RenderSettings& settings) {
+    constexpr int kAdaptive = 64;
+    return is_adaptive(settings) ? kAdaptive : settings.samples;
+}
+
 int tiles_along(int pixels) {
     return (pixels + TileRenderer::kTileSize - 1) / TileRenderer::kTileSize;
 }
@@ -81,7 +87,8 @@ TileRenderer::TileRenderer(const RenderSettings& settings, const FrameInput& fra
                is_off(settings, &DistributedSettings::blur_samples)},
       feature_tracer_(settings.for_denoiser
                           ? std::make_unique<FeatureTracer>(*integrator_, *workspaces_, camera_,
-                                                            fixings_, pixel_spread_, frame.seed)
+                                                            fixings_, pixel_spread_,
+                                                            expected_samples(settings), frame.seed)
                           : nullptr),
       counts_objects_(std::any_of(settings.aovs.begin(), settings.aovs.end(), is_matte)),
       tiles_x_(tiles_along(settings.width)),

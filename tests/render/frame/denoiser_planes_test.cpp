@@ -116,6 +116,33 @@ TEST(DenoiserPlanes, ExactFeatures_AreCloserToTheTruthThanTheSamples) {
     }
 }
 
+TEST(DenoiserPlanes, CameraRays_AreTracedWhereSamplesSawDifferentThings) {
+    const int samples = 8;
+    const Film film = rendered(settings_of(samples, true));
+    const std::vector<float>& share = channel(film, "exact_share.X");
+    int untraced = 0;
+    int most_rays = 0;
+    for (std::size_t i = 0; i < share.size(); ++i) {
+        float largest = 0;  // difference of the halves
+        for (const char* feature : {"albedo.R", "albedo.G", "albedo.B", "normal.X", "normal.Z"}) {
+            const float half = channel(film, std::string("half_") + feature)[i];
+            largest = std::max(largest, std::abs(half));
+        }
+        untraced += share[i] == 1 ? 1 : 0;
+        // Half the weight of 8 samples, against 64 rays.
+        most_rays += std::abs(share[i] - 4.0f / 68) < 1e-3f ? 1 : 0;
+        if (share[i] == 1) {
+            EXPECT_LT(largest, 0.1f) << i;
+            EXPECT_EQ(channel(film, "error_albedo.G")[i], 0) << i;
+        } else if (largest > 0.5f) {
+            EXPECT_LT(share[i], 0.25f) << i;
+        }
+    }
+    EXPECT_GT(untraced, 600);
+    EXPECT_GT(most_rays, 60);
+    EXPECT_LT(most_rays, 1500);
+}
+
 TEST(DenoiserPlanes, LightThatIsSeen_IsThatOfRoomAndLamps) {
     RenderSettings settings = settings_of(8, true);
     const PreparedScene scene(table().scene, settings);

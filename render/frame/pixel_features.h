@@ -1,0 +1,45 @@
+// What the camera sees of a pixel, for the denoiser.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "render/integrator/integrator.h"
+
+namespace carom::render {
+
+/// Sums or means over a pixel of what its camera rays see at their first hits and, if these have a
+/// coat, of what is seen in it.
+struct PixelFeatures {
+    static constexpr std::size_t kCount = 9;
+    static constexpr std::size_t kNormal = 3;  // index of the first one
+    static constexpr std::size_t kLight = 6;
+
+    /// Albedo (with the mirrored albedo, as the coat reflects it); normal; radiance of lights and
+    /// the room, seen directly or in a smooth coat.
+    std::array<float, kCount> values{};
+
+    [[nodiscard]] static PixelFeatures of(const V3f& albedo, const V3f& normal, const V3f& light) {
+        return {{albedo.x, albedo.y, albedo.z, normal.x, normal.y, normal.z, light.x, light.y,
+                 light.z}};
+    }
+    [[nodiscard]] static PixelFeatures of(const RadianceSample& sample) {
+        return of(sample.albedo + sample.mirrored, sample.normal, sample.light);
+    }
+    [[nodiscard]] float operator[](std::size_t i) const { return values[i]; }
+    PixelFeatures& operator+=(const PixelFeatures& other) {
+        for (std::size_t i = 0; i < kCount; ++i) {
+            values[i] += other.values[i];
+        }
+        return *this;
+    }
+    [[nodiscard]] PixelFeatures operator*(float factor) const {
+        PixelFeatures result = *this;
+        for (float& value : result.values) {
+            value *= factor;
+        }
+        return result;
+    }
+};
+
+}  // namespace carom::render
