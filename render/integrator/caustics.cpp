@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/integrator/scalar_kernels.h"
+
 namespace carom::render {
 namespace {
 
@@ -50,18 +52,12 @@ bool Caustics::connects(const Path& path, const ShadingVertex& vertex) const {
            vertex.bsdf.is_broad();
 }
 
-// Estimate of the fraction of all directions that the ball fills (a quarter of the squared ratio of
-// radius and distance), times its gain; 0 if the whole ball lies below the horizon.
 inline float Caustics::weight(std::size_t ball, const V3f& position, const V3f& normal) const {
-    const float x = ball_bounds_.x[ball] - position.x;
-    const float y = ball_bounds_.y[ball] - position.y;
-    const float z = ball_bounds_.z[ball] - position.z;
-    const float height =
-        x * normal.x + y * normal.y + z * normal.z + ball_bounds_.bounding_radius[ball];
-    const float radius2 = ball_bounds_.radius2[ball];
-    const float weight =
-        0.25f * radius2 / std::max(x * x + y * y + z * z, radius2) * ball_bounds_.gain[ball];
-    return height > 0 ? weight : 0.0f;
+    const V3f to_ball =
+        V3f(ball_bounds_.x[ball], ball_bounds_.y[ball], ball_bounds_.z[ball]) - position;
+    return scalar::ball_share<scalar::One>(scalar::three(to_ball), scalar::three(normal),
+                                           ball_bounds_.bounding_radius[ball],
+                                           ball_bounds_.radius2[ball], ball_bounds_.gain[ball]);
 }
 
 // `own`: the ball that the vertex lies on, which reflects nothing onto it.

@@ -14,6 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
 #define CAROM_KERNEL HWY_INLINE
+#include "render/integrator/kernels/ball_share.h"
 #include "render/integrator/kernels/following.h"
 #include "render/integrator/kernels/lattice.h"
 #include "render/integrator/kernels/power_heuristic.h"

@@ -7,6 +7,7 @@
 namespace carom::render::scalar {
 
 #define CAROM_KERNEL [[gnu::always_inline]] inline
+#include "render/integrator/kernels/ball_share.h"
 #include "render/integrator/kernels/following.h"
 #include "render/integrator/kernels/lattice.h"
 #include "render/integrator/kernels/power_heuristic.h"

@@ -176,13 +176,11 @@ HWY_INLINE void select_caustics(const WaveStep& step, const VertexLanes& v,
         const F3 to_ball{all(scene.ball_x[ball]) - v.position.x,
                          all(scene.ball_y[ball]) - v.position.y,
                          all(scene.ball_z[ball]) - v.position.z};
-        const F height = dot(to_ball, v.geometric_normal) + all(scene.ball_bounding_radius[ball]);
-        const F radius2 = all(scene.ball_radius2[ball]);
-        const F weight = all(0.25f) * radius2 / hn::Max(dot(to_ball, to_ball), radius2) *
-                         all(scene.ball_gain[ball]);
+        const F share =
+            ball_share<Lanes>(to_ball, v.geometric_normal, scene.ball_bounding_radius[ball],
+                              scene.ball_radius2[ball], scene.ball_gain[ball]);
         const M is_own = is_equal(own, hn::Set(IntTag(), static_cast<std::int32_t>(ball)));
-        const M counts = hn::AndNot(is_own, hn::Gt(height, all(0.f)));
-        total = total + select(counts, weight, all(0.f));
+        total = total + select(is_own, all(0.f), share);
     }
     const F roulette =
         sampler.get_1d(all_words(PathDimensions::kCaustics) + v.vertex_index + v.vertex_index);

@@ -1,0 +1,14 @@
+// Balls that concentrate light, in lanes. Included as render/lanes/kernels/vectors.h is.
+
+/// Estimate of the fraction of all directions that a ball fills (a quarter of the squared ratio of
+/// radius and distance), times its gain; 0 if the whole ball lies below the horizon of `normal`.
+template <class L>
+CAROM_KERNEL typename L::Value ball_share(const Three<typename L::Value>& to_ball,
+                                          const Three<typename L::Value>& normal,
+                                          typename L::Number bounding_radius,
+                                          typename L::Number radius2, typename L::Number gain) {
+    const auto height = dot(to_ball, normal) + L::all(bounding_radius);
+    const auto share = L::all(0.25F) * L::all(radius2) /
+                       L::larger(dot(to_ball, to_ball), L::all(radius2)) * L::all(gain);
+    return L::select(L::is_less(L::all(0), height), share, L::all(0));
+}
