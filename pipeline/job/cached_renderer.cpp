@@ -64,8 +64,8 @@ CachedRender CachedRenderer::render_frame(const FilmPlan::Picture& picture,
     CachedRender result{.origin = RenderOrigin::rendered,
                         .seconds = seconds_since(begin),
                         .counts = film.statistics,
-                        .film = std::move(film),
                         .continued = continued};
+    result.film = std::move(film);
     if (!continued) {
         expected_seconds_ = result.seconds;  // of the next one
     }

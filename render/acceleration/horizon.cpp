@@ -58,7 +58,8 @@ void raise(Horizon& map, const Imath::Box3f& box) {
     const int y_end = cell(box.max.y, map.y, kMargin, map.height);
     for (int y = cell(box.min.y, map.y, -kMargin, map.height); y <= y_end; ++y) {
         for (int x = cell(box.min.x, map.x, -kMargin, map.width); x <= x_end; ++x) {
-            float& top = map.top[static_cast<std::size_t>(y * map.width + x)];
+            float& top = map.top[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
+                                 static_cast<std::size_t>(x)];
             top = std::max(top, box.max.z);
         }
     }

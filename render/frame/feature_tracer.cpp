@@ -15,10 +15,12 @@ constexpr int kLastOfFewSamples = 32;  // instead of 64, for less than kFewSampl
 constexpr int kFewSamples = 8;
 
 /// A pixel gets the rays of a round if a feature's range among its samples and rays is larger than
-/// this, divided by the square root of the number of samples: what few samples leave of the noise
-/// is more than what few rays add. Features are of the order of 1; lights count in proportion, and
-/// normals a quarter, because the weave of cloth turns them by more than it changes what is seen.
-constexpr std::array<float, 3> kDifferent{1.0F / 8, 1.0F / 4, 1};
+/// this. Features are of the order of 1; lights count in proportion, and normals a quarter, because
+/// the weave of cloth turns them by more than it changes what is seen.
+constexpr std::array<float, 3> kDifferent{1.0F / 64, 1.0F / 32, 1.0F / 8};
+/// With fewer samples the ranges count less, in proportion: what few samples leave of the noise is
+/// more than what few rays add.
+constexpr int kManySamples = 11;
 constexpr float kWeightOfNormal = 0.25F;
 
 /// Before the first round a pixel counts as seeing what pixels within this distance see, because
@@ -63,7 +65,8 @@ class Ranges {
 
   private:
     [[nodiscard]] std::size_t index(int x, int y) const {
-        return static_cast<std::size_t>(y * width_ + x);
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+               static_cast<std::size_t>(x);
     }
     template <class Index>
     void widen(int reach, int length, int lines, const Index& index) {
@@ -182,7 +185,8 @@ FeatureTracer::FeatureTracer(const Integrator& integrator, WorkspacePool& worksp
       fixings_(fixings),
       pixel_spread_(pixel_spread),
       seed_(seed ^ kOwnNumbers) {
-    const float scale = 1 / std::sqrt(static_cast<float>(samples));
+    const float scale =
+        std::max(1.0F, static_cast<float>(kManySamples) / static_cast<float>(samples));
     for (std::size_t round = 0; round < kRounds.size(); ++round) {
         rounds_[round] = {kRounds[round], scale * kDifferent[round]};
     }
