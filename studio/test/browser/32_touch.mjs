@@ -44,6 +44,8 @@ export async function check({ browser, address }) {
     await page.waitForFunction(() => window.studio.state.selection.value !== null);
     equal(await chosen(), ['balls', 'cue'], 'the selection after a tap');
     equal(await textOf(page), before, 'the text after a tap');
+    // While the page is busy with the selection, a finger would rest for long enough to open a menu.
+    await settle(page);
 
     await hand.drag([cue], [[cue[0] + 50, cue[1] + 16]]);
     const [moved] = changedLines(before, await textOf(page));
