@@ -87,20 +87,18 @@ CachedRender CachedRenderer::render_and_store(const FilmPlan::Picture& picture,
 /// From the picture before it was denoised, if the store has it.
 CachedRender CachedRenderer::denoise(const FilmPlan::Picture& picture, const WorkContext& context) {
     const auto stored = [&] { return store_.read_noisy(picture.noisy_key); };
+    std::optional<Claim> claim;
     std::optional<render::Film> noisy = stored();
-    if (noisy) {
-        return filter(
-            picture, {RenderOrigin::rendered}, *noisy, [] {}, context);
+    if (!noisy) {
+        // Somebody may be rendering it for other settings of the denoiser.
+        claim = store_.claim(picture.noisy_key);
+        if (!claim) {
+            return {RenderOrigin::claimed_elsewhere};
+        }
+        noisy = stored();  // finished before the claim
     }
-    // Somebody may be rendering it for other settings of the denoiser.
-    std::optional<Claim> claim = store_.claim(picture.noisy_key);
-    if (!claim) {
-        return {RenderOrigin::claimed_elsewhere};
-    }
-    noisy = stored();  // finished before the claim
     if (noisy) {
-        return filter(
-            picture, {RenderOrigin::rendered}, *noisy, [] {}, context);
+        return filter(picture, {RenderOrigin::rendered}, *noisy, nullptr, context);
     }
     CachedRender result = render_frame(picture, context);
     noisy = render::as_stored(std::move(*result.film), metadata(result.counts));
@@ -113,8 +111,8 @@ CachedRender CachedRenderer::denoise(const FilmPlan::Picture& picture, const Wor
     return filter(picture, std::move(result), *noisy, store, context);
 }
 
-/// Denoises the picture and stores it. `meanwhile` is called once; packing a frame takes as long as
-/// filtering it.
+/// Denoises the picture and stores it. Calls `meanwhile`, if any, at the same time: packing a frame
+/// takes as long as filtering it.
 CachedRender CachedRenderer::filter(const FilmPlan::Picture& picture, CachedRender result,
                                     const render::Film& noisy,
                                     const std::function<void()>& meanwhile,
@@ -130,7 +128,8 @@ CachedRender CachedRenderer::filter(const FilmPlan::Picture& picture, CachedRend
     };
     render::ThreadArena arena(threads_);
     arena.execute([&] {
-        render::parallel_for(2, [&](std::size_t task) { task == 0 ? meanwhile() : denoise(); });
+        render::parallel_for(meanwhile ? 2 : 1,
+                             [&](std::size_t task) { task == 0 ? denoise() : meanwhile(); });
     });
     if (is_stopped) {
         throw Stopped();

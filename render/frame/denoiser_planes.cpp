@@ -96,9 +96,7 @@ PixelFeatures features_of_half(const PixelSums& pixel, int half) {
     if (index >= pixel.halves.size() || samples == 0) {
         return {};
     }
-    const HalfSums& sums = pixel.halves[index];
-    const float scale = 1.0F / static_cast<float>(samples);
-    return PixelFeatures::of(sums.albedo, sums.normal, sums.light) * scale;
+    return pixel.halves[index] * (1.0F / static_cast<float>(samples));
 }
 
 DenoiserPlanes::DenoiserPlanes(int width, int height) : width_(width) {

@@ -29,21 +29,6 @@ void for_each_value(Visit& visit, Pixel& pixel) {
     visit(pixel.half_radiance[1]);
 }
 
-template <class Visit, class Half>
-requires std::is_same_v<std::remove_const_t<Half>, HalfSums>
-void for_each_value(Visit& visit, Half& half) {
-    visit(half.albedo);
-    visit(half.normal);
-    visit(half.light);
-}
-
-template <class Visit, class Traced>
-requires std::is_same_v<std::remove_const_t<Traced>, TracedFeatures>
-void for_each_value(Visit& visit, Traced& traced) {
-    visit(traced.sum.values);
-    visit(traced.rays);
-}
-
 /// Collects small values into pieces.
 class Writer {
   public:
@@ -51,8 +36,6 @@ class Writer {
 
     void operator()(const Vec3& value) { (*this)(std::array{value.x, value.y, value.z}); }
     void operator()(const V3f& value) { (*this)(std::array{value.x, value.y, value.z}); }
-    void operator()(const HalfSums& half) { for_each_value(*this, half); }
-    void operator()(const TracedFeatures& traced) { for_each_value(*this, traced); }
     template <class Value>
     void operator()(const Value& value) {
         static_assert(std::is_trivially_copyable_v<Value>);
@@ -100,8 +83,6 @@ class Reader {
         (*this)(xyz);
         value = {xyz[0], xyz[1], xyz[2]};
     }
-    void operator()(HalfSums& half) { for_each_value(*this, half); }
-    void operator()(TracedFeatures& traced) { for_each_value(*this, traced); }
     template <class Value>
     void operator()(Value& value) {
         static_assert(std::is_trivially_copyable_v<Value>);

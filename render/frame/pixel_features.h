@@ -19,12 +19,12 @@ struct PixelFeatures {
     /// the room, seen directly or in a smooth coat.
     std::array<float, kCount> values{};
 
-    [[nodiscard]] static PixelFeatures of(const V3f& albedo, const V3f& normal, const V3f& light) {
+    [[nodiscard]] static PixelFeatures of(const RadianceSample& sample) {
+        const V3f albedo = sample.albedo + sample.mirrored;
+        const V3f& normal = sample.normal;
+        const V3f& light = sample.light;
         return {{albedo.x, albedo.y, albedo.z, normal.x, normal.y, normal.z, light.x, light.y,
                  light.z}};
-    }
-    [[nodiscard]] static PixelFeatures of(const RadianceSample& sample) {
-        return of(sample.albedo + sample.mirrored, sample.normal, sample.light);
     }
     [[nodiscard]] float operator[](std::size_t i) const { return values[i]; }
     PixelFeatures& operator+=(const PixelFeatures& other) {

@@ -6,24 +6,12 @@
 #include <vector>
 
 #include "render/frame/aov_planes.h"
+#include "render/frame/pixel_features.h"
 #include "render/geometry/validity.h"
 #include "render/integrator/integrator.h"
 #include "render/light/area_light.h"
 
 namespace carom::render {
-
-/// What the samples of one half of a pixel saw.
-struct HalfSums {
-    V3f albedo{0, 0, 0};
-    V3f normal{0, 0, 0};
-    V3f light{0, 0, 0};
-
-    void add(const RadianceSample& sample) {
-        albedo += sample.albedo + sample.mirrored;
-        normal += sample.normal;
-        light += sample.light;
-    }
-};
 
 /// In double, so that thousands of samples lose no precision. Samples are added in their order.
 struct PixelSums {
@@ -38,13 +26,13 @@ struct PixelSums {
     std::array<V3f, 2> half_radiance{};
     /// How many samples hit which object; empty unless objects are counted.
     std::vector<ObjectCount> objects;
-    /// What the two halves saw; empty unless it is for the denoiser.
-    std::vector<HalfSums> halves;
+    /// Sums of what the two halves saw; empty unless it is for the denoiser.
+    std::vector<PixelFeatures> halves;
 
     /// Adds what the sample with the index `samples` saw to its half.
     void add_to_half(const RadianceSample& sample) {
         halves.resize(2);
-        halves[static_cast<std::size_t>(samples % 2)].add(sample);
+        halves[static_cast<std::size_t>(samples % 2)] += PixelFeatures::of(sample);
     }
 
     /// The number of samples of a half.

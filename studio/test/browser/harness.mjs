@@ -109,7 +109,7 @@ export function equal(actual, expected, message) {
 
 /// Tries for three seconds, because a film that is being stopped may still write into the folder.
 export function remove(folder) {
-    rmSync(folder, { recursive: true, force: true, maxRetries: 20, retryDelay: 150 });
+    rmSync(folder, { recursive: true, force: true, maxRetries: 6, retryDelay: 150 });
 }
 
 /// Opens a page of its own on a shot with this text, written into the check's folder. Returns also
