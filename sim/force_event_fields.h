@@ -39,7 +39,7 @@ constexpr auto fields_of(Describes<Strike>) {
 constexpr auto fields_of(Describes<Trigger>) {
     using T = Trigger;
     return fields<T>(field("kind", &T::kind), field("a", &T::a), field("b", &T::b),
-                     field("from", &T::from), field("to", &T::to));
+                     field("from", &T::from), field("to", &T::to), field("nth", &T::nth));
 }
 
 constexpr auto fields_of(Describes<ForceEvent>) {

@@ -6,13 +6,16 @@
 
 #include <fmt/core.h>
 
+#include "core/text.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/path_fit.h"
+#include "pipeline/camera/shown_frame.h"
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/chosen_tier.h"
 #include "pipeline/cli/film_input.h"
 #include "pipeline/cli/forecast_report.h"
 #include "pipeline/cli/job_observer.h"
+#include "pipeline/cli/moment_text.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
@@ -50,7 +53,22 @@ void report_fitted_paths(const Shot& shot, const sim::Timeline& timeline, Consol
     }
 }
 
-std::int64_t chosen_frame(const FrameCommand& command, const Shot& shot) {
+/// The first frame that shows the moment.
+std::int64_t frame_at_moment(const std::string& text, const ShotInput& input) {
+    const double time = time_of_moment("--at", text, input);
+    const auto frame = pipeline::first_frame_showing(time, input.shot.cameras, input.shot.timing);
+    if (!frame) {
+        throw InputError("--at " + text + ": the film does not show that moment, which comes at " +
+                         seconds_text(time) + " of scene time");
+    }
+    return *frame;
+}
+
+std::int64_t chosen_frame(const FrameCommand& command, const ShotInput& input) {
+    const Shot& shot = input.shot;
+    if (is_moment_text(command.at)) {
+        return frame_at_moment(command.at, input);
+    }
     const std::int64_t count = film_frames(shot);
     std::int64_t frame = command.frame.value_or(0);
     std::string given = fmt::format("frame {}", frame);
@@ -241,7 +259,10 @@ void run(const MuxCommand& command, CommandContext& context) {
 void run(const FrameCommand& command, CommandContext& context) {
     const ChosenTier tier(command.tier);
     ShotInput input = read_film_input(command.input, context);
-    const std::int64_t frame = chosen_frame(command, input.shot);
+    if (is_moment_text(command.at)) {
+        know_motion(input, command.input, command.cache, context);
+    }
+    const std::int64_t frame = chosen_frame(command, input);
     const std::string path =
         output_or_default(command.output, command.input.path, numbered_extension(frame));
     check_picture_path(path);

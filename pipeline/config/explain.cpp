@@ -60,10 +60,6 @@ const TypeInfo* element_of(const TypeInfo* type, TypeInfo::Kind kind) {
     return nullptr;
 }
 
-bool holds_maps(const Node& node) {
-    return node.is_map() || std::any_of(node.items.begin(), node.items.end(), holds_maps);
-}
-
 class Explainer {
   public:
     Explainer(const ShotSource& source, const Shot& shot) : source_(source) {
@@ -92,12 +88,22 @@ class Explainer {
         text_ += line + "\n";
     }
 
-    /// "shot.yaml:14", "--set".
+    /// Whether the node has maps that are written as such.
+    [[nodiscard]] bool holds_maps(const Node& node) const {
+        return (node.is_map() && !source_.replaced().contains(&node)) ||
+               std::any_of(node.items.begin(), node.items.end(),
+                           [this](const Node& item) { return holds_maps(item); });
+    }
+
+    /// "shot.yaml:14", "--set". For a moment, how it is written as well.
     [[nodiscard]] std::string origin_of(const Node& node) const {
         const SourcePlace place = source_.sources().describe(node.place);
         const std::string origin = place.file.starts_with("--")
                                        ? place.file
                                        : fmt::format("{}:{}", place.file, place.line);
+        if (node.is_map() && source_.replaced().contains(&node)) {
+            return origin + ", " + emit_flow(node);
+        }
         return &node == short_side_ ? origin + ", makes the picture " + picture_ : origin;
     }
 
@@ -106,7 +112,8 @@ class Explainer {
     /// nullptr.
     void write_value(const Node& node, const TypeInfo* type, const std::string& first,
                      const std::string& indent, const Node* standard = nullptr) {
-        if (node.is_map() && !node.entries.empty()) {
+        const bool is_replaced = source_.replaced().contains(&node);
+        if (node.is_map() && !node.entries.empty() && !is_replaced) {
             const TypeInfo* element = element_of(type, TypeInfo::Kind::named);
             if (first.ends_with("-")) {
                 write_map(node, map_of(type), first + " ", indent, element);
@@ -121,7 +128,7 @@ class Explainer {
                 write_value(item, element, indent + "-", indent + "  ");
             }
         } else {
-            write_line(first + " " + emit_flow(node, source_.files()), origin_of(node));
+            write_line(first + " " + emit_flow(node, source_.replaced()), origin_of(node));
         }
     }
 

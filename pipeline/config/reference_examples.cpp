@@ -190,6 +190,16 @@ events:
       after: 0.2 s
       newton_seconds: [0, 0.2, 0]
 )"},
+        {"moment", R"(table: {kind: pool}
+balls: {cue: {at: [-0.3, -0.2]}, eight: {at: [0.8, 0.25]}}
+events:
+  - strike: {ball: cue, at: 0.5 s, toward: eight, speed: 3 m/s}
+cameras:
+  - video: [0 s, 4 s]
+    scene: [{strike: cue, before: 0.3 s}, {contact: [cue, eight], after: 0.2 s}]
+    position: [-1.1, -0.45, 0.36]
+    target: {follow: cue}
+)"},
         {"crossing", R"(table: {kind: pool}
 balls: {cue: {at: [-0.3, -0.2]}}
 events:

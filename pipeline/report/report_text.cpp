@@ -149,12 +149,21 @@ std::string energy_table(const ShotReport& report) {
                               report.largest_energy_rise);
 }
 
+std::string moments_table(const ShotReport& report) {
+    std::string text = "\n     time moment\n";
+    for (const ReportedMoment& moment : report.moments) {
+        text += fmt::format("{:9.5f} ", moment.time) + moment.key_path + "\n";
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string report_text(const ShotReport& report) {
     return fmt::format("{:.3f} s to {:.3f} s, {} objects, {} events\n\n", report.start_time,
                        report.end_time, report.objects.size(), report.events.size()) +
-           events_table(report) + "\n" + objects_table(report) + "\n" + energy_table(report);
+           events_table(report) + "\n" + objects_table(report) + "\n" + energy_table(report) +
+           (report.moments.empty() ? "" : moments_table(report));
 }
 
 }  // namespace carom::pipeline

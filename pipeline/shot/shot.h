@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,14 @@
 
 namespace carom::pipeline {
 
+/// A value of the shot that is a scene time named by what happens ("the cue ball touches the one").
+struct ShotMoment {
+    std::string key_path;        // "cameras[0].scene[1]"
+    std::optional<double> time;  // scene time, s; empty: the motion is not known yet
+
+    bool operator==(const ShotMoment&) const = default;
+};
+
 struct Shot {
     std::string name;  // the file's name without folder and extension
     sim::WorldDescription world;
@@ -23,6 +32,9 @@ struct Shot {
     FilmTiming timing;
     render::RenderSettings render;
     OutputSettings output;
+    /// While the motion is not known, the values of moments are 0 s (resolve_moments in
+    /// config/load_shot.h).
+    std::vector<ShotMoment> moments;
     std::string resolved_text;  // the shot after includes and overrides, as self-contained YAML
     std::vector<sim::Asset> assets;  // files to which it refers
 };

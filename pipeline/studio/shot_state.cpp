@@ -6,7 +6,7 @@
 #include <Imath/ImathMatrixAlgo.h>
 
 #include "pipeline/camera/frame_plan.h"
-#include "pipeline/config/build/builder.h"
+#include "pipeline/config/surface_names.h"
 #include "pipeline/studio/camera_paths.h"
 #include "pipeline/studio/triple.h"
 #include "pipeline/studio/value_places.h"

@@ -39,7 +39,7 @@ Scheduler::Scheduler(const WorldDescription& world)
       resolver_(environment_, balls_, stepped_, recorder_),
       schedule_(world.events),
       force_applier_(world, environment_, balls_, stepped_, recorder_),
-      line_triggers_(world.events, stepped_.all()) {}
+      path_triggers_(world.events, stepped_.all()) {}
 
 bool Scheduler::run(const WorkContext& context, std::uint64_t max_steps) {
     const auto overlaps =
@@ -85,7 +85,7 @@ void Scheduler::run_window() {
     }
     predict();
     predict_solid_impacts();
-    predict_solid_line_crossings();
+    predict_solid_path_triggers();
     const std::optional<PredictedEvent> last = process_events();
     if (stepped_.has_trial_step()) {
         steps_ += stepped_.step_size();
@@ -122,8 +122,8 @@ std::optional<PredictedEvent> Scheduler::process_events() {
             extend_search(event);
             continue;
         }
-        if (event.kind == PredictedEventKind::line) {
-            cross_line(event);
+        if (event.kind == PredictedEventKind::path) {
+            count_on_path(event);
             continue;
         }
         if (needs_step(event)) {
@@ -183,35 +183,38 @@ SearchHorizon Scheduler::horizon() const {
 void Scheduler::predict() {
     const std::vector<std::uint32_t> changed = balls_.take_changed();
     predictor_.predict(changed, horizon(), queue_);
-    if (!line_triggers_.is_empty()) {
-        predict_line_crossings(changed);
+    if (!path_triggers_.is_empty()) {
+        predict_path_triggers(changed);
     }
 }
 
-void Scheduler::predict_line_crossings(const std::vector<std::uint32_t>& changed) {
+void Scheduler::predict_path_triggers(const std::vector<std::uint32_t>& changed) {
     const SearchHorizon limits = horizon();
     for (const std::uint32_t index : changed) {
         const Ball& ball = balls_.all()[index];
-        line_triggers_.predict_crossings(index, ball, now_,
-                                         ball.is_stepped() ? limits.step_end : limits.end, queue_);
+        path_triggers_.predict(index, ball, now_, ball.is_stepped() ? limits.step_end : limits.end,
+                               queue_);
     }
 }
 
 /// Bodies other than balls move only while ODE steps them.
-void Scheduler::predict_solid_line_crossings() {
-    if (line_triggers_.is_empty() || !stepped_.has_trial_step()) {
+void Scheduler::predict_solid_path_triggers() {
+    if (path_triggers_.is_empty() || !stepped_.has_trial_step()) {
         return;
     }
     for (std::size_t i = balls_.all().size(); i < stepped_.all().size(); ++i) {
-        line_triggers_.predict_crossings(static_cast<std::uint32_t>(i), stepped_.all()[i], now_,
-                                         window_end_, window_number_, queue_);
+        path_triggers_.predict(static_cast<std::uint32_t>(i), stepped_.all()[i], now_, window_end_,
+                               window_number_, queue_);
     }
 }
 
-void Scheduler::cross_line(const PredictedEvent& event) {
+void Scheduler::count_on_path(const PredictedEvent& event) {
     now_ = std::max(now_, event.time);
-    if (const auto triggered = line_triggers_.trigger(event.second)) {
-        schedule_.trigger_crossing(*triggered, event.time);
+    if (const auto waiting = path_triggers_.count(event.second, event.time)) {
+        schedule_.count_on_path(*waiting, event.time);
+    }
+    if (event.first < balls_.all().size()) {  // the ball may cross the same line again
+        predict_path_triggers({event.first});
     }
     window_end_ = std::max(now_, std::min(window_end_, schedule_.next_time()));
 }

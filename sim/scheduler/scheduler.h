@@ -13,7 +13,7 @@
 #include "sim/scheduler/force_applier.h"
 #include "sim/scheduler/force_schedule.h"
 #include "sim/scheduler/impact_resolver.h"
-#include "sim/scheduler/line_triggers.h"
+#include "sim/scheduler/path_triggers.h"
 #include "sim/scheduler/predicted_event.h"
 #include "sim/scheduler/recorder.h"
 #include "sim/scheduler/static_environment.h"
@@ -41,9 +41,9 @@ class Scheduler {
     void extend_search(const PredictedEvent& event);
     void predict();
     void predict_solid_impacts();
-    void predict_line_crossings(const std::vector<std::uint32_t>& changed);
-    void predict_solid_line_crossings();
-    void cross_line(const PredictedEvent& event);
+    void predict_path_triggers(const std::vector<std::uint32_t>& changed);
+    void predict_solid_path_triggers();
+    void count_on_path(const PredictedEvent& event);
     void reset_event_count();
     [[nodiscard]] SearchHorizon horizon() const;
     void return_balls();
@@ -68,7 +68,7 @@ class Scheduler {
     ImpactResolver resolver_;
     ForceSchedule schedule_;
     ForceApplier force_applier_;
-    LineTriggers line_triggers_;
+    PathTriggers path_triggers_;
     PredictedEventQueue queue_;
     double now_ = 0;
     double window_end_ = 0;

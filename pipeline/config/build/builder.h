@@ -44,9 +44,6 @@ struct Builder {
     bool claim_name(const std::string& name, const Place& place, const std::string& noun);
 };
 
-/// The surfaces that an event's `contact` may name besides objects, as in the event log.
-[[nodiscard]] const std::vector<std::string>& surface_names();
-
 void build_table(Builder& builder);  // the dimensions of the table
 void build_balls(Builder& builder);  // bodies and scene objects
 void build_objects(Builder& builder);

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -6,29 +5,6 @@
 #include "pipeline/config/show_quantity.h"
 
 namespace carom::pipeline::config {
-
-namespace {
-
-/// Moves the object of a contact to the first place; the two names may be given in any order.
-void order_contact(sim::ForceEvent& event, const Place& place, Builder& builder) {
-    if (!event.trigger || event.trigger->kind != sim::Trigger::Kind::contact) {
-        return;
-    }
-    const std::vector<std::string>& surfaces = surface_names();
-    const auto is_surface = [&](const std::string& name) {
-        return std::find(surfaces.begin(), surfaces.end(), name) != surfaces.end();
-    };
-    sim::Trigger& trigger = *event.trigger;
-    if (is_surface(trigger.a)) {
-        std::swap(trigger.a, trigger.b);
-    }
-    if (is_surface(trigger.a)) {
-        builder.reader.error(place, "this event waits for '" + trigger.b + "' to touch '" +
-                                        trigger.a + "'; one of them must be an object");
-    }
-}
-
-}  // namespace
 
 void build_events(Builder& builder) {
     for (const EventSection& section : builder.file.events) {
@@ -43,7 +19,6 @@ void build_events(Builder& builder) {
                 strike->toward_point = visible->second;
             }
         }
-        order_contact(event, section.place, builder);
         const double start = event.time + event.after;
         if (start > builder.shot.world.duration) {
             builder.reader.warning(section.place,

@@ -1,6 +1,7 @@
 #include <numbers>
 
 #include "pipeline/config/sections/camera_values.h"
+#include "pipeline/config/sections/occurrences.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
@@ -67,15 +68,14 @@ struct TimeRange {
     Rational end;
 };
 
-ValueType<TimeRange> time_range() {
-    return convert<TimeRange>(list_of(exact(Dimension::time, between(0, kLongest)), 2, 2),
-                              [](const std::vector<Rational>& ends) {
-                                  return TimeRange{ends[0], ends[1]};
-                              });
+ValueType<TimeRange> range_of(const ValueType<Rational>& time) {
+    return convert<TimeRange>(list_of(time, 2, 2), [](const std::vector<Rational>& ends) {
+        return TimeRange{ends[0], ends[1]};
+    });
 }
 
 ValueType<TimeMap> linear_map() {
-    return convert<TimeMap>(time_range(), [](const TimeRange& ends) {
+    return convert<TimeMap>(range_of(exact_scene_time()), [](const TimeRange& ends) {
         return TimeMap{ends.start, ends.end};
     });
 }
@@ -123,8 +123,7 @@ void check_ramp(Reader& reader, const Node& node, TimeMap& map) {
 const MapSpec<TimeMap>& ramp_spec() {
     static const MapSpec<TimeMap> spec = [] {
         MapSpec<TimeMap> s("speeds", "Scene time that is shown at a changing speed.");
-        s.key("from", &TimeMap::scene_start, exact(Dimension::time, between(0, kLongest)),
-              "scene time at the camera's start")
+        s.key("from", &TimeMap::scene_start, exact_scene_time(), "scene time at the camera's start")
             .required();
         s.key("speeds", &TimeMap::speeds, list_of(speed_key(), 1, 256),
               "list of [film time, seconds of the scene per second of film]: 1 is real time, 0 "
@@ -140,12 +139,12 @@ const MapSpec<TimeMap>& ramp_spec() {
 
 /// Two scene times, one scene time at which time stands still, or speeds.
 ValueType<TimeMap> time_map() {
-    const auto freeze =
-        convert<TimeMap>(exact(Dimension::time, between(0, kLongest)), [](const Rational& t) {
-            return TimeMap{t, t};
-        });
+    const auto freeze = convert<TimeMap>(exact_scene_time(), [](const Rational& t) {
+        return TimeMap{t, t};
+    });
+    const auto is_one_time = [](const Node& node) { return node.is_scalar() || is_moment(node); };
     return any_of<TimeMap>(
-        {{is_list, linear_map()}, {is_scalar, freeze}, {is_map, record(ramp_spec())}});
+        {{is_list, linear_map()}, {is_one_time, freeze}, {is_map, record(ramp_spec())}});
 }
 
 void add_time(MapSpec<CameraRig>& s) {
@@ -157,7 +156,7 @@ void add_time(MapSpec<CameraRig>& s) {
     s.key("name", &CameraRig::name, text("a camera's name"),
           "name for messages and for the metadata of frames");
     s.set(
-         "video", time_range(),
+         "video", range_of(exact(Dimension::time, between(0, kLongest))),
          [](CameraRig& rig, const TimeRange& value) {
              rig.video_start = value.start;
              rig.video_end = value.end;
@@ -165,8 +164,9 @@ void add_time(MapSpec<CameraRig>& s) {
          "interval of the film: start and end in video time")
         .required();
     s.key("scene", &CameraRig::time_map, time_map(),
-          "scene times at the start and at the end. If the second is before the first, time runs "
-          "backwards. One time stands still. Speeds at film times are a speed ramp")
+          "scene times at the start and at the end, as numbers or moments. If the second is before "
+          "the first, time runs backwards. One time stands still. Speeds at film times are a speed "
+          "ramp")
         .required();
     s.key("fade", &CameraRig::fade, exact(Dimension::time, between(0, kLongest)),
           "duration of the fade-in at the start; the previous camera ends when the fade ends");

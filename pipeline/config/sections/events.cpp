@@ -1,6 +1,6 @@
-#include <limits>
 #include <numbers>
 
+#include "pipeline/config/sections/occurrences.h"
 #include "pipeline/config/sections/sections.h"
 
 namespace carom::pipeline::config {
@@ -9,87 +9,24 @@ namespace {
 
 using sim::ForceEvent;
 using sim::Strike;
-using sim::Trigger;
 
 constexpr double kLongest = 3600;  // s
-
-const MapSpec<Trigger>& crossing_spec() {
-    static const MapSpec<Trigger> spec = [] {
-        Trigger prototype;
-        prototype.kind = Trigger::Kind::crossing;
-        // A point that could not be read is NaN, so that it differs from the other one.
-        prototype.from = prototype.to = Vec2(std::numeric_limits<double>::quiet_NaN());
-        MapSpec<Trigger> s("crossing",
-                           "The centre of an object, seen from above, crosses the line between two "
-                           "points in either direction.",
-                           prototype);
-        s.key("object", &Trigger::a, name_of(ReferenceKind::simulated), "the ball or object")
-            .required();
-        s.key("from", &Trigger::from, vector2(Dimension::length), "one end point of the line")
-            .required();
-        s.key("to", &Trigger::to, vector2(Dimension::length), "the other end point of the line")
-            .required();
-        s.check([](Reader& reader, const Node& node, Trigger& trigger) {
-            if (trigger.from == trigger.to) {
-                reader.error(node.find("to")->value.place,
-                             "'from' and 'to' are the same point: a line needs two");
-            }
-        });
-        return s;
-    }();
-    return spec;
-}
-
-const MapSpec<Trigger>& trigger_spec() {
-    static const MapSpec<Trigger> spec = [] {
-        MapSpec<Trigger> s("when", "A condition in the shot that starts an event.");
-        s.set(
-            "contact", list_of(name_of(ReferenceKind::touchable), 2, 2),
-            [](Trigger& trigger, const std::vector<std::string>& names) {
-                trigger.kind = Trigger::Kind::contact;
-                trigger.a = names[0];
-                trigger.b = names[1];
-            },
-            "two objects, or an object and a surface such as `cushion`, touch");
-        s.set(
-            "potted", name_of(ReferenceKind::body),
-            [](Trigger& trigger, std::string name) {
-                trigger.kind = Trigger::Kind::potted;
-                trigger.a = std::move(name);
-            },
-            "an object falls into a pocket");
-        const auto everything =
-            convert<std::string>(choice<bool>({{"all", true}}), [](bool) { return std::string(); });
-        s.set(
-            "resting",
-            any_of<std::string>(
-                {{[](const Node& node) { return node.is_scalar() && node.text == "all"; },
-                  everything},
-                 {is_scalar, name_of(ReferenceKind::simulated)}}),
-            [](Trigger& trigger, std::string name) {
-                trigger.kind = Trigger::Kind::resting;
-                trigger.a = std::move(name);
-            },
-            "an object, or `all`, comes to rest after it has moved since the start of the shot. "
-            "Several events that wait for the same object happen one after the other, in the order "
-            "of the list: each waits for a motion that begins after the previous event");
-        s.set(
-            "crossing", record(crossing_spec()),
-            [](Trigger& trigger, Trigger crossing) { trigger = std::move(crossing); },
-            "an object crosses a line");
-        s.exactly_one_of({"contact", "potted", "resting", "crossing"});
-        return s;
-    }();
-    return spec;
-}
 
 /// Adds the keys for the time of an event, which all kinds have.
 void add_start(MapSpec<ForceEvent>& s) {
     s.key("at", &ForceEvent::time, time(between(0, kLongest)),
           "scene time. With `when`, the event does not happen before it");
-    s.key("when", &ForceEvent::trigger, record(trigger_spec()),
-          "condition that starts the event when it becomes true for the first time");
-    s.key("after", &ForceEvent::after, time(between(0, kLongest)), "delay after `at` or `when`");
+    s.set(
+        "when", condition(),
+        [](ForceEvent& event, sim::Moment condition) {
+            event.trigger = std::move(condition.trigger);
+            event.after += condition.delay;
+        },
+        "condition that starts the event when it becomes true for the first time, or the `nth`");
+    const auto delay = time(between(0, kLongest));
+    s.set(
+        "after", delay, [](ForceEvent& event, double delay) { event.after += delay; },
+        "delay after `at` or `when`", delay.show(0));
 }
 
 template <class Action>
