@@ -149,6 +149,20 @@ std::vector<Problem> simulation_problems(const sim::Timeline& timeline, const Sh
     return problems;
 }
 
+std::vector<Problem> stick_problems(const Shot& shot, const ShotSource* source,
+                                    const sim::Timeline& timeline) {
+    std::vector<Problem> problems;
+    if (shot.stick.events.empty()) {
+        return problems;
+    }
+    for (const Diagnostic& warning : stick_problems(shot.stick, shot.world, timeline)) {
+        problems.push_back(source != nullptr
+                               ? source->problem_of(warning)
+                               : problem_at(nullptr, {}, warning.severity, warning.sentence));
+    }
+    return problems;
+}
+
 std::vector<Problem> camera_problems(const Shot& shot, const ShotSource* source,
                                      const sim::Timeline& timeline) {
     const std::vector<CameraRig> rigs = fit_camera_paths(shot, timeline);

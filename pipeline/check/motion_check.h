@@ -21,6 +21,10 @@ namespace carom::pipeline {
 [[nodiscard]] std::vector<Problem> cloth_problems(const Shot& shot, const ShotSource* source,
                                                   const sim::Timeline& timeline);
 
+/// Warnings about a cue stick that passes through the rail or a ball. `source`: as above.
+[[nodiscard]] std::vector<Problem> stick_problems(const Shot& shot, const ShotSource* source,
+                                                  const sim::Timeline& timeline);
+
 /// Warnings about cameras that are inside a ball or focused on an object behind them, and errors
 /// for frames without a valid view. Each problem is reported once per camera, with its first and
 /// last frame. In films of more than 2000 frames, about 2000 evenly spaced ones are checked.

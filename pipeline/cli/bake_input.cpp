@@ -68,6 +68,8 @@ sim::Bake obtain_bake(ShotInput& input, const InputOptions& options, const Cache
     }
     report_problems(pipeline::simulation_problems(bake.timeline, input.source.get()),
                     context.console);
+    report_problems(pipeline::stick_problems(input.shot, input.source.get(), bake.timeline),
+                    context.console);
     give_moments(input, options, bake.timeline, context.console);
     report_cameras(input, bake.timeline, context.console);
     return bake;

@@ -31,6 +31,7 @@ void check_motion(ShotInput& input, const CheckCommand& command, CommandContext&
         std::move(found.begin(), found.end(), std::back_inserter(problems));
     };
     add(pipeline::simulation_problems(bake->timeline, input.source.get()));
+    add(pipeline::stick_problems(input.shot, input.source.get(), bake->timeline));
     // A moment that never comes is an error of commands that film it.
     std::vector<Problem> moments =
         pipeline::resolve_moments(input.shot, input.source, bake->timeline);

@@ -16,6 +16,9 @@ namespace {
 void write_report(const ReportCommand& command, const sim::Timeline& timeline,
                   const std::vector<pipeline::ShotMoment>& moments) {
     pipeline::ShotReport report = pipeline::report_of(timeline);
+    std::erase_if(report.objects, [](const pipeline::ReportedObject& object) {
+        return object.name == pipeline::kStickTrack;
+    });
     for (const pipeline::ShotMoment& moment : moments) {
         report.moments.push_back({moment.key_path, moment.time.value_or(0)});
     }

@@ -230,6 +230,12 @@ balls: {cue: {at: [-0.3, -0.2]}}
 events:
   - velocity: {object: cue, at: 1 s, linear: [0.8, 0.3, 0], angular: [0, 0, 20 rad/s]}
 )"},
+        {"cue stick", R"(table: {kind: pool}
+balls: {cue: {at: [-0.3, -0.2]}, eight: {at: [0.8, 0.25]}}
+events:
+  - strike: {ball: cue, at: 3 s, toward: eight, speed: 3 m/s, elevation: 5 deg}
+stick: {length: 1.48 m, tip: 12.5 mm}
+)"},
         {"material", R"(materials:
   brass: {standard: {base: [0.78, 0.56, 0.26], metal: 1, roughness: 0.22}}
   chalk: {phong: {diffuse: [0.06, 0.17, 0.33]}}

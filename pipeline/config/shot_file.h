@@ -11,6 +11,7 @@
 #include "pipeline/config/source_set.h"
 #include "pipeline/config/value_types.h"
 #include "pipeline/shot/ball_set.h"
+#include "pipeline/shot/cue_stick.h"
 #include "pipeline/shot/keyed_motion.h"
 #include "pipeline/video/output_settings.h"
 #include "render/scene/render_settings.h"
@@ -136,7 +137,15 @@ struct LightSection {
 
 struct EventSection {
     sim::ForceEvent event;
+    std::optional<bool> shows_stick;  // of a strike; empty: as the shot says
     Place place;
+};
+
+/// The visible cue stick.
+struct StickSection {
+    bool is_shown = true;
+    double length = ShownStick{}.length;
+    std::optional<double> tip;  // diameter
 };
 
 /// The exposure: a time, or a fraction of a turn of a rotary shutter.
@@ -165,6 +174,7 @@ struct ShotFile {
     std::vector<EventSection> events;
     std::vector<Named<render::MaterialDescription>> materials;  // their own names are empty
     std::vector<Named<LightSection>> lights;
+    std::optional<StickSection> stick;
     std::vector<CameraRig> cameras;
     Place cameras_place;
     RenderSection render;

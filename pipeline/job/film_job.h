@@ -69,8 +69,9 @@ struct FilmJobResult {
     render::RenderStatistics counts{};  // the rays of the rendered pictures
 };
 
-/// Adds the motions that the shot's keys define to the bake, where they replace tracks of the same
-/// names. They are not part of the physics, nor of the bake in the cache.
+/// Adds the motions that the shot's keys define, and that of its cue stick, to the bake, where they
+/// replace tracks of the same names. They are not part of the physics, nor of the bake in the
+/// cache.
 void add_keyed_motions(sim::Bake& bake, const Shot& shot);
 
 /// How a shot's bake was obtained.

@@ -14,6 +14,9 @@ constexpr double kTolerance = 2e-4;  // of paths, m; 0.01 mm on paper at 1:20
 std::vector<PlanObject> plan_objects(const Shot& shot, const sim::Timeline& timeline) {
     std::vector<PlanObject> objects;
     for (const sim::Track& track : timeline.tracks) {
+        if (track.name() == kStickTrack) {  // draw_sticks shows it
+            continue;
+        }
         PlanObject object;
         object.track = &track;
         object.body = find_body(shot, track.name());

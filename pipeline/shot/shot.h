@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pipeline/camera/camera_rig.h"
+#include "pipeline/shot/cue_stick.h"
 #include "pipeline/video/output_settings.h"
 #include "render/scene/render_settings.h"
 #include "render/scene/scene_description.h"
@@ -28,6 +29,7 @@ struct Shot {
     sim::WorldDescription world;
     render::SceneDescription scene;  // its objects refer to tracks of bodies or of `keyed` by name
     std::vector<sim::Track> keyed;   // of objects that keys move
+    ShownStick stick;                // its parts are objects of the scene
     std::vector<CameraRig> cameras;
     FilmTiming timing;
     render::RenderSettings render;

@@ -40,6 +40,7 @@ Shot build_shot(const ShotFile& file, const Node& root, const std::string& name,
     build_balls(builder);
     build_objects(builder);
     build_table_scene(builder);
+    build_stick(builder);
     build_look(builder);
     build_events(builder);
     build_film(builder);

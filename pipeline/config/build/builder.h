@@ -48,6 +48,7 @@ void build_table(Builder& builder);  // the dimensions of the table
 void build_balls(Builder& builder);  // bodies and scene objects
 void build_objects(Builder& builder);
 void build_table_scene(Builder& builder);  // the geometry of the table
+void build_stick(Builder& builder);        // the cue stick, if it is seen
 void build_look(Builder& builder);         // materials and lights
 void build_events(Builder& builder);
 void build_film(Builder& builder);     // cameras, timing, render and output settings

@@ -1,3 +1,5 @@
+#include <cstddef>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -5,6 +7,30 @@
 #include "pipeline/config/show_quantity.h"
 
 namespace carom::pipeline::config {
+
+void build_stick(Builder& builder) {
+    const std::optional<StickSection>& section = builder.file.stick;
+    ShownStick& stick = builder.shot.stick;
+    const bool is_shown = section && section->is_shown;
+    for (std::size_t i = 0; i < builder.file.events.size(); ++i) {
+        const EventSection& event = builder.file.events[i];
+        if (std::holds_alternative<sim::Strike>(event.event.action) &&
+            event.shows_stick.value_or(is_shown)) {
+            stick.events.push_back(i);
+        }
+    }
+    if (stick.events.empty()) {
+        return;
+    }
+    const sim::billiards::TableKind kind =
+        builder.file.table ? builder.file.table->kind : sim::billiards::TableKind::pool;
+    const double tip = kind == sim::billiards::TableKind::snooker ? 0.0095
+                       : kind == sim::billiards::TableKind::carom ? 0.0115
+                                                                  : stick.tip_diameter;
+    stick.tip_diameter = section && section->tip ? *section->tip : tip;
+    stick.length = section ? section->length : stick.length;
+    add_stick(builder.shot.scene, stick);
+}
 
 void build_events(Builder& builder) {
     for (const EventSection& section : builder.file.events) {

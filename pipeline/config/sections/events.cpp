@@ -225,6 +225,9 @@ const MapSpec<ForceEvent>& strike_spec() {
         s.key("ball", &ForceEvent::object, name_of(ReferenceKind::ball), "the ball").required();
         add_start(s);
         add_strike_keys(s);
+        s.set(
+            "stick", shown_or_hidden(), [](ForceEvent&, bool) {},  // see event_spec()
+            "whether the cue stick of this strike is seen. The default is the shot's own `stick`");
         s.exactly_one_of({"speed", "ball_speed"});
         s.exactly_one_of({"toward", "direction"});
         s.check(check_tip);
@@ -248,6 +251,12 @@ const MapSpec<EventSection>& event_spec() {
         s.set("velocity", record(velocity_spec()), store, "a change of velocity");
         s.exactly_one_of({"strike", "impulse", "force", "torque", "velocity"});
         s.check([](Reader& reader, const Node& node, EventSection& section) {
+            // The stick's look is not part of the event that is simulated.
+            const Entry* strike = node.find("strike");
+            const Entry* stick = strike != nullptr ? strike->value.find("stick") : nullptr;
+            if (stick != nullptr) {
+                section.shows_stick = stick->value.text == "shown";
+            }
             section.place = node.entries.empty() ? reader.key_place() : node.entries[0].key_place;
         });
         return s;

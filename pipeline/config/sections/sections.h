@@ -31,6 +31,12 @@ struct NotStored {};
 [[nodiscard]] const MapSpec<RenderSection>& render_spec();
 [[nodiscard]] const MapSpec<OutputSettings>& output_spec();
 
+/// Whether the cue stick of a strike is seen.
+[[nodiscard]] ValueType<bool> shown_or_hidden();
+
+/// The cue stick of all strikes: a word, or its measures.
+[[nodiscard]] ValueType<StickSection> cue_stick();
+
 /// A rotation: angles about the world's x, y and z axis, in this order, or {axis, angle}.
 [[nodiscard]] ValueType<Quat> rotation();
 

@@ -43,6 +43,9 @@ const MapSpec<ShotFile>& shot_spec() {
         s.key("objects", &ShotFile::objects, named("object", object_spec()), "other objects");
         s.key("events", &ShotFile::events, numbered("event", event_spec()),
               "actions on balls and objects");
+        s.key("stick", &ShotFile::stick, cue_stick(),
+              "whether a cue stick is seen to strike: `shown` or `hidden` (the default), or its "
+              "measures. A strike may say otherwise");
         s.set(
             "materials", named("material", material_spec()),
             [](ShotFile& shot, auto value) { shot.materials = std::move(value); },
