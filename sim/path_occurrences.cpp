@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <span>
 
 #include "sim/force_event.h"
 #include "sim/numeric/polynomial.h"
@@ -99,20 +99,25 @@ bool is_visible(std::span<const Key> keys, std::size_t first, std::size_t last) 
 std::vector<Motion> motions(const Track& track) {
     const auto keys = track.keys();
     std::vector<Motion> all;
-    std::optional<std::size_t> start;
+    constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+    std::size_t start = kNone;  // the key at which the motion began
     const auto end_motion = [&](std::size_t last, double time) {
-        if (start && is_visible(keys, *start, last)) {
-            all.push_back({keys[*start].time, time});
+        if (start != kNone && is_visible(keys, start, last)) {
+            all.push_back({keys[start].time, time});
         }
-        start.reset();
+        start = kNone;
     };
     for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
         const bool rests = is_still(keys[i].velocity_out, keys[i].angular_velocity_out) &&
                            is_still(keys[i + 1].velocity_in, keys[i + 1].angular_velocity_in) &&
                            keys[i].position == keys[i + 1].position;
-        if (rests) {
+        // What waits for a rest may act at its instant, so that the rest has no duration.
+        const bool stops_here =
+            start != kNone && is_still(keys[i].velocity_in, keys[i].angular_velocity_in);
+        if (rests || stops_here) {
             end_motion(i, keys[i].time);
-        } else if (!start) {
+        }
+        if (!rests && start == kNone) {
             start = i;
         }
     }
@@ -194,7 +199,7 @@ std::vector<double> rests_of_all(const Timeline& timeline, const WorldDescriptio
               [](const Motion& a, const Motion& b) { return a.from < b.from; });
     std::vector<Motion> merged;
     for (const Motion& motion : all) {
-        if (!merged.empty() && motion.from <= merged.back().to) {
+        if (!merged.empty() && motion.from < merged.back().to) {
             merged.back().to = std::max(merged.back().to, motion.to);
         } else {
             merged.push_back(motion);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/text.h"
+#include "pipeline/cli/run_program.h"
 #include "pipeline/config/parse_moment.h"
 #include "pipeline/config/reader.h"
 #include "pipeline/config/surface_names.h"

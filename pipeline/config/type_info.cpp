@@ -31,6 +31,13 @@ std::string plural(const TypeInfo& element) {
             return "words (" + enumerate(element.choices, "and") + ")";
         case TypeInfo::Kind::map:
             return "maps of keys";
+        case TypeInfo::Kind::any_of: {
+            // Numbers that may also be described by a map are called by what they are.
+            const bool is_number = element.elements.size() == 2 &&
+                                   element.elements[0].kind == TypeInfo::Kind::quantity &&
+                                   element.elements[1].kind == TypeInfo::Kind::map;
+            return is_number ? plural(element.elements[0]) : "values";
+        }
         default:
             return "values";
     }

@@ -27,9 +27,9 @@ Trigger crossing(const std::string& name, const Vec2& from, const Vec2& to, int 
     return result;
 }
 
-/// Adds a ball far away that is pushed when the trigger fires.
+/// Adds a ball out of the way that is pushed when the trigger fires.
 void watch(WorldDescription& world, const Trigger& trigger) {
-    world.bodies.push_back(ball("marker", 0, 50));
+    world.bodies.push_back(ball("marker", -1.1, 0.5));
     ForceEvent event;
     event.object = "marker";
     event.trigger = trigger;
@@ -37,19 +37,25 @@ void watch(WorldDescription& world, const Trigger& trigger) {
     world.events.push_back(event);
 }
 
-/// The time at which the trigger fires in the simulation; -1 if it never does.
-double fired_at(WorldDescription world, const Trigger& trigger) {
+/// The time at which the trigger fires in the simulation, and that of its moment in the timeline;
+/// -1 if there is none.
+struct Times {
+    double fired = -1;
+    double found = -1;
+};
+
+Times times_of(WorldDescription world, const Trigger& trigger) {
     watch(world, trigger);
     const Timeline timeline = bake(world);
-    const Event* impulse = find_event(timeline, EventKind::impulse, "marker");
-    return impulse != nullptr ? impulse->time : -1;
-}
-
-/// The time of the moment in the timeline of the world itself; -1 if it never comes.
-double found_at(const WorldDescription& world, const Trigger& trigger) {
-    const auto found = find_moment({trigger, 0}, bake(world), world);
-    const double* time = std::get_if<double>(&found);
-    return time != nullptr ? *time : -1;
+    Times times;
+    if (const Event* impulse = find_event(timeline, EventKind::impulse, "marker")) {
+        times.fired = impulse->time;
+    }
+    const auto found = find_moment({trigger, 0}, timeline, world);
+    if (const double* time = std::get_if<double>(&found)) {
+        times.found = *time;
+    }
+    return times;
 }
 
 std::string reason(const WorldDescription& world, const Trigger& trigger) {
@@ -60,9 +66,9 @@ std::string reason(const WorldDescription& world, const Trigger& trigger) {
 
 /// A ball that is struck to and fro between the end cushions of a carom table.
 WorldDescription long_run() {
-    WorldDescription world = walled_world(12);
+    WorldDescription world = walled_world(16);
     world.bodies = {ball("cue", -0.5, 0), ball("one", 0.4, 0.01)};
-    world.events = {strike_towards("cue", "one", 3, 0.25)};
+    world.events = {strike_towards("cue", "one", 6, 0.25)};
     return world;
 }
 
@@ -85,9 +91,11 @@ TEST(Moment_OfEveryKind, IsWhenItsTriggerFires) {
         triggers.push_back(crossing("one", {0.8, -1}, {0.8, 1}, nth));
     }
     for (const Trigger& one : triggers) {
-        const double time = fired_at(run, one);
-        EXPECT_GT(time, 0) << static_cast<int>(one.kind) << ' ' << one.nth;
-        EXPECT_NEAR(found_at(run, one), time, 1e-5) << static_cast<int>(one.kind) << ' ' << one.nth;
+        const Times times = times_of(run, one);
+        if (one.nth <= 2) {
+            EXPECT_GT(times.fired, 0) << static_cast<int>(one.kind) << ' ' << one.nth;
+        }
+        EXPECT_NEAR(times.found, times.fired, 1e-5) << static_cast<int>(one.kind) << ' ' << one.nth;
     }
 }
 
@@ -98,8 +106,9 @@ TEST(Moment_OfAnApex, IsAsInClosedForm) {
     double time = 0;
     for (int nth = 1; nth <= 3; ++nth) {
         const Trigger apex = trigger(Trigger::Kind::apex, "cue", "", nth);
-        EXPECT_NEAR(fired_at(world, apex), time + up / kGravity, 1e-9) << nth;
-        EXPECT_NEAR(found_at(world, apex), time + up / kGravity, 1e-5) << nth;
+        const Times times = times_of(world, apex);
+        EXPECT_NEAR(times.fired, time + up / kGravity, 1e-9) << nth;
+        EXPECT_NEAR(times.found, time + up / kGravity, 1e-5) << nth;
         time += 2 * up / kGravity;
         up *= world.contact_law.ball_cloth.restitution;
     }
@@ -108,10 +117,12 @@ TEST(Moment_OfAnApex, IsAsInClosedForm) {
 TEST(Moment_OfAnApex, NeedsARiseOfAMillimetre) {
     const double least = std::sqrt(2 * kGravity * kLeastRise);
     const Trigger apex = trigger(Trigger::Kind::apex, "cue");
-    EXPECT_EQ(fired_at(thrown(0.99 * least), apex), -1);
-    EXPECT_EQ(found_at(thrown(0.99 * least), apex), -1);
-    EXPECT_NEAR(fired_at(thrown(1.01 * least), apex), 1.01 * least / kGravity, 1e-9);
-    EXPECT_NEAR(found_at(thrown(1.01 * least), apex), 1.01 * least / kGravity, 1e-5);
+    const Times low = times_of(thrown(0.99 * least), apex);
+    EXPECT_EQ(low.fired, -1);
+    EXPECT_EQ(low.found, -1);
+    const Times high = times_of(thrown(1.01 * least), apex);
+    EXPECT_NEAR(high.fired, 1.01 * least / kGravity, 1e-9);
+    EXPECT_NEAR(high.found, 1.01 * least / kGravity, 1e-5);
 }
 
 TEST(Moment_OfARest, CountsEveryMotion) {
@@ -125,10 +136,13 @@ TEST(Moment_OfARest, CountsEveryMotion) {
     for (const std::string name : {"cue", ""}) {
         for (int nth = 1; nth <= 2; ++nth) {
             const Trigger rest = trigger(Trigger::Kind::resting, name, "", nth);
-            EXPECT_GT(fired_at(world, rest), nth == 1 ? 0 : 10);
-            EXPECT_NEAR(found_at(world, rest), fired_at(world, rest), 1e-5);
+            const Times times = times_of(world, rest);
+            EXPECT_GT(times.fired, nth == 1 ? 0 : 10);
+            EXPECT_NEAR(times.found, times.fired, 1e-5);
         }
-        EXPECT_EQ(found_at(world, trigger(Trigger::Kind::resting, name, "", 3)), -1);
+        const Trigger third = trigger(Trigger::Kind::resting, name, "", 3);
+        EXPECT_TRUE(
+            std::holds_alternative<std::string>(find_moment({third, 0}, bake(world), world)));
     }
 }
 
@@ -154,7 +168,7 @@ TEST(Moment_OfImpactsInAMillisecond, IsOneContact) {
     for (std::size_t i = 1; i < times.size(); ++i) {
         EXPECT_GT(times[i], times[i - 1] + kOneContact);
     }
-    EXPECT_NEAR(fired_at(world, second), times.size() > 1 ? times[1] : -1, 1e-9) << last;
+    EXPECT_NEAR(times_of(world, second).fired, times.size() > 1 ? times[1] : -1, 1e-9) << last;
 }
 
 TEST(Moment_WithADelay, IsMovedByIt) {
@@ -172,20 +186,18 @@ TEST(Moment_ThatNeverComes, SaysWhatHappenedInstead) {
     using Kind = Trigger::Kind;
     EXPECT_EQ(reason(world, trigger(Kind::contact, "two", "one")),
               "'two' never touched 'one'; it touched nothing");
-    const double hit = found_at(world, trigger(Kind::contact, "cue", "one"));
     EXPECT_EQ(reason(world, trigger(Kind::strike, "two")),
               "'two' was never struck; struck were 'cue' at 0.25 s");
     EXPECT_EQ(reason(world, trigger(Kind::potted, "one")),
               "'one' was never potted; nothing was potted");
     EXPECT_EQ(reason(world, trigger(Kind::resting, "two")),
-              "'two' never came to rest after a motion; the simulation ends at 12 s");
+              "'two' never came to rest after a motion; the simulation ends at 16 s");
     EXPECT_EQ(reason(world, trigger(Kind::strike, "cue", "", 2)),
               "'cue' was struck only once, at 0.25 s");
     EXPECT_EQ(reason(world, trigger(Kind::apex, "cue")), "'cue' never rose by 1 mm or more");
     EXPECT_EQ(reason(world, crossing("two", {0, 0}, {1, 0})), "'two' never crossed the line");
     EXPECT_EQ(reason(world, trigger(Kind::contact, "cue", "two")).substr(0, 49),
               "'cue' never touched 'two'; it touched 'one' at 0.");
-    EXPECT_GT(hit, 0.25);
 }
 
 TEST(Trigger_ThatHappensTooRarely, IsWarnedOf) {

@@ -25,7 +25,7 @@ void add_start(MapSpec<ForceEvent>& s) {
         "condition that starts the event when it becomes true for the first time, or the `nth`");
     const auto delay = time(between(0, kLongest));
     s.set(
-        "after", delay, [](ForceEvent& event, double delay) { event.after += delay; },
+        "after", delay, [](ForceEvent& event, double later) { event.after += later; },
         "delay after `at` or `when`", delay.show(0));
 }
 

@@ -49,10 +49,10 @@ TEST_F(MomentRun, ThatNeverComes_IsAWarningOfCheckAndAnErrorOfRender) {
         "nothing\n";
     const RunResult check = run({"check", "s.yaml"});
     EXPECT_EQ(check.exit_code, 0);
-    EXPECT_THAT(check.err, HasSubstr("s.yaml:8:43: warning" + message));
+    EXPECT_THAT(check.err, HasSubstr("s.yaml:8:45: warning" + message));
     const RunResult render = run({"render", "s.yaml", "-o", "s.mp4"});
     EXPECT_NE(render.exit_code, 0);
-    EXPECT_THAT(render.err, HasSubstr("s.yaml:8:43: error" + message));
+    EXPECT_THAT(render.err, HasSubstr("s.yaml:8:45: error" + message));
     EXPECT_THAT(render.err, HasSubstr("'s.yaml' has 1 error"));
 }
 
