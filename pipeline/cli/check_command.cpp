@@ -62,6 +62,7 @@ void check_motion(ShotInput& input, const CheckCommand& command, CommandContext&
     };
     add(pipeline::simulation_problems(bake->timeline, input.source.get()));
     add(pipeline::cloth_problems(input.shot, input.source.get(), bake->timeline));
+    add(pipeline::annotation_problems(input.shot, input.source.get(), bake->timeline));
     add(pipeline::camera_problems(input.shot, input.source.get(), bake->timeline));
 }
 

@@ -386,7 +386,7 @@ cameras:
 )"},
         {"hdr10", R"(output: {hdr10: {peak: 1000, white: 203}}
 )"},
-        {"overlay", R"(output: {overlay: {show: [scene_time, speed], corner: bottom_right}}
+        {"overlay", R"(output: {overlay: {show: [scene_time, playback_speed], corner: bottom_right}}
 )"},
     };
     return examples;

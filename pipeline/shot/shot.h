@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/camera/camera_rig.h"
+#include "pipeline/picture/annotation.h"
 #include "pipeline/video/output_settings.h"
 #include "render/scene/render_settings.h"
 #include "render/scene/scene_description.h"
@@ -23,6 +24,7 @@ struct Shot {
     FilmTiming timing;
     render::RenderSettings render;
     OutputSettings output;
+    std::vector<Annotation> annotations;
     std::string resolved_text;  // the shot after includes and overrides, as self-contained YAML
     std::vector<sim::Asset> assets;  // files to which it refers
 };

@@ -46,7 +46,8 @@ void LiveMessages::add_motion_problems(std::int64_t v, const pipeline::Shot& sho
                                        const sim::Timeline& timeline) {
     std::vector<pipeline::Problem> found =
         pipeline::simulation_problems(timeline, loaded.source.get());
-    for (auto* check : {&pipeline::cloth_problems, &pipeline::camera_problems}) {
+    for (auto* check :
+         {&pipeline::cloth_problems, &pipeline::annotation_problems, &pipeline::camera_problems}) {
         std::vector<pipeline::Problem> more = check(shot, loaded.source.get(), timeline);
         std::move(more.begin(), more.end(), std::back_inserter(found));
     }

@@ -30,6 +30,7 @@ struct NotStored {};
 [[nodiscard]] const MapSpec<CameraRig>& camera_spec();
 [[nodiscard]] const MapSpec<RenderSection>& render_spec();
 [[nodiscard]] const MapSpec<OutputSettings>& output_spec();
+[[nodiscard]] const MapSpec<Annotation>& annotation_spec();
 
 /// A rotation: angles about the world's x, y and z axis, in this order, or {axis, angle}.
 [[nodiscard]] ValueType<Quat> rotation();
