@@ -42,7 +42,9 @@ void draw_canvas(cairo_t* context, const Canvas& canvas, const Vec2& corner, dou
     cairo_scale(context, scale, scale);
     cairo_set_source_surface(context, cairo_get_target(canvas.context()), 0, 0);
     cairo_pattern_set_filter(cairo_get_source(context), CAIRO_FILTER_GOOD);
-    cairo_paint(context);
+    cairo_pattern_set_extend(cairo_get_source(context), CAIRO_EXTEND_PAD);  // sharp edges
+    cairo_rectangle(context, 0, 0, canvas.width(), canvas.height());
+    cairo_fill(context);
 }
 
 }  // namespace carom::pipeline

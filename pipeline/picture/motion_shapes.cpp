@@ -9,7 +9,8 @@
 namespace carom::pipeline {
 namespace {
 
-constexpr double kWidth = 0.008;       // picture heights
+constexpr double kWidth = 0.0075;  // picture heights
+constexpr double kSpinWidth = 0.006;
 constexpr double kTextSize = 0.038;    // picture heights
 constexpr double kLeastLength = 0.01;  // of an arrow, m
 constexpr double kLeastTurn = std::numbers::pi / 9;
@@ -17,11 +18,12 @@ constexpr double kMostTurn = 5 * std::numbers::pi / 3;
 constexpr double kAround = 1.3;   // of the round arrow, ball radii
 constexpr double kBeyond = 0.35;  // of the value beyond the arrow's end, ball radii
 
-SceneLine arrow(std::vector<Vec3> points, const Vec3& colour, const Annotation& look) {
+SceneLine arrow(std::vector<Vec3> points, const Vec3& colour, double width,
+                const Annotation& look) {
     SceneLine line;
     line.points = std::move(points);
     line.colour = look.colour.value_or(colour);
-    line.width = look.width.value_or(kWidth);
+    line.width = look.width.value_or(width);
     line.dash = look.dash.value_or(Dash::solid);
     line.has_head = true;
     return line;
@@ -56,7 +58,7 @@ SceneShapes shapes_of(const VelocityAnnotation& velocity, const Annotation& look
     const Vec3 direction = state.velocity / speed;
     const Vec3 start = state.position + radius * direction;
     SceneLine line =
-        arrow({start, start + velocity.during * state.velocity}, velocity_colour(), look);
+        arrow({start, start + velocity.during * state.velocity}, velocity_colour(), kWidth, look);
     SceneShapes shapes{line};
     if (velocity.value) {
         shapes.push_back(
@@ -87,7 +89,8 @@ SceneShapes shapes_of(const SpinAnnotation& spin, const Annotation& look,
     const double radius = moment.radius(spin.of);
     middle *= kAround * radius / middle.length();
     const Vec3 start = arc_points({0, 0, 0}, middle, axis, -turn / 2).back();
-    SceneLine line = arrow(arc_points(state.position, start, axis, turn), spin_colour(), look);
+    SceneLine line =
+        arrow(arc_points(state.position, start, axis, turn), spin_colour(), kSpinWidth, look);
     SceneShapes shapes{line};
     if (spin.value) {
         shapes.push_back(

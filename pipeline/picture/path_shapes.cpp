@@ -14,6 +14,7 @@ namespace {
 constexpr double kWidth = 0.0075;       // picture heights
 constexpr double kMark = 2.2;           // of a dot, in widths of the line
 constexpr double kNumber = 0.036;       // size of a number, picture heights
+constexpr double kBeside = 0.045;       // of a number from the line, picture heights
 constexpr double kLeast = 0.0002;       // m between points
 constexpr double kAboveCloth = 0.0005;  // m
 
@@ -117,12 +118,25 @@ class PathBuilder {
         if (number == 0) {
             return;
         }
-        // At the end that does not move.
+        // Beside the end that does not move.
         SceneText text = scene_text(std::to_string(number), line_.points.front(), look, kNumber);
+        text.offset = kBeside * left_of_line();
         text.colour = line_.colour;
         text.box = look.box.value_or(TextBox{casing_colour(), 0.8});
         text.nearer = 0.06;  // more than a ball's diameter, so that the ball there does not hide it
         shapes.push_back(std::move(text));
+    }
+
+    /// On the picture, to the right and up: a unit vector to the left of the line's first piece.
+    [[nodiscard]] Vec2 left_of_line() const {
+        if (moment_.view.depth(line_.points[0]) < Pinhole::kNearest ||
+            moment_.view.depth(line_.points[1]) < Pinhole::kNearest) {
+            return {0, 1};
+        }
+        const Vec2 way = moment_.view.project(line_.points[1]).place -
+                         moment_.view.project(line_.points[0]).place;
+        const double length = way.length();
+        return length > 0 ? Vec2(way.y, way.x) / length : Vec2(0, 1);
     }
 
     const PathAnnotation& path_;

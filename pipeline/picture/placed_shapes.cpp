@@ -13,9 +13,10 @@ namespace {
 constexpr double kEdge = 0.0026;    // of lines, picture heights
 constexpr double kLeastEdge = 0.7;  // pixels
 constexpr double kHead = 4.2;       // length of an arrowhead, widths of its line
+constexpr double kMostHead = 0.5;   // of the line's length
 constexpr double kDotOfDots = 1.5;  // diameter of a dotted line's dots, widths of the line
 constexpr double kGap = 0.03;       // the smallest gap between dashes, m
-constexpr double kLeastGap = 2.5;   // in widths of the line with its edge
+constexpr double kLeastGap = 2.5;   // in widths of the line
 
 /// The parts of a line that are in front of the camera.
 std::vector<StrongLine> cut_in_front(const StrongLine& line, const Pinhole& view) {
@@ -161,10 +162,13 @@ class Placer {
     }
 
     void add(const StrongLine& points, PlacedLine line) {
+        double length = 0;
         for (const StrongPoint& point : points) {
             const SeenPoint at = view_.project(point.at);
+            length += line.points.empty() ? 0 : (at.place - line.points.back().place).length();
             line.points.push_back({at.place, at.inverse_depth, point.strength});
         }
+        line.head = std::min(line.head, kMostHead * length);
         if (points.size() == 1 && !line.is_round) {  // of a dotted line
             line.width *= kDotOfDots;
         }
@@ -181,7 +185,7 @@ class Placer {
         const double depth = std::max(view_.depth(line.front().at), Pinhole::kNearest);
         const double gap = kGap * size / view_.pixel_size(depth);  // pixels
         double scale = kSmallest;
-        while (scale < kLargest && scale * gap < kLeastGap * (look.width + 2 * look.edge)) {
+        while (scale < kLargest && scale * gap < kLeastGap * look.width) {
             scale *= 2;
         }
         return scale;

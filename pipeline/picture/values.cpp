@@ -120,7 +120,7 @@ std::string number_text(double value, const std::string& format, const std::stri
     const std::string& chosen = format.empty() ? usual : format;
     std::string text = fmt::format(fmt::runtime("{:" + chosen + "}"), value);
     const bool is_zero = std::ranges::none_of(text, [](char c) { return c >= '1' && c <= '9'; });
-    if (value < 0 && is_zero) {
+    if (std::signbit(value) && is_zero) {
         text = fmt::format(fmt::runtime("{:" + chosen + "}"), 0.0);
     }
     return text;

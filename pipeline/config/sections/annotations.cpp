@@ -30,7 +30,7 @@ ValueType<ScenePoint> scene_point() {
 
 const MapSpec<PathAnnotation>& path_spec() {
     static const MapSpec<PathAnnotation> spec = [] {
-        MapSpec<PathAnnotation> s("path", "The way of a ball's or object's centre.");
+        MapSpec<PathAnnotation> s("drawn path", "The way of a ball's or object's centre.");
         s.key("of", &PathAnnotation::of, name_of(ReferenceKind::moving), "the ball or object")
             .required();
         s.key("part", &PathAnnotation::part,
@@ -56,7 +56,7 @@ const MapSpec<PathAnnotation>& path_spec() {
 
 const MapSpec<AimAnnotation>& aim_spec() {
     static const MapSpec<AimAnnotation> spec = [] {
-        MapSpec<AimAnnotation> s("aim",
+        MapSpec<AimAnnotation> s("aim line",
                                  "The straight line along which a ball is aimed. It ends where the "
                                  "ball touches the first ball or cushion in its way.");
         s.key("of", &AimAnnotation::of, name_of(ReferenceKind::moving), "the ball").required();
@@ -75,7 +75,7 @@ const MapSpec<AimAnnotation>& aim_spec() {
 
 const MapSpec<GhostAnnotation>& ghost_spec() {
     static const MapSpec<GhostAnnotation> spec = [] {
-        MapSpec<GhostAnnotation> s("ghost",
+        MapSpec<GhostAnnotation> s("ghost ball",
                                    "The ghost ball: where a ball is when it first touches another "
                                    "one.");
         s.key("of", &GhostAnnotation::of, name_of(ReferenceKind::moving), "the ball").required();
@@ -90,7 +90,7 @@ const MapSpec<GhostAnnotation>& ghost_spec() {
 const MapSpec<TangentAnnotation>& tangent_spec() {
     static const MapSpec<TangentAnnotation> spec = [] {
         MapSpec<TangentAnnotation> s(
-            "tangent",
+            "tangent line",
             "The tangent line: through the ghost ball, at right angles to the line of the centres. "
             "A ball that slides without spin leaves along it.");
         s.key("of", &TangentAnnotation::of, name_of(ReferenceKind::moving), "the ball").required();
@@ -106,7 +106,7 @@ const MapSpec<TangentAnnotation>& tangent_spec() {
 
 const MapSpec<VelocityAnnotation>& velocity_spec() {
     static const MapSpec<VelocityAnnotation> spec = [] {
-        MapSpec<VelocityAnnotation> s("velocity", "An arrow along a ball's velocity.");
+        MapSpec<VelocityAnnotation> s("velocity arrow", "An arrow along a ball's velocity.");
         s.key("of", &VelocityAnnotation::of, name_of(ReferenceKind::moving), "the ball").required();
         s.key("during", &VelocityAnnotation::during, time(above_up_to(0, 100)),
               "the arrow is as long as the way that the ball would go in this time");
@@ -119,7 +119,7 @@ const MapSpec<VelocityAnnotation>& velocity_spec() {
 
 const MapSpec<SpinAnnotation>& spin_spec() {
     static const MapSpec<SpinAnnotation> spec = [] {
-        MapSpec<SpinAnnotation> s("spin", "A round arrow about the axis of a ball's spin.");
+        MapSpec<SpinAnnotation> s("spin arrow", "A round arrow about the axis of a ball's spin.");
         s.key("of", &SpinAnnotation::of, name_of(ReferenceKind::moving), "the ball").required();
         s.key("during", &SpinAnnotation::during, time(above_up_to(0, 100)),
               "the arrow turns by as much as the ball would in this time, at most 300 degrees");
@@ -132,7 +132,7 @@ const MapSpec<SpinAnnotation>& spin_spec() {
 
 const MapSpec<AngleAnnotation>& angle_spec() {
     static const MapSpec<AngleAnnotation> spec = [] {
-        MapSpec<AngleAnnotation> s("angle_mark", "An angle, seen from above, with its value.");
+        MapSpec<AngleAnnotation> s("drawn angle", "An angle, seen from above, with its value.");
         s.key("points", &AngleAnnotation::points, list_of(scene_point(), 3, 3),
               "[point on one side, vertex, point on the other side]: positions or balls");
         s.key("between", &AngleAnnotation::between, list_of(name_of(ReferenceKind::moving), 2, 2),
@@ -201,7 +201,7 @@ const MapSpec<TitleAnnotation>& title_spec() {
 
 const MapSpec<TipAnnotation>& tip_spec() {
     static const MapSpec<TipAnnotation> spec = [] {
-        MapSpec<TipAnnotation> s("tip",
+        MapSpec<TipAnnotation> s("tip diagram",
                                  "A diagram of where the stick hits a ball, as the shooter sees "
                                  "it.");
         s.key("of", &TipAnnotation::of, name_of(ReferenceKind::ball),
@@ -214,7 +214,7 @@ const MapSpec<TipAnnotation>& tip_spec() {
 
 const MapSpec<PlanAnnotation>& plan_spec() {
     static const MapSpec<PlanAnnotation> spec = [] {
-        MapSpec<PlanAnnotation> s("plan", "The table from above, as a small picture.");
+        MapSpec<PlanAnnotation> s("small plan", "The table from above, as a small picture.");
         s.key("paths", &PlanAnnotation::has_paths, boolean(),
               "whether it shows the ways of the balls up to the frame's time");
         return s;
