@@ -25,6 +25,11 @@ namespace carom::pipeline {
 [[nodiscard]] std::vector<Problem> stick_problems(const Shot& shot, const ShotSource* source,
                                                   const sim::Timeline& timeline);
 
+/// A warning for each path that leaves the table, and for each annotation that needs a contact that
+/// never happens. `source`: as above.
+[[nodiscard]] std::vector<Problem> annotation_problems(const Shot& shot, const ShotSource* source,
+                                                       const sim::Timeline& timeline);
+
 /// Warnings about cameras that are inside a ball or focused on an object behind them, and errors
 /// for frames without a valid view. Each problem is reported once per camera, with its first and
 /// last frame. In films of more than 2000 frames, about 2000 evenly spaced ones are checked.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <span>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -24,8 +26,8 @@
 #include "pipeline/job/film_forecast.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/job/film_status.h"
+#include "pipeline/job/frame_graphics.h"
 #include "pipeline/job/job_metadata.h"
-#include "pipeline/job/overlay.h"
 #include "pipeline/job/stored_tier.h"
 #include "pipeline/video/image_sequence.h"
 #include "pipeline/video/picture_kind.h"
@@ -278,12 +280,16 @@ void run(const FrameCommand& command, CommandContext& context) {
         input.shot, bake, frame, options, make_console_observer(context.console, 1), context.stop);
     context.console.end_progress();
     report_rays(input.shot, film.statistics, context.console);
-    const pipeline::PlannedFrame planned =
-        pipeline::plan_frame(frame, input.shot.cameras, input.shot.timing, bake.timeline);
+    const std::vector<pipeline::PlannedFrame> layers = pipeline::plan_mixed_frame(
+        frame, pipeline::with_fitted_paths(input.shot.cameras, bake.timeline), input.shot.timing,
+        bake.timeline);
+    pipeline::FrameGraphics graphics(input.shot, bake.timeline);
     pipeline::write_picture(
         film, view, path, pipeline::exported_frame_metadata(input.shot, bake.timeline, frame, film),
-        pipeline::overlay_text(input.shot.output.overlay, planned),
-        pipeline::exr_standard_attributes(input.shot, planned));
+        [&](std::span<std::uint8_t> rgb, int width, int height) {
+            graphics.draw(layers, rgb, width, height);
+        },
+        pipeline::exr_standard_attributes(input.shot, layers.front()));
     print_path(path);
 }
 

@@ -8,6 +8,7 @@
 
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/path_fit.h"
+#include "pipeline/job/frame_graphics.h"
 #include "pipeline/plan/plan_colours.h"
 #include "pipeline/sheet/contact_sheet.h"
 #include "pipeline/video/picture_kind.h"
@@ -74,13 +75,17 @@ void write_frames_sheet(const Shot& shot, const sim::Bake& bake,
     const pipeline::DisplayView view(shot.output);
     const std::vector<pipeline::CameraRig> rigs =
         pipeline::with_fitted_paths(shot.cameras, bake.timeline);
+    pipeline::FrameGraphics graphics(shot, bake.timeline);
     std::vector<pipeline::SheetCell> cells;
     for (const std::int64_t number : sheet.frames) {
         const render::Film film =
             pipeline::make_frame(shot, bake, number, options, {}, context.stop);
-        const PlannedFrame frame = pipeline::plan_frame(number, rigs, shot.timing, bake.timeline);
-        cells.push_back({reduced({film.width, film.height, view.to_8(film)}, sheet.most_width),
-                         line_of(frame), colour_of(shot, frame.rig)});
+        const std::vector<PlannedFrame> layers =
+            pipeline::plan_mixed_frame(number, rigs, shot.timing, bake.timeline);
+        DisplayPicture picture{film.width, film.height, view.to_8(film)};
+        graphics.draw_annotations(layers, picture.rgb, film.width, film.height);
+        cells.push_back({reduced(picture, sheet.most_width), line_of(layers.front()),
+                         colour_of(shot, layers.front().rig)});
     }
     const DisplayPicture picture =
         pipeline::contact_sheet(shot.name, sheet.facts, cells, sheet.columns);

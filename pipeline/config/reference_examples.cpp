@@ -402,7 +402,64 @@ cameras:
 )"},
         {"hdr10", R"(output: {hdr10: {peak: 1000, white: 203}}
 )"},
-        {"overlay", R"(output: {overlay: {show: [scene_time, speed], corner: bottom_right}}
+        {"overlay", R"(output: {overlay: {show: [scene_time, playback_speed], corner: bottom_right}}
+)"},
+        {"annotation", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - {path: {of: cue}, width: 0.01, dash: dashed, from: 0.2 s, fade: 0.1 s}
+  - {text: "{cue.speed:.1f} m/s", position: top_right, size: 0.06}
+)"},
+        {"drawn path", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - path: {of: cue, part: whole, marks: 0.1 s, on_cloth: true}
+)"},
+        {"aim line", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - aim: {of: cue, toward: one}
+)"},
+        {"ghost ball", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - ghost: {of: cue, on: one}
+)"},
+        {"tangent line", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - tangent: {of: cue, on: one, length: 60 cm}
+)"},
+        {"velocity arrow", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - velocity: {of: cue, during: 0.1 s, value: true}
+)"},
+        {"spin arrow", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - spin: {of: cue, during: 20 ms}
+)"},
+        {"drawn angle", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - angle: {deflection: [cue, one], after: 0.5 s}
+  - angle: {points: [[0, 0], cue, one], radius: 10 cm}
+)"},
+        {"zone", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - zone: {polygon: [[0.3, 0], [0.6, 0], [0.6, 0.2]]}
+  - zone: {radius: 15 cm, at: one}
+)"},
+        {"label", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - label: {of: one, text: "{one.speed:.1f} m/s"}
+)"},
+        {"title", R"(annotations:
+  - title: {text: The 30-degree rule, subtitle: a half-ball hit}
+    to: 2 s
+    fade: 0.5 s
+)"},
+        {"tip diagram", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+events: [{strike: {ball: cue, at: 0.2 s, toward: one, speed: 2 m/s, tip: [0.2, 0.3]}}]
+annotations:
+  - {tip: {of: cue}, position: bottom_right}
+)"},
+        {"small plan", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - {plan: {paths: false}, size: 0.3, position: top_left}
 )"},
     };
     return examples;

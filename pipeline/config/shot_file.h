@@ -10,6 +10,7 @@
 #include "pipeline/camera/camera_rig.h"
 #include "pipeline/config/source_set.h"
 #include "pipeline/config/value_types.h"
+#include "pipeline/picture/annotation.h"
 #include "pipeline/shot/ball_set.h"
 #include "pipeline/shot/cue_stick.h"
 #include "pipeline/shot/keyed_motion.h"
@@ -179,6 +180,7 @@ struct ShotFile {
     Place cameras_place;
     RenderSection render;
     OutputSettings output;
+    std::vector<Annotation> annotations;
 };
 
 }  // namespace carom::pipeline::config

@@ -8,6 +8,7 @@
 
 #include "pipeline/camera/camera_rig.h"
 #include "pipeline/shot/cue_stick.h"
+#include "pipeline/picture/annotation.h"
 #include "pipeline/video/output_settings.h"
 #include "render/scene/render_settings.h"
 #include "render/scene/scene_description.h"
@@ -37,6 +38,7 @@ struct Shot {
     /// While the motion is not known, the values of moments are 0 s (resolve_moments in
     /// config/load_shot.h).
     std::vector<ShotMoment> moments;
+    std::vector<Annotation> annotations;
     std::string resolved_text;  // the shot after includes and overrides, as self-contained YAML
     std::vector<sim::Asset> assets;  // files to which it refers
 };

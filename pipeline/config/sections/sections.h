@@ -30,6 +30,7 @@ struct NotStored {};
 [[nodiscard]] const MapSpec<CameraRig>& camera_spec();
 [[nodiscard]] const MapSpec<RenderSection>& render_spec();
 [[nodiscard]] const MapSpec<OutputSettings>& output_spec();
+[[nodiscard]] const MapSpec<Annotation>& annotation_spec();
 
 /// Whether the cue stick of a strike is seen.
 [[nodiscard]] ValueType<bool> shown_or_hidden();

@@ -56,6 +56,8 @@ const MapSpec<ShotFile>& shot_spec() {
               "cameras, each with its interval of the film");
         s.map("render", &ShotFile::render, render_spec(), "how frames are computed");
         s.map("output", &ShotFile::output, output_spec(), "how the frames become a film");
+        s.key("annotations", &ShotFile::annotations, numbered("annotation", annotation_spec()),
+              "graphics on the finished frames: paths, arrows, angles, texts, a plan");
         s.check([](Reader& reader, const Node& node, ShotFile& shot) {
             const Entry* cameras = node.find("cameras");
             shot.cameras_place = cameras != nullptr ? cameras->key_place : reader.key_place();

@@ -66,8 +66,8 @@ TEST(Cameras, Paths_HaveThreeForms) {
 
 TEST(Output, Overlay_IsAListOrAMap) {
     const OverlaySettings list =
-        load_sections("output: {overlay: [frame, speed]}\n").output.overlay;
-    EXPECT_THAT(list.show, testing::ElementsAre(OverlayItem::frame, OverlayItem::speed));
+        load_sections("output: {overlay: [frame, playback_speed]}\n").output.overlay;
+    EXPECT_THAT(list.show, testing::ElementsAre(OverlayItem::frame, OverlayItem::playback_speed));
     EXPECT_EQ(list.corner, Corner::bottom_left);
     const OverlaySettings map =
         load_sections("output: {overlay: {show: [scene_time], corner: top_right, size: 0.1}}\n")

@@ -23,18 +23,18 @@ using ::testing::ElementsAre;
 
 TEST(Overlay, Lines_GiveFrameSceneTimeAndSpeed) {
     OverlaySettings settings;
-    settings.show = {OverlayItem::speed, OverlayItem::frame, OverlayItem::scene_time};
+    settings.show = {OverlayItem::playback_speed, OverlayItem::frame, OverlayItem::scene_time};
     settings.corner = Corner::top_right;
     PlannedFrame frame;
     frame.number = 42;
     frame.scene_time = 1.2375;
     frame.speed = -0.125;
     const render::PictureText text = overlay_text(settings, frame);
-    EXPECT_THAT(text.lines, ElementsAre("speed  -0.1250x", "frame     42", "scene   1.2375 s"));
+    EXPECT_THAT(text.lines, ElementsAre("playback -0.1250x", "frame     42", "scene   1.2375 s"));
     EXPECT_TRUE(text.at_top);
     EXPECT_TRUE(text.at_right);
     frame.speed = -0.0;
-    EXPECT_EQ(overlay_text(settings, frame).lines[0], "speed   0.0000x");
+    EXPECT_EQ(overlay_text(settings, frame).lines[0], "playback  0.0000x");
 }
 
 struct Extent {
@@ -85,7 +85,7 @@ TEST(OverlayExtent, Width_EndsWithTheLastLetter) {
     constexpr int kWidth = 1200;
     constexpr int kHeight = 600;
     for (const OverlayItem item :
-         {OverlayItem::frame, OverlayItem::scene_time, OverlayItem::speed}) {
+         {OverlayItem::frame, OverlayItem::scene_time, OverlayItem::playback_speed}) {
         OverlaySettings settings;
         settings.show = {item};
         settings.size = 0.1;
