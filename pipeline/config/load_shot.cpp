@@ -158,6 +158,7 @@ std::vector<Problem> resolve_moments(Shot& shot, std::shared_ptr<const ShotSourc
     });
     if (known) {
         shot.cameras = std::move(known->cameras);
+        shot.annotations = std::move(known->annotations);
         shot.moments = std::move(known->moments);
         shot.resolved_text = std::move(known->resolved_text);
         source = std::make_shared<const ShotSource>(source->with_replaced(reader.replaced()));

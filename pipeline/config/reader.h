@@ -109,6 +109,8 @@ class Reader {
     /// The scene time (s) of the moment that `node` describes; 0 if the motion is not known. Empty
     /// after a problem: it never comes.
     [[nodiscard]] std::optional<double> time_of(const sim::Moment& moment, const Node& node);
+    /// Whether moments have their times.
+    [[nodiscard]] bool knows_motion() const { return motion_ != nullptr; }
     /// All moments so far, in the order of reading.
     [[nodiscard]] const std::vector<ShotMoment>& moments() const { return moments_; }
 

@@ -136,10 +136,16 @@ struct TextBox {
     double opacity = 0.6;             // 0: no box
 };
 
+/// A time on the annotation's clock, or, if it was given as a moment, on that of the scene.
+struct AnnotationTime {
+    double seconds = 0;
+    bool is_moment = false;
+};
+
 struct Annotation {
     AnnotationKind kind;
-    std::optional<double> from{}, to{};  // s; none: always
-    double fade = 0;                     // s, after `from` and before `to`
+    std::optional<AnnotationTime> from{}, to{};  // none: always
+    double fade = 0;                             // s, after `from` and before `to`
     double opacity = 1;
     std::optional<Vec3> colour{};   // linear Rec.709; none: that of its kind, paths in turn
     std::optional<double> width{};  // of lines, picture heights

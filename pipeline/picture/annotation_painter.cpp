@@ -27,16 +27,21 @@ FrameMoment moment_of(const PlannedFrame& frame) {
 
 }  // namespace
 
-double opacity_at(const Annotation& annotation, double time) {
-    if ((annotation.from && time < *annotation.from) || (annotation.to && time > *annotation.to)) {
+double opacity_at(const Annotation& annotation, double scene_time, double video_time) {
+    const auto since = [&](const AnnotationTime& time) {
+        return (time.is_moment || is_in_scene(annotation) ? scene_time : video_time) - time.seconds;
+    };
+    const double shown = annotation.from ? since(*annotation.from) : 0;
+    const double left = annotation.to ? -since(*annotation.to) : 0;
+    if (shown < 0 || left < 0) {
         return 0;
     }
     double opacity = annotation.opacity;
     if (annotation.fade > 0 && annotation.from) {
-        opacity *= std::min(1.0, (time - *annotation.from) / annotation.fade);
+        opacity *= std::min(1.0, shown / annotation.fade);
     }
     if (annotation.fade > 0 && annotation.to) {
-        opacity *= std::min(1.0, (*annotation.to - time) / annotation.fade);
+        opacity *= std::min(1.0, left / annotation.fade);
     }
     return opacity;
 }
@@ -94,7 +99,9 @@ class AnnotationPainter::Painter {
         for (const Annotation& annotation : shot_.annotations) {
             const bool is_path = std::holds_alternative<PathAnnotation>(annotation.kind);
             const double opacity =
-                is_in_scene(annotation) ? frame.weight * opacity_at(annotation, time) : 0;
+                is_in_scene(annotation)
+                    ? frame.weight * opacity_at(annotation, time, frame.video_time)
+                    : 0;
             if (opacity > 0) {
                 const std::vector<PlacedShape> shapes =
                     placed_shapes(shapes_of(annotation, moment), view, fonts_);
@@ -128,7 +135,7 @@ class AnnotationPainter::Painter {
             if (is_in_scene(annotation)) {
                 continue;
             }
-            const double opacity = opacity_at(annotation, frame.video_time);
+            const double opacity = opacity_at(annotation, frame.scene_time, frame.video_time);
             if (opacity <= 0) {
                 continue;
             }

@@ -44,9 +44,9 @@ class AnnotationPainter {
     std::unique_ptr<Painter> painter_;
 };
 
-/// The opacity of an annotation at a time on its clock, [0, 1]: 0 before `from` and after `to`, and
-/// growing and falling linearly during `fade`.
-[[nodiscard]] double opacity_at(const Annotation& annotation, double time);
+/// The opacity of an annotation at a scene time and a video time (s), [0, 1]: 0 before `from` and
+/// after `to`, and growing and falling linearly during `fade`.
+[[nodiscard]] double opacity_at(const Annotation& annotation, double scene_time, double video_time);
 
 /// Whether the annotation is placed in the scene, so that its times are scene times.
 [[nodiscard]] bool is_in_scene(const Annotation& annotation);

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "pipeline/config/sections/occurrences.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/text.h"
 #include "pipeline/config/value_types.h"
@@ -322,11 +323,24 @@ void add_kinds(MapSpec<Annotation>& s) {
     s.kinds(all);
 }
 
+ValueType<AnnotationTime> annotation_time() {
+    const auto number = convert<AnnotationTime>(time(between(0, kLongest)), [](double seconds) {
+        return AnnotationTime{seconds, false};
+    });
+    const auto at_moment = convert<AnnotationTime>(scene_time(), [](double seconds) {
+        return AnnotationTime{seconds, true};
+    });
+    ValueType<AnnotationTime> result = any_of<AnnotationTime>(
+        {{[](const Node& node) { return !node.is_map(); }, number}, {is_map, at_moment}});
+    result.info = scene_time().info;
+    return result;
+}
+
 void add_times(MapSpec<Annotation>& s) {
-    s.key("from", &Annotation::from, time(between(0, kLongest)),
+    s.key("from", &Annotation::from, annotation_time(),
           "time at which it appears: scene time of annotations in the scene, video time of those "
-          "on the picture. The default is the start");
-    s.key("to", &Annotation::to, time(between(0, kLongest)),
+          "on the picture; or a moment. The default is the start");
+    s.key("to", &Annotation::to, annotation_time(),
           "time at which it disappears. The default is the end");
     s.key("fade", &Annotation::fade, time(between(0, kLongest)),
           "how long it takes to appear after `from` and to disappear before `to`");
@@ -369,7 +383,11 @@ void add_look(MapSpec<Annotation>& s) {
 }
 
 void check_times(Reader& reader, const Node& node, Annotation& annotation) {
-    if (annotation.from && annotation.to && *annotation.from >= *annotation.to) {
+    // A moment and a number may be on different clocks, and open moments have no time yet.
+    const bool are_comparable = annotation.from && annotation.to &&
+                                annotation.from->is_moment == annotation.to->is_moment &&
+                                (reader.knows_motion() || !annotation.from->is_moment);
+    if (are_comparable && annotation.from->seconds >= annotation.to->seconds) {
         reader.error(node.find("to")->value.place, "'to' must be after 'from'");
     }
 }

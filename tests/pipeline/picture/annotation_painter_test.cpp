@@ -158,28 +158,39 @@ TEST(AnnotationPainter, InSceneOnly_LeavesOutTheRest) {
 
 TEST(OpacityAt, Fades_AreInsideTheInterval) {
     Annotation annotation;
-    EXPECT_EQ(opacity_at(annotation, 1e9), 1);
+    EXPECT_EQ(opacity_at(annotation, 1e9, 0), 1);
     annotation.opacity = 0.8;
-    annotation.from = 1;
-    annotation.to = 3;
+    annotation.from = AnnotationTime{1};
+    annotation.to = AnnotationTime{3};
     annotation.fade = 0.5;
-    EXPECT_EQ(opacity_at(annotation, 0.99), 0);
-    EXPECT_NEAR(opacity_at(annotation, 1.25), 0.4, 1e-12);
-    EXPECT_NEAR(opacity_at(annotation, 2), 0.8, 1e-12);
-    EXPECT_NEAR(opacity_at(annotation, 2.875), 0.2, 1e-12);
-    EXPECT_EQ(opacity_at(annotation, 3.01), 0);
+    EXPECT_EQ(opacity_at(annotation, 0.99, 0), 0);
+    EXPECT_NEAR(opacity_at(annotation, 1.25, 0), 0.4, 1e-12);
+    EXPECT_NEAR(opacity_at(annotation, 2, 0), 0.8, 1e-12);
+    EXPECT_NEAR(opacity_at(annotation, 2.875, 0), 0.2, 1e-12);
+    EXPECT_EQ(opacity_at(annotation, 3.01, 0), 0);
+}
+
+TEST(OpacityAt, Moments_AreOnTheClockOfTheScene) {
+    Annotation text;
+    text.kind = TextAnnotation{"text"};
+    text.from = AnnotationTime{2};
+    EXPECT_EQ(opacity_at(text, 0, 2.5), 1);
+    EXPECT_EQ(opacity_at(text, 2.5, 0), 0);
+    text.from->is_moment = true;
+    EXPECT_EQ(opacity_at(text, 0, 2.5), 0);
+    EXPECT_EQ(opacity_at(text, 2.5, 0), 1);
 }
 
 TEST(AnnotationPainter, Times_AreSceneTimeInTheSceneAndVideoTimeOnThePicture) {
     Shot shot = drawn_shot();
     Annotation label;
     label.kind = LabelAnnotation{"cue", "cue"};
-    label.from = 0.4;
-    label.to = 0.6;
+    label.from = AnnotationTime{0.4};
+    label.to = AnnotationTime{0.6};
     Annotation text;
     text.kind = TextAnnotation{"text"};
-    text.from = 1.9;
-    text.to = 2.1;
+    text.from = AnnotationTime{1.9};
+    text.to = AnnotationTime{2.1};
     PlannedFrame frame = frame_at(0.5);
     frame.video_time = 0;
     shot.annotations = {label};
