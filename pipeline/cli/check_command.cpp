@@ -7,6 +7,7 @@
 #include "pipeline/check/motion_check.h"
 #include "pipeline/cli/quick_bake.h"
 #include "pipeline/cli/run_program.h"
+#include "pipeline/cli/sequence_input.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/config/load_shot.h"
 #include "pipeline/video/video_format.h"
@@ -59,6 +60,33 @@ void check_film_file(const ShotInput& input, std::vector<Problem>& problems) {
     }
 }
 
+std::vector<Problem> problems_of_shot(const CheckCommand& command, CommandContext& context) {
+    CheckedInput checked = load_shot_input(command.input);
+    std::vector<Problem>& problems = checked.problems;
+    if (checked.input) {
+        check_film_file(*checked.input, problems);
+        if (!command.quick && !pipeline::has_errors(problems)) {
+            check_motion(*checked.input, command, context, problems);
+        }
+    }
+    return std::move(problems);
+}
+
+/// Those of the film's own file and of its shots.
+std::vector<Problem> problems_of_sequence(const CheckCommand& command, CommandContext& context) {
+    pipeline::SequenceResult loaded = load_sequence_input(command.input);
+    if (!loaded.sequence || command.quick) {
+        return std::move(loaded.problems);
+    }
+    for (pipeline::SequencePart& part : loaded.sequence->parts) {
+        if (auto* shot = std::get_if<pipeline::ShotPart>(&part.content)) {
+            ShotInput input = input_of(*shot);
+            check_motion(input, command, context, loaded.problems);
+        }
+    }
+    return std::move(loaded.problems);
+}
+
 std::string json_of(const std::vector<Problem>& problems) {
     std::string text = "[";
     for (const Problem& problem : problems) {
@@ -70,14 +98,9 @@ std::string json_of(const std::vector<Problem>& problems) {
 }  // namespace
 
 void run(const CheckCommand& command, CommandContext& context) {
-    CheckedInput checked = load_shot_input(command.input);
-    std::vector<Problem>& problems = checked.problems;
-    if (checked.input) {
-        check_film_file(*checked.input, problems);
-        if (!command.quick && !pipeline::has_errors(problems)) {
-            check_motion(*checked.input, command, context, problems);
-        }
-    }
+    const std::vector<Problem> problems = pipeline::is_sequence_file(command.input.path)
+                                              ? problems_of_sequence(command, context)
+                                              : problems_of_shot(command, context);
     if (command.json) {
         print_text(json_of(problems));
     } else {

@@ -20,6 +20,7 @@
 #include "pipeline/cli/moment_text.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/run_program.h"
+#include "pipeline/cli/sequence_films.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/cli/terminal/duration_text.h"
 #include "pipeline/cli/time_text.h"
@@ -29,6 +30,7 @@
 #include "pipeline/job/frame_graphics.h"
 #include "pipeline/job/job_metadata.h"
 #include "pipeline/job/stored_tier.h"
+#include "pipeline/sequence/load_sequence.h"
 #include "pipeline/video/image_sequence.h"
 #include "pipeline/video/picture_kind.h"
 #include "pipeline/video/picture_writer.h"
@@ -178,6 +180,9 @@ std::string numbered_extension(std::int64_t frame) {
 }  // namespace
 
 void run(const RenderCommand& command, CommandContext& context) {
+    if (pipeline::is_sequence_file(command.input.path)) {
+        return render_sequence(command, context);
+    }
     const auto begin = std::chrono::steady_clock::now();
     ShotInput input = read_film_input(command.input, context);
     const bool makes_film = command.chunk.empty() || !command.output.empty();
@@ -259,6 +264,9 @@ void run(const MuxCommand& command, CommandContext& context) {
 }
 
 void run(const FrameCommand& command, CommandContext& context) {
+    if (pipeline::is_sequence_file(command.input.path)) {
+        return write_sequence_frame(command, context);
+    }
     const ChosenTier tier(command.tier);
     ShotInput input = read_film_input(command.input, context);
     if (is_moment_text(command.at)) {

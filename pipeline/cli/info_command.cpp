@@ -13,6 +13,7 @@
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/quick_bake.h"
 #include "pipeline/cli/run_program.h"
+#include "pipeline/cli/sequence_input.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/config/explain.h"
 #include "pipeline/config/load_shot.h"
@@ -126,6 +127,9 @@ void know_moments(ShotInput& input, CommandContext& context) {
 }  // namespace
 
 void run(const InfoCommand& command, CommandContext& context) {
+    if (pipeline::is_sequence_file(command.input.path)) {
+        return inform_about_sequence(command, context);
+    }
     check_output_folder(command.output);
     ShotInput input = read_shot_input(command.input, context.console);
     if (input.bake) {

@@ -102,7 +102,11 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
     const int source =
         sources.add({origin, absolute_folder(origin), text, {}, absolute_path(origin)});
     Gathered gathered = gather(sources, source, folders,
-                               {options.overrides, options.quality, options.camera_file}, problems);
+                               {.own = options.own,
+                                .overrides = options.overrides,
+                                .quality = options.quality,
+                                .camera_file = options.camera_file},
+                               problems);
     std::shared_ptr<const Node> root;
     ShotSource::Replaced replaced;
     if (gathered.root) {

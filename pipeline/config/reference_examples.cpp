@@ -382,6 +382,18 @@ cameras:
     target: [0, 0, 0]
     up: {from: [0.2, 1, 0], to: [0, 1, 0]}
 )"},
+        {"film", R"(film:
+  size: [1280, 720]
+  shots:
+    - {title: A lesson, for: 2 s, fade: 0.5 s}
+    - lesson.yaml
+    - {shot: lesson.yaml, from: 1 s, to: 3 s, fade: 0.5 s}
+)"},
+        {"part", R"(film:
+  shots:
+    - {shot: break.yaml, set: {render.samples: 64}, to: 4 s}
+    - {title: Again, subtitle: from the other side, for: 1.5 s, fade: 0.25 s}
+)"},
         {"render", R"(render: {size: [1280, 720], fps: 30, samples: 32, noise: 0.02, max_bounces: 6}
 )"},
         {"shutter", R"(render: {shutter: {time: 1/250 s, clock: scene}}

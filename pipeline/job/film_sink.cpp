@@ -10,8 +10,8 @@
 
 #include "pipeline/job/exported_frame.h"
 #include "pipeline/job/frame_graphics.h"
+#include "pipeline/job/frame_signal.h"
 #include "pipeline/job/job_metadata.h"
-#include "pipeline/video/hdr_view.h"
 #include "pipeline/video/image_sequence.h"
 #include "pipeline/video/light_meter.h"
 #include "pipeline/video/pending_file.h"
@@ -40,8 +40,7 @@ class VideoSink : public FilmSink {
         : source_(source),
           shot_(source.shot()),
           path_(path),
-          view_(shot_.output),
-          graphics_(shot_, source.timeline()),
+          signal_(source),
           poster_(poster_frame(shot_, plan)) {
         open();
     }
@@ -50,7 +49,7 @@ class VideoSink : public FilmSink {
     [[nodiscard]] bool wants_preview() const override { return shot_.output.hdr10.has_value(); }
 
     void preview(std::int64_t frame, const render::Film& picture, bool same_as_before) override {
-        meter_.add(signal_of(frame, picture, same_as_before));
+        meter_.add(signal_.of(frame, picture, same_as_before));
         light_is_stated_ = false;
     }
 
@@ -59,12 +58,11 @@ class VideoSink : public FilmSink {
             writer_.reset();  // it was opened before the light levels were known
             open();
         }
-        writer_->write(signal_of(frame, picture, same_as_before));
+        writer_->write(signal_.of(frame, picture, same_as_before));
         if (frame != poster_) {
             return;
         }
-        std::vector<std::uint8_t> poster = view_.to_8(picture);
-        graphics_.draw_annotations(source_.layers(frame), poster, picture.width, picture.height);
+        std::vector<std::uint8_t> poster = signal_.poster(frame, picture);
         if (writer_->has_poster()) {
             writer_->set_poster(poster);
         } else {
@@ -93,30 +91,12 @@ class VideoSink : public FilmSink {
                                                 video_metadata(shot_, source_.tier()));
     }
 
-    /// The frame as it is written, with annotations and overlay.
-    const std::vector<std::uint16_t>& signal_of(std::int64_t frame, const render::Film& picture,
-                                                bool same_as_before) {
-        if (!same_as_before) {
-            display_ = shot_.output.hdr10 ? to_hdr10(picture, shot_.output) : view_.to_16(picture);
-        }
-        if (graphics_.is_empty()) {
-            return display_;
-        }
-        written_ = display_;
-        graphics_.draw(source_.layers(frame), std::span(written_), shot_.render.width,
-                       shot_.render.height);
-        return written_;
-    }
-
     const FilmSource& source_;
     const Shot& shot_;
     std::string path_;
-    DisplayView view_;
-    FrameGraphics graphics_;
+    FrameSignal signal_;
     std::optional<std::int64_t> poster_;
     std::optional<std::vector<std::uint8_t>> poster_picture_;  // for a file beside the video
-    std::vector<std::uint16_t> display_;
-    std::vector<std::uint16_t> written_;  // with annotations and overlay
     LightMeter meter_;
     bool light_is_stated_ = true;  // the writer knows the light levels, or does not need them
     std::unique_ptr<VideoWriter> writer_;
@@ -163,6 +143,14 @@ std::unique_ptr<FilmSink> make_film_sink(const FilmSource& source, const FilmPla
         return std::make_unique<SequenceSink>(source, plan, path);
     }
     return std::make_unique<VideoSink>(source, plan, path);
+}
+
+std::unique_ptr<FilmSink> sink_of(const FilmJobOptions& options, const FilmSource& source,
+                                  const FilmPlan& plan) {
+    if (options.sink) {
+        return options.sink(source, plan);
+    }
+    return options.output.empty() ? nullptr : make_film_sink(source, plan, options.output);
 }
 
 }  // namespace carom::pipeline

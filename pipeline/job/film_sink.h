@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "pipeline/job/film_job.h"
 #include "pipeline/job/film_plan.h"
 #include "render/film/film.h"
 
@@ -37,5 +38,9 @@ class FilmSink {
 [[nodiscard]] std::unique_ptr<FilmSink> make_film_sink(const FilmSource& source,
                                                        const FilmPlan& plan,
                                                        const std::string& path);
+
+/// What receives the frames of a job; null if nothing does. Throws Error.
+[[nodiscard]] std::unique_ptr<FilmSink> sink_of(const FilmJobOptions& options,
+                                                const FilmSource& source, const FilmPlan& plan);
 
 }  // namespace carom::pipeline

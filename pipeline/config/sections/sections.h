@@ -2,6 +2,7 @@
 // and is constant afterwards.
 #pragma once
 
+#include "pipeline/config/film_section.h"
 #include "pipeline/config/map_spec.h"
 #include "pipeline/config/shot_file.h"
 
@@ -30,6 +31,7 @@ struct NotStored {};
 [[nodiscard]] const MapSpec<CameraRig>& camera_spec();
 [[nodiscard]] const MapSpec<RenderSection>& render_spec();
 [[nodiscard]] const MapSpec<OutputSettings>& output_spec();
+[[nodiscard]] const MapSpec<FilmSection>& film_spec();
 [[nodiscard]] const MapSpec<Annotation>& annotation_spec();
 
 /// Whether the cue stick of a strike is seen.

@@ -58,7 +58,15 @@ const MapSpec<ShotFile>& shot_spec() {
         s.map("output", &ShotFile::output, output_spec(), "how the frames become a film");
         s.key("annotations", &ShotFile::annotations, numbered("annotation", annotation_spec()),
               "graphics on the finished frames: paths, arrows, angles, texts, a plan");
+        s.set(
+            "film", record(film_spec()), [](ShotFile&, const FilmSection&) {},
+            "several shots as one film, instead of a shot: render, frame, contact-sheet, plan, "
+            "info and check take such a file");
         s.check([](Reader& reader, const Node& node, ShotFile& shot) {
+            if (const Entry* film = node.find("film")) {
+                reader.error(film->key_place,
+                             "this is a film of several shots, where a single shot is needed");
+            }
             const Entry* cameras = node.find("cameras");
             shot.cameras_place = cameras != nullptr ? cameras->key_place : reader.key_place();
         });
