@@ -48,6 +48,8 @@ bool is_jump(sim::EventKind kind) {
         case sim::EventKind::impulse:
         case sim::EventKind::velocity:
         case sim::EventKind::strike:
+        case sim::EventKind::placed:
+        case sim::EventKind::removed:
             return true;
         default:
             return false;
@@ -110,6 +112,8 @@ std::string fate_text(const ReportedObject& object) {
             return fmt::format("potted at {:.3f} s: ", object.fate_time) + object.pocket;
         case Fate::off_table:
             return fmt::format("off the table at {:.3f} s", object.fate_time);
+        case Fate::removed:
+            return fmt::format("taken off at {:.3f} s", object.fate_time);
     }
     return {};
 }

@@ -44,6 +44,11 @@ struct Builder {
     bool claim_name(const std::string& name, const Place& place, const std::string& noun);
 };
 
+/// The place on the table, without a height; NaN if it is a spot that the table does not have,
+/// which check_references reports.
+[[nodiscard]] Vec2 place_on_table(const Builder& builder, const TablePlace& place);
+[[nodiscard]] Vec2 place_of_spot(const Builder& builder, const std::string& spot);
+
 /// The surfaces that an event's `contact` may name besides objects, as in the event log.
 [[nodiscard]] const std::vector<std::string>& surface_names();
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -28,6 +29,15 @@ void order_contact(sim::ForceEvent& event, const Place& place, Builder& builder)
     }
 }
 
+/// The target is a spot of the table; check_references reports a name that is none.
+void aim_at_spot(sim::Strike& strike, const Builder& builder) {
+    const Vec2 spot = place_of_spot(builder, *strike.toward);
+    if (std::isfinite(spot.x)) {
+        strike.toward.reset();
+        strike.toward_point = Vec3(spot.x, spot.y, 0);
+    }
+}
+
 }  // namespace
 
 void build_events(Builder& builder) {
@@ -41,7 +51,13 @@ void build_events(Builder& builder) {
             if (visible != builder.scenery.end()) {
                 strike->toward.reset();
                 strike->toward_point = visible->second;
+            } else if (strike->toward && !builder.placed.contains(*strike->toward)) {
+                aim_at_spot(*strike, builder);
             }
+        }
+        if (auto* place = std::get_if<sim::PlaceBall>(&event.action);
+            place != nullptr && !place->spot.empty()) {
+            place->at = place_of_spot(builder, place->spot);
         }
         order_contact(event, section.place, builder);
         const double start = event.time + event.after;

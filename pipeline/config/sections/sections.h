@@ -31,6 +31,14 @@ struct NotStored {};
 [[nodiscard]] const MapSpec<RenderSection>& render_spec();
 [[nodiscard]] const MapSpec<OutputSettings>& output_spec();
 
+/// {at, when, after}: the keys for the time of an event, which all kinds have.
+void add_event_start(MapSpec<sim::ForceEvent>& spec);
+[[nodiscard]] const MapSpec<sim::ForceEvent>& place_spec();
+[[nodiscard]] const MapSpec<sim::ForceEvent>& remove_spec();
+
+/// A place on the table: the name of a spot, or two or three coordinates.
+[[nodiscard]] ValueType<TablePlace> table_place();
+
 /// A rotation: angles about the world's x, y and z axis, in this order, or {axis, angle}.
 [[nodiscard]] ValueType<Quat> rotation();
 
