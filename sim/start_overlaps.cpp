@@ -200,10 +200,6 @@ void check_solids(const Ball& ball, const WorldDescription& world, DeepestOverla
     }
 }
 
-bool is_finite(const Vec2& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y);
-}
-
 /// The world with only the fixed bodies and the ball that the event puts down, where it puts it;
 /// without the ball if the world has none of that name.
 WorldDescription world_with_placed_ball(const WorldDescription& world, const ForceEvent& event,
@@ -286,7 +282,7 @@ std::vector<Diagnostic> find_place_problems(const WorldDescription& world,
     for (std::size_t i = 0; i < world.events.size(); ++i) {
         const ForceEvent& event = world.events[i];
         const auto* place = std::get_if<PlaceBall>(&event.action);
-        if (place == nullptr || !is_finite(place->at)) {
+        if (place == nullptr || !std::isfinite(place->at.x + place->at.y)) {
             continue;
         }
         const std::string problem = place_problem(world, event, *place, table);

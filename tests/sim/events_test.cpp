@@ -11,7 +11,7 @@ namespace carom::sim::test {
 namespace {
 
 ForceEvent event_on(const std::string& object, double time,
-                    std::variant<Force, Torque, Impulse, SetVelocity, Strike> action) {
+                    decltype(ForceEvent::action) action) {
     ForceEvent event;
     event.object = object;
     event.time = time;

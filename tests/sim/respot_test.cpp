@@ -116,14 +116,15 @@ TEST(SnookerRespot, WithoutAStrike_TheBallCalledWhiteIsTheCueBall) {
 }
 
 TEST(CaromRespot, ABallThatFliesOffTheTable_GoesToItsSpot) {
-    WorldDescription world = walled_world(20);
+    WorldDescription world = walled_world(60);
     world.table->kind = billiards::TableKind::carom;
     world.floor_height = -world.table->height;
     world.respot = billiards::Game::carom;
-    world.bodies = {ball("white", 0.9, 0, {6, 0, 3}), ball("yellow", 0, 0.3), ball("red", 0, -0.3)};
+    world.bodies = {ball("white", 0.9, 0, {4, 0.3, 2.5}), ball("yellow", 0, 0.3),
+                    ball("red", 0, -0.3)};
     const Timeline timeline = bake(world);
     ASSERT_THAT(story(timeline), ElementsAre("off_table white", "placed white head"));
-    EXPECT_EQ(state_at(timeline, "white", 20).position, Vec3(-0.635, 0, kRadius));
+    EXPECT_EQ(state_at(timeline, "white", 60).position, Vec3(-0.635, 0, kRadius));
 }
 
 TEST(Respot, ABallThatAnEventTakesOff_StaysOff) {
