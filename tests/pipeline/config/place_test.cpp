@@ -84,13 +84,27 @@ TEST(PlaceEvent, Values_AreInTheWorld) {
 }
 
 TEST(UnknownSpot, ListsTheSpotsOfTheTable) {
-    EXPECT_EQ(problems_of("table: {kind: pool}\nballs: {cue: {at: haed}}\n"), "");
+    EXPECT_EQ(problems_of("table: {kind: pool}\nballs: {cue: {at: haed}}\n"),
+              "t.yaml:4:19: error: there is no spot 'haed' (did you mean 'head'?); the spots of "
+              "the table are 'foot', 'head' and 'centre'\n"
+              "    4 | balls: {cue: {at: haed}}\n"
+              "      |                   ^~~~\n");
     EXPECT_EQ(problems_of("table: {kind: snooker}\n"
                           "balls: {white: {at: brown}}\n"
                           "events: [place: {ball: white, spot: foot}]\n"),
-              "");
-    EXPECT_EQ(problems_of("table: {kind: cloth}\nballs: {cue: {at: head}}\n"), "");
-    EXPECT_EQ(problems_of("balls: {cue: {at: head}}\n"), "");
+              "t.yaml:5:37: error: there is no spot 'foot'; the spots of the table are 'yellow', "
+              "'green', 'brown', 'blue', 'pink' and 'black'\n"
+              "    5 | events: [place: {ball: white, spot: foot}]\n"
+              "      |                                     ^~~~\n");
+    EXPECT_EQ(problems_of("table: {kind: cloth}\nballs: {cue: {at: head}}\n"),
+              "t.yaml:4:19: error: 'head' would be a spot of the table, and an unbounded cloth has "
+              "none; give a point such as [0.5, 0.2]\n"
+              "    4 | balls: {cue: {at: head}}\n"
+              "      |                   ^~~~\n");
+    EXPECT_EQ(problems_of("balls: {cue: {at: head}}\n"),
+              "t.yaml:3:19: error: 'head' would be a spot of the table, and the shot has no table\n"
+              "    3 | balls: {cue: {at: head}}\n"
+              "      |                   ^~~~\n");
 }
 
 TEST(PlaceEvent, Problems_HaveTheirPlace) {
@@ -101,24 +115,70 @@ TEST(PlaceEvent, Problems_HaveTheirPlace) {
                           "  - place: {ball: cue, spot: 3}\n"
                           "  - place: {ball: eight, spot: foot, if_occupied: push}\n"
                           "  - remove: {at: 1 s}\n"),
-              "");
+              "t.yaml:6:5: error: 'place' of event 1 needs the key 'spot'\n"
+              "    6 |   - place: {ball: cue}\n"
+              "      |     ^~~~~\n"
+              "t.yaml:7:30: error: 'spot' must be the name of a spot of the table or a list of 2 "
+              "lengths, not '3'\n"
+              "    7 |   - place: {ball: cue, spot: 3}\n"
+              "      |                              ^\n"
+              "t.yaml:8:19: error: there is no ball 'eight'\n"
+              "    8 |   - place: {ball: eight, spot: foot, if_occupied: push}\n"
+              "      |                   ^~~~~\n"
+              "t.yaml:8:51: error: 'if_occupied' must be one of wait and next, not 'push'\n"
+              "    8 |   - place: {ball: eight, spot: foot, if_occupied: push}\n"
+              "      |                                                   ^~~~\n"
+              "t.yaml:9:5: error: 'remove' of event 4 needs the key 'ball'\n"
+              "    9 |   - remove: {at: 1 s}\n"
+              "      |     ^~~~~~\n");
     EXPECT_EQ(problems_of("table: {kind: pool}\n"
                           "balls: {cue: {at: head}}\n"
                           "events:\n"
                           "  - place: {ball: cue, spot: [1.26, 0.1]}\n"
                           "  - place: {ball: cue, spot: [1.268, 0.634]}\n"
                           "  - place: {ball: cue, spot: [3, 0]}\n"),
-              "");
+              "t.yaml:6:24: error: event 1 on 'cue': its place overlaps a cushion by 18.58 mm\n"
+              "    6 |   - place: {ball: cue, spot: [1.26, 0.1]}\n"
+              "      |                        ^~~~\n"
+              "t.yaml:7:24: error: event 2 on 'cue': its place is over a pocket\n"
+              "    7 |   - place: {ball: cue, spot: [1.268, 0.634]}\n"
+              "      |                        ^~~~\n"
+              "t.yaml:8:24: error: event 3 on 'cue': its place is not on the table\n"
+              "    8 |   - place: {ball: cue, spot: [3, 0]}\n"
+              "      |                        ^~~~\n");
     EXPECT_EQ(problems_of("balls: {cue: {at: [0, 0]}}\n"
                           "events:\n"
                           "  - place: {ball: cue, spot: [0, 0.5]}\n"
                           "respot: pool\n"),
-              "");
-    EXPECT_EQ(problems_of("balls: {cue: {at: [0, 0]}}\nrespot: nine_ball\n"), "");
+              "t.yaml:6:9: error: 'respot' must be one of snooker, eight_ball, nine_ball and "
+              "carom, not 'pool'\n"
+              "    6 | respot: pool\n"
+              "      |         ^~~~\n");
+    EXPECT_EQ(problems_of("balls: {cue: {at: [0, 0]}}\nrespot: nine_ball\n"),
+              "t.yaml:4:1: error: respot needs a table with cushions\n"
+              "    4 | respot: nine_ball\n"
+              "      | ^~~~~~\n");
+}
+
+TEST(PlaceEvent, WithoutATable_IsRefused) {
+    EXPECT_EQ(problems_of("balls: {cue: {at: [0, 0]}}\n"
+                          "events:\n"
+                          "  - place: {ball: cue, spot: [0, 0.5]}\n"
+                          "  - remove: {ball: cue}\n"),
+              "t.yaml:5:24: error: event 1 on 'cue': without a table a ball has no place\n"
+              "    5 |   - place: {ball: cue, spot: [0, 0.5]}\n"
+              "      |                        ^~~~\n"
+              "t.yaml:6:5: error: event 2 on 'cue': without a table a ball cannot be taken off\n"
+              "    6 |   - remove: {ball: cue}\n"
+              "      |     ^~~~~~\n");
 }
 
 TEST(Rack, AtOfASnookerRack_IsRefused) {
-    EXPECT_EQ(problems_of("table: {kind: snooker}\nrack: {set: snooker, at: blue}\n"), "");
+    EXPECT_EQ(problems_of("table: {kind: snooker}\nrack: {set: snooker, at: blue}\n"),
+              "t.yaml:4:22: error: 'at' has no meaning for a snooker or carom rack, whose balls "
+              "have spots of their own\n"
+              "    4 | rack: {set: snooker, at: blue}\n"
+              "      |                      ^~\n");
 }
 
 }  // namespace
