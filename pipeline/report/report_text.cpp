@@ -57,7 +57,8 @@ bool is_jump(sim::EventKind kind) {
 }
 
 std::string who_text(const sim::Event& event) {
-    return event.b.empty() ? event.a : event.a + " - " + event.b;
+    const char* relation = event.kind == sim::EventKind::placed ? " on " : " - ";
+    return event.b.empty() ? event.a : event.a + relation + event.b;
 }
 
 int width_of_who(const ShotReport& report) {

@@ -66,7 +66,9 @@ std::optional<double> cut_of(const Event& event, const Track* a, const Track* b)
 
 ReportedEvent reported(const Timeline& timeline, const Event& event) {
     const Track* a = timeline.find(event.a);
-    const Track* b = event.b.empty() ? nullptr : timeline.find(event.b);
+    // A spot may have the name of a ball.
+    const bool has_other = !event.b.empty() && event.kind != EventKind::placed;
+    const Track* b = has_other ? timeline.find(event.b) : nullptr;
     return {event, speeds_of(a, event.time), speeds_of(b, event.time), cut_of(event, a, b)};
 }
 

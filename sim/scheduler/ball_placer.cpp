@@ -38,10 +38,19 @@ void BallPlacer::remove(std::size_t event, std::uint32_t ball, double time) {
     const Ball& taken = balls_.all()[ball];
     recorder_.log(EventKind::removed, time, taken.name, taken.segment.position_at(time));
     stepped_.wake_around(ball, time);
-    const double middle = 0.5 * (static_cast<double>(balls_.all().size()) - 1);
-    const double x = (ball - middle) * kSpacing * 2 * taken.radius;
-    balls_.take_off(ball, time, {x, 0, kSlateUnderside - kBelowSlate - taken.radius});
+    balls_.take_off(ball, time, hidden_place(ball));
     balls_[ball].is_just_put = true;
+}
+
+/// A place of its own for each ball, in a row below the slate.
+Vec3 BallPlacer::hidden_place(std::uint32_t ball) const {
+    double largest = 0;
+    for (const Ball& other : balls_.all()) {
+        largest = std::max(largest, other.radius);
+    }
+    const double middle = 0.5 * (static_cast<double>(balls_.all().size()) - 1);
+    return {(ball - middle) * kSpacing * 2 * largest, 0,
+            kSlateUnderside - kBelowSlate - balls_.all()[ball].radius};
 }
 
 bool BallPlacer::can_place_waiting(double time) const {

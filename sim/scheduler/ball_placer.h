@@ -58,6 +58,7 @@ class BallPlacer {
     [[nodiscard]] std::optional<billiards::FreePlace> find_place(const Waiting& waiting,
                                                                  double time) const;
     [[nodiscard]] billiards::FreePlaces lying_balls(std::uint32_t except, double time) const;
+    [[nodiscard]] Vec3 hidden_place(std::uint32_t ball) const;
     void end_wait(std::uint32_t ball, std::size_t by_event);
     [[nodiscard]] std::string never_happened(std::size_t event, const std::string& why) const;
 
