@@ -58,6 +58,22 @@ struct Strike {
     double tip_restitution = 0.73;
 };
 
+/// A ball is put down at rest on the cloth, wherever it is and however it moves.
+struct PlaceBall {
+    Vec2 at{0, 0};     // its centre, seen from above, m
+    std::string spot;  // the name of the spot there; empty: none
+    /// What happens while another ball or object is in the way.
+    enum class IfOccupied {
+        wait,  // until the place is free
+        next,  // the next place by the rules of the table's game (billiards::next_place)
+    } if_occupied = IfOccupied::wait;
+};
+
+/// A ball is taken off the table.
+struct RemoveBall {
+    bool operator==(const RemoveBall&) const = default;
+};
+
 /// An occurrence in the shot, which starts an event (see ForceEvent) or names a time
 /// (sim/moment.h).
 struct Trigger {
@@ -91,7 +107,7 @@ struct ForceEvent {
     double time = 0;     // scene time, s, >= 0
     std::optional<Trigger> trigger;
     double after = 0;  // delay, s, >= 0
-    std::variant<Force, Torque, Impulse, SetVelocity, Strike> action;
+    std::variant<Force, Torque, Impulse, SetVelocity, Strike, PlaceBall, RemoveBall> action;
 };
 
 }  // namespace carom::sim

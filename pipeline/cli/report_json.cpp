@@ -70,6 +70,8 @@ const char* fate_name(Fate fate) {
             return "moves";
         case Fate::potted:
             return "potted";
+        case Fate::removed:
+            return "removed";
         case Fate::off_table:
             break;
     }

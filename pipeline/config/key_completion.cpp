@@ -10,6 +10,7 @@
 #include "pipeline/config/gather.h"
 #include "pipeline/config/reader.h"
 #include "pipeline/config/sections/sections.h"
+#include "sim/billiards/spots.h"
 
 namespace carom::pipeline::config {
 
@@ -107,6 +108,21 @@ void add_names(const Node& shot, const char* section, std::vector<std::string>& 
     }
 }
 
+/// Adds the spots of the shot's kind of table, or those of all kinds if it is not known.
+void add_spots(const Node& shot, std::vector<std::string>& values) {
+    using sim::billiards::TableKind;
+    const Node* table = value_of(&shot, "table");
+    const Node* kind = table != nullptr ? value_of(table, "kind") : nullptr;
+    sim::billiards::TableMeasures measures;
+    measures.kind = kind == nullptr || kind->text == "custom" ? TableKind::custom
+                    : kind->text == "snooker"                 ? TableKind::snooker
+                    : kind->text == "carom"                   ? TableKind::carom
+                                                              : TableKind::pool;
+    for (const auto& spot : sim::billiards::spots_of(measures)) {
+        values.push_back(spot.name);
+    }
+}
+
 /// Adds the possible values if they are a closed set or names of the shot.
 void add_values(const TypeInfo& type, const Node& shot, std::vector<std::string>& values) {
     if (type.kind == TypeInfo::Kind::boolean) {
@@ -124,8 +140,13 @@ void add_values(const TypeInfo& type, const Node& shot, std::vector<std::string>
     } else if (type.kind == TypeInfo::Kind::name && type.noun == "a material") {
         add_names(shot, "materials", values);
     } else if (type.kind == TypeInfo::Kind::name) {
-        add_names(shot, "balls", values);
-        if (type.noun != "a ball") {
+        if (type.noun == "a spot of the table" || type.noun == "a ball, object or spot") {
+            add_spots(shot, values);
+        }
+        if (type.noun != "a spot of the table") {
+            add_names(shot, "balls", values);
+        }
+        if (type.noun != "a ball" && type.noun != "a spot of the table") {
             add_names(shot, "objects", values);
         }
     } else if (type.kind == TypeInfo::Kind::any_of) {

@@ -26,6 +26,8 @@ enum class ReferenceKind {
     moving,     // a body, or any object that keys move
     touchable,  // a body, a fixed object or a part of the table ("cushion")
     placed,     // a body or any object that has a position
+    aimed,      // the same, or a spot of the table
+    spot,       // a spot of the table
     material,   // a material of a surface
 };
 

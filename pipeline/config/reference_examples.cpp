@@ -180,6 +180,18 @@ balls: {cue: {at: [-0.3, -0.2]}, eight: {at: [0.8, 0.25]}}
 events:
   - strike: {ball: cue, at: 0.5 s, toward: eight, speed: 3 m/s, tip: [0, -0.3], elevation: 5 deg}
 )"},
+        {"place", R"(table: {kind: snooker}
+balls: {white: {at: [-1.1, 0.1]}, red_1: {at: [0.3, 0.4]}, black: {at: black}}
+events:
+  - strike: {ball: white, toward: black, speed: 3 m/s}
+  - place: {ball: black, spot: black, when: {potted: black}, after: 1 s, if_occupied: next}
+)"},
+        {"remove", R"(table: {kind: pool}
+balls: {cue: {at: head}, eight: {at: foot}}
+events:
+  - strike: {ball: cue, toward: eight, speed: 2 m/s}
+  - remove: {ball: eight, at: 5 s}
+)"},
         {"when", R"(table: {kind: pool}
 balls: {cue: {at: [-0.3, -0.2]}, eight: {at: [0.8, 0.25]}}
 events:

@@ -51,8 +51,15 @@ struct TableSection {
     Place size_place;
 };
 
+/// A place on the table: a spot by its name, or a point.
+struct TablePlace {
+    std::string spot;  // empty: the point
+    Coordinates point;
+};
+
 struct RackSection {
     sim::billiards::RackKind set = sim::billiards::RackKind::nine_ball;
+    std::optional<TablePlace> at;  // of the apex; default: the foot spot
     double gap = sim::billiards::RackOptions{}.gap;
 };
 
@@ -72,7 +79,7 @@ struct TouchingPlace {
 };
 
 struct BallSection {
-    std::optional<Coordinates> at;
+    std::optional<TablePlace> at;
     std::optional<TouchingPlace> touching;
     std::optional<Coordinates> velocity;
     std::optional<Vec3> spin;  // rad/s

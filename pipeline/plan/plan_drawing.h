@@ -31,7 +31,9 @@ struct PlanObject {
     std::optional<double> radius;  // of a ball
     ObjectPaint paint;
     std::vector<MotionPhase> motion;
-    double gone = 1e300;  // time at which it was potted, s
+    static constexpr double kNotGone = 1e300;
+    double gone = kNotGone;   // time at which it was potted or taken off for good, s
+    bool is_removed = false;  // taken off: after that it is out of sight
     [[nodiscard]] bool moves() const { return !motion.empty(); }
 };
 

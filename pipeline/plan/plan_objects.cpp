@@ -27,8 +27,15 @@ std::vector<PlanObject> plan_objects(const Shot& shot, const sim::Timeline& time
         }
         object.paint = paint_of(shot, track.name());
         for (const sim::Event& event : timeline.events) {
-            if (event.kind == sim::EventKind::potted && event.a == track.name()) {
+            if (event.a != track.name()) {
+                continue;
+            }
+            if (event.kind == sim::EventKind::potted || event.kind == sim::EventKind::removed) {
                 object.gone = event.time;
+                object.is_removed = event.kind == sim::EventKind::removed;
+            } else if (event.kind == sim::EventKind::placed) {
+                object.gone = PlanObject::kNotGone;
+                object.is_removed = false;
             }
         }
         object.motion = motion_phases(track, object.radius,

@@ -26,7 +26,7 @@ struct ReportedEvent {
     std::optional<double> cut;
 };
 
-enum class Fate { rests, spins, moves, potted, off_table };  // spins: in place
+enum class Fate { rests, spins, moves, potted, off_table, removed };  // spins: in place
 
 struct ReportedObject {
     std::string name;

@@ -112,7 +112,8 @@ constexpr auto fields_of(Describes<Film>) {
 constexpr auto fields_of(Describes<Names>) {
     return fields<Names>(field("balls", &Names::balls), field("objects", &Names::objects),
                          field("materials", &Names::materials), field("lights", &Names::lights),
-                         field("cameras", &Names::cameras), field("surfaces", &Names::surfaces));
+                         field("cameras", &Names::cameras), field("surfaces", &Names::surfaces),
+                         field("spots", &Names::spots));
 }
 
 constexpr auto fields_of(Describes<ShotState>) {

@@ -115,14 +115,15 @@ struct Camera {
 /// An event as the shot describes it.
 struct ShotEvent {
     KeyPath path{};
-    std::string kind{};  // "strike", "force", "torque", "impulse", "velocity"
+    std::string kind{};  // "strike", "force", "torque", "impulse", "velocity", "place", "remove"
     std::string object{};
     double time =
         0;  // scene time of its entry; of its start if a trigger starts it (then from the bake)
     bool triggered = false;
     std::optional<double> duration{};
-    Triple vector{};          // force ...; of a strike the horizontal aim, a unit vector
-    double speed = 0;         // of a strike, m/s
+    Triple vector{};   // force ...; of a strike the horizontal aim, a unit vector; of `place`
+                       // the place
+    double speed = 0;  // of a strike, m/s
     bool ball_speed = false;  // `speed` is the ball's instead of the stick's
     double elevation = 0;
     std::array<double, 2> tip{};  // offset to the right and up, in radii
@@ -162,7 +163,8 @@ struct Film {
 
 /// Names to choose from.
 struct Names {
-    std::vector<std::string> balls{}, objects{}, materials{}, lights{}, cameras{}, surfaces{};
+    std::vector<std::string> balls{}, objects{}, materials{}, lights{}, cameras{}, surfaces{},
+        spots{};
 };
 
 /// What the page draws and edits, of one version. Of a version with errors there is none.

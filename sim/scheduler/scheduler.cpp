@@ -38,7 +38,9 @@ Scheduler::Scheduler(const WorldDescription& world)
       predictor_(environment_, balls_.all(), stepped_.all()),
       resolver_(environment_, balls_, stepped_, recorder_),
       schedule_(world.events),
-      force_applier_(world, environment_, balls_, stepped_, recorder_),
+      placer_(world, environment_, balls_, stepped_, recorder_),
+      respotting_(world, balls_, recorder_, placer_),
+      force_applier_(world, environment_, balls_, stepped_, recorder_, placer_),
       path_triggers_(world.events, stepped_.all()) {}
 
 bool Scheduler::run(const WorkContext& context, std::uint64_t max_steps) {
@@ -46,6 +48,11 @@ bool Scheduler::run(const WorkContext& context, std::uint64_t max_steps) {
         find_start_overlaps(world_, environment_.has_cushions ? &environment_.table() : nullptr);
     if (!overlaps.empty()) {
         throw Error("body '" + overlaps[0].ball + "' " + overlaps[0].sentence() + " at the start");
+    }
+    const auto places =
+        find_place_problems(world_, environment_.has_cushions ? &environment_.table() : nullptr);
+    if (!places.empty()) {
+        throw Error(places[0].sentence);
     }
     balls_.start(0);
     stepped_.start(0);
@@ -154,6 +161,7 @@ double Scheduler::window_end_from(double now) const {
 
 void Scheduler::apply_due_actions() {
     for (;;) {
+        put_balls_down();
         check_rest_triggers();
         const std::vector<DueAction> due = schedule_.take_due(now_);
         if (due.empty()) {
@@ -174,6 +182,26 @@ void Scheduler::apply_due_actions() {
         check_triggers();
     }
     window_end_ = window_end_from(now_);
+}
+
+/// Between two steps of ODE: the balls that wait for their places, and those that the game's rule
+/// puts back.
+void Scheduler::put_balls_down() {
+    if (placer_.has_waiting() && placer_.can_place_waiting(now_)) {
+        add_energy();
+        placer_.place_waiting(now_);
+        add_energy();
+    }
+    if (is_respotting_due()) {
+        add_energy();
+        respotting_.act(now_);
+        add_energy();
+    }
+}
+
+/// Actions due at this instant come first: they belong to the shot.
+bool Scheduler::is_respotting_due() const {
+    return respotting_.has_news() && !schedule_.is_due(now_) && is_resting("");
 }
 
 SearchHorizon Scheduler::horizon() const {
@@ -295,14 +323,20 @@ void Scheduler::check_triggers() {
     window_end_ = std::max(now_, std::min(window_end_, schedule_.next_time()));
 }
 
-/// Actions due at this instant come first: they may set bodies in motion.
+/// Actions due at this instant come first: they may set bodies in motion. So does the game's rule,
+/// which acts at the start of the next window.
 void Scheduler::check_rest_triggers() {
+    if (is_respotting_due()) {
+        window_end_ = now_;
+        return;
+    }
     if (!schedule_.waits_for_rest() || schedule_.is_due(now_)) {
         return;
     }
     schedule_.check_rest_triggers(now_,
                                   {[this](const std::string& name) { return is_moving(name); },
                                    [this](const std::string& name) { return is_resting(name); }});
+    balls_.clear_just_put();
 }
 
 bool Scheduler::is_resting(const std::string& name) const {
@@ -356,6 +390,12 @@ void Scheduler::finish() {
     stepped_.finish(now_);
     for (Diagnostic& missed : force_applier_.missed_strikes()) {
         recorder_.warn(std::move(missed));
+    }
+    for (Diagnostic& waiting : placer_.never_placed(now_)) {
+        recorder_.warn(std::move(waiting));
+    }
+    for (Diagnostic& waiting : respotting_.never_put_back()) {
+        recorder_.warn(std::move(waiting));
     }
     for (Diagnostic& unmet : schedule_.triggers_never_met()) {
         recorder_.warn(std::move(unmet));

@@ -8,6 +8,7 @@
 
 #include "core/progress.h"
 #include "sim/ode/process.h"
+#include "sim/scheduler/ball_placer.h"
 #include "sim/scheduler/balls.h"
 #include "sim/scheduler/event_predictor.h"
 #include "sim/scheduler/force_applier.h"
@@ -16,6 +17,7 @@
 #include "sim/scheduler/path_triggers.h"
 #include "sim/scheduler/predicted_event.h"
 #include "sim/scheduler/recorder.h"
+#include "sim/scheduler/respotting.h"
 #include "sim/scheduler/static_environment.h"
 #include "sim/scheduler/stepped_bodies.h"
 
@@ -47,6 +49,8 @@ class Scheduler {
     void reset_event_count();
     [[nodiscard]] SearchHorizon horizon() const;
     void return_balls();
+    void put_balls_down();
+    [[nodiscard]] bool is_respotting_due() const;
     void check_triggers();
     void check_rest_triggers();
     void sample_energy();
@@ -67,6 +71,8 @@ class Scheduler {
     EventPredictor predictor_;
     ImpactResolver resolver_;
     ForceSchedule schedule_;
+    BallPlacer placer_;
+    Respotting respotting_;
     ForceApplier force_applier_;
     PathTriggers path_triggers_;
     PredictedEventQueue queue_;

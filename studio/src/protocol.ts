@@ -432,6 +432,7 @@ export interface Names {
     lights: string[];
     cameras: string[];
     surfaces: string[];
+    spots: string[];
 }
 
 export interface ValuePlace {

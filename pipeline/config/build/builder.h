@@ -44,6 +44,11 @@ struct Builder {
     bool claim_name(const std::string& name, const Place& place, const std::string& noun);
 };
 
+/// The place on the table, without a height; NaN if it is a spot that the table does not have,
+/// which check_references reports.
+[[nodiscard]] Vec2 place_on_table(const Builder& builder, const TablePlace& place);
+[[nodiscard]] Vec2 place_of_spot(const Builder& builder, const std::string& spot);
+
 void build_table(Builder& builder);  // the dimensions of the table
 void build_balls(Builder& builder);  // bodies and scene objects
 void build_objects(Builder& builder);

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -32,6 +33,19 @@ void build_stick(Builder& builder) {
     add_stick(builder.shot.scene, stick);
 }
 
+namespace {
+
+/// The target is a spot of the table; check_references reports a name that is none.
+void aim_at_spot(sim::Strike& strike, const Builder& builder) {
+    const Vec2 spot = place_of_spot(builder, *strike.toward);
+    if (std::isfinite(spot.x)) {
+        strike.toward.reset();
+        strike.toward_point = Vec3(spot.x, spot.y, 0);
+    }
+}
+
+}  // namespace
+
 void build_events(Builder& builder) {
     for (const EventSection& section : builder.file.events) {
         sim::ForceEvent event = section.event;
@@ -43,7 +57,13 @@ void build_events(Builder& builder) {
             if (visible != builder.scenery.end()) {
                 strike->toward.reset();
                 strike->toward_point = visible->second;
+            } else if (strike->toward && !builder.placed.contains(*strike->toward)) {
+                aim_at_spot(*strike, builder);
             }
+        }
+        if (auto* place = std::get_if<sim::PlaceBall>(&event.action);
+            place != nullptr && !place->spot.empty()) {
+            place->at = place_of_spot(builder, place->spot);
         }
         const double start = event.time + event.after;
         if (start > builder.shot.world.duration) {

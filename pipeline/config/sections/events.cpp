@@ -152,7 +152,7 @@ Strike& strike_of(ForceEvent& event) {
 
 /// Adds the target of a strike: an object's name or a point.
 void add_toward(MapSpec<ForceEvent>& s) {
-    const auto by_name = convert<Strike>(name_of(ReferenceKind::placed), [](std::string name) {
+    const auto by_name = convert<Strike>(name_of(ReferenceKind::aimed), [](std::string name) {
         Strike strike;
         strike.toward = std::move(name);
         return strike;
@@ -169,7 +169,8 @@ void add_toward(MapSpec<ForceEvent>& s) {
             strike_of(event).toward = aim.toward;
             strike_of(event).toward_point = aim.toward_point;
         },
-        "target of the aim: the centre of an object at that moment, or a point");
+        "target of the aim: the centre of an object at that moment, a spot of the table, or a "
+        "point. An object comes before a spot of the same name");
 }
 
 void check_tip(Reader& reader, const Node& node, ForceEvent& event) {
@@ -238,6 +239,10 @@ const MapSpec<ForceEvent>& strike_spec() {
 
 }  // namespace
 
+void add_event_start(MapSpec<ForceEvent>& spec) {
+    add_start(spec);
+}
+
 const MapSpec<EventSection>& event_spec() {
     static const MapSpec<EventSection> spec = [] {
         MapSpec<EventSection> s("event", "An action on a ball or object, and its time.");
@@ -249,7 +254,9 @@ const MapSpec<EventSection>& event_spec() {
         s.set("force", record(force_spec()), store, "a force that acts for some time");
         s.set("torque", record(torque_spec()), store, "a torque that acts for some time");
         s.set("velocity", record(velocity_spec()), store, "a change of velocity");
-        s.exactly_one_of({"strike", "impulse", "force", "torque", "velocity"});
+        s.set("place", record(place_spec()), store, "a ball that is put down on the table");
+        s.set("remove", record(remove_spec()), store, "a ball that is taken off the table");
+        s.exactly_one_of({"strike", "impulse", "force", "torque", "velocity", "place", "remove"});
         s.check([](Reader& reader, const Node& node, EventSection& section) {
             // The stick's look is not part of the event that is simulated.
             const Entry* strike = node.find("strike");

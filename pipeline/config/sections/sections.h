@@ -40,6 +40,14 @@ struct NotStored {};
 /// The cue stick of all strikes: a word, or its measures.
 [[nodiscard]] ValueType<StickSection> cue_stick();
 
+/// {at, when, after}: the keys for the time of an event, which all kinds have.
+void add_event_start(MapSpec<sim::ForceEvent>& spec);
+[[nodiscard]] const MapSpec<sim::ForceEvent>& place_spec();
+[[nodiscard]] const MapSpec<sim::ForceEvent>& remove_spec();
+
+/// A place on the table: the name of a spot, or two or three coordinates.
+[[nodiscard]] ValueType<TablePlace> table_place();
+
 /// A rotation: angles about the world's x, y and z axis, in this order, or {axis, angle}.
 [[nodiscard]] ValueType<Quat> rotation();
 

@@ -46,6 +46,17 @@ const MapSpec<ShotFile>& shot_spec() {
         s.key("stick", &ShotFile::stick, cue_stick(),
               "whether a cue stick is seen to strike: `shown` or `hidden` (the default), or its "
               "measures. A strike may say otherwise");
+        s.key(
+            "respot",
+            [](ShotFile& shot) -> std::optional<sim::billiards::Game>& {
+                return shot.world.respot;
+            },
+            choice<sim::billiards::Game>({{"snooker", sim::billiards::Game::snooker},
+                                          {"eight_ball", sim::billiards::Game::eight_ball},
+                                          {"nine_ball", sim::billiards::Game::nine_ball},
+                                          {"carom", sim::billiards::Game::carom}}),
+            "the game whose rules put balls back whenever everything rests. By default none come "
+            "back");
         s.set(
             "materials", named("material", material_spec()),
             [](ShotFile& shot, auto value) { shot.materials = std::move(value); },

@@ -22,7 +22,9 @@ test('TypesAt_Values_SayTheirUnitRangeAndNames', () => {
         units: ['s', 'ms', 'min'], needsUnit: false, low: 0, high: 3600,
         range: 'more than 0 s and at most 3600 s' }]);
     assert.ok(at('events.0.strike.toward').some((type) =>
-        type.kind === 'name' && type.of === 'a ball or object'));
+        type.kind === 'name' && type.of === 'a ball, object or spot'));
+    assert.ok(at('balls.cue.at').some((type) =>
+        type.kind === 'name' && type.of === 'a spot of the table'));
     assert.deepEqual(at('cameras.2.target.follow'), [{ kind: 'name', of: 'a ball or moving object' }]);
     assert.deepEqual(at('physics.cloth'),
         [{ kind: 'text', words: ['new', 'worn'], keysOf: 'conditions.cloth', pattern: '' }]);
@@ -34,7 +36,8 @@ test('KeysAt_Maps_OfferWhatMayBeAdded', () => {
         keysAt(schema, path === '' ? [] : path.split('.'), present).map(({ name }) => name);
     assert.ok(names('', []).includes('cameras'));
     assert.ok(!names('', ['cameras']).includes('cameras'));
-    assert.deepEqual(names('events.0', []), ['strike', 'impulse', 'force', 'torque', 'velocity']);
+    assert.deepEqual(names('events.0', []),
+        ['strike', 'impulse', 'force', 'torque', 'velocity', 'place', 'remove']);
     assert.deepEqual(names('events.0', ['force']), []);
     assert.ok(names('balls.cue', ['at']).includes('spin'));
     const step = keyAt(schema, ['simulation', 'step']);
