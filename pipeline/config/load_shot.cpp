@@ -13,6 +13,7 @@
 #include "pipeline/config/emit_yaml.h"
 #include "pipeline/config/gather.h"
 #include "pipeline/config/parse_yaml.h"
+#include "pipeline/config/repeat.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/shot_source.h"
 #include "pipeline/config/text.h"
@@ -63,15 +64,17 @@ std::string absolute_folder(const std::string& origin) {
     return code ? "." : absolute.lexically_normal().parent_path().string();
 }
 
-/// Reads the merged tree; empty after an error.
-std::optional<Shot> read_shot(const Gathered& gathered, const std::string& name, Reader& reader,
+/// Reads the merged tree; empty after an error. `has_all_objects`: false if some could not be
+/// repeated, which was reported, so that references to them must not be checked.
+std::optional<Shot> read_shot(const Gathered& gathered, bool has_all_objects,
+                              const std::string& name, Reader& reader,
                               sim::billiards::TableMemo* tables) {
     const Node& root = *gathered.root;
     ShotFile file;
     reader.set_root_place(root.place);
     reader.set_partial(!gathered.is_complete);
     shot_spec().read(reader, root, file);
-    if (!gathered.is_complete) {
+    if (!gathered.is_complete || !has_all_objects) {
         return std::nullopt;
     }
     Shot shot;
@@ -105,9 +108,12 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
                                {options.overrides, options.quality, options.camera_file}, problems);
     std::map<const Node*, std::string> files;
     if (gathered.root) {
+        const bool has_all_objects =
+            repeat_objects(*gathered.root, sources, folders, problems, !gathered.is_complete);
         apply_conditions(*gathered.root, sources, folders, problems, !gathered.is_complete);
         Reader reader(sources, folders, problems);
-        result.shot = read_shot(gathered, fs::path(origin).stem().string(), reader, options.tables);
+        result.shot = read_shot(gathered, has_all_objects, fs::path(origin).stem().string(), reader,
+                                options.tables);
         files = reader.absolute_paths();
     }
     if (problems.has_error()) {
