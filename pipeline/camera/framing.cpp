@@ -18,9 +18,9 @@ render::CameraState framed(const render::CameraState& camera, const Framing& fra
     double distance = -std::numeric_limits<double>::infinity();
     for (const Vec3& point : framing.points) {
         const Vec3 from = point - camera.target;
-        distance = std::max({distance,
-                             std::abs(axes.right.dot(from)) / half_width - axes.ahead.dot(from),
-                             std::abs(axes.up.dot(from)) / half_height - axes.ahead.dot(from)});
+        distance =
+            std::max({distance, std::abs(axes.right.dot(from)) / half_width - axes.ahead.dot(from),
+                      std::abs(axes.up.dot(from)) / half_height - axes.ahead.dot(from)});
     }
     render::CameraState result = camera;
     result.position = camera.target - distance * axes.ahead;

@@ -18,9 +18,8 @@ double vertical_field_of_view(const CameraRig& rig, Progress progress) {
         return fov_of_lens(value_at(*rig.focal_length, rig, progress), rig.sensor_height);
     }
     const double fov = value_at(rig.fov, rig, progress);
-    return measures_width(rig.fov_axis, rig.aspect)
-               ? 2 * angle_of(1, tangent(fov / 2) / rig.aspect)
-               : fov;
+    return measures_width(rig.fov_axis, rig.aspect) ? 2 * angle_of(1, tangent(fov / 2) / rig.aspect)
+                                                    : fov;
 }
 
 // Depth along the optical axis; negative behind the camera.
@@ -85,8 +84,8 @@ bool measures_width(FovAxis axis, double aspect) {
 
 int blades_at(const CameraRig& rig, Progress progress) {
     const Change<int> change = change_at(rig.blades, rig, progress);
-    return static_cast<int>(std::lround(mix(static_cast<double>(change.from),
-                                            static_cast<double>(change.to), change.progress)));
+    return static_cast<int>(std::lround(
+        mix(static_cast<double>(change.from), static_cast<double>(change.to), change.progress)));
 }
 
 double lens_radius(const Aperture& aperture, double vertical_fov, double sensor_height) {

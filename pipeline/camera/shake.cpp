@@ -54,8 +54,8 @@ render::CameraState shaken(const render::CameraState& camera, const Shake& shake
     const Vec3 ahead =
         tilt.cos * (pan.cos * axes.ahead + pan.sin * axes.right) + tilt.sin * axes.up;
     render::CameraState result = camera;
-    result.position += offset.shift.x * axes.right + offset.shift.y * axes.up +
-                       offset.shift.z * axes.ahead;
+    result.position +=
+        offset.shift.x * axes.right + offset.shift.y * axes.up + offset.shift.z * axes.ahead;
     result.target = result.position + (camera.target - camera.position).length() * ahead;
     result.roll += offset.roll;
     return result;

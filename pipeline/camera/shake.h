@@ -8,9 +8,9 @@ namespace carom::pipeline {
 
 /// How far a hand has moved a camera.
 struct ShakeOffset {
-    double pan = 0;   // rad, to the right
-    double tilt = 0;  // rad, upwards
-    double roll = 0;  // rad
+    double pan = 0;       // rad, to the right
+    double tilt = 0;      // rad, upwards
+    double roll = 0;      // rad
     Vec3 shift{0, 0, 0};  // m, to the right, up and ahead
 };
 

@@ -1,7 +1,7 @@
 #include "pipeline/config/repeat.h"
 
 #include <algorithm>
-#include <iterator>
+#include <cstddef>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -12,8 +12,10 @@
 #include <fmt/core.h>
 
 #include "core/elementary.h"
+#include "core/limits.h"
 #include "core/text.h"
 #include "pipeline/config/merge.h"
+#include "pipeline/config/parse_yaml.h"
 #include "pipeline/config/reader.h"
 #include "pipeline/config/repeat_places.h"
 #include "pipeline/config/sections/sections.h"
@@ -43,6 +45,18 @@ void mark_as_repeated(Node& node) {
     for (Entry& entry : node.entries) {
         mark_as_repeated(entry.value);
     }
+}
+
+/// The number of nodes.
+std::size_t size_of(const Node& node) {
+    std::size_t size = 1;
+    for (const Node& item : node.items) {
+        size += size_of(item);
+    }
+    for (const Entry& entry : node.entries) {
+        size += size_of(entry.value);
+    }
+    return size;
 }
 
 Node scalar(std::string text, const Place& place) {
@@ -201,11 +215,35 @@ class Repeats {
         take(prototype, kKey);
         mark_as_repeated(prototype);
         const std::vector<RepeatPlace> places = repeat_places(original.repeat);
+        if (!is_within_limits(entry, places.size(), size_of(prototype))) {
+            is_whole_ = false;
+            return;
+        }
         for (std::size_t i = 0; i < places.size(); ++i) {
             Entry object{fmt::format("{}_{}", entry.key, i + 1), entry.key_place, prototype};
             put(object.value, original, places[i]);
             add(std::move(object));
         }
+    }
+
+    /// Reports repeated objects that, written one by one, would be too many for a file.
+    bool is_within_limits(const Entry& entry, std::size_t objects, std::size_t values) {
+        const YamlLimits limits;
+        const auto most_objects = static_cast<std::size_t>(limits.entries_per_map);
+        const auto most_values = static_cast<std::size_t>(limits.nodes);
+        object_count_ += objects;
+        value_count_ += objects * values;
+        std::string message;
+        if (object_count_ > most_objects) {
+            message = beyond_limit(most_objects, "objects are repeated");
+        } else if (value_count_ > most_values) {
+            message = "the repeated objects have " + beyond_limit(most_values, "values");
+        } else {
+            return true;
+        }
+        problems_.error(entry.value.find(kKey)->key_place, message,
+                        std::string(kSection) + "." + entry.key + "." + kKey);
+        return false;
     }
 
     /// Replaces `at` and `rotate`.
@@ -269,6 +307,8 @@ class Repeats {
     ProblemList& problems_;
     bool is_partial_ = false;
     bool is_whole_ = true;
+    std::size_t object_count_ = 0;  // that were repeated so far
+    std::size_t value_count_ = 0;
     std::vector<Entry> own_;        // the objects of the tree
     std::set<std::string> names_;   // of those that are not repeated themselves
     std::set<std::string> merged_;  // of those that were merged before their turn

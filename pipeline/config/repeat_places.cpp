@@ -24,8 +24,7 @@ double heading_of(const Vec3& direction, double otherwise) {
 std::vector<RepeatPlace> along_curve(const Curve& curve, int pieces, const Vec3& origin,
                                      int count) {
     const ArcLengthTable table(curve, pieces);
-    const bool is_closed =
-        (curve.position({0, 1}) - curve.position({1, 0})).length() < kShortest;
+    const bool is_closed = (curve.position({0, 1}) - curve.position({1, 0})).length() < kShortest;
     const int gaps = std::max(1, is_closed ? count : count - 1);
     std::vector<RepeatPlace> places;
     double heading = 0;

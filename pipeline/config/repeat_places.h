@@ -11,7 +11,8 @@ namespace carom::pipeline::config {
 /// One of the objects.
 struct RepeatPlace {
     Vec3 position;
-    double heading = 0;  // rad, of the path's horizontal direction, from x towards y; 0 if not turned
+    double heading =
+        0;  // rad, of the path's horizontal direction, from x towards y; 0 if not turned
 };
 
 /// Positions at equal distances along the path, measured by arc length (arc_length.h), from its

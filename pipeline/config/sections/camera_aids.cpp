@@ -34,10 +34,9 @@ const MapSpec<Shake>& shake_spec() {
               quantity(Dimension::frequency, above_up_to(0, kFastest)),
               "frequency of the main movement. There is none faster than four times that");
         s.key("seed", &Shake::seed,
-              convert<std::uint64_t>(integer64(0, INT64_MAX),
-                                     [](std::int64_t seed) {
-                                         return static_cast<std::uint64_t>(seed);
-                                     }),
+              convert<std::uint64_t>(
+                  integer64(0, INT64_MAX),
+                  [](std::int64_t seed) { return static_cast<std::uint64_t>(seed); }),
               "another seed gives another movement. Cameras with the same seed move together");
         return s;
     }();

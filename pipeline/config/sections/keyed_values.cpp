@@ -43,13 +43,12 @@ void warn_about_unreached_keys(Reader& reader, const Node& camera, const CameraR
     }
     for (std::size_t i = 0; i < times.size() && i < list->items.size(); ++i) {
         if (times[i] < rig.video_start || rig.video_end < times[i]) {
-            reader.warning(list->items[i].place,
-                           "the key of " + quote(key) + " at " +
-                               seconds_text(times[i].to_double()) +
-                               " is outside of the interval of the film of " + reader.label() +
-                               ", " + seconds_text(rig.video_start.to_double()) + " to " +
-                               seconds_text(rig.video_end.to_double()) +
-                               ", so its value is never reached");
+            reader.warning(
+                list->items[i].place,
+                "the key of " + quote(key) + " at " + seconds_text(times[i].to_double()) +
+                    " is outside of the interval of the film of " + reader.label() + ", " +
+                    seconds_text(rig.video_start.to_double()) + " to " +
+                    seconds_text(rig.video_end.to_double()) + ", so its value is never reached");
         }
     }
 }

@@ -289,6 +289,25 @@ t.yaml:7:48: error: the objects of a grid cannot face along it; give them a 'rot
 )");
 }
 
+TEST(Repeat, TooManyInAll_AreAProblem) {
+    const std::string line = "repeat: {count: 6000, along: {step: [3, 0]}}}\n";
+    EXPECT_EQ(
+        problems_of("objects:\n  a: {sphere: 1, " + line + "  b: {sphere: 1, " + line),
+        R"(t.yaml:5:18: error: more than 10000 objects are repeated; CAROM_LIMITS=2 in the environment doubles all such limits
+    5 |   b: {sphere: 1, repeat: {count: 6000, along: {step: [3, 0]}}}
+      |                  ^~~~~~
+)");
+    EXPECT_EQ(
+        problems_of("objects:\n  a: {hull: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, "
+                    "1], [2, 1, 1], [1, 2, 1], [1, 1, 2], [2, 2, 1], [2, 1, 2], [1, 2, 2]],\n"
+                    "    " +
+                    line),
+        R"(t.yaml:5:5: error: the repeated objects have more than 250000 values; CAROM_LIMITS=2 in the environment doubles all such limits
+    5 |     repeat: {count: 6000, along: {step: [3, 0]}}}
+      |     ^~~~~~
+)");
+}
+
 TEST(Repeat, PathWithoutLength_IsAProblem) {
     EXPECT_EQ(
         problems_of("objects:\n"
