@@ -19,22 +19,30 @@ namespace {
 
 constexpr std::size_t kCommentColumn = 48;
 
-/// The map among the types that a key accepts, or nullptr.
-const MapInfo* map_of(const TypeInfo* type) {
+/// Whether the map has all keys of the node.
+bool has_keys_of(const MapInfo& map, const Node& node) {
+    return std::ranges::all_of(node.entries, [&](const Entry& entry) {
+        return std::ranges::find(map.keys, entry.key, &KeyInfo::name) != map.keys.end();
+    });
+}
+
+/// The one map among the types that a key accepts that can be meant by the node; nullptr if there
+/// is none or more than one, because then only the parser knows.
+const MapInfo* map_of(const TypeInfo* type, const Node& node) {
     if (type == nullptr) {
         return nullptr;
     }
     if (type->kind == TypeInfo::Kind::map) {
-        return type->map;
+        return has_keys_of(*type->map, node) ? type->map : nullptr;
     }
     if (type->kind != TypeInfo::Kind::any_of) {
         return nullptr;
     }
     const MapInfo* found = nullptr;
     for (const TypeInfo& element : type->elements) {
-        if (const MapInfo* map = map_of(&element)) {
+        if (const MapInfo* map = map_of(&element, node)) {
             if (found != nullptr && found != map) {
-                return nullptr;  // only the parser knows which of them is meant
+                return nullptr;
             }
             found = map;
         }
@@ -116,10 +124,10 @@ class Explainer {
         if (node.is_map() && !node.entries.empty() && !is_replaced) {
             const TypeInfo* element = element_of(type, TypeInfo::Kind::named);
             if (first.ends_with("-")) {
-                write_map(node, map_of(type), first + " ", indent, element);
+                write_map(node, map_of(type, node), first + " ", indent, element);
             } else {
                 text_ += first + "\n";
-                write_map(node, map_of(type), indent, indent, element, standard);
+                write_map(node, map_of(type, node), indent, indent, element, standard);
             }
         } else if (node.is_sequence() && holds_maps(node)) {
             text_ += first + "\n";

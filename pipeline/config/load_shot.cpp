@@ -13,6 +13,7 @@
 #include "pipeline/config/emit_yaml.h"
 #include "pipeline/config/gather.h"
 #include "pipeline/config/parse_yaml.h"
+#include "pipeline/config/repeat.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/shot_source.h"
 #include "pipeline/config/text.h"
@@ -63,14 +64,14 @@ std::string absolute_folder(const std::string& origin) {
     return code ? "." : absolute.lexically_normal().parent_path().string();
 }
 
-/// Reads the merged tree; empty after an error.
-std::optional<Shot> read_shot(const Node& root, bool is_complete, const std::string& name,
+/// Reads the merged tree; empty after an error. `is_whole`: false if a file is missing or an object
+/// could not be repeated, which was reported, so that references must not be checked.
+std::optional<Shot> read_shot(const Node& root, bool is_whole, const std::string& name,
                               Reader& reader, sim::billiards::TableMemo* tables) {
     ShotFile file;
     reader.set_root_place(root.place);
-    reader.set_partial(!is_complete);
     shot_spec().read(reader, root, file);
-    if (!is_complete) {
+    if (!is_whole) {
         return std::nullopt;
     }
     Shot shot;
@@ -110,10 +111,13 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
     std::shared_ptr<const Node> root;
     ShotSource::Replaced replaced;
     if (gathered.root) {
+        const bool has_all_objects =
+            repeat_objects(*gathered.root, sources, folders, problems, !gathered.is_complete);
         apply_conditions(*gathered.root, sources, folders, problems, !gathered.is_complete);
         Reader reader(sources, folders, problems);
+        reader.set_partial(!gathered.is_complete);
         root = std::make_shared<const Node>(std::move(*gathered.root));
-        result.shot = read_shot(*root, gathered.is_complete, fs::path(origin).stem().string(),
+        result.shot = read_shot(*root, gathered.is_complete && has_all_objects, fs::path(origin).stem().string(),
                                 reader, options.tables);
         replaced = reader.replaced();
     }

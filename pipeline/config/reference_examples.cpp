@@ -118,6 +118,24 @@ balls:
     rotate: [0, 0, 30 deg]
     physics: {density: 650 kg/m^3}
 )"},
+        {"repeat", R"(objects:
+  tile:
+    box: [10 mm, 32 mm, 60 mm]
+    at: [0, 0, 0.03]
+    physics: {density: 1800 kg/m^3}
+    repeat: {count: 12, along: {arc: [0, 0], radius: 30 cm, angles: [0 deg, 90 deg]}}
+  tile_12: {rotate: [0, 0, 170 deg]}
+)"},
+        {"repeat path", R"(objects:
+  brick:
+    box: [6 cm, 3 cm, 2 cm]
+    at: [0, 0, 0.01]
+    repeat: {count: [8, 5], along: {from: [-0.3, 0], steps: [[7 cm, 0], [0, 0, 2 cm]]}}
+  post:
+    cylinder: {radius: 1 cm, height: 10 cm}
+    at: [0, 0, 0.05]
+    repeat: {count: 6, along: {spline: [[-0.4, 0.3], [0, 0.45], [0.4, 0.3]]}}
+)"},
         {"cone", R"(objects:
   marker: {cone: {radius: 45 mm, top_radius: 8 mm, height: 110 mm}, at: [0.5, 0.2, 0.055]}
 )"},
@@ -393,6 +411,73 @@ cameras:
     position: [0, 0, 3]
     target: [0, 0, 0]
     up: {from: [0.2, 1, 0], to: [0, 1, 0]}
+)"},
+        {"fov at times", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    fov: {keys: [[0 s, 40 deg], [0.5 s, 40 deg], [1.5 s, 25 deg]], easing: smooth}
+)"},
+        {"focal_length at times", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    focal_length: {keys: [[0.5 s, 28 mm], [1.5 s, 50 mm]]}
+)"},
+        {"focus at times", R"(table: {kind: pool}
+balls: {cue: {at: [-0.3, -0.2]}, eight: {at: [0.8, 0.25]}}
+cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    focus: {keys: [[0 s, cue], [0.8 s, cue], [1.2 s, eight], [2 s, 1.5 m]], easing: smooth}
+    f_number: 4
+)"},
+        {"aperture at times", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    aperture: {keys: [[0 s, 0 mm], [1 s, 6 mm], [2 s, 2 mm]]}
+)"},
+        {"f_number at times", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    f_number: {keys: [[0 s, 16], [1 s, 2.8], [2 s, 5.6]]}
+)"},
+        {"blades at times", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    f_number: 4
+    blades: {keys: [[0 s, 5], [1 s, 9]]}
+)"},
+        {"roll at times", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    roll: {keys: [[0 s, 0 deg], [1 s, 10 deg], [2 s, 0 deg]], easing: smooth}
+)"},
+        {"up at times", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [0, 0, 3]
+    target: [0, 0, 0]
+    up: {keys: [[0 s, [0, 1, 0]], [1.5 s, [0.3, 1, 0]]]}
+)"},
+        {"shake", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    shake: {kind: handheld, strength: 0.4 deg, frequency: 0.8 Hz, seed: 7}
 )"},
         {"film", R"(film:
   size: [1280, 720]

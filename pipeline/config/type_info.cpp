@@ -1,5 +1,8 @@
 #include "pipeline/config/type_info.h"
 
+#include <algorithm>
+#include <utility>
+
 #include <fmt/core.h>
 
 #include "core/text.h"
@@ -58,7 +61,10 @@ std::string describe_list(const TypeInfo& type) {
 std::string describe_alternatives(const TypeInfo& type) {
     std::vector<std::string> words;
     for (const TypeInfo& element : type.elements) {
-        words.push_back(describe(element));
+        std::string word = describe(element);
+        if (std::find(words.begin(), words.end(), word) == words.end()) {
+            words.push_back(std::move(word));
+        }
     }
     return enumerate(words, "or");
 }

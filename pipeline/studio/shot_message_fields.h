@@ -66,6 +66,11 @@ constexpr auto fields_of(Describes<SpeedPoint>) {
                               field("speed", &SpeedPoint::speed));
 }
 
+constexpr auto fields_of(Describes<LensKey>) {
+    return fields<LensKey>(field("path", &LensKey::path),
+                           field("video_time", &LensKey::video_time));
+}
+
 constexpr auto fields_of(Describes<Camera>) {
     return fields<Camera>(
         field("name", &Camera::name), field("path", &Camera::path),
@@ -73,7 +78,8 @@ constexpr auto fields_of(Describes<Camera>) {
         field("fade", &Camera::fade), field("scene_start", &Camera::scene_start),
         field("scene_end", &Camera::scene_end), field("speeds", &Camera::speeds),
         field("smooth", &Camera::smooth), field("position", &Camera::position),
-        field("target", &Camera::target), field("sensor_height", &Camera::sensor_height));
+        field("target", &Camera::target), field("sensor_height", &Camera::sensor_height),
+        field("fov_scale", &Camera::fov_scale), field("lens_keys", &Camera::lens_keys));
 }
 
 constexpr auto fields_of(Describes<ShotEvent>) {

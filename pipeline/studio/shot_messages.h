@@ -31,7 +31,8 @@ struct Problems {
 };
 
 /// Where a value comes from. The plain values in a list have no place of their own: they come from
-/// where the list does.
+/// where the list does. The values of repeated objects have none either, apart from those that are
+/// given for one of them.
 struct ValuePlace {
     KeyPath path{};
     TextRange key{};       // of its key; line 0 in lists
@@ -97,6 +98,12 @@ struct SpeedPoint {
     double speed = 1;
 };
 
+/// A value of a camera's lens at a time of the film.
+struct LensKey {
+    KeyPath path{};  // of the pair of time and value: ["cameras", "0", "fov", "keys", "1"]
+    double video_time = 0;
+};
+
 struct Camera {
     std::string name{};
     KeyPath path{};
@@ -110,6 +117,8 @@ struct Camera {
     PathShape position{};
     PathShape target{};
     double sensor_height = 0.024;
+    double fov_scale = 1;  // tangent of half the vertical field of view / that of half of `fov`
+    std::vector<LensKey> lens_keys{};  // of all values that are given by keys
 };
 
 /// An event as the shot describes it.

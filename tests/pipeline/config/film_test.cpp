@@ -159,11 +159,11 @@ TEST(Cameras, UpVector_IsOneOrTwo) {
 }
 
 TEST(Cameras, ChangingValues_HaveThreeForms) {
-    EXPECT_EQ(read_camera(kStill + ", fov: 1 rad").vertical_fov.end, 1);
+    EXPECT_EQ(read_camera(kStill + ", fov: 1 rad").fov.end, 1);
     const CameraRig pair = read_camera(kStill + ", fov: [1 rad, 0.5 rad]");
-    EXPECT_EQ(pair.vertical_fov.start, 1);
-    EXPECT_EQ(pair.vertical_fov.end, 0.5);
-    EXPECT_EQ(pair.vertical_fov.easing, Easing::linear);
+    EXPECT_EQ(pair.fov.start, 1);
+    EXPECT_EQ(pair.fov.end, 0.5);
+    EXPECT_EQ(pair.fov.easing, Easing::linear);
     const CameraRig map = read_camera(kStill + ", roll: {from: 0, to: 1 rad, easing: smooth}");
     EXPECT_EQ(map.roll.end, 1);
     EXPECT_EQ(map.roll.easing, Easing::smooth);

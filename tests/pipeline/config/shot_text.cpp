@@ -34,6 +34,11 @@ class Writer {
              << value.x2 << ' ' << value.y2;
     }
     void put(const Rational& value) { out_ << value.to_string(); }
+    void put(const Focus& value) {
+        put(value.distance);
+        out_ << ' ' << value.object;
+    }
+    void put(const Aperture& value) { out_ << value.value << ' ' << value.is_f_number; }
     template <class T>
     void put(const std::optional<T>& value) {
         value ? put(*value) : put("none");
@@ -163,6 +168,14 @@ void write_scene(Writer& out, const render::SceneDescription& scene) {
     }
 }
 
+template <class T>
+void write_changing(Writer& out, const Eased<T>& value) {
+    out.line(value.start, value.end, value.easing);
+    for (const ValueKey<T>& key : value.keys) {
+        out.line(key.video_time, key.value);
+    }
+}
+
 void write_camera(Writer& out, const CameraRig& rig) {
     out.line("camera", rig.name, rig.video_start, rig.video_end, rig.fade, rig.time_map.scene_start,
              rig.time_map.scene_end, rig.time_map.is_smooth);
@@ -171,18 +184,26 @@ void write_camera(Writer& out, const CameraRig& rig) {
     }
     std::visit(PathWriter{out}, rig.position);
     std::visit(PathWriter{out}, rig.target);
-    out.line(rig.vertical_fov.start, rig.vertical_fov.end, rig.vertical_fov.easing);
+    write_changing(out, rig.fov);
     if (rig.focal_length) {
-        out.line(rig.focal_length->start, rig.focal_length->end, rig.focal_length->easing);
+        write_changing(out, *rig.focal_length);
     }
-    out.line(rig.sensor_height);
-    out.line(rig.focus.start.distance, rig.focus.start.object, rig.focus.end.distance,
-             rig.focus.end.object, rig.focus.easing);
-    out.line(rig.aperture.start.value, rig.aperture.start.is_f_number, rig.aperture.end.value,
-             rig.aperture.easing);
-    out.line(rig.roll.start, rig.roll.end, rig.roll.easing);
-    out.line(rig.up.start, rig.up.end, rig.up.easing);
-    out.line(rig.blades.start, rig.blades.end, rig.blades.easing, rig.blade_rotation);
+    out.line(rig.sensor_height, rig.fov_axis, rig.aspect);
+    write_changing(out, rig.focus);
+    write_changing(out, rig.aperture);
+    write_changing(out, rig.roll);
+    write_changing(out, rig.up);
+    write_changing(out, rig.blades);
+    out.line(rig.blade_rotation);
+    if (rig.framing) {
+        out.line("framing", rig.framing->margin);
+        for (const Vec3& point : rig.framing->points) {
+            out.line(point);
+        }
+    }
+    if (rig.shake) {
+        out.line("shake", rig.shake->strength, rig.shake->frequency, rig.shake->seed);
+    }
 }
 
 }  // namespace

@@ -125,7 +125,7 @@ TEST(DominoRun, FallsToItsEndAndPotsTheNine) {
     expect_filmable("domino_run", shot, timeline);
     expect_filmable("reverse", shot, timeline);
     constexpr int kTiles = 32;
-    const auto tile = [](int i) { return (i < 10 ? "d0" : "d") + std::to_string(i); };
+    const auto tile = [](int i) { return "tile_" + std::to_string(i); };
     const Event* before = find(timeline, EventKind::impact, "cue", tile(1));
     ASSERT_NE(before, nullptr);
     for (int i = 1; i < kTiles; ++i) {
