@@ -22,6 +22,7 @@
 #include "pipeline/video/image_sequence.h"
 #include "pipeline/video/picture_kind.h"
 #include "pipeline/video/picture_writer.h"
+#include "pipeline/video/video_format.h"
 
 namespace carom::cli {
 
@@ -37,7 +38,7 @@ SequenceBakes obtain_bakes(Sequence& sequence, const CacheOptions& cache, Comman
     for (std::size_t i = 0; i < sequence.parts.size(); ++i) {
         if (auto* part = std::get_if<ShotPart>(&sequence.parts[i].content)) {
             ShotInput input = input_of(*part);
-            bakes[i] = obtain_bake(input, {.path = part->path}, cache, context);
+            bakes[i] = obtain_bake(input, InputOptions{part->path, {}, {}, {}, {}}, cache, context);
             take_back(std::move(input), *part);
         }
     }

@@ -113,7 +113,8 @@ void plan_sequence(const PlanCommand& command, CommandContext& context) {
         }
         ShotInput input = input_of(*shot);
         const sim::Timeline timeline =
-            obtain_bake(input, {.path = shot->path}, command.cache, context).timeline;
+            obtain_bake(input, InputOptions{shot->path, {}, {}, {}, {}}, command.cache, context)
+                .timeline;
         const fs::path file = path.parent_path() / fmt::format("{}-{}{}", path.stem().string(),
                                                                ++page, path.extension().string());
         write_drawing({file.string(), command.drawing.width},

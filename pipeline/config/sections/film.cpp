@@ -4,6 +4,7 @@
 #include "pipeline/config/emit_yaml.h"
 #include "pipeline/config/picture_size.h"
 #include "pipeline/config/sections/sections.h"
+#include "render/scene/scene_problems.h"
 
 namespace carom::pipeline::config {
 

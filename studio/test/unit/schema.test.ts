@@ -17,7 +17,7 @@ test('TypesAt_Values_SayTheirUnitRangeAndNames', () => {
     assert.ok(fov);
     assert.deepEqual([fov.unit, fov.needsUnit, fov.range],
         ['deg', true, 'more than 0 deg and less than 180 deg']);
-    assert.deepEqual(types.map(({ kind }) => kind), ['number', 'list', 'map']);
+    assert.deepEqual(types.map(({ kind }) => kind), ['number', 'list', 'map', 'map']);
     assert.deepEqual(at('simulation.duration'), [{ kind: 'number', isInteger: false, unit: 's',
         units: ['s', 'ms', 'min'], needsUnit: false, low: 0, high: 3600,
         range: 'more than 0 s and at most 3600 s' }]);
@@ -36,6 +36,8 @@ test('KeysAt_Maps_OfferWhatMayBeAdded', () => {
         keysAt(schema, path === '' ? [] : path.split('.'), present).map(({ name }) => name);
     assert.ok(names('', []).includes('cameras'));
     assert.ok(!names('', ['cameras']).includes('cameras'));
+    assert.deepEqual(names('cameras.0.fov', ['keys']), ['easing']);
+    assert.deepEqual(names('cameras.0.fov', ['from']), ['to', 'easing']);
     assert.deepEqual(names('events.0', []),
         ['strike', 'impulse', 'force', 'torque', 'velocity', 'place', 'remove']);
     assert.deepEqual(names('events.0', ['force']), []);

@@ -62,13 +62,13 @@ TEST_F(SequenceRun, Render_MakesOneFilmOfAllParts) {
     const auto a = decode_video(path("a.mkv"));
     const auto b = decode_video(path("b.mkv"));
     for (std::size_t i = 0; i < 6; ++i) {
-        EXPECT_EQ(film.frames[i], a.frames[i]) << i;
+        EXPECT_EQ(film.frames[i].rgb, a.frames[i].rgb) << i;
     }
     // The title has frames 6 to 9, of which the last two fade into frames 2 and 3 of the other.
-    EXPECT_EQ(film.frames[6], film.frames[7]);
-    EXPECT_NE(film.frames[8], film.frames[7]);
-    EXPECT_EQ(film.frames[10], b.frames[4]);
-    EXPECT_EQ(film.frames[11], b.frames[5]);
+    EXPECT_EQ(film.frames[6].rgb, film.frames[7].rgb);
+    EXPECT_NE(film.frames[8].rgb, film.frames[7].rgb);
+    EXPECT_EQ(film.frames[10].rgb, b.frames[4].rgb);
+    EXPECT_EQ(film.frames[11].rgb, b.frames[5].rgb);
 }
 
 TEST_F(SequenceRun, Render_GoesOnWhereItWas) {
@@ -84,7 +84,7 @@ TEST_F(SequenceRun, Render_GoesOnWhereItWas) {
     const auto part = decode_video(path("part.mkv"));
     ASSERT_EQ(part.frames.size(), 3U);
     for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_EQ(part.frames[i], film.frames[i + 7]);
+        EXPECT_EQ(part.frames[i].rgb, film.frames[i + 7].rgb);
     }
 }
 

@@ -104,7 +104,8 @@ function bracketsOf(known: Known, types: readonly ValueType[]): Candidate[] {
             return [{ label: insert.replace(/\$\{(\w*)\}/g, '$1'), kind: 'value', detail: 'list',
                 about: '', insert }];
         }
-        return type.kind === 'map'
+        // Several maps, of which the first key decides, are one pair of braces.
+        return type.kind === 'map' && type === types.find(({ kind }) => kind === 'map')
             ? [{ label: '{ }', kind: 'value', detail: detail === '{…}' ? 'keys' : detail, about: '',
                 insert: '{${}}' }]
             : [];
