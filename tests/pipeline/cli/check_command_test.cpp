@@ -143,10 +143,10 @@ annotations:
 )");
     EXPECT_EQ(
         messages(),
-        R"(s.yaml:10:12: warning: the path of 'cue' leaves the table at 0.000 s
+        R"(s.yaml:10:12: warning: the path of 'cue' leaves the table at 0.491 s
    10 |   - path: {of: cue}
       |            ^~
-s.yaml:11:20: warning: 'cue' never touches 'one', so nothing is drawn
+s.yaml:11:22: warning: 'cue' never touches 'one', so nothing is drawn
    11 |   - ghost: {of: cue, on: one}
       |                      ^~
 s.yaml:13:13: warning: 'one' never touches 'cushion', so nothing is drawn
