@@ -16,7 +16,7 @@ std::string line_of(OverlayItem item, const PlannedFrame& frame) {
         case OverlayItem::playback_speed:
             break;
     }
-    return fmt::format("playback {:7.4f}x", frame.speed + 0.0);  // + 0.0 turns -0 into 0
+    return fmt::format("playback {:8.4f}x", frame.speed + 0.0);  // + 0.0 turns -0 into 0
 }
 
 }  // namespace

@@ -12,8 +12,9 @@
 namespace carom::pipeline {
 namespace {
 
-constexpr double kWidth = 0.006;     // picture heights
-constexpr double kWithoutTable = 1;  // length of an aim line, m
+constexpr double kWidth = 0.006;        // picture heights
+constexpr double kWithoutTable = 1;     // length of an aim line, m
+constexpr double kGhostWidth = 0.0045;  // picture heights
 constexpr double kGhostOpacity = 0.22;
 constexpr double kGhostDashes = 0.25;  // of the usual size
 constexpr double kBehind = 2;          // of a tangent behind the ghost ball, ball radii
@@ -157,8 +158,8 @@ SceneShapes shapes_of(const GhostAnnotation& ghost, const Annotation& look,
     edge.points = area.corners;
     edge.is_closed = true;
     edge.colour = area.colour;
-    edge.width = look.width.value_or(kWidth);
-    edge.dash = look.dash.value_or(Dash::dashed);
+    edge.width = look.width.value_or(kGhostWidth);
+    edge.dash = look.dash.value_or(Dash::solid);
     edge.dash_size = kGhostDashes;
     return {std::move(area), std::move(edge)};
 }

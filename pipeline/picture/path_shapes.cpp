@@ -72,6 +72,9 @@ class PathBuilder {
             std::reverse(line_.points.begin(), line_.points.end());
             std::reverse(line_.strengths.begin(), line_.strengths.end());
         }
+        const sim::Timeline& timeline = moment_.timeline;
+        line_.reach = {shown(track.sample(timeline.start_time).position),
+                       shown(track.sample(end_of(path_.of, timeline)).position)};
         SceneShapes shapes{line_};
         add_marks(track, span, shapes);
         add_number(look, shapes);

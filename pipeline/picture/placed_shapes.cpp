@@ -111,7 +111,7 @@ class Placer {
         if (line.is_closed && !is_solid) {
             points.push_back(points.front());
         }
-        const double scale = line.dash_size * dash_scale(points, look, line.dash_size);
+        const double scale = line.dash_size * dash_scale(line, look);
         for (const StrongLine& dash : cut_into_dashes(points, line.dash, scale)) {
             for (const StrongLine& part : cut_in_front(dash, view_)) {
                 const bool is_whole = part.size() == points.size();
@@ -176,14 +176,18 @@ class Placer {
         result.emplace_back(std::move(line));
     }
 
-    /// Dashes grow by powers of 2 if the gaps between them were too small to be seen, and shrink
-    /// where a camera is near.
-    [[nodiscard]] double dash_scale(const StrongLine& line, const PlacedLine& look,
-                                    double size) const {
+    /// Dashes grow by powers of 2 if the gaps between them were too small to be seen at the farther
+    /// end, and shrink if the camera is near.
+    [[nodiscard]] double dash_scale(const SceneLine& line, const PlacedLine& look) const {
         constexpr double kSmallest = 0.25;
         constexpr double kLargest = 64;
-        const double depth = std::max(view_.depth(line.front().at), Pinhole::kNearest);
-        const double gap = kGap * size / view_.pixel_size(depth);  // pixels
+        double depth = Pinhole::kNearest;
+        for (const Vec3& end : line.reach.empty()
+                                   ? std::vector{line.points.front(), line.points.back()}
+                                   : line.reach) {
+            depth = std::max(depth, view_.depth(end));
+        }
+        const double gap = kGap * line.dash_size / view_.pixel_size(depth);  // pixels
         double scale = kSmallest;
         while (scale < kLargest && scale * gap < kLeastGap * look.width) {
             scale *= 2;

@@ -18,6 +18,7 @@ struct SceneLine {
     double width = 0.006;           // picture heights
     Dash dash = Dash::solid;        // in metres from the first point on
     double dash_size = 1;           // of the usual one
+    std::vector<Vec3> reach;        // places of a line that grows, so that its dashes do not
     bool is_closed = false;         // from the last point to the first
     bool has_head = false;          // an arrowhead at the last point
 };

@@ -19,7 +19,7 @@ int letters_of(OverlayItem item) {
         case OverlayItem::scene_time:
             return 16;  // "scene   1.2345 s"
         case OverlayItem::playback_speed:
-            return 17;  // "playback  0.1250x"
+            return 18;  // "playback   0.1250x"
     }
     return 0;
 }
