@@ -18,8 +18,7 @@ struct Spot {
 };
 
 /// The spots of a pool table: "foot", "head" and "centre" on the long axis, at the middle of each
-/// half and in the middle (WPA, Tournament Table and Equipment Specifications, section 3, and The
-/// Rules of Play, section 8). Racks stand at the foot.
+/// half and in the middle (WPA, The Rules of Play, 8.1). Racks stand at the foot.
 [[nodiscard]] std::vector<Spot> pool_spots(const TableMeasures& table);
 
 /// The spots of a snooker table: "yellow", "green", "brown", "blue", "pink" and "black", from the

@@ -39,7 +39,7 @@ void BallPlacer::remove(std::size_t event, std::uint32_t ball, double time) {
     recorder_.log(EventKind::removed, time, taken.name, taken.segment.position_at(time));
     stepped_.wake_around(ball, time);
     balls_.take_off(ball, time, hidden_place(ball));
-    balls_[ball].is_just_put = true;
+    done_.push_back(event);
 }
 
 /// A place of its own for each ball, in a row below the slate.
@@ -67,7 +67,7 @@ bool BallPlacer::try_place(const Waiting& waiting, double time) {
     const auto found = find_place(waiting, time);
     if (found) {
         put_down(waiting.ball, found->place, found->spot, time);
-        balls_[waiting.ball].is_just_put = true;
+        done_.push_back(waiting.event);
     }
     return found.has_value();
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/diagnostic.h"
@@ -35,6 +36,8 @@ class BallPlacer {
     [[nodiscard]] bool has_waiting() const { return !waiting_.empty(); }
     /// Whether a waiting ball can be put down now.
     [[nodiscard]] bool can_place_waiting(double time) const;
+    /// The events that have been carried out since the last call.
+    [[nodiscard]] std::vector<std::size_t> take_done() { return std::exchange(done_, {}); }
     /// Puts down the waiting balls whose places are free now, in the order in which they began to
     /// wait.
     void place_waiting(double time);
@@ -68,6 +71,7 @@ class BallPlacer {
     SteppedBodies& stepped_;
     Recorder& recorder_;
     std::vector<Waiting> waiting_;
+    std::vector<std::size_t> done_;
     std::vector<Diagnostic> given_up_;
 };
 

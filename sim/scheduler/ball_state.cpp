@@ -60,9 +60,6 @@ MotionSegment sinking_segment(double time, const MotionState& state, double heig
 }  // namespace
 
 bool Ball::has_moved_since_rest() const {
-    if (is_just_put) {
-        return true;
-    }
     if (!is_stepped()) {
         return !is_still();
     }

@@ -40,7 +40,6 @@ struct Ball {
     /// It falls straight and touches nothing.
     std::optional<double> sinks_to;
     bool is_removed = false;    // taken off the table: it has left it, like a returned one
-    bool is_just_put = false;   // by an event, since waits for rest were checked
     bool is_warned_of = false;  // that something acts on it although it has left
     std::optional<std::size_t> flight_event;  // logged event with which its last flight began
     Vec3 rested_at{0, 0, 0};                  // its centre when it last rested, or at the start
@@ -51,8 +50,7 @@ struct Ball {
     [[nodiscard]] bool is_stepped() const { return segment.kind == MotionKind::stepped; }
     /// Whether it lies or moves on the table, or above it.
     [[nodiscard]] bool is_on_table() const { return !is_potted && !is_off_table && !is_returned(); }
-    /// True if the ball moves and, if ODE steps it, has moved visibly since it last rested, or if
-    /// an event has just put it somewhere.
+    /// True if the ball moves and, if ODE steps it, has moved visibly since it last rested.
     [[nodiscard]] bool has_moved_since_rest() const;
     [[nodiscard]] BallBody body_at(double time) const {
         return {mass, radius, segment.state_at(time)};

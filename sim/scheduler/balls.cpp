@@ -284,12 +284,6 @@ void Balls::take_off(std::uint32_t index, double time, const Vec3& place) {
     move_to(ball, time, place);
 }
 
-void Balls::clear_just_put() {
-    for (Ball& ball : balls_) {
-        ball.is_just_put = false;
-    }
-}
-
 void Balls::warn_of_balls_in_pocket_mouths() const {
     for (const Ball& ball : balls_) {
         const int pocket = environment_.pocket_below(ball.segment.state.position);

@@ -73,8 +73,6 @@ class Balls {
     void put_down(std::uint32_t index, double time, const Vec2& place);
     /// The ball is taken off the table. It rests at `place`, out of sight, and touches nothing.
     void take_off(std::uint32_t index, double time, const Vec3& place);
-    /// The waits for rest have been checked: no ball counts as just put any more.
-    void clear_just_put();
     /// Warns of balls that rest over a pocket's hole, held by other balls.
     void warn_of_balls_in_pocket_mouths() const;
     /// Sets the straight path of the ball during a step that ODE is trying.

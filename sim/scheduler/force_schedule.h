@@ -50,6 +50,7 @@ class ForceSchedule {
 
     /// Schedules the events whose objects have come to rest.
     void check_rest_triggers(double now, const MotionQuery& query);
+    void note_placed(std::size_t event) { rest_triggers_.note_placed(event); }
     [[nodiscard]] bool waits_for_rest() const { return !rest_triggers_.is_empty(); }
     /// True if a force or torque on the object has impulses left. Empty name: on any object.
     [[nodiscard]] bool has_kicks_left(const std::string& name) const;

@@ -32,6 +32,14 @@ void RestTriggers::note_action(std::size_t event) {
     }
 }
 
+void RestTriggers::note_placed(std::size_t event) {
+    for (auto& [waiting, wait] : waiting_) {
+        if (wait.predecessor == event) {
+            wait.has_moved = true;
+        }
+    }
+}
+
 std::vector<std::size_t> RestTriggers::take_rested(double now, const MotionQuery& query) {
     std::vector<std::size_t> rested;
     for (auto it = waiting_.begin(); it != waiting_.end();) {

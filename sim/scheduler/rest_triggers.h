@@ -32,6 +32,10 @@ class RestTriggers {
     /// Event `event` acts now: the next one that waits for the same object begins its wait.
     void note_action(std::size_t event);
 
+    /// Event `event` has put a ball somewhere, which sets nothing in motion: the next one that
+    /// waits for the same object needs no motion after it.
+    void note_placed(std::size_t event);
+
     /// Removes and returns the events whose wait ends at `now`, in the order of the list.
     [[nodiscard]] std::vector<std::size_t> take_rested(double now, const MotionQuery& query);
 

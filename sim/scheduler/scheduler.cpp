@@ -176,6 +176,7 @@ void Scheduler::apply_due_actions() {
             action.time = now_;
             force_applier_.apply(action);
         }
+        note_placed_balls();
         if (begins_event) {
             add_energy();
         }
@@ -191,11 +192,18 @@ void Scheduler::put_balls_down() {
         add_energy();
         placer_.place_waiting(now_);
         add_energy();
+        note_placed_balls();
     }
     if (is_respotting_due()) {
         add_energy();
         respotting_.act(now_);
         add_energy();
+    }
+}
+
+void Scheduler::note_placed_balls() {
+    for (const std::size_t event : placer_.take_done()) {
+        schedule_.note_placed(event);
     }
 }
 
@@ -336,7 +344,6 @@ void Scheduler::check_rest_triggers() {
     schedule_.check_rest_triggers(now_,
                                   {[this](const std::string& name) { return is_moving(name); },
                                    [this](const std::string& name) { return is_resting(name); }});
-    balls_.clear_just_put();
 }
 
 bool Scheduler::is_resting(const std::string& name) const {

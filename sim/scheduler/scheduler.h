@@ -50,6 +50,7 @@ class Scheduler {
     [[nodiscard]] SearchHorizon horizon() const;
     void return_balls();
     void put_balls_down();
+    void note_placed_balls();
     [[nodiscard]] bool is_respotting_due() const;
     void check_triggers();
     void check_rest_triggers();

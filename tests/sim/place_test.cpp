@@ -248,7 +248,7 @@ TEST(PlacedBall, LeavesTheBallsThatLayOnIt_Falling) {
     EXPECT_LT(state_at(timeline, "top", 2.5).position.z, 1.1 * kRadius);
 }
 
-TEST(PlacedBall, CountsAsMovedForEventsThatWaitForRest) {
+TEST(PlacedBall, BetweenTwoStrikesThatWaitForRest_IsPutDownAtTheSameRest) {
     WorldDescription world = pool_world(12);
     world.bodies = {ball("cue", -0.9, 0.2), ball("one", 0.5, 0.2)};
     world.events = {strike_towards("cue", "one", 1.5), when_rested(place("one", {0.3, -0.2}, 0)),
@@ -260,6 +260,33 @@ TEST(PlacedBall, CountsAsMovedForEventsThatWaitForRest) {
     ASSERT_EQ(strikes.size(), 2U);
     EXPECT_EQ(times_of(timeline, EventKind::placed, "one"), std::vector<double>{strikes[1]});
     EXPECT_EQ(times_of(timeline, EventKind::placed, "cue"), std::vector<double>{strikes[1]});
+}
+
+TEST(PlacedBall, BeforeTheFirstStrike_IsNoMotionForEventsThatWaitForRest) {
+    WorldDescription world = pool_world(12);
+    world.bodies = {ball("cue", -0.9, 0.2), ball("one", 0.5, 0.2)};
+    world.events = {place("one", {0.3, -0.2}, 0.2), strike_towards("cue", "one", 1.5, 1),
+                    when_rested(strike_towards("cue", "one", 1.5))};
+    const std::vector<double> strikes = times_of(bake(world), EventKind::strike, "cue");
+    ASSERT_EQ(strikes.size(), 2U);
+    EXPECT_EQ(strikes[0], 1);
+    EXPECT_GT(strikes[1], 2);
+}
+
+TEST(PlacedBall, WhosePlaceIsOccupiedAtTheRest_HoldsUpTheNextStrike) {
+    WorldDescription world = pool_world(18);
+    world.bodies = {ball("cue", -0.9, 0.2), ball("one", 0.5, 0.2), ball("two", 0, -0.3)};
+    ForceEvent push;
+    push.object = "two";
+    push.time = 9;
+    push.action = SetVelocity{Vec3(0.3, 0, 0), rolling_spin({0.3, 0, 0})};
+    world.events = {strike_towards("cue", "one", 0.5), when_rested(place("one", {0, -0.3}, 0)),
+                    when_rested(strike_towards("cue", "one", 0.5)), push};
+    const Timeline timeline = bake(world);
+    const std::vector<double> strikes = times_of(timeline, EventKind::strike, "cue");
+    ASSERT_EQ(strikes.size(), 2U);
+    EXPECT_GT(times_of(timeline, EventKind::placed, "one").at(0), 9);
+    EXPECT_GT(strikes[1], 9.1);  // after the other ball has rolled away and rests
 }
 
 TEST(RemovedBall, IsOutOfSightAndTouchesNothing) {

@@ -1,6 +1,7 @@
 // Tests of the spots of tables, of the events that put balls somewhere, and of `respot`.
 #include <gmock/gmock.h>
 
+#include "pipeline/config/key_completion.h"
 #include "tests/pipeline/config/load.h"
 
 namespace carom::pipeline {
@@ -171,6 +172,24 @@ TEST(PlaceEvent, WithoutATable_IsRefused) {
               "t.yaml:6:5: error: event 2 on 'cue': without a table a ball cannot be taken off\n"
               "    6 |   - remove: {ball: cue}\n"
               "      |     ^~~~~~\n");
+}
+
+TEST(Spots, AreOfferedByTheCompletion) {
+    const auto offered = [](const std::string& start, const std::string& table) {
+        const config::Node tree = config::readable_tree(
+            "carom: 1\n" + table + "balls: {cue: {at: [0, 0]}}\n", "/nowhere/t.yaml");
+        std::vector<std::string> all;
+        for (const config::KeyCandidate& candidate : config::complete_override(start, tree)) {
+            all.push_back(candidate.text);
+        }
+        return all;
+    };
+    EXPECT_THAT(
+        offered("balls.cue.at=", "table: {kind: pool}\n"),
+        testing::ElementsAre("balls.cue.at=foot", "balls.cue.at=head", "balls.cue.at=centre"));
+    EXPECT_THAT(
+        offered("balls.cue.at=b", "table: {kind: snooker}\n"),
+        testing::ElementsAre("balls.cue.at=brown", "balls.cue.at=blue", "balls.cue.at=black"));
 }
 
 TEST(Rack, AtOfASnookerRack_IsRefused) {
