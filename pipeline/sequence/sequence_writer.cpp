@@ -62,6 +62,7 @@ std::vector<std::uint16_t> drawn_card(const TitleCard& card, int width, int heig
     Annotation title;
     title.kind = TitleAnnotation{card.text, card.subtitle};
     title.colour = card.colour;
+    title.place = PicturePlace{{0.5, 0.5}, false};
     shot.annotations = {title};
     const sim::Timeline timeline;
     FrameGraphics graphics(shot, timeline);

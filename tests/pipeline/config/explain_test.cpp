@@ -14,7 +14,6 @@
 #include "tests/pipeline/config/shot_text.h"
 #include "tests/pipeline/film_of_shots.h"
 #include "tests/pipeline/video/scratch_folder.h"
-#include "tests/pipeline/film_of_shots.h"
 
 namespace carom::pipeline {
 namespace {
