@@ -43,6 +43,7 @@ class VideoSink : public FilmSink {
           view_(shot_.output),
           graphics_(shot_, source.timeline()),
           poster_(poster_frame(shot_, plan)) {
+        graphics_.prepare();
         open();
     }
 
@@ -129,6 +130,7 @@ class SequenceSink : public FilmSink {
           pattern_(std::move(pattern)),
           view_(source.shot().output),
           graphics_(source.shot(), source.timeline()) {
+        graphics_.prepare();
         // Created and removed immediately, only to check whether the folder is writable.
         const PendingFile probe(path_in_sequence(pattern_, plan.frames.front()));
     }

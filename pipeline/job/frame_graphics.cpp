@@ -45,6 +45,12 @@ bool FrameGraphics::is_empty() const {
     return shot_.annotations.empty() && shot_.output.overlay.show.empty();
 }
 
+void FrameGraphics::prepare() {
+    if (!shot_.annotations.empty()) {
+        painter().prepare();
+    }
+}
+
 AnnotationPainter& FrameGraphics::painter() {
     if (!painter_) {
         painter_ = std::make_unique<AnnotationPainter>(shot_, timeline_);
@@ -63,8 +69,8 @@ const DrawnPicture& FrameGraphics::annotations(std::span<const PlannedFrame> lay
     return last_->picture;
 }
 
-void FrameGraphics::draw_in_scene(const PlannedFrame& frame, std::span<std::uint8_t> rgb,
-                                  int width, int height) {
+void FrameGraphics::draw_in_scene(const PlannedFrame& frame, std::span<std::uint8_t> rgb, int width,
+                                  int height) {
     if (!shot_.annotations.empty()) {
         compose_over(painter().draw({&frame, 1}, width, height, DrawnAnnotations::in_scene), rgb);
     }

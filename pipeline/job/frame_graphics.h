@@ -27,6 +27,9 @@ class FrameGraphics {
     /// Whether anything is ever drawn.
     [[nodiscard]] bool is_empty() const;
 
+    /// Reads fonts and pictures, so that a film does not fail at its first frame. Throws Error.
+    void prepare();
+
     /// Draws on the display values of a picture (width * height * 3, from the top left). Throws
     /// Error.
     void draw(std::span<const PlannedFrame> layers, std::span<std::uint8_t> rgb, int width,

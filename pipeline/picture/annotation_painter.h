@@ -32,6 +32,9 @@ class AnnotationPainter {
     AnnotationPainter(const AnnotationPainter&) = delete;
     AnnotationPainter& operator=(const AnnotationPainter&) = delete;
 
+    /// Reads all fonts and pictures, so that a film does not fail at its first frame. Throws Error.
+    void prepare();
+
     /// The annotations of a frame that consists of these layers (plan_mixed_frame), in the order of
     /// the shot: those in the scene first, then those on the picture. Empty if none is shown. The
     /// same arguments give the same pixels. Threads of the caller's arena share the work. Throws
@@ -47,8 +50,5 @@ class AnnotationPainter {
 /// The opacity of an annotation at a time on its clock, [0, 1]: 0 before `from` and after `to`, and
 /// growing and falling linearly during `fade`.
 [[nodiscard]] double opacity_at(const Annotation& annotation, double time);
-
-/// Whether the annotation is placed in the scene, so that its times are scene times.
-[[nodiscard]] bool is_in_scene(const Annotation& annotation);
 
 }  // namespace carom::pipeline
