@@ -255,7 +255,7 @@ void run(const FrameCommand& command, CommandContext& context) {
     options.factory = context.factory;
     const sim::Bake bake = obtain_bake(input, command.input, command.cache, context);
     warn_of_no_store(command.cache, context.console);
-    pipeline::FrameGraphics graphics(input.shot, bake.timeline);
+    pipeline::FrameGraphics graphics(input.shot, bake.timeline, command.threads);
     graphics.prepare();  // may fail, so before rendering
     const render::Film film = pipeline::make_frame(
         input.shot, bake, frame, options, make_console_observer(context.console, 1), context.stop);

@@ -127,7 +127,8 @@ FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOp
 
     // Opened before anything is rendered, so that a film that cannot be written fails immediately.
     const std::unique_ptr<FilmSink> sink =
-        options.output.empty() ? nullptr : make_film_sink(source, plan, options.output);
+        options.output.empty() ? nullptr
+                               : make_film_sink(source, plan, options.output, options.threads);
     std::stop_source job_stop;
     const std::stop_callback pass_on(stop, [&job_stop] { job_stop.request_stop(); });
     FrameQueue queue(plan.pictures.size());

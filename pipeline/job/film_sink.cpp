@@ -36,12 +36,12 @@ std::optional<std::int64_t> poster_frame(const Shot& shot, const FilmPlan& plan)
 
 class VideoSink : public FilmSink {
   public:
-    VideoSink(const FilmSource& source, const FilmPlan& plan, const std::string& path)
+    VideoSink(const FilmSource& source, const FilmPlan& plan, const std::string& path, int threads)
         : source_(source),
           shot_(source.shot()),
           path_(path),
           view_(shot_.output),
-          graphics_(shot_, source.timeline()),
+          graphics_(shot_, source.timeline(), threads),
           poster_(poster_frame(shot_, plan)) {
         graphics_.prepare();
         open();
@@ -125,11 +125,11 @@ class VideoSink : public FilmSink {
 
 class SequenceSink : public FilmSink {
   public:
-    SequenceSink(const FilmSource& source, const FilmPlan& plan, std::string pattern)
+    SequenceSink(const FilmSource& source, const FilmPlan& plan, std::string pattern, int threads)
         : source_(source),
           pattern_(std::move(pattern)),
           view_(source.shot().output),
-          graphics_(source.shot(), source.timeline()) {
+          graphics_(source.shot(), source.timeline(), threads) {
         graphics_.prepare();
         // Created and removed immediately, only to check whether the folder is writable.
         const PendingFile probe(path_in_sequence(pattern_, plan.frames.front()));
@@ -160,11 +160,11 @@ class SequenceSink : public FilmSink {
 }  // namespace
 
 std::unique_ptr<FilmSink> make_film_sink(const FilmSource& source, const FilmPlan& plan,
-                                         const std::string& path) {
+                                         const std::string& path, int threads) {
     if (is_image_sequence(path)) {
-        return std::make_unique<SequenceSink>(source, plan, path);
+        return std::make_unique<SequenceSink>(source, plan, path, threads);
     }
-    return std::make_unique<VideoSink>(source, plan, path);
+    return std::make_unique<VideoSink>(source, plan, path, threads);
 }
 
 }  // namespace carom::pipeline

@@ -143,7 +143,8 @@ FilmJobResult make_unstored_film(const Shot& shot, const sim::Bake& bake,
     ThreadSafeObserver safe_observer(observer);
     const FilmSource source(shot, bake.timeline, options.tier);
     const FilmPlan plan = plan_film(source, job_frames(shot, options), stop);
-    const std::unique_ptr<FilmSink> sink = make_film_sink(source, plan, options.output);
+    const std::unique_ptr<FilmSink> sink =
+        make_film_sink(source, plan, options.output, options.threads);
     if (sink->wants_preview()) {
         warn_of_two_passes(shot, plan, safe_observer);
     }

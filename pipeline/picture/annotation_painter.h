@@ -20,7 +20,7 @@ struct DrawnPicture {
     std::vector<std::uint32_t> pixels;
 };
 
-enum class DrawnAnnotations { all, in_scene };
+enum class DrawnAnnotations : int { all, in_scene };
 
 /// Prepares what all frames share when it is needed: fonts, pictures, and the scene's geometry for
 /// annotations that surfaces can hide. For one thread at a time.

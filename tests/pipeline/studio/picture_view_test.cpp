@@ -109,7 +109,7 @@ TEST_F(View, Annotations_AreOnFramesAndThoseInTheSceneInOtherViews) {
     const render::Film film = pipeline::make_frame(*shot, bake, 4, options, {}, {});
     std::vector<std::uint8_t> rgb = pipeline::DisplayView(shot->output).to_8(film);
     const std::vector<std::uint8_t> plain = rgb;
-    pipeline::FrameGraphics graphics(*shot, *timeline_);
+    pipeline::FrameGraphics graphics(*shot, *timeline_, 1);
     graphics.draw(source.layers(4), std::span(rgb), film.width, film.height);
     EXPECT_NE(rgb, plain);
     ASSERT_EQ(drawn.size(), rgb.size() / 3 * 4);
