@@ -284,6 +284,8 @@ void run(const FrameCommand& command, CommandContext& context) {
     options.factory = context.factory;
     const sim::Bake bake = obtain_bake(input, command.input, command.cache, context);
     warn_of_no_store(command.cache, context.console);
+    pipeline::FrameGraphics graphics(input.shot, bake.timeline, command.threads);
+    graphics.prepare();  // may fail, so before rendering
     const render::Film film = pipeline::make_frame(
         input.shot, bake, frame, options, make_console_observer(context.console, 1), context.stop);
     context.console.end_progress();
@@ -291,7 +293,6 @@ void run(const FrameCommand& command, CommandContext& context) {
     const std::vector<pipeline::PlannedFrame> layers = pipeline::plan_mixed_frame(
         frame, pipeline::with_fitted_paths(input.shot.cameras, bake.timeline), input.shot.timing,
         bake.timeline);
-    pipeline::FrameGraphics graphics(input.shot, bake.timeline);
     pipeline::write_picture(
         film, view, path, pipeline::exported_frame_metadata(input.shot, bake.timeline, frame, film),
         [&](std::span<std::uint8_t> rgb, int width, int height) {

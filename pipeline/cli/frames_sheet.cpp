@@ -84,7 +84,7 @@ void write_frames_sheet(const Shot& shot, const sim::Bake& bake,
     const pipeline::DisplayView view(shot.output);
     const std::vector<pipeline::CameraRig> rigs =
         pipeline::with_fitted_paths(shot.cameras, bake.timeline);
-    pipeline::FrameGraphics graphics(shot, bake.timeline);
+    pipeline::FrameGraphics graphics(shot, bake.timeline, options.threads);
     std::vector<pipeline::SheetCell> cells;
     for (const std::int64_t number : sheet.frames) {
         const render::Film film =

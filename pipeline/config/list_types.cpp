@@ -86,8 +86,8 @@ bool check_list(Reader& reader, const Node& node, const TypeInfo& type) {
     if (count < type.fewest || (type.most >= 0 && count > type.most)) {
         std::string allowed = describe(type);
         if (type.most < 0) {
-            allowed += type.fewest == 1 ? " (at least one)"
-                                        : fmt::format(" (at least {})", type.fewest);
+            allowed +=
+                type.fewest == 1 ? " (at least one)" : fmt::format(" (at least {})", type.fewest);
         }
         reader.error(node.place,
                      fmt::format("{} must be {}, not of {}", reader.value_name(), allowed, count));

@@ -36,11 +36,11 @@ std::optional<std::int64_t> poster_frame(const Shot& shot, const FilmPlan& plan)
 
 class VideoSink : public FilmSink {
   public:
-    VideoSink(const FilmSource& source, const FilmPlan& plan, const std::string& path)
+    VideoSink(const FilmSource& source, const FilmPlan& plan, const std::string& path, int threads)
         : source_(source),
           shot_(source.shot()),
           path_(path),
-          signal_(source),
+          signal_(source, threads),
           poster_(poster_frame(shot_, plan)) {
         open();
     }
@@ -104,11 +104,12 @@ class VideoSink : public FilmSink {
 
 class SequenceSink : public FilmSink {
   public:
-    SequenceSink(const FilmSource& source, const FilmPlan& plan, std::string pattern)
+    SequenceSink(const FilmSource& source, const FilmPlan& plan, std::string pattern, int threads)
         : source_(source),
           pattern_(std::move(pattern)),
           view_(source.shot().output),
-          graphics_(source.shot(), source.timeline()) {
+          graphics_(source.shot(), source.timeline(), threads) {
+        graphics_.prepare();
         // Created and removed immediately, only to check whether the folder is writable.
         const PendingFile probe(path_in_sequence(pattern_, plan.frames.front()));
     }
@@ -138,11 +139,11 @@ class SequenceSink : public FilmSink {
 }  // namespace
 
 std::unique_ptr<FilmSink> make_film_sink(const FilmSource& source, const FilmPlan& plan,
-                                         const std::string& path) {
+                                         const std::string& path, int threads) {
     if (is_image_sequence(path)) {
-        return std::make_unique<SequenceSink>(source, plan, path);
+        return std::make_unique<SequenceSink>(source, plan, path, threads);
     }
-    return std::make_unique<VideoSink>(source, plan, path);
+    return std::make_unique<VideoSink>(source, plan, path, threads);
 }
 
 std::unique_ptr<FilmSink> sink_of(const FilmJobOptions& options, const FilmSource& source,
@@ -150,7 +151,8 @@ std::unique_ptr<FilmSink> sink_of(const FilmJobOptions& options, const FilmSourc
     if (options.sink) {
         return options.sink(source, plan);
     }
-    return options.output.empty() ? nullptr : make_film_sink(source, plan, options.output);
+    return options.output.empty() ? nullptr
+                                  : make_film_sink(source, plan, options.output, options.threads);
 }
 
 }  // namespace carom::pipeline

@@ -9,6 +9,7 @@
 #include "pipeline/picture/annotation_painter.h"
 #include "pipeline/picture/compose.h"
 #include "pipeline/video/hdr_view.h"
+#include "render/threads/thread_arena.h"
 
 namespace carom::pipeline {
 namespace {
@@ -36,13 +37,20 @@ struct FrameGraphics::Last {
     DrawnPicture picture;
 };
 
-FrameGraphics::FrameGraphics(const Shot& shot, const sim::Timeline& timeline)
-    : shot_(shot), timeline_(timeline) {}
+FrameGraphics::FrameGraphics(const Shot& shot, const sim::Timeline& timeline,
+                             std::optional<int> threads)
+    : shot_(shot), timeline_(timeline), threads_(threads) {}
 
 FrameGraphics::~FrameGraphics() = default;
 
 bool FrameGraphics::is_empty() const {
     return shot_.annotations.empty() && shot_.output.overlay.show.empty();
+}
+
+void FrameGraphics::prepare() {
+    if (!shot_.annotations.empty()) {
+        painter().prepare();
+    }
 }
 
 AnnotationPainter& FrameGraphics::painter() {
@@ -52,21 +60,30 @@ AnnotationPainter& FrameGraphics::painter() {
     return *painter_;
 }
 
+DrawnPicture FrameGraphics::paint(std::span<const PlannedFrame> layers, int width, int height,
+                                  DrawnAnnotations which) {
+    if (!threads_) {
+        return painter().draw(layers, width, height, which);
+    }
+    render::ThreadArena arena(*threads_);
+    return arena.execute([&] { return painter().draw(layers, width, height, which); });
+}
+
 const DrawnPicture& FrameGraphics::annotations(std::span<const PlannedFrame> layers, int width,
                                                int height) {
     if (!last_ || last_->width != width || last_->height != height ||
         !std::ranges::equal(last_->layers, layers, shows_same)) {
-        DrawnPicture picture = painter().draw(layers, width, height);
+        DrawnPicture picture = paint(layers, width, height, DrawnAnnotations::all);
         last_ = std::make_unique<Last>(
             Last{{layers.begin(), layers.end()}, width, height, std::move(picture)});
     }
     return last_->picture;
 }
 
-void FrameGraphics::draw_in_scene(const PlannedFrame& frame, std::span<std::uint8_t> rgb,
-                                  int width, int height) {
+void FrameGraphics::draw_in_scene(const PlannedFrame& frame, std::span<std::uint8_t> rgb, int width,
+                                  int height) {
     if (!shot_.annotations.empty()) {
-        compose_over(painter().draw({&frame, 1}, width, height, DrawnAnnotations::in_scene), rgb);
+        compose_over(paint({&frame, 1}, width, height, DrawnAnnotations::in_scene), rgb);
     }
 }
 

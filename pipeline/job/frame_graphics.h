@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "pipeline/camera/frame_plan.h"
@@ -13,19 +14,24 @@ namespace carom::pipeline {
 
 class AnnotationPainter;  // pipeline/picture/annotation_painter.h
 struct DrawnPicture;
+enum class DrawnAnnotations : int;
 
-/// Neither frames in the store nor EXR files have it. For one thread at a time; threads of the
-/// caller's arena share the work. A frame is given by its layers (FilmSource::layers).
+/// Neither frames in the store nor EXR files have it. For one thread at a time. A frame is given by
+/// its layers (FilmSource::layers).
 class FrameGraphics {
   public:
-    /// Refers to both.
-    FrameGraphics(const Shot& shot, const sim::Timeline& timeline);
+    /// Refers to both. `threads` that share the work; 0: one per processor; none: those of the
+    /// caller's arena.
+    FrameGraphics(const Shot& shot, const sim::Timeline& timeline, std::optional<int> threads);
     ~FrameGraphics();
     FrameGraphics(const FrameGraphics&) = delete;
     FrameGraphics& operator=(const FrameGraphics&) = delete;
 
     /// Whether anything is ever drawn.
     [[nodiscard]] bool is_empty() const;
+
+    /// Reads fonts and pictures, so that a film does not fail at its first frame. Throws Error.
+    void prepare();
 
     /// Draws on the display values of a picture (width * height * 3, from the top left). Throws
     /// Error.
@@ -44,11 +50,14 @@ class FrameGraphics {
   private:
     struct Last;
     [[nodiscard]] AnnotationPainter& painter();
+    [[nodiscard]] DrawnPicture paint(std::span<const PlannedFrame> layers, int width, int height,
+                                     DrawnAnnotations which);
     [[nodiscard]] const DrawnPicture& annotations(std::span<const PlannedFrame> layers, int width,
                                                   int height);
 
     const Shot& shot_;
     const sim::Timeline& timeline_;
+    std::optional<int> threads_;
     std::unique_ptr<AnnotationPainter> painter_;  // made for the first frame with annotations
     std::unique_ptr<Last> last_;  // drawn frame, because the studio shows the same one many times
 };

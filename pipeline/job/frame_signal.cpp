@@ -6,8 +6,12 @@
 
 namespace carom::pipeline {
 
-FrameSignal::FrameSignal(const FilmSource& source)
-    : source_(source), view_(source.shot().output), graphics_(source.shot(), source.timeline()) {}
+FrameSignal::FrameSignal(const FilmSource& source, int threads)
+    : source_(source),
+      view_(source.shot().output),
+      graphics_(source.shot(), source.timeline(), threads) {
+    graphics_.prepare();
+}
 
 const std::vector<std::uint16_t>& FrameSignal::of(std::int64_t frame, const render::Film& picture,
                                                   bool same_as_before) {

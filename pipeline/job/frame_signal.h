@@ -14,8 +14,9 @@ namespace carom::pipeline {
 /// For one thread at a time.
 class FrameSignal {
   public:
-    /// Refers to the source. Throws Error as DisplayView does.
-    explicit FrameSignal(const FilmSource& source);
+    /// Refers to the source. `threads`: for drawing, as in FilmJobOptions. Throws Error as
+    /// DisplayView does, and if a font or a picture is missing.
+    FrameSignal(const FilmSource& source, int threads);
 
     /// 16-bit RGB (width * height * 3, from the top left) through the shot's view, or the signal of
     /// its hdr10, with annotations and overlay, until the next call. `same_as_before`: the picture

@@ -70,7 +70,7 @@ std::optional<Aim> aim_of(const AimAnnotation& aim, const SceneMoment& moment) {
     if (!aim.toward && !aim.direction) {
         return aim_of_strike(aim.of, moment);
     }
-    const Vec3 from = moment.place({aim.of, {}});
+    const Vec3 from = moment.place({aim.of});
     const std::optional<Vec3> direction = aim.direction
                                               ? std::optional(towards_angle(*aim.direction))
                                               : level(moment.place(*aim.toward) - from);

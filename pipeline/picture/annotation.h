@@ -156,4 +156,14 @@ struct Annotation {
     std::optional<PicturePlace> place{};
 };
 
+/// Whether the annotation is placed in the scene, so that its times are scene times.
+[[nodiscard]] inline bool is_in_scene(const Annotation& annotation) {
+    const AnnotationKind& kind = annotation.kind;
+    return !std::holds_alternative<TextAnnotation>(kind) &&
+           !std::holds_alternative<TitleAnnotation>(kind) &&
+           !std::holds_alternative<TipAnnotation>(kind) &&
+           !std::holds_alternative<PlanAnnotation>(kind) &&
+           !std::holds_alternative<ImageAnnotation>(kind);
+}
+
 }  // namespace carom::pipeline

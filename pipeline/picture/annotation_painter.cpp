@@ -14,7 +14,9 @@
 namespace carom::pipeline {
 namespace {
 
-constexpr int kRowsAtOnce = 32;  // so that the memory for samples stays small
+// Parts of the picture that are drawn at once, so that the memory for samples stays small.
+constexpr int kRowsAtOnce = 32;
+constexpr int kColumnsAtOnce = 2048;
 
 /// Of the middle of the exposure.
 double middle_of(const PlannedFrame& frame) {
@@ -46,15 +48,6 @@ double opacity_at(const Annotation& annotation, double scene_time, double video_
     return opacity;
 }
 
-bool is_in_scene(const Annotation& annotation) {
-    const AnnotationKind& kind = annotation.kind;
-    return !std::holds_alternative<TextAnnotation>(kind) &&
-           !std::holds_alternative<TitleAnnotation>(kind) &&
-           !std::holds_alternative<TipAnnotation>(kind) &&
-           !std::holds_alternative<PlanAnnotation>(kind) &&
-           !std::holds_alternative<ImageAnnotation>(kind);
-}
-
 class AnnotationPainter::Painter {
   public:
     Painter(const Shot& shot, const sim::Timeline& timeline)
@@ -63,6 +56,13 @@ class AnnotationPainter::Painter {
             std::ranges::count_if(shot.annotations, [](const Annotation& annotation) {
                 return std::holds_alternative<PathAnnotation>(annotation.kind);
             }));
+    }
+
+    void prepare() {
+        for (const Annotation& annotation : shot_.annotations) {
+            (void)fonts_.of(annotation.font);
+            items_.prepare(annotation);
+        }
     }
 
     DrawnPicture draw(std::span<const PlannedFrame> layers, int width, int height,
@@ -124,9 +124,12 @@ class AnnotationPainter::Painter {
             obstacles.emplace(*geometry_, timeline_, time);
         }
         for (int top = box.top; top < box.bottom; top += kRowsAtOnce) {
-            const PixelBox band{box.left, top, box.right, std::min(top + kRowsAtOnce, box.bottom)};
-            const SceneLayer layer(shapes, band);
-            layer.compose(view, *obstacles, opacity, canvas());
+            for (int left = box.left; left < box.right; left += kColumnsAtOnce) {
+                const SceneLayer layer(shapes,
+                                       {left, top, std::min(left + kColumnsAtOnce, box.right),
+                                        std::min(top + kRowsAtOnce, box.bottom)});
+                layer.compose(view, *obstacles, opacity, canvas());
+            }
         }
     }
 
@@ -161,6 +164,10 @@ AnnotationPainter::AnnotationPainter(const Shot& shot, const sim::Timeline& time
     : painter_(std::make_unique<Painter>(shot, timeline)) {}
 
 AnnotationPainter::~AnnotationPainter() = default;
+
+void AnnotationPainter::prepare() {
+    painter_->prepare();
+}
 
 DrawnPicture AnnotationPainter::draw(std::span<const PlannedFrame> layers, int width, int height,
                                      DrawnAnnotations which) {

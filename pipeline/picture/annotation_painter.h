@@ -20,7 +20,7 @@ struct DrawnPicture {
     std::vector<std::uint32_t> pixels;
 };
 
-enum class DrawnAnnotations { all, in_scene };
+enum class DrawnAnnotations : int { all, in_scene };
 
 /// Prepares what all frames share when it is needed: fonts, pictures, and the scene's geometry for
 /// annotations that surfaces can hide. For one thread at a time.
@@ -31,6 +31,9 @@ class AnnotationPainter {
     ~AnnotationPainter();
     AnnotationPainter(const AnnotationPainter&) = delete;
     AnnotationPainter& operator=(const AnnotationPainter&) = delete;
+
+    /// Reads all fonts and pictures, so that a film does not fail at its first frame. Throws Error.
+    void prepare();
 
     /// The annotations of a frame that consists of these layers (plan_mixed_frame), in the order of
     /// the shot: those in the scene first, then those on the picture. Empty if none is shown. The
@@ -47,8 +50,5 @@ class AnnotationPainter {
 /// The opacity of an annotation at a scene time and a video time (s), [0, 1]: 0 before `from` and
 /// after `to`, and growing and falling linearly during `fade`.
 [[nodiscard]] double opacity_at(const Annotation& annotation, double scene_time, double video_time);
-
-/// Whether the annotation is placed in the scene, so that its times are scene times.
-[[nodiscard]] bool is_in_scene(const Annotation& annotation);
 
 }  // namespace carom::pipeline

@@ -45,7 +45,7 @@ SceneText scene_text(std::string text, const Vec3& at, const Annotation& look, d
     result.font = look.font;
     result.size = look.size.value_or(usual_size);
     result.colour = text_colour();
-    result.box = look.box.value_or(TextBox{{}, 0});
+    result.box = look.box.value_or(TextBox{Vec3(0), 0});
     return result;
 }
 
@@ -93,7 +93,7 @@ SceneShapes shapes_of(const LabelAnnotation& label, const Annotation& look,
     const double radius = moment.radius(label.of);
     SceneText text = scene_text(
         text_with_values(std::get<std::vector<TextPiece>>(pieces), moment.values, moment.timeline),
-        moment.place({label.of, {}}) + radius * moment.view.up(), look, kTextSize);
+        moment.place({label.of}) + radius * moment.view.up(), look, kTextSize);
     text.colour = look.colour.value_or(text_colour());
     text.nearer = radius;
     text.offset = {0, kGap};

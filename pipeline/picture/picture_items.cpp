@@ -77,6 +77,20 @@ void PictureItems::draw(const Annotation& annotation, const FrameMoment& moment,
         annotation.kind);
 }
 
+const Canvas& PictureItems::image_of(const std::string& file) {
+    std::unique_ptr<Canvas>& picture = images_[file];
+    if (!picture) {
+        picture = std::make_unique<Canvas>(image_canvas(file));
+    }
+    return *picture;
+}
+
+void PictureItems::prepare(const Annotation& annotation) {
+    if (const auto* image = std::get_if<ImageAnnotation>(&annotation.kind)) {
+        (void)image_of(image->file);
+    }
+}
+
 std::string PictureItems::filled(const std::string& text, const FrameMoment& moment) const {
     const auto pieces = parse_value_text(text);
     if (const auto* problem = std::get_if<TextProblem>(&pieces)) {
@@ -98,8 +112,8 @@ void PictureItems::draw_title(const TitleAnnotation& title, const Annotation& lo
                               const FrameMoment& moment, Canvas& canvas) {
     const PicturePlace place = look.place.value_or(kTitlePlace);
     const double line = pixels(look, kTitleSize, canvas);
-    TextLook style{line, look.colour.value_or(text_colour()), look.box.value_or(TextBox{{}, 0}),
-                   alignment_at(place)};
+    TextLook style{line, look.colour.value_or(text_colour()),
+                   look.box.value_or(TextBox{Vec3(0), 0}), alignment_at(place)};
     const Font& font = fonts_.of(look.font);
     const DrawnText above(font, filled(title.text, moment), style);
     style.line_height *= kSubtitle;
@@ -141,14 +155,11 @@ void PictureItems::draw_plan(const PlanAnnotation& plan, const Annotation& look,
 
 void PictureItems::draw_image(const ImageAnnotation& image, const Annotation& look,
                               Canvas& canvas) {
-    std::unique_ptr<Canvas>& picture = images_[image.file];
-    if (!picture) {
-        picture = std::make_unique<Canvas>(image_canvas(image.file));
-    }
-    const double scale = pixels(look, kImageSize, canvas) / picture->height();
-    const Vec2 size = scale * size_of(*picture);
+    const Canvas& picture = image_of(image.file);
+    const double scale = pixels(look, kImageSize, canvas) / picture.height();
+    const Vec2 size = scale * size_of(picture);
     const Vec2 corner = corner_at(look.place.value_or(kBottomRight), size, size_of(canvas));
-    draw_canvas(canvas.context(), *picture, corner, scale);
+    draw_canvas(canvas.context(), picture, corner, scale);
 }
 
 }  // namespace carom::pipeline

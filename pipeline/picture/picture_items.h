@@ -32,6 +32,9 @@ class PictureItems {
     PictureItems(const Shot& shot, const sim::Timeline& timeline, Fonts& fonts)
         : shot_(shot), timeline_(timeline), fonts_(fonts) {}
 
+    /// Reads the picture of the annotation if it has one. Throws Error.
+    void prepare(const Annotation& annotation);
+
     /// Draws the annotation with full opacity; nothing if it is one in the scene. Throws Error.
     void draw(const Annotation& annotation, const FrameMoment& moment, Canvas& canvas);
 
@@ -45,6 +48,7 @@ class PictureItems {
                    Canvas& canvas);
     void draw_image(const ImageAnnotation& image, const Annotation& look, Canvas& canvas);
 
+    [[nodiscard]] const Canvas& image_of(const std::string& file);
     [[nodiscard]] std::string filled(const std::string& text, const FrameMoment& moment) const;
 
     const Shot& shot_;

@@ -216,52 +216,57 @@ void SceneLayer::set_depth(const PlacedText& text) {
     }
 }
 
-SceneLayer::Colour SceneLayer::visible(int x, int y, std::span<const std::uint32_t> pixels,
-                                       const Pinhole& view, const Obstacles& obstacles) const {
-    std::array<std::size_t, std::size_t{kSide} * kSide> drawn{};
-    std::array<bool, drawn.size()> is_hidden{};
-    std::size_t count = 0;
+SceneLayer::PixelSamples SceneLayer::drawn_samples(int x, int y,
+                                                   std::span<const std::uint32_t> pixels) const {
+    PixelSamples samples;
     for (int row = kSide * y; row < kSide * (y + 1); ++row) {
         for (int column = kSide * x; column < kSide * (x + 1); ++column) {
             const std::size_t at = index(column, row);
             if (pixels[at] >> 24 != 0 && samples_[at].inverse_depth > 0) {
-                drawn[count++] = at;
+                samples.at[samples.count++] = at;
             }
         }
     }
-    const auto test = [&](std::size_t i) {
-        const auto column = static_cast<int>(drawn[i] % static_cast<std::size_t>(columns()));
-        const auto row = static_cast<int>(drawn[i] / static_cast<std::size_t>(columns()));
-        return obstacles.hides(view.position(), view.direction(place_of(column, row)),
-                               1 / static_cast<double>(samples_[drawn[i]].inverse_depth));
-    };
+    return samples;
+}
+
+bool SceneLayer::is_hidden(std::size_t at, const Pinhole& view, const Obstacles& obstacles) const {
+    const auto column = static_cast<int>(at % static_cast<std::size_t>(columns()));
+    const auto row = static_cast<int>(at / static_cast<std::size_t>(columns()));
+    return obstacles.hides(view.position(), view.direction(place_of(column, row)),
+                           1 / static_cast<double>(samples_[at].inverse_depth));
+}
+
+void SceneLayer::remove_hidden(PixelSamples& samples, const Pinhole& view,
+                               const Obstacles& obstacles) const {
     // Four samples that agree stand for all.
     constexpr std::size_t kFew = 4;
-    if (count > kFew) {
+    if (samples.count > kFew) {
         std::size_t hidden = 0;
         for (std::size_t i = 0; i < kFew; ++i) {
-            hidden += test(i * (count - 1) / (kFew - 1)) ? 1U : 0U;
+            const std::size_t chosen = i * (samples.count - 1) / (kFew - 1);
+            hidden += is_hidden(samples.at[chosen], view, obstacles) ? 1U : 0U;
         }
-        if (hidden == kFew) {
-            return {};
-        }
-        if (hidden > 0) {
-            for (std::size_t i = 0; i < count; ++i) {
-                is_hidden[i] = test(i);
-            }
-        }
-    } else {
-        for (std::size_t i = 0; i < count; ++i) {
-            is_hidden[i] = test(i);
+        if (hidden == 0 || hidden == kFew) {
+            samples.count = hidden == 0 ? samples.count : 0;
+            return;
         }
     }
-    Colour sum;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (is_hidden[i]) {
-            continue;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < samples.count; ++i) {
+        if (!is_hidden(samples.at[i], view, obstacles)) {
+            samples.at[kept++] = samples.at[i];
         }
-        const std::uint32_t pixel = pixels[drawn[i]];
-        const float weight = samples_[drawn[i]].strength / (kSide * kSide);
+    }
+    samples.count = kept;
+}
+
+SceneLayer::Colour SceneLayer::mean_of(const PixelSamples& samples,
+                                       std::span<const std::uint32_t> pixels) const {
+    Colour sum;
+    for (std::size_t i = 0; i < samples.count; ++i) {
+        const std::uint32_t pixel = pixels[samples.at[i]];
+        const float weight = samples_[samples.at[i]].strength / (kSide * kSide);
         sum.blue += weight * static_cast<float>(pixel & 0xff);
         sum.green += weight * static_cast<float>((pixel >> 8) & 0xff);
         sum.red += weight * static_cast<float>((pixel >> 16) & 0xff);
@@ -279,7 +284,9 @@ void SceneLayer::compose(const Pinhole& view, const Obstacles& obstacles, double
         const render::FlushDenormals flush;
         const auto y = static_cast<int>(row);
         for (int x = 0; x < box_.right - box_.left; ++x) {
-            const Colour colour = visible(x, y, drawn, view, obstacles);
+            PixelSamples samples = drawn_samples(x, y, drawn);
+            remove_hidden(samples, view, obstacles);
+            const Colour colour = mean_of(samples, drawn);
             if (colour.alpha <= 0) {
                 continue;
             }

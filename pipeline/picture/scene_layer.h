@@ -1,6 +1,8 @@
 // A part of the picture in which annotations in the scene are drawn with 4 x 4 samples per pixel.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -60,9 +62,20 @@ class SceneLayer {
     void set_depth(const PlacedText& text);
     void set_depth_of_piece(const PlacedPoint& from, const PlacedPoint& to, double radius);
 
-    /// The mean of a pixel's samples that are not hidden.
-    [[nodiscard]] Colour visible(int x, int y, std::span<const std::uint32_t> pixels,
-                                 const Pinhole& view, const Obstacles& obstacles) const;
+    /// Those of a pixel in which something is drawn.
+    struct PixelSamples {
+        std::array<std::size_t, std::size_t{kSide} * kSide> at{};  // indices
+        std::size_t count = 0;
+    };
+    [[nodiscard]] PixelSamples drawn_samples(int x, int y,
+                                             std::span<const std::uint32_t> pixels) const;
+    [[nodiscard]] bool is_hidden(std::size_t at, const Pinhole& view,
+                                 const Obstacles& obstacles) const;
+    void remove_hidden(PixelSamples& samples, const Pinhole& view,
+                       const Obstacles& obstacles) const;
+    /// Of the pixel; what is not among the samples counts as transparent.
+    [[nodiscard]] Colour mean_of(const PixelSamples& samples,
+                                 std::span<const std::uint32_t> pixels) const;
 
     PixelBox box_;
     Canvas canvas_;

@@ -47,7 +47,7 @@ struct SceneText {
     std::string font;      // path of its file; empty: default
     double size = 0.04;    // of a line, picture heights
     Vec3 colour{1, 1, 1};  // linear
-    TextBox box{{}, 0};
+    TextBox box{Vec3(0), 0};
 };
 
 using SceneShape = std::variant<SceneArea, SceneLine, SceneDot, SceneText>;

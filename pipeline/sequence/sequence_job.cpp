@@ -21,8 +21,9 @@ namespace {
 /// Passes the frames of one part to the mixer.
 class PartSink : public FilmSink {
   public:
-    PartSink(const FilmSource& source, std::size_t part, std::int64_t first, SequenceMixer& mixer)
-        : signal_(source), part_(part), first_(first), mixer_(mixer) {}
+    PartSink(const FilmSource& source, std::size_t part, std::int64_t first, SequenceMixer& mixer,
+             int threads)
+        : signal_(source, threads), part_(part), first_(first), mixer_(mixer) {}
 
     void add(std::int64_t frame, const render::Film& picture, bool same_as_before) override {
         mixer_.add(part_, frame - first_, signal_.of(frame, picture, same_as_before));
@@ -130,7 +131,7 @@ FilmJobResult make_parts(const Sequence& sequence, const SequenceBakes& bakes,
         options.sink = nullptr;
         if (mixer != nullptr) {
             options.sink = [&, i](const FilmSource& source, const FilmPlan&) {
-                return std::make_unique<PartSink>(source, i, shot.first, *mixer);
+                return std::make_unique<PartSink>(source, i, shot.first, *mixer, options.threads);
             };
         }
         const FilmJobResult one =

@@ -46,7 +46,7 @@ FilmThumbnails::FilmThumbnails(pipeline::Shot shot, const std::string& cache_fol
       source_(shot_, timeline_),
       store_(cache_folder + "/frames"),
       view_(shot_.output),
-      graphics_(shot_, timeline_) {
+      graphics_(shot_, timeline_, 1) {
     std::filesystem::create_directories(folder_);
 }
 

@@ -53,7 +53,8 @@ void PictureRounds::use(const ShownShot& shown) {
         source_.reset();
         shown_ = shown;
         source_.emplace(*shown_.shot, *shown_.timeline);
-        graphics_ = std::make_unique<pipeline::FrameGraphics>(*shown_.shot, *shown_.timeline);
+        graphics_ =
+            std::make_unique<pipeline::FrameGraphics>(*shown_.shot, *shown_.timeline, std::nullopt);
     }
     shown_.v = shown.v;
 }

@@ -7,7 +7,9 @@
 #include <fmt/core.h>
 
 #include "pipeline/config/build/builder.h"
+#include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
+#include "pipeline/picture/annotation.h"
 #include "pipeline/picture/value_text.h"
 
 namespace carom::pipeline::config {
@@ -59,10 +61,29 @@ void check_strike(Builder& builder, const std::string& ball, const Path& path,
     }
 }
 
+/// Warns of an annotation that appears after the end.
+void check_time(Builder& builder, const Annotation& annotation, const Path& path) {
+    const Shot& shot = builder.shot;
+    const bool in_scene = is_in_scene(annotation);
+    if (!annotation.from || (!in_scene && shot.cameras.empty())) {
+        return;
+    }
+    const double end = in_scene ? shot.world.duration : shot.cameras.back().video_end.to_double();
+    if (*annotation.from >= end) {
+        const FoundPlace found = find_place(builder.root, path);
+        builder.reader.warning(
+            found.place,
+            "the annotation appears at " + show(*annotation.from, Dimension::time) +
+                (in_scene ? " of the scene, but the simulation" : " of the film, but the film") +
+                " ends at " + show(end, Dimension::time));
+    }
+}
+
 void check_annotation(Builder& builder, const Annotation& annotation, const std::string& index) {
     const auto path = [&](const auto&... keys) {
         return Path{"annotations", index, std::string(keys)...};
     };
+    check_time(builder, annotation, path("from"));
     if (const auto* text = std::get_if<TextAnnotation>(&annotation.kind)) {
         check_text(builder, text->text, path("text"));
     } else if (const auto* label = std::get_if<LabelAnnotation>(&annotation.kind)) {

@@ -1,6 +1,9 @@
 // The keys of the section `annotations`.
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <fstream>
+#include <string_view>
 #include <utility>
 
 #include <fmt/core.h>
@@ -24,7 +27,7 @@ ValueType<ScenePoint> scene_point() {
             return ScenePoint{{}, point.value};
         });
     const auto object = convert<ScenePoint>(name_of(ReferenceKind::moving), [](std::string name) {
-        return ScenePoint{std::move(name), {}};
+        return ScenePoint{std::move(name)};
     });
     return any_of<ScenePoint>({{is_list, fixed}, {is_scalar, object}});
 }
@@ -223,6 +226,30 @@ const MapSpec<PlanAnnotation>& plan_spec() {
     return spec;
 }
 
+/// Whether a file begins like a TrueType or OpenType font or a collection of them (Microsoft,
+/// "OpenType font file", table directory and font collections).
+bool is_font_file(const std::string& path) {
+    std::array<char, 4> start{};
+    std::ifstream(path, std::ios::binary).read(start.data(), start.size());
+    const std::string_view tag(start.data(), start.size());
+    return tag == std::string_view("\0\1\0\0", 4) || tag == "OTTO" || tag == "true" ||
+           tag == "ttcf";
+}
+
+ValueType<std::string> font_file() {
+    ValueType<std::string> type = file();
+    type.read = [read = type.read](Reader& reader, const Node& node) -> std::optional<std::string> {
+        std::optional<std::string> path = read(reader, node);
+        if (path && !is_font_file(*path)) {
+            reader.error(node.place,
+                         "the file " + quote(node.text) + " is not a TrueType or OpenType font");
+            return std::nullopt;
+        }
+        return path;
+    };
+    return type;
+}
+
 /// A word for one of the installed fonts, or a file.
 ValueType<std::string> font() {
     std::vector<std::pair<std::string, std::string>> choices;
@@ -246,13 +273,13 @@ ValueType<std::string> font() {
                    return named.name == node.text;
                });
     };
-    return any_of<std::string>({{is_named, word}, {is_scalar, file()}});
+    return any_of<std::string>({{is_named, word}, {is_scalar, font_file()}});
 }
 
 /// `true`, `false` or a colour.
 ValueType<TextBox> box() {
     const auto word = convert<TextBox>(boolean(), [](bool has_box) {
-        return has_box ? TextBox{} : TextBox{{}, 0};
+        return has_box ? TextBox{} : TextBox{Vec3(0), 0};
     });
     const auto coloured = convert<TextBox>(colour(between(0, 1)), [](const Vec3& colour) {
         return TextBox{colour, TextBox{}.opacity};

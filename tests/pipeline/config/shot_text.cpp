@@ -206,6 +206,61 @@ void write_camera(Writer& out, const CameraRig& rig) {
     }
 }
 
+struct AnnotationWriter {
+    Writer& out;
+
+    void operator()(const PathAnnotation& path) {
+        out.line("path", path.of, path.part, path.length, path.fading, path.marks, path.number,
+                 path.on_cloth);
+    }
+    void operator()(const AimAnnotation& aim) {
+        const ScenePoint toward = aim.toward.value_or(ScenePoint{"none"});
+        out.line("aim", aim.of, toward.object, toward.at, aim.direction, aim.length);
+    }
+    void operator()(const GhostAnnotation& ghost) { out.line("ghost", ghost.of, ghost.on); }
+    void operator()(const TangentAnnotation& tangent) {
+        out.line("tangent", tangent.of, tangent.on, tangent.length);
+    }
+    void operator()(const VelocityAnnotation& velocity) {
+        out.line("velocity", velocity.of, velocity.during, velocity.value);
+    }
+    void operator()(const SpinAnnotation& spin) {
+        out.line("spin", spin.of, spin.during, spin.value);
+    }
+    void operator()(const AngleAnnotation& angle) {
+        for (const ScenePoint& point : angle.points) {
+            out.line(point.object, point.at);
+        }
+        for (const auto* names : {&angle.between, &angle.deflection}) {
+            for (const std::string& name : *names) {
+                out.line(name);
+            }
+        }
+        out.line("angle", angle.after, angle.radius, angle.value);
+    }
+    void operator()(const ZoneAnnotation& zone) {
+        for (const Vec2& corner : zone.polygon) {
+            out.line(corner);
+        }
+        out.line("zone", zone.radius, zone.at.object, zone.at.at);
+    }
+    void operator()(const LabelAnnotation& label) { out.line("label", label.of, label.text); }
+    void operator()(const TextAnnotation& text) { out.line("text", text.text); }
+    void operator()(const TitleAnnotation& title) { out.line("title", title.text, title.subtitle); }
+    void operator()(const TipAnnotation& tip) { out.line("tip", tip.of); }
+    void operator()(const PlanAnnotation& plan) { out.line("plan", plan.has_paths); }
+    void operator()(const ImageAnnotation& image) { out.line("image", image.file); }
+};
+
+void write_annotation(Writer& out, const Annotation& annotation) {
+    std::visit(AnnotationWriter{out}, annotation.kind);
+    const TextBox box = annotation.box.value_or(TextBox{Vec3(0), -1});
+    const PicturePlace place = annotation.place.value_or(PicturePlace{{-1, -1}, false});
+    out.line(annotation.from, annotation.to, annotation.fade, annotation.opacity, annotation.colour,
+             annotation.width, annotation.dash, annotation.font, annotation.size, box.colour,
+             box.opacity, place.at, place.is_edge);
+}
+
 }  // namespace
 
 std::string shot_text(const Shot& shot) {
@@ -234,6 +289,9 @@ std::string shot_text(const Shot& shot) {
     out.line("output", static_cast<int>(o.codec.value_or(Codec{-1})), o.crf.value_or(-1),
              o.bit_rate.value_or(-1), o.bits.value_or(-1), hdr10.peak, hdr10.white,
              o.poster.value_or(-1), o.title);
+    for (const Annotation& annotation : shot.annotations) {
+        write_annotation(out, annotation);
+    }
     return out.text();
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "render/threads/thread_arena.h"
 #include "tests/pipeline/picture/drawn_scene.h"
 
@@ -121,6 +122,34 @@ TEST(AnnotationPainter, Pixels_DoNotDependOnThreadsOrEarlierFrames) {
     const PlannedFrame other = frame_at(0.9);
     (void)painter.draw({&other, 1}, kWidth, kHeight);
     EXPECT_EQ(painter.draw({&frame, 1}, kWidth, kHeight).pixels, one.pixels);
+}
+
+TEST(AnnotationPainter, WidePictures_AreDrawnInParts) {
+    Shot shot = drawn_shot();
+    Annotation zone;
+    zone.kind = ZoneAnnotation{{{-99, -99}, {99, -99}, {99, 99}, {-99, 99}}, {}, {}};
+    shot.annotations = {zone};
+    PlannedFrame above = frame_at(0.2);
+    above.camera_open.position = above.camera_close.position = {0, -0.1, 2};
+    const sim::Timeline timeline = two_balls();
+    AnnotationPainter painter(shot, timeline);
+    constexpr int kWide = 9000;  // more than Cairo can draw with four samples per pixel
+    const DrawnPicture picture = painter.draw({&above, 1}, kWide, 40);
+    const int alpha = alpha_at(picture, 4500, 20);
+    EXPECT_GT(alpha, 60);
+    for (const int x : {2047, 2048, 4095, 4096, 5000}) {
+        EXPECT_EQ(alpha_at(picture, x, 30), alpha_at(picture, 4000, 30)) << x;
+    }
+}
+
+TEST(AnnotationPainter, MissingPicture_IsFoundBeforeTheFirstFrame) {
+    Shot shot = drawn_shot();
+    Annotation image;
+    image.kind = ImageAnnotation{"/nowhere/logo.png"};
+    shot.annotations = {image};
+    const sim::Timeline timeline = two_balls();
+    AnnotationPainter painter(shot, timeline);
+    EXPECT_THROW(painter.prepare(), Error);
 }
 
 TEST(AnnotationPainter, CrossFade_MixesBothViews) {

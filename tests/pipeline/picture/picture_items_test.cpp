@@ -75,7 +75,7 @@ TEST(PictureItems, TextWithoutBox_HasADarkEdge) {
     Annotation text;
     text.kind = TextAnnotation{"I"};
     text.size = 0.5;
-    text.box = TextBox{{}, 0};
+    text.box = TextBox{Vec3(0), 0};
     text.place = PicturePlace{{0.5, 0.5}, false};
     Items items;
     const Extent box = items.draw(text);
