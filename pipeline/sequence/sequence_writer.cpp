@@ -65,7 +65,7 @@ std::vector<std::uint16_t> drawn_card(const TitleCard& card, int width, int heig
     title.place = PicturePlace{{0.5, 0.5}, false};
     shot.annotations = {title};
     const sim::Timeline timeline;
-    FrameGraphics graphics(shot, timeline);
+    FrameGraphics graphics(shot, timeline, 1);
     const PlannedFrame frame;
     graphics.draw({&frame, 1}, std::span(rgb), width, height);
     return rgb;
