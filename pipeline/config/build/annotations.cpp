@@ -64,16 +64,19 @@ void check_strike(Builder& builder, const std::string& ball, const Path& path,
 /// Warns of an annotation that appears after the end.
 void check_time(Builder& builder, const Annotation& annotation, const Path& path) {
     const Shot& shot = builder.shot;
-    const bool in_scene = is_in_scene(annotation);
-    if (!annotation.from || (!in_scene && shot.cameras.empty())) {
+    if (!annotation.from) {
+        return;
+    }
+    const bool in_scene = is_in_scene(annotation) || annotation.from->is_moment;
+    if (!in_scene && shot.cameras.empty()) {
         return;
     }
     const double end = in_scene ? shot.world.duration : shot.cameras.back().video_end.to_double();
-    if (*annotation.from >= end) {
+    if (annotation.from->seconds >= end) {
         const FoundPlace found = find_place(builder.root, path);
         builder.reader.warning(
             found.place,
-            "the annotation appears at " + show(*annotation.from, Dimension::time) +
+            "the annotation appears at " + show(annotation.from->seconds, Dimension::time) +
                 (in_scene ? " of the scene, but the simulation" : " of the film, but the film") +
                 " ends at " + show(end, Dimension::time));
     }

@@ -93,8 +93,8 @@ annotations:
     EXPECT_EQ(angle.points.at(2).object, "one");
     EXPECT_FALSE(angle.value);
     EXPECT_EQ(std::get<ZoneAnnotation>(all[3].kind).at.object, "one");
-    EXPECT_EQ(all[3].from, 1);
-    EXPECT_EQ(all[3].to, 2);
+    EXPECT_EQ(all[3].from->seconds, 1);
+    EXPECT_EQ(all[3].to->seconds, 2);
     EXPECT_EQ(all[3].fade, 0.1);
     EXPECT_EQ(all[4].box->opacity, 0);
     EXPECT_EQ(all[4].font, "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf");

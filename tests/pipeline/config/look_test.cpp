@@ -13,7 +13,7 @@
 namespace carom::pipeline {
 namespace {
 
-using testing::EndsWith;
+using ::testing::EndsWith;
 
 const render::ObjectDescription& object(const Shot& shot, const std::string& name) {
     for (const render::ObjectDescription& candidate : shot.scene.objects) {
