@@ -93,6 +93,7 @@ bool has_value(const TypeInfo& type) {
     switch (type.kind) {
         case TypeInfo::Kind::map:
         case TypeInfo::Kind::named:
+        case TypeInfo::Kind::settings:
             return false;
         case TypeInfo::Kind::list:
         case TypeInfo::Kind::any_of:

@@ -117,8 +117,8 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
         Reader reader(sources, folders, problems);
         reader.set_partial(!gathered.is_complete);
         root = std::make_shared<const Node>(std::move(*gathered.root));
-        result.shot = read_shot(*root, gathered.is_complete && has_all_objects, fs::path(origin).stem().string(),
-                                reader, options.tables);
+        result.shot = read_shot(*root, gathered.is_complete && has_all_objects,
+                                fs::path(origin).stem().string(), reader, options.tables);
         replaced = reader.replaced();
     }
     if (problems.has_error()) {

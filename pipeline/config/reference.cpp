@@ -118,6 +118,7 @@ std::string describe_type(const TypeInfo& type) {
             }
             return text.empty() ? describe(type)
                                 : text + "or another word of `" + type.more_choices + "`";
+        case TypeInfo::Kind::settings:
         case TypeInfo::Kind::boolean:
         case TypeInfo::Kind::name:
         case TypeInfo::Kind::file:

@@ -117,6 +117,8 @@ std::string describe(const TypeInfo& type) {
             return describe_list(type);
         case TypeInfo::Kind::named:
             return "a map from names to " + type.noun;
+        case TypeInfo::Kind::settings:
+            return "a map from key paths to values";
         case TypeInfo::Kind::map:
             return "a map of keys";
         case TypeInfo::Kind::any_of:

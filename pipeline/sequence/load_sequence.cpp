@@ -138,7 +138,9 @@ class Loader {
                 sequence.parts.push_back({*part.title, 1, 0});
             }
         }
-        if (is_first && !(film.size && film.fps)) {
+        const bool is_titles = std::ranges::none_of(
+            film.parts, [](const auto& part) { return part.shot.has_value(); });
+        if (is_titles && !(film.size && film.fps)) {
             problems_.error(film.parts.front().place,
                             "a film of title cards alone needs 'size' and 'fps'", "film");
         }

@@ -15,12 +15,12 @@ constexpr double kLongest = 3600;  // s
 /// Values by their key paths, each as text for --set.
 ValueType<std::vector<std::string>> settings() {
     ValueType<std::vector<std::string>> result;
-    result.info.kind = TypeInfo::Kind::named;
-    result.info.noun = "value";
-    result.info.elements = {TypeInfo()};
-    result.read = [](Reader& reader, const Node& node) -> std::optional<std::vector<std::string>> {
+    result.info.kind = TypeInfo::Kind::settings;
+    const TypeInfo type = result.info;
+    result.read = [type](Reader& reader,
+                         const Node& node) -> std::optional<std::vector<std::string>> {
         if (!node.is_map()) {
-            reader.wrong_type(node, "a map from key paths to values");
+            reader.wrong_type(node, describe(type));
             return std::nullopt;
         }
         std::vector<std::string> all;

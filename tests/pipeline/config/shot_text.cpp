@@ -38,6 +38,7 @@ class Writer {
         put(value.distance);
         out_ << ' ' << value.object;
     }
+    void put(const AnnotationTime& value) { out_ << value.seconds << ' ' << value.is_moment; }
     void put(const Aperture& value) { out_ << value.value << ' ' << value.is_f_number; }
     template <class T>
     void put(const std::optional<T>& value) {

@@ -40,7 +40,7 @@ class LoadSequence : public ::testing::Test {
             return "";
         }
         const Problem& first = result.problems[0];
-        return first.place.file.substr(folder_.path("").size()) + ":" +
+        return first.place.file.substr(folder_.path("").size() + 1) + ":" +
                std::to_string(first.place.line) + ": " + first.message;
     }
 
@@ -112,7 +112,7 @@ TEST_F(LoadSequence, PartsThatCannotBe_AreErrors) {
               "film.yaml:3: this part has 12 frames, too few for the fades at its ends, which take "
               "20");
     EXPECT_EQ(problem("  shots: [{shot: a.yaml, title: t}]\n"),
-              "film.yaml:3: 'title' contradicts 'shot' in 'shots[0]' of 'film'; give only one of "
+              "film.yaml:3: 'title' contradicts 'shot' in 'shots' of 'film'; give only one of "
               "them");
     EXPECT_EQ(problem("  shots: [none.yaml]\n"), "none.yaml:0: the file does not exist");
     EXPECT_EQ(problem("  shots: [a.yaml]\noutput: {hdr10: {}}\n"),

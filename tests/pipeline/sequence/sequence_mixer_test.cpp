@@ -17,10 +17,11 @@ Sequence film_of(std::vector<std::pair<std::int64_t, std::int64_t>> parts) {
     sequence.height = 36;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         SequencePart part;
-        if (i != 1) {
-            ShotPart shot;
-            shot.first = 100;
-            part.content = shot;
+        ShotPart shot;
+        shot.first = 100;
+        part.content = shot;
+        if (i == 1) {
+            part.content = TitleCard{};
         }
         part.frames = parts[i].first;
         part.fade = parts[i].second;
