@@ -92,19 +92,18 @@ TEST_F(LoadSequence, SizeAndRate_CanBeThoseOfTheFilm) {
 
 TEST_F(LoadSequence, ShotsThatDiffer_AreErrorsWithBothValues) {
     EXPECT_EQ(problem("  shots: [a.yaml, wide.yaml]\n"),
-              "film.yaml:3: \"wide.yaml\" has 800x300 pixels, but \"a.yaml\" has 640x360; give "
+              "film.yaml:3: 'wide.yaml' has 800x300 pixels, but 'a.yaml' has 640x360; give "
               "'size' in 'film'");
-    EXPECT_EQ(
-        problem("  shots: [a.yaml, fast.yaml]\n"),
-        "film.yaml:3: \"fast.yaml\" has 60 frames per second, but \"a.yaml\" has 24; give 'fps' "
-        "in 'film'");
+    EXPECT_EQ(problem("  shots: [a.yaml, fast.yaml]\n"),
+              "film.yaml:3: 'fast.yaml' has 60 frames per second, but 'a.yaml' has 24; give 'fps' "
+              "in 'film'");
     EXPECT_EQ(problem("  shots: [{title: alone}]\n"),
               "film.yaml:3: a film of title cards alone needs 'size' and 'fps'");
 }
 
 TEST_F(LoadSequence, PartsThatCannotBe_AreErrors) {
     EXPECT_EQ(problem("  shots: [{shot: a.yaml, to: 3 s}]\n"),
-              "film.yaml:3: the film of \"a.yaml\" ends at 2 s, before this part does");
+              "film.yaml:3: the film of 'a.yaml' ends at 2 s, before this part does");
     EXPECT_EQ(problem("  shots: [{shot: a.yaml, from: 1 s, to: 0.5 s}]\n"),
               "film.yaml:3: 'to' must be after 'from'");
     EXPECT_EQ(problem("  shots: [a.yaml, {title: t, for: 0.5 s, fade: 0.4 s}, {shot: b.yaml, fade: "
