@@ -224,7 +224,7 @@ TEST_F(CheckCommandRun, Json_IsAnArrayOfProblemsWithTheirEndColumns) {
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_EQ(result.out,
               R"x([
-{"severity":"error","file":"s.yaml","line":3,"column":19,"end_column":20,"key":"balls.cue.at","message":"'at' must be a list of 2 to 3 lengths, not '3'"},
+{"severity":"error","file":"s.yaml","line":3,"column":19,"end_column":20,"key":"balls.cue.at","message":"'at' must be a list of 2 to 3 lengths or the name of a spot of the table, not '3'"},
 {"severity":"error","file":"parts/look.yaml","line":1,"column":10,"end_column":17,"key":"render","message":"unknown key 'sampels' in 'render' (did you mean 'samples'?)","suggestion":"samples","included_by":"s.yaml:2:10"}
 ]
 )x");
