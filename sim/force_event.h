@@ -58,23 +58,56 @@ struct Strike {
     double tip_restitution = 0.73;
 };
 
-/// The occurrence that starts an event (see ForceEvent).
+/// A ball is put down at rest on the cloth, wherever it is and however it moves.
+struct PlaceBall {
+    Vec2 at{0, 0};     // its centre, seen from above, m
+    std::string spot;  // the name of the spot there; empty: none
+    /// What happens while another ball or object is in the way.
+    enum class IfOccupied {
+        wait,  // until the place is free
+        next,  // the next place by the rules of the table's game (billiards::next_place)
+    } if_occupied = IfOccupied::wait;
+};
+
+/// A ball is taken off the table.
+struct RemoveBall {
+    bool operator==(const RemoveBall&) const = default;
+};
+
+/// An occurrence in the shot, which starts an event (see ForceEvent) or names a time
+/// (sim/moment.h).
 struct Trigger {
-    enum class Kind { contact, potted, resting, crossing } kind = Kind::contact;
+    enum class Kind {
+        contact,
+        potted,
+        resting,
+        crossing,
+        strike,  // a stick strikes `a`
+        apex,    // `a` is at the highest point of a flight; see kLeastRise
+    } kind = Kind::contact;
     std::string a;  // the object; empty with `resting`: all objects
     std::string b;  // contact only: the other object or surface
     // Crossing only: the centre of `a`, seen from above, passes between these two points (m) in
     // either direction.
     Vec2 from{0, 0}, to{0, 0};
+    int nth = 1;  // which of the occurrences is meant, >= 1
 };
 
-/// Acts at `time`, or with a trigger when that first happens at or after `time`; then plus `after`.
+/// A flight has an apex if the body rises by at least this much (m) without a pause. The hops of a
+/// ball on the cloth are lower.
+inline constexpr double kLeastRise = 1e-3;
+
+/// Impacts of the same two objects that follow each other within this time (s) are one contact.
+inline constexpr double kOneContact = 0.01;
+
+/// Acts at `time`, or with a trigger when that has happened for the `nth` time at or after `time`;
+/// then plus `after`.
 struct ForceEvent {
     std::string object;  // the body on which it acts
     double time = 0;     // scene time, s, >= 0
     std::optional<Trigger> trigger;
     double after = 0;  // delay, s, >= 0
-    std::variant<Force, Torque, Impulse, SetVelocity, Strike> action;
+    std::variant<Force, Torque, Impulse, SetVelocity, Strike, PlaceBall, RemoveBall> action;
 };
 
 }  // namespace carom::sim

@@ -36,10 +36,20 @@ constexpr auto fields_of(Describes<Strike>) {
                      field("tip_restitution", &T::tip_restitution));
 }
 
+constexpr auto fields_of(Describes<PlaceBall>) {
+    using T = PlaceBall;
+    return fields<T>(field("at", &T::at), field("spot", &T::spot),
+                     field("if_occupied", &T::if_occupied));
+}
+
+constexpr auto fields_of(Describes<RemoveBall>) {
+    return fields<RemoveBall>();
+}
+
 constexpr auto fields_of(Describes<Trigger>) {
     using T = Trigger;
     return fields<T>(field("kind", &T::kind), field("a", &T::a), field("b", &T::b),
-                     field("from", &T::from), field("to", &T::to));
+                     field("from", &T::from), field("to", &T::to), field("nth", &T::nth));
 }
 
 constexpr auto fields_of(Describes<ForceEvent>) {

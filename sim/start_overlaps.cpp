@@ -200,6 +200,39 @@ void check_solids(const Ball& ball, const WorldDescription& world, DeepestOverla
     }
 }
 
+/// The world with only the fixed bodies and the ball that the event puts down, where it puts it;
+/// without the ball if the world has none of that name.
+WorldDescription world_with_placed_ball(const WorldDescription& world, const ForceEvent& event,
+                                        const PlaceBall& place) {
+    WorldDescription placed = world;
+    placed.events.clear();
+    placed.bodies.clear();
+    for (const Body& body : world.bodies) {
+        const auto* sphere = std::get_if<Sphere>(&body.shape);
+        if (body.kind == BodyKind::fixed) {
+            placed.bodies.push_back(body);
+        } else if (body.name == event.object && sphere != nullptr) {
+            placed.bodies.push_back(body);
+            placed.bodies.back().pose.position = {place.at.x, place.at.y, sphere->radius};
+        }
+    }
+    return placed;
+}
+
+/// Why a ball cannot lie there; empty if it can.
+std::string place_problem(const WorldDescription& world, const ForceEvent& event,
+                          const PlaceBall& place, const billiards::TableGeometry* table) {
+    if (table != nullptr && (std::abs(place.at.x) > 0.5 * world.table->length ||
+                             std::abs(place.at.y) > 0.5 * world.table->width)) {
+        return "is not on the table";
+    }
+    if (table != nullptr && is_over_pocket(place.at, *table)) {
+        return "is over a pocket";
+    }
+    const auto overlaps = find_start_overlaps(world_with_placed_ball(world, event, place), table);
+    return overlaps.empty() ? std::string() : overlaps[0].sentence();
+}
+
 }  // namespace
 
 std::string StartOverlap::sentence() const {
@@ -241,6 +274,25 @@ std::vector<StartOverlap> find_start_overlaps(const WorldDescription& world,
         }
     }
     return overlaps;
+}
+
+std::vector<Diagnostic> find_place_problems(const WorldDescription& world,
+                                            const billiards::TableGeometry* table) {
+    std::vector<Diagnostic> problems;
+    for (std::size_t i = 0; i < world.events.size(); ++i) {
+        const ForceEvent& event = world.events[i];
+        const auto* place = std::get_if<PlaceBall>(&event.action);
+        if (place == nullptr || !std::isfinite(place->at.x + place->at.y)) {
+            continue;
+        }
+        const std::string problem = place_problem(world, event, *place, table);
+        if (!problem.empty()) {
+            problems.push_back(
+                {Subject::event(i), "spot",
+                 fmt::format("event {} on '{}': its place {}", i + 1, event.object, problem)});
+        }
+    }
+    return problems;
 }
 
 }  // namespace carom::sim

@@ -1,9 +1,10 @@
-// Balls that overlap other bodies or the table at the start.
+// Balls that overlap other bodies or the table at the start, or where an event puts them.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "core/diagnostic.h"
 #include "sim/billiards/table.h"
 #include "sim/world.h"
 
@@ -25,5 +26,11 @@ struct StartOverlap {
 /// that overlap each other.
 [[nodiscard]] std::vector<StartOverlap> find_start_overlaps(const WorldDescription& world,
                                                             const billiards::TableGeometry* table);
+
+/// One problem for each event that puts a ball on a place where it cannot lie: beside the table,
+/// over a pocket, or inside a cushion or a fixed body. The world must have no other problems;
+/// `table` as for find_start_overlaps.
+[[nodiscard]] std::vector<Diagnostic> find_place_problems(const WorldDescription& world,
+                                                          const billiards::TableGeometry* table);
 
 }  // namespace carom::sim

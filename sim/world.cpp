@@ -306,6 +306,23 @@ class EventChecker {
                            "tip_restitution", "tip_restitution has to be in [0, 1]");
     }
 
+    void check_action(const PlaceBall& place) {
+        require_ball("only a ball can be put down");
+        collector_.require(world_.table.has_value(), "spot", "without a table a ball has no place");
+        collector_.require(std::isfinite(place.at.x) && std::isfinite(place.at.y), "spot",
+                           "its place has to be finite");
+    }
+    void check_action(const RemoveBall& /*remove*/) {
+        require_ball("only a ball can be taken off");
+        collector_.require(world_.table.has_value(), "",
+                           "without a table a ball cannot be taken off");
+    }
+    void require_ball(const std::string& sentence) {
+        const Body* body = find(*object_);
+        collector_.require(body == nullptr || std::holds_alternative<Sphere>(body->shape), "",
+                           sentence);
+    }
+
     const WorldDescription& world_;
     ProblemCollector& collector_;
     const std::string* object_ = nullptr;
@@ -358,6 +375,9 @@ std::vector<Diagnostic> find_problems(const WorldDescription& world) {
         collector.require(names.insert(body.name).second, "", "another body has the same name");
     }
     check_overlaps(world, collector);
+    if (world.respot && !(world.table && world.table->has_cushions)) {
+        problems.push_back({{}, "respot", "respot needs a table with cushions"});
+    }
     EventChecker checker(world, collector);
     for (std::size_t i = 0; i < world.events.size(); ++i) {
         checker.check(world.events[i], i);

@@ -11,6 +11,7 @@
 
 #include "core/diagnostic.h"
 #include "core/pose.h"
+#include "sim/billiards/game.h"
 #include "sim/billiards/table.h"
 #include "sim/contact_law.h"
 #include "sim/force_event.h"
@@ -89,6 +90,8 @@ struct WorldDescription {
     std::optional<double> floor_height;
     std::vector<Body> bodies;
     std::vector<ForceEvent> events;
+    /// The game whose rule puts balls back whenever everything rests.
+    std::optional<billiards::Game> respot;
 };
 
 /// All problems of a description; empty if it can be simulated. `bake` throws Error with the first

@@ -56,7 +56,9 @@ constexpr auto fields_of(Describes<WorldDescription>) {
                      field("key_reduction", &T::key_reduction),
                      field("contact_law", &T::contact_law), field("table", &T::table),
                      field("floor_height", &T::floor_height), field("bodies", &T::bodies),
-                     field("events", &T::events));
+                     field("events", &T::events),
+                     field_if_given("respot", &T::respot,
+                                    "it is the last field, and worlds without it keep their hash"));
 }
 
 }  // namespace carom::sim

@@ -1,6 +1,7 @@
 // A camera's path and lens during an interval of video time, as the shot describes them.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -82,12 +83,22 @@ struct OrbitPath {
 
 using CameraPath = std::variant<BezierPath, SplinePath, AlongPath, FollowPath, OrbitPath>;
 
-/// A value that changes from start to end over the rig's interval of video time.
+/// A value at one time of the film, in the times of CameraRig::written.
+template <class T>
+struct ValueKey {
+    Rational video_time;  // s
+    T value{};
+};
+
+/// A value that changes from start to end over the rig's interval of video time, or from key to
+/// key. With keys, `start` and `end` are those of the first and the last key: the value is constant
+/// before the first key and after the last, and each change between two keys is eased.
 template <class T>
 struct Eased {
     T start{};
     T end{};
     Easing easing{};
+    std::vector<ValueKey<T>> keys{};  // none, or in strictly increasing time
 };
 
 /// The plane of focus: at a distance in metres, through an object's centre, or (empty name) through
@@ -122,6 +133,30 @@ struct TimeMap {
     bool is_smooth = false;          // speeds change by the smooth step, else linearly
 };
 
+/// Which side of the picture `fov` and the sensor's size belong to; wider: the longer one.
+enum class FovAxis { vertical, horizontal, wider };
+
+/// The movement of a camera that a person holds: noise in a band of frequencies, which depends on
+/// nothing but the time and the seed (shake.h).
+struct Shake {
+    double strength = 0.3 * 0.017453292519943295;  // rad, root mean square of pan and of tilt
+    double frequency = 1;                          // Hz, of the main movement
+    std::uint64_t seed = 1;
+};
+
+/// Points that are inside the picture at all times: the camera moves along its axis until it is as
+/// near as possible.
+struct Framing {
+    std::vector<Vec3> points;
+    double margin = 0.05;  // part of the picture that is free at each edge, in [0, 0.5)
+};
+
+/// An interval of video time, s.
+struct FilmInterval {
+    Rational start;
+    Rational end;
+};
+
 struct CameraRig {
     std::string name;
     Rational video_start;  // s
@@ -131,19 +166,27 @@ struct CameraRig {
     TimeMap time_map;
     CameraPath position;
     CameraPath target;
-    Eased<double> vertical_fov{0.7, 0.7};         // rad
-    std::optional<Eased<double>> focal_length{};  // m, instead of vertical_fov
-    double sensor_height = 0.024;                 // m, full frame
+    Eased<double> fov{0.7, 0.7};                  // rad, of the side that fov_axis names
+    std::optional<Eased<double>> focal_length{};  // m, instead of fov
+    double sensor_height = 0.024;                 // m, full frame; always of the vertical side
+    FovAxis fov_axis = FovAxis::vertical;
+    double aspect = 16.0 / 9;  // width / height of the picture, for fov_axis and framing
     Eased<Focus> focus;
     Eased<Aperture> aperture;
     Eased<double> roll{0, 0};  // rad
     Eased<Vec3> up{{0, 0, 1}, {0, 0, 1}};
     Eased<int> blades{0, 0};    // 0: round, else >= 3; rounded while it changes
     double blade_rotation = 0;  // rad
+    std::optional<Framing> framing{};
+    std::optional<Shake> shake{};
     /// The part of its path that the rig films, as fractions: [0, 1] is the whole path, [1, 0] the
     /// whole path backwards.
     Rational path_start{0};
     Rational path_end{1};
+    /// The interval of video time of the whole path, to which keys of values and the shake refer.
+    /// Empty: [video_start, video_end]. A rig that was retimed or cut keeps that of the rig from
+    /// which it was made, so that its keys and its shake stay with its path.
+    std::optional<FilmInterval> written{};
 };
 
 /// The clock that measures the exposure. video: the time map converts the exposure to scene time,

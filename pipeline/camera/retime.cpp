@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/text.h"
+#include "pipeline/camera/changing_value.h"
 #include "pipeline/camera/time_map.h"
 
 namespace carom::pipeline {
@@ -138,6 +139,7 @@ std::vector<CameraRig> select_rigs(std::span<const CameraRig> rigs, const std::s
         names += (names.empty() ? "'" : ", '") + rig.name + "'";
         if (name.empty() || rig.name == name) {
             result.push_back(rig);
+            result.back().written = written_interval(rig);
         }
     }
     if (result.empty()) {

@@ -6,19 +6,20 @@
 
 #include "core/elementary.h"
 #include "core/error.h"
-#include "pipeline/camera/easing.h"
+#include "pipeline/camera/changing_value.h"
+#include "pipeline/camera/framing.h"
+#include "pipeline/camera/shake.h"
 
 namespace carom::pipeline {
 namespace {
 
-template <class T>
-T eased(const Eased<T>& value, Progress progress) {
-    return mix(value.start, value.end, ease(progress, value.easing));
-}
-
-double field_of_view(const CameraRig& rig, Progress progress) {
-    return rig.focal_length ? fov_of_lens(eased(*rig.focal_length, progress), rig.sensor_height)
-                            : eased(rig.vertical_fov, progress);
+double vertical_field_of_view(const CameraRig& rig, Progress progress) {
+    if (rig.focal_length) {
+        return fov_of_lens(value_at(*rig.focal_length, rig, progress), rig.sensor_height);
+    }
+    const double fov = value_at(rig.fov, rig, progress);
+    return measures_width(rig.fov_axis, rig.aspect) ? 2 * angle_of(1, tangent(fov / 2) / rig.aspect)
+                                                    : fov;
 }
 
 // Depth along the optical axis; negative behind the camera.
@@ -45,15 +46,14 @@ double focus_distance(const Focus& focus, const render::CameraState& camera, dou
 // Two f-numbers are interpolated as f-numbers, everything else as radii. Beyond the rig's end a
 // closing aperture stays closed.
 double eased_lens_radius(const CameraRig& rig, Progress progress, double fov) {
-    const Eased<Aperture>& aperture = rig.aperture;
+    const Change<Aperture> change = change_at(rig.aperture, rig, progress);
     const double sensor = rig.sensor_height;
-    const Progress eased_progress = ease(progress, aperture.easing);
-    if (aperture.start.is_f_number && aperture.end.is_f_number) {
-        const double number = mix(aperture.start.value, aperture.end.value, eased_progress);
+    if (change.from.is_f_number && change.to.is_f_number) {
+        const double number = mix(change.from.value, change.to.value, change.progress);
         return lens_radius({number, true}, fov, sensor);
     }
-    return std::max(0.0, mix(lens_radius(aperture.start, fov, sensor),
-                             lens_radius(aperture.end, fov, sensor), eased_progress));
+    return std::max(0.0, mix(lens_radius(change.from, fov, sensor),
+                             lens_radius(change.to, fov, sensor), change.progress));
 }
 
 void check_view(const render::CameraState& camera) {
@@ -78,10 +78,14 @@ double fov_of_lens(double focal_length, double sensor_height) {
     return 2 * angle_of(focal_length, sensor_height / 2);
 }
 
+bool measures_width(FovAxis axis, double aspect) {
+    return axis == FovAxis::horizontal || (axis == FovAxis::wider && aspect > 1);
+}
+
 int blades_at(const CameraRig& rig, Progress progress) {
-    return static_cast<int>(
-        std::lround(mix(static_cast<double>(rig.blades.start), static_cast<double>(rig.blades.end),
-                        ease(progress, rig.blades.easing))));
+    const Change<int> change = change_at(rig.blades, rig, progress);
+    return static_cast<int>(std::lround(
+        mix(static_cast<double>(change.from), static_cast<double>(change.to), change.progress)));
 }
 
 double lens_radius(const Aperture& aperture, double vertical_fov, double sensor_height) {
@@ -98,7 +102,7 @@ double lens_radius(const Aperture& aperture, double vertical_fov, double sensor_
 std::vector<std::string> find_focus_behind_camera(const CameraRig& rig, const RigInstant& instant,
                                                   const sim::Timeline& timeline) {
     const render::CameraState camera = camera_state(rig, instant, timeline);
-    const double fraction = mix(0.0, 1.0, ease(instant.progress, rig.focus.easing));
+    const Change<Focus> change = change_at(rig.focus, rig, instant.progress);
     std::vector<std::string> behind;
     const auto check_focus = [&](const Focus& focus, double weight) {
         const bool is_relevant = weight > 1e-6 && !focus.distance && !focus.object.empty() &&
@@ -107,8 +111,8 @@ std::vector<std::string> find_focus_behind_camera(const CameraRig& rig, const Ri
             behind.push_back(focus.object);
         }
     };
-    check_focus(rig.focus.start, 1 - fraction);
-    check_focus(rig.focus.end, fraction);
+    check_focus(change.from, 1 - change.progress.done);
+    check_focus(change.to, change.progress.done);
     return behind;
 }
 
@@ -117,14 +121,20 @@ render::CameraState camera_state(const CameraRig& rig, const RigInstant& instant
     render::CameraState camera;
     camera.position = path_position(rig.position, instant, timeline);
     camera.target = path_position(rig.target, instant, timeline);
-    camera.up = eased(rig.up, instant.progress);
-    camera.roll = eased(rig.roll, instant.progress);
-    camera.vertical_fov = field_of_view(rig, instant.progress);
+    camera.up = value_at(rig.up, rig, instant.progress);
+    camera.roll = value_at(rig.roll, rig, instant.progress);
+    camera.vertical_fov = vertical_field_of_view(rig, instant.progress);
     check_view(camera);
+    if (rig.framing) {
+        camera = framed(camera, *rig.framing, rig.aspect);
+    }
+    if (rig.shake) {
+        camera = shaken(camera, *rig.shake, written_time(rig, instant.progress));
+    }
+    const Change<Focus> focus = change_at(rig.focus, rig, instant.progress);
     camera.focus_distance =
-        mix(focus_distance(rig.focus.start, camera, instant.scene_time, timeline),
-            focus_distance(rig.focus.end, camera, instant.scene_time, timeline),
-            ease(instant.progress, rig.focus.easing));
+        mix(focus_distance(focus.from, camera, instant.scene_time, timeline),
+            focus_distance(focus.to, camera, instant.scene_time, timeline), focus.progress);
     if (!(camera.focus_distance > 0)) {
         throw Error("the focus distance is not above 0");
     }

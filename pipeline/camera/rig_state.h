@@ -15,6 +15,10 @@ namespace carom::pipeline {
 /// 2 atan(sensor height / (2 focal length)).
 [[nodiscard]] double fov_of_lens(double focal_length, double sensor_height);
 
+/// Whether fields of view are measured along the width of a picture with this aspect (width /
+/// height), else along its height.
+[[nodiscard]] bool measures_width(FovAxis axis, double aspect);
+
 /// The eased number of blades, rounded to the nearest whole number.
 [[nodiscard]] int blades_at(const CameraRig& rig, Progress progress);
 

@@ -12,12 +12,16 @@
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/camera/rig_state.h"
+#include "pipeline/check/lamp_check.h"
+#include "pipeline/check/view_check.h"
 
 namespace carom::pipeline {
 
 namespace {
 
 constexpr std::int64_t kMaxCheckedFrames = 2000;
+constexpr std::int64_t kLampFrames = 50;  // of the film, in which lamps are looked for
+constexpr double kHiddenShare = 0.1;      // of the cloth, from which on a lamp is reported
 
 Problem problem_at(const ShotSource* source, const std::vector<std::string>& path,
                    Severity severity, std::string message) {
@@ -62,14 +66,27 @@ std::vector<Ball> balls_of(const Shot& shot, const sim::Timeline& timeline) {
     return balls;
 }
 
+/// What all cameras of a shot are checked against.
+struct Subjects {
+    std::vector<Ball> balls;
+    std::map<std::string, double> sizes;
+    LampCheck lamps;
+};
+
 /// Checks one camera, frame by frame.
 class CameraChecker {
   public:
-    CameraChecker(const CameraRig& rig, const FilmTiming& timing, const std::vector<Ball>& balls,
-                  const sim::Timeline& timeline)
-        : rig_(rig), timing_(timing), balls_(balls), timeline_(timeline) {}
+    /// `target`: the path of the rig's target as it was written.
+    CameraChecker(const CameraRig& rig, const CameraPath& target, Subjects& subjects,
+                  const FilmTiming& timing, const sim::Timeline& timeline)
+        : rig_(rig),
+          timing_(timing),
+          balls_(subjects.balls),
+          lamps_(subjects.lamps),
+          timeline_(timeline),
+          view_(rig, target, subjects.sizes, timeline) {}
 
-    void check_frame(std::int64_t frame) {
+    void check_frame(std::int64_t frame, bool with_lamps) {
         const WideRational time = frame_time(frame, timing_);
         const RigInstant instant{progress_at(rig_, time), scene_time_at(rig_, time).to_double()};
         try {
@@ -82,6 +99,10 @@ class CameraChecker {
             }
             for (const std::string& name : find_focus_behind_camera(rig_, instant, timeline_)) {
                 add(behind_[name], frame);
+            }
+            view_.check_frame(camera, instant.progress, instant.scene_time);
+            if (with_lamps && lamps_.is_above_table(camera)) {
+                check_lamps(camera);
             }
         } catch (const Error& error) {
             add(invalid_[error.what()], frame);
@@ -109,6 +130,19 @@ class CameraChecker {
                 "focus", Severity::warning,
                 "is focused on '" + object + "', which is behind it " + frames->text(timing_));
         }
+        view_.report([&](const char* key, const std::string& object, const std::string& message) {
+            if (behind_.count(object) == 0) {  // else it has been reported
+                add_problem(key, Severity::warning, message);
+            }
+        });
+        for (const auto& [lamp, found] : hidden_) {
+            if (2 * found.frames > frames_above_) {
+                add_problem("position", Severity::warning,
+                            fmt::format("looks down on the table, but '{}' is between them and "
+                                        "hides {:.0f} % of the cloth",
+                                        lamp, 100 * found.share));
+            }
+        }
     }
 
   private:
@@ -116,11 +150,32 @@ class CameraChecker {
         range = range ? FrameRange{range->first, frame} : FrameRange{frame, frame};
     }
 
+    void check_lamps(const render::CameraState& camera) {
+        ++frames_above_;
+        for (const auto& [lamp, share] : lamps_.hidden_shares(camera)) {
+            if (share >= kHiddenShare) {
+                Hidden& found = hidden_[lamp];
+                ++found.frames;
+                found.share = std::max(found.share, share);
+            }
+        }
+    }
+
+    /// What a lamp hides.
+    struct Hidden {
+        std::int64_t frames = 0;
+        double share = 0;  // of the cloth in the picture, the largest of all frames
+    };
+
     const CameraRig& rig_;
     const FilmTiming& timing_;
     const std::vector<Ball>& balls_;
+    LampCheck& lamps_;
     const sim::Timeline& timeline_;
+    ViewCheck view_;
     std::map<std::string, std::optional<FrameRange>> inside_, behind_, invalid_;
+    std::map<std::string, Hidden> hidden_;
+    std::int64_t frames_above_ = 0;  // frames in which the camera looked down on the table
 };
 
 /// The shot's cameras with fitted paths; unchanged if the object of a path does not exist.
@@ -149,22 +204,37 @@ std::vector<Problem> simulation_problems(const sim::Timeline& timeline, const Sh
     return problems;
 }
 
+std::vector<Problem> stick_problems(const Shot& shot, const ShotSource* source,
+                                    const sim::Timeline& timeline) {
+    std::vector<Problem> problems;
+    if (shot.stick.events.empty()) {
+        return problems;
+    }
+    for (const Diagnostic& warning : stick_problems(shot.stick, shot.world, timeline)) {
+        problems.push_back(source != nullptr
+                               ? source->problem_of(warning)
+                               : problem_at(nullptr, {}, warning.severity, warning.sentence));
+    }
+    return problems;
+}
+
 std::vector<Problem> camera_problems(const Shot& shot, const ShotSource* source,
                                      const sim::Timeline& timeline) {
     const std::vector<CameraRig> rigs = fit_camera_paths(shot, timeline);
-    const std::vector<Ball> balls = balls_of(shot, timeline);
+    Subjects subjects{balls_of(shot, timeline), sizes_of_objects(shot), LampCheck(shot)};
     std::vector<CameraChecker> checkers;
     checkers.reserve(rigs.size());
-    for (const CameraRig& rig : rigs) {
-        checkers.emplace_back(rig, shot.timing, balls, timeline);
+    for (std::size_t i = 0; i < rigs.size(); ++i) {
+        checkers.emplace_back(rigs[i], shot.cameras[i].target, subjects, shot.timing, timeline);
     }
     const std::int64_t frames = frame_count(rigs, shot.timing);
     const std::int64_t step = std::max<std::int64_t>(1, frames / kMaxCheckedFrames);
+    const std::int64_t lamp_step = step * std::max<std::int64_t>(1, frames / step / kLampFrames);
     for (std::int64_t frame = 0; frame < frames; frame += step) {
         const WideRational time = frame_time(frame, shot.timing);
         for (std::size_t i = 0; i < rigs.size(); ++i) {
             if (is_active(rigs[i], time)) {
-                checkers[i].check_frame(frame);
+                checkers[i].check_frame(frame, frame % lamp_step == 0);
             }
         }
     }

@@ -21,10 +21,21 @@ namespace carom::pipeline {
 [[nodiscard]] std::vector<Problem> cloth_problems(const Shot& shot, const ShotSource* source,
                                                   const sim::Timeline& timeline);
 
-/// Warnings about cameras that are inside a ball or focused on an object behind them, and errors
-/// for frames without a valid view. Each problem is reported once per camera, with its first and
-/// last frame. In films of more than 2000 frames, about 2000 evenly spaced ones are checked.
-/// `source`: of the shot as it was read; nullptr if it has other cameras.
+/// Warnings about a cue stick that passes through the rail or a ball. `source`: as above.
+[[nodiscard]] std::vector<Problem> stick_problems(const Shot& shot, const ShotSource* source,
+                                                  const sim::Timeline& timeline);
+
+/// A warning for each path that leaves the table, and for each annotation that needs a contact that
+/// never happens. `source`: as above.
+[[nodiscard]] std::vector<Problem> annotation_problems(const Shot& shot, const ShotSource* source,
+                                                       const sim::Timeline& timeline);
+
+/// Warnings about cameras that are inside a ball, that are focused on an object behind them, that
+/// do not show the object at which they aim or on which they are focused (view_check.h), or that
+/// look at the table through a lamp (lamp_check.h), and errors for frames without a valid view.
+/// Each problem is reported once per camera, with its first and last frame. In films of more than
+/// 2000 frames, about 2000 evenly spaced ones are checked. `source`: of the shot as it was read;
+/// nullptr if it has other cameras.
 [[nodiscard]] std::vector<Problem> camera_problems(const Shot& shot, const ShotSource* source,
                                                    const sim::Timeline& timeline);
 

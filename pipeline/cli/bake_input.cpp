@@ -3,6 +3,7 @@
 #include "pipeline/check/motion_check.h"
 #include "pipeline/cli/bake_reason.h"
 #include "pipeline/cli/job_observer.h"
+#include "pipeline/config/load_shot.h"
 #include "pipeline/store/cache_folder.h"
 
 namespace carom::cli {
@@ -36,7 +37,25 @@ void report_cameras(const ShotInput& input, const sim::Timeline& timeline, Conso
     report_problems(problems, console);
 }
 
+void give_moments(ShotInput& input, const InputOptions& options, const sim::Timeline& timeline,
+                  Console& console) {
+    const std::vector<pipeline::Problem> problems =
+        pipeline::resolve_moments(input.shot, input.source, timeline);
+    report_problems(problems, console);
+    if (pipeline::has_errors(problems)) {
+        throw InputError("'" + options.path + "' has " + count_text(problems));
+    }
+}
+
 }  // namespace
+
+void know_motion(ShotInput& input, const InputOptions& options, const CacheOptions& cache,
+                 CommandContext& context) {
+    if (!input.bake) {
+        input.bake = obtain_bake_of_shot(input, options.path, cache, context);
+    }
+    give_moments(input, options, input.bake->timeline, context.console);
+}
 
 sim::Bake obtain_bake(ShotInput& input, const InputOptions& options, const CacheOptions& cache,
                       CommandContext& context) {
@@ -49,6 +68,9 @@ sim::Bake obtain_bake(ShotInput& input, const InputOptions& options, const Cache
     }
     report_problems(pipeline::simulation_problems(bake.timeline, input.source.get()),
                     context.console);
+    report_problems(pipeline::stick_problems(input.shot, input.source.get(), bake.timeline),
+                    context.console);
+    give_moments(input, options, bake.timeline, context.console);
     report_cameras(input, bake.timeline, context.console);
     return bake;
 }

@@ -7,9 +7,15 @@
 
 namespace carom::cli {
 
+/// Obtains the bake, which becomes the input's, for commands that use the times of moments before
+/// they need the motion itself. Throws as obtain_bake does.
+void know_motion(ShotInput& input, const InputOptions& options, const CacheOptions& cache,
+                 CommandContext& context);
+
 /// The input's bake, or else the shot's cached bake or a new one. Prints the progress, and why the
 /// shot was simulated or not. Reports probable mistakes that the motion shows: strikes that miss,
-/// cameras inside balls. Throws Error, Stopped.
+/// cameras inside balls. The moments of the shot get
+/// their times. Throws Error, Stopped, and InputError if a moment never comes.
 [[nodiscard]] sim::Bake obtain_bake(ShotInput& input, const InputOptions& options,
                                     const CacheOptions& cache, CommandContext& context);
 

@@ -1,15 +1,16 @@
 #include <algorithm>
-#include <cstdint>
 #include <iterator>
+#include <optional>
 
 #include <fmt/core.h>
 
 #include "pipeline/check/motion_check.h"
+#include "pipeline/cli/quick_bake.h"
 #include "pipeline/cli/run_program.h"
+#include "pipeline/cli/sequence_input.h"
 #include "pipeline/cli/shot_input.h"
-#include "pipeline/job/film_job.h"
+#include "pipeline/config/load_shot.h"
 #include "pipeline/video/video_format.h"
-#include "sim/bake.h"
 
 namespace carom::cli {
 
@@ -17,52 +18,33 @@ namespace {
 
 using pipeline::Problem;
 
-/// The limit of a simulation that only checks a shot, in steps as bake_within counts them, so that
-/// a check gives the same result on any machine. This many steps take a few seconds.
-constexpr std::uint64_t kMaxSteps = 15'000'000;
-
-/// Simulates the shot without writing to the cache, since a check writes no files. Empty if it
-/// takes more than kMaxSteps.
-std::optional<sim::Bake> simulate(const pipeline::Shot& shot, const std::stop_token& stop) {
-    WorkContext context;
-    context.stop = stop;
-    std::optional<sim::Timeline> timeline = sim::bake_within(kMaxSteps, shot.world, context);
-    if (!timeline) {
-        return std::nullopt;
-    }
-    sim::Bake bake;
-    bake.timeline = std::move(*timeline);
-    pipeline::add_keyed_motions(bake, shot);
-    return bake;
-}
-
-/// The input's bake, or the cached bake, or a simulation.
-std::optional<sim::Bake> obtain_bake(ShotInput& input, const CacheOptions& cache,
-                                     CommandContext& context) {
-    if (input.bake) {
-        pipeline::add_keyed_motions(*input.bake, input.shot);
-        return std::move(input.bake);
-    }
-    std::optional<sim::Bake> cached = pipeline::find_cached_bake(input.shot, cache.folder, {});
-    return cached ? std::move(cached) : simulate(input.shot, context.stop);
-}
-
 void check_motion(ShotInput& input, const CheckCommand& command, CommandContext& context,
                   std::vector<Problem>& problems) {
-    const std::optional<sim::Bake> bake = obtain_bake(input, command.cache, context);
+    const std::optional<sim::Bake> bake = quick_bake(input, command.cache.folder, context);
     if (!bake) {
         context.console.info(
             fmt::format("the motion was not checked, because simulating it takes more than {} "
                         "million steps; to check it, run 'carom bake' first",
-                        kMaxSteps / 1'000'000));
+                        kMostQuickSteps / 1'000'000));
         return;
     }
     const auto add = [&](std::vector<Problem> found) {
         std::move(found.begin(), found.end(), std::back_inserter(problems));
     };
     add(pipeline::simulation_problems(bake->timeline, input.source.get()));
+    add(pipeline::stick_problems(input.shot, input.source.get(), bake->timeline));
+    // A moment that never comes is an error of commands that film it.
+    std::vector<Problem> moments =
+        pipeline::resolve_moments(input.shot, input.source, bake->timeline);
+    for (Problem& problem : moments) {
+        problem.severity = pipeline::Severity::warning;
+    }
+    add(std::move(moments));
     add(pipeline::cloth_problems(input.shot, input.source.get(), bake->timeline));
-    add(pipeline::camera_problems(input.shot, input.source.get(), bake->timeline));
+    if (!pipeline::has_open_moments(input.shot)) {
+        add(pipeline::camera_problems(input.shot, input.source.get(), bake->timeline));
+    }
+    add(pipeline::annotation_problems(input.shot, input.source.get(), bake->timeline));
 }
 
 /// Checks the size for the film that `carom render` writes by default. It is a warning, because
@@ -78,6 +60,33 @@ void check_film_file(const ShotInput& input, std::vector<Problem>& problems) {
     }
 }
 
+std::vector<Problem> problems_of_shot(const CheckCommand& command, CommandContext& context) {
+    CheckedInput checked = load_shot_input(command.input);
+    std::vector<Problem>& problems = checked.problems;
+    if (checked.input) {
+        check_film_file(*checked.input, problems);
+        if (!command.quick && !pipeline::has_errors(problems)) {
+            check_motion(*checked.input, command, context, problems);
+        }
+    }
+    return std::move(problems);
+}
+
+/// Those of the film's own file and of its shots.
+std::vector<Problem> problems_of_sequence(const CheckCommand& command, CommandContext& context) {
+    pipeline::SequenceResult loaded = load_sequence_input(command.input);
+    if (!loaded.sequence || command.quick) {
+        return std::move(loaded.problems);
+    }
+    for (pipeline::SequencePart& part : loaded.sequence->parts) {
+        if (auto* shot = std::get_if<pipeline::ShotPart>(&part.content)) {
+            ShotInput input = input_of(*shot);
+            check_motion(input, command, context, loaded.problems);
+        }
+    }
+    return std::move(loaded.problems);
+}
+
 std::string json_of(const std::vector<Problem>& problems) {
     std::string text = "[";
     for (const Problem& problem : problems) {
@@ -89,14 +98,9 @@ std::string json_of(const std::vector<Problem>& problems) {
 }  // namespace
 
 void run(const CheckCommand& command, CommandContext& context) {
-    CheckedInput checked = load_shot_input(command.input);
-    std::vector<Problem>& problems = checked.problems;
-    if (checked.input) {
-        check_film_file(*checked.input, problems);
-        if (!command.quick && !pipeline::has_errors(problems)) {
-            check_motion(*checked.input, command, context, problems);
-        }
-    }
+    const std::vector<Problem> problems = pipeline::is_sequence_file(command.input.path)
+                                              ? problems_of_sequence(command, context)
+                                              : problems_of_shot(command, context);
     if (command.json) {
         print_text(json_of(problems));
     } else {

@@ -10,24 +10,15 @@
 #include "pipeline/cli/job_observer.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/run_program.h"
+#include "pipeline/cli/sequence_films.h"
 #include "pipeline/job/film_job.h"
+#include "pipeline/sequence/load_sequence.h"
 
 namespace carom::cli {
 
 namespace {
 
 using pipeline::Shot;
-
-/// `count` of `all` frames at even distances, with the first and the last one.
-pipeline::FrameRange spread_frames(std::int64_t count, std::int64_t all) {
-    pipeline::FrameRange range;
-    const std::int64_t steps = std::min(count, all);
-    for (std::int64_t i = 0; i < steps; ++i) {
-        const std::int64_t frame = steps == 1 ? 0 : (i * (all - 1) + (steps - 1) / 2) / (steps - 1);
-        range.parts.push_back({frame, frame, 1});
-    }
-    return range;
-}
 
 constexpr int kMaxSamples = 4;  // enough for a small picture
 
@@ -46,6 +37,9 @@ std::string facts_of(const Shot& shot, std::int64_t frames) {
 }  // namespace
 
 void run(const ContactSheetCommand& command, CommandContext& context) {
+    if (pipeline::is_sequence_file(command.input.path)) {
+        return write_sequence_sheet(command, context);
+    }
     InputOptions options = command.input;
     if (options.quality.empty()) {
         options.quality = "draft";

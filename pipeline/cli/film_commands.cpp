@@ -3,27 +3,34 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <span>
+#include <vector>
 
 #include <fmt/core.h>
 
+#include "core/text.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/path_fit.h"
+#include "pipeline/camera/shown_frame.h"
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/chosen_tier.h"
 #include "pipeline/cli/film_input.h"
 #include "pipeline/cli/forecast_report.h"
 #include "pipeline/cli/job_observer.h"
+#include "pipeline/cli/moment_text.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/run_program.h"
+#include "pipeline/cli/sequence_films.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/cli/terminal/duration_text.h"
 #include "pipeline/cli/time_text.h"
 #include "pipeline/job/film_forecast.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/job/film_status.h"
+#include "pipeline/job/frame_graphics.h"
 #include "pipeline/job/job_metadata.h"
-#include "pipeline/job/overlay.h"
 #include "pipeline/job/stored_tier.h"
+#include "pipeline/sequence/load_sequence.h"
 #include "pipeline/video/image_sequence.h"
 #include "pipeline/video/picture_kind.h"
 #include "pipeline/video/picture_writer.h"
@@ -50,7 +57,22 @@ void report_fitted_paths(const Shot& shot, const sim::Timeline& timeline, Consol
     }
 }
 
-std::int64_t chosen_frame(const FrameCommand& command, const Shot& shot) {
+/// The first frame that shows the moment.
+std::int64_t frame_at_moment(const std::string& text, const ShotInput& input) {
+    const double time = time_of_moment("--at", text, input);
+    const auto frame = pipeline::first_frame_showing(time, input.shot.cameras, input.shot.timing);
+    if (!frame) {
+        throw InputError("--at " + text + ": the film does not show that moment, which comes at " +
+                         seconds_text(time) + " of scene time");
+    }
+    return *frame;
+}
+
+std::int64_t chosen_frame(const FrameCommand& command, const ShotInput& input) {
+    const Shot& shot = input.shot;
+    if (is_moment_text(command.at)) {
+        return frame_at_moment(command.at, input);
+    }
     const std::int64_t count = film_frames(shot);
     std::int64_t frame = command.frame.value_or(0);
     std::string given = fmt::format("frame {}", frame);
@@ -158,6 +180,9 @@ std::string numbered_extension(std::int64_t frame) {
 }  // namespace
 
 void run(const RenderCommand& command, CommandContext& context) {
+    if (pipeline::is_sequence_file(command.input.path)) {
+        return render_sequence(command, context);
+    }
     const auto begin = std::chrono::steady_clock::now();
     ShotInput input = read_film_input(command.input, context);
     const bool makes_film = command.chunk.empty() || !command.output.empty();
@@ -239,9 +264,15 @@ void run(const MuxCommand& command, CommandContext& context) {
 }
 
 void run(const FrameCommand& command, CommandContext& context) {
+    if (pipeline::is_sequence_file(command.input.path)) {
+        return write_sequence_frame(command, context);
+    }
     const ChosenTier tier(command.tier);
     ShotInput input = read_film_input(command.input, context);
-    const std::int64_t frame = chosen_frame(command, input.shot);
+    if (is_moment_text(command.at)) {
+        know_motion(input, command.input, command.cache, context);
+    }
+    const std::int64_t frame = chosen_frame(command, input);
     const std::string path =
         output_or_default(command.output, command.input.path, numbered_extension(frame));
     check_picture_path(path);
@@ -253,16 +284,21 @@ void run(const FrameCommand& command, CommandContext& context) {
     options.factory = context.factory;
     const sim::Bake bake = obtain_bake(input, command.input, command.cache, context);
     warn_of_no_store(command.cache, context.console);
+    pipeline::FrameGraphics graphics(input.shot, bake.timeline, command.threads);
+    graphics.prepare();  // may fail, so before rendering
     const render::Film film = pipeline::make_frame(
         input.shot, bake, frame, options, make_console_observer(context.console, 1), context.stop);
     context.console.end_progress();
     report_rays(input.shot, film.statistics, context.console);
-    const pipeline::PlannedFrame planned =
-        pipeline::plan_frame(frame, input.shot.cameras, input.shot.timing, bake.timeline);
+    const std::vector<pipeline::PlannedFrame> layers = pipeline::plan_mixed_frame(
+        frame, pipeline::with_fitted_paths(input.shot.cameras, bake.timeline), input.shot.timing,
+        bake.timeline);
     pipeline::write_picture(
         film, view, path, pipeline::exported_frame_metadata(input.shot, bake.timeline, frame, film),
-        pipeline::overlay_text(input.shot.output.overlay, planned),
-        pipeline::exr_standard_attributes(input.shot, planned));
+        [&](std::span<std::uint8_t> rgb, int width, int height) {
+            graphics.draw(layers, rgb, width, height);
+        },
+        pipeline::exr_standard_attributes(input.shot, layers.front()));
     print_path(path);
 }
 

@@ -8,6 +8,7 @@
 
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/path_fit.h"
+#include "pipeline/job/frame_graphics.h"
 #include "pipeline/plan/plan_colours.h"
 #include "pipeline/sheet/contact_sheet.h"
 #include "pipeline/video/picture_kind.h"
@@ -21,7 +22,22 @@ using pipeline::DisplayPicture;
 using pipeline::PlannedFrame;
 using pipeline::Shot;
 
-/// The means of squares of pixels, so that the picture is not wider than `most_width`.
+std::array<std::uint8_t, 3> colour_of(const Shot& shot, const std::string& rig) {
+    const auto found = std::ranges::find(shot.cameras, rig, &pipeline::CameraRig::name);
+    const std::string text =
+        pipeline::rig_colour(static_cast<std::size_t>(found - shot.cameras.begin()));
+    const auto channel = [&](std::size_t at) {
+        return static_cast<std::uint8_t>(std::stoi(text.substr(at, 2), nullptr, 16));
+    };
+    return {channel(1), channel(3), channel(5)};
+}
+
+std::string line_of(const PlannedFrame& frame) {
+    return fmt::format("frame {}  scene {:.3f} s  {}", frame.number, frame.scene_time, frame.rig);
+}
+
+}  // namespace
+
 DisplayPicture reduced(const DisplayPicture& picture, int most_width) {
     const int step = (picture.width + most_width - 1) / most_width;
     DisplayPicture small{picture.width / step, std::max(1, picture.height / step), {}};
@@ -45,21 +61,15 @@ DisplayPicture reduced(const DisplayPicture& picture, int most_width) {
     return small;
 }
 
-std::array<std::uint8_t, 3> colour_of(const Shot& shot, const std::string& rig) {
-    const auto found = std::ranges::find(shot.cameras, rig, &pipeline::CameraRig::name);
-    const std::string text =
-        pipeline::rig_colour(static_cast<std::size_t>(found - shot.cameras.begin()));
-    const auto channel = [&](std::size_t at) {
-        return static_cast<std::uint8_t>(std::stoi(text.substr(at, 2), nullptr, 16));
-    };
-    return {channel(1), channel(3), channel(5)};
+pipeline::FrameRange spread_frames(std::int64_t count, std::int64_t all) {
+    pipeline::FrameRange range;
+    const std::int64_t steps = std::min(count, all);
+    for (std::int64_t i = 0; i < steps; ++i) {
+        const std::int64_t frame = steps == 1 ? 0 : (i * (all - 1) + (steps - 1) / 2) / (steps - 1);
+        range.parts.push_back({frame, frame, 1});
+    }
+    return range;
 }
-
-std::string line_of(const PlannedFrame& frame) {
-    return fmt::format("frame {}  scene {:.3f} s  {}", frame.number, frame.scene_time, frame.rig);
-}
-
-}  // namespace
 
 void check_sheet_path(const std::string& path, const std::string& what) {
     if (!pipeline::is_picture_path(path) || pipeline::is_linear_picture(path)) {
@@ -74,13 +84,17 @@ void write_frames_sheet(const Shot& shot, const sim::Bake& bake,
     const pipeline::DisplayView view(shot.output);
     const std::vector<pipeline::CameraRig> rigs =
         pipeline::with_fitted_paths(shot.cameras, bake.timeline);
+    pipeline::FrameGraphics graphics(shot, bake.timeline, options.threads);
     std::vector<pipeline::SheetCell> cells;
     for (const std::int64_t number : sheet.frames) {
         const render::Film film =
             pipeline::make_frame(shot, bake, number, options, {}, context.stop);
-        const PlannedFrame frame = pipeline::plan_frame(number, rigs, shot.timing, bake.timeline);
-        cells.push_back({reduced({film.width, film.height, view.to_8(film)}, sheet.most_width),
-                         line_of(frame), colour_of(shot, frame.rig)});
+        const std::vector<PlannedFrame> layers =
+            pipeline::plan_mixed_frame(number, rigs, shot.timing, bake.timeline);
+        DisplayPicture picture{film.width, film.height, view.to_8(film)};
+        graphics.draw_annotations(layers, picture.rgb, film.width, film.height);
+        cells.push_back({reduced(picture, sheet.most_width), line_of(layers.front()),
+                         colour_of(shot, layers.front().rig)});
     }
     const DisplayPicture picture =
         pipeline::contact_sheet(shot.name, sheet.facts, cells, sheet.columns);

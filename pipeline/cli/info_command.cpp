@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <optional>
 #include <set>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -9,9 +11,12 @@
 #include "pipeline/camera/time_map.h"
 #include "pipeline/check/motion_check.h"
 #include "pipeline/cli/output_file.h"
+#include "pipeline/cli/quick_bake.h"
 #include "pipeline/cli/run_program.h"
+#include "pipeline/cli/sequence_input.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/config/explain.h"
+#include "pipeline/config/load_shot.h"
 #include "pipeline/job/memory_forecast.h"
 #include "pipeline/video/video_format.h"
 
@@ -99,15 +104,39 @@ std::string summary(const ShotInput& input, Console& console) {
            world_lines(input.shot) + file_lines(input.shot, *input.source);
 }
 
+/// Gives the moments their times. What is not known is shown as it is written.
+void know_moments(ShotInput& input, CommandContext& context) {
+    if (!pipeline::has_open_moments(input.shot)) {
+        return;
+    }
+    const std::optional<sim::Bake> bake = quick_bake(input, "", context);
+    if (!bake) {
+        context.console.warning(
+            "the times of moments are not known: simulating the shot takes "
+            "long; run 'carom bake' first");
+        return;
+    }
+    std::vector<pipeline::Problem> problems =
+        pipeline::resolve_moments(input.shot, input.source, bake->timeline);
+    for (pipeline::Problem& problem : problems) {
+        problem.severity = pipeline::Severity::warning;
+    }
+    report_problems(problems, context.console);
+}
+
 }  // namespace
 
 void run(const InfoCommand& command, CommandContext& context) {
+    if (pipeline::is_sequence_file(command.input.path)) {
+        return inform_about_sequence(command, context);
+    }
     check_output_folder(command.output);
-    const ShotInput input = read_shot_input(command.input, context.console);
+    ShotInput input = read_shot_input(command.input, context.console);
     if (input.bake) {
         report_problems(pipeline::simulation_problems(input.bake->timeline, input.source.get()),
                         context.console);
     }
+    know_moments(input, context);
     const std::string text = command.resolved ? pipeline::explained_yaml(*input.source, input.shot)
                                               : summary(input, context.console);
     write_text_output(command.output.empty() ? "-" : command.output, text);

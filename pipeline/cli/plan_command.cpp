@@ -2,12 +2,16 @@
 #include "pipeline/cli/drawing_output.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/run_program.h"
+#include "pipeline/cli/sequence_input.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/plan/plan_svg.h"
 
 namespace carom::cli {
 
 void run(const PlanCommand& command, CommandContext& context) {
+    if (pipeline::is_sequence_file(command.input.path)) {
+        return plan_sequence(command, context);
+    }
     const std::string path = output_or_default(command.output, command.input.path, ".svg");
     check_drawing_path(path, "a plan");
     ShotInput input = read_shot_input(command.input, context.console);

@@ -1,3 +1,5 @@
+#include <vector>
+
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/drawing_output.h"
 #include "pipeline/cli/output_file.h"
@@ -11,8 +13,15 @@ namespace carom::cli {
 
 namespace {
 
-void write_report(const ReportCommand& command, const sim::Timeline& timeline) {
-    const pipeline::ShotReport report = pipeline::report_of(timeline);
+void write_report(const ReportCommand& command, const sim::Timeline& timeline,
+                  const std::vector<pipeline::ShotMoment>& moments) {
+    pipeline::ShotReport report = pipeline::report_of(timeline);
+    std::erase_if(report.objects, [](const pipeline::ReportedObject& object) {
+        return object.name == pipeline::kStickTrack;
+    });
+    for (const pipeline::ShotMoment& moment : moments) {
+        report.moments.push_back({moment.key_path, moment.time.value_or(0)});
+    }
     write_text_output(command.output.empty() ? "-" : command.output,
                       command.json ? report_json(report) : pipeline::report_text(report));
 }
@@ -22,7 +31,8 @@ void write_report(const ReportCommand& command, const sim::Timeline& timeline) {
 void run(const ReportCommand& command, CommandContext& context) {
     check_output_folder(command.output);
     if (command.plot.empty() && is_bake_file(command.input.path)) {
-        return write_report(command, read_timeline_of_bake(command.input.path, context.console));
+        return write_report(command, read_timeline_of_bake(command.input.path, context.console),
+                            {});
     }
     if (!command.plot.empty()) {
         check_drawing_path(command.plot, "a plot");
@@ -32,7 +42,7 @@ void run(const ReportCommand& command, CommandContext& context) {
         obtain_bake(input, command.input, command.cache, context).timeline;
     // With --plot and without -o and --json only the plot is written.
     if (command.plot.empty() || !command.output.empty() || command.json) {
-        write_report(command, timeline);
+        write_report(command, timeline, input.shot.moments);
     }
     if (!command.plot.empty()) {
         write_drawing({command.plot, command.drawing.width},

@@ -70,6 +70,8 @@ const char* fate_name(Fate fate) {
             return "moves";
         case Fate::potted:
             return "potted";
+        case Fate::removed:
+            return "removed";
         case Fate::off_table:
             break;
     }
@@ -113,6 +115,10 @@ std::string sample_object(const sim::EnergySample& sample) {
     return energy_members(sample).object();
 }
 
+std::string moment_object(const pipeline::ReportedMoment& moment) {
+    return JsonMembers().add("key", moment.key_path).add("time", moment.time).object();
+}
+
 template <typename Item, typename Write>
 std::string array_of(const std::vector<Item>& items, Write write) {
     std::vector<std::string> objects;
@@ -132,6 +138,7 @@ std::string report_json(const pipeline::ShotReport& report) {
                                     .add("largest_energy_rise", report.largest_energy_rise);
     return "{" + numbers.text() + ",\n\"events\":" + array_of(report.events, event_object) +
            ",\n\"objects\":" + array_of(report.objects, object_object) +
+           ",\n\"moments\":" + array_of(report.moments, moment_object) +
            ",\n\"energy\":" + array_of(report.energy, energy_object) +
            ",\n\"energy_over_time\":" + array_of(report.energy_samples, sample_object) + "}\n";
 }

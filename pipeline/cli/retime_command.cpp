@@ -1,13 +1,18 @@
 #include <chrono>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "pipeline/camera/retime.h"
+#include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/film_commands.h"
 #include "pipeline/cli/film_input.h"
+#include "pipeline/cli/moment_text.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
+#include "pipeline/config/load_shot.h"
 #include "pipeline/config/number_types.h"
 #include "pipeline/video/video_format.h"
 
@@ -68,16 +73,11 @@ std::vector<pipeline::SpeedKey> parse_ramp(std::string_view text) {
     return ramp;
 }
 
+/// The options but for `from` and `to`, which may be moments.
 pipeline::RetimeOptions options_of(const RetimeCommand& command) {
     pipeline::RetimeOptions options;
     if (!command.speed.empty()) {
         options.speed = parse_speed(command.speed);
-    }
-    if (!command.from.empty()) {
-        options.from = parse_time(command.from);
-    }
-    if (!command.to.empty()) {
-        options.to = parse_time(command.to);
     }
     options.ramp = parse_ramp(command.ramp);
     options.is_smooth = command.easing != "linear";
@@ -86,8 +86,8 @@ pipeline::RetimeOptions options_of(const RetimeCommand& command) {
     if (!command.easing.empty() && options.ramp.empty()) {
         throw InputError("--easing has no effect without --ramp; give both");
     }
-    const bool changes = options.speed || options.from || options.to || options.reverse ||
-                         !options.ramp.empty() || !options.rig.empty();
+    const bool changes = options.speed || !command.from.empty() || !command.to.empty() ||
+                         options.reverse || !options.ramp.empty() || !options.rig.empty();
     if (!changes) {
         throw InputError(
             "no change is given; use --speed, --from, --to, --reverse, --ramp or --rig");
@@ -95,12 +95,31 @@ pipeline::RetimeOptions options_of(const RetimeCommand& command) {
     return options;
 }
 
+/// The scene time of an option; empty if it is not given.
+std::optional<Rational> scene_time_of(const std::string& option, const std::string& text,
+                                      const ShotInput& input) {
+    if (text.empty()) {
+        return std::nullopt;
+    }
+    if (!is_moment_text(text)) {
+        return parse_time(text);
+    }
+    return Rational::nearest(time_of_moment(option, text, input));
+}
+
 }  // namespace
 
 void run(const RetimeCommand& command, CommandContext& context) {
     const auto begin = std::chrono::steady_clock::now();
-    const pipeline::RetimeOptions options = options_of(command);
+    pipeline::RetimeOptions options = options_of(command);
     ShotInput input = read_film_input(command.render.input, context);
+    const bool needs_motion = is_moment_text(command.from) || is_moment_text(command.to) ||
+                              pipeline::has_open_moments(input.shot);
+    if (needs_motion) {
+        know_motion(input, command.render.input, command.render.cache, context);
+    }
+    options.from = scene_time_of("--from", command.from, input);
+    options.to = scene_time_of("--to", command.to, input);
     try {
         input.shot.cameras = pipeline::retime_rigs(input.shot.cameras, options);
         input.has_own_cameras = false;

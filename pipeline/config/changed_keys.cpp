@@ -15,8 +15,8 @@ using namespace config;
 
 namespace {
 
-constexpr std::array<std::string_view, 8> kSections{"simulation", "physics", "ball_set", "table",
-                                                    "rack",       "balls",   "objects",  "events"};
+constexpr std::array<std::string_view, 9> kSections{
+    "simulation", "physics", "ball_set", "table", "rack", "balls", "objects", "events", "respot"};
 
 // The keys of balls and objects that are not compared.
 constexpr std::array<std::string_view, 3> kLook{"look", "material", "smooth"};

@@ -38,11 +38,7 @@ std::string double_quoted(const std::string& text) {
     return quoted + "\"";
 }
 
-std::string scalar_text(const Node& node, const Replaced& replaced) {
-    const auto found = replaced.find(&node);
-    if (found != replaced.end()) {
-        return double_quoted(found->second);
-    }
+std::string scalar_text(const Node& node) {
     return !node.quoted && is_safe_plain(node.text) ? node.text : double_quoted(node.text);
 }
 
@@ -53,11 +49,15 @@ std::string key_text(const std::string& key) {
 
 /// A value in flow style, on one line.
 std::string flow(const Node& node, const Replaced& replaced) {
+    const auto found = replaced.find(&node);
+    if (found != replaced.end()) {
+        return double_quoted(found->second);
+    }
     switch (node.kind) {
         case Node::Kind::null:
             return "null";
         case Node::Kind::scalar:
-            return scalar_text(node, replaced);
+            return scalar_text(node);
         case Node::Kind::sequence: {
             std::string text = "[";
             for (const Node& item : node.items) {

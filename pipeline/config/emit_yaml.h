@@ -8,7 +8,8 @@
 
 namespace carom::pipeline::config {
 
-/// Text that reads back as the same tree. `replaced` has other texts for some scalars.
+/// Text that reads back as the same tree. `replaced` has texts that are written, in
+/// quotes, instead of some values.
 [[nodiscard]] std::string emit_yaml(const Node& root,
                                     const std::map<const Node*, std::string>& replaced = {});
 

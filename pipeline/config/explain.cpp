@@ -19,22 +19,30 @@ namespace {
 
 constexpr std::size_t kCommentColumn = 48;
 
-/// The map among the types that a key accepts, or nullptr.
-const MapInfo* map_of(const TypeInfo* type) {
+/// Whether the map has all keys of the node.
+bool has_keys_of(const MapInfo& map, const Node& node) {
+    return std::ranges::all_of(node.entries, [&](const Entry& entry) {
+        return std::ranges::find(map.keys, entry.key, &KeyInfo::name) != map.keys.end();
+    });
+}
+
+/// The one map among the types that a key accepts that can be meant by the node; nullptr if there
+/// is none or more than one, because then only the parser knows.
+const MapInfo* map_of(const TypeInfo* type, const Node& node) {
     if (type == nullptr) {
         return nullptr;
     }
     if (type->kind == TypeInfo::Kind::map) {
-        return type->map;
+        return has_keys_of(*type->map, node) ? type->map : nullptr;
     }
     if (type->kind != TypeInfo::Kind::any_of) {
         return nullptr;
     }
     const MapInfo* found = nullptr;
     for (const TypeInfo& element : type->elements) {
-        if (const MapInfo* map = map_of(&element)) {
+        if (const MapInfo* map = map_of(&element, node)) {
             if (found != nullptr && found != map) {
-                return nullptr;  // only the parser knows which of them is meant
+                return nullptr;
             }
             found = map;
         }
@@ -58,10 +66,6 @@ const TypeInfo* element_of(const TypeInfo* type, TypeInfo::Kind kind) {
         }
     }
     return nullptr;
-}
-
-bool holds_maps(const Node& node) {
-    return node.is_map() || std::any_of(node.items.begin(), node.items.end(), holds_maps);
 }
 
 class Explainer {
@@ -92,12 +96,22 @@ class Explainer {
         text_ += line + "\n";
     }
 
-    /// "shot.yaml:14", "--set".
+    /// Whether the node has maps that are written as such.
+    [[nodiscard]] bool holds_maps(const Node& node) const {
+        return (node.is_map() && !source_.replaced().contains(&node)) ||
+               std::any_of(node.items.begin(), node.items.end(),
+                           [this](const Node& item) { return holds_maps(item); });
+    }
+
+    /// "shot.yaml:14", "--set". For a moment, how it is written as well.
     [[nodiscard]] std::string origin_of(const Node& node) const {
         const SourcePlace place = source_.sources().describe(node.place);
         const std::string origin = place.file.starts_with("--")
                                        ? place.file
                                        : fmt::format("{}:{}", place.file, place.line);
+        if (node.is_map() && source_.replaced().contains(&node)) {
+            return origin + ", " + emit_flow(node);
+        }
         return &node == short_side_ ? origin + ", makes the picture " + picture_ : origin;
     }
 
@@ -106,13 +120,14 @@ class Explainer {
     /// nullptr.
     void write_value(const Node& node, const TypeInfo* type, const std::string& first,
                      const std::string& indent, const Node* standard = nullptr) {
-        if (node.is_map() && !node.entries.empty()) {
+        const bool is_replaced = source_.replaced().contains(&node);
+        if (node.is_map() && !node.entries.empty() && !is_replaced) {
             const TypeInfo* element = element_of(type, TypeInfo::Kind::named);
             if (first.ends_with("-")) {
-                write_map(node, map_of(type), first + " ", indent, element);
+                write_map(node, map_of(type, node), first + " ", indent, element);
             } else {
                 text_ += first + "\n";
-                write_map(node, map_of(type), indent, indent, element, standard);
+                write_map(node, map_of(type, node), indent, indent, element, standard);
             }
         } else if (node.is_sequence() && holds_maps(node)) {
             text_ += first + "\n";
@@ -121,7 +136,7 @@ class Explainer {
                 write_value(item, element, indent + "-", indent + "  ");
             }
         } else {
-            write_line(first + " " + emit_flow(node, source_.files()), origin_of(node));
+            write_line(first + " " + emit_flow(node, source_.replaced()), origin_of(node));
         }
     }
 

@@ -99,7 +99,7 @@ FoundPlace find_place(const Node& root, const std::vector<std::string>& path) {
 
 std::vector<std::string> path_of(const Diagnostic& diagnostic, const Node& root) {
     std::vector<std::string> path = path_of_subject(diagnostic.subject, root);
-    if (path.empty() && !diagnostic.field.empty()) {
+    if (path.empty() && !diagnostic.field.empty() && diagnostic.field != "respot") {
         path.emplace_back(diagnostic.field == "gravity" ? "physics" : "simulation");
     }
     for (std::string_view rest = diagnostic.field; !rest.empty();) {

@@ -319,6 +319,10 @@ Gathered gather(SourceSet& sources, int root_source, const ConfigFolders& folder
     if (!root) {
         return {};
     }
+    for (const std::string& value : options.own) {
+        const int source = sources.add({"film", root_folder, value});
+        merge_override(*root, sources, source, problems);
+    }
     if (!options.quality.empty()) {
         const int source = sources.add({"--quality", root_folder, options.quality});
         const Place place = sources.place_at(source, 0, options.quality.size());

@@ -12,9 +12,11 @@
 namespace carom::pipeline::config {
 
 struct GatherOptions {
-    std::vector<std::string> overrides;  // "render.samples=64", highest precedence
-    std::string quality;                 // of the command line; empty: that of the shot
-    std::string camera_file;  // file whose cameras and look replace those of the shot; empty: none
+    std::vector<std::string> own{};  // as overrides, but as if the shot's file gave the values
+    std::vector<std::string> overrides{};  // "render.samples=64", highest precedence
+    std::string quality{};                 // of the command line; empty: that of the shot
+    std::string
+        camera_file{};  // file whose cameras and look replace those of the shot; empty: none
 };
 
 struct Gathered {

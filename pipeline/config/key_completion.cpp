@@ -10,6 +10,7 @@
 #include "pipeline/config/gather.h"
 #include "pipeline/config/reader.h"
 #include "pipeline/config/sections/sections.h"
+#include "sim/billiards/spots.h"
 
 namespace carom::pipeline::config {
 
@@ -92,6 +93,7 @@ bool has_value(const TypeInfo& type) {
     switch (type.kind) {
         case TypeInfo::Kind::map:
         case TypeInfo::Kind::named:
+        case TypeInfo::Kind::settings:
             return false;
         case TypeInfo::Kind::list:
         case TypeInfo::Kind::any_of:
@@ -104,6 +106,21 @@ bool has_value(const TypeInfo& type) {
 void add_names(const Node& shot, const char* section, std::vector<std::string>& names) {
     if (const Node* map = value_of(&shot, section)) {
         std::ranges::transform(map->entries, std::back_inserter(names), &Entry::key);
+    }
+}
+
+/// Adds the spots of the shot's kind of table, or those of all kinds if it is not known.
+void add_spots(const Node& shot, std::vector<std::string>& values) {
+    using sim::billiards::TableKind;
+    const Node* table = value_of(&shot, "table");
+    const Node* kind = table != nullptr ? value_of(table, "kind") : nullptr;
+    sim::billiards::TableMeasures measures;
+    measures.kind = kind == nullptr || kind->text == "custom" ? TableKind::custom
+                    : kind->text == "snooker"                 ? TableKind::snooker
+                    : kind->text == "carom"                   ? TableKind::carom
+                                                              : TableKind::pool;
+    for (const auto& spot : sim::billiards::spots_of(measures)) {
+        values.push_back(spot.name);
     }
 }
 
@@ -124,8 +141,13 @@ void add_values(const TypeInfo& type, const Node& shot, std::vector<std::string>
     } else if (type.kind == TypeInfo::Kind::name && type.noun == "a material") {
         add_names(shot, "materials", values);
     } else if (type.kind == TypeInfo::Kind::name) {
-        add_names(shot, "balls", values);
-        if (type.noun != "a ball") {
+        if (type.noun == "a spot of the table" || type.noun == "a ball, object or spot") {
+            add_spots(shot, values);
+        }
+        if (type.noun != "a spot of the table") {
+            add_names(shot, "balls", values);
+        }
+        if (type.noun != "a ball" && type.noun != "a spot of the table") {
             add_names(shot, "objects", values);
         }
     } else if (type.kind == TypeInfo::Kind::any_of) {

@@ -84,8 +84,11 @@ bool check_list(Reader& reader, const Node& node, const TypeInfo& type) {
     }
     const int count = static_cast<int>(node.items.size());
     if (count < type.fewest || (type.most >= 0 && count > type.most)) {
-        const std::string allowed =
-            type.most < 0 && type.fewest == 1 ? describe(type) + " (at least one)" : describe(type);
+        std::string allowed = describe(type);
+        if (type.most < 0) {
+            allowed +=
+                type.fewest == 1 ? " (at least one)" : fmt::format(" (at least {})", type.fewest);
+        }
         reader.error(node.place,
                      fmt::format("{} must be {}, not of {}", reader.value_name(), allowed, count));
         return false;

@@ -13,6 +13,7 @@
 #include "pipeline/config/emit_yaml.h"
 #include "pipeline/config/gather.h"
 #include "pipeline/config/parse_yaml.h"
+#include "pipeline/config/repeat.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/shot_source.h"
 #include "pipeline/config/text.h"
@@ -63,15 +64,14 @@ std::string absolute_folder(const std::string& origin) {
     return code ? "." : absolute.lexically_normal().parent_path().string();
 }
 
-/// Reads the merged tree; empty after an error.
-std::optional<Shot> read_shot(const Gathered& gathered, const std::string& name, Reader& reader,
-                              sim::billiards::TableMemo* tables) {
-    const Node& root = *gathered.root;
+/// Reads the merged tree; empty after an error. `is_whole`: false if a file is missing or an object
+/// could not be repeated, which was reported, so that references must not be checked.
+std::optional<Shot> read_shot(const Node& root, bool is_whole, const std::string& name,
+                              Reader& reader, sim::billiards::TableMemo* tables) {
     ShotFile file;
     reader.set_root_place(root.place);
-    reader.set_partial(!gathered.is_complete);
     shot_spec().read(reader, root, file);
-    if (!gathered.is_complete) {
+    if (!is_whole) {
         return std::nullopt;
     }
     Shot shot;
@@ -82,7 +82,8 @@ std::optional<Shot> read_shot(const Gathered& gathered, const std::string& name,
     }
     if (!reader.has_error()) {
         shot.assets = hash_assets(reader.files(), root, reader);
-        shot.resolved_text = emit_yaml(root, reader.absolute_paths());
+        shot.moments = reader.moments();
+        shot.resolved_text = emit_yaml(root, reader.replaced());
     }
     return reader.has_error() ? std::nullopt : std::optional(std::move(shot));
 }
@@ -102,13 +103,23 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
     const int source =
         sources.add({origin, absolute_folder(origin), text, {}, absolute_path(origin)});
     Gathered gathered = gather(sources, source, folders,
-                               {options.overrides, options.quality, options.camera_file}, problems);
-    std::map<const Node*, std::string> files;
+                               {.own = options.own,
+                                .overrides = options.overrides,
+                                .quality = options.quality,
+                                .camera_file = options.camera_file},
+                               problems);
+    std::shared_ptr<const Node> root;
+    ShotSource::Replaced replaced;
     if (gathered.root) {
+        const bool has_all_objects =
+            repeat_objects(*gathered.root, sources, folders, problems, !gathered.is_complete);
         apply_conditions(*gathered.root, sources, folders, problems, !gathered.is_complete);
         Reader reader(sources, folders, problems);
-        result.shot = read_shot(gathered, fs::path(origin).stem().string(), reader, options.tables);
-        files = reader.absolute_paths();
+        reader.set_partial(!gathered.is_complete);
+        root = std::make_shared<const Node>(std::move(*gathered.root));
+        result.shot = read_shot(*root, gathered.is_complete && has_all_objects,
+                                fs::path(origin).stem().string(), reader, options.tables);
+        replaced = reader.replaced();
     }
     if (problems.has_error()) {
         result.shot.reset();
@@ -116,10 +127,51 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
     result.problems = problems.take();
     result.files = files_of(sources);
     if (result.shot) {
-        result.source = std::make_shared<ShotSource>(std::move(sources), std::move(*gathered.root),
-                                                     std::move(files));
+        result.source =
+            std::make_shared<ShotSource>(std::make_shared<const SourceSet>(std::move(sources)),
+                                         std::move(root), std::move(replaced), result.problems);
     }
     return result;
+}
+
+namespace {
+
+bool is_same(const Problem& a, const Problem& b) {
+    return a.message == b.message && a.place.file == b.place.file && a.place.line == b.place.line &&
+           a.place.column == b.place.column;
+}
+
+}  // namespace
+
+bool has_open_moments(const Shot& shot) {
+    return std::ranges::any_of(shot.moments,
+                               [](const ShotMoment& moment) { return !moment.time.has_value(); });
+}
+
+std::vector<Problem> resolve_moments(Shot& shot, std::shared_ptr<const ShotSource>& source,
+                                     const sim::Timeline& timeline,
+                                     sim::billiards::TableMemo* tables) {
+    if (!has_open_moments(shot)) {
+        return {};
+    }
+    ProblemList problems(source->sources());
+    const ConfigFolders folders = standard_config_folders();
+    const KnownMotion motion{&timeline, &shot.world};
+    Reader reader(source->sources(), folders, problems, &motion);
+    std::optional<Shot> known = read_shot(source->root(), true, shot.name, reader, tables);
+    std::vector<Problem> found = problems.take();
+    std::erase_if(found, [&](const Problem& problem) {
+        return std::ranges::any_of(source->problems(),
+                                   [&](const Problem& before) { return is_same(problem, before); });
+    });
+    if (known) {
+        shot.cameras = std::move(known->cameras);
+        shot.annotations = std::move(known->annotations);
+        shot.moments = std::move(known->moments);
+        shot.resolved_text = std::move(known->resolved_text);
+        source = std::make_shared<const ShotSource>(source->with_replaced(reader.replaced()));
+    }
+    return found;
 }
 
 namespace {

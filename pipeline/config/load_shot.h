@@ -37,6 +37,8 @@ struct LoadResult {
 
 /// What changes a shot while it is loaded, and what it may read.
 struct LoadOptions {
+    /// Values like those of `overrides` that count as the shot's own: a preset may change them.
+    std::vector<std::string> own{};
     /// Values as given to --set: "render.samples=64".
     std::vector<std::string> overrides{};
     /// The name of a preset in configs/quality: "draft", "preview" or "final". Empty: the one that
@@ -63,5 +65,18 @@ struct LoadOptions {
 /// relative to the folder of `origin`.
 [[nodiscard]] LoadResult load_shot_text(const std::string& text, const std::string& origin,
                                         const LoadOptions& options = {});
+
+/// Whether the times of some moments are not known yet.
+[[nodiscard]] bool has_open_moments(const Shot& shot);
+
+/// Gives the shot the times at which its moments come in `timeline`, the motion of its world: in
+/// its cameras, annotations, moments and its resolved text. `source` is what it was read from, and
+/// becomes one that explains moments by their times. Returns the problems that were not found
+/// before. A moment that never comes is an error at its place, and leaves both unchanged. A shot
+/// without open moments is left as it is.
+[[nodiscard]] std::vector<Problem> resolve_moments(Shot& shot,
+                                                   std::shared_ptr<const ShotSource>& source,
+                                                   const sim::Timeline& timeline,
+                                                   sim::billiards::TableMemo* tables = nullptr);
 
 }  // namespace carom::pipeline

@@ -29,6 +29,13 @@ std::string explain_odd_key(const Entry& entry) {
 
 /// Reports an unknown key. Returns the key that was probably meant.
 std::optional<std::string> report_unknown(Reader& reader, const Entry& entry, const MapInfo& info) {
+    for (const auto& [name, reason] : info.refused) {
+        if (entry.key == name) {
+            reader.error(entry.key_place,
+                         quote(entry.key) + " in " + reader.label() + " " + reason);
+            return std::nullopt;
+        }
+    }
     const std::vector<std::string> known = info.key_names();
     Message help = explain_odd_key(entry);
     if (help.text.empty()) {
@@ -175,6 +182,10 @@ void KeyTable::add_group(KeyGroup::Rule rule, std::vector<std::string> keys) {
 
 void KeyTable::set_kinds(std::vector<std::string> keys) {
     info_.kinds = std::move(keys);
+}
+
+void KeyTable::refuse(std::string_view name, std::string_view reason) {
+    info_.refused.emplace_back(name, reason);
 }
 
 void KeyTable::add_check(Step check) {

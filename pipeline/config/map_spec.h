@@ -55,6 +55,8 @@ struct MapInfo {
     /// Keys that each decide the kind of the object ("a sphere light"). The first one given decides
     /// which other keys have a meaning.
     std::vector<std::string> kinds;
+    /// Keys that a user may expect, and why there are none: the message after the quoted key.
+    std::vector<std::pair<std::string, std::string>> refused{};
 
     [[nodiscard]] std::vector<std::string> key_names() const;
 };
@@ -137,6 +139,7 @@ class KeyTable {
     void exclude_last(Exclusion exclusion);
     void add_group(KeyGroup::Rule rule, std::vector<std::string> keys);
     void set_kinds(std::vector<std::string> keys);
+    void refuse(std::string_view name, std::string_view reason);
     void add_check(Step check);
 
     [[nodiscard]] const MapInfo& info() const { return info_; }
@@ -247,6 +250,12 @@ class MapSpec {
 
     MapSpec& at_most_one_of(std::vector<std::string> keys) {
         table_.add_group(KeyGroup::Rule::at_most_one, std::move(keys));
+        return *this;
+    }
+
+    /// A key that a user may expect does not exist. `reason`: the message after the quoted key.
+    MapSpec& refuse(std::string_view name, std::string_view reason) {
+        table_.refuse(name, reason);
         return *this;
     }
 

@@ -18,6 +18,8 @@ struct Node {
     Kind kind = Kind::null;
     Place place;
     bool quoted = false;         // scalar in quotes or in a block, so never true or false
+    bool is_repeated = false;    // made by a `repeat` (repeat.h): `place` is that of the original,
+                                 // which stands for others, too
     std::string text;            // scalar
     std::vector<Node> items;     // sequence
     std::vector<Entry> entries;  // map, in order, keys unique

@@ -1,12 +1,14 @@
 #include "pipeline/config/reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
 #include <fmt/core.h>
 
+#include "core/text.h"
 #include "pipeline/config/text.h"
 
 namespace carom::pipeline::config {
@@ -99,8 +101,29 @@ std::string Reader::file(const Node& node) {
     if (std::find(files_.begin(), files_.end(), found.path) == files_.end()) {
         files_.push_back(found.path);
     }
-    absolute_paths_[&node] = found.path;
+    replaced_[&node] = found.path;
     return found.path;
+}
+
+std::optional<double> Reader::time_of(const sim::Moment& moment, const Node& node) {
+    if (motion_ == nullptr) {
+        moments_.push_back({key_path(), std::nullopt});
+        return 0;
+    }
+    const auto found = sim::find_moment(moment, *motion_->timeline, *motion_->world);
+    if (const auto* reason = std::get_if<std::string>(&found)) {
+        error(node.place, "this moment never comes: " + *reason);
+        return std::nullopt;
+    }
+    const double ticks = static_cast<double>(kMomentTicks);
+    const double time = std::round(std::get<double>(found) * ticks) / ticks;
+    if (time < 0) {
+        error(node.place, "this moment is " + seconds_text(-time) + " before the shot begins");
+        return std::nullopt;
+    }
+    moments_.push_back({key_path(), time});
+    replaced_[&node] = seconds_text(time);
+    return time;
 }
 
 std::string describe(const Node& node) {

@@ -2,7 +2,9 @@
 // far.
 #pragma once
 
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +13,8 @@
 #include "pipeline/config/config_files.h"
 #include "pipeline/config/node.h"
 #include "pipeline/config/problem_list.h"
+#include "pipeline/shot/shot.h"
+#include "sim/moment.h"
 
 namespace carom::pipeline::config {
 
@@ -22,6 +26,8 @@ enum class ReferenceKind {
     moving,     // a body, or any object that keys move
     touchable,  // a body, a fixed object or a part of the table ("cushion")
     placed,     // a body or any object that has a position
+    aimed,      // the same, or a spot of the table
+    spot,       // a spot of the table
     material,   // a material of a surface
 };
 
@@ -33,10 +39,21 @@ struct Reference {
     std::string key_path;
 };
 
+/// The simulated motion of a shot, and the world that was simulated.
+struct KnownMotion {
+    const sim::Timeline* timeline = nullptr;
+    const sim::WorldDescription* world = nullptr;
+};
+
+/// Times of moments are rounded to this fraction of a second, so that they are exact fractions.
+inline constexpr std::int64_t kMomentTicks = 1'000'000;
+
 class Reader {
   public:
-    Reader(const SourceSet& sources, const ConfigFolders& folders, ProblemList& problems)
-        : sources_(&sources), folders_(&folders), problems_(&problems) {}
+    /// `motion`: where the times of moments are found; nullptr: they are not known yet.
+    Reader(const SourceSet& sources, const ConfigFolders& folders, ProblemList& problems,
+           const KnownMotion* motion = nullptr)
+        : sources_(&sources), folders_(&folders), problems_(&problems), motion_(motion) {}
 
     /// Enters a key or a list element for the lifetime of the scope.
     class Scope {
@@ -91,10 +108,17 @@ class Reader {
     [[nodiscard]] std::string file(const Node& node);
     [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
 
-    /// The absolute paths that replace the names of files in the resolved text, by node.
-    [[nodiscard]] const std::map<const Node*, std::string>& absolute_paths() const {
-        return absolute_paths_;
-    }
+    /// The scene time (s) of the moment that `node` describes; 0 if the motion is not known. Empty
+    /// after a problem: it never comes.
+    [[nodiscard]] std::optional<double> time_of(const sim::Moment& moment, const Node& node);
+    /// Whether moments have their times.
+    [[nodiscard]] bool knows_motion() const { return motion_ != nullptr; }
+    /// All moments so far, in the order of reading.
+    [[nodiscard]] const std::vector<ShotMoment>& moments() const { return moments_; }
+
+    /// The texts that replace values in the resolved text, by node: the absolute paths of files
+    /// and the times of moments.
+    [[nodiscard]] const std::map<const Node*, std::string>& replaced() const { return replaced_; }
 
     [[nodiscard]] const SourceSet& sources() const { return *sources_; }
 
@@ -109,12 +133,14 @@ class Reader {
     const SourceSet* sources_;
     const ConfigFolders* folders_;
     ProblemList* problems_;
+    const KnownMotion* motion_;
     std::vector<Step> steps_;
     bool is_partial_ = false;
     Place root_place_;
     std::vector<Reference> references_;
     std::vector<std::string> files_;
-    std::map<const Node*, std::string> absolute_paths_;
+    std::map<const Node*, std::string> replaced_;
+    std::vector<ShotMoment> moments_;
 };
 
 /// "a list", "a map", "nothing" or the quoted scalar, for use after "not".

@@ -84,8 +84,8 @@ std::string describe_list(const TypeInfo& type) {
 
 std::string describe_alternatives(const TypeInfo& type) {
     if (type.noun == "changing") {
-        return describe_type(type.elements.at(0)) + "; a list of two, [start, end]; or " +
-               describe_type(type.elements.at(2));
+        return describe_type(type.elements.at(0)) + "; a list of two, [start, end]; " +
+               describe_type(type.elements.at(3)) + "; or " + describe_type(type.elements.at(2));
     }
     return type.noun.empty() ? describe_elements(type.elements) : with_range(type.noun, type);
 }
@@ -118,6 +118,7 @@ std::string describe_type(const TypeInfo& type) {
             }
             return text.empty() ? describe(type)
                                 : text + "or another word of `" + type.more_choices + "`";
+        case TypeInfo::Kind::settings:
         case TypeInfo::Kind::boolean:
         case TypeInfo::Kind::name:
         case TypeInfo::Kind::file:

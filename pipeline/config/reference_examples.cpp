@@ -118,6 +118,24 @@ balls:
     rotate: [0, 0, 30 deg]
     physics: {density: 650 kg/m^3}
 )"},
+        {"repeat", R"(objects:
+  tile:
+    box: [10 mm, 32 mm, 60 mm]
+    at: [0, 0, 0.03]
+    physics: {density: 1800 kg/m^3}
+    repeat: {count: 12, along: {arc: [0, 0], radius: 30 cm, angles: [0 deg, 90 deg]}}
+  tile_12: {rotate: [0, 0, 170 deg]}
+)"},
+        {"repeat path", R"(objects:
+  brick:
+    box: [6 cm, 3 cm, 2 cm]
+    at: [0, 0, 0.01]
+    repeat: {count: [8, 5], along: {from: [-0.3, 0], steps: [[7 cm, 0], [0, 0, 2 cm]]}}
+  post:
+    cylinder: {radius: 1 cm, height: 10 cm}
+    at: [0, 0, 0.05]
+    repeat: {count: 6, along: {spline: [[-0.4, 0.3], [0, 0.45], [0.4, 0.3]]}}
+)"},
         {"cone", R"(objects:
   marker: {cone: {radius: 45 mm, top_radius: 8 mm, height: 110 mm}, at: [0.5, 0.2, 0.055]}
 )"},
@@ -180,6 +198,18 @@ balls: {cue: {at: [-0.3, -0.2]}, eight: {at: [0.8, 0.25]}}
 events:
   - strike: {ball: cue, at: 0.5 s, toward: eight, speed: 3 m/s, tip: [0, -0.3], elevation: 5 deg}
 )"},
+        {"place", R"(table: {kind: snooker}
+balls: {white: {at: [-1.1, 0.1]}, red_1: {at: [0.3, 0.4]}, black: {at: black}}
+events:
+  - strike: {ball: white, toward: black, speed: 3 m/s}
+  - place: {ball: black, spot: black, when: {potted: black}, after: 1 s, if_occupied: next}
+)"},
+        {"remove", R"(table: {kind: pool}
+balls: {cue: {at: head}, eight: {at: foot}}
+events:
+  - strike: {ball: cue, toward: eight, speed: 2 m/s}
+  - remove: {ball: eight, at: 5 s}
+)"},
         {"when", R"(table: {kind: pool}
 balls: {cue: {at: [-0.3, -0.2]}, eight: {at: [0.8, 0.25]}}
 events:
@@ -189,6 +219,16 @@ events:
       when: {contact: [eight, cushion]}
       after: 0.2 s
       newton_seconds: [0, 0.2, 0]
+)"},
+        {"moment", R"(table: {kind: pool}
+balls: {cue: {at: [-0.3, -0.2]}, eight: {at: [0.8, 0.25]}}
+events:
+  - strike: {ball: cue, at: 0.5 s, toward: eight, speed: 3 m/s}
+cameras:
+  - video: [0 s, 4 s]
+    scene: [{strike: cue, before: 0.3 s}, {contact: [cue, eight], after: 0.2 s}]
+    position: [-1.1, -0.45, 0.36]
+    target: {follow: cue}
 )"},
         {"crossing", R"(table: {kind: pool}
 balls: {cue: {at: [-0.3, -0.2]}}
@@ -219,6 +259,12 @@ events:
 balls: {cue: {at: [-0.3, -0.2]}}
 events:
   - velocity: {object: cue, at: 1 s, linear: [0.8, 0.3, 0], angular: [0, 0, 20 rad/s]}
+)"},
+        {"cue stick", R"(table: {kind: pool}
+balls: {cue: {at: [-0.3, -0.2]}, eight: {at: [0.8, 0.25]}}
+events:
+  - strike: {ball: cue, at: 3 s, toward: eight, speed: 3 m/s, elevation: 5 deg}
+stick: {length: 1.48 m, tip: 12.5 mm}
 )"},
         {"material", R"(materials:
   brass: {standard: {base: [0.78, 0.56, 0.26], metal: 1, roughness: 0.22}}
@@ -366,6 +412,85 @@ cameras:
     target: [0, 0, 0]
     up: {from: [0.2, 1, 0], to: [0, 1, 0]}
 )"},
+        {"fov at times", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    fov: {keys: [[0 s, 40 deg], [0.5 s, 40 deg], [1.5 s, 25 deg]], easing: smooth}
+)"},
+        {"focal_length at times", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    focal_length: {keys: [[0.5 s, 28 mm], [1.5 s, 50 mm]]}
+)"},
+        {"focus at times", R"(table: {kind: pool}
+balls: {cue: {at: [-0.3, -0.2]}, eight: {at: [0.8, 0.25]}}
+cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    focus: {keys: [[0 s, cue], [0.8 s, cue], [1.2 s, eight], [2 s, 1.5 m]], easing: smooth}
+    f_number: 4
+)"},
+        {"aperture at times", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    aperture: {keys: [[0 s, 0 mm], [1 s, 6 mm], [2 s, 2 mm]]}
+)"},
+        {"f_number at times", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    f_number: {keys: [[0 s, 16], [1 s, 2.8], [2 s, 5.6]]}
+)"},
+        {"blades at times", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    f_number: 4
+    blades: {keys: [[0 s, 5], [1 s, 9]]}
+)"},
+        {"roll at times", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    roll: {keys: [[0 s, 0 deg], [1 s, 10 deg], [2 s, 0 deg]], easing: smooth}
+)"},
+        {"up at times", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [0, 0, 3]
+    target: [0, 0, 0]
+    up: {keys: [[0 s, [0, 1, 0]], [1.5 s, [0.3, 1, 0]]]}
+)"},
+        {"shake", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    shake: {kind: handheld, strength: 0.4 deg, frequency: 0.8 Hz, seed: 7}
+)"},
+        {"film", R"(film:
+  size: [1280, 720]
+  shots:
+    - {title: A lesson, for: 2 s, fade: 0.5 s}
+    - lesson.yaml
+    - {shot: lesson.yaml, from: 1 s, to: 3 s, fade: 0.5 s}
+)"},
+        {"part", R"(film:
+  shots:
+    - {shot: break.yaml, set: {render.samples: 64}, to: 4 s}
+    - {title: Again, subtitle: from the other side, for: 1.5 s, fade: 0.25 s}
+)"},
         {"render", R"(render: {size: [1280, 720], fps: 30, samples: 32, noise: 0.02, max_bounces: 6}
 )"},
         {"shutter", R"(render: {shutter: {time: 1/250 s, clock: scene}}
@@ -386,7 +511,64 @@ cameras:
 )"},
         {"hdr10", R"(output: {hdr10: {peak: 1000, white: 203}}
 )"},
-        {"overlay", R"(output: {overlay: {show: [scene_time, speed], corner: bottom_right}}
+        {"overlay", R"(output: {overlay: {show: [scene_time, playback_speed], corner: bottom_right}}
+)"},
+        {"annotation", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - {path: {of: cue}, width: 0.01, dash: dashed, from: 0.2 s, fade: 0.1 s}
+  - {text: "{cue.speed:.1f} m/s", position: top_right, size: 0.06}
+)"},
+        {"drawn path", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - path: {of: cue, part: whole, marks: 0.1 s, on_cloth: true}
+)"},
+        {"aim line", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - aim: {of: cue, toward: one}
+)"},
+        {"ghost ball", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - ghost: {of: cue, on: one}
+)"},
+        {"tangent line", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - tangent: {of: cue, on: one, length: 60 cm}
+)"},
+        {"velocity arrow", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - velocity: {of: cue, during: 0.1 s, value: true}
+)"},
+        {"spin arrow", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - spin: {of: cue, during: 20 ms}
+)"},
+        {"drawn angle", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - angle: {deflection: [cue, one], after: 0.5 s}
+  - angle: {points: [[0, 0], cue, one], radius: 10 cm}
+)"},
+        {"zone", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - zone: {polygon: [[0.3, 0], [0.6, 0], [0.6, 0.2]]}
+  - zone: {radius: 15 cm, at: one}
+)"},
+        {"label", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - label: {of: one, text: "{one.speed:.1f} m/s"}
+)"},
+        {"title", R"(annotations:
+  - title: {text: The 30-degree rule, subtitle: a half-ball hit}
+    to: 2 s
+    fade: 0.5 s
+)"},
+        {"tip diagram", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+events: [{strike: {ball: cue, at: 0.2 s, toward: one, speed: 2 m/s, tip: [0.2, 0.3]}}]
+annotations:
+  - {tip: {of: cue}, position: bottom_right}
+)"},
+        {"small plan", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}
+annotations:
+  - {plan: {paths: false}, size: 0.3, position: top_left}
 )"},
     };
     return examples;

@@ -247,6 +247,8 @@ class Schema {
                       object({{"pattern", json_string("^[A-Za-z_][A-Za-z0-9_-]{0,63}$")}})},
                      {"additionalProperties", any_of({schema_of(type.elements.at(0), is_whole),
                                                       object({{"type", json_string("null")}})})}});
+            case TypeInfo::Kind::settings:
+                return object({{"type", json_string("object")}});
             case TypeInfo::Kind::map:
                 if (is_whole && may_include(*type.map)) {
                     const std::string with_include =

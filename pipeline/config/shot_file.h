@@ -10,7 +10,9 @@
 #include "pipeline/camera/camera_rig.h"
 #include "pipeline/config/source_set.h"
 #include "pipeline/config/value_types.h"
+#include "pipeline/picture/annotation.h"
 #include "pipeline/shot/ball_set.h"
+#include "pipeline/shot/cue_stick.h"
 #include "pipeline/shot/keyed_motion.h"
 #include "pipeline/video/output_settings.h"
 #include "render/scene/render_settings.h"
@@ -49,8 +51,15 @@ struct TableSection {
     Place size_place;
 };
 
+/// A place on the table: a spot by its name, or a point.
+struct TablePlace {
+    std::string spot;  // empty: the point
+    Coordinates point;
+};
+
 struct RackSection {
     sim::billiards::RackKind set = sim::billiards::RackKind::nine_ball;
+    std::optional<TablePlace> at;  // of the apex; default: the foot spot
     double gap = sim::billiards::RackOptions{}.gap;
 };
 
@@ -70,7 +79,7 @@ struct TouchingPlace {
 };
 
 struct BallSection {
-    std::optional<Coordinates> at;
+    std::optional<TablePlace> at;
     std::optional<TouchingPlace> touching;
     std::optional<Coordinates> velocity;
     std::optional<Vec3> spin;  // rad/s
@@ -136,7 +145,15 @@ struct LightSection {
 
 struct EventSection {
     sim::ForceEvent event;
+    std::optional<bool> shows_stick;  // of a strike; empty: as the shot says
     Place place;
+};
+
+/// The visible cue stick.
+struct StickSection {
+    bool is_shown = true;
+    double length = ShownStick{}.length;
+    std::optional<double> tip;  // diameter
 };
 
 /// The exposure: a time, or a fraction of a turn of a rotary shutter.
@@ -165,10 +182,12 @@ struct ShotFile {
     std::vector<EventSection> events;
     std::vector<Named<render::MaterialDescription>> materials;  // their own names are empty
     std::vector<Named<LightSection>> lights;
+    std::optional<StickSection> stick;
     std::vector<CameraRig> cameras;
     Place cameras_place;
     RenderSection render;
     OutputSettings output;
+    std::vector<Annotation> annotations;
 };
 
 }  // namespace carom::pipeline::config

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,24 @@ namespace carom::pipeline {
 
 class ShotSource {
   public:
-    /// `root`: the tree after includes, presets and overrides. `files`: the absolute paths of the
-    /// files to which its values refer.
-    ShotSource(config::SourceSet sources, config::Node root,
-               std::map<const config::Node*, std::string> files)
-        : sources_(std::move(sources)), root_(std::move(root)), files_(std::move(files)) {}
+    /// Texts by the values that they replace in a text that explains the shot.
+    using Replaced = std::map<const config::Node*, std::string>;
+
+    /// `root`: the tree after includes, presets and overrides. `replaced`: the absolute paths of
+    /// the files to which its values refer, and the times of its moments. `problems`: those that
+    /// were found when the tree was read.
+    ShotSource(std::shared_ptr<const config::SourceSet> sources,
+               std::shared_ptr<const config::Node> root, Replaced replaced,
+               std::vector<Problem> problems)
+        : sources_(std::move(sources)),
+          root_(std::move(root)),
+          replaced_(std::move(replaced)),
+          problems_(std::move(problems)) {}
+
+    /// The same texts and tree, with other replaced values.
+    [[nodiscard]] ShotSource with_replaced(Replaced replaced) const {
+        return {sources_, root_, std::move(replaced), problems_};
+    }
 
     /// A problem at the value of that path ({"events", "0", "strike", "tip"}; elements of lists by
     /// their index), or at the last part of the path that the shot has.
@@ -29,14 +43,16 @@ class ShotSource {
     /// place if it refers to the whole shot.
     [[nodiscard]] Problem problem_of(const Diagnostic& diagnostic) const;
 
-    [[nodiscard]] const config::Node& root() const { return root_; }
-    [[nodiscard]] const config::SourceSet& sources() const { return sources_; }
-    [[nodiscard]] const std::map<const config::Node*, std::string>& files() const { return files_; }
+    [[nodiscard]] const config::Node& root() const { return *root_; }
+    [[nodiscard]] const config::SourceSet& sources() const { return *sources_; }
+    [[nodiscard]] const Replaced& replaced() const { return replaced_; }
+    [[nodiscard]] const std::vector<Problem>& problems() const { return problems_; }
 
   private:
-    config::SourceSet sources_;
-    config::Node root_;
-    std::map<const config::Node*, std::string> files_;  // nodes of `root_` below its top
+    std::shared_ptr<const config::SourceSet> sources_;
+    std::shared_ptr<const config::Node> root_;
+    Replaced replaced_;  // nodes of `root_` below its top
+    std::vector<Problem> problems_;
 };
 
 }  // namespace carom::pipeline

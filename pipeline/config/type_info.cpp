@@ -1,5 +1,8 @@
 #include "pipeline/config/type_info.h"
 
+#include <algorithm>
+#include <utility>
+
 #include <fmt/core.h>
 
 #include "core/text.h"
@@ -31,6 +34,13 @@ std::string plural(const TypeInfo& element) {
             return "words (" + enumerate(element.choices, "and") + ")";
         case TypeInfo::Kind::map:
             return "maps of keys";
+        case TypeInfo::Kind::any_of: {
+            // Numbers that may also be described by a map are called by what they are.
+            const bool is_number = element.elements.size() == 2 &&
+                                   element.elements[0].kind == TypeInfo::Kind::quantity &&
+                                   element.elements[1].kind == TypeInfo::Kind::map;
+            return is_number ? plural(element.elements[0]) : "values";
+        }
         default:
             return "values";
     }
@@ -51,7 +61,10 @@ std::string describe_list(const TypeInfo& type) {
 std::string describe_alternatives(const TypeInfo& type) {
     std::vector<std::string> words;
     for (const TypeInfo& element : type.elements) {
-        words.push_back(describe(element));
+        std::string word = describe(element);
+        if (std::find(words.begin(), words.end(), word) == words.end()) {
+            words.push_back(std::move(word));
+        }
     }
     return enumerate(words, "or");
 }
@@ -104,6 +117,8 @@ std::string describe(const TypeInfo& type) {
             return describe_list(type);
         case TypeInfo::Kind::named:
             return "a map from names to " + type.noun;
+        case TypeInfo::Kind::settings:
+            return "a map from key paths to values";
         case TypeInfo::Kind::map:
             return "a map of keys";
         case TypeInfo::Kind::any_of:

@@ -29,11 +29,12 @@ struct TypeInfo {
         text,      // any word
         name,      // a name in the shot; `noun` says of what
         file,
-        choice,  // one of `choices`
-        list,    // `elements[0]`, `fewest` to `most` times
-        named,   // a map from the user's names to `elements[0]`
-        map,     // `map`
-        any_of,  // one of `elements`
+        choice,    // one of `choices`
+        list,      // `elements[0]`, `fewest` to `most` times
+        named,     // a map from the user's names to `elements[0]`
+        settings,  // a map from key paths to any values
+        map,       // `map`
+        any_of,    // one of `elements`
     };
     // Defined in type_info.cpp, so that files that copy a TypeInfo do not generate them again.
     TypeInfo();

@@ -21,6 +21,10 @@ std::string noun_of(ReferenceKind kind) {
             return "an object or surface";
         case ReferenceKind::placed:
             return "a ball or object";
+        case ReferenceKind::aimed:
+            return "a ball, object or spot";
+        case ReferenceKind::spot:
+            return "a spot of the table";
         case ReferenceKind::material:
             return "a material";
     }

@@ -21,9 +21,16 @@ class KeyInserter {
 
     LinearKeys run() {
         const auto keys = track_.keys();
+        jump_ = track_.jumps_after(0) ? &keys.front() : nullptr;
         add(keys.front().time);
         for (std::size_t i = 1; i < keys.size(); ++i) {
-            add_interval(keys[i - 1], keys[i]);
+            jump_ = track_.jumps_after(i) ? &keys[i] : nullptr;
+            if (track_.jumps_after(i - 1)) {
+                result_.jumps.push_back(result_.size());
+                add(keys[i].time);
+            } else {
+                add_interval(keys[i - 1], keys[i]);
+            }
         }
         return std::move(result_);
     }
@@ -39,8 +46,16 @@ class KeyInserter {
         if (result_.size() >= most_) {
             refuse();
         }
-        const MotionState state = track_.sample(time);
+        const MotionState state = state_at(time);
         result_.add(time, state.position, state.orientation);
+    }
+
+    /// At the end of an interval that a jump follows: the state before the jump.
+    [[nodiscard]] MotionState state_at(double time) const {
+        if (jump_ != nullptr && time == jump_->time) {
+            return {jump_->position, jump_->orientation, Vec3(0), Vec3(0)};
+        }
+        return track_.sample(time);
     }
 
     /// Divides the interval so that no part turns by more than the tolerance. The angular velocity
@@ -78,7 +93,7 @@ class KeyInserter {
 
     [[nodiscard]] bool is_straight(double from, double to) const {
         const MotionState start = track_.sample(from);
-        const MotionState end = track_.sample(to);
+        const MotionState end = state_at(to);
         return std::ranges::all_of(std::initializer_list<double>{0.25, 0.5, 0.75}, [&](double s) {
             const MotionState there = track_.sample(from + s * (to - from));
             const Vec3 position = start.position + s * (end.position - start.position);
@@ -92,6 +107,7 @@ class KeyInserter {
     const sim::Track& track_;
     std::size_t most_;
     LinearTolerance tolerance_;
+    const sim::Key* jump_ = nullptr;  // the key at which the present interval ends before a jump
     LinearKeys result_;
 };
 

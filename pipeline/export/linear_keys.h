@@ -1,6 +1,7 @@
 // Converts a track to keys for programs that interpolate linearly.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -25,7 +26,11 @@ struct LinearKeys {
     std::vector<double> times;  // scene time, s
     std::vector<Vec3> positions;
     std::vector<Quat> orientations;
+    std::vector<std::size_t> jumps;  // keys that lie a number after the previous one and elsewhere
 
+    [[nodiscard]] bool jumps_to(std::size_t key) const {
+        return std::find(jumps.begin(), jumps.end(), key) != jumps.end();
+    }
     [[nodiscard]] std::size_t size() const { return times.size(); }
     /// Whether all keys have the same position and orientation.
     [[nodiscard]] bool is_constant() const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -202,9 +203,12 @@ class GlbWriter {
         std::vector<float> positions;
         std::vector<float> turns;
         for (std::size_t i = 0; i < keys.size(); ++i) {
-            const auto time = static_cast<float>(keys.times[i] - scene_.start_time);
-            if (!times.empty() && time <= times.back()) {
-                continue;  // equal when rounded to float
+            auto time = static_cast<float>(keys.times[i] - scene_.start_time);
+            if (!times.empty() && time <= times.back()) {  // equal when rounded to float
+                if (!keys.jumps_to(i)) {
+                    continue;
+                }
+                time = std::nextafter(times.back(), std::numeric_limits<float>::infinity());
             }
             times.push_back(time);
             const Vec3 p = y_up(keys.positions[i]);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/core.h>
@@ -98,8 +99,12 @@ class UsdaWriter {
             return;
         }
         text_.line(type_and_name + ".timeSamples = {");
+        double last = -std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < times.size(); ++i) {
-            text_.line("    " + usda_time_code(code(times[i])) + ": " + texts[i] + ",");
+            // Two times that are a number apart, where a track jumps, may give the same code.
+            const double at = std::max(code(times[i]), sim::time_after_jump(last));
+            text_.line("    " + usda_time_code(at) + ": " + texts[i] + ",");
+            last = at;
         }
         text_.line("}");
     }

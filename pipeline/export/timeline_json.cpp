@@ -187,7 +187,7 @@ std::string lines_of(const Json& document) {
 
 std::string timeline_json(const Shot& shot, const sim::Timeline& timeline, const ExportScene& scene,
                           std::optional<double> rate) {
-    const Json document{
+    Json document{
         {"carom_export", kVersion},
         {"name", shot.name},
         {"units", "m, s, kg, rad; Z up; quaternions w x y z; colours linear Rec.709"},
@@ -201,6 +201,9 @@ std::string timeline_json(const Shot& shot, const sim::Timeline& timeline, const
         {"events", all(timeline.events, json_of<sim::Event>)},
         {"energy", all(timeline.energy, json_of<sim::EnergySample>)},
         {"cameras", all(scene.cameras, camera_json)}};
+    if (!timeline.put_backs.empty()) {
+        document["put_backs"] = all(timeline.put_backs, json_of<sim::PutBack>);
+    }
     return lines_of(document);
 }
 

@@ -72,13 +72,17 @@ sim::Bake simulate(const Shot& shot, const WorkContext& context) {
 
 void add_keyed_motions(sim::Bake& bake, const Shot& shot) {
     std::vector<sim::Track>& tracks = bake.timeline.tracks;
-    for (const sim::Track& keyed : shot.keyed) {
-        const auto known = std::ranges::find(tracks, keyed.name(), &sim::Track::name);
+    const auto add = [&](const sim::Track& track) {
+        const auto known = std::ranges::find(tracks, track.name(), &sim::Track::name);
         if (known != tracks.end()) {
-            *known = keyed;
+            *known = track;
         } else {
-            tracks.push_back(keyed);
+            tracks.push_back(track);
         }
+    };
+    std::ranges::for_each(shot.keyed, add);
+    if (!shot.stick.events.empty()) {
+        add(stick_motion(shot.stick, shot.world, bake.timeline));
     }
 }
 

@@ -12,6 +12,7 @@
 #include "pipeline/job/exported_frame.h"
 #include "pipeline/job/film_encoder.h"
 #include "pipeline/job/film_room.h"
+#include "pipeline/job/film_sink.h"
 #include "pipeline/job/film_so_far.h"
 #include "pipeline/job/frame_scheduler.h"
 #include "pipeline/job/job_frames.h"
@@ -126,8 +127,7 @@ FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOp
     room.require(stop);
 
     // Opened before anything is rendered, so that a film that cannot be written fails immediately.
-    const std::unique_ptr<FilmSink> sink =
-        options.output.empty() ? nullptr : make_film_sink(source, plan, options.output);
+    const std::unique_ptr<FilmSink> sink = sink_of(options, source, plan);
     std::stop_source job_stop;
     const std::stop_callback pass_on(stop, [&job_stop] { job_stop.request_stop(); });
     FrameQueue queue(plan.pictures.size());

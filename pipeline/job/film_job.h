@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -21,6 +22,9 @@
 
 namespace carom::pipeline {
 
+struct FilmPlan;     // pipeline/job/film_plan.h
+class FilmSink;      // pipeline/job/film_sink.h
+class FilmSource;    // pipeline/job/film_plan.h
 struct FrameInputs;  // pipeline/store/frame_inputs.h
 
 /// Functions that a job calls while it runs, from one thread at a time.
@@ -56,6 +60,8 @@ struct FilmJobOptions {
     /// The cache is only read, if it exists, and nothing is written to it: what is rendered goes to
     /// the output alone (unstored_film.h), and a job that was stopped starts anew.
     bool no_store = false;
+    /// Makes what receives the frames instead of the file `output`.
+    std::function<std::unique_ptr<FilmSink>(const FilmSource&, const FilmPlan&)> sink{};
     /// Renders the pictures instead of render_frame; `threads` and `factory` are ignored then.
     std::function<render::Film(const FrameInputs&, const WorkContext&, render::FrameSums*)>
         renderer{};
@@ -69,8 +75,9 @@ struct FilmJobResult {
     render::RenderStatistics counts{};  // the rays of the rendered pictures
 };
 
-/// Adds the motions that the shot's keys define to the bake, where they replace tracks of the same
-/// names. They are not part of the physics, nor of the bake in the cache.
+/// Adds the motions that the shot's keys define, and that of its cue stick, to the bake, where they
+/// replace tracks of the same names. They are not part of the physics, nor of the bake in the
+/// cache.
 void add_keyed_motions(sim::Bake& bake, const Shot& shot);
 
 /// How a shot's bake was obtained.

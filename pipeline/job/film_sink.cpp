@@ -4,12 +4,14 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "pipeline/job/exported_frame.h"
+#include "pipeline/job/frame_graphics.h"
+#include "pipeline/job/frame_signal.h"
 #include "pipeline/job/job_metadata.h"
-#include "pipeline/job/overlay.h"
-#include "pipeline/video/hdr_view.h"
 #include "pipeline/video/image_sequence.h"
 #include "pipeline/video/light_meter.h"
 #include "pipeline/video/pending_file.h"
@@ -34,11 +36,11 @@ std::optional<std::int64_t> poster_frame(const Shot& shot, const FilmPlan& plan)
 
 class VideoSink : public FilmSink {
   public:
-    VideoSink(const FilmSource& source, const FilmPlan& plan, const std::string& path)
+    VideoSink(const FilmSource& source, const FilmPlan& plan, const std::string& path, int threads)
         : source_(source),
           shot_(source.shot()),
           path_(path),
-          view_(shot_.output),
+          signal_(source, threads),
           poster_(poster_frame(shot_, plan)) {
         open();
     }
@@ -47,7 +49,7 @@ class VideoSink : public FilmSink {
     [[nodiscard]] bool wants_preview() const override { return shot_.output.hdr10.has_value(); }
 
     void preview(std::int64_t frame, const render::Film& picture, bool same_as_before) override {
-        meter_.add(signal_of(frame, picture, same_as_before));
+        meter_.add(signal_.of(frame, picture, same_as_before));
         light_is_stated_ = false;
     }
 
@@ -56,14 +58,15 @@ class VideoSink : public FilmSink {
             writer_.reset();  // it was opened before the light levels were known
             open();
         }
-        writer_->write(signal_of(frame, picture, same_as_before));
+        writer_->write(signal_.of(frame, picture, same_as_before));
         if (frame != poster_) {
             return;
         }
+        std::vector<std::uint8_t> poster = signal_.poster(frame, picture);
         if (writer_->has_poster()) {
-            writer_->set_poster(view_.to_8(picture));
+            writer_->set_poster(poster);
         } else {
-            poster_picture_ = picture;
+            poster_picture_ = std::move(poster);
         }
     }
 
@@ -72,7 +75,8 @@ class VideoSink : public FilmSink {
         if (poster_picture_) {
             const std::filesystem::path path(path_);
             const std::string name = path.stem().string() + "-poster.jpg";
-            write_picture(*poster_picture_, view_, (path.parent_path() / name).string(), {});
+            write_display_picture(*poster_picture_, shot_.render.width, shot_.render.height,
+                                  (path.parent_path() / name).string());
         }
     }
 
@@ -87,37 +91,12 @@ class VideoSink : public FilmSink {
                                                 video_metadata(shot_, source_.tier()));
     }
 
-    /// The frame as it is written, with the overlay.
-    const std::vector<std::uint16_t>& signal_of(std::int64_t frame, const render::Film& picture,
-                                                bool same_as_before) {
-        if (!same_as_before) {
-            display_ = shot_.output.hdr10 ? to_hdr10(picture, shot_.output) : view_.to_16(picture);
-        }
-        if (shot_.output.overlay.show.empty()) {
-            return display_;
-        }
-        written_ = display_;
-        render::draw_text(overlay_text(shot_.output.overlay, source_.layers(frame).front()),
-                          written_, shot_.render.width, shot_.render.height, white_);
-        return written_;
-    }
-
-    /// The signal of white letters: the maximum of a display's signal, or paper white in HDR.
-    static std::uint16_t overlay_white(const OutputSettings& output) {
-        constexpr double kLargest = 65535;
-        return static_cast<std::uint16_t>(
-            std::lround(kLargest * (output.hdr10 ? pq_encode(output.hdr10->white) : 1)));
-    }
-
     const FilmSource& source_;
     const Shot& shot_;
     std::string path_;
-    DisplayView view_;
+    FrameSignal signal_;
     std::optional<std::int64_t> poster_;
-    std::optional<render::Film> poster_picture_;  // for a separate file beside the video
-    std::vector<std::uint16_t> display_;
-    std::vector<std::uint16_t> written_;  // with the overlay
-    std::uint16_t white_ = overlay_white(shot_.output);
+    std::optional<std::vector<std::uint8_t>> poster_picture_;  // for a file beside the video
     LightMeter meter_;
     bool light_is_stated_ = true;  // the writer knows the light levels, or does not need them
     std::unique_ptr<VideoWriter> writer_;
@@ -125,20 +104,27 @@ class VideoSink : public FilmSink {
 
 class SequenceSink : public FilmSink {
   public:
-    SequenceSink(const FilmSource& source, const FilmPlan& plan, std::string pattern)
-        : source_(source), pattern_(std::move(pattern)), view_(source.shot().output) {
+    SequenceSink(const FilmSource& source, const FilmPlan& plan, std::string pattern, int threads)
+        : source_(source),
+          pattern_(std::move(pattern)),
+          view_(source.shot().output),
+          graphics_(source.shot(), source.timeline(), threads) {
+        graphics_.prepare();
         // Created and removed immediately, only to check whether the folder is writable.
         const PendingFile probe(path_in_sequence(pattern_, plan.frames.front()));
     }
 
     void add(std::int64_t frame, const render::Film& picture, bool /*same_as_before*/) override {
         const render::Film exported = exported_frame(picture, source_, frame);
-        const PlannedFrame planned = source_.layers(frame).front();
-        write_picture(exported, view_, path_in_sequence(pattern_, frame),
-                      exported_frame_metadata(source_.shot(), source_.timeline(), frame, exported,
-                                              source_.tier()),
-                      overlay_text(source_.shot().output.overlay, planned),
-                      exr_standard_attributes(source_.shot(), planned));
+        const std::vector<PlannedFrame> layers = source_.layers(frame);
+        write_picture(
+            exported, view_, path_in_sequence(pattern_, frame),
+            exported_frame_metadata(source_.shot(), source_.timeline(), frame, exported,
+                                    source_.tier()),
+            [&](std::span<std::uint8_t> rgb, int width, int height) {
+                graphics_.draw(layers, rgb, width, height);
+            },
+            exr_standard_attributes(source_.shot(), layers.front()));
     }
 
     void finish() override {}
@@ -147,16 +133,26 @@ class SequenceSink : public FilmSink {
     const FilmSource& source_;
     std::string pattern_;
     DisplayView view_;
+    FrameGraphics graphics_;
 };
 
 }  // namespace
 
 std::unique_ptr<FilmSink> make_film_sink(const FilmSource& source, const FilmPlan& plan,
-                                         const std::string& path) {
+                                         const std::string& path, int threads) {
     if (is_image_sequence(path)) {
-        return std::make_unique<SequenceSink>(source, plan, path);
+        return std::make_unique<SequenceSink>(source, plan, path, threads);
     }
-    return std::make_unique<VideoSink>(source, plan, path);
+    return std::make_unique<VideoSink>(source, plan, path, threads);
+}
+
+std::unique_ptr<FilmSink> sink_of(const FilmJobOptions& options, const FilmSource& source,
+                                  const FilmPlan& plan) {
+    if (options.sink) {
+        return options.sink(source, plan);
+    }
+    return options.output.empty() ? nullptr
+                                  : make_film_sink(source, plan, options.output, options.threads);
 }
 
 }  // namespace carom::pipeline

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "pipeline/job/film_job.h"
 #include "pipeline/job/film_plan.h"
 #include "render/film/film.h"
 
@@ -33,9 +34,14 @@ class FilmSink {
 };
 
 /// The path decides whether it is a video or an image sequence (pipeline/video/image_sequence.h).
-/// The sink refers to its arguments. Throws Error.
+/// The sink refers to its arguments. `threads` draw annotations; 0: one per processor. Throws
+/// Error.
 [[nodiscard]] std::unique_ptr<FilmSink> make_film_sink(const FilmSource& source,
                                                        const FilmPlan& plan,
-                                                       const std::string& path);
+                                                       const std::string& path, int threads);
+
+/// What receives the frames of a job; null if nothing does. Throws Error.
+[[nodiscard]] std::unique_ptr<FilmSink> sink_of(const FilmJobOptions& options,
+                                                const FilmSource& source, const FilmPlan& plan);
 
 }  // namespace carom::pipeline

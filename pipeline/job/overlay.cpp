@@ -13,10 +13,10 @@ std::string line_of(OverlayItem item, const PlannedFrame& frame) {
             return fmt::format("frame {:6}", frame.number);
         case OverlayItem::scene_time:
             return fmt::format("scene {:8.4f} s", frame.scene_time);
-        case OverlayItem::speed:
+        case OverlayItem::playback_speed:
             break;
     }
-    return fmt::format("speed {:8.4f}x", frame.speed + 0.0);  // + 0.0 turns -0 into 0
+    return fmt::format("playback {:8.4f}x", frame.speed + 0.0);  // + 0.0 turns -0 into 0
 }
 
 }  // namespace

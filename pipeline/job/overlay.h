@@ -7,9 +7,9 @@
 
 namespace carom::pipeline {
 
-/// The lines that the settings select, such as "frame     42", "scene   1.2375 s" and "speed
-/// 0.1250x": the frame's number in the film, and the scene time and the speed at its middle. Times
-/// and numbers have a fixed width.
+/// The lines that the settings select, such as "frame     42", "scene   1.2375 s" and
+/// "playback   0.1250x": the frame's number in the film, and the scene time and the speed of the
+/// film at its middle. Times and numbers have a fixed width.
 [[nodiscard]] render::PictureText overlay_text(const OverlaySettings& settings,
                                                const PlannedFrame& frame);
 

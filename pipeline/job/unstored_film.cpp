@@ -137,13 +137,13 @@ void warn_of_two_passes(const Shot& shot, const FilmPlan& plan, ThreadSafeObserv
 FilmJobResult make_unstored_film(const Shot& shot, const sim::Bake& bake,
                                  const FilmJobOptions& options, const JobObserver& observer,
                                  const std::stop_token& stop) {
-    if (options.output.empty()) {
+    if (options.output.empty() && !options.sink) {
         throw Error("frames that are neither stored nor written to a film would be lost");
     }
     ThreadSafeObserver safe_observer(observer);
     const FilmSource source(shot, bake.timeline, options.tier);
     const FilmPlan plan = plan_film(source, job_frames(shot, options), stop);
-    const std::unique_ptr<FilmSink> sink = make_film_sink(source, plan, options.output);
+    const std::unique_ptr<FilmSink> sink = sink_of(options, source, plan);
     if (sink->wants_preview()) {
         warn_of_two_passes(shot, plan, safe_observer);
     }

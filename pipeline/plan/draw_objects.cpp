@@ -123,12 +123,16 @@ void keep_free(PlanDrawing& plan, const std::vector<Vec2>& points) {
 }
 
 void draw_ball_at_end(PlanDrawing& plan, const PlanObject& object) {
+    if (object.is_removed) {
+        return;
+    }
     const double time = std::min(object.gone, plan.timeline.end_time);
     const Vec2 centre = plan.sheet.at(object.track->sample(time).position);
     const double radius = plan.sheet.length(*object.radius);
     keep_free(plan, centre, radius);
     plan.svg.open("g");
-    plan.svg.text("title", object.track->name() + (object.gone < 1e300 ? ", potted at " : " at ") +
+    plan.svg.text("title", object.track->name() +
+                               (object.gone < PlanObject::kNotGone ? ", potted at " : " at ") +
                                time_text(time));
     plan.svg.leaf("circle", with(circle("ring-edge", centre, radius - 0.3), "stroke-width", "1"));
     plan.svg.leaf("circle", with(with(circle("ring cloth", centre, radius - 0.3), "stroke",

@@ -87,6 +87,13 @@ EventText single_object_text(const sim::Event& event) {
     if (event.kind == sim::EventKind::off_table) {
         return {event.a + " leaves the table", "", ""};
     }
+    if (event.kind == sim::EventKind::placed) {
+        return {event.a + " put down" + (event.b.empty() ? "" : " on the " + event.b + " spot"), "",
+                ""};
+    }
+    if (event.kind == sim::EventKind::removed) {
+        return {event.a + " taken off", "", ""};
+    }
     return {std::string(to_string(event.kind)) + " on " + event.a, "", ""};
 }
 

@@ -69,6 +69,8 @@ class Grouping {
             case EventKind::velocity:
             case EventKind::potted:
             case EventKind::off_table:
+            case EventKind::placed:
+            case EventKind::removed:
                 return add_alone(row, single_object_text(row.event));
             default:
                 return;

@@ -31,7 +31,9 @@ struct PlanObject {
     std::optional<double> radius;  // of a ball
     ObjectPaint paint;
     std::vector<MotionPhase> motion;
-    double gone = 1e300;  // time at which it was potted, s
+    static constexpr double kNotGone = 1e300;
+    double gone = kNotGone;   // time at which it was potted or taken off for good, s
+    bool is_removed = false;  // taken off: after that it is out of sight
     [[nodiscard]] bool moves() const { return !motion.empty(); }
 };
 
@@ -78,6 +80,8 @@ void draw_event_numbers(PlanDrawing& plan);
 /// Draws the names of all objects with their colours; `ramps` hold indices of objects.
 [[nodiscard]] double draw_names(PlanDrawing& plan, std::span<const ColourRamp> ramps, double y);
 [[nodiscard]] double draw_event_list(PlanDrawing& plan, double y);
+/// Lists the values that are moments with their times; nothing if there are none.
+[[nodiscard]] double draw_moment_list(PlanDrawing& plan, double y);
 
 /// Draws a ball on the paper with its colour, stripe and number.
 void draw_ball(SvgText& svg, const ObjectPaint& paint, const Vec2& centre, double radius);

@@ -14,6 +14,9 @@ constexpr double kTolerance = 2e-4;  // of paths, m; 0.01 mm on paper at 1:20
 std::vector<PlanObject> plan_objects(const Shot& shot, const sim::Timeline& timeline) {
     std::vector<PlanObject> objects;
     for (const sim::Track& track : timeline.tracks) {
+        if (track.name() == kStickTrack) {  // draw_sticks shows it
+            continue;
+        }
         PlanObject object;
         object.track = &track;
         object.body = find_body(shot, track.name());
@@ -24,8 +27,15 @@ std::vector<PlanObject> plan_objects(const Shot& shot, const sim::Timeline& time
         }
         object.paint = paint_of(shot, track.name());
         for (const sim::Event& event : timeline.events) {
-            if (event.kind == sim::EventKind::potted && event.a == track.name()) {
+            if (event.a != track.name()) {
+                continue;
+            }
+            if (event.kind == sim::EventKind::potted || event.kind == sim::EventKind::removed) {
                 object.gone = event.time;
+                object.is_removed = event.kind == sim::EventKind::removed;
+            } else if (event.kind == sim::EventKind::placed) {
+                object.gone = PlanObject::kNotGone;
+                object.is_removed = false;
             }
         }
         object.motion = motion_phases(track, object.radius,

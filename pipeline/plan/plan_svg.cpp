@@ -194,6 +194,9 @@ std::string plan_svg(const Shot& shot, const sim::Timeline& timeline, const Plan
     y = draw_legend(plan, y + 2) + 4;
     y = draw_time_axes(plan, y) + 4;
     y = draw_event_list(plan, y) + 6;
+    if (!shot.moments.empty()) {
+        y = draw_moment_list(plan, y - 2) + 4;
+    }
     return svg_page(plan.svg.finish(), shot.name + " from above", options.page, y);
 }
 

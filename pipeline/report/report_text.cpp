@@ -48,6 +48,8 @@ bool is_jump(sim::EventKind kind) {
         case sim::EventKind::impulse:
         case sim::EventKind::velocity:
         case sim::EventKind::strike:
+        case sim::EventKind::placed:
+        case sim::EventKind::removed:
             return true;
         default:
             return false;
@@ -55,7 +57,8 @@ bool is_jump(sim::EventKind kind) {
 }
 
 std::string who_text(const sim::Event& event) {
-    return event.b.empty() ? event.a : event.a + " - " + event.b;
+    const char* relation = event.kind == sim::EventKind::placed ? " on " : " - ";
+    return event.b.empty() ? event.a : event.a + relation + event.b;
 }
 
 int width_of_who(const ShotReport& report) {
@@ -110,6 +113,8 @@ std::string fate_text(const ReportedObject& object) {
             return fmt::format("potted at {:.3f} s: ", object.fate_time) + object.pocket;
         case Fate::off_table:
             return fmt::format("off the table at {:.3f} s", object.fate_time);
+        case Fate::removed:
+            return fmt::format("taken off at {:.3f} s", object.fate_time);
     }
     return {};
 }
@@ -149,12 +154,21 @@ std::string energy_table(const ShotReport& report) {
                               report.largest_energy_rise);
 }
 
+std::string moments_table(const ShotReport& report) {
+    std::string text = "\n     time moment\n";
+    for (const ReportedMoment& moment : report.moments) {
+        text += fmt::format("{:9.5f} ", moment.time) + moment.key_path + "\n";
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string report_text(const ShotReport& report) {
     return fmt::format("{:.3f} s to {:.3f} s, {} objects, {} events\n\n", report.start_time,
                        report.end_time, report.objects.size(), report.events.size()) +
-           events_table(report) + "\n" + objects_table(report) + "\n" + energy_table(report);
+           events_table(report) + "\n" + objects_table(report) + "\n" + energy_table(report) +
+           (report.moments.empty() ? "" : moments_table(report));
 }
 
 }  // namespace carom::pipeline

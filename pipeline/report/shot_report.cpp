@@ -66,7 +66,9 @@ std::optional<double> cut_of(const Event& event, const Track* a, const Track* b)
 
 ReportedEvent reported(const Timeline& timeline, const Event& event) {
     const Track* a = timeline.find(event.a);
-    const Track* b = event.b.empty() ? nullptr : timeline.find(event.b);
+    // A spot may have the name of a ball.
+    const bool has_other = !event.b.empty() && event.kind != EventKind::placed;
+    const Track* b = has_other ? timeline.find(event.b) : nullptr;
     return {event, speeds_of(a, event.time), speeds_of(b, event.time), cut_of(event, a, b)};
 }
 
@@ -112,7 +114,7 @@ void measure_motion(const Track& track, ReportedObject& object) {
                 object.top_time = key.time;
             }
         }
-        if (i + 1 < keys.size()) {
+        if (i + 1 < keys.size() && !track.jumps_after(i)) {
             object.path += length_between(track, key, keys[i + 1]);
             find_top_speed_between(track, key, keys[i + 1], object);
             const sim::Bounds bounds = track.position_bounds(key.time, keys[i + 1].time);
@@ -146,8 +148,12 @@ void find_fate(const Timeline& timeline, const Track& track, ReportedObject& obj
     object.place = last.position;
     object.speed = has_stopped ? 0 : last.velocity_in.length();
     const double spin = has_stopped ? 0 : last.angular_velocity_in.length();
-    object.fate = object.speed > kStill ? Fate::moves : spin > kStill ? Fate::spins : Fate::rests;
-    object.fate_time = std::max(timeline.start_time, stopped_at(track));
+    const Fate end_state = object.speed > kStill ? Fate::moves
+                           : spin > kStill       ? Fate::spins
+                                                 : Fate::rests;
+    const double rest_time = std::max(timeline.start_time, stopped_at(track));
+    object.fate = end_state;
+    object.fate_time = rest_time;
     for (const Event& event : timeline.events) {
         if (event.a != object.name && event.b != object.name) {
             continue;
@@ -161,6 +167,13 @@ void find_fate(const Timeline& timeline, const Track& track, ReportedObject& obj
         } else if (event.a == object.name && event.kind == EventKind::off_table) {
             object.fate = Fate::off_table;
             object.fate_time = event.time;
+        } else if (event.a == object.name && event.kind == EventKind::removed) {
+            object.fate = Fate::removed;
+            object.fate_time = event.time;
+        } else if (event.a == object.name && event.kind == EventKind::placed) {
+            object.fate = end_state;
+            object.fate_time = std::max(event.time, rest_time);
+            object.pocket.clear();
         } else if (event.a == object.name &&
                    ((event.kind == EventKind::resting && object.fate == Fate::rests) ||
                     (event.kind == EventKind::spinning && object.fate == Fate::spins))) {
@@ -171,7 +184,8 @@ void find_fate(const Timeline& timeline, const Track& track, ReportedObject& obj
 
 bool is_force_event(EventKind kind) {
     return kind == EventKind::force || kind == EventKind::torque || kind == EventKind::impulse ||
-           kind == EventKind::velocity || kind == EventKind::strike;
+           kind == EventKind::velocity || kind == EventKind::strike || kind == EventKind::placed ||
+           kind == EventKind::removed;
 }
 
 /// The last sample that is not later than `time`, or the first one.
@@ -195,6 +209,17 @@ double round_step(double duration) {
     return 10 * decade;
 }
 
+/// "after the strike on cue"
+std::string moment_after(const Event& event) {
+    if (event.kind == EventKind::placed) {
+        return "after " + event.a + " was put down";
+    }
+    if (event.kind == EventKind::removed) {
+        return "after " + event.a + " was taken off";
+    }
+    return "after the " + std::string(to_string(event.kind)) + " on " + event.a;
+}
+
 std::vector<ReportedEnergy> energies_of(const Timeline& timeline) {
     std::vector<ReportedEnergy> marks;
     if (timeline.energy.empty()) {
@@ -208,8 +233,8 @@ std::vector<ReportedEnergy> energies_of(const Timeline& timeline) {
     }
     for (const Event& event : timeline.events) {
         if (is_force_event(event.kind)) {
-            marks.push_back({"after the " + std::string(to_string(event.kind)) + " on " + event.a,
-                             sample_at(timeline, std::max(event.time, event.end_time))});
+            marks.push_back(
+                {moment_after(event), sample_at(timeline, std::max(event.time, event.end_time))});
         }
     }
     std::stable_sort(marks.begin(), marks.end(), [](const auto& one, const auto& other) {

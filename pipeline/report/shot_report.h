@@ -26,7 +26,7 @@ struct ReportedEvent {
     std::optional<double> cut;
 };
 
-enum class Fate { rests, spins, moves, potted, off_table };  // spins: in place
+enum class Fate { rests, spins, moves, potted, off_table, removed };  // spins: in place
 
 struct ReportedObject {
     std::string name;
@@ -48,6 +48,12 @@ struct ReportedEnergy {
     sim::EnergySample sample;
 };
 
+/// A value of the shot that is a scene time named by what happens.
+struct ReportedMoment {
+    std::string key_path;  // "cameras[0].scene[1]"
+    double time = 0;       // s
+};
+
 struct ShotReport {
     double start_time = 0;  // s
     double end_time = 0;
@@ -56,6 +62,7 @@ struct ShotReport {
     std::vector<ReportedEnergy>
         energy;  // at the ends, after force events, at about ten regular times
     std::vector<sim::EnergySample> energy_samples;  // all samples of the timeline
+    std::vector<ReportedMoment> moments;            // of the shot; report_of leaves them empty
     double largest_energy_rise = 0;  // between force events, as in sim/timeline/energy.h
 };
 

@@ -37,6 +37,18 @@ StandardMaterial polished(ColourSource base) {
     return material;
 }
 
+StandardMaterial brushed_metal(const Vec3& base) {
+    StandardMaterial material = matt(base, 0.25);
+    material.metal = 1;
+    return material;
+}
+
+StandardMaterial lacquered(const Vec3& base, double roughness) {
+    StandardMaterial material = matt(base, 0.5);
+    material.coat = {0.8, 1.5, roughness};
+    return material;
+}
+
 std::vector<MaterialDescription> make_materials() {
     StandardMaterial leather = matt(Vec3(0.012, 0.010, 0.009), 0.6);
     leather.specular = 0.4;
@@ -51,6 +63,13 @@ std::vector<MaterialDescription> make_materials() {
         {"sight", polished(Vec3(0.75, 0.72, 0.64))},
         {"floor", matt(Vec3(0.035, 0.030, 0.027), 0.7)},
         {"ball", polished(Vec3(0.8, 0.8, 0.8))},
+        {"stick_tip", matt(Vec3(0.05, 0.11, 0.17), 0.9)},  // chalked
+        {"stick_ferrule", lacquered(Vec3(0.78, 0.75, 0.68), 0.1)},
+        {"stick_shaft", lacquered(Vec3(0.58, 0.42, 0.24), 0.15)},
+        {"stick_joint", brushed_metal(Vec3(0.72, 0.70, 0.66))},
+        {"stick_butt", lacquered(Vec3(0.07, 0.022, 0.014), 0.05)},
+        {"stick_wrap", matt(Vec3(0.03, 0.03, 0.032), 0.8)},
+        {"stick_bumper", matt(Vec3(0.012, 0.012, 0.012), 0.7)},
         {"plain", matt(Vec3(0.5, 0.5, 0.5), 0.5)},
     };
 }

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "pipeline/camera/camera_rig.h"
+#include "pipeline/shot/cue_stick.h"
+#include "pipeline/picture/annotation.h"
 #include "pipeline/video/output_settings.h"
 #include "render/scene/render_settings.h"
 #include "render/scene/scene_description.h"
@@ -14,15 +17,28 @@
 
 namespace carom::pipeline {
 
+/// A value of the shot that is a scene time named by what happens ("the cue ball touches the one").
+struct ShotMoment {
+    std::string key_path;        // "cameras[0].scene[1]"
+    std::optional<double> time;  // scene time, s; empty: the motion is not known yet
+
+    bool operator==(const ShotMoment&) const = default;
+};
+
 struct Shot {
     std::string name;  // the file's name without folder and extension
     sim::WorldDescription world;
     render::SceneDescription scene;  // its objects refer to tracks of bodies or of `keyed` by name
     std::vector<sim::Track> keyed;   // of objects that keys move
+    ShownStick stick;                // its parts are objects of the scene
     std::vector<CameraRig> cameras;
     FilmTiming timing;
     render::RenderSettings render;
     OutputSettings output;
+    /// While the motion is not known, the values of moments are 0 s (resolve_moments in
+    /// config/load_shot.h).
+    std::vector<ShotMoment> moments;
+    std::vector<Annotation> annotations;
     std::string resolved_text;  // the shot after includes and overrides, as self-contained YAML
     std::vector<sim::Asset> assets;  // files to which it refers
 };

@@ -20,8 +20,11 @@ bool is_at_rest(const MotionState& state, const Quat& orientation) {
 // The angular velocity is linear between keys, so it is zero throughout if it is zero at both ends.
 bool rests_during(const sim::Track& track, double open, double close) {
     const Quat orientation = track.sample(open).orientation;
-    for (const sim::PathSegment& segment : track.segments(open, close)) {
-        if (!is_still(segment) || !is_at_rest(track.sample(segment.start), orientation) ||
+    const std::vector<sim::PathSegment> segments = track.segments(open, close);
+    for (const sim::PathSegment& segment : segments) {
+        const bool has_jumped = segment.p0 != segments.front().p0;
+        if (has_jumped || !is_still(segment) ||
+            !is_at_rest(track.sample(segment.start), orientation) ||
             !is_at_rest(track.sample((segment.start + segment.end) / 2), orientation) ||
             !is_at_rest(track.sample(segment.end), orientation)) {
             return false;

@@ -9,6 +9,7 @@
 #include "pipeline/camera/camera_path.h"
 #include "pipeline/camera/exposure.h"
 #include "pipeline/camera/path_fit.h"
+#include "pipeline/camera/rig_state.h"
 #include "pipeline/camera/time_map.h"
 #include "pipeline/config/quantity.h"
 #include "pipeline/studio/triple.h"
@@ -115,9 +116,10 @@ struct ShapeMaker {
     }
 };
 
-/// Points along the path during the camera's interval; empty if an object is not in the timeline.
-std::vector<double> curve_of(const pipeline::CameraPath& path, const pipeline::CameraRig& rig,
-                             const sim::Timeline& timeline) {
+/// Points along a path during the camera's interval; empty if an object is not in the timeline.
+/// `place`: the point of the path at an instant.
+template <class Place>
+std::vector<double> curve_of(const pipeline::CameraRig& rig, const Place& place) {
     std::vector<double> curve;
     const double start = rig.video_start.to_double();
     const double length = rig.video_end.to_double() - start;
@@ -126,8 +128,7 @@ std::vector<double> curve_of(const pipeline::CameraPath& path, const pipeline::C
             const pipeline::WideRational time(
                 pipeline::Rational::nearest(start + length * i / kCurvePieces));
             const double scene_time = pipeline::scene_time_at(rig, time).to_double();
-            const Vec3 p = pipeline::path_position(
-                path, {pipeline::progress_at(rig, time), scene_time}, timeline);
+            const Vec3 p = place({pipeline::progress_at(rig, time), scene_time});
             curve.insert(curve.end(), {p.x, p.y, p.z});
         }
     } catch (const Error&) {
@@ -150,6 +151,26 @@ Node value_of(const Node& camera, const std::string& key) {
     return entry == nullptr ? Node{} : entry->value;
 }
 
+/// The keys of all values of the lens that are given by keys.
+std::vector<LensKey> lens_keys(const pipeline::CameraRig& rig, const Node& camera,
+                               const KeyPath& path) {
+    std::vector<LensKey> found;
+    const auto add = [&](const char* name, const auto& value) {
+        for (std::size_t i = 0; camera.find(name) != nullptr && i < value.keys.size(); ++i) {
+            found.push_back({below(below(below(path, name), "keys"), std::to_string(i)),
+                             value.keys[i].video_time.to_double()});
+        }
+    };
+    add("fov", rig.fov);
+    if (rig.focal_length) {
+        add("focal_length", *rig.focal_length);
+    }
+    add("focus", rig.focus);
+    add("aperture", rig.aperture);
+    add("f_number", rig.aperture);
+    return found;
+}
+
 Camera camera_message(const pipeline::CameraRig& rig, const Node& node, const KeyPath& path,
                       const sim::Timeline& timeline) {
     Camera message;
@@ -163,23 +184,37 @@ Camera camera_message(const pipeline::CameraRig& rig, const Node& node, const Ke
         pipeline::scene_time_at(rig, pipeline::WideRational(rig.video_end)).to_double();
     message.smooth = rig.time_map.is_smooth;
     message.sensor_height = rig.sensor_height;
+    message.fov_scale = pipeline::measures_width(rig.fov_axis, rig.aspect) ? 1 / rig.aspect : 1;
+    message.lens_keys = lens_keys(rig, node, path);
     for (std::size_t i = 0; i < rig.time_map.speeds.size(); ++i) {
         const pipeline::SpeedKey& speed = rig.time_map.speeds[i];
         message.speeds.push_back({below(below(below(path, "scene"), "speeds"), std::to_string(i)),
                                   speed.video_time.to_double(), speed.speed.to_double()});
     }
     const pipeline::CameraRig drawn = fitted(rig, timeline);
-    const auto shape = [&](const char* key, const pipeline::CameraPath& own,
-                           const pipeline::CameraPath& curve) {
+    const auto shape = [&](const char* key, const pipeline::CameraPath& own, bool is_drawn,
+                           const auto& place) {
         PathShape result =
             std::visit(ShapeMaker{rig, timeline, below(path, key), value_of(node, key)}, own);
-        if (result.kind != "bezier" || result.points.size() > 1) {
-            result.curve = curve_of(curve, drawn, timeline);
+        if (is_drawn || result.kind != "bezier" || result.points.size() > 1) {
+            result.curve = curve_of(drawn, place);
         }
         return result;
     };
-    message.position = shape("position", rig.position, drawn.position);
-    message.target = shape("target", rig.target, drawn.target);
+    const auto on = [&](const pipeline::CameraPath& curve) {
+        return [&](const pipeline::RigInstant& instant) {
+            return pipeline::path_position(curve, instant, timeline);
+        };
+    };
+    if (rig.framing) {  // the camera is not on the path that is written
+        message.position =
+            shape("position", rig.position, true, [&](const pipeline::RigInstant& instant) {
+                return camera_state(drawn, instant, timeline).position;
+            });
+    } else {
+        message.position = shape("position", rig.position, false, on(drawn.position));
+    }
+    message.target = shape("target", rig.target, false, on(drawn.target));
     return message;
 }
 

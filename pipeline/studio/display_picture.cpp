@@ -38,7 +38,7 @@ render::Film glowing(const render::Film& film, const pipeline::GlowSettings& glo
 std::vector<std::uint8_t> display_rgba(const render::Film& film,
                                        const pipeline::OutputSettings& output,
                                        const pipeline::DisplayView& view,
-                                       const render::PictureText& text,
+                                       const pipeline::DrawOver& draw_over,
                                        const std::stop_token& stop) {
     const render::Film source = glowing(film, output.glow, stop);
     const auto width = static_cast<std::size_t>(film.width);
@@ -57,8 +57,8 @@ std::vector<std::uint8_t> display_rgba(const render::Film& film,
             rgb.begin() + static_cast<std::ptrdiff_t>(3 * width * static_cast<std::size_t>(first)));
     });
     end_if_stopped(stop);
-    if (!text.lines.empty()) {
-        render::draw_text(text, rgb, film.width, film.height);
+    if (draw_over) {
+        draw_over(rgb, film.width, film.height);
     }
     std::vector<std::uint8_t> rgba(4 * width * height, 255);
     for (std::size_t i = 0; i < width * height; ++i) {

@@ -56,6 +56,12 @@ struct FillEvent {
         message.vector = {std::cos(message.direction), std::sin(message.direction), 0};
     }
 
+    void operator()(const sim::PlaceBall& place) const {
+        message.kind = "place";
+        message.vector = {place.at.x, place.at.y, 0};
+    }
+    void operator()(const sim::RemoveBall& /*remove*/) const { message.kind = "remove"; }
+
   private:
     /// The direction towards the target; 0 if a place is not known.
     [[nodiscard]] double aim_of(const sim::Strike& strike) const {
@@ -67,9 +73,10 @@ struct FillEvent {
 };
 
 bool is_of_kind(sim::EventKind kind, const sim::ForceEvent& event) {
-    constexpr std::array kKinds{sim::EventKind::force, sim::EventKind::torque,
+    constexpr std::array kKinds{sim::EventKind::force,   sim::EventKind::torque,
                                 sim::EventKind::impulse, sim::EventKind::velocity,
-                                sim::EventKind::strike};
+                                sim::EventKind::strike,  sim::EventKind::placed,
+                                sim::EventKind::removed};
     return kKinds.at(event.action.index()) == kind;
 }
 

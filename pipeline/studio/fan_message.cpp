@@ -52,9 +52,13 @@ void mark_needed(std::span<const Point> points, std::vector<bool>& needed) {
     }
 }
 
-/// The path of an object; empty if it does not move.
+/// The path of an object until it is put elsewhere; empty if it does not move.
 std::vector<Point> path_of(const sim::Track& track) {
-    const std::span<const sim::Key> keys = track.keys();
+    std::size_t count = 1;
+    while (count < track.keys().size() && !track.jumps_after(count - 1)) {
+        ++count;
+    }
+    const std::span<const sim::Key> keys = track.keys().first(count);
     const sim::Bounds bounds = track.position_bounds(keys.front().time, keys.back().time);
     if ((bounds.high - bounds.low).length() < kTolerance) {
         return {};

@@ -45,13 +45,15 @@ FilmThumbnails::FilmThumbnails(pipeline::Shot shot, const std::string& cache_fol
       timeline_(cached_timeline(shot_, cache_folder)),
       source_(shot_, timeline_),
       store_(cache_folder + "/frames"),
-      view_(shot_.output) {
+      view_(shot_.output),
+      graphics_(shot_, timeline_, 1) {
     std::filesystem::create_directories(folder_);
 }
 
 std::optional<std::string> FilmThumbnails::jpeg(std::int64_t frame) {
     std::optional<render::Film> film;
-    for (const pipeline::PlannedFrame& layer : source_.layers(frame)) {
+    const std::vector<pipeline::PlannedFrame> layers = source_.layers(frame);
+    for (const pipeline::PlannedFrame& layer : layers) {
         const std::optional<render::Film> part = store_.read(source_.key(source_.inputs(layer)));
         if (!part) {
             return std::nullopt;
@@ -64,7 +66,9 @@ std::optional<std::string> FilmThumbnails::jpeg(std::int64_t frame) {
         }
     }
     const std::string path = folder_ + "/thumbnail_" + std::to_string(::getpid()) + ".jpg";
-    return jpeg_of(view_.to_8(*film), film->width, film->height, path);
+    std::vector<std::uint8_t> rgb = view_.to_8(*film);
+    graphics_.draw_annotations(layers, rgb, film->width, film->height);
+    return jpeg_of(rgb, film->width, film->height, path);
 }
 
 render::Film reduced(const render::Film& film, int width) {

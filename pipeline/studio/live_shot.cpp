@@ -1,6 +1,7 @@
 #include "pipeline/studio/live_shot.h"
 
 #include <chrono>
+#include <iterator>
 #include <limits>
 #include <stop_token>
 #include <thread>
@@ -88,7 +89,7 @@ class LiveShot::Worker {
         if (!loaded.shot) {
             return;
         }
-        const auto shot = std::make_shared<const pipeline::Shot>(std::move(*loaded.shot));
+        const auto shot = std::make_shared<pipeline::Shot>(std::move(*loaded.shot));
         const Hash128 hash = sim::physics_hash(shot->world);
         const bool kept = timeline_.has_value() && hash == baked_;
         if (!kept && (!timeline_ || bake_.was_slow())) {
@@ -101,11 +102,28 @@ class LiveShot::Worker {
         bake.timeline = *timeline_;
         pipeline::add_keyed_motions(bake, *shot);
         const auto timeline = std::make_shared<const sim::Timeline>(std::move(bake.timeline));
+        if (!resolve_moments(v, *shot, loaded, *timeline)) {
+            return;
+        }
         messages_.show(v, *shot, *loaded.source, *timeline, kept, start);
         output_.answer({v, shot, loaded.source, timeline});
         if (!requests_.has_newer()) {
             messages_.add_motion_problems(v, *shot, loaded, *timeline);
         }
+    }
+
+    /// Gives the moments of the shot their times. False if one never comes, which the page is told.
+    bool resolve_moments(std::int64_t v, pipeline::Shot& shot, pipeline::LoadResult& loaded,
+                         const sim::Timeline& timeline) {
+        std::vector<pipeline::Problem> found =
+            pipeline::resolve_moments(shot, loaded.source, timeline, &tables_);
+        if (found.empty()) {
+            return true;
+        }
+        const bool is_usable = !pipeline::has_errors(found);
+        std::move(found.begin(), found.end(), std::back_inserter(loaded.problems));
+        messages_.tell_problems(v, loaded, !is_usable);
+        return is_usable;
     }
 
     /// Bakes the world into timeline_. False if it is left for later, which the page is told.

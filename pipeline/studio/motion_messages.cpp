@@ -106,6 +106,10 @@ std::string phrase_of(const sim::Event& event) {
             return "an impulse acts on " + a;
         case velocity:
             return a + " gets a velocity";
+        case placed:
+            return a + " is put down" + (event.b.empty() ? "" : " on the " + event.b + " spot");
+        case removed:
+            return a + " is taken off the table";
         case strike:
             break;
     }

@@ -18,7 +18,7 @@ bool has_key(const pipeline::config::Node& root, const char* section, const std:
 }
 
 std::string kind_of(const pipeline::config::Node& root, const std::string& name) {
-    if (name.starts_with("table/")) {
+    if (name.starts_with("table/") || name.starts_with(pipeline::kStickPrefix)) {
         return "table";
     }
     return has_key(root, "objects", name) ? "object" : "ball";

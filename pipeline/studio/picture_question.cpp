@@ -50,7 +50,7 @@ void add_layers_of_frame(std::int64_t number, const pipeline::FilmSource& source
     for (const pipeline::PlannedFrame& layer : layers) {
         question.layers.push_back({source.inputs(layer), layer.weight});
     }
-    question.text = pipeline::overlay_text(shot.output.overlay, layers.front());
+    question.planned = layers;
 }
 
 void add_layers(const pipeline::FilmSource& source, PictureQuestion& question) {
@@ -59,7 +59,8 @@ void add_layers(const pipeline::FilmSource& source, PictureQuestion& question) {
         add_layers_of_frame(*see.frame, source, question);
     } else if (see.view) {
         const pipeline::Shutter& shutter = question.shot.timing.shutter;
-        question.layers.push_back({source.inputs(planned(*see.view, shutter)), 1});
+        question.planned.push_back(planned(*see.view, shutter));
+        question.layers.push_back({source.inputs(question.planned.front()), 1});
     } else {
         throw Error("a question for a picture needs a frame or a view");
     }

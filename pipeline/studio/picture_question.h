@@ -7,7 +7,6 @@
 
 #include "core/hash.h"
 #include "pipeline/job/film_plan.h"
-#include "pipeline/job/overlay.h"
 #include "pipeline/studio/channel_picture.h"
 #include "pipeline/studio/messages.h"
 
@@ -29,13 +28,13 @@ struct PictureQuestion {
     const pipeline::Shot& shot;
     const See& see;
     std::vector<PictureLayer> layers{};
-    render::PictureText text{};
-    std::vector<PictureSize> levels{};         // growing
-    std::vector<std::vector<Hash128>> keys{};  // by level, then by layer
-    std::vector<Hash128> film_keys{};          // of the film's pictures, by layer
-    int most = 0;                              // samples
-    bool is_films = false;                     // the film's frame at its own size, in colours
-    std::optional<ViewChannel> channel{};      // shown instead of colours
+    std::vector<pipeline::PlannedFrame> planned{};  // the same layers
+    std::vector<PictureSize> levels{};              // growing
+    std::vector<std::vector<Hash128>> keys{};       // by level, then by layer
+    std::vector<Hash128> film_keys{};               // of the film's pictures, by layer
+    int most = 0;                                   // samples
+    bool is_films = false;                          // the film's frame at its own size, in colours
+    std::optional<ViewChannel> channel{};           // shown instead of colours
 
     [[nodiscard]] std::size_t last() const { return levels.size() - 1; }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -48,9 +49,12 @@ void PictureRounds::open_store() {
 
 void PictureRounds::use(const ShownShot& shown) {
     if (!source_ || shown_.shot != shown.shot || shown_.timeline != shown.timeline) {
+        graphics_.reset();
         source_.reset();
         shown_ = shown;
         source_.emplace(*shown_.shot, *shown_.timeline);
+        graphics_ =
+            std::make_unique<pipeline::FrameGraphics>(*shown_.shot, *shown_.timeline, std::nullopt);
     }
     shown_.v = shown.v;
 }
@@ -206,8 +210,15 @@ void PictureRounds::paint(Work& work, std::size_t level, const render::Film& fil
         picture.head.legend = std::move(shown.legend);
         return;
     }
+    const auto draw_over = [&](std::span<std::uint8_t> rgb, int width, int height) {
+        if (question.see.frame) {
+            graphics_->draw(question.planned, rgb, width, height);
+        } else {
+            graphics_->draw_in_scene(question.planned.front(), rgb, width, height);
+        }
+    };
     picture.rgba =
-        display_rgba(film, question.shot.output, work.view, question.text, work.context.stop);
+        display_rgba(film, question.shot.output, work.view, draw_over, work.context.stop);
 }
 
 bool PictureRounds::read_stored(Work& work) {

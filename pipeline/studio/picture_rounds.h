@@ -13,6 +13,7 @@
 
 #include "core/hash.h"
 #include "pipeline/job/film_plan.h"
+#include "pipeline/job/frame_graphics.h"
 #include "pipeline/store/frame_store.h"
 #include "pipeline/studio/kept_scene.h"
 #include "pipeline/studio/messages.h"
@@ -105,7 +106,8 @@ class PictureRounds {
     std::string cache_folder_;
     std::optional<pipeline::FrameStore> store_;  // opened by the first question
     ShownShot shown_;
-    std::optional<pipeline::FilmSource> source_;  // of shown_
+    std::optional<pipeline::FilmSource> source_;         // of shown_
+    std::unique_ptr<pipeline::FrameGraphics> graphics_;  // of shown_
     KeptScene scene_;
     std::map<Hash128, Kept> kept_;  // of the last question
     PictureCounts counts_;

@@ -105,8 +105,8 @@ void Session::State::take_files(int opening, const std::vector<pipeline::ReadFil
 
 void Session::State::take_answer(int opening, const LiveAnswer& answer) {
     std::vector<std::string> assets;
-    for (const auto& [node, path] : answer.source->files()) {
-        assets.push_back(path);
+    for (const sim::Asset& asset : answer.shot->assets) {
+        assets.push_back(asset.path);
     }
     const std::lock_guard lock(mutex_);
     if (opening != opening_) {

@@ -66,6 +66,11 @@ constexpr auto fields_of(Describes<SpeedPoint>) {
                               field("speed", &SpeedPoint::speed));
 }
 
+constexpr auto fields_of(Describes<LensKey>) {
+    return fields<LensKey>(field("path", &LensKey::path),
+                           field("video_time", &LensKey::video_time));
+}
+
 constexpr auto fields_of(Describes<Camera>) {
     return fields<Camera>(
         field("name", &Camera::name), field("path", &Camera::path),
@@ -73,7 +78,8 @@ constexpr auto fields_of(Describes<Camera>) {
         field("fade", &Camera::fade), field("scene_start", &Camera::scene_start),
         field("scene_end", &Camera::scene_end), field("speeds", &Camera::speeds),
         field("smooth", &Camera::smooth), field("position", &Camera::position),
-        field("target", &Camera::target), field("sensor_height", &Camera::sensor_height));
+        field("target", &Camera::target), field("sensor_height", &Camera::sensor_height),
+        field("fov_scale", &Camera::fov_scale), field("lens_keys", &Camera::lens_keys));
 }
 
 constexpr auto fields_of(Describes<ShotEvent>) {
@@ -112,7 +118,8 @@ constexpr auto fields_of(Describes<Film>) {
 constexpr auto fields_of(Describes<Names>) {
     return fields<Names>(field("balls", &Names::balls), field("objects", &Names::objects),
                          field("materials", &Names::materials), field("lights", &Names::lights),
-                         field("cameras", &Names::cameras), field("surfaces", &Names::surfaces));
+                         field("cameras", &Names::cameras), field("surfaces", &Names::surfaces),
+                         field("spots", &Names::spots));
 }
 
 constexpr auto fields_of(Describes<ShotState>) {

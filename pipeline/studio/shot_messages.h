@@ -31,7 +31,8 @@ struct Problems {
 };
 
 /// Where a value comes from. The plain values in a list have no place of their own: they come from
-/// where the list does.
+/// where the list does. The values of repeated objects have none either, apart from those that are
+/// given for one of them.
 struct ValuePlace {
     KeyPath path{};
     TextRange key{};       // of its key; line 0 in lists
@@ -97,6 +98,12 @@ struct SpeedPoint {
     double speed = 1;
 };
 
+/// A value of a camera's lens at a time of the film.
+struct LensKey {
+    KeyPath path{};  // of the pair of time and value: ["cameras", "0", "fov", "keys", "1"]
+    double video_time = 0;
+};
+
 struct Camera {
     std::string name{};
     KeyPath path{};
@@ -110,19 +117,22 @@ struct Camera {
     PathShape position{};
     PathShape target{};
     double sensor_height = 0.024;
+    double fov_scale = 1;  // tangent of half the vertical field of view / that of half of `fov`
+    std::vector<LensKey> lens_keys{};  // of all values that are given by keys
 };
 
 /// An event as the shot describes it.
 struct ShotEvent {
     KeyPath path{};
-    std::string kind{};  // "strike", "force", "torque", "impulse", "velocity"
+    std::string kind{};  // "strike", "force", "torque", "impulse", "velocity", "place", "remove"
     std::string object{};
     double time =
         0;  // scene time of its entry; of its start if a trigger starts it (then from the bake)
     bool triggered = false;
     std::optional<double> duration{};
-    Triple vector{};          // force ...; of a strike the horizontal aim, a unit vector
-    double speed = 0;         // of a strike, m/s
+    Triple vector{};   // force ...; of a strike the horizontal aim, a unit vector; of `place`
+                       // the place
+    double speed = 0;  // of a strike, m/s
     bool ball_speed = false;  // `speed` is the ball's instead of the stick's
     double elevation = 0;
     std::array<double, 2> tip{};  // offset to the right and up, in radii
@@ -162,7 +172,8 @@ struct Film {
 
 /// Names to choose from.
 struct Names {
-    std::vector<std::string> balls{}, objects{}, materials{}, lights{}, cameras{}, surfaces{};
+    std::vector<std::string> balls{}, objects{}, materials{}, lights{}, cameras{}, surfaces{},
+        spots{};
 };
 
 /// What the page draws and edits, of one version. Of a version with errors there is none.

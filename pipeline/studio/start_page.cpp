@@ -19,6 +19,7 @@
 #include "pipeline/config/load_shot.h"
 #include "pipeline/config/parse_yaml.h"
 #include "pipeline/plan/plan_svg.h"
+#include "pipeline/sequence/load_sequence.h"
 #include "pipeline/studio/text_hash.h"
 #include "sim/bake.h"
 
@@ -50,7 +51,9 @@ std::vector<std::string> shots_in(const fs::path& folder) {
     std::error_code code;
     for (fs::directory_iterator entry(folder, code), end; !code && entry != end;
          entry.increment(code)) {
-        if (entry->path().extension() == ".yaml" && entry->is_regular_file(code)) {
+        // The studio opens shots, not films of several.
+        if (entry->path().extension() == ".yaml" && entry->is_regular_file(code) &&
+            !pipeline::is_sequence_file(entry->path().string())) {
             files.push_back(fs::weakly_canonical(entry->path(), code).string());
         }
     }

@@ -62,7 +62,8 @@ class PlaceWalk {
     }
 
     void add(const Place& key, const Node& value) {
-        if (value.place.source >= 0) {
+        // A repeated value has no place of its own: an edit adds one for its object alone.
+        if (value.place.source >= 0 && !value.is_repeated) {
             places_.push_back({path_, range_of(key), range_of(value.place),
                                texts_.at(static_cast<std::size_t>(value.place.source)).origin});
         }

@@ -82,6 +82,15 @@ double pq_decode(double signal) {
     return kPqPeak * power(std::max(raised - kC1, 0.0) / (kC2 - kC3 * raised), 1 / kM1);
 }
 
+Vec3 graphics_to_hdr10(const Vec3& colour, double white) {
+    const Colour wide = to_bt2020(
+        {static_cast<float>(colour.x), static_cast<float>(colour.y), static_cast<float>(colour.z)});
+    const auto signal = [white](float light) {
+        return pq_encode(white * static_cast<double>(light));
+    };
+    return {signal(wide[0]), signal(wide[1]), signal(wide[2])};
+}
+
 double compress_highlights(double light, double peak) {
     const double knee = 0.5 * peak;
     return light <= knee ? light : peak - knee * exponential(-(light - knee) / knee);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/vectors.h"
 #include "pipeline/video/output_settings.h"
 #include "render/film/film.h"
 
@@ -15,6 +16,10 @@ namespace carom::pipeline {
 
 /// The inverse of pq_encode (equation 4.1): converts the signal to luminance, cd/m^2.
 [[nodiscard]] double pq_decode(double signal);
+
+/// The signal in [0, 1] of a colour of graphics, linear Rec.709 in [0, 1], whose white has `white`
+/// cd/m^2.
+[[nodiscard]] Vec3 graphics_to_hdr10(const Vec3& colour, double white);
 
 /// The highlight compression of a display with peak p: scene light of `light` cd/m^2 is unchanged
 /// up to half the peak; above it becomes p - (p/2) exp(-(light - p/2) / (p/2)), which starts with

@@ -38,7 +38,7 @@ struct Hdr10Settings {
 };
 
 /// What is printed in a corner of the picture.
-enum class OverlayItem { frame, scene_time, speed };
+enum class OverlayItem { frame, scene_time, playback_speed };
 enum class Corner { top_left, top_right, bottom_left, bottom_right };
 
 struct OverlaySettings {

@@ -18,8 +18,8 @@ int letters_of(OverlayItem item) {
             return 12;  // "frame     12"
         case OverlayItem::scene_time:
             return 16;  // "scene   1.2345 s"
-        case OverlayItem::speed:
-            return 15;  // "speed   0.1250x"
+        case OverlayItem::playback_speed:
+            return 18;  // "playback   0.1250x"
     }
     return 0;
 }

@@ -32,7 +32,7 @@ void write_atomically(const std::string& path, const Write& write) {
 }  // namespace
 
 void write_picture(const render::Film& film, const DisplayView& view, const std::string& path,
-                   const render::ImageMetadata& metadata, const render::PictureText& text,
+                   const render::ImageMetadata& metadata, const DrawOver& draw_over,
                    const std::optional<render::ExrStandardAttributes>& standard) {
     if (is_linear_picture(path)) {
         write_atomically(path, [&](const std::string& temporary) {
@@ -41,7 +41,9 @@ void write_picture(const render::Film& film, const DisplayView& view, const std:
         return;
     }
     std::vector<std::uint8_t> display = view.to_8(film);
-    render::draw_text(text, display, film.width, film.height);
+    if (draw_over) {
+        draw_over(display, film.width, film.height);
+    }
     write_display_picture(display, film.width, film.height, path, metadata);
 }
 

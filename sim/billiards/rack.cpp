@@ -9,14 +9,12 @@
 
 #include "core/elementary.h"
 #include "core/splitmix.h"
+#include "sim/billiards/ball_names.h"
+#include "sim/billiards/spots.h"
 
 namespace carom::sim::billiards {
 
 namespace {
-
-constexpr std::array<const char*, 16> kNames{
-    "cue",   "one",  "two", "three",  "four",   "five",     "six",      "seven",
-    "eight", "nine", "ten", "eleven", "twelve", "thirteen", "fourteen", "fifteen"};
 
 // Keeps touching balls from overlapping by rounding; far less than the diameter of an atom.
 constexpr double kRounding = 1e-13;
@@ -82,20 +80,17 @@ std::vector<PlacedBall> numbered(std::span<const int> rows, std::span<const int>
         const int length = rows[static_cast<std::size_t>(row)];
         for (int column = 0; column < length; ++column) {
             const int number = numbers[balls.size()];
-            balls.push_back({kNames[static_cast<std::size_t>(number)], number,
+            balls.push_back({kPoolBalls[static_cast<std::size_t>(number)], number,
                              lattice.place(row, column, length)});
         }
     }
     return balls;
 }
 
-// WPBSA, Official Rules of Snooker, section 1: the spots of the 12 ft table, scaled on others.
-// Baulk is at the negative end.
+// WPBSA, Official Rules of Snooker, section 3, rule 2: the colours on their spots, the reds behind
+// the pink.
 std::vector<PlacedBall> snooker(const TableMeasures& table, double ball_radius,
                                 const RackOptions& options) {
-    const double scale = table.length / 3.569;
-    const double baulk = -0.5 * table.length + 0.737 * scale;
-    const double d_radius = 0.292 * scale;
     const double pyramid = 0.25 * table.length;
     const double z = ball_radius;
     std::vector<PlacedBall> balls;
@@ -108,13 +103,9 @@ std::vector<PlacedBall> snooker(const TableMeasures& table, double ball_radius,
                 {fmt::format("red_{}", balls.size() + 1), 0, lattice.place(row, column, row + 1)});
         }
     }
-    // Seen from baulk, yellow is on the right and green on the left.
-    balls.push_back({"yellow", 0, {baulk, -d_radius, z}});
-    balls.push_back({"green", 0, {baulk, d_radius, z}});
-    balls.push_back({"brown", 0, {baulk, 0, z}});
-    balls.push_back({"blue", 0, {0, 0, z}});
-    balls.push_back({"pink", 0, {pyramid, 0, z}});
-    balls.push_back({"black", 0, {0.5 * table.length - 0.324 * scale, 0, z}});
+    for (const Spot& spot : snooker_spots(table)) {
+        balls.push_back({spot.name, 0, {spot.place.x, spot.place.y, z}});
+    }
     return balls;
 }
 

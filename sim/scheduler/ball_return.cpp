@@ -92,6 +92,13 @@ void BallReturn::note_blocked(std::uint32_t ball, std::size_t pocket, double tim
     }
 }
 
+void BallReturn::forget(std::uint32_t ball) {
+    for (std::vector<std::uint32_t>& potted : potted_) {
+        std::erase(potted, ball);
+    }
+    std::erase_if(due_, [ball](const Leaving& leaving) { return leaving.ball == ball; });
+}
+
 std::vector<BallReturn::Leaving> BallReturn::take_due() {
     std::vector<Leaving> taken;
     taken.swap(due_);

@@ -21,6 +21,9 @@ class BallReturn {
     /// balls that are, they make room.
     void note_blocked(std::uint32_t ball, std::size_t pocket, double time);
 
+    /// The ball is put somewhere else: it lies in no pocket.
+    void forget(std::uint32_t ball);
+
     [[nodiscard]] bool is_due() const { return !due_.empty(); }
     /// The balls that leave now, and the height (m) of the centre at which each one stops.
     struct Leaving {

@@ -39,7 +39,8 @@ struct Ball {
     /// Height (m) of the centre at which the ball stops, if it has left a pocket through the floor.
     /// It falls straight and touches nothing.
     std::optional<double> sinks_to;
-    bool is_warned_of = false;                // that something acts on it although it has left
+    bool is_removed = false;    // taken off the table: it has left it, like a returned one
+    bool is_warned_of = false;  // that something acts on it although it has left
     std::optional<std::size_t> flight_event;  // logged event with which its last flight began
     Vec3 rested_at{0, 0, 0};                  // its centre when it last rested, or at the start
     std::uint32_t version = 0;                // counts its segments: older predictions are invalid
@@ -47,6 +48,8 @@ struct Ball {
     [[nodiscard]] bool is_returned() const { return sinks_to.has_value(); }
     [[nodiscard]] bool is_still() const { return segment.kind == MotionKind::resting; }
     [[nodiscard]] bool is_stepped() const { return segment.kind == MotionKind::stepped; }
+    /// Whether it lies or moves on the table, or above it.
+    [[nodiscard]] bool is_on_table() const { return !is_potted && !is_off_table && !is_returned(); }
     /// True if the ball moves and, if ODE steps it, has moved visibly since it last rested.
     [[nodiscard]] bool has_moved_since_rest() const;
     [[nodiscard]] BallBody body_at(double time) const {

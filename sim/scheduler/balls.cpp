@@ -82,8 +82,10 @@ void Balls::warn_of_returned(Ball& ball) {
     if (!ball.is_warned_of) {
         recorder_.warn({Subject::body(ball.name), "",
                         "'" + ball.name +
-                            "' has left the table through its ball return: nothing moves it any "
-                            "more"});
+                            (ball.is_removed
+                                 ? "' has been taken off the table: nothing moves it"
+                                 : "' has left the table through its ball return: nothing moves it "
+                                   "any more")});
     }
     ball.is_warned_of = true;
 }
@@ -241,6 +243,45 @@ void Balls::leave_table(const BallReturn::Leaving& leaving, double time) {
     ball.sinks_to = leaving.stops_at;
     begin_segment(ball, time, before);
     recorder_.add_break(ball.track, time, before, ball.segment.state);
+}
+
+/// Whatever the ball did ends here.
+void Balls::move_to(Ball& ball, double time, const Vec3& place) {
+    constexpr double kLeastMove = 1e-5;  // m; less is no jump for a track
+    return_.forget(static_cast<std::uint32_t>(&ball - balls_.data()));
+    const MotionState before = ball.segment.state_at(time);
+    ball.is_lying = ball.is_potted = ball.is_off_table = false;
+    ball.is_warned_of = false;
+    ball.flight_event.reset();
+    MotionSegment still;
+    still.kind = MotionKind::resting;
+    still.start = time;
+    still.state = {place, before.orientation, {0, 0, 0}, {0, 0, 0}};
+    set_segment(ball, still);
+    if ((place - before.position).length() > kLeastMove) {
+        recorder_.add_jump(ball.track, time, before, still.state);
+    } else {
+        recorder_.add_break(ball.track, time, before, still.state);
+    }
+}
+
+void Balls::put_down(std::uint32_t index, double time, const Vec2& place) {
+    Ball& ball = balls_[index];
+    const Vec3 from = ball.segment.position_at(time);
+    const Vec3 to(place.x, place.y, ball.radius);
+    ball.sinks_to.reset();
+    ball.is_removed = false;
+    ball.ground = environment_.downward_gravity > 0 ? Ground::cloth : Ground::none;
+    move_to(ball, time, to);
+    recorder_.add_put_back({ball.name, time, from, to});
+}
+
+void Balls::take_off(std::uint32_t index, double time, const Vec3& place) {
+    Ball& ball = balls_[index];
+    ball.sinks_to = place.z;
+    ball.is_removed = true;
+    ball.ground = Ground::none;
+    move_to(ball, time, place);
 }
 
 void Balls::warn_of_balls_in_pocket_mouths() const {

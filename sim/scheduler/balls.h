@@ -69,6 +69,10 @@ class Balls {
     [[nodiscard]] std::vector<BallReturn::Leaving> take_returned() { return return_.take_due(); }
     /// The ball falls out of sight through the floor of its pocket and no longer takes part.
     void leave_table(const BallReturn::Leaving& leaving, double time);
+    /// The ball is put down on the cloth with its centre at `place` (seen from above), at rest.
+    void put_down(std::uint32_t index, double time, const Vec2& place);
+    /// The ball is taken off the table. It rests at `place`, out of sight, and touches nothing.
+    void take_off(std::uint32_t index, double time, const Vec3& place);
     /// Warns of balls that rest over a pocket's hole, held by other balls.
     void warn_of_balls_in_pocket_mouths() const;
     /// Sets the straight path of the ball during a step that ODE is trying.
@@ -93,6 +97,7 @@ class Balls {
     void resolve_ground_impact(Ball& ball, double time, MotionState& state);
     void begin_segment(Ball& ball, double time, const MotionState& state);
     void mark_changed(Ball& ball);
+    void move_to(Ball& ball, double time, const Vec3& place);
     void retract_flight(const Ball& ball, double time);
     void set_segment(Ball& ball, const MotionSegment& segment);
 

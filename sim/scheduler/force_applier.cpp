@@ -22,12 +22,14 @@ std::string seconds(double time) {
 }  // namespace
 
 ForceApplier::ForceApplier(const WorldDescription& world, const StaticEnvironment& environment,
-                           Balls& balls, SteppedBodies& stepped, Recorder& recorder)
+                           Balls& balls, SteppedBodies& stepped, Recorder& recorder,
+                           BallPlacer& placer)
     : world_(world),
       environment_(environment),
       balls_(balls),
       stepped_(stepped),
-      recorder_(recorder) {
+      recorder_(recorder),
+      placer_(placer) {
     for (std::uint32_t i = 0; i < stepped.all().size(); ++i) {
         index_by_name_.emplace(*stepped.all()[i].name, i);
     }
@@ -135,6 +137,14 @@ void ForceApplier::apply(const Strike& strike, const DueAction& due, std::uint32
     } else {
         strike_group(strike, aim, due.time, std::move(touching));
     }
+}
+
+void ForceApplier::apply(const PlaceBall& /*place*/, const DueAction& due, std::uint32_t body) {
+    placer_.place(due.event, body, due.time);
+}
+
+void ForceApplier::apply(const RemoveBall& /*remove*/, const DueAction& due, std::uint32_t body) {
+    placer_.remove(due.event, body, due.time);
 }
 
 void ForceApplier::strike_free(const Strike& strike, const Vec3& aim, double time,

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/scheduler/ball_placer.h"
 #include "sim/scheduler/balls.h"
 #include "sim/scheduler/force_schedule.h"
 #include "sim/scheduler/stepped_bodies.h"
@@ -15,7 +16,7 @@ namespace carom::sim {
 class ForceApplier {
   public:
     ForceApplier(const WorldDescription& world, const StaticEnvironment& environment, Balls& balls,
-                 SteppedBodies& stepped, Recorder& recorder);
+                 SteppedBodies& stepped, Recorder& recorder, BallPlacer& placer);
 
     void apply(const DueAction& action);
 
@@ -28,6 +29,8 @@ class ForceApplier {
     void apply(const Impulse& impulse, const DueAction& due, std::uint32_t body);
     void apply(const SetVelocity& velocity, const DueAction& due, std::uint32_t body);
     void apply(const Strike& strike, const DueAction& due, std::uint32_t body);
+    void apply(const PlaceBall& place, const DueAction& due, std::uint32_t body);
+    void apply(const RemoveBall& remove, const DueAction& due, std::uint32_t body);
     void strike_free(const Strike& strike, const Vec3& aim, double time, std::uint32_t body);
     void strike_group(const Strike& strike, const Vec3& aim, double time, TouchingBalls touching);
     void apply_kick(const DueAction& due, std::uint32_t body);
@@ -52,6 +55,7 @@ class ForceApplier {
     Balls& balls_;
     SteppedBodies& stepped_;
     Recorder& recorder_;
+    BallPlacer& placer_;
     std::map<std::string, std::uint32_t> index_by_name_;  // indices in SteppedBodies
     std::vector<AimedStrike> aimed_strikes_;
 };

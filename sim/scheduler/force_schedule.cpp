@@ -19,35 +19,6 @@ double duration_of(const ForceEvent& event) {
     return 0;
 }
 
-bool fires(const Trigger& trigger, const Event& event) {
-    switch (trigger.kind) {
-        case Trigger::Kind::contact:
-            return event.kind == EventKind::impact &&
-                   ((event.a == trigger.a && event.b == trigger.b) ||
-                    (event.a == trigger.b && event.b == trigger.a));
-        case Trigger::Kind::potted:
-            return event.kind == EventKind::potted && event.a == trigger.a;
-        case Trigger::Kind::resting:   // see RestTriggers
-        case Trigger::Kind::crossing:  // see trigger_crossing
-            return false;
-    }
-    return false;
-}
-
-std::string reason_text(const Trigger& trigger) {
-    switch (trigger.kind) {
-        case Trigger::Kind::contact:
-            return "'" + trigger.a + "' never touched '" + trigger.b + "'";
-        case Trigger::Kind::potted:
-            return "'" + trigger.a + "' was never potted";
-        case Trigger::Kind::crossing:
-            return "'" + trigger.a + "' never crossed the line";
-        case Trigger::Kind::resting:  // RestTriggers knows the reason
-            break;
-    }
-    return {};
-}
-
 }  // namespace
 
 int kick_count(double duration) {
@@ -61,7 +32,7 @@ ForceSchedule::ForceSchedule(const std::vector<ForceEvent>& events)
             due_.insert({events[i].time + events[i].after, i, -1});
             continue;
         }
-        waiting_.insert(i);
+        waiting_.emplace(i, Wait(*events[i].trigger));
         watch_from_.insert({events[i].time, i});
     }
 }
@@ -114,9 +85,11 @@ void ForceSchedule::add_kicks(const DueAction& begin) {
 
 void ForceSchedule::check_triggers(const Event& event) {
     for (auto it = waiting_.begin(); it != waiting_.end();) {
-        const ForceEvent& force = events_[*it];
-        if (event.time >= force.time && fires(*force.trigger, event)) {
-            due_.insert({event.time + force.after, *it, -1});
+        Wait& wait = it->second;
+        const ForceEvent& force = events_[it->first];
+        if (event.time >= force.time && wait.counter.counts(event) &&
+            ++wait.count == force.trigger->nth) {
+            due_.insert({event.time + force.after, it->first, -1});
             it = waiting_.erase(it);
         } else {
             ++it;
@@ -124,9 +97,11 @@ void ForceSchedule::check_triggers(const Event& event) {
     }
 }
 
-void ForceSchedule::trigger_crossing(std::size_t event, double time) {
-    if (waiting_.erase(event) > 0) {
+void ForceSchedule::count_on_path(std::size_t event, double time) {
+    const auto found = waiting_.find(event);
+    if (found != waiting_.end() && ++found->second.count == events_[event].trigger->nth) {
         due_.insert({time + events_[event].after, event, -1});
+        waiting_.erase(found);
     }
 }
 
@@ -145,13 +120,13 @@ bool ForceSchedule::has_kicks_left(const std::string& name) const {
 
 std::vector<Diagnostic> ForceSchedule::triggers_never_met() const {
     std::vector<Diagnostic> warnings;
-    for (const std::size_t i : waiting_) {
+    for (const auto& [i, wait] : waiting_) {
         const Trigger& trigger = *events_[i].trigger;
         const bool is_rest = trigger.kind == Trigger::Kind::resting;
         warnings.push_back(
             {Subject::event(i), "when",
              fmt::format("event {} on '{}' never happened: {}", i + 1, events_[i].object,
-                         is_rest ? rest_triggers_.reason(i) : reason_text(trigger))});
+                         is_rest ? rest_triggers_.reason(i) : why_never(trigger, wait.count))});
     }
     return warnings;
 }

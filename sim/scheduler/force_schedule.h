@@ -10,6 +10,7 @@
 
 #include "core/diagnostic.h"
 #include "sim/force_event.h"
+#include "sim/occurrence.h"
 #include "sim/scheduler/rest_triggers.h"
 #include "sim/timeline/event.h"
 
@@ -44,10 +45,12 @@ class ForceSchedule {
 
     /// Schedules the events whose triggers the logged `event` fires.
     void check_triggers(const Event& event);
-    void trigger_crossing(std::size_t event, double time);
+    /// The path of a body shows an occurrence for which event `event` waits (PathTriggers).
+    void count_on_path(std::size_t event, double time);
 
     /// Schedules the events whose objects have come to rest.
     void check_rest_triggers(double now, const MotionQuery& query);
+    void note_placed(std::size_t event) { rest_triggers_.note_placed(event); }
     [[nodiscard]] bool waits_for_rest() const { return !rest_triggers_.is_empty(); }
     /// True if a force or torque on the object has impulses left. Empty name: on any object.
     [[nodiscard]] bool has_kicks_left(const std::string& name) const;
@@ -56,11 +59,18 @@ class ForceSchedule {
     [[nodiscard]] std::vector<Diagnostic> triggers_never_met() const;
 
   private:
+    struct Wait {
+        explicit Wait(const Trigger& trigger) : counter(trigger) {}
+
+        OccurrenceCounter counter;
+        int count = 0;  // of the occurrences so far, except rest
+    };
+
     void add_kicks(const DueAction& begin);
 
     const std::vector<ForceEvent>& events_;
     std::set<DueAction> due_;
-    std::set<std::size_t> waiting_;  // events that wait for their triggers
+    std::map<std::size_t, Wait> waiting_;  // events that wait for their triggers
     RestTriggers rest_triggers_;
     std::map<std::size_t, int> kicks_left_;  // of the forces and torques that act now, by event
     std::set<std::pair<double, std::size_t>> watch_from_;

@@ -69,7 +69,7 @@ void ImpactResolver::resolve(const PredictedEvent& event) {
             return cross_below_cloth(event);
         case PredictedEventKind::segment_end:
             return balls_.begin_next_segment(event.first, event.time);
-        case PredictedEventKind::line:
+        case PredictedEventKind::path:
         case PredictedEventKind::cell_crossing:
         case PredictedEventKind::search_again:  // handled by the scheduler
             break;

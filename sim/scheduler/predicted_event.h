@@ -23,12 +23,12 @@ enum class PredictedEventKind : std::uint8_t {
     slate_underside,  // rising under the table, it hits the slate from below
     below_cloth,      // its centre sinks below the cloth
     segment_end,      // its law of motion changes
-    line,             // body `first` (an index in SteppedBodies) crosses line `second`
+    path,             // body `first` (an index in SteppedBodies) does what trigger `second` awaits
     cell_crossing,    // it enters the next cell of the grid, through CellGrid::Side `second`
     search_again,     // the search for obstacles has ended here and has to continue
 };
 
-/// `first` is a ball, except for `line`. A prediction is valid while its versions are those of the
+/// `first` is a ball, except for `path`. A prediction is valid while its versions are those of the
 /// balls.
 struct PredictedEvent {
     double time = 0;
@@ -36,7 +36,7 @@ struct PredictedEvent {
     std::uint32_t first = 0;
     std::uint32_t second = 0;
     std::uint32_t first_version = 0;
-    // `ball`: of ball `second`; `solid`: EventPredictor::solid_version; `line`: the window's
+    // `ball`: of ball `second`; `solid`: EventPredictor::solid_version; `path`: the window's
     // number.
     std::uint32_t second_version = 0;
 

@@ -20,7 +20,8 @@ MotionState Recorder::with_pose_of_last_key(std::size_t track, double time,
                                             const MotionState& state) {
     LastKey& last = last_keys_[track];
     if (last.time != time) {
-        last = {time, {state.position, state.orientation}};
+        last.time = time;
+        last.pose = {state.position, state.orientation};
         return state;
     }
     MotionState result = state;
@@ -34,13 +35,25 @@ void Recorder::add_key(std::size_t track, double time, const MotionState& state)
 }
 
 void Recorder::add_sample(std::size_t track, double time, const MotionState& state) {
+    time = key_time(track, time);
     track_recorders_[track].add(time, with_pose_of_last_key(track, time, state));
 }
 
 void Recorder::add_break(std::size_t track, double time, const MotionState& before,
                          const MotionState& after) {
+    time = key_time(track, time);
     const MotionState from = with_pose_of_last_key(track, time, before);
     track_recorders_[track].add_break(time, from, with_pose_of_last_key(track, time, after));
+}
+
+void Recorder::add_jump(std::size_t track, double time, const MotionState& before,
+                        const MotionState& after) {
+    time = key_time(track, time);
+    const MotionState from = with_pose_of_last_key(track, time, before);
+    MotionState to = after;
+    to.orientation = from.orientation;
+    const double landed = track_recorders_[track].add_jump(time, from, to);
+    last_keys_[track] = {landed, {to.position, to.orientation}, landed};
 }
 
 void Recorder::log_impact(double time, const std::string& a, const std::string& b,
@@ -109,6 +122,7 @@ Timeline Recorder::take_timeline(double end_time) {
     }
     keep_lasting_states(timeline.events);
     timeline.energy = std::move(energy_);
+    timeline.put_backs = std::move(put_backs_);
     timeline.warnings = std::move(warnings_);
     return timeline;
 }

@@ -1,8 +1,10 @@
 // Records the results of a simulation: tracks, events, energy and warnings.
 #pragma once
 
+#include <algorithm>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/impact/ball_impact.h"
@@ -21,6 +23,11 @@ class Recorder {
     void add_sample(std::size_t track, double time, const MotionState& state);
     void add_break(std::size_t track, double time, const MotionState& before,
                    const MotionState& after);
+
+    /// The ball is put down somewhere else, or taken off: its track jumps.
+    void add_jump(std::size_t track, double time, const MotionState& before,
+                  const MotionState& after);
+    void add_put_back(PutBack put_back) { put_backs_.push_back(std::move(put_back)); }
 
     /// `place`: the point of contact; `normal`: from b towards a.
     void log_impact(double time, const std::string& a, const std::string& b, const Vec3& place,
@@ -43,15 +50,22 @@ class Recorder {
     [[nodiscard]] MotionState with_pose_of_last_key(std::size_t track, double time,
                                                     const MotionState& state);
 
+    /// The time of a state: at the instant of a jump, that of the key after it.
+    [[nodiscard]] double key_time(std::size_t track, double time) const {
+        return std::max(time, last_keys_[track].least_time);
+    }
+
     struct LastKey {
         double time = -1;
         Pose pose;
+        double least_time = -1;  // the track's next state is not earlier: it jumped
     };
     std::vector<TrackRecorder> track_recorders_;
     std::vector<LastKey> last_keys_;
     std::vector<Event> events_;
     std::set<std::size_t> retracted_;
     std::vector<EnergySample> energy_;
+    std::vector<PutBack> put_backs_;
     std::vector<Diagnostic> warnings_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "sim/occurrence.h"
+
 namespace carom::sim {
 
 RestTriggers::RestTriggers(const std::vector<ForceEvent>& events) : events_(events) {
@@ -30,16 +32,27 @@ void RestTriggers::note_action(std::size_t event) {
     }
 }
 
+void RestTriggers::note_placed(std::size_t event) {
+    for (auto& [waiting, wait] : waiting_) {
+        if (wait.predecessor == event) {
+            wait.has_moved = true;
+        }
+    }
+}
+
 std::vector<std::size_t> RestTriggers::take_rested(double now, const MotionQuery& query) {
     std::vector<std::size_t> rested;
     for (auto it = waiting_.begin(); it != waiting_.end();) {
-        const auto& [event, wait] = *it;
+        auto& [event, wait] = *it;
         const ForceEvent& force = events_[event];
         const std::string& name = force.trigger->a;
         if (wait.has_begun && !wait.has_moved) {
-            it->second.has_moved = query.is_moving(name);
+            wait.has_moved = query.is_moving(name);
         }
-        if (wait.has_moved && now >= force.time && query.is_resting(name)) {
+        const bool rests = wait.has_moved && now >= force.time && query.is_resting(name);
+        wait.rests += rests ? 1 : 0;
+        wait.has_moved = wait.has_moved && !rests;
+        if (wait.rests == force.trigger->nth) {
             rested.push_back(event);
             it = waiting_.erase(it);
         } else {
@@ -58,6 +71,10 @@ std::string RestTriggers::reason(std::size_t event) const {
         return "it comes after " + before + ", which waits for the same rest and never happened";
     }
     const std::string since = before.empty() ? "" : " after " + before;
+    if (wait.rests > 0) {
+        return (name.empty() ? "everything" : "'" + name + "'") + " came to rest only " +
+               times_text(wait.rests) + since;
+    }
     if (name.empty()) {
         return wait.has_moved ? "not everything came to rest" + since
                               : "nothing moved" + since + ", so nothing came to rest";

@@ -22,7 +22,7 @@ struct MotionQuery {
 
 /// An event happens when the object that it waits for rests after having moved. Events that wait
 /// for the same object happen in the order of the list: each one needs a motion that begins when
-/// the previous one acts, or later.
+/// the previous one acts, or later. An event that waits for the nth rest needs n motions.
 class RestTriggers {
   public:
     explicit RestTriggers(const std::vector<ForceEvent>& events);
@@ -31,6 +31,10 @@ class RestTriggers {
 
     /// Event `event` acts now: the next one that waits for the same object begins its wait.
     void note_action(std::size_t event);
+
+    /// Event `event` has put a ball somewhere, which sets nothing in motion: the next one that
+    /// waits for the same object needs no motion after it.
+    void note_placed(std::size_t event);
 
     /// Removes and returns the events whose wait ends at `now`, in the order of the list.
     [[nodiscard]] std::vector<std::size_t> take_rested(double now, const MotionQuery& query);
@@ -42,7 +46,8 @@ class RestTriggers {
     struct Wait {
         std::optional<std::size_t> predecessor;  // the previous event that waits for this object
         bool has_begun = true;                   // false: the predecessor has not acted yet
-        bool has_moved = false;                  // since it began
+        bool has_moved = false;                  // since it began, or since the last rest
+        int rests = 0;                           // since it began
     };
 
     const std::vector<ForceEvent>& events_;

@@ -38,14 +38,21 @@ Scheduler::Scheduler(const WorldDescription& world)
       predictor_(environment_, balls_.all(), stepped_.all()),
       resolver_(environment_, balls_, stepped_, recorder_),
       schedule_(world.events),
-      force_applier_(world, environment_, balls_, stepped_, recorder_),
-      line_triggers_(world.events, stepped_.all()) {}
+      placer_(world, environment_, balls_, stepped_, recorder_),
+      respotting_(world, balls_, recorder_, placer_),
+      force_applier_(world, environment_, balls_, stepped_, recorder_, placer_),
+      path_triggers_(world.events, stepped_.all()) {}
 
 bool Scheduler::run(const WorkContext& context, std::uint64_t max_steps) {
     const auto overlaps =
         find_start_overlaps(world_, environment_.has_cushions ? &environment_.table() : nullptr);
     if (!overlaps.empty()) {
         throw Error("body '" + overlaps[0].ball + "' " + overlaps[0].sentence() + " at the start");
+    }
+    const auto places =
+        find_place_problems(world_, environment_.has_cushions ? &environment_.table() : nullptr);
+    if (!places.empty()) {
+        throw Error(places[0].sentence);
     }
     balls_.start(0);
     stepped_.start(0);
@@ -85,7 +92,7 @@ void Scheduler::run_window() {
     }
     predict();
     predict_solid_impacts();
-    predict_solid_line_crossings();
+    predict_solid_path_triggers();
     const std::optional<PredictedEvent> last = process_events();
     if (stepped_.has_trial_step()) {
         steps_ += stepped_.step_size();
@@ -122,8 +129,8 @@ std::optional<PredictedEvent> Scheduler::process_events() {
             extend_search(event);
             continue;
         }
-        if (event.kind == PredictedEventKind::line) {
-            cross_line(event);
+        if (event.kind == PredictedEventKind::path) {
+            count_on_path(event);
             continue;
         }
         if (needs_step(event)) {
@@ -154,6 +161,7 @@ double Scheduler::window_end_from(double now) const {
 
 void Scheduler::apply_due_actions() {
     for (;;) {
+        put_balls_down();
         check_rest_triggers();
         const std::vector<DueAction> due = schedule_.take_due(now_);
         if (due.empty()) {
@@ -168,12 +176,40 @@ void Scheduler::apply_due_actions() {
             action.time = now_;
             force_applier_.apply(action);
         }
+        note_placed_balls();
         if (begins_event) {
             add_energy();
         }
         check_triggers();
     }
     window_end_ = window_end_from(now_);
+}
+
+/// Between two steps of ODE: the balls that wait for their places, and those that the game's rule
+/// puts back.
+void Scheduler::put_balls_down() {
+    if (placer_.has_waiting() && placer_.can_place_waiting(now_)) {
+        add_energy();
+        placer_.place_waiting(now_);
+        add_energy();
+        note_placed_balls();
+    }
+    if (is_respotting_due()) {
+        add_energy();
+        respotting_.act(now_);
+        add_energy();
+    }
+}
+
+void Scheduler::note_placed_balls() {
+    for (const std::size_t event : placer_.take_done()) {
+        schedule_.note_placed(event);
+    }
+}
+
+/// Actions due at this instant come first: they belong to the shot.
+bool Scheduler::is_respotting_due() const {
+    return respotting_.has_news() && !schedule_.is_due(now_) && is_resting("");
 }
 
 SearchHorizon Scheduler::horizon() const {
@@ -183,35 +219,38 @@ SearchHorizon Scheduler::horizon() const {
 void Scheduler::predict() {
     const std::vector<std::uint32_t> changed = balls_.take_changed();
     predictor_.predict(changed, horizon(), queue_);
-    if (!line_triggers_.is_empty()) {
-        predict_line_crossings(changed);
+    if (!path_triggers_.is_empty()) {
+        predict_path_triggers(changed);
     }
 }
 
-void Scheduler::predict_line_crossings(const std::vector<std::uint32_t>& changed) {
+void Scheduler::predict_path_triggers(const std::vector<std::uint32_t>& changed) {
     const SearchHorizon limits = horizon();
     for (const std::uint32_t index : changed) {
         const Ball& ball = balls_.all()[index];
-        line_triggers_.predict_crossings(index, ball, now_,
-                                         ball.is_stepped() ? limits.step_end : limits.end, queue_);
+        path_triggers_.predict(index, ball, now_, ball.is_stepped() ? limits.step_end : limits.end,
+                               queue_);
     }
 }
 
 /// Bodies other than balls move only while ODE steps them.
-void Scheduler::predict_solid_line_crossings() {
-    if (line_triggers_.is_empty() || !stepped_.has_trial_step()) {
+void Scheduler::predict_solid_path_triggers() {
+    if (path_triggers_.is_empty() || !stepped_.has_trial_step()) {
         return;
     }
     for (std::size_t i = balls_.all().size(); i < stepped_.all().size(); ++i) {
-        line_triggers_.predict_crossings(static_cast<std::uint32_t>(i), stepped_.all()[i], now_,
-                                         window_end_, window_number_, queue_);
+        path_triggers_.predict(static_cast<std::uint32_t>(i), stepped_.all()[i], now_, window_end_,
+                               window_number_, queue_);
     }
 }
 
-void Scheduler::cross_line(const PredictedEvent& event) {
+void Scheduler::count_on_path(const PredictedEvent& event) {
     now_ = std::max(now_, event.time);
-    if (const auto triggered = line_triggers_.trigger(event.second)) {
-        schedule_.trigger_crossing(*triggered, event.time);
+    if (const auto waiting = path_triggers_.count(event.second, event.time)) {
+        schedule_.count_on_path(*waiting, event.time);
+    }
+    if (event.first < balls_.all().size()) {  // the ball may cross the same line again
+        predict_path_triggers({event.first});
     }
     window_end_ = std::max(now_, std::min(window_end_, schedule_.next_time()));
 }
@@ -292,8 +331,13 @@ void Scheduler::check_triggers() {
     window_end_ = std::max(now_, std::min(window_end_, schedule_.next_time()));
 }
 
-/// Actions due at this instant come first: they may set bodies in motion.
+/// Actions due at this instant come first: they may set bodies in motion. So does the game's rule,
+/// which acts at the start of the next window.
 void Scheduler::check_rest_triggers() {
+    if (is_respotting_due()) {
+        window_end_ = now_;
+        return;
+    }
     if (!schedule_.waits_for_rest() || schedule_.is_due(now_)) {
         return;
     }
@@ -353,6 +397,12 @@ void Scheduler::finish() {
     stepped_.finish(now_);
     for (Diagnostic& missed : force_applier_.missed_strikes()) {
         recorder_.warn(std::move(missed));
+    }
+    for (Diagnostic& waiting : placer_.never_placed(now_)) {
+        recorder_.warn(std::move(waiting));
+    }
+    for (Diagnostic& waiting : respotting_.never_put_back()) {
+        recorder_.warn(std::move(waiting));
     }
     for (Diagnostic& unmet : schedule_.triggers_never_met()) {
         recorder_.warn(std::move(unmet));

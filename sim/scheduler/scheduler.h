@@ -8,14 +8,16 @@
 
 #include "core/progress.h"
 #include "sim/ode/process.h"
+#include "sim/scheduler/ball_placer.h"
 #include "sim/scheduler/balls.h"
 #include "sim/scheduler/event_predictor.h"
 #include "sim/scheduler/force_applier.h"
 #include "sim/scheduler/force_schedule.h"
 #include "sim/scheduler/impact_resolver.h"
-#include "sim/scheduler/line_triggers.h"
+#include "sim/scheduler/path_triggers.h"
 #include "sim/scheduler/predicted_event.h"
 #include "sim/scheduler/recorder.h"
+#include "sim/scheduler/respotting.h"
 #include "sim/scheduler/static_environment.h"
 #include "sim/scheduler/stepped_bodies.h"
 
@@ -41,12 +43,15 @@ class Scheduler {
     void extend_search(const PredictedEvent& event);
     void predict();
     void predict_solid_impacts();
-    void predict_line_crossings(const std::vector<std::uint32_t>& changed);
-    void predict_solid_line_crossings();
-    void cross_line(const PredictedEvent& event);
+    void predict_path_triggers(const std::vector<std::uint32_t>& changed);
+    void predict_solid_path_triggers();
+    void count_on_path(const PredictedEvent& event);
     void reset_event_count();
     [[nodiscard]] SearchHorizon horizon() const;
     void return_balls();
+    void put_balls_down();
+    void note_placed_balls();
+    [[nodiscard]] bool is_respotting_due() const;
     void check_triggers();
     void check_rest_triggers();
     void sample_energy();
@@ -67,8 +72,10 @@ class Scheduler {
     EventPredictor predictor_;
     ImpactResolver resolver_;
     ForceSchedule schedule_;
+    BallPlacer placer_;
+    Respotting respotting_;
     ForceApplier force_applier_;
-    LineTriggers line_triggers_;
+    PathTriggers path_triggers_;
     PredictedEventQueue queue_;
     double now_ = 0;
     double window_end_ = 0;

@@ -17,7 +17,7 @@ using Problem = std::optional<std::string>;
 
 // Beyond these values, sampling could overflow. A day's free fall stays far below them.
 constexpr double kLargestValue = 1e12;  // m, m/s, rad/s, s
-constexpr double kFastestJump = 1e15;   // m/s, from one key to the next
+constexpr double kFastestJump = 1e15;   // m/s, from one key to the next, unless the track jumps
 
 bool is_within(double value, double largest) {
     return std::abs(value) <= largest;
@@ -53,8 +53,9 @@ Problem keys_problem(const Track& track) {
         if (!has_numbers_within(key, kLargestValue)) {
             return problem(index, "a value is larger than 1e12");
         }
-        if (index > 0 && !((key.position - keys[index - 1].position).length() <=
-                           kFastestJump * (key.time - keys[index - 1].time))) {
+        if (index > 0 && !track.jumps_after(index - 1) &&
+            !((key.position - keys[index - 1].position).length() <=
+              kFastestJump * (key.time - keys[index - 1].time))) {
             return problem(index,
                            "its position is too far from that of the previous key for the time "
                            "between them");
@@ -91,7 +92,7 @@ Problem tracks_problem(const std::vector<Track>& tracks) {
 }
 
 Problem event_problem(const Event& event) {
-    if (event.kind < EventKind::impact || event.kind > EventKind::strike) {
+    if (event.kind < EventKind::impact || event.kind > EventKind::removed) {
         return "is of an unknown kind";
     }
     if (event.a.size() > kLongestName || event.b.size() > kLongestName) {

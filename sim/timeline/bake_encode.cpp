@@ -72,7 +72,7 @@ static_assert(static_cast<int>(Subject::Kind::object) == static_cast<int>(fb::Su
                   static_cast<int>(Subject::Kind::event) ==
                       static_cast<int>(fb::SubjectKind::event),
               "bake.fbs and diagnostic.h list the same subjects in the same order");
-static_assert(static_cast<int>(EventKind::strike) == static_cast<int>(fb::EventKind::MAX) &&
+static_assert(static_cast<int>(EventKind::removed) == static_cast<int>(fb::EventKind::MAX) &&
                   static_cast<int>(EventKind::force) == static_cast<int>(fb::EventKind::force),
               "bake.fbs and event.h list the same kinds in the same order");
 

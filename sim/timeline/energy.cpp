@@ -13,14 +13,16 @@ bool is_force_event(EventKind kind) {
         case EventKind::impulse:
         case EventKind::velocity:
         case EventKind::strike:
+        case EventKind::placed:
+        case EventKind::removed:
             return true;
         default:
             return false;
     }
 }
 
-/// True if a force event acts between two samples. One sample is taken immediately before and one
-/// immediately after the beginning of each event.
+/// True if a force event acts, or a ball is put elsewhere, between two samples. One sample is taken
+/// immediately before and one immediately after the beginning of each event.
 bool is_forced(const Timeline& timeline, double from, double to) {
     return std::any_of(timeline.events.begin(), timeline.events.end(), [=](const Event& event) {
         const bool is_instant = from == to && event.time == from;

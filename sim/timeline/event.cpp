@@ -30,6 +30,10 @@ std::string_view to_string(EventKind kind) {
             return "velocity";
         case EventKind::strike:
             return "strike";
+        case EventKind::placed:
+            return "placed";
+        case EventKind::removed:
+            return "removed";
     }
     return "unknown";  // not a value of EventKind
 }

@@ -22,6 +22,8 @@ enum class EventKind {
     impulse,    // force event: newton seconds on a
     velocity,   // force event: a's velocity was set
     strike,     // force event: the stick struck a; the vector is the velocity that it gave
+    placed,     // a was put down at rest on the cloth, on spot b (empty: not on a spot)
+    removed,    // a was taken off the table
 };
 
 /// The name used in files: "impact", "rolling", "off_table" ...
@@ -33,8 +35,9 @@ struct Event {
     double end_time = 0;   // s; differs from `time` for force and torque only
     std::string a;         // name of the object
     std::string b;         // impact: the other object or surface ("cushion", "cloth", "floor" ...);
-                           // potted: the pocket
-    Vec3 place{0, 0, 0};   // impact: the point of contact; otherwise a's centre
+                           // potted: the pocket; placed: the spot
+    Vec3 place{0, 0, 0};   // impact: the point of contact; placed: a's centre after it; otherwise
+                           // a's centre
     Vec3 normal{0, 0, 0};  // impact: unit, from b towards a; otherwise zero
     double normal_impulse = 0;      // N s, impact only
     double tangential_impulse = 0;  // N s, impact only
@@ -55,7 +58,7 @@ struct LastingContact {
     bool operator==(const LastingContact&) const = default;
 };
 
-/// A ball that is put back on the table. No simulation records these yet.
+/// A ball that is put down on the table, where its track jumps.
 struct PutBack {
     std::string ball;
     double time = 0;     // scene time, s

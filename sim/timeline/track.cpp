@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -19,10 +20,19 @@ namespace {
 
 constexpr std::uint32_t kCheckpointSpacing = 16;  // substeps
 
+/// A path this long (m) within one number of time is a jump. Objects at 100 m/s move by less than
+/// 1e-10 m.
+constexpr double kLeastJump = 1e-6;
+
 bool has_finite_values(const Key& key) {
     return std::isfinite(key.time) && is_finite(key.position) && is_finite(key.orientation) &&
            is_finite(key.velocity_in) && is_finite(key.velocity_out) &&
            is_finite(key.angular_velocity_in) && is_finite(key.angular_velocity_out);
+}
+
+bool is_jump(const Key& from, const Key& to) {
+    const Vec3 way = to.position - from.position;
+    return to.time == time_after_jump(from.time) && way.dot(way) > kLeastJump * kLeastJump;
 }
 
 RotationSegment rotation_between(const Key& from, const Key& to) {
@@ -66,12 +76,16 @@ void check_keys(const std::string& name, std::span<const Key> keys) {
 
 }  // namespace
 
+double time_after_jump(double time) {
+    return std::nextafter(time, std::numeric_limits<double>::infinity());
+}
+
 Track::Track(std::string name, std::vector<Key> keys)
     : data_(std::make_shared<const Data>(prepare(std::move(name), std::move(keys)))) {}
 
 Track::Data Track::prepare(std::string name, std::vector<Key> keys) {
     check_keys(name, keys);
-    Data data{std::move(name), std::move(keys), {}, {}, {}};
+    Data data{std::move(name), std::move(keys), {}, {}, {}, {}};
     data.times.reserve(data.keys.size());
     for (const Key& key : data.keys) {
         data.times.push_back(key.time);
@@ -89,15 +103,28 @@ Track::Data Track::prepare(std::string name, std::vector<Key> keys) {
         }
         data.intervals[index].residual =
             rotation_vector(data.keys[index + 1].orientation * ~orientation);
+        if (is_jump(data.keys[index], data.keys[index + 1])) {
+            data.jumps.push_back(index);
+        }
     }
     return data;
 }
 
-// Index of the last key at or before the time, which is not before the first key.
+bool Track::jumps_after(std::size_t index) const {
+    return std::binary_search(data_->jumps.begin(), data_->jumps.end(), index);
+}
+
+// Index of the last key at or before the time, which is not before the first key. At the instant of
+// a jump it is the key after it.
 std::size_t Track::last_key_at(double scene_time) const {
     const auto after = std::upper_bound(data_->times.begin(), data_->times.end(), scene_time);
     CAROM_ASSERT(after != data_->times.begin());
-    return static_cast<std::size_t>(after - data_->times.begin()) - 1;
+    auto index = static_cast<std::size_t>(after - data_->times.begin()) - 1;
+    while (jumps_after(index) && scene_time == data_->times[index]) {
+        ++index;
+        scene_time = data_->times[index];
+    }
+    return index;
 }
 
 PathSegment Track::segment_after(std::size_t index) const {
@@ -135,7 +162,7 @@ MotionState Track::sample(double scene_time) const {
     }
     const std::size_t index = last_key_at(scene_time);
     const Key& key = data_->keys[index];
-    if (scene_time == key.time) {
+    if (scene_time <= key.time) {  // less only at the instant of a jump
         return {key.position, key.orientation, key.velocity_out, key.angular_velocity_out};
     }
     const PathSegment segment = segment_after(index);
@@ -160,6 +187,9 @@ std::vector<Track::Piece> Track::pieces(double from, double to) const {
         const double begin = std::max(from, first.time);
         for (std::size_t index = last_key_at(begin);
              index < data_->intervals.size() && data_->keys[index].time < to; ++index) {
+            if (jumps_after(index)) {
+                continue;
+            }
             const PathSegment whole = segment_after(index);
             pieces.push_back({whole, std::max(begin, whole.start), std::min(to, whole.end)});
         }

@@ -41,9 +41,14 @@ struct Bounds {
     Vec3 low, high;
 };
 
+/// The time of the key with which a jump at `time` ends: the next number after it.
+[[nodiscard]] double time_after_jump(double time);
+
 /// Immutable; copies share their keys, so a copy costs as little as a pointer. Positions follow the
-/// cubic Hermite curve through positions and velocities. The angular velocity is linear between one
-/// key's outgoing and the next one's incoming value. The orientation is its fourth-order Magnus
+/// cubic Hermite curve through positions and velocities. Where an object is put somewhere else, the
+/// track jumps: two keys are a number apart (time_after_jump) and their positions are not. No
+/// instant lies between them, and nothing interpolates them. The angular velocity is linear between
+/// one key's outgoing and the next one's incoming value. The orientation is its fourth-order Magnus
 /// integral in substeps of at most 0.5 rad, with the residual at the next key distributed linearly,
 /// so that turns of more than 180 degrees between keys are kept.
 class Track {
@@ -56,13 +61,18 @@ class Track {
     [[nodiscard]] const std::string& name() const { return data_->name; }
     [[nodiscard]] std::span<const Key> keys() const { return data_->keys; }
 
+    /// Whether the object jumps from key `index` to the next one.
+    [[nodiscard]] bool jumps_after(std::size_t index) const;
+
     /// Defined for every time: before the first and after the last key the object rests in the pose
-    /// of that key. At the instant of a break the outgoing velocities are returned.
+    /// of that key. At the instant of a break the outgoing velocities are returned, at that of a
+    /// jump the state after it.
     [[nodiscard]] MotionState sample(double scene_time) const;
 
     /// The smooth segments of [from, to] (from <= to), cut at its ends, in order of time and
     /// without gaps. Outside of the keys the segments are constant. At least one segment, even if
-    /// from == to.
+    /// from == to. At a jump the next segment begins elsewhere, a number after the previous one's
+    /// end.
     [[nodiscard]] std::vector<PathSegment> segments(double from, double to) const;
 
     /// A box that contains all positions during [from, to].
@@ -93,6 +103,7 @@ class Track {
         std::vector<double> times;  // of the keys, contiguous for the binary search
         std::vector<KeyInterval> intervals;
         std::vector<Quat> checkpoints;
+        std::vector<std::size_t> jumps;  // keys after which it jumps, increasing
     };
 
     [[nodiscard]] static Data prepare(std::string name, std::vector<Key> keys);

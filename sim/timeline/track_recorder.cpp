@@ -202,6 +202,23 @@ void TrackRecorder::add_break(double time, const MotionState& before, const Moti
     }
 }
 
+double TrackRecorder::add_jump(double time, const MotionState& before, const MotionState& after) {
+    MotionState stopped = before;
+    stopped.velocity = stopped.angular_velocity = Vec3(0, 0, 0);
+    add_break(time, before, stopped);
+    if (kept_.back() != dense_.size() - 1) {
+        kept_.push_back(dense_.size() - 1);
+    }
+    Key landed = smooth_key(time_after_jump(time), after);
+    landed.velocity_in = landed.angular_velocity_in = Vec3(0, 0, 0);
+    if (!is_same(before.orientation, after.orientation)) {
+        throw Error(fmt::format("track '{}': the orientation jumps at {:f} s", name_, time));
+    }
+    add_key(landed, true);
+    was_tiny_ = false;
+    return landed.time;
+}
+
 Track TrackRecorder::finish() {
     std::vector<Key> keys;
     if (!dense_.empty()) {

@@ -15,11 +15,11 @@ struct KeyReduction {
     double orientation_error = 1.7453292519943e-4;  // rad (0.01 degree), > 0
 };
 
-/// Takes states in order of time. Keys added by `add` may be dropped; those of `add_break`, the
-/// first and the last are kept, except within trains of tiny breaks (two balls that press against
-/// each other part and meet again thousands of times a second), of which one in a millisecond is
-/// kept. Throws an Error that names the track if times are out of
-/// order or two states of one instant differ.
+/// Takes states in order of time. Keys added by `add` may be dropped; those of `add_break` and
+/// `add_jump`, the first and the last are kept, except within trains of tiny breaks (two balls that
+/// press against each other part and meet again thousands of times a second), of which one in a
+/// millisecond is kept. Throws an Error that names the track if times are out of order or two
+/// states of one instant differ.
 class TrackRecorder {
   public:
     explicit TrackRecorder(std::string name, KeyReduction reduction = {});
@@ -33,6 +33,12 @@ class TrackRecorder {
     /// `after`. If the last key is at the same time, its incoming velocities are kept and its
     /// outgoing ones are replaced (several impacts in one instant).
     void add_break(double time, const MotionState& before, const MotionState& after);
+
+    /// The object is put somewhere else at once: the position and the velocities jump from `before`
+    /// to `after`, the orientation does not. Adds a key at `time` and one at the next number, or
+    /// both one later if the track already jumped at `time`. Returns the time of the second key;
+    /// states that follow must not be earlier.
+    double add_jump(double time, const MotionState& before, const MotionState& after);
 
     /// The reduced track; the recorder cannot be used afterwards.
     [[nodiscard]] Track finish();

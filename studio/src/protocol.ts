@@ -394,6 +394,11 @@ export interface PathShape {
     curve: number[];
 }
 
+export interface LensKey {
+    path: KeyPath;
+    video_time: number;
+}
+
 export interface Camera {
     name: string;
     path: KeyPath;
@@ -407,6 +412,8 @@ export interface Camera {
     position: PathShape;
     target: PathShape;
     sensor_height: number;
+    fov_scale: number;
+    lens_keys: LensKey[];
 }
 
 export interface ShotEvent {
@@ -432,6 +439,7 @@ export interface Names {
     lights: string[];
     cameras: string[];
     surfaces: string[];
+    spots: string[];
 }
 
 export interface ValuePlace {

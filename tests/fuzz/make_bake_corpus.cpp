@@ -33,7 +33,7 @@ Bake rolling_bake() {
 Bake eventful_bake() {
     Bake bake;
     bake.timeline.end_time = 1;
-    for (int kind = 0; kind <= static_cast<int>(EventKind::strike); ++kind) {
+    for (int kind = 0; kind <= static_cast<int>(EventKind::removed); ++kind) {
         bake.timeline.events.push_back(
             {static_cast<EventKind>(kind), 0.1 * kind, 0.1 * kind, "cue", "cushion"});
     }

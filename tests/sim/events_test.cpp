@@ -10,8 +10,7 @@
 namespace carom::sim::test {
 namespace {
 
-ForceEvent event_on(const std::string& object, double time,
-                    std::variant<Force, Torque, Impulse, SetVelocity, Strike> action) {
+ForceEvent event_on(const std::string& object, double time, decltype(ForceEvent::action) action) {
     ForceEvent event;
     event.object = object;
     event.time = time;

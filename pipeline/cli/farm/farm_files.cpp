@@ -61,8 +61,11 @@ void copy_files(const ShotInput& input, sim::Bake& bake, const std::string& fold
         asset.path = path;
     }
     std::map<const pipeline::config::Node*, std::string> names;
-    for (const auto& [node, original] : input.source->files()) {
-        names[node] = copies.at(original);
+    for (const auto& [node, original] : input.source->replaced()) {
+        const auto copy = copies.find(original);  // moments stay as they are written
+        if (copy != copies.end()) {
+            names[node] = copy->second;
+        }
     }
     bake.shot_text = pipeline::config::emit_yaml(input.source->root(), names);
 }

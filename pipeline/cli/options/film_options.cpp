@@ -21,8 +21,9 @@ void add_retime_times(CommandDescription& description, RetimeCommand& retime) {
                        "speed of the original film.");
     description.option(
         "--from", &retime.from, "TIME",
-        "Begin at this scene time. Without --from and --to the whole film is shown.");
-    description.option("--to", &retime.to, "TIME", "End at this scene time.");
+        "Begin at this scene time, a number or a moment such as '{contact: [cue, one], before: "
+        "0.2s}'. Without --from and --to the whole film is shown.");
+    description.option("--to", &retime.to, "TIME", "End at this scene time, written like --from.");
     description.flag("--reverse", retime.reverse, "Play backwards.");
     description.option("--ramp", &retime.ramp, "T:V,...",
                        "Change the speed during the film, as a list of film times and speeds: "
@@ -94,7 +95,10 @@ void describe(FrameCommand& command, CommandDescription& description) {
     description
         .option("--frame", &command.frame, "N", "The frame's number, counted from 0 (the default).")
         .from(0);
-    description.option("--at", &command.at, "TIME", "The frame's time in the film: 1.25s or 500ms.")
+    description
+        .option("--at", &command.at, "TIME",
+                "The frame's time in the film: 1.25s or 500ms. A moment, such as '{contact: "
+                "[cue, one]}', is the first frame that shows it.")
         .excludes({"--frame"});
     add_output(description, command.output,
                "The picture: .png, .jpg, .bmp or .tga as the film shows it, .exr as it was "
@@ -105,6 +109,7 @@ void describe(FrameCommand& command, CommandDescription& description) {
     add_no_store(description, command.cache);
     description.examples = {
         {"carom frame break.yaml --at 1.25s -o contact.png", "The frame of the film at 1.25 s."},
+        {"carom frame break.yaml --at '{potted: nine}'", "The frame in which the nine is potted."},
         {"carom frame break.yaml --frame 40 --quality draft",
          "Frame 40 with few samples, as break.0040.png."}};
 }

@@ -71,7 +71,8 @@ void add_given_balls(Builder& builder, std::vector<Ball>& balls) {
     }
 }
 
-sim::Body make_body(const Ball& ball, const ShotFile& file) {
+sim::Body make_body(const Ball& ball, const Builder& builder) {
+    const ShotFile& file = builder.file;
     static const BallSection kEmpty;
     const BallSection& section = ball.section != nullptr ? *ball.section : kEmpty;
     const BallMeasures set = measures_of_set(file);
@@ -81,8 +82,12 @@ sim::Body make_body(const Ball& ball, const ShotFile& file) {
     body.shape = sim::Sphere{radius};
     body.mass = section.mass.value_or(scaled_mass(set.mass, set.radius, radius));
     body.material = "ball";
-    body.pose.position = section.at ? section.at->value : ball.position;
-    if (!section.at || !section.at->has_z) {
+    body.pose.position = ball.position;
+    if (section.at) {
+        const Vec2 at = place_on_table(builder, *section.at);
+        body.pose.position = {at.x, at.y, section.at->point.value.z};
+    }
+    if (!section.at || !section.at->point.has_z) {
         body.pose.position.z = radius;
     }
     body.pose.orientation =
@@ -201,7 +206,7 @@ void build_balls(Builder& builder) {
     add_given_balls(builder, balls);
     std::vector<sim::Body> bodies;
     for (const Ball& ball : balls) {
-        bodies.push_back(make_body(ball, builder.file));
+        bodies.push_back(make_body(ball, builder));
     }
     place_touching_balls(builder, balls, bodies);
     for (std::size_t i = 0; i < balls.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "pipeline/config/build/builder.h"
+#include "pipeline/config/surface_names.h"
 
 namespace carom::pipeline::config {
 
@@ -16,14 +17,8 @@ void Builder::report(const Diagnostic& problem) {
     reader.error_at_path(found.place, problem.sentence, std::move(found.key_path));
 }
 
-const std::vector<std::string>& surface_names() {
-    static const std::vector<std::string> names{"cushion", "cloth", "floor", "rail", "pocket"};
-    return names;
-}
-
 bool Builder::claim_name(const std::string& name, const Place& place, const std::string& noun) {
-    const std::vector<std::string>& surfaces = surface_names();
-    if (std::find(surfaces.begin(), surfaces.end(), name) != surfaces.end()) {
+    if (is_surface(name)) {
         reader.error(place, noun + " '" + name +
                                 "' has the name of a part of the table; choose another name");
         return false;
@@ -45,9 +40,11 @@ Shot build_shot(const ShotFile& file, const Node& root, const std::string& name,
     build_balls(builder);
     build_objects(builder);
     build_table_scene(builder);
+    build_stick(builder);
     build_look(builder);
     build_events(builder);
     build_film(builder);
+    build_annotations(builder);
     check_references(builder);
     check_placement(builder);
     check_world(builder);

@@ -44,19 +44,23 @@ struct Builder {
     bool claim_name(const std::string& name, const Place& place, const std::string& noun);
 };
 
-/// The surfaces that an event's `contact` may name besides objects, as in the event log.
-[[nodiscard]] const std::vector<std::string>& surface_names();
+/// The place on the table, without a height; NaN if it is a spot that the table does not have,
+/// which check_references reports.
+[[nodiscard]] Vec2 place_on_table(const Builder& builder, const TablePlace& place);
+[[nodiscard]] Vec2 place_of_spot(const Builder& builder, const std::string& spot);
 
 void build_table(Builder& builder);  // the dimensions of the table
 void build_balls(Builder& builder);  // bodies and scene objects
 void build_objects(Builder& builder);
 void build_table_scene(Builder& builder);  // the geometry of the table
+void build_stick(Builder& builder);        // the cue stick, if it is seen
 void build_look(Builder& builder);         // materials and lights
 void build_events(Builder& builder);
 void build_film(Builder& builder);     // cameras, timing, render and output settings
 void apply_denoise(Builder& builder);  // what it asks of the render settings
 void check_output(Builder& builder);   // video format, overlay
 void check_poster(Builder& builder);   // after the cameras, which determine the film's duration
+void build_annotations(Builder& builder);
 void check_references(Builder& builder);
 void check_placement(Builder& builder);            // overlaps, balls in cushions
 void warn_about_ball_positions(Builder& builder);  // far away or under the table

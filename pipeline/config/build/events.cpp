@@ -1,4 +1,6 @@
-#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -7,24 +9,38 @@
 
 namespace carom::pipeline::config {
 
-namespace {
-
-/// Moves the object of a contact to the first place; the two names may be given in any order.
-void order_contact(sim::ForceEvent& event, const Place& place, Builder& builder) {
-    if (!event.trigger || event.trigger->kind != sim::Trigger::Kind::contact) {
+void build_stick(Builder& builder) {
+    const std::optional<StickSection>& section = builder.file.stick;
+    ShownStick& stick = builder.shot.stick;
+    const bool is_shown = section && section->is_shown;
+    for (std::size_t i = 0; i < builder.file.events.size(); ++i) {
+        const EventSection& event = builder.file.events[i];
+        if (std::holds_alternative<sim::Strike>(event.event.action) &&
+            event.shows_stick.value_or(is_shown)) {
+            stick.events.push_back(i);
+        }
+    }
+    if (stick.events.empty()) {
         return;
     }
-    const std::vector<std::string>& surfaces = surface_names();
-    const auto is_surface = [&](const std::string& name) {
-        return std::find(surfaces.begin(), surfaces.end(), name) != surfaces.end();
-    };
-    sim::Trigger& trigger = *event.trigger;
-    if (is_surface(trigger.a)) {
-        std::swap(trigger.a, trigger.b);
-    }
-    if (is_surface(trigger.a)) {
-        builder.reader.error(place, "this event waits for '" + trigger.b + "' to touch '" +
-                                        trigger.a + "'; one of them must be an object");
+    const sim::billiards::TableKind kind =
+        builder.file.table ? builder.file.table->kind : sim::billiards::TableKind::pool;
+    const double tip = kind == sim::billiards::TableKind::snooker ? 0.0095
+                       : kind == sim::billiards::TableKind::carom ? 0.0115
+                                                                  : stick.tip_diameter;
+    stick.tip_diameter = section && section->tip ? *section->tip : tip;
+    stick.length = section ? section->length : stick.length;
+    add_stick(builder.shot.scene, stick);
+}
+
+namespace {
+
+/// The target is a spot of the table; check_references reports a name that is none.
+void aim_at_spot(sim::Strike& strike, const Builder& builder) {
+    const Vec2 spot = place_of_spot(builder, *strike.toward);
+    if (std::isfinite(spot.x)) {
+        strike.toward.reset();
+        strike.toward_point = Vec3(spot.x, spot.y, 0);
     }
 }
 
@@ -41,9 +57,14 @@ void build_events(Builder& builder) {
             if (visible != builder.scenery.end()) {
                 strike->toward.reset();
                 strike->toward_point = visible->second;
+            } else if (strike->toward && !builder.placed.contains(*strike->toward)) {
+                aim_at_spot(*strike, builder);
             }
         }
-        order_contact(event, section.place, builder);
+        if (auto* place = std::get_if<sim::PlaceBall>(&event.action);
+            place != nullptr && !place->spot.empty()) {
+            place->at = place_of_spot(builder, place->spot);
+        }
         const double start = event.time + event.after;
         if (start > builder.shot.world.duration) {
             builder.reader.warning(section.place,

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "pipeline/camera/frame_plan.h"
+#include "pipeline/camera/rig_state.h"
 #include "pipeline/camera/time_map.h"
 #include "pipeline/config/build/builder.h"
 #include "pipeline/config/picture_size.h"
@@ -27,6 +28,41 @@ Place place_of_camera(const Builder& builder, std::size_t index) {
     return name != nullptr ? name->value.place : camera.place;
 }
 
+/// The corners of the box around the playing field, the cushions and the rails.
+std::vector<Vec3> corners_of_table(const sim::billiards::TableMeasures& table) {
+    const double beside = table.cushion_width + table.rail_width;
+    std::vector<Vec3> corners;
+    for (const double x : {-table.length / 2 - beside, table.length / 2 + beside}) {
+        for (const double y : {-table.width / 2 - beside, table.width / 2 + beside}) {
+            corners.emplace_back(x, y, 0);
+            corners.emplace_back(x, y, table.rail_height);
+        }
+    }
+    return corners;
+}
+
+/// Fills in what a camera needs to know of the picture and the table.
+void fit_to_picture(Builder& builder, std::size_t index, CameraRig& rig) {
+    rig.aspect = static_cast<double>(builder.shot.render.width) / builder.shot.render.height;
+    if (measures_width(rig.fov_axis, rig.aspect)) {
+        rig.sensor_height /= rig.aspect;
+    }
+    if (!rig.framing) {
+        return;
+    }
+    const auto& table = builder.shot.world.table;
+    if (table && table->has_cushions) {
+        rig.framing->points = corners_of_table(*table);
+        return;
+    }
+    if (!builder.file.table || table) {  // else its problem was reported
+        builder.reader.error(
+            builder.place_of({"cameras", fmt::format("{}", index), "frame"}),
+            "camera " + quote(rig.name) + " frames the table, but " +
+                (table ? "an unbounded cloth has no rails" : "the shot has no table"));
+    }
+}
+
 void add_cameras(Builder& builder) {
     std::set<std::string> names;
     for (std::size_t i = 0; i < builder.file.cameras.size(); ++i) {
@@ -38,6 +74,7 @@ void add_cameras(Builder& builder) {
             builder.reader.error(place_of_camera(builder, i),
                                  "more than one camera has the name " + quote(rig.name));
         }
+        fit_to_picture(builder, i, rig);
         builder.shot.cameras.push_back(std::move(rig));
     }
 }

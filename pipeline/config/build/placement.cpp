@@ -61,6 +61,10 @@ void check_placement(Builder& builder) {
         builder.reader.error(builder.placed.at(overlap.ball),
                              quote(overlap.ball) + " " + overlap.sentence());
     }
+    for (const Diagnostic& problem : sim::find_place_problems(
+             builder.shot.world, has_cushions ? builder.table_geometry.get() : nullptr)) {
+        builder.report(problem);
+    }
 }
 
 }  // namespace carom::pipeline::config

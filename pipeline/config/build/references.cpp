@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/text.h"
 #include "pipeline/config/build/builder.h"
+#include "pipeline/config/surface_names.h"
 #include "pipeline/config/text.h"
+#include "sim/billiards/spots.h"
 
 namespace carom::pipeline::config {
 
@@ -10,6 +13,16 @@ namespace {
 
 void append(std::vector<std::string>& names, const std::set<std::string>& more) {
     names.insert(names.end(), more.begin(), more.end());
+}
+
+std::vector<std::string> spot_names(const Builder& builder) {
+    std::vector<std::string> names;
+    if (builder.shot.world.table) {
+        for (const auto& spot : sim::billiards::spots_of(*builder.shot.world.table)) {
+            names.push_back(spot.name);
+        }
+    }
+    return names;
 }
 
 std::vector<std::string> known_names(const Builder& builder, ReferenceKind kind) {
@@ -21,6 +34,11 @@ std::vector<std::string> known_names(const Builder& builder, ReferenceKind kind)
         case ReferenceKind::material:
             append(names, builder.materials);
             break;
+        case ReferenceKind::spot:
+            return spot_names(builder);
+        case ReferenceKind::aimed:
+            names = spot_names(builder);
+            [[fallthrough]];
         case ReferenceKind::placed:
             append(names, builder.bodies);
             append(names, builder.fixed);
@@ -59,7 +77,10 @@ std::string noun(ReferenceKind kind) {
             return "material";
         case ReferenceKind::touchable:
             return "object or surface";
+        case ReferenceKind::spot:
+            return "spot";
         case ReferenceKind::placed:
+        case ReferenceKind::aimed:
         case ReferenceKind::body:
         case ReferenceKind::simulated:
         case ReferenceKind::moving:
@@ -96,10 +117,29 @@ std::string wrong_kind(const Builder& builder, const Reference& reference) {
         case ReferenceKind::touchable:
             return quote(reference.name) + " has no physics, so nothing can touch it";
         case ReferenceKind::placed:
+        case ReferenceKind::aimed:
+        case ReferenceKind::spot:
         case ReferenceKind::material:
             break;
     }
     return {};
+}
+
+/// The problem of a name that is no spot of the table.
+Message unknown_spot(const Builder& builder, const std::string& name,
+                     const std::vector<std::string>& known) {
+    if (!builder.file.table) {
+        return quote(name) + " would be a spot of the table, and the shot has no table";
+    }
+    if (known.empty()) {
+        return quote(name) +
+               " would be a spot of the table, and an unbounded cloth has none; give "
+               "a point such as [0.5, 0.2]";
+    }
+    const Message help = hint(name, known);
+    return {"there is no spot " + quote(name) + help.text + "; the spots of the table are " +
+                enumerate(quoted(known), "and"),
+            help.suggestion};
 }
 
 }  // namespace
@@ -110,7 +150,12 @@ void check_references(Builder& builder) {
         if (std::find(known.begin(), known.end(), reference.name) != known.end()) {
             continue;
         }
-        Message message = wrong_kind(builder, reference);
+        const bool is_spot = reference.kind == ReferenceKind::spot;
+        if (is_spot && builder.file.table && !builder.shot.world.table) {
+            continue;  // the problem of the table was reported
+        }
+        Message message =
+            is_spot ? unknown_spot(builder, reference.name, known) : wrong_kind(builder, reference);
         if (message.text.empty()) {
             message = "there is no " + noun(reference.kind) + " " + quote(reference.name) +
                       hint(reference.name, known);

@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <string>
 
 #include "core/text.h"
 #include "pipeline/config/build/builder.h"
 #include "pipeline/config/text.h"
 #include "pipeline/shot/table_scene.h"
+#include "sim/billiards/spots.h"
 
 namespace carom::pipeline::config {
 
@@ -138,6 +140,17 @@ void build_table(Builder& builder) {
     }
 }
 
+Vec2 place_of_spot(const Builder& builder, const std::string& spot) {
+    const auto& table = builder.shot.world.table;
+    const auto found = table ? find_spot(sim::billiards::spots_of(*table), spot) : std::nullopt;
+    return found.value_or(Vec2(std::numeric_limits<double>::quiet_NaN()));
+}
+
+Vec2 place_on_table(const Builder& builder, const TablePlace& place) {
+    return place.spot.empty() ? Vec2(place.point.value.x, place.point.value.y)
+                              : place_of_spot(builder, place.spot);
+}
+
 std::vector<sim::billiards::PlacedBall> place_rack(Builder& builder) {
     const ShotFile& file = builder.file;
     if (!file.rack) {
@@ -150,8 +163,18 @@ std::vector<sim::billiards::PlacedBall> place_rack(Builder& builder) {
     if (!builder.shot.world.table) {
         return {};  // its problem was reported
     }
-    return sim::billiards::rack(file.rack->set, *builder.shot.world.table,
-                                measures_of_set(file).radius, {file.rack->gap, file.world.seed});
+    std::vector<sim::billiards::PlacedBall> balls =
+        sim::billiards::rack(file.rack->set, *builder.shot.world.table,
+                             measures_of_set(file).radius, {file.rack->gap, file.world.seed});
+    if (file.rack->at) {
+        const Vec2 apex = place_on_table(builder, *file.rack->at);
+        const Vec3 shift =
+            Vec3(apex.x, apex.y, 0) - Vec3(balls.front().position.x, balls.front().position.y, 0);
+        for (sim::billiards::PlacedBall& ball : balls) {
+            ball.position += shift;
+        }
+    }
+    return balls;
 }
 
 void build_table_scene(Builder& builder) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pipeline/config/build/builder.h"
+#include "pipeline/config/surface_names.h"
 #include "pipeline/config/text.h"
 
 namespace carom::pipeline::config {

@@ -88,9 +88,9 @@ const MapSpec<BallSection>& ball_spec() {
         MapSpec<BallSection> s(
             "ball",
             "One ball. The name of a racked ball changes that ball; any other name adds a ball.");
-        s.key("at", &BallSection::at, coordinates(Dimension::length),
-              "position of the centre. With two coordinates the ball lies on the cloth. This or "
-              "`touching` is required unless the ball is racked");
+        s.key("at", &BallSection::at, table_place(),
+              "position of the centre, or a spot of the table. With two coordinates or a spot the "
+              "ball lies on the cloth. This or `touching` is required unless the ball is racked");
         s.key("touching", &BallSection::touching, record(touching_spec()),
               "position against another ball");
         s.at_most_one_of({"at", "touching"});

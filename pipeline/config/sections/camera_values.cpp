@@ -1,12 +1,12 @@
 #include "pipeline/config/sections/camera_values.h"
 
+#include "pipeline/config/sections/occurrences.h"
 #include "pipeline/config/sections/sections.h"
 
 namespace carom::pipeline::config {
 
 namespace {
 
-constexpr double kLongest = 3600;    // s
 constexpr double kMostRounds = 100;  // turns of an orbit
 constexpr double kTurn = 6.283185307179586;
 
@@ -15,7 +15,8 @@ const MapSpec<ControlPoint>& control_point_spec() {
         MapSpec<ControlPoint> s("control point", "The position of an object at a scene time.");
         s.key("of", &ControlPoint::of, name_of(ReferenceKind::moving), "the ball or object")
             .required();
-        s.key("at", &ControlPoint::at, time(between(0, kLongest)), "scene time").required();
+        s.key("at", &ControlPoint::at, scene_time(), "scene time, as a number or a moment")
+            .required();
         s.key("offset", &ControlPoint::offset, vector3(Dimension::length),
               "offset that is added to the position, in world axes");
         return s;
@@ -109,9 +110,10 @@ const MapSpec<PathKeys>& path_spec() {
         s.key("easing", &PathKeys::easing, easing(),
               "easing of the motion along the curve, as for values that change")
             .goes_with(curves);
-        s.key("from", &PathKeys::from, time(between(0, kLongest)), "start scene time of `along`")
+        s.key("from", &PathKeys::from, scene_time(),
+              "start scene time of `along`, as a number or a moment")
             .needed_by("along");
-        s.key("to", &PathKeys::to, time(between(0, kLongest)),
+        s.key("to", &PathKeys::to, scene_time(),
               "end scene time of `along`; if it is before `from`, the path runs backwards")
             .needed_by("along");
         s.key("radius", &PathKeys::radii, radii(),

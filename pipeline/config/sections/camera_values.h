@@ -5,22 +5,21 @@
 #include <string>
 
 #include "pipeline/camera/camera_rig.h"
+#include "pipeline/config/sections/keyed_values.h"
 #include "pipeline/config/value_types.h"
 
 namespace carom::pipeline::config {
 
-/// A word, or the four numbers of a cubic Bezier curve.
-[[nodiscard]] ValueType<Easing> easing();
-
 /// A map that describes a path, or one fixed point.
 [[nodiscard]] ValueType<CameraPath> camera_path();
 
-/// One value, [start, end], or {from, to, easing}. A value that is itself a list is distinguished
-/// from a pair by its elements.
+/// One value, [start, end], {from, to, easing} or {keys, easing}. A value that is itself a list is
+/// distinguished from a pair by its elements.
 template <class V>
 ValueType<Eased<V>> eased(const std::string& key, const ValueType<V>& single) {
     const auto spec = std::make_shared<MapSpec<Eased<V>>>(
-        "changing " + key, "A value that changes during the camera's interval of the film.");
+        "changing " + key, "A value that changes during the camera's interval of the film.",
+        blank<V>());
     spec->key("from", &Eased<V>::start, single, "value at the start").required();
     spec->key("to", &Eased<V>::end, single, "value at the end").required();
     spec->key(
@@ -37,7 +36,7 @@ ValueType<Eased<V>> eased(const std::string& key, const ValueType<V>& single) {
     map.info.kind = TypeInfo::Kind::map;
     map.info.map = &spec->info();
     map.read = [spec](Reader& reader, const Node& node) -> std::optional<Eased<V>> {
-        Eased<V> value;
+        Eased<V> value = blank<V>();
         spec->read(reader, node, value);
         return value;
     };
@@ -47,8 +46,8 @@ ValueType<Eased<V>> eased(const std::string& key, const ValueType<V>& single) {
                    ? node.is_sequence() && !node.items.empty() && !node.items.front().is_sequence()
                    : node.is_scalar();
     };
-    ValueType<Eased<V>> result =
-        any_of<Eased<V>>({{is_single, constant}, {is_list, pair}, {is_map, map}});
+    ValueType<Eased<V>> result = any_of<Eased<V>>(
+        {{is_single, constant}, {is_list, pair}, {has_keys, keyed(key, single)}, {is_map, map}});
     result.info.noun = "changing";
     result.show = [show = single.show](const Eased<V>& value) {
         return show ? show(value.start) : std::string();

@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <numbers>
 
+#include "pipeline/config/sections/camera_aids.h"
 #include "pipeline/config/sections/camera_values.h"
+#include "pipeline/config/sections/occurrences.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
@@ -67,15 +70,14 @@ struct TimeRange {
     Rational end;
 };
 
-ValueType<TimeRange> time_range() {
-    return convert<TimeRange>(list_of(exact(Dimension::time, between(0, kLongest)), 2, 2),
-                              [](const std::vector<Rational>& ends) {
-                                  return TimeRange{ends[0], ends[1]};
-                              });
+ValueType<TimeRange> range_of(const ValueType<Rational>& time) {
+    return convert<TimeRange>(list_of(time, 2, 2), [](const std::vector<Rational>& ends) {
+        return TimeRange{ends[0], ends[1]};
+    });
 }
 
 ValueType<TimeMap> linear_map() {
-    return convert<TimeMap>(time_range(), [](const TimeRange& ends) {
+    return convert<TimeMap>(range_of(exact_scene_time()), [](const TimeRange& ends) {
         return TimeMap{ends.start, ends.end};
     });
 }
@@ -123,8 +125,7 @@ void check_ramp(Reader& reader, const Node& node, TimeMap& map) {
 const MapSpec<TimeMap>& ramp_spec() {
     static const MapSpec<TimeMap> spec = [] {
         MapSpec<TimeMap> s("speeds", "Scene time that is shown at a changing speed.");
-        s.key("from", &TimeMap::scene_start, exact(Dimension::time, between(0, kLongest)),
-              "scene time at the camera's start")
+        s.key("from", &TimeMap::scene_start, exact_scene_time(), "scene time at the camera's start")
             .required();
         s.key("speeds", &TimeMap::speeds, list_of(speed_key(), 1, 256),
               "list of [film time, seconds of the scene per second of film]: 1 is real time, 0 "
@@ -140,12 +141,12 @@ const MapSpec<TimeMap>& ramp_spec() {
 
 /// Two scene times, one scene time at which time stands still, or speeds.
 ValueType<TimeMap> time_map() {
-    const auto freeze =
-        convert<TimeMap>(exact(Dimension::time, between(0, kLongest)), [](const Rational& t) {
-            return TimeMap{t, t};
-        });
+    const auto freeze = convert<TimeMap>(exact_scene_time(), [](const Rational& t) {
+        return TimeMap{t, t};
+    });
+    const auto is_one_time = [](const Node& node) { return node.is_scalar() || is_moment(node); };
     return any_of<TimeMap>(
-        {{is_list, linear_map()}, {is_scalar, freeze}, {is_map, record(ramp_spec())}});
+        {{is_list, linear_map()}, {is_one_time, freeze}, {is_map, record(ramp_spec())}});
 }
 
 void add_time(MapSpec<CameraRig>& s) {
@@ -157,7 +158,7 @@ void add_time(MapSpec<CameraRig>& s) {
     s.key("name", &CameraRig::name, text("a camera's name"),
           "name for messages and for the metadata of frames");
     s.set(
-         "video", time_range(),
+         "video", range_of(exact(Dimension::time, between(0, kLongest))),
          [](CameraRig& rig, const TimeRange& value) {
              rig.video_start = value.start;
              rig.video_end = value.end;
@@ -165,21 +166,24 @@ void add_time(MapSpec<CameraRig>& s) {
          "interval of the film: start and end in video time")
         .required();
     s.key("scene", &CameraRig::time_map, time_map(),
-          "scene times at the start and at the end. If the second is before the first, time runs "
-          "backwards. One time stands still. Speeds at film times are a speed ramp")
+          "scene times at the start and at the end, as numbers or moments. If the second is before "
+          "the first, time runs backwards. One time stands still. Speeds at film times are a speed "
+          "ramp")
         .required();
     s.key("fade", &CameraRig::fade, exact(Dimension::time, between(0, kLongest)),
           "duration of the fade-in at the start; the previous camera ends when the fade ends");
 }
 
 void add_lens(MapSpec<CameraRig>& s) {
-    s.key("fov", &CameraRig::vertical_fov, eased("fov", angle(inside(0, std::numbers::pi))),
-          "vertical field of view: one value, [start, end] or {from, to, easing}");
+    s.key("fov", &CameraRig::fov, eased("fov", angle(inside(0, std::numbers::pi))),
+          "field of view of the picture's height (see `fov_axis`): one value, [start, end], {from, "
+          "to, easing} or, at times of the film, {keys, easing}");
     s.key("focal_length", &CameraRig::focal_length,
           eased("focal_length", lens_length(inside(0, 10))),
           "focal length, instead of `fov`; like fov");
     s.key("sensor", &CameraRig::sensor_height, lens_length(inside(0, 10)),
-          "height of the camera's sensor, for `focal_length` and `f_number`");
+          "height of the camera's sensor (see `fov_axis`), for `focal_length` and `f_number`");
+    add_fov_axis(s);
     s.key("focus", &CameraRig::focus, eased("focus", focus()),
           "distance of the plane in focus: a length, `auto` (the target) or a ball or object; like "
           "fov");
@@ -196,6 +200,45 @@ void add_lens(MapSpec<CameraRig>& s) {
     s.at_most_one_of({"fov", "focal_length"});
 }
 
+/// The values between which a value changes.
+template <class V>
+std::vector<V> all_values(const Eased<V>& value) {
+    std::vector<V> values{value.start, value.end};
+    for (const ValueKey<V>& key : value.keys) {
+        values.push_back(key.value);
+    }
+    return values;
+}
+
+void check_blades(Reader& reader, const Node& node, const CameraRig& rig) {
+    const std::vector<int> blades = all_values(rig.blades);
+    const auto is_no_iris = [](int number) { return number != 0 && number < 3; };
+    const auto is_other_kind = [&](int number) { return (number == 0) != (blades[0] == 0); };
+    if (std::any_of(blades.begin(), blades.end(), is_no_iris)) {
+        reader.error(node.find("blades")->value.place, "'blades' must be 0 (round) or at least 3");
+    } else if (std::any_of(blades.begin(), blades.end(), is_other_kind)) {
+        reader.error(node.find("blades")->value.place,
+                     "'blades' cannot change between 0 (a round iris) and a number of blades");
+    }
+}
+
+/// Warns of keys of values outside of the camera's interval of the film.
+void check_key_times(Reader& reader, const Node& node, const CameraRig& rig) {
+    const auto check = [&](const char* key, const auto& value) {
+        warn_about_unreached_keys(reader, node, rig, key, times_of(value.keys));
+    };
+    check("fov", rig.fov);
+    if (rig.focal_length) {
+        check("focal_length", *rig.focal_length);
+    }
+    check("focus", rig.focus);
+    check("aperture", rig.aperture);
+    check("f_number", rig.aperture);
+    check("blades", rig.blades);
+    check("roll", rig.roll);
+    check("up", rig.up);
+}
+
 void check_camera(Reader& reader, const Node& node, CameraRig& rig) {
     if (const Entry* video = node.find("video")) {
         if (!(rig.video_start < rig.video_end) && video->value.items.size() == 2) {
@@ -203,16 +246,12 @@ void check_camera(Reader& reader, const Node& node, CameraRig& rig) {
                          "'video' must end after it starts in " + reader.label());
         }
     }
-    const auto is_iris = [](int blades) { return blades == 0 || blades >= 3; };
-    if (!is_iris(rig.blades.start) || !is_iris(rig.blades.end)) {
-        reader.error(node.find("blades")->value.place, "'blades' must be 0 (round) or at least 3");
-    } else if ((rig.blades.start == 0) != (rig.blades.end == 0)) {
-        reader.error(node.find("blades")->value.place,
-                     "'blades' cannot change between 0 (a round iris) and a number of blades");
-    }
-    if (rig.up.start.length() < 1e-9 || rig.up.end.length() < 1e-9) {
+    check_blades(reader, node, rig);
+    const std::vector<Vec3> ups = all_values(rig.up);
+    if (std::any_of(ups.begin(), ups.end(), [](const Vec3& up) { return up.length() < 1e-9; })) {
         reader.error(node.find("up")->value.place, "'up' must not be the zero vector");
     }
+    check_key_times(reader, node, rig);
 }
 
 }  // namespace
@@ -232,6 +271,7 @@ const MapSpec<CameraRig>& camera_spec() {
               "rotation about the viewing axis; like fov");
         s.key("up", &CameraRig::up, eased("up", vector3(Dimension::none)),
               "direction that is up in the picture; like fov");
+        add_aids(s);
         s.check(check_camera);
         return s;
     }();

@@ -1,6 +1,6 @@
-#include <limits>
 #include <numbers>
 
+#include "pipeline/config/sections/occurrences.h"
 #include "pipeline/config/sections/sections.h"
 
 namespace carom::pipeline::config {
@@ -9,87 +9,24 @@ namespace {
 
 using sim::ForceEvent;
 using sim::Strike;
-using sim::Trigger;
 
 constexpr double kLongest = 3600;  // s
-
-const MapSpec<Trigger>& crossing_spec() {
-    static const MapSpec<Trigger> spec = [] {
-        Trigger prototype;
-        prototype.kind = Trigger::Kind::crossing;
-        // A point that could not be read is NaN, so that it differs from the other one.
-        prototype.from = prototype.to = Vec2(std::numeric_limits<double>::quiet_NaN());
-        MapSpec<Trigger> s("crossing",
-                           "The centre of an object, seen from above, crosses the line between two "
-                           "points in either direction.",
-                           prototype);
-        s.key("object", &Trigger::a, name_of(ReferenceKind::simulated), "the ball or object")
-            .required();
-        s.key("from", &Trigger::from, vector2(Dimension::length), "one end point of the line")
-            .required();
-        s.key("to", &Trigger::to, vector2(Dimension::length), "the other end point of the line")
-            .required();
-        s.check([](Reader& reader, const Node& node, Trigger& trigger) {
-            if (trigger.from == trigger.to) {
-                reader.error(node.find("to")->value.place,
-                             "'from' and 'to' are the same point: a line needs two");
-            }
-        });
-        return s;
-    }();
-    return spec;
-}
-
-const MapSpec<Trigger>& trigger_spec() {
-    static const MapSpec<Trigger> spec = [] {
-        MapSpec<Trigger> s("when", "A condition in the shot that starts an event.");
-        s.set(
-            "contact", list_of(name_of(ReferenceKind::touchable), 2, 2),
-            [](Trigger& trigger, const std::vector<std::string>& names) {
-                trigger.kind = Trigger::Kind::contact;
-                trigger.a = names[0];
-                trigger.b = names[1];
-            },
-            "two objects, or an object and a surface such as `cushion`, touch");
-        s.set(
-            "potted", name_of(ReferenceKind::body),
-            [](Trigger& trigger, std::string name) {
-                trigger.kind = Trigger::Kind::potted;
-                trigger.a = std::move(name);
-            },
-            "an object falls into a pocket");
-        const auto everything =
-            convert<std::string>(choice<bool>({{"all", true}}), [](bool) { return std::string(); });
-        s.set(
-            "resting",
-            any_of<std::string>(
-                {{[](const Node& node) { return node.is_scalar() && node.text == "all"; },
-                  everything},
-                 {is_scalar, name_of(ReferenceKind::simulated)}}),
-            [](Trigger& trigger, std::string name) {
-                trigger.kind = Trigger::Kind::resting;
-                trigger.a = std::move(name);
-            },
-            "an object, or `all`, comes to rest after it has moved since the start of the shot. "
-            "Several events that wait for the same object happen one after the other, in the order "
-            "of the list: each waits for a motion that begins after the previous event");
-        s.set(
-            "crossing", record(crossing_spec()),
-            [](Trigger& trigger, Trigger crossing) { trigger = std::move(crossing); },
-            "an object crosses a line");
-        s.exactly_one_of({"contact", "potted", "resting", "crossing"});
-        return s;
-    }();
-    return spec;
-}
 
 /// Adds the keys for the time of an event, which all kinds have.
 void add_start(MapSpec<ForceEvent>& s) {
     s.key("at", &ForceEvent::time, time(between(0, kLongest)),
           "scene time. With `when`, the event does not happen before it");
-    s.key("when", &ForceEvent::trigger, record(trigger_spec()),
-          "condition that starts the event when it becomes true for the first time");
-    s.key("after", &ForceEvent::after, time(between(0, kLongest)), "delay after `at` or `when`");
+    s.set(
+        "when", condition(),
+        [](ForceEvent& event, sim::Moment condition) {
+            event.trigger = std::move(condition.trigger);
+            event.after += condition.delay;
+        },
+        "condition that starts the event when it becomes true for the first time, or the `nth`");
+    const auto delay = time(between(0, kLongest));
+    s.set(
+        "after", delay, [](ForceEvent& event, double later) { event.after += later; },
+        "delay after `at` or `when`", delay.show(0));
 }
 
 template <class Action>
@@ -215,7 +152,7 @@ Strike& strike_of(ForceEvent& event) {
 
 /// Adds the target of a strike: an object's name or a point.
 void add_toward(MapSpec<ForceEvent>& s) {
-    const auto by_name = convert<Strike>(name_of(ReferenceKind::placed), [](std::string name) {
+    const auto by_name = convert<Strike>(name_of(ReferenceKind::aimed), [](std::string name) {
         Strike strike;
         strike.toward = std::move(name);
         return strike;
@@ -232,7 +169,8 @@ void add_toward(MapSpec<ForceEvent>& s) {
             strike_of(event).toward = aim.toward;
             strike_of(event).toward_point = aim.toward_point;
         },
-        "target of the aim: the centre of an object at that moment, or a point");
+        "target of the aim: the centre of an object at that moment, a spot of the table, or a "
+        "point. An object comes before a spot of the same name");
 }
 
 void check_tip(Reader& reader, const Node& node, ForceEvent& event) {
@@ -288,6 +226,9 @@ const MapSpec<ForceEvent>& strike_spec() {
         s.key("ball", &ForceEvent::object, name_of(ReferenceKind::ball), "the ball").required();
         add_start(s);
         add_strike_keys(s);
+        s.set(
+            "stick", shown_or_hidden(), [](ForceEvent&, bool) {},  // see event_spec()
+            "whether the cue stick of this strike is seen. The default is the shot's own `stick`");
         s.exactly_one_of({"speed", "ball_speed"});
         s.exactly_one_of({"toward", "direction"});
         s.check(check_tip);
@@ -297,6 +238,10 @@ const MapSpec<ForceEvent>& strike_spec() {
 }
 
 }  // namespace
+
+void add_event_start(MapSpec<ForceEvent>& spec) {
+    add_start(spec);
+}
 
 const MapSpec<EventSection>& event_spec() {
     static const MapSpec<EventSection> spec = [] {
@@ -309,8 +254,16 @@ const MapSpec<EventSection>& event_spec() {
         s.set("force", record(force_spec()), store, "a force that acts for some time");
         s.set("torque", record(torque_spec()), store, "a torque that acts for some time");
         s.set("velocity", record(velocity_spec()), store, "a change of velocity");
-        s.exactly_one_of({"strike", "impulse", "force", "torque", "velocity"});
+        s.set("place", record(place_spec()), store, "a ball that is put down on the table");
+        s.set("remove", record(remove_spec()), store, "a ball that is taken off the table");
+        s.exactly_one_of({"strike", "impulse", "force", "torque", "velocity", "place", "remove"});
         s.check([](Reader& reader, const Node& node, EventSection& section) {
+            // The stick's look is not part of the event that is simulated.
+            const Entry* strike = node.find("strike");
+            const Entry* stick = strike != nullptr ? strike->value.find("stick") : nullptr;
+            if (stick != nullptr) {
+                section.shows_stick = stick->value.text == "shown";
+            }
             section.place = node.entries.empty() ? reader.key_place() : node.entries[0].key_place;
         });
         return s;

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "pipeline/config/sections/object_shapes.h"
+#include "pipeline/config/sections/repeat.h"
 #include "pipeline/config/sections/sections.h"
 
 namespace carom::pipeline::config {
@@ -171,6 +172,11 @@ const MapSpec<ObjectSection>& object_spec() {
                                  "An object that is not a ball. It is visible, and others collide "
                                  "with it if it has `physics`.");
         add_shapes(s);
+        // This key is removed before the sections are read (repeat.h); it is here for the
+        // reference.
+        s.set(
+            "repeat", record(repeat_spec()), [](ObjectSection&, const auto&) {},
+            "the object stands for many, along a curve or in a grid");
         s.key("at", &ObjectSection::at, vector3(Dimension::length),
               "position of the object's origin in world coordinates");
         s.key("rotate", &ObjectSection::rotate, rotation(),

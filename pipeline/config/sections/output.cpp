@@ -97,11 +97,25 @@ const MapSpec<GlowSettings>& glow_spec() {
     return spec;
 }
 
+ValueType<OverlayItem> overlay_item() {
+    ValueType<OverlayItem> item =
+        choice<OverlayItem>({{"frame", OverlayItem::frame},
+                             {"scene_time", OverlayItem::scene_time},
+                             {"playback_speed", OverlayItem::playback_speed}});
+    item.read = [read = item.read](Reader& reader, const Node& node) -> std::optional<OverlayItem> {
+        if (node.is_scalar() && node.text == "speed") {
+            reader.error(node.place, {"'speed' is now called 'playback_speed', because it is the "
+                                      "speed of the film, not of a ball",
+                                      "playback_speed"});
+            return std::nullopt;
+        }
+        return read(reader, node);
+    };
+    return item;
+}
+
 ValueType<std::vector<OverlayItem>> overlay_items() {
-    return list_of(choice<OverlayItem>({{"frame", OverlayItem::frame},
-                                        {"scene_time", OverlayItem::scene_time},
-                                        {"speed", OverlayItem::speed}}),
-                   1, 3);
+    return list_of(overlay_item(), 1, 3);
 }
 
 const MapSpec<OverlaySettings>& overlay_spec() {
@@ -187,7 +201,7 @@ const MapSpec<OutputSettings>& output_spec() {
               "output for displays with high dynamic range, instead of the view: 10-bit hevc");
         s.key("overlay", &OutputSettings::overlay, overlay(),
               "values written into a corner of the film, one per line: `frame` (number), "
-              "`scene_time`, `speed`; or a map with position and size");
+              "`scene_time`, `playback_speed`; or a map with position and size");
         s.key("title", &OutputSettings::title, text("a title"),
               "title in the file's metadata. The default is the shot's name");
         s.key("poster", &OutputSettings::poster, time(at_least(0)),

@@ -2,6 +2,7 @@
 // and is constant afterwards.
 #pragma once
 
+#include "pipeline/config/film_section.h"
 #include "pipeline/config/map_spec.h"
 #include "pipeline/config/shot_file.h"
 
@@ -30,6 +31,22 @@ struct NotStored {};
 [[nodiscard]] const MapSpec<CameraRig>& camera_spec();
 [[nodiscard]] const MapSpec<RenderSection>& render_spec();
 [[nodiscard]] const MapSpec<OutputSettings>& output_spec();
+[[nodiscard]] const MapSpec<FilmSection>& film_spec();
+[[nodiscard]] const MapSpec<Annotation>& annotation_spec();
+
+/// Whether the cue stick of a strike is seen.
+[[nodiscard]] ValueType<bool> shown_or_hidden();
+
+/// The cue stick of all strikes: a word, or its measures.
+[[nodiscard]] ValueType<StickSection> cue_stick();
+
+/// {at, when, after}: the keys for the time of an event, which all kinds have.
+void add_event_start(MapSpec<sim::ForceEvent>& spec);
+[[nodiscard]] const MapSpec<sim::ForceEvent>& place_spec();
+[[nodiscard]] const MapSpec<sim::ForceEvent>& remove_spec();
+
+/// A place on the table: the name of a spot, or two or three coordinates.
+[[nodiscard]] ValueType<TablePlace> table_place();
 
 /// A rotation: angles about the world's x, y and z axis, in this order, or {axis, angle}.
 [[nodiscard]] ValueType<Quat> rotation();

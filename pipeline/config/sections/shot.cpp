@@ -43,6 +43,20 @@ const MapSpec<ShotFile>& shot_spec() {
         s.key("objects", &ShotFile::objects, named("object", object_spec()), "other objects");
         s.key("events", &ShotFile::events, numbered("event", event_spec()),
               "actions on balls and objects");
+        s.key("stick", &ShotFile::stick, cue_stick(),
+              "whether a cue stick is seen to strike: `shown` or `hidden` (the default), or its "
+              "measures. A strike may say otherwise");
+        s.key(
+            "respot",
+            [](ShotFile& shot) -> std::optional<sim::billiards::Game>& {
+                return shot.world.respot;
+            },
+            choice<sim::billiards::Game>({{"snooker", sim::billiards::Game::snooker},
+                                          {"eight_ball", sim::billiards::Game::eight_ball},
+                                          {"nine_ball", sim::billiards::Game::nine_ball},
+                                          {"carom", sim::billiards::Game::carom}}),
+            "the game whose rules put balls back whenever everything rests. By default none come "
+            "back");
         s.set(
             "materials", named("material", material_spec()),
             [](ShotFile& shot, auto value) { shot.materials = std::move(value); },
@@ -53,7 +67,17 @@ const MapSpec<ShotFile>& shot_spec() {
               "cameras, each with its interval of the film");
         s.map("render", &ShotFile::render, render_spec(), "how frames are computed");
         s.map("output", &ShotFile::output, output_spec(), "how the frames become a film");
+        s.key("annotations", &ShotFile::annotations, numbered("annotation", annotation_spec()),
+              "graphics on the finished frames: paths, arrows, angles, texts, a plan");
+        s.set(
+            "film", record(film_spec()), [](ShotFile&, const FilmSection&) {},
+            "several shots as one film, instead of a shot: render, frame, contact-sheet, plan, "
+            "info and check take such a file");
         s.check([](Reader& reader, const Node& node, ShotFile& shot) {
+            if (const Entry* film = node.find("film")) {
+                reader.error(film->key_place,
+                             "this is a film of several shots, where a single shot is needed");
+            }
             const Entry* cameras = node.find("cameras");
             shot.cameras_place = cameras != nullptr ? cameras->key_place : reader.key_place();
         });

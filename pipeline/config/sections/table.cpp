@@ -145,8 +145,19 @@ const MapSpec<RackSection>& rack_spec() {
                                 {"carom", RackKind::carom}}),
               "the game")
             .required();
+        s.key("at", &RackSection::at, table_place(),
+              "where the apex is, if not on the foot spot: a spot or a point. Snooker and carom "
+              "have fixed places");
         s.key("gap", &RackSection::gap, length(between(0, 0.005)),
               "mean gap between neighbours; the gaps are random between 0 and twice this");
+        s.check([](Reader& reader, const Node& node, RackSection& rack) {
+            const Entry* at = node.find("at");
+            if (at != nullptr && (rack.set == RackKind::snooker || rack.set == RackKind::carom)) {
+                reader.error(at->key_place,
+                             "'at' has no meaning for a snooker or carom rack, whose "
+                             "balls have spots of their own");
+            }
+        });
         return s;
     }();
     return spec;

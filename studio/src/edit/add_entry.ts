@@ -11,9 +11,10 @@ import {
 const kSections = [
     'carom', 'include', 'quality', 'simulation', 'physics', 'conditions', 'ball_set', 'table',
     'rack', 'balls', 'objects', 'events', 'materials', 'lights', 'cameras', 'render', 'output',
+    'annotations',
 ];
 /// Sections whose entries stand on lines of their own.
-const kLists = new Set(['events', 'cameras']);
+const kLists = new Set(['events', 'cameras', 'annotations']);
 const kNamed = new Set(['balls', 'objects', 'materials', 'lights', 'conditions']);
 const kIndent = '  ';
 

@@ -71,6 +71,11 @@ export function lensOfFov(verticalFov: number, sensorHeight: number): number {
     return sensorHeight / 2 / Math.tan(verticalFov / 2);
 }
 
+/// The field of view, rad, whose half has `scale` times the tangent of half of `fov`.
+export function scaledFov(fov: number, scale: number): number {
+    return scale === 1 ? fov : 2 * Math.atan(scale * Math.tan(fov / 2));
+}
+
 /// The pose between two others, as the renderer mixes them during an exposure: the axis, not the
 /// target, changes linearly.
 export function mixPoses(a: CameraPose, b: CameraPose, weight: number): CameraPose {

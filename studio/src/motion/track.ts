@@ -14,6 +14,10 @@ export interface MotionState {
 }
 
 const kCheckpointSpacing = 16; // substeps
+// Two keys that are less than this apart in time and more than that in place are a jump: the object
+// was put elsewhere. carom writes them at neighbouring numbers.
+const kJumpTime = 1e-12; // s
+const kJumpWay = 1e-6; // m
 
 // Where a key's numbers are: pipeline/studio/messages.h, TimelineHead.
 const kPosition = 1;
@@ -66,7 +70,17 @@ export class Track {
         return this.triple(key, kPosition);
     }
 
-    /// The index of the last key at or before the time; -1 before the first one.
+    /// Whether the object is put elsewhere between a key and the next one, and moves there at once.
+    jumpsAfter(key: number): boolean {
+        if (key < 0 || key + 1 >= this.keys || this.timeOf(key + 1) - this.timeOf(key) > kJumpTime) {
+            return false;
+        }
+        const [a, b] = [this.positionOf(key), this.positionOf(key + 1)];
+        return Math.hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]) > kJumpWay;
+    }
+
+    /// The index of the last key at or before the time, at a jump of that after it; -1 before the
+    /// first one.
     lastKeyAt(time: number): number {
         let low = -1;
         let high = this.keys - 1;
@@ -77,6 +91,10 @@ export class Track {
             } else {
                 high = middle - 1;
             }
+        }
+        while (this.jumpsAfter(low) && time === this.timeOf(low)) {
+            ++low;
+            time = this.timeOf(low);
         }
         return low;
     }
@@ -114,7 +132,7 @@ export class Track {
             return this.atKey(key, [0, 0, 0], [0, 0, 0]);
         }
         const key = this.lastKeyAt(time);
-        if (time === this.timeOf(key)) {
+        if (time <= this.timeOf(key)) {
             return this.atKey(key, this.triple(key, kVelocityOut), this.triple(key, kAngularOut));
         }
         return {
@@ -166,7 +184,7 @@ export class Track {
     /// The key whose interval contains the time; null at a key and outside of all keys.
     private keyBefore(time: number): number | null {
         const key = this.lastKeyAt(time);
-        const isBetween = key >= 0 && key < this.keys - 1 && time !== this.timeOf(key);
+        const isBetween = key >= 0 && key < this.keys - 1 && time > this.timeOf(key);
         return isBetween ? key : null;
     }
 

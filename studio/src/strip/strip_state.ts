@@ -10,7 +10,7 @@ export type CurveName = 'speed' | 'fov' | 'focus' | 'aperture';
 export type EventGroup = 'actions' | 'contacts' | 'cushions' | 'pockets' | 'rest' | 'changes';
 
 export const kEventGroups: readonly { group: EventGroup; label: string; about: string }[] = [
-    { group: 'actions', label: 'Actions', about: 'strikes, impulses, forces' },
+    { group: 'actions', label: 'Actions', about: 'strikes, impulses, forces, balls put down' },
     { group: 'contacts', label: 'Contacts', about: 'balls and objects that hit each other' },
     { group: 'cushions', label: 'Cushions', about: 'hits of a cushion' },
     { group: 'pockets', label: 'Pockets', about: 'balls that are potted or leave the table' },
@@ -20,7 +20,7 @@ export const kEventGroups: readonly { group: EventGroup; label: string; about: s
 
 const kGroups: Record<string, EventGroup> = {
     strike: 'actions', impulse: 'actions', force: 'actions', torque: 'actions',
-    velocity: 'actions', potted: 'pockets', off_table: 'pockets', resting: 'rest',
+    velocity: 'actions', placed: 'actions', removed: 'actions', potted: 'pockets', off_table: 'pockets', resting: 'rest',
     sliding: 'changes', rolling: 'changes', spinning: 'changes', airborne: 'changes',
 };
 

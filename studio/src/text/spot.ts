@@ -212,7 +212,10 @@ class Scanner {
             const line = /\n( *)[^\n]*/y;
             line.lastIndex = this.at;
             const found = line.exec(this.text);
-            const isBlank = found?.[0].trim() === '';
+            // A blank line belongs to the text, unless the next key may be written there.
+            const isLast = found && this.at + found[0].length === this.text.length;
+            const isBlank = found?.[0].trim() === ''
+                && !(isLast && (found[1]?.length ?? 0) <= indent);
             if (!found || (!isBlank && (found[1]?.length ?? 0) <= indent)) {
                 break;
             }

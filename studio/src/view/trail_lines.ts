@@ -34,11 +34,19 @@ function countPieces([a, b, c, d]: [Triple, Triple, Triple, Triple]): number {
     return Math.min(Math.max(1, Math.ceil(pieces)), kMostPieces);
 }
 
-/// Points along a track with their times.
-export function polyline(track: Track): { points: Triple[]; times: number[] } {
+/// Points along a track with their times. `jumps` has the points to which no line leads, because
+/// the object was put there.
+export function polyline(track: Track): { points: Triple[]; times: number[]; jumps: Set<number> } {
     const points = [track.positionOf(0)];
     const times = [track.timeOf(0)];
+    const jumps = new Set<number>();
     for (let key = 0; key + 1 < track.keys; ++key) {
+        if (track.jumpsAfter(key)) {
+            jumps.add(points.length);
+            points.push(track.positionOf(key + 1));
+            times.push(track.timeOf(key + 1));
+            continue;
+        }
         const pieces = countPieces(track.bezierAfter(key));
         const from = track.timeOf(key);
         const span = track.timeOf(key + 1) - from;
@@ -50,7 +58,7 @@ export function polyline(track: Track): { points: Triple[]; times: number[] } {
         points.push(track.positionOf(key + 1));
         times.push(from + span);
     }
-    return { points, times };
+    return { points, times, jumps };
 }
 
 /// The scene time of each object's second contact with another one or a cushion.
@@ -98,10 +106,11 @@ export function trailShapes(
 function addTrail(
     shapes: TrailShapes, track: Track, colour: number[], opacityAt: (time: number) => number,
 ): void {
-    const { points, times } = polyline(track);
+    const { points, times, jumps } = polyline(track);
     for (let i = 0; i + 1 < points.length; ++i) {
         const [from, to] = [points[i] as Triple, points[i + 1] as Triple];
-        if (from[0] === to[0] && from[1] === to[1] && from[2] === to[2]) {
+        const rests = from[0] === to[0] && from[1] === to[1] && from[2] === to[2];
+        if (rests || jumps.has(i + 1)) {
             continue;
         }
         shapes.lines.push(...from, ...to);

@@ -13,7 +13,7 @@ function camera(video: [number, number], scene: [number, number], more = {}): Ca
     return {
         name: '', path: [], video_start: video[0], video_end: video[1], fade: 0,
         scene_start: scene[0], scene_end: scene[1], speeds: [], smooth: false, position: still,
-        target: still, sensor_height: 0.024, ...more,
+        target: still, sensor_height: 0.024, fov_scale: 1, lens_keys: [], ...more,
     };
 }
 

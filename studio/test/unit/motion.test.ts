@@ -6,6 +6,7 @@ import type { Triple, Turn } from '../../src/protocol';
 import { cameraAxes, mixPoses, projectPoint } from '../../src/motion/camera';
 import type { CameraAxes, CameraPose } from '../../src/motion/camera';
 import { Track } from '../../src/motion/track';
+import { polyline } from '../../src/view/trail_lines';
 import { cross, dot, length, subtract } from '../../src/motion/vectors';
 
 // Keys and samples of the same tracks, computed by carom (data/make_motion.mjs).
@@ -196,4 +197,23 @@ test('MixPoses_Halfway_MixesTheAxisAndTheNumbers', () => {
     assertClose(half.position, [1, -2, 0], 'position');
     assertClose(half.target, [1, 1, 0], 'target');
     assertClose([half.roll, half.verticalFov], [0.5, 0.8], 'roll and lens');
+});
+
+test('Track_ThatJumps_IsNeverBetweenThePlaces', () => {
+    const landed = 1 + Number.EPSILON;
+    const key = (time: number, position: Triple, vIn: Triple, vOut: Triple) =>
+        [time, ...position, 1, 0, 0, 0, ...vIn, ...vOut, 0, 0, 0, 0, 0, 0];
+    const rest: Triple = [0, 0, 0];
+    const track = new Track({ name: 'black', first: 0, keys: 4 }, Float64Array.from([
+        ...key(0, [0, 0, 0], [2, 0, 0], [2, 0, 0]), ...key(1, [2, 0, 0], [2, 0, 0], rest),
+        ...key(landed, [0, 1, 0], rest, rest), ...key(3, [0, 1, 0], rest, rest),
+    ]));
+    assert.deepEqual([0, 1, 2, 3].map((one) => track.jumpsAfter(one)), [false, true, false, false]);
+    assertClose(track.position(0.75), [1.5, 0, 0], 'before');
+    for (const time of [1, landed, 1.5, 9]) {
+        assert.deepEqual(track.position(time), [0, 1, 0], `at ${time} s`);
+        assert.deepEqual(track.sample(time).position, [0, 1, 0], `at ${time} s`);
+        assert.equal(track.speed(time), 0, `at ${time} s`);
+    }
+    assert.deepEqual([...polyline(track).jumps], [2]);
 });

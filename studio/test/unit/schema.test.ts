@@ -17,12 +17,14 @@ test('TypesAt_Values_SayTheirUnitRangeAndNames', () => {
     assert.ok(fov);
     assert.deepEqual([fov.unit, fov.needsUnit, fov.range],
         ['deg', true, 'more than 0 deg and less than 180 deg']);
-    assert.deepEqual(types.map(({ kind }) => kind), ['number', 'list', 'map']);
+    assert.deepEqual(types.map(({ kind }) => kind), ['number', 'list', 'map', 'map']);
     assert.deepEqual(at('simulation.duration'), [{ kind: 'number', isInteger: false, unit: 's',
         units: ['s', 'ms', 'min'], needsUnit: false, low: 0, high: 3600,
         range: 'more than 0 s and at most 3600 s' }]);
     assert.ok(at('events.0.strike.toward').some((type) =>
-        type.kind === 'name' && type.of === 'a ball or object'));
+        type.kind === 'name' && type.of === 'a ball, object or spot'));
+    assert.ok(at('balls.cue.at').some((type) =>
+        type.kind === 'name' && type.of === 'a spot of the table'));
     assert.deepEqual(at('cameras.2.target.follow'), [{ kind: 'name', of: 'a ball or moving object' }]);
     assert.deepEqual(at('physics.cloth'),
         [{ kind: 'text', words: ['new', 'worn'], keysOf: 'conditions.cloth', pattern: '' }]);
@@ -34,7 +36,10 @@ test('KeysAt_Maps_OfferWhatMayBeAdded', () => {
         keysAt(schema, path === '' ? [] : path.split('.'), present).map(({ name }) => name);
     assert.ok(names('', []).includes('cameras'));
     assert.ok(!names('', ['cameras']).includes('cameras'));
-    assert.deepEqual(names('events.0', []), ['strike', 'impulse', 'force', 'torque', 'velocity']);
+    assert.deepEqual(names('cameras.0.fov', ['keys']), ['easing']);
+    assert.deepEqual(names('cameras.0.fov', ['from']), ['to', 'easing']);
+    assert.deepEqual(names('events.0', []),
+        ['strike', 'impulse', 'force', 'torque', 'velocity', 'place', 'remove']);
     assert.deepEqual(names('events.0', ['force']), []);
     assert.ok(names('balls.cue', ['at']).includes('spin'));
     const step = keyAt(schema, ['simulation', 'step']);

@@ -73,7 +73,7 @@ CameraRig make_moving_rig() {
     rig.position =
         BezierPath{{{{-1, -4, 1.1}, "", 0}, {{0.3, -1, 2}, "cue", 0.7}, {{2, -2, 1}, "", 0}}, true};
     rig.target = FollowPath{"cue", {0, 0, 0.1}, 0.15};
-    rig.vertical_fov = {0.7, 0.5, Easing::smooth};
+    rig.fov = {0.7, 0.5, Easing::smooth};
     rig.focus = {Focus{{}, "cue"}, Focus{{}, "one"}, Easing::smooth};
     rig.aperture = {Aperture{2.8, true}, Aperture{0.004, false}, Easing::linear};
     rig.roll = {0.1, -0.05, Easing::linear};
@@ -84,7 +84,7 @@ CameraRig reversed(CameraRig rig) {
     std::swap(rig.time_map.scene_start, rig.time_map.scene_end);
     auto& position = std::get<BezierPath>(rig.position);
     std::reverse(position.points.begin(), position.points.end());
-    std::swap(rig.vertical_fov.start, rig.vertical_fov.end);
+    std::swap(rig.fov.start, rig.fov.end);
     std::swap(rig.focus.start, rig.focus.end);
     std::swap(rig.aperture.start, rig.aperture.end);
     std::swap(rig.roll.start, rig.roll.end);
@@ -221,7 +221,7 @@ TEST(RigState, FNumber_DeterminesTheLensRadius) {
     EXPECT_NEAR(lens_radius({2, true}, std::acos(0.0)), 0.003, 1e-15);
     EXPECT_EQ(lens_radius({0.008, false}, 0.7), 0.008);
     CameraRig rig = make_rig(0, 2);
-    rig.vertical_fov = {std::acos(0.0), std::acos(0.0), Easing::linear};
+    rig.fov = {std::acos(0.0), std::acos(0.0), Easing::linear};
     rig.aperture = {Aperture{2, true}, Aperture{4, true}, Easing::linear};
     EXPECT_NEAR(camera_state(rig, {{0.5, 0.5}, 0}, make_timeline()).lens_radius, 0.002, 1e-15);
     rig.aperture = {Aperture{0.002, false}, Aperture{0, false}, Easing::linear};
@@ -256,7 +256,7 @@ TEST(FramePlan, CameraWithoutAValidView_IsAnErrorWithItsName) {
     rig.aperture = {Aperture{0, true}, Aperture{0, true}, Easing::linear};
     expect_error(rig, 0, "camera 'a', frame 0: the f-number is not above 0");
     rig = make_rig(0, 2);
-    rig.vertical_fov = {4, 4, Easing::linear};
+    rig.fov = {4, 4, Easing::linear};
     expect_error(rig, 0, "camera 'a', frame 0: the field of view is not between 0 and 180 degrees");
 }
 

@@ -126,6 +126,36 @@ carom: 's.yaml' has no errors, but 1 warning
 )");
 }
 
+TEST_F(CheckCommandRun, AnnotationThatShowsLessThanItSays_IsAWarning) {
+    write_text(path("s.yaml"), R"(carom: 1
+simulation: {duration: 2 s}
+include: tables/pool_9ft.yaml
+balls:
+  cue: {at: [-1, 0, 0.2], velocity: [-3, 0, 2]}
+  one: {at: [0.5, 0.2]}
+cameras:
+  - {name: seat, video: [0 s, 0.6 s], scene: [0 s, 0.6 s], position: [0, -1, 0.8], target: [0, 0.5, 0]}
+annotations:
+  - path: {of: cue}
+  - ghost: {of: cue, on: one}
+  - {path: {of: one}, dash: dotted}
+  - angle: {deflection: [one, cushion]}
+)");
+    EXPECT_EQ(
+        messages(),
+        R"(s.yaml:10:12: warning: the path of 'cue' leaves the table at 0.491 s
+   10 |   - path: {of: cue}
+      |            ^~
+s.yaml:11:22: warning: 'cue' never touches 'one', so nothing is drawn
+   11 |   - ghost: {of: cue, on: one}
+      |                      ^~
+s.yaml:13:13: warning: 'one' never touches 'cushion', so nothing is drawn
+   13 |   - angle: {deflection: [one, cushion]}
+      |             ^~~~~~~~~~
+carom: 's.yaml' has no errors, but 3 warnings
+)");
+}
+
 /// Steps are counted instead of seconds, so the messages do not depend on the machine or its load.
 TEST_F(CheckCommandRun, SimulationOfManySteps_IsNotRun) {
     std::string shot = "carom: 1\nsimulation: {duration: 0.12 s}\ntable: {kind: cloth}\nobjects:\n";
@@ -194,7 +224,7 @@ TEST_F(CheckCommandRun, Json_IsAnArrayOfProblemsWithTheirEndColumns) {
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_EQ(result.out,
               R"x([
-{"severity":"error","file":"s.yaml","line":3,"column":19,"end_column":20,"key":"balls.cue.at","message":"'at' must be a list of 2 to 3 lengths, not '3'"},
+{"severity":"error","file":"s.yaml","line":3,"column":19,"end_column":20,"key":"balls.cue.at","message":"'at' must be a list of 2 to 3 lengths or the name of a spot of the table, not '3'"},
 {"severity":"error","file":"parts/look.yaml","line":1,"column":10,"end_column":17,"key":"render","message":"unknown key 'sampels' in 'render' (did you mean 'samples'?)","suggestion":"samples","included_by":"s.yaml:2:10"}
 ]
 )x");

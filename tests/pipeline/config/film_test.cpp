@@ -64,10 +64,50 @@ TEST(Cameras, Paths_HaveThreeForms) {
     EXPECT_EQ(point.points[0].offset, Vec3(0, -2, 1));
 }
 
+TEST(Annotations, Keys_FillTheirFields) {
+    const std::vector<Annotation> all = load_sections(R"(
+balls: {cue: {at: [0, 0]}, one: {at: [0.5, 0]}}
+annotations:
+  - {path: {of: cue, part: ahead, length: 2 s, marks: 100 ms, number: 7}, dash: dotted, width: 0.01}
+  - {aim: {of: cue, toward: [0.3, 0.2]}, colour: "#ff0000", opacity: 0.5}
+  - angle: {points: [[1, 2], cue, one], value: false}
+  - {zone: {radius: 10 cm, at: one}, from: 1 s, to: 2 s, fade: 0.1 s}
+  - {text: "{cue.speed}", position: bottom_right, box: false, font: mono, size: 0.1}
+  - {plan: {paths: false}, position: [0.25, 0.75]}
+)")
+                                            .annotations;
+    ASSERT_EQ(all.size(), 6U);
+    const auto& path = std::get<PathAnnotation>(all[0].kind);
+    EXPECT_EQ(path.of, "cue");
+    EXPECT_EQ(path.part, PathPart::ahead);
+    EXPECT_EQ(path.length, 2);
+    EXPECT_EQ(path.marks, 0.1);
+    EXPECT_EQ(path.number, 7);
+    EXPECT_EQ(all[0].dash, Dash::dotted);
+    EXPECT_EQ(all[0].width, 0.01);
+    EXPECT_EQ(std::get<AimAnnotation>(all[1].kind).toward->at, Vec3(0.3, 0.2, 0));
+    EXPECT_EQ(all[1].colour, Vec3(1, 0, 0));
+    EXPECT_EQ(all[1].opacity, 0.5);
+    const auto& angle = std::get<AngleAnnotation>(all[2].kind);
+    EXPECT_EQ(angle.points.at(0).at, Vec3(1, 2, 0));
+    EXPECT_EQ(angle.points.at(2).object, "one");
+    EXPECT_FALSE(angle.value);
+    EXPECT_EQ(std::get<ZoneAnnotation>(all[3].kind).at.object, "one");
+    EXPECT_EQ(all[3].from->seconds, 1);
+    EXPECT_EQ(all[3].to->seconds, 2);
+    EXPECT_EQ(all[3].fade, 0.1);
+    EXPECT_EQ(all[4].box->opacity, 0);
+    EXPECT_EQ(all[4].font, "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf");
+    EXPECT_EQ(all[4].place->at, Vec2(1, 1));
+    EXPECT_TRUE(all[4].place->is_edge);
+    EXPECT_EQ(all[5].place->at, Vec2(0.25, 0.75));
+    EXPECT_FALSE(all[5].place->is_edge);
+}
+
 TEST(Output, Overlay_IsAListOrAMap) {
     const OverlaySettings list =
-        load_sections("output: {overlay: [frame, speed]}\n").output.overlay;
-    EXPECT_THAT(list.show, testing::ElementsAre(OverlayItem::frame, OverlayItem::speed));
+        load_sections("output: {overlay: [frame, playback_speed]}\n").output.overlay;
+    EXPECT_THAT(list.show, testing::ElementsAre(OverlayItem::frame, OverlayItem::playback_speed));
     EXPECT_EQ(list.corner, Corner::bottom_left);
     const OverlaySettings map =
         load_sections("output: {overlay: {show: [scene_time], corner: top_right, size: 0.1}}\n")
@@ -159,11 +199,11 @@ TEST(Cameras, UpVector_IsOneOrTwo) {
 }
 
 TEST(Cameras, ChangingValues_HaveThreeForms) {
-    EXPECT_EQ(read_camera(kStill + ", fov: 1 rad").vertical_fov.end, 1);
+    EXPECT_EQ(read_camera(kStill + ", fov: 1 rad").fov.end, 1);
     const CameraRig pair = read_camera(kStill + ", fov: [1 rad, 0.5 rad]");
-    EXPECT_EQ(pair.vertical_fov.start, 1);
-    EXPECT_EQ(pair.vertical_fov.end, 0.5);
-    EXPECT_EQ(pair.vertical_fov.easing, Easing::linear);
+    EXPECT_EQ(pair.fov.start, 1);
+    EXPECT_EQ(pair.fov.end, 0.5);
+    EXPECT_EQ(pair.fov.easing, Easing::linear);
     const CameraRig map = read_camera(kStill + ", roll: {from: 0, to: 1 rad, easing: smooth}");
     EXPECT_EQ(map.roll.end, 1);
     EXPECT_EQ(map.roll.easing, Easing::smooth);

@@ -254,7 +254,7 @@ TEST_F(Include, Overrides_HaveTheHighestPrecedence) {
     EXPECT_EQ(shot.render.samples, 128);
     EXPECT_EQ(shot.render.clamp, 1);
     EXPECT_EQ(shot.output.crf, 7);
-    EXPECT_NEAR(shot.cameras[0].vertical_fov.start, 0.5235987755982988, 1e-15);
+    EXPECT_NEAR(shot.cameras[0].fov.start, 0.5235987755982988, 1e-15);
 }
 
 TEST_F(Include, FileOfAnOverride_IsRelativeToTheShot) {

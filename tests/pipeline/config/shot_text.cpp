@@ -34,6 +34,12 @@ class Writer {
              << value.x2 << ' ' << value.y2;
     }
     void put(const Rational& value) { out_ << value.to_string(); }
+    void put(const Focus& value) {
+        put(value.distance);
+        out_ << ' ' << value.object;
+    }
+    void put(const AnnotationTime& value) { out_ << value.seconds << ' ' << value.is_moment; }
+    void put(const Aperture& value) { out_ << value.value << ' ' << value.is_f_number; }
     template <class T>
     void put(const std::optional<T>& value) {
         value ? put(*value) : put("none");
@@ -163,6 +169,14 @@ void write_scene(Writer& out, const render::SceneDescription& scene) {
     }
 }
 
+template <class T>
+void write_changing(Writer& out, const Eased<T>& value) {
+    out.line(value.start, value.end, value.easing);
+    for (const ValueKey<T>& key : value.keys) {
+        out.line(key.video_time, key.value);
+    }
+}
+
 void write_camera(Writer& out, const CameraRig& rig) {
     out.line("camera", rig.name, rig.video_start, rig.video_end, rig.fade, rig.time_map.scene_start,
              rig.time_map.scene_end, rig.time_map.is_smooth);
@@ -171,18 +185,81 @@ void write_camera(Writer& out, const CameraRig& rig) {
     }
     std::visit(PathWriter{out}, rig.position);
     std::visit(PathWriter{out}, rig.target);
-    out.line(rig.vertical_fov.start, rig.vertical_fov.end, rig.vertical_fov.easing);
+    write_changing(out, rig.fov);
     if (rig.focal_length) {
-        out.line(rig.focal_length->start, rig.focal_length->end, rig.focal_length->easing);
+        write_changing(out, *rig.focal_length);
     }
-    out.line(rig.sensor_height);
-    out.line(rig.focus.start.distance, rig.focus.start.object, rig.focus.end.distance,
-             rig.focus.end.object, rig.focus.easing);
-    out.line(rig.aperture.start.value, rig.aperture.start.is_f_number, rig.aperture.end.value,
-             rig.aperture.easing);
-    out.line(rig.roll.start, rig.roll.end, rig.roll.easing);
-    out.line(rig.up.start, rig.up.end, rig.up.easing);
-    out.line(rig.blades.start, rig.blades.end, rig.blades.easing, rig.blade_rotation);
+    out.line(rig.sensor_height, rig.fov_axis, rig.aspect);
+    write_changing(out, rig.focus);
+    write_changing(out, rig.aperture);
+    write_changing(out, rig.roll);
+    write_changing(out, rig.up);
+    write_changing(out, rig.blades);
+    out.line(rig.blade_rotation);
+    if (rig.framing) {
+        out.line("framing", rig.framing->margin);
+        for (const Vec3& point : rig.framing->points) {
+            out.line(point);
+        }
+    }
+    if (rig.shake) {
+        out.line("shake", rig.shake->strength, rig.shake->frequency, rig.shake->seed);
+    }
+}
+
+struct AnnotationWriter {
+    Writer& out;
+
+    void operator()(const PathAnnotation& path) {
+        out.line("path", path.of, path.part, path.length, path.fading, path.marks, path.number,
+                 path.on_cloth);
+    }
+    void operator()(const AimAnnotation& aim) {
+        const ScenePoint toward = aim.toward.value_or(ScenePoint{"none"});
+        out.line("aim", aim.of, toward.object, toward.at, aim.direction, aim.length);
+    }
+    void operator()(const GhostAnnotation& ghost) { out.line("ghost", ghost.of, ghost.on); }
+    void operator()(const TangentAnnotation& tangent) {
+        out.line("tangent", tangent.of, tangent.on, tangent.length);
+    }
+    void operator()(const VelocityAnnotation& velocity) {
+        out.line("velocity", velocity.of, velocity.during, velocity.value);
+    }
+    void operator()(const SpinAnnotation& spin) {
+        out.line("spin", spin.of, spin.during, spin.value);
+    }
+    void operator()(const AngleAnnotation& angle) {
+        for (const ScenePoint& point : angle.points) {
+            out.line(point.object, point.at);
+        }
+        for (const auto* names : {&angle.between, &angle.deflection}) {
+            for (const std::string& name : *names) {
+                out.line(name);
+            }
+        }
+        out.line("angle", angle.after, angle.radius, angle.value);
+    }
+    void operator()(const ZoneAnnotation& zone) {
+        for (const Vec2& corner : zone.polygon) {
+            out.line(corner);
+        }
+        out.line("zone", zone.radius, zone.at.object, zone.at.at);
+    }
+    void operator()(const LabelAnnotation& label) { out.line("label", label.of, label.text); }
+    void operator()(const TextAnnotation& text) { out.line("text", text.text); }
+    void operator()(const TitleAnnotation& title) { out.line("title", title.text, title.subtitle); }
+    void operator()(const TipAnnotation& tip) { out.line("tip", tip.of); }
+    void operator()(const PlanAnnotation& plan) { out.line("plan", plan.has_paths); }
+    void operator()(const ImageAnnotation& image) { out.line("image", image.file); }
+};
+
+void write_annotation(Writer& out, const Annotation& annotation) {
+    std::visit(AnnotationWriter{out}, annotation.kind);
+    const TextBox box = annotation.box.value_or(TextBox{Vec3(0), -1});
+    const PicturePlace place = annotation.place.value_or(PicturePlace{{-1, -1}, false});
+    out.line(annotation.from, annotation.to, annotation.fade, annotation.opacity, annotation.colour,
+             annotation.width, annotation.dash, annotation.font, annotation.size, box.colour,
+             box.opacity, place.at, place.is_edge);
 }
 
 }  // namespace
@@ -213,6 +290,9 @@ std::string shot_text(const Shot& shot) {
     out.line("output", static_cast<int>(o.codec.value_or(Codec{-1})), o.crf.value_or(-1),
              o.bit_rate.value_or(-1), o.bits.value_or(-1), hdr10.peak, hdr10.white,
              o.poster.value_or(-1), o.title);
+    for (const Annotation& annotation : shot.annotations) {
+        write_annotation(out, annotation);
+    }
     return out.text();
 }
 

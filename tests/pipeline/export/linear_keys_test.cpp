@@ -85,5 +85,18 @@ TEST(LinearKeys, TooManyKeys_AreRefusedWithTheObjectsName) {
                     ::testing::HasSubstr("the motion of 'top' needs more than 50 keys")));
 }
 
+TEST(LinearKeys, Jump_IsBetweenTwoNeighbouringTimes) {
+    sim::Key stop = key(1, {2, 0, 0}, {2, 0, 0});
+    stop.velocity_out = {0, 0, 0};
+    const double landed = sim::time_after_jump(1);
+    const sim::Track track("ball",
+                           {key(0, {0, 0, 0}, {2, 0, 0}), stop, key(landed, {0, 1, 0}, {0, 0, 0}),
+                            key(2, {0, 1, 0}, {0, 0, 0})});
+    const LinearKeys keys = linear_keys(track, 100);
+    EXPECT_EQ(keys.times, (std::vector<double>{0, 1, landed, 2}));
+    EXPECT_EQ(keys.positions, (std::vector<Vec3>{{0, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 1, 0}}));
+    EXPECT_EQ(keys.jumps, std::vector<std::size_t>{2});
+}
+
 }  // namespace
 }  // namespace carom::pipeline

@@ -82,8 +82,8 @@ TEST(ImportSample, Cameras_BecomeRigs) {
     EXPECT_EQ(forward.focus.end.distance, 0.5);
     EXPECT_EQ(forward.aperture.start.value, 0.0015);
     // 320 x 240 pixels on a plane at distance 2 that is one unit wide and 0.75 high.
-    EXPECT_NEAR(std::tan(forward.vertical_fov.start / 2), 0.375 / 2, 1e-9);
-    EXPECT_NEAR(std::tan(forward.vertical_fov.end / 2), 0.375 / 3, 1e-9);
+    EXPECT_NEAR(std::tan(forward.fov.start / 2), 0.375 / 2, 1e-9);
+    EXPECT_NEAR(std::tan(forward.fov.end / 2), 0.375 / 3, 1e-9);
     const CameraRig& backward = shot.cameras[1];
     EXPECT_EQ(backward.video_start, Rational(2));
     EXPECT_EQ(backward.time_map.scene_start, Rational(2));

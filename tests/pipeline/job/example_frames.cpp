@@ -7,6 +7,7 @@
 #include "pipeline/config/load_shot.h"
 #include "pipeline/job/film_job.h"
 #include "render/frame/frame.h"
+#include "tests/pipeline/film_of_shots.h"
 
 namespace carom::testing {
 
@@ -14,7 +15,7 @@ std::vector<std::string> example_files() {
     std::vector<std::string> files;
     const std::string folder = std::string(CAROM_SOURCE_DIR) + "/examples";
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-        if (entry.path().extension() == ".yaml") {
+        if (entry.path().extension() == ".yaml" && !is_film_of_shots(entry.path())) {
             files.push_back(entry.path().string());
         }
     }
@@ -34,6 +35,9 @@ ExampleFilm::ExampleFilm(const std::string& path, const std::string& bakes) {
     shot.render.noise = 0;
     shot.render.aovs.clear();
     timeline_ = pipeline::bake_or_reuse(shot, bakes, {}, {}).bake.timeline;
+    if (pipeline::has_errors(pipeline::resolve_moments(shot, loaded.source, timeline_))) {
+        throw Error("a moment of the example " + path + " never comes");
+    }
 }
 
 std::int64_t ExampleFilm::frame_count() const {

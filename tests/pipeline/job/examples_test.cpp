@@ -1,5 +1,7 @@
 // Checks that the example shots do what the comments in their first lines promise.
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include <gmock/gmock.h>
 
@@ -123,7 +125,7 @@ TEST(DominoRun, FallsToItsEndAndPotsTheNine) {
     expect_filmable("domino_run", shot, timeline);
     expect_filmable("reverse", shot, timeline);
     constexpr int kTiles = 32;
-    const auto tile = [](int i) { return (i < 10 ? "d0" : "d") + std::to_string(i); };
+    const auto tile = [](int i) { return "tile_" + std::to_string(i); };
     const Event* before = find(timeline, EventKind::impact, "cue", tile(1));
     ASSERT_NE(before, nullptr);
     for (int i = 1; i < kTiles; ++i) {
@@ -205,6 +207,18 @@ TEST(Tower, FallsAndEveryEventHappens) {
     EXPECT_THAT(result.warnings, ::testing::IsEmpty());
     EXPECT_NE(find(result, EventKind::impact, "barrel", "cloth"), nullptr);
     EXPECT_LT(result.find("c2")->sample(result.end_time).position.z, 0.06);
+}
+
+TEST(ThirtyDegrees, RollingCueBallLeavesByAboutThirtyDegrees) {
+    const sim::Timeline result = sim::bake(example("thirty_degrees").world);
+    EXPECT_THAT(result.warnings, ::testing::IsEmpty());
+    const Event* hit = find(result, EventKind::impact, "cue", "one");
+    ASSERT_TRUE(hit != nullptr);
+    const sim::Track& cue = *result.find("cue");
+    const Vec3 before = cue.sample(hit->time - 1e-6).velocity.normalized();
+    const Vec3 after = cue.sample(hit->time + 0.5).velocity.normalized();
+    const double degrees = std::acos(before.dot(after)) * 180 / std::numbers::pi;
+    EXPECT_NEAR(degrees, 32, 3);
 }
 
 TEST(Turnstile, PlankAndBarsPushTheBalls) {

@@ -23,18 +23,18 @@ using ::testing::ElementsAre;
 
 TEST(Overlay, Lines_GiveFrameSceneTimeAndSpeed) {
     OverlaySettings settings;
-    settings.show = {OverlayItem::speed, OverlayItem::frame, OverlayItem::scene_time};
+    settings.show = {OverlayItem::playback_speed, OverlayItem::frame, OverlayItem::scene_time};
     settings.corner = Corner::top_right;
     PlannedFrame frame;
     frame.number = 42;
     frame.scene_time = 1.2375;
     frame.speed = -0.125;
     const render::PictureText text = overlay_text(settings, frame);
-    EXPECT_THAT(text.lines, ElementsAre("speed  -0.1250x", "frame     42", "scene   1.2375 s"));
+    EXPECT_THAT(text.lines, ElementsAre("playback  -0.1250x", "frame     42", "scene   1.2375 s"));
     EXPECT_TRUE(text.at_top);
     EXPECT_TRUE(text.at_right);
     frame.speed = -0.0;
-    EXPECT_EQ(overlay_text(settings, frame).lines[0], "speed   0.0000x");
+    EXPECT_EQ(overlay_text(settings, frame).lines[0], "playback   0.0000x");
 }
 
 struct Extent {
@@ -85,7 +85,7 @@ TEST(OverlayExtent, Width_EndsWithTheLastLetter) {
     constexpr int kWidth = 1200;
     constexpr int kHeight = 600;
     for (const OverlayItem item :
-         {OverlayItem::frame, OverlayItem::scene_time, OverlayItem::speed}) {
+         {OverlayItem::frame, OverlayItem::scene_time, OverlayItem::playback_speed}) {
         OverlaySettings settings;
         settings.show = {item};
         settings.size = 0.1;
@@ -141,6 +141,56 @@ TEST(Overlay, InTheFilm_RendersNothingAgain) {
     job.shot.output.overlay.show.clear();
     job.film("again.mkv");
     EXPECT_EQ(job.bytes("plain.mkv"), job.bytes("again.mkv"));
+}
+
+Annotation path_of_ball() {
+    Annotation path;
+    path.kind = PathAnnotation{.of = "cue", .part = PathPart::whole};
+    return path;
+}
+
+TEST(Annotations, InTheFilm_RenderNothingAgain) {
+    OverlayJob job;
+    EXPECT_GT(job.film("plain.mkv").rendered, 0);
+    job.shot.annotations = {path_of_ball()};
+    EXPECT_EQ(job.film("drawn.mkv").rendered, 0);
+    EXPECT_NE(job.bytes("plain.mkv"), job.bytes("drawn.mkv"));
+    EXPECT_EQ(job.film("again.mkv").rendered, 0);
+    EXPECT_EQ(job.bytes("drawn.mkv"), job.bytes("again.mkv"));
+    job.shot.annotations.clear();
+    job.film("without.mkv");
+    EXPECT_EQ(job.bytes("plain.mkv"), job.bytes("without.mkv"));
+}
+
+TEST(Annotations, InHdr10_AreInTheFilm) {
+    OverlayJob job;
+    job.shot.output.hdr10 = Hdr10Settings{};
+    job.shot.output.codec = Codec::hevc;
+    job.film("plain.mkv");
+    job.shot.annotations = {path_of_ball()};
+    EXPECT_EQ(job.film("drawn.mkv").rendered, 0);
+    EXPECT_NE(job.bytes("plain.mkv"), job.bytes("drawn.mkv"));
+}
+
+TEST(Annotations, InImageSequences_AreOnlyInDisplayFormats) {
+    OverlayJob job;
+    job.film("a.##.bmp");
+    job.film("a.##.exr");
+    job.shot.annotations = {path_of_ball()};
+    job.film("b.##.bmp");
+    job.film("b.##.exr");
+    EXPECT_NE(job.bytes("b.10.bmp"), job.bytes("a.10.bmp"));
+    EXPECT_EQ(render::read_exr(job.folder.path("b.10.exr")).rgba,
+              render::read_exr(job.folder.path("a.10.exr")).rgba);
+}
+
+TEST(Annotations, InThePoster_AreDrawn) {
+    OverlayJob job;
+    job.shot.output.poster = 0.25;
+    job.film("plain.mkv");
+    job.shot.annotations = {path_of_ball()};
+    job.film("drawn.mkv");
+    EXPECT_NE(job.bytes("plain-poster.jpg"), job.bytes("drawn-poster.jpg"));
 }
 
 TEST(Overlay, InImageSequences_IsOnlyInDisplayFormats) {

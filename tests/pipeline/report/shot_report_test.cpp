@@ -147,6 +147,29 @@ TEST(ShotReport, Energy_IsListedAfterForceEvents) {
     EXPECT_EQ(report.largest_energy_rise, 0);
 }
 
+TEST(ShotReport, BallThatIsPutBack_HasNotTravelledThere) {
+    sim::Timeline timeline;
+    timeline.end_time = 4;
+    const Vec3 zero(0, 0, 0);
+    const Vec3 spot(0, 1, 0);
+    const double landed = sim::time_after_jump(2);
+    timeline.tracks.emplace_back(
+        "black", std::vector<Key>{key(0, {0, 0, 0}, {2, 0, 0}, {2, 0, 0}),
+                                  key(1, {2, 0, 0}, {2, 0, 0}, zero), key(2, {2, 0, 0}, zero, zero),
+                                  key(landed, spot, zero, zero), key(4, spot, zero, zero)});
+    timeline.events = {event(EventKind::potted, 1, "black", "side_back"),
+                       event(EventKind::placed, 2, "black", "black")};
+    const ShotReport report = report_of(timeline);
+    ASSERT_EQ(report.objects.size(), 1U);
+    EXPECT_NEAR(report.objects[0].path, 2, 1e-9);
+    EXPECT_EQ(report.objects[0].fate, Fate::rests);
+    EXPECT_EQ(report.objects[0].pocket, "");
+    EXPECT_NEAR(report.objects[0].fate_time, 2, 1e-9);
+    timeline.events.push_back(event(EventKind::removed, 3, "black"));
+    EXPECT_EQ(report_of(timeline).objects[0].fate, Fate::removed);
+    EXPECT_THAT(report_text(report_of(timeline)), HasSubstr("taken off at 3.000 s"));
+}
+
 TEST(ShotReport, EmptyTimeline_GivesAnEmptyReport) {
     const ShotReport report = report_of({});
     EXPECT_TRUE(report.events.empty() && report.objects.empty() && report.energy.empty());

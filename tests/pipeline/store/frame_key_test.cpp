@@ -303,6 +303,23 @@ TEST(FrameInputs, Seed_DependsOnSceneTimeAndCamera) {
     EXPECT_EQ(frozen(0.01), frozen(0.01));
 }
 
+TEST(FrameInputs, BallThatIsPutElsewhere_MovesOnlyInThatExposure) {
+    Inputs i;
+    const double landed = sim::time_after_jump(0.41);
+    i.one = {make_key(0.41, {2, 0.1, 0.03}, {0, 0, 0}, {0, 0, 0}),
+             make_key(landed, {0, 0, 0.03}, {0, 0, 0}, {0, 0, 0})};
+    const auto inputs = [&](double open, double close) {
+        i.frame.scene_open = open;
+        i.frame.scene_close = close;
+        return frame_inputs(i.frame, i.shutter, i.scene, i.timeline(), 0).tracks[1];
+    };
+    EXPECT_EQ(inputs(0.4, 0.42).keys().size(), 2u);
+    EXPECT_EQ(inputs(0.3, 0.41).keys().size(), 1u);
+    EXPECT_EQ(inputs(0.3, 0.41).keys()[0].position, Vec3(2, 0.1, 0.03));
+    EXPECT_EQ(inputs(0.41, 0.43).keys().size(), 1u);
+    EXPECT_EQ(inputs(0.41, 0.43).keys()[0].position, Vec3(0, 0, 0.03));
+}
+
 TEST(FrameInputs, SpinInPlace_CountsAsMotion) {
     Inputs i;
     i.one = {

@@ -5,10 +5,13 @@
 #include <map>
 #include <mutex>
 #include <set>
+#include <span>
 
 #include <gtest/gtest.h>
 
+#include "pipeline/job/film_plan.h"
 #include "pipeline/job/film_status.h"
+#include "pipeline/job/frame_graphics.h"
 #include "pipeline/video/view_transform.h"
 #include "tests/pipeline/job/tiny_shot.h"
 #include "tests/pipeline/video/scratch_folder.h"
@@ -85,6 +88,52 @@ TEST_F(View, LastPicture_IsTheFilmsFrameAndIsInTheCache) {
     for (std::size_t i = 0; i < rgb.size(); ++i) {
         ASSERT_EQ(last.rgba[i / 3 * 4 + i % 3], rgb[i]) << i;
     }
+}
+
+TEST_F(View, Annotations_AreOnFramesAndThoseInTheSceneInOtherViews) {
+    const auto shot = make_shot();
+    shot->annotations.resize(2);
+    shot->annotations[0].kind =
+        pipeline::PathAnnotation{.of = "cue", .part = pipeline::PathPart::whole};
+    shot->annotations[1].kind = pipeline::TextAnnotation{"{frame}"};
+    show(shot, 1);
+    view_.ask(kPage, frame(1, 4));
+    const std::vector<std::uint8_t> drawn = pictures().back().rgba;
+
+    const pipeline::FilmSource source(*shot, *timeline_);
+    sim::Bake bake;
+    bake.timeline = *timeline_;
+    const testing::ScratchFolder other_cache;
+    pipeline::FilmJobOptions options;
+    options.cache_folder = other_cache.path();
+    const render::Film film = pipeline::make_frame(*shot, bake, 4, options, {}, {});
+    std::vector<std::uint8_t> rgb = pipeline::DisplayView(shot->output).to_8(film);
+    const std::vector<std::uint8_t> plain = rgb;
+    pipeline::FrameGraphics graphics(*shot, *timeline_, 1);
+    graphics.draw(source.layers(4), std::span(rgb), film.width, film.height);
+    EXPECT_NE(rgb, plain);
+    ASSERT_EQ(drawn.size(), rgb.size() / 3 * 4);
+    for (std::size_t i = 0; i < rgb.size(); ++i) {
+        ASSERT_EQ(drawn[i / 3 * 4 + i % 3], rgb[i]) << i;
+    }
+
+    See other;
+    other.q = 2;
+    other.view = FreeView{};
+    other.view->scene_time = 0.2;
+    other.view->position = {0.2, -0.8, 0.5};
+    other.view->target = {0.2, 0, 0};
+    /// The view with the first `count` annotations.
+    const auto view_with = [&](std::size_t count) {
+        const auto changed = std::make_shared<pipeline::Shot>(*shot);
+        changed->annotations.resize(count);
+        show(changed, ++other.q);
+        view_.ask(kPage, other);
+        return pictures().back().rgba;
+    };
+    const std::vector<std::uint8_t> path = view_with(1);
+    EXPECT_EQ(view_with(2), path) << "the text is only on the film";
+    EXPECT_NE(view_with(0), path);
 }
 
 TEST_F(View, AdaptiveFrame_SaysHowManySamplesAPixelHas) {

@@ -57,6 +57,24 @@ TEST(RigidMotion, PathWithImpact_IsTheTracksOwn) {
     }
 }
 
+TEST(RigidMotion, BallThatIsPutElsewhere_IsAtOneOfTheTwoPlaces) {
+    sim::Key stop = key(0.51, Vec3(0, 0, 0.03), Vec3(1, 0, 0));
+    stop.velocity_out = Vec3(0, 0, 0);
+    const Vec3 spot(1, 0.5, 0.03);
+    const sim::Track track("black", {key(0.5, Vec3(-0.01, 0, 0.03), Vec3(1, 0, 0)), stop,
+                                     key(sim::time_after_jump(0.51), spot, Vec3(0, 0, 0)),
+                                     key(1, spot, Vec3(0, 0, 0))});
+    const RigidMotion motion(track, 0.5, 0.52);
+    for (int i = 0; i <= 1000; ++i) {
+        const Vec3 position(motion.position(static_cast<float>(i) / 1000));
+        const bool is_before = (position - Vec3(-0.005, 0, 0.03)).length() < 0.00501;
+        ASSERT_TRUE(is_before || position == Vec3(V3f(spot))) << i;
+        ASSERT_TRUE(is_before == (i < 500) || i == 500) << i;
+    }
+    EXPECT_LE(motion.position_bounds().min.x, -0.01F);
+    EXPECT_GE(motion.position_bounds().max.x, 1.0F);
+}
+
 TEST(RigidMotion, LongShutterManyTurns_OrientationWithinTolerance) {
     const sim::Track track = bouncing();
     const RigidMotion motion(track, -0.2, 1.3);

@@ -1,4 +1,5 @@
 // Random shots end and violate no law of physics.
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -7,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "core/splitmix.h"
 #include "random_shot.h"
 #include "shot_checks.h"
 
@@ -35,6 +37,66 @@ TEST(RandomShots_OfEveryKind, EndWithoutFaults) {
             ADD_FAILURE() << "shot " << number << ": " << error.what();
         }
     }
+}
+
+/// Adds events that put balls of the shot down and take them off, and the rule of a game.
+void add_placing(WorldDescription& world, std::uint64_t number) {
+    SplitMix64 dice(number * 0x9E3779B97F4A7C15U + 5);
+    const auto between = [&](double low, double high) {
+        return low + (high - low) * dice.next_unit();
+    };
+    const Vec2 half(0.4 * world.table->length, 0.4 * world.table->width);
+    for (int i = 0; i < 6; ++i) {
+        ForceEvent event;
+        event.object = world.bodies[dice.next() % world.bodies.size()].name;
+        event.time = between(0, world.duration);
+        if (dice.next() % 4 == 0) {
+            event.action = RemoveBall{};
+        } else {
+            const double x = between(-half.x, half.x);
+            event.action = PlaceBall{
+                {x, between(-half.y, half.y)},
+                "",
+                dice.next() % 2 == 0 ? PlaceBall::IfOccupied::wait : PlaceBall::IfOccupied::next};
+        }
+        world.events.push_back(std::move(event));
+    }
+    if (world.table->has_cushions) {
+        world.respot = static_cast<billiards::Game>(dice.next() % 4);
+    }
+}
+
+TEST(RandomShots_WithBallsPutSomewhere, EndWithoutFaults) {
+    int placed = 0;
+    int respotted = 0;
+    for (std::uint64_t number = 0; number < number_from("CAROM_RANDOM_SHOTS", 150); ++number) {
+        WorldDescription world = random_shot(number);
+        const bool has_other_bodies =
+            std::any_of(world.bodies.begin(), world.bodies.end(), [](const Body& body) {
+                return !std::holds_alternative<Sphere>(body.shape) ||
+                       body.kind != BodyKind::dynamic;
+            });
+        if (!world.table || has_other_bodies) {
+            continue;  // the random places would lie in fixed bodies
+        }
+        add_placing(world, number);
+        ASSERT_TRUE(find_problems(world).empty())
+            << number << ": " << find_problems(world)[0].sentence;
+        try {
+            const Timeline timeline = bake(world);
+            for (const std::string& fault : find_faults(world, timeline)) {
+                ADD_FAILURE() << "shot " << number << ": " << fault;
+            }
+            placed += static_cast<int>(timeline.put_backs.size());
+            respotted += static_cast<int>(std::count_if(
+                timeline.events.begin(), timeline.events.end(),
+                [](const Event& e) { return e.kind == EventKind::placed && !e.b.empty(); }));
+        } catch (const Error& error) {
+            ADD_FAILURE() << "shot " << number << ": " << error.what();
+        }
+    }
+    EXPECT_GT(placed, 100);
+    EXPECT_GT(respotted, 0);
 }
 
 // An elastic ball between two fixed balls with a tiny gap has ten million impacts per second.

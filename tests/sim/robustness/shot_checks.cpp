@@ -110,6 +110,18 @@ double off_table_time(const Timeline& timeline, const std::string& ball) {
     return 1e9;
 }
 
+/// Whether an event has taken the ball off the table, and none has put it back yet.
+bool is_taken_off(const Timeline& timeline, const std::string& ball, double time) {
+    bool is_off = false;
+    for (const Event& event : timeline.events) {
+        if (event.time <= time && event.a == ball &&
+            (event.kind == EventKind::removed || event.kind == EventKind::placed)) {
+            is_off = event.kind == EventKind::removed;
+        }
+    }
+    return is_off;
+}
+
 void check_places(const WorldDescription& world, const Timeline& timeline,
                   std::vector<std::string>& faults) {
     if (!world.table || !world.table->has_cushions) {
@@ -130,7 +142,7 @@ void check_places(const WorldDescription& world, const Timeline& timeline,
         for (double time = 0; time < world.duration; time += 1.0 / 240) {
             const Vec3 p = track.sample(time).position;
             const double depth = solids.depth(p, time >= left);
-            if (depth > kAllowed) {
+            if (depth > kAllowed && !is_taken_off(timeline, body.name, time)) {
                 faults.push_back(text("'%s' is %.3f mm inside at %.4f s, (%.4f, %.4f, %.4f)",
                                       body.name.c_str(), depth * 1e3, time, p.x, p.y, p.z));
                 break;

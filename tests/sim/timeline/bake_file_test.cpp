@@ -220,7 +220,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadBake{"event_nan", [](Bake& b) { b.timeline.events[1].normal.y = std::nan(""); },
                 "event 1 has a value that is not finite"},
         BadBake{"event_kind",
-                [](Bake& b) { b.timeline.events[2].kind = static_cast<EventKind>(13); },
+                [](Bake& b) { b.timeline.events[2].kind = static_cast<EventKind>(15); },
                 "event 2 is of an unknown kind"},
         BadBake{"event_name", [](Bake& b) { b.timeline.events[2].b = std::string(1025, 'a'); },
                 "event 2 has a name of more than 1024 bytes"},

@@ -74,7 +74,7 @@ TEST(BakeForgery, HugeRotation_IsRefusedBeforeItIsIntegrated) {
 TEST(BakeForgery, EventKindOutOfRange_IsRefused) {
     EXPECT_EQ(
         refusal_after([](fb::Content& content) {
-            mutable_at(*content.mutable_events(), 1).mutate_kind(static_cast<fb::EventKind>(13));
+            mutable_at(*content.mutable_events(), 1).mutate_kind(static_cast<fb::EventKind>(15));
         }),
         "'shot.bake' is damaged: an event is of an unknown kind");
 }

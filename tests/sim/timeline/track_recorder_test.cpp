@@ -260,5 +260,43 @@ TEST(TrackRecorder, EmptyTrack_IsRefused) {
                 testing::ThrowsMessage<Error>("track 'cue' has no keys"));
 }
 
+TEST(TrackRecorder, Jump_KeepsTheStatesBeforeAndAfterIt) {
+    TrackRecorder recorder("ball");
+    const Vec3 v(1, 0, 0);
+    for (int i = 0; i <= 100; ++i) {
+        recorder.add(i * 0.01, {{i * 0.01, 0, 0}, Quat(), v, {0, 0, 0}});
+    }
+    const MotionState before{{1, 0, 0}, Quat(), v, {0, 0, 0}};
+    const MotionState after{{-1, 0.5, 0}, Quat(), {0, 0, 0}, {0, 0, 0}};
+    const double landed = recorder.add_jump(1, before, after);
+    EXPECT_EQ(landed, time_after_jump(1));
+    // An impact at the same instant follows the jump.
+    MotionState struck = after;
+    struck.velocity = {0, 2, 0};
+    recorder.add_break(landed, after, struck);
+    recorder.add(2, {{-1, 2.5, 0}, Quat(), {0, 2, 0}, {0, 0, 0}});
+    const Track track = recorder.finish();
+    EXPECT_EQ(track.keys().size(), 4U);
+    EXPECT_TRUE(track.jumps_after(1));
+    EXPECT_NEAR(track.sample(0.5).position.x, 0.5, 1e-12);
+    EXPECT_EQ(track.sample(1).position, after.position);
+    EXPECT_EQ(track.sample(1).velocity, Vec3(0, 2, 0));
+    EXPECT_NEAR(track.sample(1.5).position.y, 1.5, 1e-12);
+}
+
+TEST(TrackRecorder, JumpThatTurns_Throws) {
+    TrackRecorder recorder("ball");
+    recorder.add(0, {});
+    MotionState turned;
+    turned.position = {1, 0, 0};
+    turned.orientation = Quat(0, 1, 0, 0);
+    try {
+        recorder.add_jump(1, {}, turned);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "track 'ball': the orientation jumps at 1.000000 s");
+    }
+}
+
 }  // namespace
 }  // namespace carom::sim

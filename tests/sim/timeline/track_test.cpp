@@ -157,5 +157,81 @@ INSTANTIATE_TEST_SUITE_P(
                             "track 'cue' turns more than 1e6 rad about changing axes"}),
     [](const auto& instance) { return instance.param.name; });
 
+/// Moves along x, is put 1 m aside at 1 s and rests there.
+Track track_with_jump() {
+    const Vec3 aside(0, 1, 0);
+    Key stop = smooth_key(1, {2, 0, 0}, {2, 0, 0});
+    stop.velocity_out = {0, 0, 0};
+    return Track("ball", {smooth_key(0, {0, 0, 0}, {2, 0, 0}), stop,
+                          smooth_key(time_after_jump(1), aside, {0, 0, 0}),
+                          smooth_key(3, aside, {0, 0, 0})});
+}
+
+TEST(TrackThatJumps, AtAnyTime_IsNeverBetweenThePlaces) {
+    const Track track = track_with_jump();
+    EXPECT_TRUE(track.jumps_after(1));
+    EXPECT_FALSE(track.jumps_after(0));
+    EXPECT_FALSE(track.jumps_after(2));
+    EXPECT_NEAR(track.sample(std::nextafter(1.0, 0.0)).position.x, 2, 1e-12);
+    for (const double time : {1.0, time_after_jump(1), 1.5, 5.0}) {
+        EXPECT_EQ(track.sample(time).position, Vec3(0, 1, 0)) << time;
+        EXPECT_EQ(track.sample(time).velocity, Vec3(0, 0, 0)) << time;
+    }
+}
+
+TEST(TrackThatJumps, Segments_EndBeforeItAndBeginAfterIt) {
+    const Track track = track_with_jump();
+    const std::vector<PathSegment> segments = track.segments(0.5, 2);
+    ASSERT_EQ(segments.size(), 2U);
+    EXPECT_EQ(segments[0].end, 1);
+    EXPECT_EQ(segments[0].p1, Vec3(2, 0, 0));
+    EXPECT_EQ(segments[1].start, time_after_jump(1));
+    EXPECT_EQ(segments[1].p0, Vec3(0, 1, 0));
+    EXPECT_EQ(segments[1].p1, Vec3(0, 1, 0));
+    const auto from_jump = track.segments(1, 2);
+    ASSERT_EQ(from_jump.size(), 1U);
+    EXPECT_EQ(from_jump[0].p0, Vec3(0, 1, 0));
+    const auto to_jump = track.segments(0.5, 1);
+    ASSERT_EQ(to_jump.size(), 1U);
+    EXPECT_EQ(to_jump[0].p1, Vec3(2, 0, 0));
+    EXPECT_EQ(track.segments(1, 1)[0].p0, Vec3(0, 1, 0));
+    EXPECT_EQ(track.segments(1, time_after_jump(1))[0].p0, Vec3(0, 1, 0));
+}
+
+TEST(TrackThatJumps, Bounds_ContainBothPlacesOnlyAcrossTheJump) {
+    const Track track = track_with_jump();
+    const auto expect_near = [](const Vec3& a, const Vec3& b) {
+        EXPECT_NEAR((a - b).length(), 0, 1e-12);
+    };
+    expect_near(track.position_bounds(1, 2).low, {0, 1, 0});
+    expect_near(track.position_bounds(1, 2).high, {0, 1, 0});
+    expect_near(track.position_bounds(0.75, 2).low, {0, 0, 0});
+    expect_near(track.position_bounds(0.75, 2).high, {2, 1, 0});
+}
+
+TEST(TrackThatJumps, WithItsLastKey_RestsWhereItLanded) {
+    Key stop = smooth_key(1, {2, 0, 0}, {0, 0, 0});
+    const Track track("ball", {stop, smooth_key(time_after_jump(1), {0, 1, 0}, {0, 0, 0})});
+    EXPECT_EQ(track.sample(0.5).position, Vec3(2, 0, 0));
+    EXPECT_EQ(track.sample(1).position, Vec3(0, 1, 0));
+    EXPECT_EQ(track.segments(0, 2).back().p0, Vec3(0, 1, 0));
+    EXPECT_EQ(track.segments(0, 2).size(), 2U);
+}
+
+TEST(TrackThatJumps, SeveralTimesInOneInstant_LandsAtTheLastPlace) {
+    const double second = time_after_jump(1);
+    const Track track(
+        "ball", {smooth_key(1, {2, 0, 0}, {0, 0, 0}), smooth_key(second, {0, 1, 0}, {0, 0, 0}),
+                 smooth_key(time_after_jump(second), {3, 3, 0}, {0, 0, 0})});
+    EXPECT_EQ(track.sample(1).position, Vec3(3, 3, 0));
+    EXPECT_EQ(track.sample(second).position, Vec3(3, 3, 0));
+}
+
+TEST(TrackWithImpactsOneNumberApart, DoesNotJump) {
+    const Track track("ball", {smooth_key(1, {2, 0, 0}, {9, 0, 0}),
+                               smooth_key(time_after_jump(1), {2 + 2e-15, 0, 0}, {9, 0, 0})});
+    EXPECT_FALSE(track.jumps_after(0));
+}
+
 }  // namespace
 }  // namespace carom::sim

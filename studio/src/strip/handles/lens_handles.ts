@@ -1,16 +1,19 @@
-/// The ends of a camera's changing field of view, focus and aperture, and the inner points of their
-/// easing, on their curve.
-import { sourceOf, type Change } from '../../edit/edit';
+/// The ends of a camera's changing field of view, focus and aperture, the inner points of their
+/// easing, and their keys, on their curve.
+import { insertItem, removeValue, sourceOf, type Change } from '../../edit/edit';
 import { parseQuantity } from '../../edit/quantity';
+import { scaledFov } from '../../motion/camera';
 import type { CameraFramesOf } from '../../motion/camera_frames';
-import type { Camera, KeyPath, ShotState } from '../../protocol';
+import { keysOf } from '../../motion/lens_keys';
+import type { Camera, KeyPath, LensKey as LensPoint, ShotState } from '../../protocol';
 import { roundStep } from '../axis';
 import { clipColourName } from '../colours';
 import type { CurveRow } from '../curve_row';
 import { curveText } from '../curves';
+import { oldTexts, timeChange, timeOfFrame, timeText, type OldTexts } from '../film_time';
 import type { Layout } from '../layout';
 import type { CurveName } from '../strip_state';
-import type { Handle } from './handle';
+import { frameNear, type Handle } from './handle';
 
 /// A key that a curve shows, and how its values become those of the curve: radians and metres.
 interface LensKey {
@@ -20,7 +23,7 @@ interface LensKey {
     fromCurve(value: number, fov: number): number;
 }
 
-function lensKeys(name: CurveName, sensor: number): LensKey[] {
+function lensKeys(name: CurveName, sensor: number, fovScale: number): LensKey[] {
     const half = sensor / 2;
     const length = (fov: number) => half / Math.tan(fov / 2);
     const same = (value: number) => value;
@@ -31,7 +34,8 @@ function lensKeys(name: CurveName, sensor: number): LensKey[] {
             return [
                 { key: 'focal_length', unit: 0.001, toCurve: (f) => 2 * Math.atan(half / f),
                     fromCurve: length },
-                { key: 'fov', unit: Math.PI / 180, toCurve: same, fromCurve: same },
+                { key: 'fov', unit: Math.PI / 180, toCurve: (fov) => scaledFov(fov, fovScale),
+                    fromCurve: (fov) => scaledFov(fov, 1 / fovScale) },
             ];
         case 'focus':
             return [{ key: 'focus', unit: 0.01, toCurve: same, fromCurve: same }];
@@ -96,6 +100,60 @@ function endHandle(given: Given, key: LensKey, path: KeyPath, time: number, curv
     };
 }
 
+/// A handle for each key whose value is a number: it has a time and a value.
+function keyHandles(
+    given: Given, key: LensKey, points: readonly LensPoint[], frames: CameraFramesOf,
+): Handle[] {
+    const { shot } = given;
+    const { fps } = shot.film;
+    const old = oldTexts();
+    return points.flatMap((point, i): Handle[] => {
+        const number = numberAt([...point.path, '1']);
+        const fov = frames.poseAt(point.video_time)?.verticalFov;
+        if (number === null || fov === undefined) {
+            return [];
+        }
+        const handle = endHandle(given, key, [...point.path, '1'], point.video_time,
+            key.toCurve(number, fov), fov, `, key ${i + 1}`);
+        const least = (points[i - 1]?.video_time ?? -1 / fps) + 1 / fps;
+        const most = (points[i + 1]?.video_time ?? 3600) - 1 / fps;
+        return [{
+            ...handle, path: point.path,
+            change: (time, value) => [
+                ...timeMoves(point, time, fps, least, most, old), ...handle.change(time, value)],
+            ...points.length > 1
+                ? { remove: () => { removeValue(point.path, `Delete key of ${key.key}`); } } : {},
+        }];
+    });
+}
+
+/// The edit that moves a key to the nearest frame; none where it is.
+function timeMoves(point: LensPoint, time: number, fps: number, least: number, most: number,
+    old: OldTexts): Change[] {
+    const at = timeOfFrame(frameNear(time, fps, least, most), fps);
+    return Math.abs(time - point.video_time) > 0.25 / fps
+        ? [timeChange([...point.path, '0'], at, old)] : [];
+}
+
+/// Adds a key to a value that is given by keys, with the value of the key before it, at the frame
+/// nearest to a film time. False if the value has no keys.
+export function addLensKey(shot: ShotState, camera: Camera, key: string, time: number): boolean {
+    const { fps } = shot.film;
+    const path = [...camera.path, key];
+    const points = keysOf(camera.lens_keys, path);
+    const at = timeOfFrame(frameNear(time, fps, camera.video_start, camera.video_end), fps);
+    const seconds = at.numerator / at.denominator;
+    const isTaken = points.some((one) => Math.abs(one.video_time - seconds) < 0.5 / fps);
+    const before = points.filter((one) => one.video_time < seconds).length;
+    const near = points[Math.max(0, before - 1)];
+    const text = near ? sourceOf([...near.path, '1'])?.text : undefined;
+    if (text !== undefined && !isTaken) {
+        insertItem([...path, 'keys'], before, `[${timeText(at, null)}, ${text}]`,
+            `Add key to ${key}`);
+    }
+    return points.length > 0;
+}
+
 function easingHandles(given: Given, path: KeyPath, from: number, to: number): Handle[] {
     const { layout, camera, index, row } = given;
     const length = camera.video_end - camera.video_start;
@@ -128,13 +186,17 @@ export function lensHandles(
     frames: CameraFramesOf | undefined,
 ): Handle[] {
     const camera = shot.cameras[index];
-    const keys = lensKeys(name, camera?.sensor_height ?? 0.024);
+    const keys = lensKeys(name, camera?.sensor_height ?? 0.024, camera?.fov_scale ?? 1);
     const key = keys.find((one) => camera && sourceOf([...camera.path, one.key])) ?? keys.at(-1);
     if (!camera || !key || !frames || frames.count === 0) {
         return [];
     }
     const given = { layout, shot, index, camera, row, name };
     const path = [...camera.path, key.key];
+    const points = keysOf(camera.lens_keys, path);
+    if (points.length > 0) {
+        return keyHandles(given, key, points, frames);
+    }
     const { from, to, easing } = endsOf(path);
     const fovAt = (entry: number) => frames.at(entry).pose.verticalFov;
     const curveAt = (at: KeyPath, entry: number): number | null => {

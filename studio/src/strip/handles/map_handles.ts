@@ -1,14 +1,18 @@
 /// The lines between both clocks: their ends, and all of a camera's lines together.
-import type { Change } from '../../edit/edit';
+import { sourceOf, type Change } from '../../edit/edit';
+import { momentOf, parseMoment, writeMoment } from '../../motion/moments';
 import { sceneTimeAt } from '../../motion/time_map';
-import type { Camera, KeyPath, ShotState } from '../../protocol';
-import { resolved, secondsPerPixel, timeAt, xOf } from '../axis';
+import type { Camera, KeyPath, ShotState, TimelineEvent } from '../../protocol';
+import { timeline } from '../../state/state';
+import { resolved, secondsPerPixel, timeAt, xOf, type Axis } from '../axis';
 import { sceneClock } from '../clock_text';
 import { clipColourName } from '../colours';
 import type { Layout } from '../layout';
 import { linesOf } from '../map_lines';
+import { shownEvents } from '../strip_state';
 import type { Handle } from './handle';
 
+const kSnap = 4; // px from the pin of an event
 const kNear = 3.5; // px from a line
 const kLeastShare = 0.3; // of the map's height: above this, lines move as if they were dragged here
 
@@ -25,14 +29,43 @@ export function scenePath(camera: Camera, end: 0 | 1): KeyPath | null {
     return standsStill(camera) ? [...camera.path, 'scene'] : [...camera.path, 'scene', String(end)];
 }
 
+/// The pin of an event to which a scene time snaps; undefined if none is near.
+function pinNear(axis: Axis, time: number): TimelineEvent | undefined {
+    const reach = kSnap * secondsPerPixel(axis);
+    return shownEvents.peek().filter((event) => Math.abs(event.time - time) < reach)
+        .sort((a, b) => Math.abs(a.time - time) - Math.abs(b.time - time))[0];
+}
+
+/// How a scene time is written: as the moment of an event whose pin is near; as the moment that
+/// stands there now (`written`, which came to `old`), with another delay; else as a number.
+function timeChange(
+    path: KeyPath, axis: Axis, next: number, written: string | undefined, old: number,
+): Change {
+    const { time: value, step: precision } = resolved(axis, Math.max(0, next));
+    const pin = pinNear(axis, next);
+    const named = pin && momentOf(pin, timeline.peek()?.head.events ?? []);
+    if (named) {
+        return { path, value: { yaml: named } };
+    }
+    const moment = written === undefined ? null : parseMoment(written);
+    return moment ? { path, value: {
+        yaml: writeMoment(moment, moment.delay + value - old, precision) } } : { path, value, precision };
+}
+
 /// The edits that let a camera show another part of the scene, as long as before.
 export function shiftChanges(camera: Camera, seconds: number, precision: number): Change[] {
     const both = standsStill(camera) || camera.speeds.length > 0
         ? [camera.scene_start] : [camera.scene_start, camera.scene_end];
     const shift = Math.max(seconds, -Math.min(...both));
-    return both.flatMap((time, end) => {
+    return both.flatMap((time, end): Change[] => {
         const path = scenePath(camera, end === 0 ? 0 : 1);
-        return path ? [{ path, value: time + shift, precision }] : [];
+        if (!path) {
+            return [];
+        }
+        const moment = parseMoment(sourceOf(path)?.text ?? '');
+        return moment
+            ? [{ path, value: { yaml: writeMoment(moment, moment.delay + shift, precision) } }]
+            : [{ path, value: time + shift, precision }];
     });
 }
 
@@ -46,16 +79,15 @@ export function mapHandles(layout: Layout, shot: ShotState): Handle[] {
             return [];
         }
         const { step } = resolved(scene, time);
+        const written = sourceOf(path)?.text;
+        const name = written !== undefined && parseMoment(written) ? `${written} ` : '';
         return [{
             id: `${camera.path.join('/')} scene ${end}`, path: camera.path, axis: scene, time,
             y: map.y + map.height - 4, value: null, mark: 'tick', colour: clipColourName(index),
             reach: { x: 6, y: 8 }, step: { time: Math.max(step, 0.01), value: 0 },
             label: `scene time at the ${end === 0 ? 'start' : 'end'} of camera ${camera.name}`,
-            text: sceneClock(time),
-            change: (next) => {
-                const { time: value, step: precision } = resolved(scene, Math.max(0, next));
-                return [{ path, value, precision }];
-            },
+            text: name + sceneClock(time),
+            change: (next) => [timeChange(path, scene, next, written, time)],
         }];
     }));
 }

@@ -29,7 +29,7 @@ export interface Known {
 }
 
 export const kNoNames: Names = {
-    balls: [], objects: [], materials: [], lights: [], cameras: [], surfaces: [],
+    balls: [], objects: [], materials: [], lights: [], cameras: [], surfaces: [], spots: [],
 };
 
 function name(label: string, detail: string): Candidate {
@@ -41,12 +41,16 @@ function namesOf(names: Names, of: string): Candidate[] {
     if (of === 'a material') {
         return names.materials.map((one) => name(one, 'material'));
     }
+    const spots = names.spots.map((one) => name(one, 'spot'));
+    if (of === 'a spot of the table') {
+        return spots;
+    }
     const balls = names.balls.map((one) => name(one, 'ball'));
     const objects = names.objects.map((one) => name(one, 'object'));
     return of === 'a ball' ? balls
         : of === 'an object or surface'
             ? [...balls, ...objects, ...names.surfaces.map((one) => name(one, 'surface'))]
-            : [...balls, ...objects];
+            : [...balls, ...objects, ...of.includes('spot') ? spots : []];
 }
 
 /// The keys of the shot's map "conditions.cloth" as words.
@@ -100,7 +104,8 @@ function bracketsOf(known: Known, types: readonly ValueType[]): Candidate[] {
             return [{ label: insert.replace(/\$\{(\w*)\}/g, '$1'), kind: 'value', detail: 'list',
                 about: '', insert }];
         }
-        return type.kind === 'map'
+        // Several maps, of which the first key decides, are one pair of braces.
+        return type.kind === 'map' && type === types.find(({ kind }) => kind === 'map')
             ? [{ label: '{ }', kind: 'value', detail: detail === '{…}' ? 'keys' : detail, about: '',
                 insert: '{${}}' }]
             : [];

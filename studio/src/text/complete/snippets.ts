@@ -28,6 +28,8 @@ function events(names: Names): Snippet[] {
         { label: 'impulse at a contact', about: 'An impulse when two bodies touch.',
             yaml: `impulse:\n  object: \${${cue}}\n  when: {contact: [\${${cue}}, \${${other}}]}\n`
                 + '  newton_seconds: [${0}, ${0}, ${0.2}]' },
+        { label: 'place a ball', about: 'A ball is put down at rest, when everything rests.',
+            yaml: `place: {ball: \${${other}}, spot: [\${0}, \${0.3}], when: {resting: all}}` },
         { label: 'velocity', about: 'A change of velocity at a time.',
             yaml: `velocity: {object: \${${cue}}, at: \${1 s}, linear: [\${0}, \${0}, \${1}]}` },
     ];

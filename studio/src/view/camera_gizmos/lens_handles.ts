@@ -1,11 +1,12 @@
 /// The lens of a camera at the play head: frustum, plane in focus, and their handles.
 import { sourceOf } from '../../edit/edit';
-import { cameraAxes, lensOfFov, type CameraPose } from '../../motion/camera';
+import { cameraAxes, lensOfFov, scaledFov, type CameraPose } from '../../motion/camera';
+import { keysOf } from '../../motion/lens_keys';
 import { add, dot, scale, subtract } from '../../motion/vectors';
-import type { Camera, Triple } from '../../protocol';
+import type { Camera, KeyPath, Triple } from '../../protocol';
 import type { Figure, Line } from '../gizmos/figure';
 import type { Handle } from '../handles/handle';
-import { easedChange } from './eased_value';
+import { easedChange, type EasedValue } from './eased_value';
 
 const kDegree = Math.PI / 180;
 const kBody = 0.12; // m, the depth of the frustum that stands for the camera
@@ -70,29 +71,40 @@ export function lensFigure(lens: LensNow, isSelected: boolean): Figure {
     };
 }
 
+/// A value of the lens at the ends of its camera's interval and now, which `of` takes from a pose.
+export function lensValue(
+    lens: LensNow, path: KeyPath, of: (pose: CameraPose) => number,
+): EasedValue {
+    const { camera, pose, first, last, progress } = lens;
+    return {
+        start: of(first), end: of(last), now: of(pose), progress,
+        keys: keysOf(camera.lens_keys, path),
+        time: camera.video_start + progress * (camera.video_end - camera.video_start),
+    };
+}
+
 function fovHandle(lens: LensNow): Handle {
-    const { camera, pose, first, last, progress, colour } = lens;
+    const { camera, pose, colour } = lens;
     const { up, back } = cameraAxes(pose);
     const depth = Math.min(pose.focusDistance, 1);
     const middle = add(pose.position, scale(-depth, back));
     const isLens = sourceOf([...camera.path, 'focal_length']) !== null;
     const key = isLens ? 'focal_length' : 'fov';
-    const written = (fov: number) => isLens ? lensOfFov(fov, camera.sensor_height) : fov;
-    const values = {
-        start: written(first.verticalFov), end: written(last.verticalFov),
-        now: written(pose.verticalFov), progress,
-    };
+    const path = [...camera.path, key];
+    const written = (fov: number) => isLens ? lensOfFov(fov, camera.sensor_height)
+        : scaledFov(fov, 1 / camera.fov_scale);
+    const values = lensValue(lens, path, (one) => written(one.verticalFov));
     return {
-        key: [...camera.path, 'fov'].join('/'), path: [...camera.path, key], colour,
+        key: [...camera.path, 'fov'].join('/'), path, colour,
         at: add(middle, scale(depth * Math.tan(pose.verticalFov / 2), up)), shape: 'square', size: 9,
         label: `${camera.name}: ${isLens
             ? `focal length ${(1000 * values.now).toFixed(0)} mm`
-            : `field of view ${(pose.verticalFov / kDegree).toFixed(1)}°`}`,
+            : `field of view ${(values.now / kDegree).toFixed(1)}°`}`,
         way: { kind: 'line', along: up },
         changes: (to) => {
             const high = dot(subtract(to, middle), up);
             const wanted = Math.min(kFovs[1], Math.max(kFovs[0], 2 * Math.atan(high / depth)));
-            const change = easedChange([...camera.path, key], values, written(wanted));
+            const change = easedChange(path, values, written(wanted));
             const limited = isLens
                 ? Math.max(change.value, lensOfFov(kFovs[1], camera.sensor_height))
                 : Math.min(kFovs[1], Math.max(kFovs[0], change.value));
@@ -103,11 +115,9 @@ function fovHandle(lens: LensNow): Handle {
 
 /// What sets the distance of the plane in focus at the play head.
 export function focusChange(lens: LensNow, distance: number, precision: number) {
-    const { camera, pose, first, last, progress } = lens;
-    const values = {
-        start: first.focusDistance, end: last.focusDistance, now: pose.focusDistance, progress,
-    };
-    const change = easedChange([...camera.path, 'focus'], values, Math.max(kNearest, distance));
+    const path = [...lens.camera.path, 'focus'];
+    const values = lensValue(lens, path, (pose) => pose.focusDistance);
+    const change = easedChange(path, values, Math.max(kNearest, distance));
     return { ...change, value: Math.max(kNearest, change.value), precision };
 }
 

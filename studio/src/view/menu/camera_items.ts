@@ -6,7 +6,7 @@ import type { Camera, KeyPath, PathShape, SceneObject, Triple } from '../../prot
 import { sceneTime } from '../../state/state';
 import { tracks } from '../../motion/clock';
 import { easedPath } from '../camera_gizmos/eased_value';
-import { focusChange, type LensNow } from '../camera_gizmos/lens_handles';
+import { focusChange, lensValue, type LensNow } from '../camera_gizmos/lens_handles';
 import type { MenuItem } from './menu_state';
 
 const kPrecision = 1e-3; // m
@@ -26,8 +26,8 @@ function placeNow(object: SceneObject): Triple {
 export function objectItems(lens: LensNow, object: SceneObject): MenuItem[] {
     const { camera } = lens;
     const target = [...camera.path, 'target'];
-    const share = { start: lens.first.focusDistance, end: lens.last.focusDistance,
-        now: lens.pose.focusDistance, progress: lens.progress };
+    const focus = [...camera.path, 'focus'];
+    const values = lensValue(lens, focus, (pose) => pose.focusDistance);
     return [
         change(`Aim “${camera.name}” at ${object.name}`,
             [{ path: target, value: placeNow(object), precision: kPrecision }], true),
@@ -39,7 +39,7 @@ export function objectItems(lens: LensNow, object: SceneObject): MenuItem[] {
                 written(subtract(lens.pose.position, placeNow(object)))}}` },
         }]),
         change(`Focus “${camera.name}” on ${object.name}`,
-            [{ path: easedPath([...camera.path, 'focus'], share), value: object.name }]),
+            [{ path: easedPath(focus, values), value: object.name }]),
     ];
 }
 

@@ -1,0 +1,212 @@
+#include "pipeline/cli/sequence_films.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "pipeline/cli/bake_input.h"
+#include "pipeline/cli/chosen_tier.h"
+#include "pipeline/cli/film_input.h"
+#include "pipeline/cli/frames_sheet.h"
+#include "pipeline/cli/job_observer.h"
+#include "pipeline/cli/moment_text.h"
+#include "pipeline/cli/output_file.h"
+#include "pipeline/cli/sequence_input.h"
+#include "pipeline/cli/terminal/duration_text.h"
+#include "pipeline/cli/time_text.h"
+#include "pipeline/job/film_status.h"
+#include "pipeline/sequence/sequence_job.h"
+#include "pipeline/video/image_sequence.h"
+#include "pipeline/video/picture_kind.h"
+#include "pipeline/video/picture_writer.h"
+#include "pipeline/video/video_format.h"
+
+namespace carom::cli {
+
+namespace {
+
+using pipeline::Sequence;
+using pipeline::SequenceBakes;
+using pipeline::ShotPart;
+
+/// The bakes of all shots, each world simulated once.
+SequenceBakes obtain_bakes(Sequence& sequence, const CacheOptions& cache, CommandContext& context) {
+    SequenceBakes bakes;
+    for (std::size_t i = 0; i < sequence.parts.size(); ++i) {
+        if (auto* part = std::get_if<ShotPart>(&sequence.parts[i].content)) {
+            ShotInput input = input_of(*part);
+            bakes[i] = obtain_bake(input, InputOptions{part->path, {}, {}, {}, {}}, cache, context);
+            take_back(std::move(input), *part);
+        }
+    }
+    return bakes;
+}
+
+/// Throws InputError if the film cannot be written to the file.
+void check_sequence_file(const Sequence& sequence, const std::string& path) {
+    if (pipeline::is_image_sequence(path)) {
+        throw InputError("a film of several shots is written as a video, not as pictures ('" +
+                         path + "'); 'carom frame' writes single ones");
+    }
+    const std::string problem = pipeline::check_video_format(
+        {sequence.width, sequence.height, sequence.fps}, sequence.output, path);
+    if (!problem.empty()) {
+        throw InputError(problem);
+    }
+    check_output_folder(path);
+}
+
+/// The frames that the job has; throws InputError if it has none.
+std::int64_t count_frames(const Sequence& sequence, const pipeline::FilmJobOptions& options,
+                          const std::string& text) {
+    const std::int64_t all = sequence.frames();
+    const std::vector<std::int64_t> frames = options.frames.frames(all);
+    if (frames.empty()) {
+        throw InputError(
+            fmt::format("--frames {} selects no frame of the film, which has the frames 0 to {}",
+                        text, all - 1));
+    }
+    return std::ssize(options.chunk.part_of(frames));
+}
+
+/// Prints how many frames of each part are stored.
+void print_status(const Sequence& sequence, const SequenceBakes& bakes,
+                  const pipeline::FilmJobOptions& options, CommandContext& context) {
+    const std::vector<std::int64_t> frames = options.frames.frames(sequence.frames());
+    std::string text;
+    for (std::size_t i = 0; i < sequence.parts.size(); ++i) {
+        const auto* part = std::get_if<ShotPart>(&sequence.parts[i].content);
+        const std::vector<std::int64_t> own = pipeline::own_frames(sequence, i, frames);
+        if (part == nullptr || own.empty()) {
+            continue;
+        }
+        pipeline::FilmJobOptions of_part = options;
+        of_part.frames = {};
+        for (const std::int64_t frame : own) {
+            of_part.frames.parts.push_back({frame, frame, 1});
+        }
+        const pipeline::FilmStatus status =
+            pipeline::film_status(part->shot, bakes.at(i), of_part, context.stop);
+        text += fmt::format("{}: {} frames, {} stored, {} to render\n", part_name(i, *part),
+                            status.frames.size(), status.stored.size(), status.missing.size());
+    }
+    print_text(text);
+}
+
+}  // namespace
+
+void render_sequence(const RenderCommand& command, CommandContext& context) {
+    const auto begin = std::chrono::steady_clock::now();
+    const ChosenTier tier(command.tier);
+    Sequence sequence = read_sequence_input(command.input, context.console);
+    const bool makes_film = command.chunk.empty();
+    const std::string path = makes_film
+                                 ? output_or_default(command.output, command.input.path,
+                                                     pipeline::default_extension(sequence.output))
+                                 : "";
+    if (!makes_film && !command.output.empty()) {
+        throw InputError("cannot write the film '" + command.output +
+                         "' from one chunk; omit -o, and render without --chunk when all chunks "
+                         "are done");
+    }
+    if (makes_film) {
+        check_sequence_file(sequence, path);
+    }
+    pipeline::FilmJobOptions options = job_options(command.cache, command.frames, command.chunk);
+    options.output = path;
+    options.threads = command.threads;
+    options.factory = context.factory;
+    const std::int64_t frames = count_frames(sequence, options, command.frames);
+    const SequenceBakes bakes = obtain_bakes(sequence, command.cache, context);
+    if (command.dry_run) {
+        return print_status(sequence, bakes, options, context);
+    }
+    warn_of_no_store(command.cache, context.console);
+    const pipeline::FilmJobResult result = pipeline::make_sequence(
+        sequence, bakes, options, make_console_observer(context.console, frames), context.stop);
+    context.console.end_progress();
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    context.console.info(fmt::format("{} frames of {} parts, {} of them rendered now, in ",
+                                     result.frames, sequence.parts.size(), result.rendered) +
+                         duration_text(elapsed.count()));
+    if (makes_film) {
+        print_path(path);
+    }
+}
+
+void write_sequence_frame(const FrameCommand& command, CommandContext& context) {
+    const ChosenTier tier(command.tier);
+    Sequence sequence = read_sequence_input(command.input, context.console);
+    if (is_moment_text(command.at)) {
+        throw InputError("--at takes a moment of one shot; for a film of several give a time");
+    }
+    const std::int64_t frame = command.at.empty()
+                                   ? command.frame.value_or(0)
+                                   : frame_shown_at(parse_seconds(command.at), sequence.fps);
+    if (frame < 0 || frame >= sequence.frames()) {
+        throw InputError(fmt::format("frame {} is outside the film, which has the frames 0 to {}",
+                                     frame, sequence.frames() - 1));
+    }
+    const std::string path =
+        output_or_default(command.output, command.input.path, fmt::format(".{:04}.png", frame));
+    check_sheet_path(path, "a frame of several shots");
+    check_output_folder(path);
+    pipeline::FilmJobOptions options = job_options(command.cache, {}, {});
+    options.threads = command.threads;
+    options.factory = context.factory;
+    const SequenceBakes bakes = obtain_bakes(sequence, command.cache, context);
+    warn_of_no_store(command.cache, context.console);
+    pipeline::for_each_frame(
+        sequence, bakes, {frame}, options, make_console_observer(context.console, 1),
+        [&](std::int64_t, const pipeline::DisplayPicture& picture) {
+            context.console.end_progress();
+            pipeline::write_display_picture(picture.rgb, picture.width, picture.height, path);
+        },
+        context.stop);
+    print_path(path);
+}
+
+void write_sequence_sheet(const ContactSheetCommand& command, CommandContext& context) {
+    InputOptions input = command.input;
+    if (input.quality.empty()) {
+        input.quality = "draft";
+    }
+    const std::string path = output_or_default(command.output, input.path, "_sheet.png");
+    check_sheet_path(path, "a contact sheet");
+    check_output_folder(path);
+    const ChosenTier tier(command.tier);
+    Sequence sequence = read_sequence_input(input, context.console);
+    pipeline::FilmJobOptions options = job_options(command.cache, {}, {});
+    options.threads = command.threads;
+    options.factory = context.factory;
+    const std::vector<std::int64_t> frames =
+        spread_frames(command.count, sequence.frames()).frames(sequence.frames());
+    const SequenceBakes bakes = obtain_bakes(sequence, command.cache, context);
+    std::vector<pipeline::SheetCell> cells;
+    pipeline::for_each_frame(
+        sequence, bakes, frames, options,
+        make_console_observer(context.console, std::ssize(frames)),
+        [&](std::int64_t frame, const pipeline::DisplayPicture& picture) {
+            const pipeline::SequenceLayer layer = pipeline::layers_of(sequence, frame).back();
+            const auto* part = std::get_if<ShotPart>(&sequence.parts[layer.part].content);
+            cells.push_back(
+                {reduced(picture, command.width),
+                 fmt::format("frame {}  {}", frame,
+                             part != nullptr ? part_name(layer.part, *part)
+                                             : fmt::format("part {}, title", layer.part + 1)),
+                 {128, 128, 128}});
+        },
+        context.stop);
+    context.console.end_progress();
+    const pipeline::DisplayPicture sheet = pipeline::contact_sheet(
+        sequence.name,
+        fmt::format("{} frames, {:.6g} per second", sequence.frames(), sequence.fps.to_double()),
+        cells, command.columns);
+    pipeline::write_display_picture(sheet.rgb, sheet.width, sheet.height, path);
+    print_path(path);
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,31 @@
+// Reads films of several shots for commands.
+#pragma once
+
+#include "pipeline/cli/run_program.h"
+#include "pipeline/cli/shot_input.h"
+#include "pipeline/sequence/load_sequence.h"
+
+namespace carom::cli {
+
+/// The film and its problems. Throws InputError if an option does not apply to films of several
+/// shots.
+[[nodiscard]] pipeline::SequenceResult load_sequence_input(const InputOptions& input);
+
+/// The same; all problems are reported on the console. Throws InputError if one of them is an
+/// error.
+[[nodiscard]] pipeline::Sequence read_sequence_input(const InputOptions& input, Console& console);
+
+/// The shot of a part as the input of other functions, which takes it out of the part until
+/// `take_back`.
+[[nodiscard]] ShotInput input_of(pipeline::ShotPart& part);
+void take_back(ShotInput input, pipeline::ShotPart& part);
+
+/// Where a part is for messages: "part 2, lesson.yaml".
+[[nodiscard]] std::string part_name(std::size_t index, const pipeline::ShotPart& part);
+
+// The commands that need no frames.
+void inform_about_sequence(const InfoCommand& command, CommandContext& context);
+/// Writes a plan for each shot.
+void plan_sequence(const PlanCommand& command, CommandContext& context);
+
+}  // namespace carom::cli

@@ -1,0 +1,56 @@
+// A font file with which Pango lays out text. Pango's types stay in this folder.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <cairo.h>
+
+#include "pipeline/picture/annotation.h"
+
+struct _PangoLayout;
+
+namespace carom::pipeline {
+
+enum class TextAlign { left, centre, right };
+
+/// Lines of text that are laid out.
+class LaidText {
+  public:
+    explicit LaidText(_PangoLayout* layout);  // takes it over
+    ~LaidText();
+    LaidText(LaidText&&) noexcept;
+    LaidText& operator=(LaidText&&) noexcept;
+    LaidText(const LaidText&) = delete;
+    LaidText& operator=(const LaidText&) = delete;
+
+    /// Width of the longest line and height of all lines, pixels.
+    [[nodiscard]] Vec2 size() const;
+
+    /// Adds the letters' outlines to the path, with the upper left corner of all lines at `corner`.
+    void add_outlines(cairo_t* context, const Vec2& corner) const;
+
+  private:
+    _PangoLayout* layout_;
+};
+
+/// For one thread at a time. Only the file's own glyphs are used, so that the same text has the
+/// same outlines whatever fonts and settings a machine has.
+class Font {
+  public:
+    /// Throws Error if the file cannot be read as a font.
+    explicit Font(const std::string& file);
+    ~Font();
+    Font(const Font&) = delete;
+    Font& operator=(const Font&) = delete;
+
+    /// `line_height` in pixels: a letter's em is 0.8 of it.
+    [[nodiscard]] LaidText lay_out(const std::string& text, double line_height,
+                                   TextAlign align = TextAlign::left) const;
+
+  private:
+    struct Data;
+    std::unique_ptr<Data> data_;
+};
+
+}  // namespace carom::pipeline

@@ -1,0 +1,61 @@
+// Annotations that have a place on the picture.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pipeline/picture/annotation.h"
+#include "pipeline/picture/canvas.h"
+#include "pipeline/picture/font.h"
+#include "pipeline/picture/small_plan.h"
+#include "pipeline/picture/values.h"
+#include "pipeline/shot/shot.h"
+#include "sim/timeline/timeline.h"
+
+namespace carom::pipeline {
+
+/// Fonts by file, each opened once. For one thread at a time.
+class Fonts {
+  public:
+    /// The default font if `file` is empty. Throws Error.
+    [[nodiscard]] const Font& of(const std::string& file);
+
+  private:
+    std::map<std::string, std::unique_ptr<Font>> fonts_;
+};
+
+/// Draws these annotations. Refers to its arguments; for one thread at a time.
+class PictureItems {
+  public:
+    PictureItems(const Shot& shot, const sim::Timeline& timeline, Fonts& fonts)
+        : shot_(shot), timeline_(timeline), fonts_(fonts) {}
+
+    /// Reads the picture of the annotation if it has one. Throws Error.
+    void prepare(const Annotation& annotation);
+
+    /// Draws the annotation with full opacity; nothing if it is one in the scene. Throws Error.
+    void draw(const Annotation& annotation, const FrameMoment& moment, Canvas& canvas);
+
+  private:
+    void draw_text(const TextAnnotation& text, const Annotation& look, const FrameMoment& moment,
+                   Canvas& canvas);
+    void draw_title(const TitleAnnotation& title, const Annotation& look, const FrameMoment& moment,
+                    Canvas& canvas);
+    void draw_tip(const TipAnnotation& tip, const Annotation& look, Canvas& canvas);
+    void draw_plan(const PlanAnnotation& plan, const Annotation& look, const FrameMoment& moment,
+                   Canvas& canvas);
+    void draw_image(const ImageAnnotation& image, const Annotation& look, Canvas& canvas);
+
+    [[nodiscard]] const Canvas& image_of(const std::string& file);
+    [[nodiscard]] std::string filled(const std::string& text, const FrameMoment& moment) const;
+
+    const Shot& shot_;
+    const sim::Timeline& timeline_;
+    Fonts& fonts_;
+    std::unique_ptr<SmallPlan> plan_;                        // made for the first plan
+    std::map<std::string, std::unique_ptr<Canvas>> images_;  // by file
+};
+
+}  // namespace carom::pipeline

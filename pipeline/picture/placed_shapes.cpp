@@ -1,0 +1,249 @@
+#include "pipeline/picture/placed_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <type_traits>
+
+#include "pipeline/picture/dashes.h"
+
+namespace carom::pipeline {
+namespace {
+
+constexpr double kEdge = 0.0026;    // of lines, picture heights
+constexpr double kLeastEdge = 0.7;  // pixels
+constexpr double kHead = 4.2;       // length of an arrowhead, widths of its line
+constexpr double kMostHead = 0.5;   // of the line's length
+constexpr double kDotOfDots = 1.5;  // diameter of a dotted line's dots, widths of the line
+constexpr double kGap = 0.03;       // the smallest gap between dashes, m
+constexpr double kLeastGap = 2.5;   // in widths of the line
+
+/// The parts of a line that are in front of the camera.
+std::vector<StrongLine> cut_in_front(const StrongLine& line, const Pinhole& view) {
+    std::vector<StrongLine> parts;
+    StrongLine part;
+    const auto depth = [&](const StrongPoint& point) {
+        return view.depth(point.at) - 1.001 * Pinhole::kNearest;
+    };
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const double here = depth(line[i]);
+        const double before = i > 0 ? depth(line[i - 1]) : here;
+        if (i > 0 && (here < 0) != (before < 0)) {
+            const double u = before / (before - here);
+            const StrongPoint& from = line[i - 1];
+            part.push_back({from.at + u * (line[i].at - from.at),
+                            from.strength + u * (line[i].strength - from.strength)});
+        }
+        if (here >= 0) {
+            part.push_back(line[i]);
+        } else if (!part.empty()) {
+            parts.push_back(std::move(part));
+            part.clear();
+        }
+    }
+    if (!part.empty()) {
+        parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+std::vector<Vec3> area_in_front(const std::vector<Vec3>& corners, const Pinhole& view) {
+    std::vector<Vec3> kept;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec3& from = corners[i];
+        const Vec3& to = corners[(i + 1) % corners.size()];
+        const double before = view.depth(from) - 1.001 * Pinhole::kNearest;
+        const double here = view.depth(to) - 1.001 * Pinhole::kNearest;
+        if (before >= 0) {
+            kept.push_back(from);
+        }
+        if ((before >= 0) != (here >= 0)) {
+            kept.push_back(from + before / (before - here) * (to - from));
+        }
+    }
+    return kept;
+}
+
+/// By Newell's method: also of an area that is not convex.
+Vec3 normal_of(const std::vector<Vec3>& corners) {
+    Vec3 normal(0);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        normal += corners[i].cross(corners[(i + 1) % corners.size()]);
+    }
+    return normal;
+}
+
+class Placer {
+  public:
+    Placer(const Pinhole& view, Fonts& fonts) : view_(view), fonts_(fonts) {}
+
+    void place(const SceneArea& area) {
+        const std::vector<Vec3> corners = area_in_front(area.corners, view_);
+        const Vec3 normal = normal_of(area.corners);
+        const double distance =
+            area.corners.empty() ? 0 : normal.dot(area.corners[0] - view_.position());
+        if (corners.size() < 3 || distance == 0) {
+            return;  // behind the camera, or seen from the side
+        }
+        PlacedArea placed;
+        for (const Vec3& corner : corners) {
+            placed.corners.push_back(view_.project(corner).place);
+        }
+        placed.colour = area.colour;
+        placed.opacity = area.opacity;
+        // normal . (depth * direction) = distance, and the direction is linear in the place.
+        placed.constant = normal.dot(view_.direction({0, 0})) / distance;
+        placed.slope = Vec2(normal.dot(view_.direction({1, 0})) / distance - placed.constant,
+                            normal.dot(view_.direction({0, 1})) / distance - placed.constant);
+        result.emplace_back(std::move(placed));
+    }
+
+    void place(const SceneLine& line) {
+        StrongLine points;
+        for (std::size_t i = 0; i < line.points.size(); ++i) {
+            points.push_back({line.points[i], line.strengths.empty() ? 1 : line.strengths[i]});
+        }
+        if (points.size() < 2) {
+            return;
+        }
+        PlacedLine look = plain_line(line.colour, line.width);
+        const bool is_solid = line.dash == Dash::solid;
+        if (line.is_closed && !is_solid) {
+            points.push_back(points.front());
+        }
+        const double scale = line.dash_size * dash_scale(line, look);
+        for (const StrongLine& dash : cut_into_dashes(points, line.dash, scale)) {
+            for (const StrongLine& part : cut_in_front(dash, view_)) {
+                const bool is_whole = part.size() == points.size();
+                look.is_closed = line.is_closed && is_solid && is_whole;
+                look.is_round = is_solid;
+                look.head = 0;
+                const Vec3 beyond = part.back().at - points.back().at;
+                if (line.has_head && beyond.length() == 0) {
+                    look.head = kHead * look.width;
+                }
+                add(part, look);
+            }
+        }
+    }
+
+    void place(const SceneDot& dot) {
+        PlacedLine look = plain_line(dot.colour, dot.width);
+        for (const StrongLine& part : cut_in_front({{dot.at, dot.strength}}, view_)) {
+            add(part, look);
+        }
+    }
+
+    void place(const SceneText& text) {
+        const double depth = view_.depth(text.at);
+        if (depth < 1.001 * Pinhole::kNearest || text.text.empty()) {
+            return;
+        }
+        const double height = view_.size().y;
+        DrawnText drawn(fonts_.of(text.font), text.text,
+                        {text.size * height, text.colour, text.box, TextAlign::centre});
+        const Vec2 centre =
+            view_.project(text.at).place + height * Vec2(text.offset.x, -text.offset.y);
+        const Vec2 size = drawn.size();
+        const Vec2 corner = centre - Vec2(0.5 * size.x, (text.is_above ? 1 : 0.5) * size.y);
+        const double nearer = std::max(depth - text.nearer, Pinhole::kNearest);
+        result.emplace_back(PlacedText{std::move(drawn), corner, 1 / nearer});
+    }
+
+    std::vector<PlacedShape> result;
+
+  private:
+    [[nodiscard]] PlacedLine plain_line(const Vec3& colour, double width) const {
+        PlacedLine line;
+        line.colour = colour;
+        line.width = width * view_.size().y;
+        line.edge = std::max(kLeastEdge, kEdge * view_.size().y);
+        return line;
+    }
+
+    void add(const StrongLine& points, PlacedLine line) {
+        double length = 0;
+        for (const StrongPoint& point : points) {
+            const SeenPoint at = view_.project(point.at);
+            length += line.points.empty() ? 0 : (at.place - line.points.back().place).length();
+            line.points.push_back({at.place, at.inverse_depth, point.strength});
+        }
+        line.head = std::min(line.head, kMostHead * length);
+        if (points.size() == 1 && !line.is_round) {  // of a dotted line
+            line.width *= kDotOfDots;
+        }
+        line.is_round = line.is_round || points.size() == 1;
+        result.emplace_back(std::move(line));
+    }
+
+    /// Dashes grow by powers of 2 if the gaps between them were too small to be seen at the farther
+    /// end, and shrink if the camera is near.
+    [[nodiscard]] double dash_scale(const SceneLine& line, const PlacedLine& look) const {
+        constexpr double kSmallest = 0.25;
+        constexpr double kLargest = 64;
+        double depth = Pinhole::kNearest;
+        for (const Vec3& end : line.reach.empty()
+                                   ? std::vector{line.points.front(), line.points.back()}
+                                   : line.reach) {
+            depth = std::max(depth, view_.depth(end));
+        }
+        const double gap = kGap * line.dash_size / view_.pixel_size(depth);  // pixels
+        double scale = kSmallest;
+        while (scale < kLargest && scale * gap < kLeastGap * look.width) {
+            scale *= 2;
+        }
+        return scale;
+    }
+
+    const Pinhole& view_;
+    Fonts& fonts_;
+};
+
+/// The box around places, with a margin around each.
+struct Extent {
+    Vec2 low{1e300, 1e300}, high{-1e300, -1e300};
+
+    void include(const Vec2& place, double margin) {
+        low = {std::min(low.x, place.x - margin), std::min(low.y, place.y - margin)};
+        high = {std::max(high.x, place.x + margin), std::max(high.y, place.y + margin)};
+    }
+    void include(const PlacedArea& area) {
+        for (const Vec2& corner : area.corners) {
+            include(corner, 1);
+        }
+    }
+    void include(const PlacedLine& line) {
+        for (const PlacedPoint& point : line.points) {
+            include(point.place, 0.5 * line.width + line.edge + line.head + 1);
+        }
+    }
+    void include(const PlacedText& text) {
+        include(text.corner, 1);
+        include(text.corner + text.text.size(), 1);
+    }
+};
+
+}  // namespace
+
+std::vector<PlacedShape> placed_shapes(const SceneShapes& shapes, const Pinhole& view,
+                                       Fonts& fonts) {
+    Placer placer(view, fonts);
+    for (const SceneShape& shape : shapes) {
+        std::visit([&](const auto& s) { placer.place(s); }, shape);
+    }
+    return std::move(placer.result);
+}
+
+PixelBox box_of(std::span<const PlacedShape> shapes, const Vec2& picture) {
+    Extent extent;
+    for (const PlacedShape& shape : shapes) {
+        std::visit([&](const auto& s) { extent.include(s); }, shape);
+    }
+    const auto pixel = [](double value, double size) {
+        return static_cast<int>(std::clamp(value, 0.0, size));
+    };
+    return {pixel(std::floor(extent.low.x), picture.x), pixel(std::floor(extent.low.y), picture.y),
+            pixel(std::ceil(extent.high.x), picture.x), pixel(std::ceil(extent.high.y), picture.y)};
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,40 @@
+// Draws text with an edge or a box, and places things on the picture.
+#pragma once
+
+#include <string>
+
+#include "pipeline/picture/annotation.h"
+#include "pipeline/picture/canvas.h"
+#include "pipeline/picture/font.h"
+
+namespace carom::pipeline {
+
+struct TextLook {
+    double line_height = 0;  // pixels
+    Vec3 colour{1, 1, 1};    // linear
+    TextBox box;             // without one, the letters have a dark edge
+    TextAlign align = TextAlign::left;
+};
+
+/// A text with its look. Its size includes the box.
+class DrawnText {
+  public:
+    DrawnText(const Font& font, const std::string& text, const TextLook& look);
+
+    [[nodiscard]] Vec2 size() const;  // pixels
+    void draw(cairo_t* context, const Vec2& corner) const;
+
+  private:
+    [[nodiscard]] Vec2 padding() const;
+
+    LaidText letters_;
+    TextLook look_;
+};
+
+/// The upper left corner of something of this `size` at that place of the picture, pixels.
+[[nodiscard]] Vec2 corner_at(const PicturePlace& place, const Vec2& size, const Vec2& picture);
+
+/// Of a text at that place.
+[[nodiscard]] TextAlign alignment_at(const PicturePlace& place);
+
+}  // namespace carom::pipeline

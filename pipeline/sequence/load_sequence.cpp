@@ -1,0 +1,281 @@
+#include "pipeline/sequence/load_sequence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "core/text.h"
+#include "pipeline/camera/frame_plan.h"
+#include "pipeline/config/config_files.h"
+#include "pipeline/config/gather.h"
+#include "pipeline/config/parse_yaml.h"
+#include "pipeline/config/sections/sections.h"
+#include "pipeline/config/text.h"
+
+namespace carom::pipeline {
+
+namespace fs = std::filesystem;
+using namespace config;
+
+namespace {
+
+/// The whole file.
+struct SequenceFile {
+    std::optional<FilmSection> film;
+    OutputSettings output;
+};
+
+const MapSpec<SequenceFile>& sequence_spec() {
+    static const MapSpec<SequenceFile> spec = [] {
+        MapSpec<SequenceFile> s("film of several shots", "The whole file.");
+        s.set(
+             "carom", integer(1, 1), [](SequenceFile&, int) {}, "version of the format")
+            .required();
+        s.key("film", &SequenceFile::film, record(film_spec()), "the parts of the film").required();
+        s.map("output", &SequenceFile::output, output_spec(), "how the film is encoded");
+        return s;
+    }();
+    return spec;
+}
+
+std::string folder_of(const std::string& path) {
+    std::error_code code;
+    const fs::path absolute = fs::absolute(path, code);
+    return code ? "." : absolute.lexically_normal().parent_path().string();
+}
+
+/// The number of whole frames in a time, rounded to the nearest.
+std::int64_t frames_in(const Rational& time, const Rational& fps) {
+    return static_cast<std::int64_t>(std::llround(time.to_double() * fps.to_double()));
+}
+
+/// The first frame at or after a time.
+std::int64_t frame_from(const Rational& time, const Rational& fps) {
+    constexpr double kRounding = 1e-9;
+    return static_cast<std::int64_t>(std::ceil(time.to_double() * fps.to_double() - kRounding));
+}
+
+std::string size_text(int width, int height) {
+    return fmt::format("{}x{}", width, height);
+}
+
+std::string rate_text(const Rational& fps) {
+    return decimal_text(fps.to_double(), 4) + " frames per second";
+}
+
+class Loader {
+  public:
+    Loader(const std::string& path, const LoadOptions& options) : path_(path), options_(options) {}
+
+    SequenceResult load() {
+        SequenceResult result;
+        const std::optional<SequenceFile> file = read_file();
+        if (file && file->film && !problems_.has_error()) {
+            Sequence sequence;
+            sequence.name = fs::path(path_).stem().string();
+            sequence.output = file->output;
+            add_parts(*file->film, sequence);
+            if (!problems_.has_error() && !has_errors(of_shots_)) {
+                check_fades(*file->film, sequence);
+            }
+            if (!problems_.has_error() && !has_errors(of_shots_)) {
+                result.sequence = std::move(sequence);
+            }
+        }
+        result.problems = problems_.take();
+        std::move(of_shots_.begin(), of_shots_.end(), std::back_inserter(result.problems));
+        return result;
+    }
+
+  private:
+    std::optional<SequenceFile> read_file() {
+        ConfigFolders folders = standard_config_folders();
+        folders.root = options_.root;
+        folders.texts = options_.texts;
+        std::string text;
+        if (!read_config_text(path_, YamlLimits{}.bytes, folders, text)) {
+            Problem problem;
+            problem.place.file = path_;
+            problem.message = "the file " + text;
+            of_shots_.push_back(std::move(problem));
+            return std::nullopt;
+        }
+        folder_ = folder_of(path_);
+        const int source = sources_.add({path_, folder_, std::move(text), {}, path_});
+        const Gathered gathered = gather(sources_, source, folders, {}, problems_);
+        if (!gathered.root) {
+            return std::nullopt;
+        }
+        Reader reader(sources_, folders, problems_);
+        reader.set_root_place(gathered.root->place);
+        reader.set_partial(!gathered.is_complete);
+        SequenceFile file;
+        sequence_spec().read(reader, *gathered.root, file);
+        if (file.output.hdr10) {
+            reader.error(gathered.root->find("output")->key_place,
+                         "a film of several shots cannot be written as 'hdr10' yet");
+        }
+        return file;
+    }
+
+    void add_parts(const FilmSection& film, Sequence& sequence) {
+        if (film.size) {
+            sequence.width = (*film.size)[0];
+            sequence.height = (*film.size)[1];
+        }
+        if (film.fps) {
+            sequence.fps = *film.fps;
+        }
+        bool is_first = true;
+        for (const FilmPartSection& part : film.parts) {
+            if (part.shot) {
+                add_shot(film, part, is_first, sequence);
+            } else {
+                sequence.parts.push_back({*part.title, 1, 0});
+            }
+        }
+        const bool is_titles = std::ranges::none_of(
+            film.parts, [](const auto& part) { return part.shot.has_value(); });
+        if (is_titles && !(film.size && film.fps)) {
+            problems_.error(film.parts.front().place,
+                            "a film of title cards alone needs 'size' and 'fps'", "film");
+        }
+    }
+
+    LoadOptions options_of(const FilmSection& film, const FilmPartSection& part) const {
+        LoadOptions options = options_;
+        if (film.size) {
+            options.own.push_back(
+                fmt::format("render.size=[{}, {}]", (*film.size)[0], (*film.size)[1]));
+        }
+        if (film.fps) {
+            options.own.push_back("render.fps=" + film.fps->to_string());
+        }
+        options.own.insert(options.own.end(), part.overrides.begin(), part.overrides.end());
+        return options;
+    }
+
+    void add_shot(const FilmSection& film, const FilmPartSection& part, bool& is_first,
+                  Sequence& sequence) {
+        ShotPart shot;
+        const fs::path name(*part.shot);
+        shot.path =
+            name.is_absolute() ? name.string() : (fs::path(path_).parent_path() / name).string();
+        const LoadOptions options = options_of(film, part);
+        shot.own = options.own;
+        shot.overrides = options.overrides;
+        LoadResult loaded = load_shot(shot.path, options);
+        for (Problem& problem : loaded.problems) {
+            problem.included_by.push_back(sources_.describe(part.shot_place));
+            of_shots_.push_back(std::move(problem));
+        }
+        sequence.parts.push_back({TitleCard{}, 1, 0});
+        if (!loaded.shot) {
+            return;
+        }
+        shot.shot = std::move(*loaded.shot);
+        shot.source = std::move(loaded.source);
+        check_format(film, part, shot.shot, is_first, sequence);
+        const std::int64_t count = frame_count(shot.shot.cameras, shot.shot.timing);
+        const std::int64_t first = part.from ? frame_from(*part.from, shot.shot.timing.fps) : 0;
+        const std::int64_t end = part.to ? frame_from(*part.to, shot.shot.timing.fps) : count;
+        if (count == 0) {
+            problems_.error(part.shot_place, quote(*part.shot) +
+                                                 " has no camera: there is nothing "
+                                                 "to film");
+        } else if (first >= count || end > count) {
+            problems_.error(part.place, "the film of " + quote(*part.shot) + " ends at " +
+                                            seconds_text(static_cast<double>(count) /
+                                                         shot.shot.timing.fps.to_double()) +
+                                            ", before this part does");
+        }
+        shot.first = first;
+        sequence.parts.back() = {std::move(shot), std::max<std::int64_t>(end - first, 1), 0};
+    }
+
+    /// All shots have the size and the rate of the first one.
+    void check_format(const FilmSection& film, const FilmPartSection& part, const Shot& shot,
+                      bool& is_first, Sequence& sequence) {
+        if (std::exchange(is_first, false)) {
+            sequence.width = shot.render.width;
+            sequence.height = shot.render.height;
+            sequence.fps = shot.timing.fps;
+            first_ = *part.shot;
+            return;
+        }
+        const auto report = [&](const std::string& own, const std::string& other,
+                                const std::string& key) {
+            problems_.error(part.shot_place, quote(*part.shot) + " has " + own + ", but " +
+                                                 quote(first_) + " has " + other + "; give '" +
+                                                 key + "' in 'film'");
+        };
+        if (shot.render.width != sequence.width || shot.render.height != sequence.height) {
+            report(size_text(shot.render.width, shot.render.height) + " pixels",
+                   size_text(sequence.width, sequence.height), "size");
+        }
+        if (shot.timing.fps != sequence.fps) {
+            report(rate_text(shot.timing.fps), decimal_text(sequence.fps.to_double(), 4), "fps");
+        }
+        static_cast<void>(film);
+    }
+
+    /// Times become whole frames. Two fades of one part may not overlap.
+    void check_fades(const FilmSection& film, Sequence& sequence) {
+        for (std::size_t i = 0; i < film.parts.size(); ++i) {
+            SequencePart& part = sequence.parts[i];
+            if (film.parts[i].title) {
+                part.frames =
+                    std::max<std::int64_t>(1, frames_in(film.parts[i].length, sequence.fps));
+            }
+            part.fade = frames_in(film.parts[i].fade, sequence.fps);
+        }
+        for (std::size_t i = 0; i < film.parts.size(); ++i) {
+            const std::int64_t next =
+                i + 1 < sequence.parts.size() ? sequence.parts[i + 1].fade : 0;
+            if (sequence.parts[i].fade + next > sequence.parts[i].frames) {
+                problems_.error(
+                    film.parts[i].place,
+                    fmt::format(
+                        "this part has {}, too few for the fades at its ends, which take {}",
+                        counted(static_cast<std::uint64_t>(sequence.parts[i].frames), "frame"),
+                        sequence.parts[i].fade + next));
+            }
+        }
+    }
+
+    std::string path_;
+    const LoadOptions& options_;
+    std::string folder_;
+    SourceSet sources_;
+    ProblemList problems_{sources_};
+    std::vector<Problem> of_shots_;
+    std::string first_;  // the shot that decides about size and rate
+};
+
+}  // namespace
+
+bool is_sequence_file(const std::string& path) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(path, ignored) || fs::path(path).extension() == ".bake") {
+        return false;
+    }
+    std::string text;
+    if (!read_text_file(path, YamlLimits{}.bytes, text)) {
+        return false;
+    }
+    SourceSet sources;
+    ProblemList problems(sources);
+    const int source = sources.add({path, "", std::move(text)});
+    const std::optional<Node> root = parse_yaml(sources, source, problems);
+    return root && root->find("film") != nullptr;
+}
+
+SequenceResult load_sequence(const std::string& path, const LoadOptions& options) {
+    return Loader(path, options).load();
+}
+
+}  // namespace carom::pipeline

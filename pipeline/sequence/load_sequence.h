@@ -1,0 +1,27 @@
+// Reads a film of several shots, with all of its shots, and reports all problems together.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/config/load_shot.h"
+#include "pipeline/sequence/sequence.h"
+
+namespace carom::pipeline {
+
+/// Whether the file is a film of several shots: a map with the key `film`. False if it cannot be
+/// read.
+[[nodiscard]] bool is_sequence_file(const std::string& path);
+
+struct SequenceResult {
+    std::optional<Sequence> sequence;  // empty if a problem is an error
+    std::vector<Problem> problems;  // those of the film's own file first, then those of its shots
+};
+
+/// `options.overrides` and `options.quality` are for all shots. The shots' moments are open, and
+/// nothing is simulated.
+[[nodiscard]] SequenceResult load_sequence(const std::string& path,
+                                           const LoadOptions& options = {});
+
+}  // namespace carom::pipeline

@@ -1,0 +1,244 @@
+#include "pipeline/sequence/sequence_job.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "core/error.h"
+#include "pipeline/job/film_sink.h"
+#include "pipeline/job/frame_signal.h"
+#include "pipeline/job/job_metadata.h"
+#include "pipeline/sequence/sequence_writer.h"
+#include "pipeline/video/picture_writer.h"
+#include "pipeline/video/video_writer.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+/// Passes the frames of one part to the mixer.
+class PartSink : public FilmSink {
+  public:
+    PartSink(const FilmSource& source, std::size_t part, std::int64_t first, SequenceMixer& mixer,
+             int threads)
+        : signal_(source, threads), part_(part), first_(first), mixer_(mixer) {}
+
+    void add(std::int64_t frame, const render::Film& picture, bool same_as_before) override {
+        mixer_.add(part_, frame - first_, signal_.of(frame, picture, same_as_before));
+    }
+    void finish() override {}
+
+  private:
+    FrameSignal signal_;
+    std::size_t part_;
+    std::int64_t first_;
+    SequenceMixer& mixer_;
+};
+
+/// The frames that the options select.
+std::vector<std::int64_t> selected(const Sequence& sequence, const FilmJobOptions& options) {
+    std::vector<std::int64_t> frames = options.frames.frames(sequence.frames());
+    return options.chunk.part_of(frames);
+}
+
+FrameRange range_of(const std::vector<std::int64_t>& frames) {
+    FrameRange range;
+    for (const std::int64_t frame : frames) {
+        if (!range.parts.empty() && range.parts.back().last + 1 == frame) {
+            range.parts.back().last = frame;
+        } else {
+            range.parts.push_back({frame, frame, 1});
+        }
+    }
+    return range;
+}
+
+/// An observer of one part, whose progress is a part of the whole.
+class PartObserver {
+  public:
+    PartObserver(const Sequence& sequence, const JobObserver& whole, std::int64_t count)
+        : sequence_(sequence), whole_(whole), starts_(sequence.starts()), count_(count) {}
+
+    [[nodiscard]] JobObserver of(std::size_t part, std::int64_t own_count) {
+        JobObserver observer;
+        observer.on_warning = whole_.on_warning;
+        if (whole_.on_progress) {
+            observer.on_progress = [this, own_count](std::string_view stage, double fraction) {
+                if (stage == "render") {
+                    whole_.on_progress(stage, (static_cast<double>(done_) +
+                                               fraction * static_cast<double>(own_count)) /
+                                                  static_cast<double>(count_));
+                }
+            };
+        }
+        if (whole_.on_frame) {
+            observer.on_frame = [this, part](std::int64_t frame, bool from_store, double seconds,
+                                             std::uint64_t rays) {
+                const auto& shot = std::get<ShotPart>(sequence_.parts[part].content);
+                whole_.on_frame(starts_[part] + frame - shot.first, from_store, seconds, rays);
+            };
+        }
+        return observer;
+    }
+
+    void finish(std::int64_t own_count) { done_ += own_count; }
+
+  private:
+    const Sequence& sequence_;
+    const JobObserver& whole_;
+    std::vector<std::int64_t> starts_;
+    std::int64_t count_;
+    std::int64_t done_ = 0;
+};
+
+/// Renders all parts in order; `mixer` may be null.
+FilmJobResult make_parts(const Sequence& sequence, const SequenceBakes& bakes,
+                         const std::vector<std::int64_t>& frames, FilmJobOptions options,
+                         const JobObserver& observer, SequenceMixer* mixer,
+                         const std::stop_token& stop) {
+    FilmJobResult result;
+    std::int64_t count = 0;
+    for (std::size_t i = 0; i < sequence.parts.size(); ++i) {
+        count += std::ssize(own_frames(sequence, i, frames));
+    }
+    PartObserver observers(sequence, observer, std::max<std::int64_t>(count, 1));
+    const std::vector<std::int64_t> starts = sequence.starts();
+    options.output.clear();
+    options.chunk = {};
+    for (std::size_t i = 0; i < sequence.parts.size(); ++i) {
+        const SequencePart& part = sequence.parts[i];
+        if (const auto* card = std::get_if<TitleCard>(&part.content)) {
+            std::vector<std::uint16_t> rgb;
+            for (const std::int64_t frame : frames) {
+                const std::int64_t own = frame - starts[i];
+                if (mixer != nullptr && own >= 0 && own < part.frames) {
+                    if (rgb.empty()) {
+                        rgb = drawn_card(*card, sequence.width, sequence.height);
+                    }
+                    mixer->add(i, own, rgb);
+                }
+            }
+            continue;
+        }
+        const std::vector<std::int64_t> own = own_frames(sequence, i, frames);
+        if (own.empty()) {
+            continue;
+        }
+        const auto& shot = std::get<ShotPart>(part.content);
+        options.frames = range_of(own);
+        options.sink = nullptr;
+        if (mixer != nullptr) {
+            options.sink = [&, i](const FilmSource& source, const FilmPlan&) {
+                return std::make_unique<PartSink>(source, i, shot.first, *mixer, options.threads);
+            };
+        }
+        const FilmJobResult one =
+            make_film(shot.shot, bakes.at(i), options, observers.of(i, std::ssize(own)), stop);
+        observers.finish(std::ssize(own));
+        result.pictures += one.pictures;
+        result.rendered += one.rendered;
+        result.counts += one.counts;
+    }
+    result.frames = std::ssize(frames);
+    return result;
+}
+
+std::vector<std::uint8_t> to_8(std::span<const std::uint16_t> rgb) {
+    std::vector<std::uint8_t> small(rgb.size());
+    std::ranges::transform(rgb, small.begin(), [](std::uint16_t value) {
+        return static_cast<std::uint8_t>((value + 128U) / 257U);
+    });
+    return small;
+}
+
+/// The first shot, for the metadata of the film.
+const Shot& first_shot(const Sequence& sequence, Shot& empty) {
+    for (const SequencePart& part : sequence.parts) {
+        if (const auto* shot = std::get_if<ShotPart>(&part.content)) {
+            return shot->shot;
+        }
+    }
+    return empty;
+}
+
+std::map<std::string, std::string> metadata_of(const Sequence& sequence,
+                                               const FilmJobOptions& options) {
+    Shot empty;
+    std::map<std::string, std::string> metadata =
+        video_metadata(first_shot(sequence, empty), options.tier);
+    metadata["title"] = sequence.output.title.empty() ? sequence.name : sequence.output.title;
+    return metadata;
+}
+
+/// The frame that the poster shows, if the film has one.
+std::optional<std::int64_t> poster_frame(const Sequence& sequence,
+                                         const std::vector<std::int64_t>& frames) {
+    if (!sequence.output.poster || frames.empty()) {
+        return std::nullopt;
+    }
+    const auto wanted =
+        static_cast<std::int64_t>(*sequence.output.poster * sequence.fps.to_double());
+    const auto found = std::ranges::lower_bound(frames, wanted);
+    return found == frames.end() ? frames.back() : *found;
+}
+
+}  // namespace
+
+std::vector<std::int64_t> own_frames(const Sequence& sequence, std::size_t part,
+                                     const std::vector<std::int64_t>& frames) {
+    std::vector<std::int64_t> own;
+    const auto* shot = std::get_if<ShotPart>(&sequence.parts[part].content);
+    if (shot == nullptr) {
+        return own;
+    }
+    const std::int64_t start = sequence.starts()[part];
+    for (const std::int64_t frame : frames) {
+        const std::int64_t inside = frame - start;
+        if (inside >= 0 && inside < sequence.parts[part].frames) {
+            own.push_back(shot->first + inside);
+        }
+    }
+    return own;
+}
+
+FilmJobResult make_sequence(const Sequence& sequence, const SequenceBakes& bakes,
+                            const FilmJobOptions& options, const JobObserver& observer,
+                            const std::stop_token& stop) {
+    const std::vector<std::int64_t> frames = selected(sequence, options);
+    if (options.output.empty()) {
+        return make_parts(sequence, bakes, frames, options, observer, nullptr, stop);
+    }
+    const VideoFormat format{sequence.width, sequence.height, sequence.fps};
+    VideoWriter writer(options.output, format, sequence.output, metadata_of(sequence, options));
+    const std::optional<std::int64_t> poster = poster_frame(sequence, frames);
+    SequenceMixer mixer(sequence, [&](std::int64_t frame, std::span<const std::uint16_t> rgb) {
+        writer.write(rgb);
+        if (frame == poster && writer.has_poster()) {
+            writer.set_poster(to_8(rgb));
+        } else if (frame == poster) {
+            const std::filesystem::path path(options.output);
+            write_display_picture(
+                to_8(rgb), sequence.width, sequence.height,
+                (path.parent_path() / (path.stem().string() + "-poster.jpg")).string());
+        }
+    });
+    const FilmJobResult result =
+        make_parts(sequence, bakes, frames, options, observer, &mixer, stop);
+    writer.finish();
+    return result;
+}
+
+void for_each_frame(const Sequence& sequence, const SequenceBakes& bakes,
+                    const std::vector<std::int64_t>& frames, const FilmJobOptions& options,
+                    const JobObserver& observer,
+                    const std::function<void(std::int64_t frame, const DisplayPicture&)>& take,
+                    const std::stop_token& stop) {
+    SequenceMixer mixer(sequence, [&](std::int64_t frame, std::span<const std::uint16_t> rgb) {
+        take(frame, {sequence.width, sequence.height, to_8(rgb)});
+    });
+    (void)make_parts(sequence, bakes, frames, options, observer, &mixer, stop);
+}
+
+}  // namespace carom::pipeline

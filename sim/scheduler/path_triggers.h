@@ -1,0 +1,67 @@
+// Triggers that fire where the path of a body crosses a line or is highest.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sim/motion/motion_segment.h"
+#include "sim/scheduler/ball_state.h"
+#include "sim/scheduler/predicted_event.h"
+#include "sim/scheduler/step_body.h"
+#include "sim/world.h"
+
+namespace carom::sim {
+
+/// The crossing and apex triggers of a world. A body crosses a line when its centre, seen from
+/// above, passes through the line segment from one side to the other. A body that starts on the
+/// line does not cross it by leaving. A body is at an apex when it has risen by at least kLeastRise
+/// and begins to fall.
+class PathTriggers {
+  public:
+    PathTriggers(const std::vector<ForceEvent>& events, const std::vector<StepBody>& bodies);
+
+    [[nodiscard]] bool is_empty() const { return waiting_ == 0; }
+    /// Adds to the queue the occurrences for which triggers wait on the path of a ball, or of a
+    /// body that ODE steps, in [now, until]. `number`: index of the ball or body.
+    void predict(std::uint32_t number, const Ball& ball, double now, double until,
+                 PredictedEventQueue& queue);
+    void predict(std::uint32_t number, const StepBody& body, double now, double until,
+                 std::uint32_t window_number, PredictedEventQueue& queue);
+
+    /// What `trigger` waits for has occurred. Returns the index of the world's event whose trigger
+    /// it is; empty if it comes before the time of that event, or if it is counted already.
+    [[nodiscard]] std::optional<std::size_t> count(std::uint32_t trigger, double time);
+
+  private:
+    void predict(const PredictedEvent& event, const MotionSegment& path, double now, double until,
+                 PredictedEventQueue& queue);
+
+    struct Watch {
+        std::size_t event = 0;
+        std::uint32_t body = 0;
+        bool is_apex = false;
+        double since = 0;  // scene time from which occurrences count
+        int left = 1;      // occurrences until the trigger fires
+        double last = -1;  // scene time of the last one
+        // Crossing:
+        Vec2 from{0, 0}, along{1, 0}, across{0, 1};  // `along` and `across` are unit
+        double length = 0;
+        int side = 0;  // side on which the body last was clearly; 0: neither yet
+        // Apex:
+        std::optional<double> rises_from;  // height (m) at which the body began to rise
+
+        [[nodiscard]] bool is_waiting() const { return left > 0; }
+    };
+    [[nodiscard]] static std::optional<double> first_crossing(Watch& line,
+                                                              const MotionSegment& path, double now,
+                                                              double until);
+    [[nodiscard]] static std::optional<double> first_apex(Watch& apex, const MotionSegment& path,
+                                                          double now, double until);
+
+    std::vector<Watch> watches_;
+    std::size_t waiting_ = 0;
+};
+
+}  // namespace carom::sim

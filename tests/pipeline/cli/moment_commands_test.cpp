@@ -1,0 +1,79 @@
+// Commands with shots and options whose times are moments.
+#include "tests/pipeline/cli/end_to_end.h"
+
+namespace carom::cli {
+namespace {
+
+using carom::testing::EndToEnd;
+using carom::testing::RunResult;
+using carom::testing::write_text;
+using ::testing::HasSubstr;
+
+/// A shot of 0.8 s in which the cue ball touches the one at about 0.23 s.
+class MomentRun : public EndToEnd {
+  protected:
+    void write_shot(const std::string& scene) const {
+        write_text(path("s.yaml"), R"(carom: 1
+simulation: {duration: 0.8 s}
+table: {kind: cloth}
+balls: {cue: {at: [-0.3, 0]}, one: {at: [0.1, 0]}, two: {at: [0, 0.5]}}
+events:
+  - strike: {ball: cue, at: 0.05 s, toward: one, ball_speed: 2}
+cameras:
+  - {name: seat, video: [0 s, 1 s], scene: )" +
+                                       scene + R"(, position: [0, -1, 0.8], target: [0, 0, 0]}
+render: {size: [64, 36], fps: 10, samples: 1}
+)");
+    }
+};
+
+TEST_F(MomentRun, ThatComes_IsShownInSeconds) {
+    write_shot("[{strike: cue}, {contact: [cue, one], after: 0.2 s}]");
+    EXPECT_EQ(run({"check", "s.yaml"}).exit_code, 0);
+    const RunResult resolved = run({"info", "s.yaml", "--resolved"});
+    EXPECT_EQ(resolved.exit_code, 0) << resolved.err;
+    EXPECT_THAT(resolved.out, HasSubstr("scene: [\"0.05 s\", \"0.4"));
+    const RunResult info = run({"info", "s.yaml"});
+    EXPECT_THAT(info.out, HasSubstr("seat: 0 s to 1 s of the film, shows 0.05 s to 0.4"));
+    const RunResult report = run({"report", "s.yaml"});
+    EXPECT_THAT(report.out, HasSubstr("     time moment\n  0.05000 cameras[0].scene[0]\n"));
+    EXPECT_EQ(run({"plan", "s.yaml", "-o", "plan.svg"}).exit_code, 0);
+    EXPECT_THAT(text_of("plan.svg"), HasSubstr("cameras[0].scene[1]"));
+    EXPECT_EQ(run({"frame", "s.yaml", "--frame", "3"}).exit_code, 0);
+}
+
+TEST_F(MomentRun, ThatNeverComes_IsAWarningOfCheckAndAnErrorOfRender) {
+    write_shot("[{contact: [two, one]}, 0.5 s]");
+    const std::string message =
+        ": this moment never comes: 'two' never touched 'one'; it touched "
+        "nothing\n";
+    const RunResult check = run({"check", "s.yaml"});
+    EXPECT_EQ(check.exit_code, 0);
+    EXPECT_THAT(check.err, HasSubstr("s.yaml:8:45: warning" + message));
+    const RunResult render = run({"render", "s.yaml", "-o", "s.mp4"});
+    EXPECT_NE(render.exit_code, 0);
+    EXPECT_THAT(render.err, HasSubstr("s.yaml:8:45: error" + message));
+    EXPECT_THAT(render.err, HasSubstr("'s.yaml' has 1 error"));
+}
+
+TEST_F(MomentRun, AsAnOption_IsATime) {
+    write_shot("[0 s, 0.8 s]");
+    // The contact is at 0.23 s, which the frames 2 (0.16 s) and 3 (0.24 s) are beside.
+    EXPECT_THAT(run({"frame", "s.yaml", "--at", "{contact: [cue, one]}"}).out,
+                HasSubstr("s.0003.png"));
+    EXPECT_THAT(run({"frame", "s.yaml", "--at", "{contact: [cue, six]}"}).err,
+                HasSubstr("--at: there is no ball or object 'six'"));
+    EXPECT_THAT(run({"frame", "s.yaml", "--at", "{contact: [cue, two]}"}).err,
+                HasSubstr("--at: this moment never comes: 'cue' never touched 'two'; it touched "
+                          "'one' at 0.2"));
+    EXPECT_THAT(run({"frame", "s.yaml", "--at", "{contact: [cue, one], after: 2 s}"}).err,
+                HasSubstr("the film does not show that moment, which comes at 2.2"));
+    const RunResult retimed =
+        run({"retime", "s.yaml", "--from", "{contact: [cue, one], before: 0.1 s}", "--to",
+             "{contact: [cue, one], after: 0.1 s}", "--speed", "1/4", "-o", "slow.mp4"});
+    EXPECT_EQ(retimed.exit_code, 0) << retimed.err;
+    EXPECT_THAT(retimed.err, HasSubstr("8 frames"));
+}
+
+}  // namespace
+}  // namespace carom::cli

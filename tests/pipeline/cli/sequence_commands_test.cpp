@@ -1,0 +1,112 @@
+// End-to-end tests of films of several shots.
+#include "tests/pipeline/cli/end_to_end.h"
+#include "tests/pipeline/video/decoded_video.h"
+
+namespace carom::cli {
+namespace {
+
+using carom::testing::decode_video;
+using carom::testing::EndToEnd;
+using carom::testing::RunResult;
+using carom::testing::write_text;
+using ::testing::HasSubstr;
+
+/// Two shots of the same world, seen from both sides, with a title between them.
+class SequenceRun : public EndToEnd {
+  protected:
+    SequenceRun() {
+        write_text(path("a.yaml"), shot(-1));
+        write_text(path("b.yaml"), shot(1));
+        write_text(path("film.yaml"), R"(carom: 1
+film:
+  shots:
+    - a.yaml
+    - {title: Again, for: 0.4 s}
+    - {shot: b.yaml, from: 0.2 s, fade: 0.2 s}
+output: {codec: ffv1}
+)");
+    }
+
+    static std::string shot(int side) {
+        return R"(carom: 1
+simulation: {duration: 0.6 s}
+table: {kind: cloth}
+balls: {cue: {at: [-0.3, 0]}, one: {at: [0.1, 0]}}
+events:
+  - strike: {ball: cue, at: 0.05 s, toward: one, ball_speed: 2}
+cameras:
+  - {video: [0 s, 0.6 s], scene: [0 s, 0.6 s], position: [0, )" +
+               std::to_string(side) + R"(, 0.8], target: [0, 0, 0]}
+render: {size: [64, 36], fps: 10, samples: 1}
+)";
+    }
+
+    [[nodiscard]] RunResult must_run(const std::vector<std::string>& arguments) const {
+        RunResult result = run(arguments);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return result;
+    }
+};
+
+TEST_F(SequenceRun, Render_MakesOneFilmOfAllParts) {
+    const RunResult result = must_run({"render", "film.yaml", "-o", "film.mkv"});
+    EXPECT_THAT(result.out, HasSubstr("film.mkv"));
+    EXPECT_THAT(result.err, HasSubstr("12 frames of 3 parts, 10 of them rendered now"));
+    const auto film = decode_video(path("film.mkv"));
+    ASSERT_EQ(film.frames.size(), 12U);
+    // The shots' own films have the same frames. The world is simulated once.
+    (void)must_run({"render", "a.yaml", "-o", "a.mkv", "--set", "output.codec=ffv1"});
+    const RunResult other =
+        must_run({"render", "b.yaml", "-o", "b.mkv", "--set", "output.codec=ffv1"});
+    EXPECT_THAT(other.err, HasSubstr("using the cached bake"));
+    const auto a = decode_video(path("a.mkv"));
+    const auto b = decode_video(path("b.mkv"));
+    for (std::size_t i = 0; i < 6; ++i) {
+        EXPECT_EQ(film.frames[i].rgb, a.frames[i].rgb) << i;
+    }
+    // The title has frames 6 to 9, of which the last two fade into frames 2 and 3 of the other.
+    EXPECT_EQ(film.frames[6].rgb, film.frames[7].rgb);
+    EXPECT_NE(film.frames[8].rgb, film.frames[7].rgb);
+    EXPECT_EQ(film.frames[10].rgb, b.frames[4].rgb);
+    EXPECT_EQ(film.frames[11].rgb, b.frames[5].rgb);
+}
+
+TEST_F(SequenceRun, Render_GoesOnWhereItWas) {
+    EXPECT_THAT(must_run({"render", "film.yaml", "--chunk", "1/2"}).err,
+                HasSubstr("6 of them rendered now"));
+    EXPECT_THAT(must_run({"render", "film.yaml", "--dry-run"}).out,
+                HasSubstr("part 3, b.yaml: 4 frames, 0 stored, 4 to render"));
+    EXPECT_THAT(must_run({"render", "film.yaml", "-o", "film.mkv"}).err,
+                HasSubstr("4 of them rendered now"));
+    EXPECT_THAT(must_run({"render", "film.yaml", "-o", "part.mkv", "--frames", "7-9"}).err,
+                HasSubstr("0 of them rendered now"));
+    const auto film = decode_video(path("film.mkv"));
+    const auto part = decode_video(path("part.mkv"));
+    ASSERT_EQ(part.frames.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(part.frames[i].rgb, film.frames[i + 7].rgb);
+    }
+}
+
+TEST_F(SequenceRun, OtherCommands_KnowTheFilm) {
+    EXPECT_THAT(must_run({"info", "film.yaml"}).out,
+                HasSubstr("0.8 s to 1.2 s: b.yaml, its film from 0.2 s to 0.6 s, fades in for "
+                          "0.2 s"));
+    EXPECT_THAT(must_run({"check", "film.yaml"}).err, HasSubstr("'film.yaml' has no errors"));
+    (void)must_run({"plan", "film.yaml", "-o", "plan.svg"});
+    EXPECT_TRUE(exists("plan-1.svg"));
+    EXPECT_TRUE(exists("plan-2.svg"));
+    (void)must_run({"contact-sheet", "film.yaml", "--count", "4", "-o", "sheet.png"});
+    EXPECT_TRUE(exists("sheet.png"));
+    (void)must_run({"frame", "film.yaml", "--at", "0.9s", "-o", "frame.png"});
+    EXPECT_TRUE(exists("frame.png"));
+    EXPECT_THAT(run({"retime", "film.yaml", "--speed", "1/2"}).err,
+                HasSubstr("this is a film of several shots, where a single shot is needed"));
+    EXPECT_THAT(run({"frame", "film.yaml", "--frame", "12"}).err,
+                HasSubstr("frame 12 is outside the film, which has the frames 0 to 11"));
+    EXPECT_THAT(run({"render", "film.yaml", "-o", "f.####.png"}).err,
+                HasSubstr("a film of several shots is written as a video"));
+}
+
+}  // namespace
+}  // namespace carom::cli
