@@ -52,7 +52,7 @@ struct Font::Data {
     Held<PangoFontDescription> description;
 };
 
-LaidText::LaidText(_PangoLayout* layout) : layout_(layout) {}
+LaidText::LaidText(PangoLayout* layout) : layout_(layout) {}
 LaidText::LaidText(LaidText&& other) noexcept : layout_(std::exchange(other.layout_, nullptr)) {}
 LaidText& LaidText::operator=(LaidText&& other) noexcept {
     std::swap(layout_, other.layout_);

@@ -1,14 +1,13 @@
-// A font file with which Pango lays out text. Pango's types stay in this folder.
+// A font file with which Pango lays out text. Pango's and Cairo's types stay in this folder.
 #pragma once
 
 #include <memory>
 #include <string>
 
 #include <cairo.h>
+#include <pango/pango-layout.h>
 
 #include "pipeline/picture/annotation.h"
-
-struct _PangoLayout;
 
 namespace carom::pipeline {
 
@@ -17,7 +16,7 @@ enum class TextAlign { left, centre, right };
 /// Lines of text that are laid out.
 class LaidText {
   public:
-    explicit LaidText(_PangoLayout* layout);  // takes it over
+    explicit LaidText(PangoLayout* layout);  // takes it over
     ~LaidText();
     LaidText(LaidText&&) noexcept;
     LaidText& operator=(LaidText&&) noexcept;
@@ -31,7 +30,7 @@ class LaidText {
     void add_outlines(cairo_t* context, const Vec2& corner) const;
 
   private:
-    _PangoLayout* layout_;
+    PangoLayout* layout_;
 };
 
 /// For one thread at a time. Only the file's own glyphs are used, so that the same text has the

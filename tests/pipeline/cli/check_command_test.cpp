@@ -141,9 +141,8 @@ annotations:
   - {path: {of: one}, dash: dotted}
   - angle: {deflection: [one, cushion]}
 )");
-    EXPECT_EQ(
-        messages(),
-        R"(s.yaml:10:12: warning: the path of 'cue' leaves the table at 0.491 s
+    EXPECT_EQ(messages(),
+              R"(s.yaml:10:12: warning: the path of 'cue' leaves the table at 0.491 s
    10 |   - path: {of: cue}
       |            ^~
 s.yaml:11:22: warning: 'cue' never touches 'one', so nothing is drawn

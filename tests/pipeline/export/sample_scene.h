@@ -17,8 +17,8 @@ struct SampleScene {
     pipeline::ExportScene scene;
 };
 
-/// Two balls that collide, a striped ball that spins, a falling tile, a keyed box that makes two
-/// turns, a cone, lights of several kinds, two cameras.
+/// Two balls that collide, a striped ball that spins, one that is put elsewhere, a falling tile, a
+/// keyed box that makes two turns, a cone, lights of several kinds, two cameras.
 [[nodiscard]] inline SampleScene sample_scene() {
     constexpr const char* kText = R"(carom: 1
 simulation: {duration: 0.6 s}
@@ -28,6 +28,7 @@ balls:
   cue: {at: [-0.3, 0]}
   one: {at: [0.1, 0.01]}
   nine: {at: [0.3, 0.3], spin: [0, 0, 300 rad/s]}
+  two: {at: [-0.4, 0.3], velocity: [0.5, 0]}
 objects:
   tile: {box: [0.01, 0.03, 0.06], at: [0.5, 0, 0.2], physics: {density: 700 kg/m^3}, material: clear}
   wheel: {box: [0.1, 0.02, 0.02], at: [0, 0.4, 0.1],
@@ -37,6 +38,7 @@ materials:
   clear: {standard: {base: [0.9, 0.9, 0.9], transmission: 1, ior: 1.45, roughness: 0}}
 events:
   - strike: {ball: cue, at: 0.1 s, toward: one, speed: 3}
+  - place: {ball: two, spot: [0.4, -0.2], at: 0.33 s}
 lights:
   lamp: {rectangle: [1, 0.4], at: [0, 0, 1], facing: [0, 0, -1], radiance: [10, 10, 5]}
   bulb: {sphere: 0.05, at: [1, 0, 1], radiance: [3, 3, 3]}

@@ -138,6 +138,19 @@ TEST(SceneGlb, Impact_HasAKey) {
                 Contains(static_cast<float>(impact->time)));
 }
 
+TEST(SceneGlb, BallThatIsPutElsewhere_JumpsWithinOneFloat) {
+    const Glb::Channel positions = glb().channel("two", "translation");
+    const auto jump =
+        std::ranges::find(positions.times, static_cast<float>(0.33)) - positions.times.begin();
+    ASSERT_LT(jump + 1, static_cast<std::ptrdiff_t>(positions.times.size()));
+    const auto i = static_cast<std::size_t>(jump);
+    EXPECT_EQ(positions.times[i + 1], std::nextafter(positions.times[i], 1.0F));
+    const Vec3 before = sample().timeline.put_backs.at(0).from;
+    EXPECT_LT((z_up(positions.values.data() + 3 * i) - before).length(), 2e-6);
+    EXPECT_LT((z_up(positions.values.data() + 3 * (i + 1)) - Vec3(0.4, -0.2, 0.028575)).length(),
+              2e-6);
+}
+
 TEST(SceneGlb, Meshes_AreNotScaled) {
     const Json& json = glb().json;
     const auto bounds = [&](const std::string& name) {

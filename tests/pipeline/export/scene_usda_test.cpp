@@ -63,6 +63,26 @@ TEST(SceneUsda, Motion_IsThatOfTheTimeline) {
     EXPECT_TRUE(prim("tip").attributes.at("xformOp:translate").samples.empty());
 }
 
+TEST(SceneUsda, BallThatIsPutElsewhere_JumpsBetweenNeighbouringCodes) {
+    const auto& samples = prim("two").attributes.at("xformOp:translate").samples;
+    double last_code = 0;
+    Vec3 last(0, 0, 0);
+    int jumps = 0;
+    for (const auto& [code, value] : samples) {
+        const auto p = value.numbers();
+        const Vec3 place(p[0], p[1], p[2]);
+        if (!(last == Vec3(0, 0, 0)) && (place - last).length() > 0.3) {
+            ++jumps;
+            EXPECT_EQ(code, std::nextafter(last_code, 10.0));
+            EXPECT_NEAR(code / 10, 0.33, 1e-12);
+            EXPECT_EQ(place, Vec3(0.4, -0.2, 0.028575));
+        }
+        last_code = code;
+        last = place;
+    }
+    EXPECT_EQ(jumps, 1);
+}
+
 TEST(SceneUsda, MeshesAndTheirFields_AreComplete) {
     for (const UsdaPrim& mesh : root().children[0].children) {
         if (mesh.type != "Mesh") {

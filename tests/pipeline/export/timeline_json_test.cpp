@@ -1,5 +1,7 @@
 #include "pipeline/export/timeline_json.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -45,6 +47,20 @@ TEST(TimelineJson, Tracks_EqualTheTimelinesBitByBit) {
             }
         }
     }
+}
+
+TEST(TimelineJson, PutBacks_AreListed) {
+    const Json document = json();
+    ASSERT_EQ(document["put_backs"].size(), 1U);
+    EXPECT_EQ(document["put_backs"][0]["ball"], "two");
+    EXPECT_EQ(document["put_backs"][0]["time"], 0.33);
+    EXPECT_EQ(vector(document["put_backs"][0]["to"]), Vec3(0.4, -0.2, 0.028575));
+    const auto is_placed = [](const Json& event) { return event["kind"] == "placed"; };
+    EXPECT_EQ(std::ranges::count_if(document["events"], is_placed), 1);
+    sim::Timeline without = sample().timeline;
+    without.put_backs.clear();
+    EXPECT_FALSE(Json::parse(timeline_json(sample().shot, without, sample().scene, std::nullopt))
+                     .contains("put_backs"));
 }
 
 TEST(TimelineJson, Rate_GivesEvenSamples) {
