@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "pipeline/camera/camera_rig.h"
-#include "pipeline/shot/cue_stick.h"
 #include "pipeline/picture/annotation.h"
+#include "pipeline/shot/cue_stick.h"
 #include "pipeline/video/output_settings.h"
 #include "render/scene/render_settings.h"
 #include "render/scene/scene_description.h"
