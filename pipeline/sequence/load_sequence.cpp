@@ -179,7 +179,7 @@ class Loader {
         }
         shot.shot = std::move(*loaded.shot);
         shot.source = std::move(loaded.source);
-        check_format(film, part, shot.shot, is_first, sequence);
+        check_format(part, shot.shot, is_first, sequence);
         const std::int64_t count = frame_count(shot.shot.cameras, shot.shot.timing);
         const std::int64_t first = part.from ? frame_from(*part.from, shot.shot.timing.fps) : 0;
         const std::int64_t end = part.to ? frame_from(*part.to, shot.shot.timing.fps) : count;
@@ -198,8 +198,8 @@ class Loader {
     }
 
     /// All shots have the size and the rate of the first one.
-    void check_format(const FilmSection& film, const FilmPartSection& part, const Shot& shot,
-                      bool& is_first, Sequence& sequence) {
+    void check_format(const FilmPartSection& part, const Shot& shot, bool& is_first,
+                      Sequence& sequence) {
         if (std::exchange(is_first, false)) {
             sequence.width = shot.render.width;
             sequence.height = shot.render.height;
@@ -220,7 +220,6 @@ class Loader {
         if (shot.timing.fps != sequence.fps) {
             report(rate_text(shot.timing.fps), decimal_text(sequence.fps.to_double(), 4), "fps");
         }
-        static_cast<void>(film);
     }
 
     /// Times become whole frames. Two fades of one part may not overlap.
