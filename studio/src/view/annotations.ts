@@ -13,6 +13,8 @@ import { channel, shownFrame, shownPicture } from './picture/picture_state';
 import './annotations.css';
 
 const kLineShare = 0.74; // of a line's height that its letters have
+const kLetter = 0.6; // width of a letter on average, font sizes
+const kName = 12; // px
 
 /// Where one is during a drag.
 const dragged = signal<{ path: string; centre: [number, number] } | null>(null);
@@ -36,6 +38,16 @@ const shown = computed<PictureAnnotation[]>(() => {
 /// Whether the picture has them drawn.
 const isTraced = computed(() =>
     shownPicture.value !== null && shownFrame.value !== null && channel.value === '');
+
+/// What stands in a box of that size (px), and the size of its letters.
+function contentOf(one: PictureAnnotation, width: number, height: number) {
+    const isName = one.text === '';
+    const text = isName ? annotationName(one) : withoutValues(one.text).trimEnd();
+    const lines = text.split('\n');
+    const longest = Math.max(...lines.map((line) => line.length), 1);
+    const fitting = Math.min((kLineShare * height) / lines.length, width / (kLetter * longest));
+    return { text, size: isName ? Math.min(kName, fitting) : fitting };
+}
 
 /// A place as fractions of the film's picture.
 function fractions(context: ViewContext, pixel: Pixel): [number, number] {
@@ -63,17 +75,15 @@ class Frames {
             const element = (this.parent.children[i] ?? this.parent.appendChild(
                 document.createElement('div'))) as HTMLElement;
             const { centre, size } = one.box;
-            const text = one.text === '' ? annotationName(one) : withoutValues(one.text).trimEnd();
-            const lines = one.text === '' ? 1 : text.split('\n').length;
-            const high = size[1] * height;
+            const [wide, high] = [size[0] * width, size[1] * height];
+            const content = contentOf(one, wide, high);
             element.className = ['frame', one.kind, isAt(selection.value, one) ? 'chosen' : '',
                 isAt(hovered.value, one) ? 'hot' : ''].join(' ');
-            element.textContent = isFilled ? text : '';
+            element.textContent = isFilled ? content.text : '';
             Object.assign(element.style, {
                 left: `${left + (centre[0] - size[0] / 2) * width}px`,
                 top: `${top + (centre[1] - size[1] / 2) * height}px`,
-                width: `${size[0] * width}px`, height: `${high}px`,
-                fontSize: `${one.text === '' ? Math.min(12, high / 2) : kLineShare * high / lines}px`,
+                width: `${wide}px`, height: `${high}px`, fontSize: `${content.size}px`,
             });
         });
     }
