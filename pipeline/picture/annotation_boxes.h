@@ -17,8 +17,8 @@ struct AnnotationBox {
 };
 
 /// The boxes of all annotations of the shot on a film of its size, with the values that their texts
-/// have at the start; none for those in the scene, those that draw nothing, and those whose picture
-/// cannot be read.
+/// have when they appear; none for those in the scene, those that draw nothing, and those whose
+/// picture cannot be read.
 [[nodiscard]] std::vector<std::optional<AnnotationBox>> annotation_boxes(
     const Shot& shot, const sim::Timeline& timeline);
 

@@ -101,6 +101,10 @@ std::optional<AnnotationBox> PictureItems::box_of(const Annotation& annotation,
     return AnnotationBox{corner_at(place_of(annotation), size, picture), size};
 }
 
+FrameMoment moment_of(const PlannedFrame& frame) {
+    return {frame.number, frame.video_time, frame.scene_time, frame.speed + 0.0};
+}
+
 void PictureItems::draw(const Annotation& annotation, const FrameMoment& moment, Canvas& canvas) {
     const std::optional<AnnotationBox> box = box_of(annotation, moment, size_of_canvas(canvas));
     if (!box) {

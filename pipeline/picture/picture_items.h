@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/camera/frame_plan.h"
 #include "pipeline/picture/annotation.h"
 #include "pipeline/picture/annotation_boxes.h"
 #include "pipeline/picture/canvas.h"
@@ -28,6 +29,9 @@ class Fonts {
   private:
     std::map<std::string, std::unique_ptr<Font>> fonts_;
 };
+
+/// The moment of a frame, for its texts.
+[[nodiscard]] FrameMoment moment_of(const PlannedFrame& frame);
 
 /// Draws these annotations. Refers to its arguments; for one thread at a time.
 class PictureItems {

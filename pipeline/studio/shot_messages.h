@@ -146,8 +146,8 @@ struct AnnotationEnd {
     bool is_scene_time = false;  // else a time of the film
 };
 
-/// The rectangle of the film's picture that an annotation fills, in fractions of its width and
-/// height from the upper left corner.
+/// The rectangle of the film's picture that an annotation fills when it appears, in fractions of
+/// its width and height from the upper left corner.
 struct AnnotationBox {
     std::array<double, 2> centre{};
     std::array<double, 2> size{};

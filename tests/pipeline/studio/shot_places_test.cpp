@@ -121,6 +121,15 @@ TEST(AnnotationMessages, HaveTheirBoxIfTheyAreOnThePicture) {
     EXPECT_GT(right, 0);
 }
 
+TEST(AnnotationMessages, BoxHasTheValuesOfTheFirstFrame) {
+    const std::vector<ShotAnnotation> all = annotations(
+        "  - {text: \"{video_time:.0f}\"}\n"
+        "  - {text: \"{video_time:.0f}\", from: 10 s}\n"
+        "cameras:\n"
+        "  - {video: [0 s, 20 s], scene: 0 s, position: [0, -2, 1], target: [0, 0, 0]}\n");
+    EXPECT_GT(all.at(1).box->size[0], 1.2 * all.at(0).box->size[0]);
+}
+
 TEST(ValuePlaces, OfARepeatedObject_AreThoseThatAreItsOwn) {
     const pipeline::LoadResult loaded = load(
         "objects:\n"
