@@ -287,7 +287,8 @@ class Schema {
         return object(list);
     }
 
-    std::string property(const KeyInfo& key, bool is_whole) {
+    /// `has_kinds`: other keys of the map decide which keys it may have.
+    std::string property(const KeyInfo& key, bool is_whole, bool has_kinds) {
         std::vector<std::string> alternatives{schema_of(key.type, is_whole)};
         if (!is_whole) {  // null removes the key of an included file
             alternatives.push_back(object({{"type", json_string("null")}}));
@@ -298,6 +299,9 @@ class Schema {
                 json_string(key.description + " (default: " + key.default_text + ")");
         }
         members.emplace_back("anyOf", array(alternatives));
+        if (has_kinds && !key.goes_with.empty()) {
+            members.emplace_back("x-goes-with", quoted_array(key.goes_with));
+        }
         return object(members);
     }
 
@@ -305,8 +309,9 @@ class Schema {
         std::string properties;
         std::vector<std::string> required;
         for (const KeyInfo& key : map.keys) {
-            properties += (properties.empty() ? "\n" : ",\n") +
-                          ("        " + json_string(key.name) + ": " + property(key, is_whole));
+            properties +=
+                (properties.empty() ? "\n" : ",\n") + ("        " + json_string(key.name) + ": " +
+                                                       property(key, is_whole, !map.kinds.empty()));
             if (key.is_required && is_whole) {
                 required.push_back(key.name);
             }

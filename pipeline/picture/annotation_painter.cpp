@@ -23,10 +23,6 @@ double middle_of(const PlannedFrame& frame) {
     return 0.5 * (frame.scene_open + frame.scene_close);
 }
 
-FrameMoment moment_of(const PlannedFrame& frame) {
-    return {frame.number, frame.video_time, frame.scene_time, frame.speed + 0.0};
-}
-
 }  // namespace
 
 double opacity_at(const Annotation& annotation, double scene_time, double video_time) {

@@ -1,7 +1,6 @@
 #include "pipeline/picture/picture_items.h"
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -9,7 +8,6 @@
 #include "pipeline/picture/colours.h"
 #include "pipeline/picture/fonts.h"
 #include "pipeline/picture/image_canvas.h"
-#include "pipeline/picture/text_drawing.h"
 #include "pipeline/picture/tip_diagram.h"
 
 namespace carom::pipeline {
@@ -29,12 +27,28 @@ const PicturePlace kTopRight{{1, 0}, true};
 const PicturePlace kBottomRight{{1, 1}, true};
 const PicturePlace kTitlePlace{{0.5, 0.22}, false};
 
-Vec2 size_of(const Canvas& canvas) {
+Vec2 size_of_canvas(const Canvas& canvas) {
     return {static_cast<double>(canvas.width()), static_cast<double>(canvas.height())};
 }
 
-double pixels(const Annotation& look, double usual, const Canvas& canvas) {
-    return look.size.value_or(usual) * canvas.height();
+/// The place of one on the picture, if it says nothing.
+PicturePlace usual_place(const Annotation& annotation) {
+    if (std::holds_alternative<TextAnnotation>(annotation.kind)) {
+        return kTopLeft;
+    }
+    if (std::holds_alternative<TitleAnnotation>(annotation.kind)) {
+        return kTitlePlace;
+    }
+    return std::holds_alternative<PlanAnnotation>(annotation.kind) ? kTopRight : kBottomRight;
+}
+
+PicturePlace place_of(const Annotation& annotation) {
+    return annotation.place.value_or(usual_place(annotation));
+}
+
+/// The height of a line or of the whole, pixels.
+double height_of(const Annotation& look, double usual, double picture_height) {
+    return look.size.value_or(usual) * picture_height;
 }
 
 /// The strike on that ball, or nullptr.
@@ -58,23 +72,59 @@ const Font& Fonts::of(const std::string& file) {
     return *font;
 }
 
+Vec2 PictureItems::size_of(const Annotation& look, const FrameMoment& moment,
+                           double picture_height) {
+    const auto height = [&](double usual) { return height_of(look, usual, picture_height); };
+    if (const auto* text = std::get_if<TextAnnotation>(&look.kind)) {
+        return drawn(text->text, look, moment, height(kTextSize), TextBox{}).size();
+    }
+    if (const auto* title = std::get_if<TitleAnnotation>(&look.kind)) {
+        return drawn_title(*title, look, moment, picture_height).size;
+    }
+    if (std::holds_alternative<TipAnnotation>(look.kind)) {
+        return Vec2(height(kTipSize));
+    }
+    if (std::holds_alternative<PlanAnnotation>(look.kind)) {
+        return height(kPlanSize) * Vec2(plan().width_per_height(), 1);
+    }
+    const Canvas& picture = image_of(std::get<ImageAnnotation>(look.kind).file);
+    return height(kImageSize) / picture.height() * size_of_canvas(picture);
+}
+
+std::optional<AnnotationBox> PictureItems::box_of(const Annotation& annotation,
+                                                  const FrameMoment& moment, const Vec2& picture) {
+    const auto* tip = std::get_if<TipAnnotation>(&annotation.kind);
+    if (is_in_scene(annotation) || (tip != nullptr && strike_on(shot_, tip->of) == nullptr)) {
+        return std::nullopt;
+    }
+    const Vec2 size = size_of(annotation, moment, picture.y);
+    return AnnotationBox{corner_at(place_of(annotation), size, picture), size};
+}
+
+FrameMoment moment_of(const PlannedFrame& frame) {
+    return {frame.number, frame.video_time, frame.scene_time, frame.speed + 0.0};
+}
+
 void PictureItems::draw(const Annotation& annotation, const FrameMoment& moment, Canvas& canvas) {
-    std::visit(
-        [&](const auto& kind) {
-            using Kind = std::decay_t<decltype(kind)>;
-            if constexpr (std::is_same_v<Kind, TextAnnotation>) {
-                draw_text(kind, annotation, moment, canvas);
-            } else if constexpr (std::is_same_v<Kind, TitleAnnotation>) {
-                draw_title(kind, annotation, moment, canvas);
-            } else if constexpr (std::is_same_v<Kind, TipAnnotation>) {
-                draw_tip(kind, annotation, canvas);
-            } else if constexpr (std::is_same_v<Kind, PlanAnnotation>) {
-                draw_plan(kind, annotation, moment, canvas);
-            } else if constexpr (std::is_same_v<Kind, ImageAnnotation>) {
-                draw_image(kind, annotation, canvas);
-            }
-        },
-        annotation.kind);
+    const std::optional<AnnotationBox> box = box_of(annotation, moment, size_of_canvas(canvas));
+    if (!box) {
+        return;
+    }
+    const auto& [corner, size] = *box;
+    if (const auto* text = std::get_if<TextAnnotation>(&annotation.kind)) {
+        draw_text(*text, annotation, moment, corner, canvas);
+    } else if (const auto* title = std::get_if<TitleAnnotation>(&annotation.kind)) {
+        draw_title(*title, annotation, moment, corner, canvas);
+    } else if (const auto* tip = std::get_if<TipAnnotation>(&annotation.kind)) {
+        draw_tip_diagram(canvas.context(), *strike_on(shot_, tip->of), annotation.colour, corner,
+                         size.y);
+    } else if (const auto* small = std::get_if<PlanAnnotation>(&annotation.kind)) {
+        plan().draw(canvas.context(), corner, size.y, moment.scene_time, small->has_paths);
+    } else if (const auto* image = std::get_if<ImageAnnotation>(&annotation.kind)) {
+        const Canvas& picture = image_of(image->file);
+        draw_canvas(canvas.context(), picture, corner,
+                    height_of(annotation, kImageSize, canvas.height()) / picture.height());
+    }
 }
 
 const Canvas& PictureItems::image_of(const std::string& file) {
@@ -99,67 +149,53 @@ std::string PictureItems::filled(const std::string& text, const FrameMoment& mom
     return text_with_values(std::get<std::vector<TextPiece>>(pieces), moment, timeline_);
 }
 
-void PictureItems::draw_text(const TextAnnotation& text, const Annotation& look,
-                             const FrameMoment& moment, Canvas& canvas) {
-    const PicturePlace place = look.place.value_or(kTopLeft);
-    const DrawnText drawn(fonts_.of(look.font), filled(text.text, moment),
-                          {pixels(look, kTextSize, canvas), look.colour.value_or(text_colour()),
-                           look.box.value_or(TextBox{}), alignment_at(place)});
-    drawn.draw(canvas.context(), corner_at(place, drawn.size(), size_of(canvas)));
+DrawnText PictureItems::drawn(const std::string& text, const Annotation& look,
+                              const FrameMoment& moment, double line_height, const TextBox& box) {
+    return {fonts_.of(look.font),
+            filled(text, moment),
+            {line_height, look.colour.value_or(text_colour()), look.box.value_or(box),
+             alignment_at(place_of(look))}};
 }
 
-void PictureItems::draw_title(const TitleAnnotation& title, const Annotation& look,
-                              const FrameMoment& moment, Canvas& canvas) {
-    const PicturePlace place = look.place.value_or(kTitlePlace);
-    const double line = pixels(look, kTitleSize, canvas);
-    TextLook style{line, look.colour.value_or(text_colour()),
-                   look.box.value_or(TextBox{Vec3(0), 0}), alignment_at(place)};
-    const Font& font = fonts_.of(look.font);
-    const DrawnText above(font, filled(title.text, moment), style);
-    style.line_height *= kSubtitle;
-    const DrawnText below(font, filled(title.subtitle, moment), style);
-    const bool has_below = !title.subtitle.empty();
-    const Vec2 size(std::max(above.size().x, has_below ? below.size().x : 0),
-                    above.size().y + (has_below ? below.size().y : 0));
-    const Vec2 corner = corner_at(place, size, size_of(canvas));
-    const double share = style.align == TextAlign::left     ? 0
-                         : style.align == TextAlign::centre ? 0.5
-                                                            : 1;
-    above.draw(canvas.context(), corner + Vec2(share * (size.x - above.size().x), 0));
-    if (has_below) {
-        below.draw(canvas.context(),
-                   corner + Vec2(share * (size.x - below.size().x), above.size().y));
+PictureItems::DrawnTitle PictureItems::drawn_title(const TitleAnnotation& title,
+                                                   const Annotation& look,
+                                                   const FrameMoment& moment,
+                                                   double picture_height) {
+    const double line = height_of(look, kTitleSize, picture_height);
+    const TextBox none{Vec3(0), 0};
+    DrawnTitle result{drawn(title.text, look, moment, line, none), std::nullopt};
+    result.size = result.above.size();
+    if (!title.subtitle.empty()) {
+        result.below = drawn(title.subtitle, look, moment, kSubtitle * line, none);
+        result.size = {std::max(result.size.x, result.below->size().x),
+                       result.size.y + result.below->size().y};
     }
+    return result;
 }
 
-void PictureItems::draw_tip(const TipAnnotation& tip, const Annotation& look, Canvas& canvas) {
-    const sim::Strike* strike = strike_on(shot_, tip.of);
-    if (strike == nullptr) {
-        return;
-    }
-    const double size = pixels(look, kTipSize, canvas);
-    const Vec2 corner = corner_at(look.place.value_or(kBottomRight), Vec2(size), size_of(canvas));
-    draw_tip_diagram(canvas.context(), *strike, look.colour, corner, size);
-}
-
-void PictureItems::draw_plan(const PlanAnnotation& plan, const Annotation& look,
-                             const FrameMoment& moment, Canvas& canvas) {
+const SmallPlan& PictureItems::plan() {
     if (!plan_) {
         plan_ = std::make_unique<SmallPlan>(shot_, timeline_);
     }
-    const double height = pixels(look, kPlanSize, canvas);
-    const Vec2 size(height * plan_->width_per_height(), height);
-    const Vec2 corner = corner_at(look.place.value_or(kTopRight), size, size_of(canvas));
-    plan_->draw(canvas.context(), corner, height, moment.scene_time, plan.has_paths);
+    return *plan_;
 }
 
-void PictureItems::draw_image(const ImageAnnotation& image, const Annotation& look,
-                              Canvas& canvas) {
-    const Canvas& picture = image_of(image.file);
-    const double scale = pixels(look, kImageSize, canvas) / picture.height();
-    const Vec2 size = scale * size_of(picture);
-    const Vec2 corner = corner_at(look.place.value_or(kBottomRight), size, size_of(canvas));
-    draw_canvas(canvas.context(), picture, corner, scale);
+void PictureItems::draw_text(const TextAnnotation& text, const Annotation& look,
+                             const FrameMoment& moment, const Vec2& corner, Canvas& canvas) {
+    drawn(text.text, look, moment, height_of(look, kTextSize, canvas.height()), TextBox{})
+        .draw(canvas.context(), corner);
+}
+
+void PictureItems::draw_title(const TitleAnnotation& title, const Annotation& look,
+                              const FrameMoment& moment, const Vec2& corner, Canvas& canvas) {
+    const auto& [above, below, size] = drawn_title(title, look, moment, canvas.height());
+    const TextAlign align = alignment_at(place_of(look));
+    const double share = align == TextAlign::left ? 0 : align == TextAlign::centre ? 0.5 : 1;
+    above.draw(canvas.context(), corner + Vec2(share * (size.x - above.size().x), 0));
+    if (below) {
+        below->draw(canvas.context(),
+                    corner + Vec2(share * (size.x - below->size().x), above.size().y));
+    }
 }
 
 }  // namespace carom::pipeline

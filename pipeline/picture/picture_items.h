@@ -3,13 +3,17 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "pipeline/camera/frame_plan.h"
 #include "pipeline/picture/annotation.h"
+#include "pipeline/picture/annotation_boxes.h"
 #include "pipeline/picture/canvas.h"
 #include "pipeline/picture/font.h"
 #include "pipeline/picture/small_plan.h"
+#include "pipeline/picture/text_drawing.h"
 #include "pipeline/picture/values.h"
 #include "pipeline/shot/shot.h"
 #include "sim/timeline/timeline.h"
@@ -26,6 +30,9 @@ class Fonts {
     std::map<std::string, std::unique_ptr<Font>> fonts_;
 };
 
+/// The moment of a frame, for its texts.
+[[nodiscard]] FrameMoment moment_of(const PlannedFrame& frame);
+
 /// Draws these annotations. Refers to its arguments; for one thread at a time.
 class PictureItems {
   public:
@@ -38,16 +45,35 @@ class PictureItems {
     /// Draws the annotation with full opacity; nothing if it is one in the scene. Throws Error.
     void draw(const Annotation& annotation, const FrameMoment& moment, Canvas& canvas);
 
-  private:
-    void draw_text(const TextAnnotation& text, const Annotation& look, const FrameMoment& moment,
-                   Canvas& canvas);
-    void draw_title(const TitleAnnotation& title, const Annotation& look, const FrameMoment& moment,
-                    Canvas& canvas);
-    void draw_tip(const TipAnnotation& tip, const Annotation& look, Canvas& canvas);
-    void draw_plan(const PlanAnnotation& plan, const Annotation& look, const FrameMoment& moment,
-                   Canvas& canvas);
-    void draw_image(const ImageAnnotation& image, const Annotation& look, Canvas& canvas);
+    /// Where the annotation is on a picture of that size (pixels); none if it is one in the scene,
+    /// or nothing is drawn. Throws Error.
+    [[nodiscard]] std::optional<AnnotationBox> box_of(const Annotation& annotation,
+                                                      const FrameMoment& moment,
+                                                      const Vec2& picture);
 
+  private:
+    /// A text with the height of a line, and what is behind it by default.
+    [[nodiscard]] DrawnText drawn(const std::string& text, const Annotation& look,
+                                  const FrameMoment& moment, double line_height,
+                                  const TextBox& box);
+
+    struct DrawnTitle {
+        DrawnText above;
+        std::optional<DrawnText> below;
+        Vec2 size{0, 0};
+    };
+    [[nodiscard]] DrawnTitle drawn_title(const TitleAnnotation& title, const Annotation& look,
+                                         const FrameMoment& moment, double picture_height);
+    [[nodiscard]] const SmallPlan& plan();
+
+    void draw_text(const TextAnnotation& text, const Annotation& look, const FrameMoment& moment,
+                   const Vec2& corner, Canvas& canvas);
+    void draw_title(const TitleAnnotation& title, const Annotation& look, const FrameMoment& moment,
+                    const Vec2& corner, Canvas& canvas);
+
+    /// Of one on the picture, pixels.
+    [[nodiscard]] Vec2 size_of(const Annotation& look, const FrameMoment& moment,
+                               double picture_height);
     [[nodiscard]] const Canvas& image_of(const std::string& file);
     [[nodiscard]] std::string filled(const std::string& text, const FrameMoment& moment) const;
 

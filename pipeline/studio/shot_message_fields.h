@@ -93,6 +93,24 @@ constexpr auto fields_of(Describes<ShotEvent>) {
         field("toward", &ShotEvent::toward));
 }
 
+constexpr auto fields_of(Describes<AnnotationEnd>) {
+    return fields<AnnotationEnd>(field("time", &AnnotationEnd::time),
+                                 field("is_scene_time", &AnnotationEnd::is_scene_time));
+}
+
+constexpr auto fields_of(Describes<AnnotationBox>) {
+    return fields<AnnotationBox>(field("centre", &AnnotationBox::centre),
+                                 field("size", &AnnotationBox::size));
+}
+
+constexpr auto fields_of(Describes<ShotAnnotation>) {
+    return fields<ShotAnnotation>(
+        field("path", &ShotAnnotation::path), field("kind", &ShotAnnotation::kind),
+        field("subject", &ShotAnnotation::subject), field("text", &ShotAnnotation::text),
+        field("from", &ShotAnnotation::from), field("to", &ShotAnnotation::to),
+        field("box", &ShotAnnotation::box));
+}
+
 constexpr auto fields_of(Describes<CushionNose>) {
     return fields<CushionNose>(field("from", &CushionNose::from), field("to", &CushionNose::to));
 }
@@ -129,8 +147,8 @@ constexpr auto fields_of(Describes<ShotState>) {
         field("table", &ShotState::table), field("noses", &ShotState::noses),
         field("pockets", &ShotState::pockets), field("objects", &ShotState::objects),
         field("lights", &ShotState::lights), field("cameras", &ShotState::cameras),
-        field("events", &ShotState::events), field("names", &ShotState::names),
-        field("places", &ShotState::places));
+        field("events", &ShotState::events), field("annotations", &ShotState::annotations),
+        field("names", &ShotState::names), field("places", &ShotState::places));
 }
 
 constexpr auto fields_of(Describes<SceneMeshes>) {

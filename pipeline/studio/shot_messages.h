@@ -140,6 +140,29 @@ struct ShotEvent {
     std::string toward{};         // of a strike: an object, or empty
 };
 
+/// When an annotation appears or disappears.
+struct AnnotationEnd {
+    double time = 0;
+    bool is_scene_time = false;  // else a time of the film
+};
+
+/// The rectangle of the film's picture that an annotation fills when it appears, in fractions of
+/// its width and height from the upper left corner.
+struct AnnotationBox {
+    std::array<double, 2> centre{};
+    std::array<double, 2> size{};
+};
+
+/// Graphics that are drawn into the film.
+struct ShotAnnotation {
+    KeyPath path{};         // ["annotations", "0"]
+    std::string kind{};     // its key: "path", "text" ...
+    std::string subject{};  // the names of what it is about: "cue", "cue, one"; or empty
+    std::string text{};     // of texts, titles and labels, as the shot writes it
+    std::optional<AnnotationEnd> from{}, to{};  // none: always
+    std::optional<AnnotationBox> box{};         // of one on the picture that draws something
+};
+
 /// The straight part of a cushion, on the line that the foremost point of a ball touches. The
 /// playing field is on the left of from -> to.
 struct CushionNose {
@@ -190,6 +213,7 @@ struct ShotState {
     std::vector<SceneLight> lights{};
     std::vector<Camera> cameras{};
     std::vector<ShotEvent> events{};
+    std::vector<ShotAnnotation> annotations{};
     Names names{};
     std::vector<ValuePlace> places{};
 };

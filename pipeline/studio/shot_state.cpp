@@ -171,6 +171,7 @@ ShotState shot_state(const pipeline::Shot& shot, const pipeline::ShotSource& sou
     state.lights = light_messages(shot);
     state.cameras = camera_messages(shot, source, timeline);
     state.events = event_messages(shot, timeline);
+    state.annotations = annotation_messages(shot, timeline);
     state.names = names_of(shot, state.objects);
     state.places = value_places(source, root);
     return state;

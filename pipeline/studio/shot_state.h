@@ -23,5 +23,7 @@ namespace carom::studio {
 [[nodiscard]] std::vector<SceneLight> light_messages(const pipeline::Shot& shot);
 [[nodiscard]] std::vector<ShotEvent> event_messages(const pipeline::Shot& shot,
                                                     const sim::Timeline& timeline);
+[[nodiscard]] std::vector<ShotAnnotation> annotation_messages(const pipeline::Shot& shot,
+                                                              const sim::Timeline& timeline);
 
 }  // namespace carom::studio

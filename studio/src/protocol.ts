@@ -432,6 +432,26 @@ export interface ShotEvent {
     toward: string;
 }
 
+export interface AnnotationEnd {
+    time: number;
+    is_scene_time: boolean;
+}
+
+export interface AnnotationBox {
+    centre: [number, number];
+    size: [number, number];
+}
+
+export interface ShotAnnotation {
+    path: KeyPath;
+    kind: string;
+    subject: string;
+    text: string;
+    from?: AnnotationEnd;
+    to?: AnnotationEnd;
+    box?: AnnotationBox;
+}
+
 export interface Names {
     balls: string[];
     objects: string[];
@@ -461,6 +481,7 @@ export interface ShotState {
     lights: SceneLight[];
     cameras: Camera[];
     events: ShotEvent[];
+    annotations: ShotAnnotation[];
     names: Names;
     places: ValuePlace[];
 }

@@ -7,7 +7,7 @@ import { titleOf } from '../outline/outline_groups';
 import type { KeyPath } from '../protocol';
 import { About } from './About';
 import { FieldRow } from './FieldRow';
-import { fieldsOf, inPlace, keyOf, matching, type Field } from './field_model';
+import { fieldsOf, fieldsOfKind, inPlace, keyOf, matching, type Field } from './field_model';
 import { StrikeTool } from './StrikeTool';
 import { textsNow } from './texts';
 import './inspector.css';
@@ -22,14 +22,15 @@ function thingOf(chosen: KeyPath): KeyPath {
 
 /// The fields to show. While something is dragged, or a key is held, a default that gets a value
 /// keeps its place among the defaults: the row stays under the pointer.
-function useFields(path: KeyPath): { given: Field[]; more: Field[] } | null {
+function useFields(path: KeyPath, kind: string | null): { given: Field[]; more: Field[] } | null {
     const held = useRef<readonly string[]>([]);
     const all = schema.value;
     const texts = textsNow();
     if (!all) {
         return null;
     }
-    const fields = fieldsOf(all, texts, path);
+    const fields = kind === null ? fieldsOf(all, texts, path)
+        : fieldsOfKind(all, texts, path, kind);
     if (dragging.value) {
         return inPlace(fields, held.current);
     }
@@ -50,9 +51,11 @@ function useKeptFocus(list: { current: HTMLElement | null }): void {
 
 function Values({ path }: { path: KeyPath }) {
     const list = useRef<HTMLDivElement>(null);
-    const event = shot.value?.events.find((one) => one.path.join('/') === path.join('/'));
-    // The keys of an event stand below its kind.
-    const fields = useFields(path[0] === 'events' && event ? [...path, event.kind] : path);
+    const isThis = (one: { path: KeyPath }) => one.path.join('/') === path.join('/');
+    const event = shot.value?.events.find(isThis);
+    const annotation = shot.value?.annotations.find(isThis);
+    // The keys of an event stand below its kind, those of an annotation also beside it.
+    const fields = useFields(event ? [...path, event.kind] : path, annotation?.kind ?? null);
     useKeptFocus(list);
     if (!fields) {
         return null;

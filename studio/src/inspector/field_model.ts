@@ -61,6 +61,22 @@ export function fieldsOf(schema: Schema, texts: Texts, path: KeyPath): { given: 
     };
 }
 
+/// The same of an entry that has the values of its kind below a key, which come first, and others
+/// beside it: "path: {of: cue}", "from: 1 s".
+export function fieldsOfKind(
+    schema: Schema, texts: Texts, path: KeyPath, kind: string,
+): { given: Field[]; more: Field[] } {
+    const outer = fieldsOf(schema, texts, path);
+    if (texts.sourceOf([...path, kind])?.kind !== 'map') {
+        return outer;
+    }
+    const inner = fieldsOf(schema, texts, [...path, kind]);
+    return {
+        given: [...inner.given, ...outer.given.filter(({ name }) => name !== kind)],
+        more: [...inner.more, ...outer.more],
+    };
+}
+
 /// The fields whose name, or the name of a part, contains a word.
 export function matching(fields: readonly Field[], word: string): Field[] {
     const needle = word.trim().toLowerCase();

@@ -1,7 +1,8 @@
 /// The symbol of a thing of the shot.
 import {
-    Box, Circle, CircleDot, Cone, Cylinder, Globe, Lamp, LampCeiling, MoveRight, Palette, Settings2, Shapes,
-    Sun, Target, Video, Wind, type LucideIcon,
+    Box, Circle, CircleDashed, CircleDot, Cone, Crosshair, Cylinder, DraftingCompass, Globe, Heading, Image,
+    Lamp, LampCeiling, Map, MoveRight, Palette, RotateCw, Settings2, Shapes, Slash, Spline,
+    SquareDashed, Sun, Tag, Target, Type, Video, Wind, type LucideIcon,
 } from 'lucide-preact';
 import { shot } from '../state/state';
 import { cssOfLinear } from '../strip/colours';
@@ -11,7 +12,9 @@ const kIcons: Record<string, LucideIcon> = {
     camera: Video, material: Palette, setting: Settings2, strike: Target, impulse: MoveRight,
     force: Wind, velocity: MoveRight, torque: CircleDot, box: Box, sphere: Circle,
     cylinder: Cylinder, cone: Cone, rectangle: LampCeiling, point: Lamp, spot: Lamp, sun: Sun,
-    environment: Globe,
+    environment: Globe, path: Spline, aim: Crosshair, ghost: CircleDashed, tangent: Slash, spin: RotateCw,
+    angle: DraftingCompass, zone: SquareDashed, label: Tag, text: Type, title: Heading, tip: Target,
+    plan: Map, image: Image,
 };
 
 /// A ball is shown in its colour, all else by a line drawing.

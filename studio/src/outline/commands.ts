@@ -11,7 +11,7 @@ import { freeName } from './free_name';
 import { atEnd, lengthOf, originalText } from './original_text';
 
 const kNewCamera = 3; // s
-const kLists = new Set(['events', 'cameras']);
+const kLists = new Set(['events', 'cameras', 'annotations']);
 
 /// A place on the cloth where a ball fits, m.
 export function freePlace(state: ShotState): [number, number] {
@@ -59,7 +59,9 @@ function done(result: { ok: boolean; message: string }, path: KeyPath): void {
 
 /// Adds an entry at the end of a list.
 function addItem(section: string, state: ShotState, yaml: string, label: string): void {
-    const length = lengthOf(section, (section === 'cameras' ? state.cameras : state.events).length);
+    const known = section === 'cameras' ? state.cameras
+        : section === 'annotations' ? state.annotations : state.events;
+    const length = lengthOf(section, known.length);
     done(insertItem([section], length, yaml, label), [section, String(length)]);
 }
 

@@ -1,5 +1,6 @@
 /// The tree of what a shot has, for the outline.
 import type { KeyPath, ShotState } from '../protocol';
+import { annotationName, withoutValues } from './annotation_name';
 
 export interface OutlineItem {
     name: string;
@@ -36,6 +37,9 @@ export function outlineGroups(shot: ShotState): OutlineGroup[] {
         { name: 'Cameras', section: 'cameras', items: shot.cameras.map(
             ({ name, path, video_start, video_end }) => ({ name, path, kind: 'camera',
                 about: `${(video_end - video_start).toFixed(2)} s` })) },
+        { name: 'Annotations', section: 'annotations', items: shot.annotations.map((one) =>
+            ({ name: annotationName(one), path: one.path, kind: one.kind,
+                about: withoutValues(one.text).replace(/\s+/g, ' ').trim() })) },
         { name: 'Objects', section: 'objects', items: things('object') },
         { name: 'Lights', section: 'lights', items: shot.lights.map(({ name, path, kind }) =>
             ({ name, path, about: kind, kind })) },

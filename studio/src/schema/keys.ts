@@ -29,6 +29,17 @@ function exclusions(node: SchemaNode): string[][] {
     return (node.allOf ?? []).flatMap((rule) => rule.not?.required ? [rule.not.required] : []);
 }
 
+/// The keys without a meaning beside the one of `present` that decides the kind of the map.
+function meaningless(node: SchemaNode, present: readonly string[]): string[] {
+    const limited = Object.entries(node.properties ?? {}).flatMap(([name, one]) => {
+        const kinds = one['x-goes-with'];
+        return kinds ? [{ name, kinds }] : [];
+    });
+    const kind = present.find((key) => limited.some(({ kinds }) => kinds.includes(key)));
+    return kind === undefined ? []
+        : limited.filter(({ kinds }) => !kinds.includes(kind)).map(({ name }) => name);
+}
+
 /// What two types have in common if they differ only in whether they may be merged.
 function signature(type: ValueType): string {
     return type.kind === 'map'
@@ -78,8 +89,8 @@ export function typesAt(schema: Schema, path: KeyPath): ValueType[] {
 export function keysAt(schema: Schema, path: KeyPath, present: readonly string[]): KeyInfo[] {
     const found = new Map<string, KeyInfo>();
     for (const map of mapsOf(typesAt(schema, path), present)) {
-        const excluded = exclusions(map)
-            .filter((pair) => pair.some((key) => present.includes(key))).flat();
+        const excluded = [...meaningless(map, present), ...exclusions(map)
+            .filter((pair) => pair.some((key) => present.includes(key))).flat()];
         for (const key of keysOfMap(map)) {
             if (!present.includes(key.name) && !excluded.includes(key.name)) {
                 found.set(key.name, found.get(key.name) ?? key);

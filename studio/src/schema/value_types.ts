@@ -29,6 +29,7 @@ export interface SchemaNode {
     'x-name-of'?: string;
     'x-keys-of'?: string;
     'x-file'?: boolean;
+    'x-goes-with'?: string[];
 }
 
 export interface Schema extends SchemaNode {

@@ -28,7 +28,9 @@ export function pathAt(text: string, offset: number, depth: number): KeyPath {
 }
 
 /// The sections whose entries can be selected.
-const kSelectable = new Set(['balls', 'objects', 'lights', 'materials', 'events', 'cameras']);
+const kSelectable = new Set([
+    'balls', 'objects', 'lights', 'materials', 'events', 'cameras', 'annotations',
+]);
 
 let told: KeyPath | null = null;  // what the cursor selected
 

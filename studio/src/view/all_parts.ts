@@ -1,4 +1,5 @@
 /// The parts of the view: one import and one entry each.
+import { makeAnnotations } from './annotations';
 import { makeBallDrag } from './ball_drag';
 import { makeCameras } from './camera_gizmos/camera_part';
 import { makeArrows } from './gizmos/arrows';
@@ -19,6 +20,7 @@ export const kAllParts: readonly MakePart[] = [
     makeTracedPicture,
     makeTrails,
     makeOutlines,
+    makeAnnotations,
     makeCameras,
     makeLights,
     makeBallDrag,

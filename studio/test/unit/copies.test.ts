@@ -20,7 +20,7 @@ function camera(more: Partial<Camera> = {}): Camera {
 }
 
 const state = {
-    objects: [], lights: [], events: [], cameras: [camera()], places: [],
+    objects: [], lights: [], events: [], annotations: [], cameras: [camera()], places: [],
     names: { balls: ['cue'], objects: [], materials: [], lights: [], surfaces: [] },
 } as unknown as ShotState;
 

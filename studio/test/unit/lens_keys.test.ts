@@ -34,7 +34,7 @@ const camera = {
     sensor_height: 0.024, fov_scale: 1, lens_keys: [...keys('fov', 1, 2, 3), ...keys('focus', 1, 2)],
 } as unknown as Camera;
 const state = {
-    objects: [], lights: [], events: [], cameras: [camera], places: [], film: { fps: 24 },
+    objects: [], lights: [], events: [], annotations: [], cameras: [camera], places: [], film: { fps: 24 },
 } as unknown as ShotState;
 
 beforeEach(() => {

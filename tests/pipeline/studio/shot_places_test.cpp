@@ -1,4 +1,4 @@
-// What the page is told of cameras, and where values stand.
+// What the page is told of cameras and annotations, and where values stand.
 #include <algorithm>
 
 #include <gmock/gmock.h>
@@ -7,13 +7,16 @@
 #include "pipeline/camera/rig_state.h"
 #include "pipeline/config/load_shot.h"
 #include "pipeline/studio/camera_paths.h"
+#include "pipeline/studio/shot_state.h"
 #include "pipeline/studio/value_places.h"
 #include "sim/timeline/timeline.h"
 
 namespace carom::studio {
 namespace {
 
+using testing::DoubleNear;
 using testing::ElementsAre;
+using testing::Pointwise;
 
 pipeline::LoadResult load(const std::string& text) {
     pipeline::LoadResult result = pipeline::load_shot_text("carom: 1\n" + text, "/s/shot.yaml");
@@ -53,6 +56,78 @@ TEST(CameraMessages, CameraThatFramesTheTable_IsDrawnWhereItStands) {
     EXPECT_NEAR(camera.position.curve[1], place.y, 1e-12);
     EXPECT_NEAR(camera.position.curve[2], place.z, 1e-12);
     EXPECT_EQ(camera.position.points.at(0).position[1], -9);
+}
+
+std::vector<ShotAnnotation> annotations(const std::string& list) {
+    const pipeline::LoadResult loaded = load(
+        "table: {kind: pool}\n"
+        "balls: {cue: {at: [0, 0]}, one: {at: [0.4, 0]}}\n"
+        "events: [{strike: {ball: cue, at: 1 s, toward: one, speed: 1 m/s}}]\n"
+        "render: {size: [400, 200]}\n"
+        "annotations:\n" +
+        list);
+    return annotation_messages(*loaded.shot, sim::Timeline{});
+}
+
+TEST(AnnotationMessages, SayWhatTheyAreAbout) {
+    const std::vector<ShotAnnotation> all = annotations(
+        "  - path: {of: cue}\n"
+        "  - ghost: {of: cue, on: one}\n"
+        "  - angle: {points: [[0, 0], cue, one]}\n"
+        "  - angle: {deflection: [cue, one]}\n"
+        "  - zone: {radius: 0.1, at: one}\n"
+        "  - label: {of: one, text: \"{one.speed}\"}\n"
+        "  - text: Hello\n"
+        "  - title: {text: Above, subtitle: below}\n"
+        "  - tip: {of: cue}\n"
+        "  - plan: {}\n");
+    std::vector<std::string> words;
+    for (const ShotAnnotation& one : all) {
+        words.push_back(one.kind + "|" + one.subject + "|" + one.text);
+    }
+    EXPECT_THAT(words, ElementsAre("path|cue|", "ghost|cue, one|", "angle|cue, one|",
+                                   "angle|cue, one|", "zone|one|", "label|one|{one.speed}",
+                                   "text||Hello", "title||Above", "tip|cue|", "plan||"));
+    EXPECT_THAT(all.at(1).path, ElementsAre("annotations", "1"));
+}
+
+TEST(AnnotationMessages, TimesAreOnTheClockOfTheAnnotation) {
+    const std::vector<ShotAnnotation> all = annotations(
+        "  - {path: {of: cue}, from: 1 s}\n"
+        "  - {text: Hello, from: 2 s, to: {strike: cue}}\n");
+    EXPECT_TRUE(all.at(0).from->is_scene_time);
+    EXPECT_EQ(all.at(0).from->time, 1);
+    EXPECT_FALSE(all.at(0).to);
+    EXPECT_FALSE(all.at(1).from->is_scene_time);
+    EXPECT_EQ(all.at(1).from->time, 2);
+    EXPECT_TRUE(all.at(1).to->is_scene_time);
+}
+
+TEST(AnnotationMessages, HaveTheirBoxIfTheyAreOnThePicture) {
+    const std::vector<ShotAnnotation> all = annotations(
+        "  - path: {of: cue}\n"
+        "  - {tip: {of: cue}, size: 0.5, position: [0.3, 0.6]}\n"
+        "  - {text: Hello, position: [0.4, 0.7], size: 0.1}\n"
+        "  - {text: Hello, position: bottom_right, size: 0.1}\n");
+    EXPECT_FALSE(all.at(0).box);
+    EXPECT_THAT(all.at(1).box->centre, Pointwise(DoubleNear(1e-9), {0.3, 0.6}));
+    EXPECT_THAT(all.at(1).box->size, Pointwise(DoubleNear(1e-9), {0.25, 0.5}));
+    EXPECT_THAT(all.at(2).box->centre, Pointwise(DoubleNear(1e-9), {0.4, 0.7}));
+    const AnnotationBox corner = *all.at(3).box;
+    EXPECT_THAT(corner.size, Pointwise(DoubleNear(1e-9), all.at(2).box->size));
+    // As far from the right edge as from the lower one, in pixels.
+    const double right = 400 * (1 - corner.centre[0] - corner.size[0] / 2);
+    EXPECT_NEAR(right, 200 * (1 - corner.centre[1] - corner.size[1] / 2), 1e-9);
+    EXPECT_GT(right, 0);
+}
+
+TEST(AnnotationMessages, BoxHasTheValuesOfTheFirstFrame) {
+    const std::vector<ShotAnnotation> all = annotations(
+        "  - {text: \"{video_time:.0f}\"}\n"
+        "  - {text: \"{video_time:.0f}\", from: 10 s}\n"
+        "cameras:\n"
+        "  - {video: [0 s, 20 s], scene: 0 s, position: [0, -2, 1], target: [0, 0, 0]}\n");
+    EXPECT_GT(all.at(1).box->size[0], 1.2 * all.at(0).box->size[0]);
 }
 
 TEST(ValuePlaces, OfARepeatedObject_AreThoseThatAreItsOwn) {

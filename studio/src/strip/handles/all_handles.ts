@@ -6,6 +6,7 @@ import { xOf } from '../axis';
 import { curveRow, curveScale } from '../curve_row';
 import { currentLayout } from '../layout_now';
 import { curveCamera, curveName } from '../strip_state';
+import { annotationHandles } from './annotation_handles';
 import { clipHandles } from './clip_handles';
 import { eventHandles } from './event_handles';
 import type { Handle } from './handle';
@@ -16,11 +17,14 @@ import { speedHandles } from './speed_handles';
 /// The id of the handle under the pointer, or with the focus; null: none.
 export const activeHandle = signal<string | null>(null);
 
-/// The index of the selected camera; -1 if none is.
-export const selectedCamera = computed(() => {
+/// The index of what is selected in a list of the shot; -1 if it is something else.
+function selectedIn(list: string): number {
     const [section, index] = selection.value ?? [];
-    return section === 'cameras' ? Number(index) : -1;
-});
+    return section === list ? Number(index) : -1;
+}
+
+/// The index of the selected camera; -1 if none is.
+export const selectedCamera = computed(() => selectedIn('cameras'));
 
 /// Where several overlap, the first one counts.
 export const shownHandles = computed<readonly Handle[]>(() => {
@@ -34,6 +38,7 @@ export const shownHandles = computed<readonly Handle[]>(() => {
     const curve = curveName.value === 'speed' ? speedHandles(layout, state, index, row)
         : lensHandles(layout, state, index, curveName.value, row, framesOfCameras.value[index]);
     return [
+        ...annotationHandles(layout, state, selectedIn('annotations')),
         ...eventHandles(layout, state), ...curve, ...mapHandles(layout, state),
         ...clipHandles(layout, state, selectedCamera.value),
     ].filter((handle) => handle.time >= handle.axis.from && handle.time <= handle.axis.to);

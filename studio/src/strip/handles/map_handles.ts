@@ -38,7 +38,7 @@ function pinNear(axis: Axis, time: number): TimelineEvent | undefined {
 
 /// How a scene time is written: as the moment of an event whose pin is near; as the moment that
 /// stands there now (`written`, which came to `old`), with another delay; else as a number.
-function timeChange(
+export function timeChange(
     path: KeyPath, axis: Axis, next: number, written: string | undefined, old: number,
 ): Change {
     const { time: value, step: precision } = resolved(axis, Math.max(0, next));

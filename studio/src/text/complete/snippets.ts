@@ -96,6 +96,43 @@ function materials(): Snippet[] {
     ];
 }
 
+function annotations(names: Names): Snippet[] {
+    const cue = ball(names);
+    const other = names.balls.find((one) => one !== cue);
+    const pairs: Snippet[] = other === undefined ? [] : [
+        { label: 'ghost ball', about: 'Where a ball is when it touches another one.',
+            yaml: `ghost: {of: \${${cue}}, on: \${${other}}}` },
+        { label: 'tangent line', about: 'The line at right angles to a contact.',
+            yaml: `tangent: {of: \${${cue}}, on: \${${other}}}` },
+        { label: 'angle of a contact', about: 'By how much a contact turns the way of a ball.',
+            yaml: `angle: {deflection: [\${${cue}}, \${${other}}]}` },
+    ];
+    return [
+        { label: 'path of a ball', about: 'The way of a ball, with dots at equal times.',
+            yaml: `path: {of: \${${cue}}, marks: \${0.1 s}}` },
+        { label: 'aim line', about: 'The line along which a ball is aimed.',
+            yaml: other === undefined ? `aim: {of: \${${cue}}, direction: \${0 deg}}`
+                : `aim: {of: \${${cue}}, toward: \${${other}}}` },
+        ...pairs,
+        { label: 'arrow of speed', about: 'An arrow along the velocity of a ball, with its speed.',
+            yaml: `velocity: {of: \${${cue}}, value: \${true}}` },
+        { label: 'arrow of spin', about: 'A round arrow about the axis of the spin.',
+            yaml: `spin: {of: \${${cue}}}` },
+        { label: 'zone on the cloth', about: 'A circle on the cloth.',
+            yaml: 'zone: {radius: ${0.15}, at: [${0}, ${0}]}' },
+        { label: 'label of a ball', about: 'A text that follows a ball.',
+            yaml: `label: {of: \${${cue}}, text: "{${cue}.speed:.1f} m/s"}` },
+        { label: 'text', about: 'Lines of text on the picture.',
+            yaml: `{text: "\${Text}", position: \${bottom}}` },
+        { label: 'title', about: 'Large text with a smaller line.',
+            yaml: 'title: {text: "${Title}", subtitle: "${a smaller line}"}' },
+        { label: 'tip diagram', about: 'Where the stick hits a ball.',
+            yaml: `{tip: {of: \${${cue}}}, position: \${bottom_right}}` },
+        { label: 'plan of the table', about: 'The table from above, as a small picture.',
+            yaml: '{plan: {}, position: ${top_right}}' },
+    ];
+}
+
 /// Whole entries for the list or map at `path`.
 export function snippetsFor(path: KeyPath, names: Names, filmEnd: number): Snippet[] {
     const [section] = path;
@@ -107,6 +144,8 @@ export function snippetsFor(path: KeyPath, names: Names, filmEnd: number): Snipp
             return events(names);
         case 'cameras':
             return cameras(names, filmEnd);
+        case 'annotations':
+            return annotations(names);
         case 'lights':
             return lights();
         case 'objects':

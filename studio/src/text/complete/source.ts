@@ -85,7 +85,7 @@ function snippetOptions(all: Known, spot: Spot): Completion[] {
     }
     const isItem = spot.kind === 'either' && /^\d+$/.test(spot.path[spot.path.length - 1] ?? '');
     const path = isItem ? spot.path.slice(0, -1) : spot.path;
-    const isList = path[0] === 'events' || path[0] === 'cameras';
+    const isList = ['events', 'cameras', 'annotations'].includes(path[0] ?? '');
     const dash = isList && !isItem ? '- ' : '';
     return snippetCandidates(all, path).map((one, i) => option(one, i, {
         boost: 2, apply: applySnippet(one.insert ?? one.label, dash, spot.column),
