@@ -18,4 +18,16 @@ ChosenTier::ChosenTier(const std::string& option) {
     limit_.emplace(tier);
 }
 
+std::string tier_to_mux(const std::string& option, Console& console,
+                        const std::function<std::string()>& stored) {
+    if (!option.empty()) {
+        return std::string(render::tier_named(option));
+    }
+    std::string tier = stored();
+    if (tier != render::simd_tier()) {
+        console.info("the frames were rendered with " + tier + " instructions");
+    }
+    return tier;
+}
+
 }  // namespace carom::cli

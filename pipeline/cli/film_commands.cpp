@@ -150,20 +150,6 @@ void print_status(const pipeline::FilmStatus& status) {
     print_text(text + "\n");
 }
 
-/// The tier of the frames of which a film is made: the one that was asked for, or the one of which
-/// most are stored.
-std::string tier_to_mux(const MuxCommand& command, const Shot& shot, const sim::Bake& bake,
-                        const FilmJobOptions& options, CommandContext& context) {
-    if (!command.tier.empty()) {
-        return std::string(render::tier_named(command.tier));
-    }
-    std::string tier = pipeline::stored_tier(shot, bake, options, context.stop);
-    if (tier != render::simd_tier()) {
-        context.console.info(fmt::format("the frames were rendered with {} instructions", tier));
-    }
-    return tier;
-}
-
 void check_picture_path(const std::string& path) {
     if (!pipeline::is_picture_path(path)) {
         throw InputError("cannot write a picture to '" + path + "'; the formats are " +
@@ -243,6 +229,9 @@ void film_shot(ShotInput input, const std::string& path, const RenderCommand& co
 }
 
 void run(const MuxCommand& command, CommandContext& context) {
+    if (pipeline::is_sequence_file(command.input.path)) {
+        return mux_sequence(command, context);
+    }
     ShotInput input = read_shot_input(command.input, context.console);
     const std::string path = film_path(command.output, command.input, input.shot);
     check_film(input, path, context.console);
@@ -252,7 +241,9 @@ void run(const MuxCommand& command, CommandContext& context) {
     const std::int64_t frames =
         count_job_frames(input.shot, options, command.frames, context.console);
     const sim::Bake bake = obtain_bake(input, command.input, command.cache, context);
-    options.tier = tier_to_mux(command, input.shot, bake, options, context);
+    options.tier = tier_to_mux(command.tier, context.console, [&] {
+        return pipeline::stored_tier(input.shot, bake, options, context.stop);
+    });
     const pipeline::FilmJobResult result = pipeline::mux_film(
         input.shot, bake, options, make_console_observer(context.console, frames), context.stop);
     context.console.end_progress();

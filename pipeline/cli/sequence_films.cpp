@@ -75,21 +75,17 @@ std::int64_t count_frames(const Sequence& sequence, const pipeline::FilmJobOptio
 /// Prints how many frames of each part are stored.
 void print_status(const Sequence& sequence, const SequenceBakes& bakes,
                   const pipeline::FilmJobOptions& options, CommandContext& context) {
-    const std::vector<std::int64_t> frames = options.frames.frames(sequence.frames());
     std::string text;
     for (std::size_t i = 0; i < sequence.parts.size(); ++i) {
         const auto* part = std::get_if<ShotPart>(&sequence.parts[i].content);
-        const std::vector<std::int64_t> own = pipeline::own_frames(sequence, i, frames);
-        if (part == nullptr || own.empty()) {
+        if (part == nullptr) {
             continue;
         }
-        pipeline::FilmJobOptions of_part = options;
-        of_part.frames = {};
-        for (const std::int64_t frame : own) {
-            of_part.frames.parts.push_back({frame, frame, 1});
-        }
         const pipeline::FilmStatus status =
-            pipeline::film_status(part->shot, bakes.at(i), of_part, context.stop);
+            pipeline::part_status(sequence, i, bakes, options, context.stop);
+        if (status.frames.empty()) {
+            continue;
+        }
         text += fmt::format("{}: {} frames, {} stored, {} to render\n", part_name(i, *part),
                             status.frames.size(), status.stored.size(), status.missing.size());
     }
@@ -135,6 +131,27 @@ void render_sequence(const RenderCommand& command, CommandContext& context) {
     if (makes_film) {
         print_path(path);
     }
+}
+
+void mux_sequence(const MuxCommand& command, CommandContext& context) {
+    Sequence sequence = read_sequence_input(command.input, context.console);
+    const std::string path = output_or_default(command.output, command.input.path,
+                                               pipeline::default_extension(sequence.output));
+    check_sequence_file(sequence, path);
+    pipeline::FilmJobOptions options = job_options(command.cache, command.frames, {});
+    options.output = path;
+    options.so_far = command.so_far;
+    const std::int64_t frames = count_frames(sequence, options, command.frames);
+    const SequenceBakes bakes = obtain_bakes(sequence, command.cache, context);
+    options.tier = tier_to_mux(command.tier, context.console, [&] {
+        return pipeline::stored_tier(sequence, bakes, options, context.stop);
+    });
+    const pipeline::FilmJobResult result = pipeline::mux_sequence(
+        sequence, bakes, options, make_console_observer(context.console, frames), context.stop);
+    context.console.end_progress();
+    context.console.info(
+        fmt::format("{} frames of {} parts", result.frames, sequence.parts.size()));
+    print_path(path);
 }
 
 void write_sequence_frame(const FrameCommand& command, CommandContext& context) {

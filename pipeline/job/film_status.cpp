@@ -39,6 +39,15 @@ FilmStatus status_of(const FilmPlan& plan, const FrameStore& store, DamagedFrame
     return status;
 }
 
+}  // namespace
+
+FilmStatus film_status(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
+                       const std::stop_token& stop, DamagedFrames damaged) {
+    const FilmSource source(shot, bake.timeline, options.tier);
+    const FilmPlan plan = plan_film(source, job_frames(shot, options), stop);
+    return status_of(plan, open_store(options), damaged, stop);
+}
+
 void check_that_all_are_stored(const FilmStatus& status) {
     if (!status.missing.empty()) {
         throw Error(
@@ -52,15 +61,6 @@ void check_that_all_are_stored(const FilmStatus& status) {
     }
 }
 
-}  // namespace
-
-FilmStatus film_status(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
-                       const std::stop_token& stop, DamagedFrames damaged) {
-    const FilmSource source(shot, bake.timeline, options.tier);
-    const FilmPlan plan = plan_film(source, job_frames(shot, options), stop);
-    return status_of(plan, open_store(options), damaged, stop);
-}
-
 FilmJobResult mux_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
                        const JobObserver& observer, const std::stop_token& stop) {
     if (!options.so_far) {
@@ -69,16 +69,18 @@ FilmJobResult mux_film(const Shot& shot, const sim::Bake& bake, const FilmJobOpt
     return mux_complete_film(shot, bake, options, observer, stop);
 }
 
+render::Film refuse_to_render(const FrameInputs& /*frame*/, const WorkContext& /*context*/,
+                              render::FrameSums* /*sums*/) {
+    throw Error(
+        "a frame disappeared from the cache while the film was being written; 'carom render' "
+        "renders it again");
+}
+
 FilmJobResult mux_complete_film(const Shot& shot, const sim::Bake& bake,
                                 const FilmJobOptions& options, const JobObserver& observer,
                                 const std::stop_token& stop) {
     FilmJobOptions without_renderer = options;
-    without_renderer.renderer = [](const FrameInputs&, const WorkContext&,
-                                   render::FrameSums*) -> render::Film {
-        throw Error(
-            "a frame disappeared from the cache while the film was being written; 'carom render' "
-            "renders it again");
-    };
+    without_renderer.renderer = refuse_to_render;
     return make_film(shot, bake, without_renderer, observer, stop);
 }
 

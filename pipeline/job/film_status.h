@@ -25,10 +25,17 @@ enum class DamagedFrames { keep, remove };
                                      const FilmJobOptions& options, const std::stop_token& stop,
                                      DamagedFrames damaged = DamagedFrames::keep);
 
+/// Throws an Error that names the missing frames, if there are any.
+void check_that_all_are_stored(const FilmStatus& status);
+
 /// Like make_film, but only with stored frames. Throws an Error that names the missing frames,
 /// unless the film so far is wanted.
 FilmJobResult mux_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
                        const JobObserver& observer, const std::stop_token& stop);
+
+/// The renderer of a job that only takes stored frames: throws an Error.
+[[nodiscard]] render::Film refuse_to_render(const FrameInputs& frame, const WorkContext& context,
+                                            render::FrameSums* sums);
 
 /// The same for a film of which film_status() has just found every frame: nothing is verified
 /// before the film is begun. Throws Error if a frame is missing or damaged all the same.

@@ -2,17 +2,21 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "core/error.h"
 #include "pipeline/job/film_sink.h"
 #include "pipeline/job/frame_signal.h"
 #include "pipeline/job/job_metadata.h"
+#include "pipeline/job/stored_tier.h"
 #include "pipeline/sequence/sequence_writer.h"
 #include "pipeline/video/picture_writer.h"
 #include "pipeline/video/video_writer.h"
+#include "render/acceleration/vector_tier.h"
 
 namespace carom::pipeline {
 
@@ -55,6 +59,15 @@ FrameRange range_of(const std::vector<std::int64_t>& frames) {
     return range;
 }
 
+/// The job of one part, with frames of its own film.
+FilmJobOptions part_options(FilmJobOptions options, const std::vector<std::int64_t>& own) {
+    options.output.clear();
+    options.chunk = {};
+    options.sink = nullptr;
+    options.frames = range_of(own);
+    return options;
+}
+
 /// An observer of one part, whose progress is a part of the whole.
 class PartObserver {
   public:
@@ -93,9 +106,19 @@ class PartObserver {
     std::int64_t done_ = 0;
 };
 
+/// A part of which nothing is rendered yet.
+void add_black(SequenceMixer& mixer, std::size_t part, const std::vector<std::int64_t>& frames,
+               const ShotPart& shot) {
+    const std::vector<std::uint16_t> black(
+        3 * static_cast<std::size_t>(shot.shot.render.width * shot.shot.render.height), 0);
+    for (const std::int64_t frame : frames) {
+        mixer.add(part, frame - shot.first, black);
+    }
+}
+
 /// Renders all parts in order; `mixer` may be null.
 FilmJobResult make_parts(const Sequence& sequence, const SequenceBakes& bakes,
-                         const std::vector<std::int64_t>& frames, FilmJobOptions options,
+                         const std::vector<std::int64_t>& frames, const FilmJobOptions& options,
                          const JobObserver& observer, SequenceMixer* mixer,
                          const std::stop_token& stop) {
     FilmJobResult result;
@@ -105,8 +128,6 @@ FilmJobResult make_parts(const Sequence& sequence, const SequenceBakes& bakes,
     }
     PartObserver observers(sequence, observer, std::max<std::int64_t>(count, 1));
     const std::vector<std::int64_t> starts = sequence.starts();
-    options.output.clear();
-    options.chunk = {};
     for (std::size_t i = 0; i < sequence.parts.size(); ++i) {
         const SequencePart& part = sequence.parts[i];
         if (const auto* card = std::get_if<TitleCard>(&part.content)) {
@@ -127,15 +148,19 @@ FilmJobResult make_parts(const Sequence& sequence, const SequenceBakes& bakes,
             continue;
         }
         const auto& shot = std::get<ShotPart>(part.content);
-        options.frames = range_of(own);
-        options.sink = nullptr;
+        if (mixer != nullptr && options.so_far &&
+            part_status(sequence, i, bakes, options, stop).stored.empty()) {
+            add_black(*mixer, i, own, shot);
+            continue;
+        }
+        FilmJobOptions of_part = part_options(options, own);
         if (mixer != nullptr) {
-            options.sink = [&, i](const FilmSource& source, const FilmPlan&) {
+            of_part.sink = [&, i](const FilmSource& source, const FilmPlan&) {
                 return std::make_unique<PartSink>(source, i, shot.first, *mixer, options.threads);
             };
         }
         const FilmJobResult one =
-            make_film(shot.shot, bakes.at(i), options, observers.of(i, std::ssize(own)), stop);
+            make_film(shot.shot, bakes.at(i), of_part, observers.of(i, std::ssize(own)), stop);
         observers.finish(std::ssize(own));
         result.pictures += one.pictures;
         result.rendered += one.rendered;
@@ -184,6 +209,37 @@ std::optional<std::int64_t> poster_frame(const Sequence& sequence,
     return found == frames.end() ? frames.back() : *found;
 }
 
+/// The status of all parts together, in the film's numbers. Frames of title cards alone are neither
+/// stored nor missing.
+FilmStatus sequence_status(const Sequence& sequence, const SequenceBakes& bakes,
+                           const FilmJobOptions& options, const std::stop_token& stop) {
+    const std::vector<std::int64_t> starts = sequence.starts();
+    std::set<std::int64_t> stored;
+    std::set<std::int64_t> missing;
+    std::set<std::int64_t> damaged;
+    FilmStatus whole;
+    whole.frames = selected(sequence, options);
+    for (const auto& [part, bake] : bakes) {
+        const FilmStatus status = part_status(sequence, part, bakes, options, stop);
+        const std::int64_t shift =
+            starts[part] - std::get<ShotPart>(sequence.parts[part].content).first;
+        for (const std::int64_t frame : status.stored) {
+            stored.insert(frame + shift);
+        }
+        for (const std::int64_t frame : status.missing) {
+            missing.insert(frame + shift);
+        }
+        for (const std::int64_t frame : status.damaged) {
+            damaged.insert(frame + shift);
+        }
+        whole.pictures += status.pictures;
+    }
+    std::ranges::set_difference(stored, missing, std::back_inserter(whole.stored));
+    whole.missing.assign(missing.begin(), missing.end());
+    whole.damaged.assign(damaged.begin(), damaged.end());
+    return whole;
+}
+
 }  // namespace
 
 std::vector<std::int64_t> own_frames(const Sequence& sequence, std::size_t part,
@@ -228,6 +284,45 @@ FilmJobResult make_sequence(const Sequence& sequence, const SequenceBakes& bakes
         make_parts(sequence, bakes, frames, options, observer, &mixer, stop);
     writer.finish();
     return result;
+}
+
+FilmStatus part_status(const Sequence& sequence, std::size_t part, const SequenceBakes& bakes,
+                       const FilmJobOptions& options, const std::stop_token& stop) {
+    const std::vector<std::int64_t> own = own_frames(sequence, part, selected(sequence, options));
+    return own.empty() ? FilmStatus{}
+                       : film_status(std::get<ShotPart>(sequence.parts[part].content).shot,
+                                     bakes.at(part), part_options(options, own), stop);
+}
+
+std::string stored_tier(const Sequence& sequence, const SequenceBakes& bakes,
+                        const FilmJobOptions& options, const std::stop_token& stop) {
+    const std::vector<std::int64_t> frames = selected(sequence, options);
+    std::size_t longest = 0;
+    std::vector<std::int64_t> most;
+    for (const auto& [part, bake] : bakes) {
+        std::vector<std::int64_t> own = own_frames(sequence, part, frames);
+        if (own.size() > most.size()) {
+            longest = part;
+            most = std::move(own);
+        }
+    }
+    return most.empty() ? std::string(render::simd_tier())
+                        : stored_tier(std::get<ShotPart>(sequence.parts[longest].content).shot,
+                                      bakes.at(longest), part_options(options, most), stop);
+}
+
+FilmJobResult mux_sequence(const Sequence& sequence, const SequenceBakes& bakes,
+                           const FilmJobOptions& options, const JobObserver& observer,
+                           const std::stop_token& stop) {
+    const FilmStatus status = sequence_status(sequence, bakes, options, stop);
+    if (!options.so_far) {
+        check_that_all_are_stored(status);
+    } else if (status.pictures > 0 && status.stored.empty()) {
+        throw Error("none of the film's frames is rendered yet");
+    }
+    FilmJobOptions without_renderer = options;
+    without_renderer.renderer = refuse_to_render;
+    return make_sequence(sequence, bakes, without_renderer, observer, stop);
 }
 
 void for_each_frame(const Sequence& sequence, const SequenceBakes& bakes,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pipeline/job/film_job.h"
+#include "pipeline/job/film_status.h"
 #include "pipeline/sequence/sequence.h"
 #include "pipeline/sheet/contact_sheet.h"
 #include "sim/timeline/bake_file.h"
@@ -27,6 +28,21 @@ using SequenceBakes = std::map<std::size_t, sim::Bake>;
 FilmJobResult make_sequence(const Sequence& sequence, const SequenceBakes& bakes,
                             const FilmJobOptions& options, const JobObserver& observer,
                             const std::stop_token& stop);
+
+/// What of the part's frames that the options select is stored, in its own film's numbers.
+[[nodiscard]] FilmStatus part_status(const Sequence& sequence, std::size_t part,
+                                     const SequenceBakes& bakes, const FilmJobOptions& options,
+                                     const std::stop_token& stop);
+
+/// The tier of which the store has the most pictures of the part of which the options select most.
+[[nodiscard]] std::string stored_tier(const Sequence& sequence, const SequenceBakes& bakes,
+                                      const FilmJobOptions& options, const std::stop_token& stop);
+
+/// Like make_sequence, but only with stored frames. Throws an Error that names the missing frames
+/// in the film's numbers, unless the film so far is wanted.
+FilmJobResult mux_sequence(const Sequence& sequence, const SequenceBakes& bakes,
+                           const FilmJobOptions& options, const JobObserver& observer,
+                           const std::stop_token& stop);
 
 /// Calls `take` with the display values of these frames of the film in order, as make_sequence
 /// encodes them. Throws Error, Stopped.

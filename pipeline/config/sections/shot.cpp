@@ -71,8 +71,8 @@ const MapSpec<ShotFile>& shot_spec() {
               "graphics on the finished frames: paths, arrows, angles, texts, a plan");
         s.set(
             "film", record(film_spec()), [](ShotFile&, const FilmSection&) {},
-            "several shots as one film, instead of a shot: render, frame, contact-sheet, plan, "
-            "info and check take such a file");
+            "several shots as one film, instead of a shot: render, mux, frame, contact-sheet, "
+            "plan, info and check take such a file");
         s.check([](Reader& reader, const Node& node, ShotFile& shot) {
             if (const Entry* film = node.find("film")) {
                 reader.error(film->key_place,

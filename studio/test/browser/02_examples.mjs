@@ -1,5 +1,5 @@
 // Opening every example, one after the other, changes no file and makes none but the cache and the
-// list of recent shots.
+// list of recent shots. Of a film of several shots the text and a problem are shown.
 import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { equal } from './harness.mjs';
@@ -17,9 +17,13 @@ export async function check({ page, folder }) {
     const names = readdirSync(join(folder, 'examples')).filter((name) => name.endsWith('.yaml'));
     for (const name of names) {
         await page.evaluate((file) => window.studio.open(file), `examples/${name}`);
-        await page.waitForFunction((file) => window.studio.state.shot.value?.objects.length > 0
-            && window.studio.state.files.value[0]?.file.endsWith(`/${file}`)
-            && window.studio.edit.text().length > 0, name);
+        const isSequence = /^film:/m.test(before[`examples/${name}`]);
+        await page.waitForFunction(([file, needsShot]) =>
+            window.studio.state.files.value[0]?.file.endsWith(`/${file}`)
+            && (needsShot ? window.studio.state.shot.value?.objects.length > 0
+                : window.studio.state.problems.value?.list.some(({ message }) =>
+                    message === 'this is a film of several shots, where a single shot is needed'))
+            && window.studio.edit.text().length > 0, [name, !isSequence]);
         equal(await page.evaluate(() => window.studio.edit.text()),
             before[`examples/${name}`], `the text of ${name}`);
     }

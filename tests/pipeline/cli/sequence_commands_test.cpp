@@ -1,4 +1,6 @@
 // End-to-end tests of films of several shots.
+#include <algorithm>
+
 #include "tests/pipeline/cli/end_to_end.h"
 #include "tests/pipeline/video/decoded_video.h"
 
@@ -86,6 +88,33 @@ TEST_F(SequenceRun, Render_GoesOnWhereItWas) {
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(part.frames[i].rgb, film.frames[i + 7].rgb);
     }
+}
+
+TEST_F(SequenceRun, Mux_WritesTheFilmOfTheChunks) {
+    EXPECT_THAT(run({"mux", "film.yaml", "--so-far", "-o", "film.mkv"}).err,
+                HasSubstr("none of the film's frames is rendered yet"));
+    (void)must_run({"render", "film.yaml", "--chunk", "1/2"});
+    // Frames 6 and 7 are the title's alone.
+    EXPECT_THAT(run({"mux", "film.yaml", "-o", "film.mkv"}).err,
+                HasSubstr("4 of 12 frames are not in the cache: 8-11; 'carom render' renders "
+                          "them"));
+    EXPECT_FALSE(exists("film.mkv"));
+    (void)must_run({"mux", "film.yaml", "--so-far", "-o", "so_far.mkv"});
+    const auto so_far = decode_video(path("so_far.mkv"));
+    (void)must_run({"render", "film.yaml", "--chunk", "2/2"});
+    EXPECT_THAT(must_run({"mux", "film.yaml", "-o", "film.mkv"}).err,
+                HasSubstr("12 frames of 3 parts"));
+    (void)must_run({"render", "film.yaml", "-o", "rendered.mkv"});
+    const auto film = decode_video(path("film.mkv"));
+    const auto rendered = decode_video(path("rendered.mkv"));
+    ASSERT_EQ(film.frames.size(), 12U);
+    ASSERT_EQ(so_far.frames.size(), 12U);
+    for (std::size_t i = 0; i < 12; ++i) {
+        EXPECT_EQ(film.frames[i].rgb, rendered.frames[i].rgb) << i;
+        EXPECT_EQ(so_far.frames[i].rgb == film.frames[i].rgb, i < 8) << i;
+    }
+    const auto& last = so_far.frames[11].rgb;
+    EXPECT_TRUE(std::all_of(last.begin(), last.end(), [](auto value) { return value == 0; }));
 }
 
 TEST_F(SequenceRun, OtherCommands_KnowTheFilm) {
