@@ -25,7 +25,7 @@ export async function check({ page, folder }) {
                     message === 'this is a film of several shots, where a single shot is needed'))
             && window.studio.edit.text().length > 0, [name, !isSequence]);
         equal(await page.evaluate(() => window.studio.edit.text()),
-            before[`examples/${name}`], `the text of ${name}`);
+            readFileSync(join(folder, 'examples', name), 'utf8'), `the text of ${name}`);
     }
     equal(Object.keys(contents(folder)), Object.keys(before), 'the files');
     equal(contents(folder), before, 'the contents of the files');
