@@ -1,5 +1,3 @@
-#include <vector>
-
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/drawing_output.h"
 #include "pipeline/cli/output_file.h"
@@ -7,21 +5,17 @@
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/plan/report_plot.h"
+#include "pipeline/report/report_of_shot.h"
 #include "pipeline/report/report_text.h"
 
 namespace carom::cli {
 
 namespace {
 
-void write_report(const ReportCommand& command, const sim::Timeline& timeline,
-                  const std::vector<pipeline::ShotMoment>& moments) {
-    pipeline::ShotReport report = pipeline::report_of(timeline);
-    std::erase_if(report.objects, [](const pipeline::ReportedObject& object) {
-        return object.name == pipeline::kStickTrack;
-    });
-    for (const pipeline::ShotMoment& moment : moments) {
-        report.moments.push_back({moment.key_path, moment.time.value_or(0)});
-    }
+/// `shot` is empty if only the motion is known.
+void write_report(const ReportCommand& command, const pipeline::Shot& shot,
+                  const sim::Timeline& timeline) {
+    const pipeline::ShotReport report = pipeline::report_of_shot(shot, timeline);
     write_text_output(command.output.empty() ? "-" : command.output,
                       command.json ? report_json(report) : pipeline::report_text(report));
 }
@@ -31,8 +25,8 @@ void write_report(const ReportCommand& command, const sim::Timeline& timeline,
 void run(const ReportCommand& command, CommandContext& context) {
     check_output_folder(command.output);
     if (command.plot.empty() && is_bake_file(command.input.path)) {
-        return write_report(command, read_timeline_of_bake(command.input.path, context.console),
-                            {});
+        return write_report(command, {},
+                            read_timeline_of_bake(command.input.path, context.console));
     }
     if (!command.plot.empty()) {
         check_drawing_path(command.plot, "a plot");
@@ -42,7 +36,7 @@ void run(const ReportCommand& command, CommandContext& context) {
         obtain_bake(input, command.input, command.cache, context).timeline;
     // With --plot and without -o and --json only the plot is written.
     if (command.plot.empty() || !command.output.empty() || command.json) {
-        write_report(command, timeline, input.shot.moments);
+        write_report(command, input.shot, timeline);
     }
     if (!command.plot.empty()) {
         write_drawing({command.plot, command.drawing.width},

@@ -62,7 +62,7 @@ struct ShotReport {
     std::vector<ReportedEnergy>
         energy;  // at the ends, after force events, at about ten regular times
     std::vector<sim::EnergySample> energy_samples;  // all samples of the timeline
-    std::vector<ReportedMoment> moments;            // of the shot; report_of leaves them empty
+    std::vector<ReportedMoment> moments;            // of the shot: report_of_shot
     double largest_energy_rise = 0;  // between force events, as in sim/timeline/energy.h
 };
 

@@ -8,8 +8,8 @@
 #include "core/error.h"
 #include "pipeline/plan/plan_svg.h"
 #include "pipeline/plan/report_plot.h"
+#include "pipeline/report/report_of_shot.h"
 #include "pipeline/report/report_text.h"
-#include "pipeline/report/shot_report.h"
 #include "pipeline/video/picture_kind.h"
 
 namespace carom::studio {
@@ -81,7 +81,7 @@ std::string draw_document(const DocumentKind& kind, const pipeline::Shot& shot,
     if (kind.what == "plot") {
         return pipeline::report_plot_svg(shot, timeline);
     }
-    return pipeline::report_text(pipeline::report_of(timeline));
+    return pipeline::report_text(pipeline::report_of_shot(shot, timeline));
 }
 
 }  // namespace carom::studio

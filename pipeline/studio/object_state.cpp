@@ -68,6 +68,9 @@ std::vector<SceneObject> object_messages(const pipeline::Shot& shot,
         message.path = path_of(message.kind, object.name);
         message.shape = std::visit([](const auto& shape) { return shape.kName; }, object.shape);
         message.moves = !object.track.empty() && timeline.find(object.track) != nullptr;
+        if (message.moves && object.track != object.name) {
+            message.track = object.track;
+        }
         const Pose pose = pose_of(object, shot, timeline);
         message.position = triple(pose.position);
         message.orientation = {pose.orientation.r, pose.orientation.v.x, pose.orientation.v.y,

@@ -29,10 +29,10 @@ constexpr auto fields_of(Describes<SceneObject>) {
     return fields<SceneObject>(
         field("name", &SceneObject::name), field("kind", &SceneObject::kind),
         field("path", &SceneObject::path), field("shape", &SceneObject::shape),
-        field("moves", &SceneObject::moves), field("position", &SceneObject::position),
-        field("orientation", &SceneObject::orientation), field("radius", &SceneObject::radius),
-        field("number", &SceneObject::number), field("colour", &SceneObject::colour),
-        field("material", &SceneObject::material));
+        field("moves", &SceneObject::moves), field("track", &SceneObject::track),
+        field("position", &SceneObject::position), field("orientation", &SceneObject::orientation),
+        field("radius", &SceneObject::radius), field("number", &SceneObject::number),
+        field("colour", &SceneObject::colour), field("material", &SceneObject::material));
 }
 
 constexpr auto fields_of(Describes<SceneLight>) {

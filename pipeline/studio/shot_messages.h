@@ -44,11 +44,12 @@ struct ValuePlace {
 /// A ball or an object of the scene.
 struct SceneObject {
     std::string name{};
-    std::string kind{};   // "ball", "object", "table"
-    KeyPath path{};       // where it is, or would be, in the shot: ["balls", "nine"]
-    std::string shape{};  // "sphere", "box" ...
-    bool moves = false;   // has a track in the timeline; else it rests at this pose
-    Triple position{};    // at the start, of the origin of its axes
+    std::string kind{};                  // "ball", "object", "table"
+    KeyPath path{};                      // where it is, or would be, in the shot: ["balls", "nine"]
+    std::string shape{};                 // "sphere", "box" ...
+    bool moves = false;                  // has a track in the timeline; else it rests at this pose
+    std::optional<std::string> track{};  // of the timeline, if it has not the object's name
+    Triple position{};                   // at the start, of the origin of its axes
     Turn orientation{1, 0, 0, 0};
     double radius = 0;            // of a ball
     std::optional<int> number{};  // on a ball

@@ -348,6 +348,7 @@ export interface SceneObject {
     path: KeyPath;
     shape: string;
     moves: boolean;
+    track?: string;
     position: Triple;
     orientation: Turn;
     radius: number;

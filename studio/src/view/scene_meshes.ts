@@ -92,7 +92,7 @@ export class SceneMeshes {
         }
         for (const object of shot.objects) {
             const node = this.nodes.get(object.name);
-            const track = object.moves ? tracks.get(object.name) : undefined;
+            const track = object.moves ? tracks.get(object.track ?? object.name) : undefined;
             if (node) {
                 place(node, track?.position(time) ?? object.position,
                     track?.orientation(time) ?? object.orientation);

@@ -85,14 +85,14 @@ export function trailColour(object: SceneObject): Color {
     return new Color(...object.colour).lerp(new Color(1, 1, 1), 0.25);
 }
 
-/// The shapes of all paths. `fadedAfter` has the times from which paths are faded, by object.
+/// The shapes of all paths but that of the cue stick, which is of the table's kind. `fadedAfter` has the times from which paths are faded, by object.
 export function trailShapes(
     objects: readonly SceneObject[], tracks: ReadonlyMap<string, Track>, style: TrailStyle,
     fadedAfter: ReadonlyMap<string, number>,
 ): TrailShapes {
     const shapes: TrailShapes = { lines: [], lineColours: [], dots: [], dotColours: [] };
     for (const object of objects) {
-        const track = object.moves ? tracks.get(object.name) : undefined;
+        const track = object.moves && object.kind !== 'table' ? tracks.get(object.name) : undefined;
         if (track?.moves) {
             const fadeTime = fadedAfter.get(object.name) ?? Infinity;
             const opacityAt = (time: number) =>

@@ -72,6 +72,9 @@ test('Trails_OfTracks_FadeAfterATimeAndHaveDotsWhereTheyAreApart', () => {
     const still = trailShapes([{ ...ball('cue'), moves: false }],
         new Map([['cue', straight('cue', 1)]]), { opacity: 1, fadedOpacity: 1 }, new Map());
     assert.equal(still.lines.length, 0);
+    const stick = trailShapes([{ ...ball('stick/tip'), kind: 'table' }],
+        new Map([['stick/tip', straight('stick/tip', 1)]]), { opacity: 1, fadedOpacity: 1 }, new Map());
+    assert.equal(stick.lines.length, 0);
 });
 
 const strike: StrikeView = {

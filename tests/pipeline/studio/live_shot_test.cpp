@@ -188,12 +188,17 @@ TEST_F(LiveShotTest, SlowShot_IsShownBeforeItsMotionIsKnown) {
         holds_ = false;
     });
     wait([&] { return complete_ == 1; });
-    // The same objects at the same places as with the motion.
+    // The same objects at the same places as with the motion. Only the stick, whose motion follows
+    // from the strikes, is not seen yet.
     ASSERT_EQ(states_.size(), 2U);
     ASSERT_EQ(states_[0].objects.size(), states_[1].objects.size());
     for (std::size_t i = 0; i < states_[0].objects.size(); ++i) {
         EXPECT_EQ(states_[0].objects[i].moves, states_[1].objects[i].moves);
-        EXPECT_EQ(states_[0].objects[i].position, states_[1].objects[i].position);
+        if (states_[0].objects[i].name.starts_with("stick/")) {
+            EXPECT_LT(states_[0].objects[i].position[2], -100);
+        } else {
+            EXPECT_EQ(states_[0].objects[i].position, states_[1].objects[i].position);
+        }
     }
     offer(2, 2);  // known to be slow
     wait([&] { return complete_ == 2; });
