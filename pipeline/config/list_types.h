@@ -42,6 +42,7 @@ ValueType<std::vector<V>> list_of(const ValueType<V>& element, int fewest = 0, i
     };
     result.show = [show = element.show](const std::vector<V>& values) {
         std::vector<std::string> shown;
+        shown.reserve(values.size());
         for (const V& value : values) {
             shown.push_back(show ? show(value) : std::string());
         }

@@ -360,9 +360,10 @@ std::vector<Diagnostic> stick_problems(const ShownStick& stick, const sim::World
                 ? fmt::format("an elevation of at least {} deg clears it",
                               decimal_text(std::ceil(elevation / kStep - 1e-6) * 0.1, 1))
                 : std::string("no elevation clears it");
-        problems.push_back({Subject::event(logged.event), "elevation",
-                            about(logged, world) + " passes through " + obstacle + "; " + cure,
-                            Severity::warning});
+        problems.push_back(
+            {Subject::event(logged.event), "elevation",
+             fmt::format("{} passes through {}; {}", about(logged, world), obstacle, cure),
+             Severity::warning});
     }
     return problems;
 }

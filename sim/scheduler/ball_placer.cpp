@@ -158,10 +158,10 @@ std::vector<Diagnostic> BallPlacer::never_placed(double time) const {
         warnings.push_back(
             {Subject::event(waiting.event), "spot",
              never_happened(waiting.event,
-                            place +
-                                (is_next ? " and all others that the rule gives were occupied, "
-                                         : " was never free, ") +
-                                "at the end by " + who)});
+                            fmt::format("{} {}, at the end by {}", place,
+                                        is_next ? "and all others that the rule gives were occupied"
+                                                : "was never free",
+                                        who))});
     }
     return warnings;
 }

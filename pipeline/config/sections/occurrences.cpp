@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -190,7 +191,7 @@ ValueType<double> scene_time() {
 
 ValueType<Rational> exact_scene_time() {
     return number_or_moment(exact(Dimension::time, between(0, kLongest)), [](double time) {
-        return Rational(static_cast<std::int64_t>(time * kMomentTicks + 0.5), kMomentTicks);
+        return Rational(std::llround(time * kMomentTicks), kMomentTicks);
     });
 }
 
