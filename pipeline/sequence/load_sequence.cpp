@@ -146,7 +146,8 @@ class Loader {
         }
     }
 
-    [[nodiscard]] LoadOptions options_of(const FilmSection& film, const FilmPartSection& part) const {
+    [[nodiscard]] LoadOptions options_of(const FilmSection& film,
+                                         const FilmPartSection& part) const {
         LoadOptions options = options_;
         if (film.size) {
             options.own.push_back(
