@@ -1,6 +1,7 @@
 // The types of maps: maps of keys, numbered maps and named maps.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,6 +22,16 @@ ValueType<T> record(const MapSpec<T>& spec) {
         T value = spec.prototype();
         spec.read(reader, node, value);
         return node.is_map() ? std::optional<T>(std::move(value)) : std::nullopt;
+    };
+    return result;
+}
+
+/// The same of a map of keys that only this type has.
+template <class T>
+ValueType<T> record(std::shared_ptr<const MapSpec<T>> spec) {
+    ValueType<T> result = record(*spec);
+    result.read = [kept = std::move(spec), read = result.read](Reader& reader, const Node& node) {
+        return read(reader, node);
     };
     return result;
 }

@@ -154,12 +154,7 @@ SceneShapes shapes_of(const GhostAnnotation& ghost, const Annotation& look,
     area.corners.pop_back();
     area.colour = look.colour.value_or(aim_colour());
     area.opacity = kGhostOpacity;
-    SceneLine edge;
-    edge.points = area.corners;
-    edge.is_closed = true;
-    edge.colour = area.colour;
-    edge.width = look.width.value_or(kGhostWidth);
-    edge.dash = look.dash.value_or(Dash::solid);
+    SceneLine edge = edge_of(area, look, kGhostWidth);
     edge.dash_size = kGhostDashes;
     return {std::move(area), std::move(edge)};
 }

@@ -61,6 +61,16 @@ std::vector<Vec3> arc_points(const Vec3& centre, const Vec3& start, const Vec3& 
     return points;
 }
 
+SceneLine edge_of(const SceneArea& area, const Annotation& look, double usual_width) {
+    SceneLine edge;
+    edge.points = area.corners;
+    edge.is_closed = true;
+    edge.colour = area.colour;
+    edge.width = look.width.value_or(usual_width);
+    edge.dash = look.dash.value_or(Dash::solid);
+    return edge;
+}
+
 SceneShapes shapes_of(const ZoneAnnotation& zone, const Annotation& look,
                       const SceneMoment& moment) {
     SceneArea area;
@@ -75,12 +85,7 @@ SceneShapes shapes_of(const ZoneAnnotation& zone, const Annotation& look,
     }
     area.colour = look.colour.value_or(zone_colour());
     area.opacity = kZoneOpacity;
-    SceneLine edge;
-    edge.points = area.corners;
-    edge.is_closed = true;
-    edge.colour = area.colour;
-    edge.width = look.width.value_or(kLine);
-    edge.dash = look.dash.value_or(Dash::solid);
+    SceneLine edge = edge_of(area, look, kLine);
     return {std::move(area), std::move(edge)};
 }
 

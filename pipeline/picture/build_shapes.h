@@ -58,6 +58,9 @@ struct SceneMoment {
 [[nodiscard]] SceneText scene_text(std::string text, const Vec3& at, const Annotation& look,
                                    double usual_size);
 
+/// The edge of an area, in the look of the annotation. `usual_width`: picture heights.
+[[nodiscard]] SceneLine edge_of(const SceneArea& area, const Annotation& look, double usual_width);
+
 /// Points on a circle, from `start` (from the centre) on, turned by up to `turn` (rad) about the
 /// unit `axis`.
 [[nodiscard]] std::vector<Vec3> arc_points(const Vec3& centre, const Vec3& start, const Vec3& axis,

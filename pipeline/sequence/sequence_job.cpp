@@ -126,6 +126,7 @@ FilmJobResult make_parts(const Sequence& sequence, const SequenceBakes& bakes,
     for (std::size_t i = 0; i < sequence.parts.size(); ++i) {
         count += std::ssize(own_frames(sequence, i, frames));
     }
+    std::int64_t black = 0;
     PartObserver observers(sequence, observer, std::max<std::int64_t>(count, 1));
     const std::vector<std::int64_t> starts = sequence.starts();
     for (std::size_t i = 0; i < sequence.parts.size(); ++i) {
@@ -151,6 +152,7 @@ FilmJobResult make_parts(const Sequence& sequence, const SequenceBakes& bakes,
         if (mixer != nullptr && options.so_far &&
             part_status(sequence, i, bakes, options, stop).stored.empty()) {
             add_black(*mixer, i, own, shot);
+            black += std::ssize(own);
             continue;
         }
         FilmJobOptions of_part = part_options(options, own);
@@ -165,6 +167,9 @@ FilmJobResult make_parts(const Sequence& sequence, const SequenceBakes& bakes,
         result.pictures += one.pictures;
         result.rendered += one.rendered;
         result.counts += one.counts;
+    }
+    if (black > 0 && black == count) {
+        throw Error("none of the film's frames is rendered yet");
     }
     result.frames = std::ssize(frames);
     return result;
@@ -209,12 +214,10 @@ std::optional<std::int64_t> poster_frame(const Sequence& sequence,
     return found == frames.end() ? frames.back() : *found;
 }
 
-/// The status of all parts together, in the film's numbers. Frames of title cards alone are neither
-/// stored nor missing.
+/// The status of all parts together, in the film's numbers. Title cards need not be rendered.
 FilmStatus sequence_status(const Sequence& sequence, const SequenceBakes& bakes,
                            const FilmJobOptions& options, const std::stop_token& stop) {
     const std::vector<std::int64_t> starts = sequence.starts();
-    std::set<std::int64_t> stored;
     std::set<std::int64_t> missing;
     std::set<std::int64_t> damaged;
     FilmStatus whole;
@@ -223,9 +226,6 @@ FilmStatus sequence_status(const Sequence& sequence, const SequenceBakes& bakes,
         const FilmStatus status = part_status(sequence, part, bakes, options, stop);
         const std::int64_t shift =
             starts[part] - std::get<ShotPart>(sequence.parts[part].content).first;
-        for (const std::int64_t frame : status.stored) {
-            stored.insert(frame + shift);
-        }
         for (const std::int64_t frame : status.missing) {
             missing.insert(frame + shift);
         }
@@ -234,7 +234,7 @@ FilmStatus sequence_status(const Sequence& sequence, const SequenceBakes& bakes,
         }
         whole.pictures += status.pictures;
     }
-    std::ranges::set_difference(stored, missing, std::back_inserter(whole.stored));
+    std::ranges::set_difference(whole.frames, missing, std::back_inserter(whole.stored));
     whole.missing.assign(missing.begin(), missing.end());
     whole.damaged.assign(damaged.begin(), damaged.end());
     return whole;
@@ -314,11 +314,8 @@ std::string stored_tier(const Sequence& sequence, const SequenceBakes& bakes,
 FilmJobResult mux_sequence(const Sequence& sequence, const SequenceBakes& bakes,
                            const FilmJobOptions& options, const JobObserver& observer,
                            const std::stop_token& stop) {
-    const FilmStatus status = sequence_status(sequence, bakes, options, stop);
     if (!options.so_far) {
-        check_that_all_are_stored(status);
-    } else if (status.pictures > 0 && status.stored.empty()) {
-        throw Error("none of the film's frames is rendered yet");
+        check_that_all_are_stored(sequence_status(sequence, bakes, options, stop));
     }
     FilmJobOptions without_renderer = options;
     without_renderer.renderer = refuse_to_render;

@@ -32,22 +32,16 @@ ValueType<Eased<V>> eased(const std::string& key, const ValueType<V>& single) {
     const auto pair = convert<Eased<V>>(list_of(single, 2, 2), [](const std::vector<V>& values) {
         return Eased<V>{values[0], values[1], Easing::linear};
     });
-    ValueType<Eased<V>> map;
-    map.info.kind = TypeInfo::Kind::map;
-    map.info.map = &spec->info();
-    map.read = [spec](Reader& reader, const Node& node) -> std::optional<Eased<V>> {
-        Eased<V> value = blank<V>();
-        spec->read(reader, node, value);
-        return value;
-    };
     const bool is_list_itself = single.info.kind == TypeInfo::Kind::list;
     const auto is_single = [is_list_itself](const Node& node) {
         return is_list_itself
                    ? node.is_sequence() && !node.items.empty() && !node.items.front().is_sequence()
                    : node.is_scalar();
     };
-    ValueType<Eased<V>> result = any_of<Eased<V>>(
-        {{is_single, constant}, {is_list, pair}, {has_keys, keyed(key, single)}, {is_map, map}});
+    ValueType<Eased<V>> result = any_of<Eased<V>>({{is_single, constant},
+                                                   {is_list, pair},
+                                                   {has_keys, keyed(key, single)},
+                                                   {is_map, record<Eased<V>>(spec)}});
     result.info.noun = "changing";
     result.show = [show = single.show](const Eased<V>& value) {
         return show ? show(value.start) : std::string();

@@ -84,33 +84,10 @@ ValueType<TimeMap> linear_map() {
 
 /// A pair of film time and speed.
 ValueType<SpeedKey> speed_key() {
-    const ValueType<Rational> time = exact(Dimension::time, between(0, kLongest));
-    const ValueType<Rational> speed = exact(Dimension::none, between(-1000, 1000));
-    ValueType<SpeedKey> result;
-    result.info.kind = TypeInfo::Kind::list;
-    TypeInfo either;
-    either.kind = TypeInfo::Kind::any_of;
-    either.elements = {time.info, speed.info};
-    result.info.elements = {either};
-    result.info.fewest = result.info.most = 2;
-    const TypeInfo type = result.info;
-    result.read = [type, time, speed](Reader& reader, const Node& node) -> std::optional<SpeedKey> {
-        if (!check_list(reader, node, type)) {
-            return std::nullopt;
-        }
-        std::optional<Rational> at;
-        std::optional<Rational> value;
-        {
-            const Reader::Scope scope(reader, std::size_t{0}, node.items[0].place);
-            at = time.read(reader, node.items[0]);
-        }
-        {
-            const Reader::Scope scope(reader, std::size_t{1}, node.items[1].place);
-            value = speed.read(reader, node.items[1]);
-        }
-        return at && value ? std::optional(SpeedKey{*at, *value}) : std::nullopt;
-    };
-    return result;
+    return convert<SpeedKey>(value_key(exact(Dimension::none, between(-1000, 1000))),
+                             [](const ValueKey<Rational>& key) {
+                                 return SpeedKey{key.video_time, key.value};
+                             });
 }
 
 void check_ramp(Reader& reader, const Node& node, TimeMap& map) {

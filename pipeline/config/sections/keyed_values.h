@@ -103,15 +103,7 @@ ValueType<Eased<V>> keyed(const std::string& key, const ValueType<V>& single) {
             value.end = value.keys.back().value;
         }
     });
-    ValueType<Eased<V>> map;
-    map.info.kind = TypeInfo::Kind::map;
-    map.info.map = &spec->info();
-    map.read = [spec](Reader& reader, const Node& node) -> std::optional<Eased<V>> {
-        Eased<V> value = blank<V>();
-        spec->read(reader, node, value);
-        return value;
-    };
-    return map;
+    return record<Eased<V>>(spec);
 }
 
 }  // namespace carom::pipeline::config

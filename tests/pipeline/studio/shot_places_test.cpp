@@ -1,4 +1,4 @@
-// What the page is told of cameras and annotations, and where values stand.
+// Which cameras, annotations and places of values the server reports to the page.
 #include <algorithm>
 
 #include <gmock/gmock.h>
