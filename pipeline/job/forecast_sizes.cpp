@@ -125,7 +125,7 @@ StorePixelCost store_cost(const SiteMeasurement& site, const Shot& shot, const s
         const double pixels = pixels_of(mosaic);
         const render::Film noisy = render::as_stored(std::move(mosaic), {});
         const double begin = process_cpu_seconds();
-        cost.bytes = static_cast<double>(render::pack_film(noisy).size()) / pixels;
+        cost.bytes = static_cast<double>(render::pack_film(noisy, path).size()) / pixels;
         const double packed = process_cpu_seconds();
         mosaic = denoised_picture(noisy, shot);
         cost.denoise_seconds = (process_cpu_seconds() - packed) / pixels;

@@ -10,7 +10,6 @@
 #include "core/error.h"
 #include "pipeline/store/cache_entry.h"
 #include "pipeline/store/frame_checksum.h"
-#include "render/film/film_check.h"
 #include "render/film/packed_film.h"
 
 namespace carom::pipeline {
@@ -136,8 +135,7 @@ void FrameStore::write(const Hash128& key, const render::Film& film,
 void FrameStore::write_noisy(const Hash128& key, const render::Film& film) const {
     CAROM_ASSERT(access_ != StoreAccess::only_read);
     PartialFile partial = begin_file(key);
-    render::check_film(film, partial.path());
-    write_with_checksum(partial.path(), render::pack_film(film), key);
+    write_with_checksum(partial.path(), render::pack_film(film, partial.path()), key);
     partial.rename_to(file_of(key, kNoisyExtension));
 }
 

@@ -25,19 +25,6 @@ ToneCurve::ToneCurve(const std::function<double(double)>& curve, double white)
     table_.push_back(table_.back());  // interpolation at `white` reads it with weight 0
 }
 
-float ToneCurve::operator()(float value) const {
-    if (!(value > 0)) {  // NaN too
-        return table_.front();
-    }
-    if (value >= white_) {
-        return table_.back();
-    }
-    const float place = std::sqrt(value) * scale_;
-    const auto cell = static_cast<std::size_t>(place);
-    const float fraction = place - static_cast<float>(cell);
-    return table_[cell] + (table_[cell + 1] - table_[cell]) * fraction;
-}
-
 double srgb_encode(double linear) {
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * power(linear, 1 / 2.4) - 0.055;
 }

@@ -1,6 +1,7 @@
 // One-dimensional curves of the view transforms, stored as tables.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -14,7 +15,19 @@ class ToneCurve {
     ToneCurve(const std::function<double(double)>& curve, double white);
 
     /// The curve at `value`, clamped to [0, white]; 0 for NaN.
-    [[nodiscard]] float operator()(float value) const;
+    [[nodiscard]] float operator()(float value) const {
+        if (!(value > 0)) {  // NaN too
+            return table_.front();
+        }
+        if (value >= white_) {
+            return table_.back();
+        }
+        const float place = std::sqrt(value) * scale_;
+        const auto cell = static_cast<int>(place);
+        const float fraction = place - static_cast<float>(cell);
+        const float* entry = table_.data() + cell;
+        return entry[0] + (entry[1] - entry[0]) * fraction;
+    }
 
   private:
     float white_;

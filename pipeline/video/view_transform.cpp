@@ -170,19 +170,21 @@ std::vector<std::uint16_t> DisplayView::rows_to_16(const render::Film& glowing, 
         glowing.width, end - first};
     const auto gain = static_cast<float>(exponential2(output_.exposure));
     std::vector<std::uint16_t> display(3 * pixels);
-    const ToneCurve encode(srgb_encode, 1.0);
+    static const ToneCurve encode(srgb_encode, 1.0);
+    static const FilmicView filmic;
+    static const AgxView agx;
     switch (output_.view) {
         case ViewTransform::srgb:
             transform(rows, gain, PlainView{}, encode, display);
             break;
         case ViewTransform::filmic:
-            transform(rows, gain, FilmicView{}, encode, display);
+            transform(rows, gain, filmic, encode, display);
             break;
         case ViewTransform::raw:
             transform(rows, gain, PlainView{}, unencoded, display);
             break;
         case ViewTransform::agx:
-            transform(rows, gain, AgxView{}, encode, display);
+            transform(rows, gain, agx, encode, display);
             break;
         case ViewTransform::ocio:
             transform_by(*ocio_, rows, gain, display);

@@ -143,7 +143,7 @@ void write_exr(const Film& film, const std::string& path, const ImageMetadata& m
 }
 
 Film as_stored(Film film, const ImageMetadata& metadata) {
-    std::transform(film.rgba.begin(), film.rgba.end(), film.rgba.begin(), to_half);
+    std::transform(film.rgba.begin(), film.rgba.end(), film.rgba.begin(), as_half);
     film.notes.insert(metadata.begin(), metadata.end());
     std::erase_if(film.notes, [](const auto& note) { return !is_note(note.first); });
     film.statistics = {};

@@ -1,9 +1,7 @@
 #include "render/film/film_check.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
 #include <fmt/core.h>
 
@@ -15,15 +13,6 @@ namespace {
 
 std::size_t pixel_count(const Film& film) {
     return static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
-}
-
-/// Without a branch for each value. The exponent of what is not finite has all bits set (IEEE 754).
-bool all_finite(const std::vector<float>& values) {
-    std::uint32_t largest = 0;
-    for (const float value : values) {
-        largest = std::max(largest, std::bit_cast<std::uint32_t>(value) & 0x7fff'ffffU);
-    }
-    return largest < 0x7f80'0000U;
 }
 
 void check_finite(const std::string& channel, std::size_t pixel, float value, int width,
@@ -46,6 +35,14 @@ void check_sizes(const Film& film) {
 }
 
 }  // namespace
+
+bool all_finite(std::span<const float> values) {
+    FiniteCheck check;
+    for (const float value : values) {
+        check.add(value);
+    }
+    return check.all_finite();
+}
 
 void check_film(const Film& film, const std::string& path) {
     constexpr const char* kColourNames[4] = {"R", "G", "B", "A"};

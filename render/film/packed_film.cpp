@@ -10,6 +10,7 @@
 #include "core/assert.h"
 #include "core/error.h"
 #include "render/film/byte_stream.h"
+#include "render/film/film_check.h"
 #include "render/film/half_float.h"
 #include "render/film/packed_plane.h"
 
@@ -32,13 +33,18 @@ std::string take_text(std::span<const std::byte>& bytes) {
     return {reinterpret_cast<const char*>(text.data()), text.size()};
 }
 
-/// Packs every `step`th value.
-void append_halves(const float* first, std::size_t step, std::vector<std::uint16_t>& halves,
-                   PlanePacker& packer, std::vector<std::byte>& bytes) {
+/// Packs every `step`th value and returns whether all are finite.
+[[nodiscard]] bool append_halves(const float* first, std::size_t step,
+                                 std::vector<std::uint16_t>& halves, PlanePacker& packer,
+                                 std::vector<std::byte>& bytes) {
+    FiniteCheck check;
     for (std::size_t i = 0; i < halves.size(); ++i) {
-        halves[i] = to_half(first[step * i]).bits();
+        const float value = first[step * i];
+        check.add(value);
+        halves[i] = half_bits(value);
     }
     packer.append(halves, bytes);
+    return check.all_finite();
 }
 
 void take_halves(std::span<const std::byte>& bytes, std::vector<std::uint16_t>& halves,
@@ -77,7 +83,7 @@ Film take_header(std::span<const std::byte>& bytes) {
 
 }  // namespace
 
-std::vector<std::byte> pack_film(const Film& film) {
+std::vector<std::byte> pack_film(const Film& film, const std::string& path) {
     const std::size_t pixels = film.rgba.size() / 4;
     std::vector<std::byte> bytes;
     append_value(kMagic, bytes);
@@ -96,15 +102,20 @@ std::vector<std::byte> pack_film(const Film& film) {
     }
     PlanePacker packer;
     std::vector<std::uint16_t> halves(pixels);
+    bool finite = true;
     for (std::size_t c = 0; c < 4; ++c) {
-        append_halves(film.rgba.data() + c, 4, halves, packer, bytes);
+        finite = append_halves(film.rgba.data() + c, 4, halves, packer, bytes) && finite;
     }
     for (const Channel& channel : film.aovs) {
         if (channel.is_half) {
-            append_halves(channel.values.data(), 1, halves, packer, bytes);
+            finite = append_halves(channel.values.data(), 1, halves, packer, bytes) && finite;
         } else {
+            finite = all_finite(channel.values) && finite;
             packer.append(channel.values, bytes);
         }
+    }
+    if (!finite) {
+        check_film(film, path);  // throws
     }
     return bytes;
 }

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <string>
 
-#include <Imath/half.h>
-
+#include "core/assert.h"
 #include "core/error.h"
 #include "render/denoise/denoise.h"
+#include "render/film/half_float.h"
 
 namespace carom::render {
 namespace {
@@ -39,13 +40,7 @@ std::vector<std::string> channel_names() {
     return names;
 }
 
-constexpr float kLeastNormalHalf = 1.0F / (1 << 14);
 constexpr int kHalfDigits = 11;
-
-float as_half(float value) {
-    constexpr float kLargest = 65504;
-    return Imath::half(std::clamp(value, -kLargest, kLargest));
-}
 
 /// The nearest half float with at most this many binary digits, of which there are at most 11.
 template <int kDigits>
@@ -61,7 +56,7 @@ float rounded(float value) {
     const auto normal =
         std::bit_cast<float>((bits + (1u << (kDropped - 1))) >> kDropped << kDropped);
     const float small = (value + kRounding) - kRounding;
-    return std::abs(value) < kLeastNormalHalf ? small : normal;
+    return std::abs(value) < half_float::kLeastNormal ? small : normal;
 }
 
 /// A difference of two means that are equal but for their rounding counts as none.
@@ -91,12 +86,10 @@ float rounded_feature(float value) {
 }  // namespace
 
 PixelFeatures features_of_half(const PixelSums& pixel, int half) {
-    const auto index = static_cast<std::size_t>(half);
     const int samples = pixel.samples_of_half(half);
-    if (index >= pixel.halves.size() || samples == 0) {
-        return {};
-    }
-    return pixel.halves[index] * (1.0F / static_cast<float>(samples));
+    return samples > 0 ? pixel.halves[static_cast<std::size_t>(half)] *
+                             (1.0F / static_cast<float>(samples))
+                       : PixelFeatures();
 }
 
 DenoiserPlanes::DenoiserPlanes(int width, int height) : width_(width) {
@@ -106,29 +99,76 @@ DenoiserPlanes::DenoiserPlanes(int width, int height) : width_(width) {
     }
 }
 
-void DenoiserPlanes::write(int x, int y, const PixelSums& pixel, const TracedFeatures& traced) {
-    const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                           static_cast<std::size_t>(x);
-    const V3f difference_of_colour = pixel.mean_of_half(0) - pixel.mean_of_half(1);
-    const PixelFeatures halves[2] = {features_of_half(pixel, 0), features_of_half(pixel, 1)};
-    const PixelFeatures exact = traced.with_samples(halves, pixel.samples);
-    std::array<float, kShare + 1> values{};
+namespace {
+
+using RunOfValues = std::array<float, DenoiserPlanes::kRun>;
+
+/// Values of neighbouring pixels before they are rounded.
+struct Run {
+    std::array<RunOfValues, kColours> difference_of_colour{};
+    RunOfValues variance{};
+    RunOfValues share{};
+    std::array<RunOfValues, kFeatures> exact{}, mean{}, difference{};
+
+    void set(std::size_t i, const FeaturePixel& pixel, const PixelSums& sums) {
+        const V3f colours = sums.mean_of_half(0) - sums.mean_of_half(1);
+        const PixelFeatures means = pixel.traced.with_samples(pixel.halves, sums.samples);
+        for (std::size_t c = 0; c < kColours; ++c) {
+            difference_of_colour[c][i] = 0.5F * colours[static_cast<int>(c)];
+        }
+        variance[i] = sums.samples > 0 ? sums.means().variance : 0;
+        share[i] = pixel.traced.share_of_samples(sums.samples);
+        for (std::size_t f = 0; f < kFeatures; ++f) {
+            exact[f][i] = means[f];
+            mean[f][i] = 0.5F * (pixel.halves[0][f] + pixel.halves[1][f]);
+            difference[f][i] = 0.5F * (pixel.halves[0][f] - pixel.halves[1][f]);
+        }
+    }
+};
+
+}  // namespace
+
+/// The loops over a run have a fixed length and no branches, so that compilers use vectors.
+/// A run is rounded and copied channel by channel: planes of a picture often begin at the same
+/// place of a page of memory, where the processor's cache keeps few lines.
+void DenoiserPlanes::write(std::span<const FeaturePixel> pixels, const PixelSums* sums) {
+    CAROM_ASSERT(!pixels.empty() && pixels.size() <= kRun);
+    Run run;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        run.set(i, pixels[i], sums[i]);
+    }
+    const std::size_t at =
+        static_cast<std::size_t>(pixels.front().y) * static_cast<std::size_t>(width_) +
+        static_cast<std::size_t>(pixels.front().x);
+    const auto write = [&](std::size_t channel, const auto& value) {
+        RunOfValues values{};
+        for (std::size_t i = 0; i < kRun; ++i) {
+            values[i] = value(i);
+        }
+        std::copy_n(values.begin(), pixels.size(), channels_[channel].values.begin() + at);
+    };
     for (std::size_t c = 0; c < kColours; ++c) {
-        values[c] = rounded<kNoiseDigits>(0.5F * difference_of_colour[static_cast<int>(c)]);
+        write(c, [&](std::size_t i) {
+            return rounded<kNoiseDigits>(run.difference_of_colour[c][i]);
+        });
     }
-    values[kShare] = as_half(traced.share_of_samples(pixel.samples));
-    values[kVariance] = rounded<kVarianceDigits>(pixel.samples > 0 ? pixel.means().variance : 0);
+    write(kVariance, [&](std::size_t i) { return rounded<kVarianceDigits>(run.variance[i]); });
+    write(kShare, [&](std::size_t i) { return as_half(run.share[i]); });
     for (std::size_t f = 0; f < kFeatures; ++f) {
-        const bool is_light = f >= PixelFeatures::kLight;
-        const float kept = as_half(is_light ? exact[f] : stepped(exact[f], kExactStep));
-        const float mean = 0.5F * (halves[0][f] + halves[1][f]);
-        values[kExact + f] = kept;
-        // Where all rays saw the same, the error is none, although the exact mean is rounded.
-        values[kError + f] = difference(mean, exact[f]) == 0 ? 0 : rounded_feature(mean - kept);
-        values[kDifference + f] = rounded_feature(0.5F * (halves[0][f] - halves[1][f]));
-    }
-    for (std::size_t channel = 0; channel < values.size(); ++channel) {
-        channels_[channel].values[at] = values[channel];
+        const RunOfValues& exact = run.exact[f];
+        RunOfValues kept = exact;
+        for (float& value : kept) {
+            value = f >= PixelFeatures::kLight ? value : stepped(value, kExactStep);
+            value = as_half(value);
+        }
+        write(kExact + f, [&](std::size_t i) { return kept[i]; });
+        write(kError + f, [&](std::size_t i) {
+            // Where all rays saw the same, the error is none, although the exact mean is rounded.
+            const float mean = run.mean[f][i];
+            const float error = rounded_feature(mean - kept[i]);
+            return difference(mean, exact[i]) == 0 ? 0 : error;
+        });
+        write(kDifference + f, [&](std::size_t i) { return rounded_feature(run.difference[f][i]); });
     }
 }
 

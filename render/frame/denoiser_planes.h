@@ -1,6 +1,8 @@
 // The channels of a frame that the denoiser needs, and the denoised frame.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -14,7 +16,7 @@ namespace carom::render {
 /// The means over what one half of a pixel's samples saw; all 0 if it has none.
 [[nodiscard]] PixelFeatures features_of_half(const PixelSums& pixel, int half);
 
-/// Collects these channels, one pixel at a time and from any thread. The halves of a pixel's
+/// Collects these channels, some pixels at a time and from any thread. The halves of a pixel's
 /// samples are A and B:
 ///   half.R .G .B              (A - B) / 2 of the colour
 ///   half_variance.X           of the mean luminance, as if samples were independent
@@ -32,7 +34,11 @@ class DenoiserPlanes {
 
     [[nodiscard]] bool empty() const { return channels_.empty(); }
 
-    void write(int x, int y, const PixelSums& pixel, const TracedFeatures& traced);
+    /// The most pixels of one call of write().
+    static constexpr std::size_t kRun = 16;
+
+    /// Writes neighbouring pixels of a row from left to right, whose sums begin at `sums`.
+    void write(std::span<const FeaturePixel> pixels, const PixelSums* sums);
 
     /// Adds colours to the halves. Once all pixels are written, from one thread.
     void add_to_colours(const Film& a, const Film& b);

@@ -37,56 +37,39 @@ constexpr float kWeightOfSample = 0.5F;
 
 constexpr std::uint64_t kOwnNumbers = 0xd1b54a32d192ed03;  // so that no sample has the same ones
 
-/// By pixel, the range of a feature that decides about more rays.
+/// By pixel of a rectangle, the range of a feature that decides about more rays.
 class Ranges {
   public:
-    explicit Ranges(std::span<const FeaturePixel> pixels)
-        : left_(pixels.front().x), top_(pixels.front().y), width_(1), height_(1) {
-        for (const FeaturePixel& pixel : pixels) {
-            left_ = std::min(left_, pixel.x);
-            top_ = std::min(top_, pixel.y);
-        }
-        for (const FeaturePixel& pixel : pixels) {
-            width_ = std::max(width_, pixel.x - left_ + 1);
-            height_ = std::max(height_, pixel.y - top_ + 1);
-        }
-        values_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-    }
+    [[nodiscard]] float& at(int x, int y) { return values_[index(x) + kRow * index(y)]; }
 
-    [[nodiscard]] float& at(const FeaturePixel& pixel) {
-        return values_[index(pixel.x - left_, pixel.y - top_)];
-    }
-
-    /// Each value becomes the largest one within `reach`, in rows and in columns.
-    void widen(int reach) {
-        widen(reach, width_, height_, [&](int x, int y) { return index(x, y); });
-        widen(reach, height_, width_, [&](int y, int x) { return index(x, y); });
+    /// Each value becomes the largest one within `kDistance`, in rows and in columns.
+    template <int kDistance>
+    void widen() {
+        static_assert(kDistance <= kReach);
+        Values wider{};
+        for (int step : {1, static_cast<int>(kRow)}) {
+            for (std::size_t y = kReach; y < kReach + kSide; ++y) {
+                for (std::size_t x = 0; x < kSide; ++x) {
+                    const float* value = &values_[kRow * y + kReach + x];
+                    float largest = 0;
+                    for (int k = -kDistance; k <= kDistance; ++k) {
+                        largest = largest < value[k * step] ? value[k * step] : largest;
+                    }
+                    wider[kRow * y + kReach + x] = largest;
+                }
+            }
+            std::swap(values_, wider);
+        }
     }
 
   private:
-    [[nodiscard]] std::size_t index(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-               static_cast<std::size_t>(x);
-    }
-    template <class Index>
-    void widen(int reach, int length, int lines, const Index& index) {
-        line_.resize(static_cast<std::size_t>(length));
-        for (int line = 0; line < lines; ++line) {
-            for (int i = 0; i < length; ++i) {
-                float largest = 0;
-                for (int k = std::max(0, i - reach); k <= std::min(length - 1, i + reach); ++k) {
-                    largest = std::max(largest, values_[index(k, line)]);
-                }
-                line_[static_cast<std::size_t>(i)] = largest;
-            }
-            for (int i = 0; i < length; ++i) {
-                values_[index(i, line)] = line_[static_cast<std::size_t>(i)];
-            }
-        }
-    }
+    static constexpr std::size_t kSide = FeatureTracer::kMostSide;
+    static constexpr std::size_t kRow = kSide + std::size_t{2} * kReach;  // with zeros around
+    using Values = std::array<float, kRow * kRow>;
 
-    int left_, top_, width_, height_;
-    std::vector<float> values_, line_;
+    [[nodiscard]] static std::size_t index(int i) { return static_cast<std::size_t>(i + kReach); }
+
+    Values values_{};
 };
 
 }  // namespace
@@ -118,7 +101,8 @@ struct FeatureTracer::Sums {
         for (std::size_t i = 0; i < range.size(); ++i) {
             const float size = std::max(1.0F, std::max(most[i], -least[i]));
             const bool is_normal = i >= PixelFeatures::kNormal && i < PixelFeatures::kLight;
-            range[i] = (is_normal ? kWeightOfNormal : 1.0F) * (most[i] - least[i]) / size;
+            const float all = (is_normal ? kWeightOfNormal : 1.0F) * (most[i] - least[i]);
+            range[i] = size > 1 ? all / size : all;  // most sizes are 1, and divisions are slow
         }
         const auto light = range.begin() + PixelFeatures::kLight;
         return {*std::max_element(range.begin(), light), *std::max_element(light, range.end())};
@@ -195,6 +179,38 @@ FeatureTracer::FeatureTracer(const Integrator& integrator, WorkspacePool& worksp
     }
 }
 
+namespace {
+
+/// The pixels that see different things, in order. `ranges`: of albedo and normal, and of light.
+std::vector<std::size_t> choose(std::span<const FeaturePixel> pixels,
+                                std::span<const std::pair<float, float>> ranges, float negligible,
+                                bool is_first_round) {
+    Ranges near;
+    Ranges far;
+    const int left = pixels.front().x;
+    const int top = pixels.front().y;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const auto [range, of_light] = ranges[i];
+        const int x = pixels[i].x - left;
+        const int y = pixels[i].y - top;
+        near.at(x, y) = range;
+        far.at(x, y) = is_first_round ? std::max(range, of_light) : of_light;
+    }
+    near.widen<kNear>();
+    far.widen<kReach>();
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const int x = pixels[i].x - left;
+        const int y = pixels[i].y - top;
+        if (std::max(near.at(x, y), far.at(x, y)) > negligible) {
+            chosen.push_back(i);
+        }
+    }
+    return chosen;
+}
+
+}  // namespace
+
 void FeatureTracer::trace(std::span<FeaturePixel> pixels) const {
     std::vector<Sums> sums;
     sums.reserve(pixels.size());
@@ -202,21 +218,22 @@ void FeatureTracer::trace(std::span<FeaturePixel> pixels) const {
         sums.emplace_back(pixel.halves);
     }
     Queue queue(*this);
-    Ranges near(pixels);
-    Ranges far(pixels);
+    std::vector<int> known(pixels.size(), -1);  // rays that the ranges are those of
+    std::vector<std::pair<float, float>> ranges(pixels.size());
     for (const Round& round : rounds_) {
         for (std::size_t i = 0; i < pixels.size(); ++i) {
-            const auto [range, of_light] = sums[i].ranges();
-            near.at(pixels[i]) = range;
-            far.at(pixels[i]) = &round == &rounds_.front() ? std::max(range, of_light) : of_light;
+            if (known[i] != sums[i].rays) {
+                known[i] = sums[i].rays;
+                ranges[i] = sums[i].ranges();
+            }
         }
         queue.is_last_round = &round == &rounds_.back();
-        near.widen(kNear);
-        far.widen(kReach);
-        for (std::size_t i = 0; i < pixels.size(); ++i) {
-            if (std::max(near.at(pixels[i]), far.at(pixels[i])) <= round.negligible) {
-                continue;
-            }
+        const std::vector<std::size_t> chosen =
+            choose(pixels, ranges, round.negligible, &round == &rounds_.front());
+        if (chosen.empty()) {
+            break;  // the next rounds ask for more
+        }
+        for (const std::size_t i : chosen) {
             const SampleStream first(seed_, static_cast<std::uint32_t>(pixels[i].x),
                                      static_cast<std::uint32_t>(pixels[i].y), 0);
             for (int ray = sums[i].rays; ray < round.rays; ++ray) {

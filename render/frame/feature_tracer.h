@@ -37,13 +37,16 @@ struct FeaturePixel {
 /// different ones. Lights count that were seen within two pixels. Immutable; any thread may call.
 class FeatureTracer {
   public:
+    /// The most pixels on a side of what is traced at once.
+    static constexpr int kMostSide = 16;
+
     /// Everything is borrowed. `samples`: that pixels have or will have; the more, the more exact
     /// the features must be. `seed`: of the frame.
     FeatureTracer(const Integrator& integrator, WorkspacePool& workspaces,
                   const ThinLensCamera& camera, const CameraFixings& fixings, float pixel_spread,
                   int samples, std::uint64_t seed);
 
-    /// Sets `traced` of all pixels, which lie in a rectangle and are neighbours of each other.
+    /// Sets `traced` of all pixels, which are those of a rectangle, from the top left.
     void trace(std::span<FeaturePixel> pixels) const;
 
   private:

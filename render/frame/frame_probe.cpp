@@ -136,7 +136,9 @@ SampleRound FrameProbe::Data::next_round(const WorkContext& context) const {
         differences.push_back(0.5F * (half[0] - half[1]));
         plan.push_back(own.samples);
         if (!planes.empty()) {
-            planes.write(x, y, own, features[pixel]);
+            const FeaturePixel one{
+                x, y, {features_of_half(own, 0), features_of_half(own, 1)}, features[pixel]};
+            planes.write({&one, 1}, &own);
         }
     });
     MeasuredError error = error_of_halves(means, differences, width, height);

@@ -11,10 +11,10 @@
 namespace carom::render {
 namespace {
 
-constexpr std::array<char, 8> kMagic{'c', 'a', 'r', 'o', 'm', 's', 'u', '3'};
+constexpr std::array<char, 8> kMagic{'c', 'a', 'r', 'o', 'm', 's', 'u', '4'};
 constexpr std::size_t kPiece = std::size_t{1} << 20;  // bytes
 
-/// Calls `visit` for each value of a pixel except its lists.
+/// Calls `visit` for each value of a pixel except its list.
 template <class Visit, class Pixel>
 requires std::is_same_v<std::remove_const_t<Pixel>, PixelSums>
 void for_each_value(Visit& visit, Pixel& pixel) {
@@ -27,6 +27,7 @@ void for_each_value(Visit& visit, Pixel& pixel) {
     visit(pixel.samples);
     visit(pixel.half_radiance[0]);
     visit(pixel.half_radiance[1]);
+    visit(pixel.halves);
 }
 
 /// Collects small values into pieces.
@@ -130,7 +131,6 @@ void FrameSums::save(const Sink& sink) const {
     for (const PixelSums& pixel : data_->pixels) {
         for_each_value(write, pixel);
         write.list(pixel.objects);
-        write.list(pixel.halves);
     }
     write.flush();
 }
@@ -154,7 +154,6 @@ std::optional<FrameSums> FrameSums::load(const Source& source, std::size_t pixel
     for (PixelSums& pixel : data.pixels) {
         for_each_value(read, pixel);
         read.list(pixel.objects);
-        read.list(pixel.halves);
     }
     const auto fits = [&](std::size_t size) { return size == 0 || size == pixels; };
     if (!read.is_good() || !fits(data.plan.size()) || !fits(data.features.size())) {

@@ -26,12 +26,11 @@ struct PixelSums {
     std::array<V3f, 2> half_radiance{};
     /// How many samples hit which object; empty unless objects are counted.
     std::vector<ObjectCount> objects;
-    /// Sums of what the two halves saw; empty unless it is for the denoiser.
-    std::vector<PixelFeatures> halves;
+    /// Sums of what the two halves saw; 0 unless it is for the denoiser.
+    std::array<PixelFeatures, 2> halves{};
 
     /// Adds what the sample with the index `samples` saw to its half.
     void add_to_half(const RadianceSample& sample) {
-        halves.resize(2);
         halves[static_cast<std::size_t>(samples % 2)] += PixelFeatures::of(sample);
     }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 #include "render/frame/sample_plan.h"
 #include "render/integrator/distributed_integrator.h"
@@ -59,6 +60,9 @@ int expected_samples(const RenderSettings& settings) {
     constexpr int kAdaptive = 64;
     return is_adaptive(settings) ? kAdaptive : settings.samples;
 }
+
+static_assert(TileRenderer::kTileSize <= FeatureTracer::kMostSide);
+static_assert(TileRenderer::kTileSize <= DenoiserPlanes::kRun);
 
 int tiles_along(int pixels) {
     return (pixels + TileRenderer::kTileSize - 1) / TileRenderer::kTileSize;
@@ -184,6 +188,7 @@ void TileRenderer::write(int tile, const TileSums& sums, AovPlanes& aovs) const 
 
 std::vector<FeaturePixel> TileRenderer::features_of(int tile, const TileSums& sums) const {
     std::vector<FeaturePixel> pixels;
+    pixels.reserve(std::size_t{kTileSize} * kTileSize);
     for_each_pixel(tile, [&](int x, int y) {
         const PixelSums& pixel = at(tile, sums, x, y);
         pixels.push_back({x, y, {features_of_half(pixel, 0), features_of_half(pixel, 1)}});
@@ -202,13 +207,19 @@ void TileRenderer::write(int tile, const TileSums& sums, DenoiserPlanes& planes,
     if (planes.empty()) {
         return;
     }
-    const std::vector<FeaturePixel> pixels =
-        features.empty() ? trace_features(tile, sums) : features_of(tile, sums);
-    for (const FeaturePixel& pixel : pixels) {
-        const PixelSums& own = at(tile, sums, pixel.x, pixel.y);
-        const TracedFeatures& traced =
-            features.empty() ? pixel.traced : features[index(pixel.x, pixel.y)];
-        planes.write(pixel.x, pixel.y, own, traced);
+    std::vector<FeaturePixel> pixels = features_of(tile, sums);
+    if (features.empty()) {
+        feature_tracer_->trace(pixels);
+    } else {
+        for (FeaturePixel& pixel : pixels) {
+            pixel.traced = features[index(pixel.x, pixel.y)];
+        }
+    }
+    const std::size_t width =
+        static_cast<std::size_t>(std::min(kTileSize, settings_.width - tile_left(tile)));
+    for (std::size_t first = 0; first < pixels.size(); first += width) {
+        const FeaturePixel& pixel = pixels[first];
+        planes.write(std::span(pixels).subspan(first, width), &at(tile, sums, pixel.x, pixel.y));
     }
 }
 

@@ -52,7 +52,7 @@ void expect_same(const Film& a, const Film& b) {
 
 TEST(PackedFilm, Film_IsUnpackedUnchanged) {
     const Film film = some_film();
-    expect_same(unpack_film(pack_film(film)), film);
+    expect_same(unpack_film(pack_film(film, "film")), film);
 }
 
 TEST(PackedFilm, EveryHalfFloat_KeepsItsBits) {
@@ -67,7 +67,7 @@ TEST(PackedFilm, EveryHalfFloat_KeepsItsBits) {
         all.values[i] = half.isFinite() ? static_cast<float>(half) : 0.0f;
     }
     film.aovs = {all};
-    const Film back = unpack_film(pack_film(film));
+    const Film back = unpack_film(pack_film(film, "film"));
     EXPECT_EQ(std::memcmp(back.aovs[0].values.data(), all.values.data(), 4 * 65536), 0)
         << "the sign of zero counts, too";
 }
@@ -83,7 +83,7 @@ TEST(PackedFilm, ExactlyAndMoreThan256Values_AreKept) {
             channel.values.push_back(static_cast<float>(i % different));
         }
         film.aovs = {channel};
-        EXPECT_EQ(unpack_film(pack_film(film)).aovs[0].values, channel.values) << different;
+        EXPECT_EQ(unpack_film(pack_film(film, "film")).aovs[0].values, channel.values) << different;
     }
 }
 
@@ -92,11 +92,11 @@ TEST(PackedFilm, ValuesBeyondHalfFloats_AreRoundedAsAnExrFileRoundsThem) {
     film.width = 1;
     film.height = 1;
     film.rgba = {1e9f, -1e9f, 0.1f, 1};
-    EXPECT_EQ(unpack_film(pack_film(film)).rgba, as_stored(film, {}).rgba);
+    EXPECT_EQ(unpack_film(pack_film(film, "film")).rgba, as_stored(film, {}).rgba);
 }
 
 TEST(PackedFilm, BytesThatAreMissingOrTooMany_AreAnError) {
-    const std::vector<std::byte> whole = pack_film(some_film());
+    const std::vector<std::byte> whole = pack_film(some_film(), "film");
     for (std::size_t size = 0; size < whole.size(); ++size) {
         EXPECT_THROW((void)unpack_film(std::span(whole).first(size)), Error) << size;
     }
@@ -106,7 +106,7 @@ TEST(PackedFilm, BytesThatAreMissingOrTooMany_AreAnError) {
 }
 
 TEST(PackedFilm, SizeThatTheBytesCannotHave_IsRefusedBeforeMemoryIsTaken) {
-    std::vector<std::byte> bytes = pack_film(some_film());
+    std::vector<std::byte> bytes = pack_film(some_film(), "film");
     const std::int32_t edge = 16384;
     std::memcpy(bytes.data() + 8, &edge, sizeof(edge));
     std::memcpy(bytes.data() + 12, &edge, sizeof(edge));
