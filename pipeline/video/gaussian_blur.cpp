@@ -1,7 +1,6 @@
 #include "pipeline/video/gaussian_blur.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/elementary.h"
@@ -16,7 +15,14 @@ constexpr double kCellsPerSigma = 2;  // of a reduced picture, at least
 // The number of lines that are filtered side by side: sums of different lines do not depend on each
 // other, so the processor computes them in parallel.
 constexpr std::size_t kLanes = 16;
-using Lanes = std::array<float, kLanes>;
+constexpr std::size_t kQuad = 4;
+using Quad [[gnu::vector_size(kQuad * sizeof(float))]] = float;
+struct Lanes {
+    Quad quads[kLanes / kQuad]{};
+
+    [[nodiscard]] float get(std::size_t k) const { return quads[k / kQuad][k % kQuad]; }
+    void set(std::size_t k, float value) { quads[k / kQuad][k % kQuad] = value; }
+};
 
 /// Makes a map to `size` numbers, each computed from at most `taps` of `count` inputs, the first of
 /// which is `first(i)`.
@@ -151,15 +157,15 @@ std::size_t cells_for(std::size_t pixels, double deviation) {
 void apply(const LineMap& map, const std::vector<Lanes>& line, std::vector<Lanes>& result) {
     result.resize(map.first.size());
     for (std::size_t i = 0; i < map.first.size(); ++i) {
-        Lanes sum{};
-        for (std::size_t tap = 0; tap < map.taps; ++tap) {
-            const float weight = map.weights[i * map.taps + tap];
-            const Lanes& value = line[map.first[i] + tap];
-            for (std::size_t k = 0; k < kLanes; ++k) {
-                sum[k] += weight * value[k];
+        const float* weights = &map.weights[i * map.taps];
+        const Lanes* values = &line[map.first[i]];
+        for (std::size_t quad = 0; quad < kLanes / kQuad; ++quad) {
+            Quad sum{};
+            for (std::size_t tap = 0; tap < map.taps; ++tap) {
+                sum += weights[tap] * values[tap].quads[quad];
             }
+            result[i].quads[quad] = sum;
         }
-        result[i] = sum;
     }
 }
 
@@ -175,7 +181,7 @@ void run(const std::vector<LineMap>& maps, const float* from, const Lines& in, f
     std::vector<Lanes> next;
     for (std::size_t i = 0; i < in.count; ++i) {
         for (std::size_t k = 0; k < lanes; ++k) {
-            line[i][k] = from[i * in.stride + k * in.lane_stride];
+            line[i].set(k, from[i * in.stride + k * in.lane_stride]);
         }
     }
     for (const LineMap& map : maps) {
@@ -184,7 +190,7 @@ void run(const std::vector<LineMap>& maps, const float* from, const Lines& in, f
     }
     for (std::size_t i = 0; i < out.count; ++i) {
         for (std::size_t k = 0; k < lanes; ++k) {
-            to[i * out.stride + k * out.lane_stride] = line[i][k];
+            to[i * out.stride + k * out.lane_stride] = line[i].get(k);
         }
     }
 }

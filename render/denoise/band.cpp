@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <limits>
 #include <vector>
 
 #include "render/acceleration/flush_denormals.h"
@@ -29,8 +31,22 @@ constexpr float kLeastLeft = 0.06F;
 
 constexpr float kLargest = 65504;  // that a frame's file holds
 
+/// Without branches, for loops in vectors.
 float finite(float value) {
-    return std::isfinite(value) ? std::clamp(value, -kLargest, kLargest) : 0.0F;
+    const float limited = std::clamp(value, -kLargest, kLargest);
+    return std::abs(value) <= std::numeric_limits<float>::max() ? limited : 0.0F;
+}
+
+/// Reads a row of the picture.
+void read_row(const PlaneView& view, int y, int width, float* row) {
+    const float* first = view.first + std::ptrdiff_t{y} * width * view.step;
+    if (view.step == 1) {
+        std::transform(first, first + width, row, finite);
+        return;
+    }
+    for (std::ptrdiff_t x = 0; x < width; ++x) {
+        row[x] = finite(first[x * view.step]);
+    }
 }
 
 /// Calls `row` for all rows, in parallel.
@@ -42,19 +58,23 @@ void for_rows(const RowRange& rows, const Row& row) {
     });
 }
 
-template <class Value>
-void fill_row(Plane& plane, int y, int width, const Value& value) {
-    float* row = plane.row(y);
-    const std::ptrdiff_t first = std::ptrdiff_t{y} * width;
+/// a + b and a - b.
+void add_and_subtract(const float* a, const float* b, int width, float* sum, float* difference) {
     for (int x = 0; x < width; ++x) {
-        row[x] = value(first + x);
+        sum[x] = a[x] + b[x];
+        difference[x] = a[x] - b[x];
     }
-    plane.extend(y);
 }
 
 ColourPlane colour_plane(const RowRange& rows, int width) {
-    ColourPlane result;
-    result.fill(Plane(rows, width));
+    return {Plane(rows, width), Plane(rows, width), Plane(rows, width)};
+}
+
+std::vector<Plane> feature_planes(std::size_t count, const RowRange& rows, int width) {
+    std::vector<Plane> result;
+    for (std::size_t i = 0; i < count; ++i) {
+        result.emplace_back(rows, width);
+    }
     return result;
 }
 
@@ -67,19 +87,26 @@ BandPlanes make_planes(const DenoiseInput& input, const RowRange& rows) {
     planes.predicted = rows.widened(kError + kMask, height);
     planes.weighed = planes.predicted.widened(kWindow + kPatch, height);
     planes.known = planes.weighed.widened(kLevel, height);
-    planes.mean = planes.difference = planes.squares = colour_plane(planes.known, width);
-    planes.half.fill(planes.mean);
+    for (ColourPlane* plane : {&planes.mean, &planes.difference, &planes.squares, &planes.half[0],
+                               &planes.half[1]}) {
+        *plane = colour_plane(planes.known, width);
+    }
     planes.variance = colour_plane(planes.weighed, width);
     planes.shape = input.variance.first != nullptr ? Plane(planes.known, width) : Plane();
-    planes.exact.assign(input.features.size(), Plane(planes.predicted, width));
-    planes.features.fill(std::vector<Plane>(input.features.size(), Plane(planes.weighed, width)));
+    const std::size_t features = input.features.size();
+    planes.exact = feature_planes(features, planes.predicted, width);
     planes.share = Plane(planes.predicted, width);
-    planes.prediction.fill(colour_plane(planes.predicted, width));
-    planes.checked = planes.prediction;
-    planes.noisy_error = planes.filtered_error = planes.squared_excess =
-        Plane(planes.predicted, width);
-    planes.mean_noisy_error = planes.mean_filtered_error = planes.mask =
-        Plane(rows.widened(kMask, height), width);
+    for (std::size_t half = 0; half < kHalves; ++half) {
+        planes.features[half] = feature_planes(features, planes.weighed, width);
+        planes.prediction[half] = colour_plane(planes.predicted, width);
+        planes.checked[half] = colour_plane(planes.predicted, width);
+    }
+    for (Plane* plane : {&planes.noisy_error, &planes.filtered_error, &planes.squared_excess}) {
+        *plane = Plane(planes.predicted, width);
+    }
+    for (Plane* plane : {&planes.mean_noisy_error, &planes.mean_filtered_error, &planes.mask}) {
+        *plane = Plane(rows.widened(kMask, height), width);
+    }
     return planes;
 }
 
@@ -105,43 +132,56 @@ void Band::denoise(DenoisedPicture& result) {
 void Band::copy_colours(int y) {
     const int width = planes_.width;
     for (int c = 0; c < kChannels; ++c) {
-        const ColourPlanes& colour = input_.colour[c];
-        const auto mean = [&](std::ptrdiff_t i) { return finite(colour.mean[i]); };
-        const auto difference = [&](std::ptrdiff_t i) { return finite(colour.difference[i]); };
-        fill_row(planes_.mean[c], y, width, mean);
-        fill_row(planes_.difference[c], y, width, difference);
-        fill_row(planes_.half[0][c], y, width,
-                 [&](std::ptrdiff_t i) { return mean(i) + difference(i); });
-        fill_row(planes_.half[1][c], y, width,
-                 [&](std::ptrdiff_t i) { return mean(i) - difference(i); });
-        kernels_.square(planes_.difference[c].row(y), planes_.squares[c].row(y), planes_.chunks);
+        float* mean = planes_.mean[c].row(y);
+        float* difference = planes_.difference[c].row(y);
+        read_row(input_.colour[c].mean, y, width, mean);
+        read_row(input_.colour[c].difference, y, width, difference);
+        add_and_subtract(mean, difference, width, planes_.half[0][c].row(y),
+                         planes_.half[1][c].row(y));
+        for (Plane* plane : {&planes_.mean[c], &planes_.difference[c], &planes_.half[0][c],
+                             &planes_.half[1][c]}) {
+            plane->extend(y);
+        }
+        kernels_.square(difference, planes_.squares[c].row(y), planes_.chunks);
         planes_.squares[c].extend(y);
     }
     if (has_shape()) {
-        fill_row(planes_.shape, y, width,
-                 [&](std::ptrdiff_t i) { return std::max(0.0F, finite(input_.variance[i])); });
+        float* shape = planes_.shape.row(y);
+        read_row(input_.variance, y, width, shape);
+        std::transform(shape, shape + width, shape, [](float v) { return std::max(0.0F, v); });
+        planes_.shape.extend(y);
     }
 }
 
 void Band::copy_features(int y) {
+    const int width = planes_.width;
     const bool is_predicted = y >= planes_.predicted.first && y < planes_.predicted.end;
+    std::vector<float> mean(static_cast<std::size_t>(width));
+    std::vector<float> error(mean.size());
+    std::vector<float> difference(mean.size());
     for (std::size_t f = 0; f < input_.features.size(); ++f) {
-        const FeaturePlanes& feature = input_.features[f];
-        const auto exact = [&](std::ptrdiff_t i) { return finite(feature.exact[i]); };
-        const auto mean = [&](std::ptrdiff_t i) { return exact(i) + finite(feature.error[i]); };
-        const auto difference = [&](std::ptrdiff_t i) { return finite(feature.difference[i]); };
-        fill_row(planes_.features[0][f], y, planes_.width,
-                 [&](std::ptrdiff_t i) { return mean(i) + difference(i); });
-        fill_row(planes_.features[1][f], y, planes_.width,
-                 [&](std::ptrdiff_t i) { return mean(i) - difference(i); });
+        read_row(input_.features[f].exact, y, width, mean.data());
         if (is_predicted) {
-            fill_row(planes_.exact[f], y, planes_.width, exact);
+            std::copy(mean.begin(), mean.end(), planes_.exact[f].row(y));
+            planes_.exact[f].extend(y);
         }
+        read_row(input_.features[f].error, y, width, error.data());
+        read_row(input_.features[f].difference, y, width, difference.data());
+        std::transform(mean.begin(), mean.end(), error.begin(), mean.begin(), std::plus<>());
+        add_and_subtract(mean.data(), difference.data(), width, planes_.features[0][f].row(y),
+                         planes_.features[1][f].row(y));
+        planes_.features[0][f].extend(y);
+        planes_.features[1][f].extend(y);
     }
-    if (is_predicted && input_.share_of_samples.first != nullptr) {
-        fill_row(planes_.share, y, planes_.width, [&](std::ptrdiff_t i) {
-            return std::clamp(finite(input_.share_of_samples[i]), 0.0F, 1.0F);
-        });
+    if (is_predicted) {
+        float* share = planes_.share.row(y);
+        std::fill(share, share + width, 0.0F);
+        if (input_.share_of_samples.first != nullptr) {
+            read_row(input_.share_of_samples, y, width, share);
+            std::transform(share, share + width, share,
+                           [](float s) { return std::clamp(s, 0.0F, 1.0F); });
+        }
+        planes_.share.extend(y);
     }
 }
 
@@ -239,18 +279,24 @@ void Band::compare_errors(int y) {
 void Band::write(int y, DenoisedPicture& result) const {
     std::vector<float> share(static_cast<std::size_t>(planes_.chunks) * kChunk);
     box_mean(planes_.mask, y, kMask, share.data());
-    const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(planes_.width);
-    for (std::size_t x = 0; x < static_cast<std::size_t>(planes_.width); ++x) {
-        for (std::size_t c = 0; c < kChannels; ++c) {
-            const float filtered =
-                0.5F * (planes_.prediction[0][c].row(y)[x] + planes_.prediction[1][c].row(y)[x]);
-            const float noisy = planes_.mean[c].row(y)[x];
-            result.rgb[3 * (first + x) + c] =
-                std::max(0.0F, filtered) * share[x] + std::max(0.0F, noisy) * (1 - share[x]);
+    const auto width = static_cast<std::size_t>(planes_.width);
+    const std::size_t first = static_cast<std::size_t>(y) * width;
+    for (std::size_t c = 0; c < kChannels; ++c) {
+        const float* from_a = planes_.prediction[0][c].row(y);
+        const float* from_b = planes_.prediction[1][c].row(y);
+        const float* mean = planes_.mean[c].row(y);
+        float* written = &result.rgb[3 * first + c];
+        for (std::size_t x = 0; x < width; ++x) {
+            const float filtered = 0.5F * (from_a[x] + from_b[x]);
+            written[3 * x] =
+                std::max(0.0F, filtered) * share[x] + std::max(0.0F, mean[x]) * (1 - share[x]);
         }
-        const float noisy = planes_.mean_noisy_error.row(y)[x];
-        const float filtered = std::max(planes_.mean_filtered_error.row(y)[x], kLeastLeft * noisy);
-        result.error[first + x] = filtered * share[x] + noisy * (1 - share[x]);
+    }
+    const float* noisy = planes_.mean_noisy_error.row(y);
+    const float* estimate = planes_.mean_filtered_error.row(y);
+    for (std::size_t x = 0; x < width; ++x) {
+        const float filtered = std::max(estimate[x], kLeastLeft * noisy[x]);
+        result.error[first + x] = filtered * share[x] + noisy[x] * (1 - share[x]);
     }
 }
 

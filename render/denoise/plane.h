@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
+#include <memory>
 
 namespace carom::render {
 
@@ -26,7 +26,8 @@ inline constexpr int kChunk = 16;
     return (count + kChunk - 1) / kChunk * kChunk;
 }
 
-/// Rows and columns outside of the plane are taken for the nearest ones within.
+/// Rows and columns outside of the plane are taken for the nearest ones within. Its numbers are not
+/// initialised, because a band has up to a hundred megabytes of them.
 class Plane {
   public:
     /// Columns that may be read on either side of the picture's, which there are rounded up to
@@ -38,11 +39,12 @@ class Plane {
         : rows_(rows),
           width_(width),
           stride_(rounded_up(width) + 2 * kMargin),
-          values_(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(rows.count())) {}
+          values_(std::make_unique_for_overwrite<float[]>(static_cast<std::size_t>(stride_) *
+                                                          static_cast<std::size_t>(rows.count()))) {}
 
     /// The pixel in column 0.
-    [[nodiscard]] float* row(int y) { return values_.data() + offset(y); }
-    [[nodiscard]] const float* row(int y) const { return values_.data() + offset(y); }
+    [[nodiscard]] float* row(int y) { return values_.get() + offset(y); }
+    [[nodiscard]] const float* row(int y) const { return values_.get() + offset(y); }
     [[nodiscard]] std::ptrdiff_t stride() const { return stride_; }
     [[nodiscard]] const RowRange& rows() const { return rows_; }
 
@@ -61,7 +63,7 @@ class Plane {
     RowRange rows_;
     int width_ = 0;
     std::ptrdiff_t stride_ = 0;
-    std::vector<float> values_;
+    std::unique_ptr<float[]> values_;
 };
 
 }  // namespace carom::render

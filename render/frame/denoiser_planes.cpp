@@ -101,14 +101,14 @@ DenoiserPlanes::DenoiserPlanes(int width, int height) : width_(width) {
 
 namespace {
 
-using RunOfValues = std::array<float, DenoiserPlanes::kRun>;
+using Values = std::array<float, DenoiserPlanes::kMost>;
 
-/// Values of neighbouring pixels before they are rounded.
-struct Run {
-    std::array<RunOfValues, kColours> difference_of_colour{};
-    RunOfValues variance{};
-    RunOfValues share{};
-    std::array<RunOfValues, kFeatures> exact{}, mean{}, difference{};
+/// Values of some pixels before they are rounded.
+struct Unrounded {
+    std::array<Values, kColours> difference_of_colour{};
+    Values variance{};
+    Values share{};
+    std::array<Values, kFeatures> exact{}, mean{}, difference{};
 
     void set(std::size_t i, const FeaturePixel& pixel, const PixelSums& sums) {
         const V3f colours = sums.mean_of_half(0) - sums.mean_of_half(1);
@@ -128,47 +128,52 @@ struct Run {
 
 }  // namespace
 
-/// The loops over a run have a fixed length and no branches, so that compilers use vectors.
-/// A run is rounded and copied channel by channel: planes of a picture often begin at the same
-/// place of a page of memory, where the processor's cache keeps few lines.
-void DenoiserPlanes::write(std::span<const FeaturePixel> pixels, const PixelSums* sums) {
-    CAROM_ASSERT(!pixels.empty() && pixels.size() <= kRun);
-    Run run;
+/// Channel by channel: planes of a picture often begin at the same place of a page of memory, where
+/// the processor's cache keeps few lines. The loops have no branches, so that compilers use
+/// vectors.
+void DenoiserPlanes::write(std::span<const FeaturePixel> pixels, std::size_t width,
+                           const PixelSums* sums, std::size_t row) {
+    CAROM_ASSERT(!pixels.empty() && pixels.size() <= kMost);
+    Unrounded all;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        run.set(i, pixels[i], sums[i]);
+        all.set(i, pixels[i], sums[i / width * row + i % width]);
     }
-    const std::size_t at =
+    const std::size_t first =
         static_cast<std::size_t>(pixels.front().y) * static_cast<std::size_t>(width_) +
         static_cast<std::size_t>(pixels.front().x);
+    Values values;
     const auto write = [&](std::size_t channel, const auto& value) {
-        RunOfValues values{};
-        for (std::size_t i = 0; i < kRun; ++i) {
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
             values[i] = value(i);
         }
-        std::copy_n(values.begin(), pixels.size(), channels_[channel].values.begin() + at);
+        float* to = channels_[channel].values.data() + first;
+        for (std::size_t i = 0; i < pixels.size(); i += width) {
+            std::copy_n(values.data() + i, width, to);
+            to += width_;
+        }
     };
     for (std::size_t c = 0; c < kColours; ++c) {
         write(c, [&](std::size_t i) {
-            return rounded<kNoiseDigits>(run.difference_of_colour[c][i]);
+            return rounded<kNoiseDigits>(all.difference_of_colour[c][i]);
         });
     }
-    write(kVariance, [&](std::size_t i) { return rounded<kVarianceDigits>(run.variance[i]); });
-    write(kShare, [&](std::size_t i) { return as_half(run.share[i]); });
+    write(kVariance, [&](std::size_t i) { return rounded<kVarianceDigits>(all.variance[i]); });
+    write(kShare, [&](std::size_t i) { return as_half(all.share[i]); });
     for (std::size_t f = 0; f < kFeatures; ++f) {
-        const RunOfValues& exact = run.exact[f];
-        RunOfValues kept = exact;
-        for (float& value : kept) {
-            value = f >= PixelFeatures::kLight ? value : stepped(value, kExactStep);
-            value = as_half(value);
+        const Values& exact = all.exact[f];
+        const Values& mean = all.mean[f];
+        if (f >= PixelFeatures::kLight) {
+            write(kExact + f, [&](std::size_t i) { return as_half(exact[i]); });
+        } else {
+            write(kExact + f, [&](std::size_t i) { return as_half(stepped(exact[i], kExactStep)); });
         }
-        write(kExact + f, [&](std::size_t i) { return kept[i]; });
+        const Values kept = values;
         write(kError + f, [&](std::size_t i) {
             // Where all rays saw the same, the error is none, although the exact mean is rounded.
-            const float mean = run.mean[f][i];
-            const float error = rounded_feature(mean - kept[i]);
-            return difference(mean, exact[i]) == 0 ? 0 : error;
+            const float error = rounded_feature(mean[i] - kept[i]);
+            return difference(mean[i], exact[i]) == 0 ? 0 : error;
         });
-        write(kDifference + f, [&](std::size_t i) { return rounded_feature(run.difference[f][i]); });
+        write(kDifference + f, [&](std::size_t i) { return rounded_feature(all.difference[f][i]); });
     }
 }
 

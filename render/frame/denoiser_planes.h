@@ -35,10 +35,12 @@ class DenoiserPlanes {
     [[nodiscard]] bool empty() const { return channels_.empty(); }
 
     /// The most pixels of one call of write().
-    static constexpr std::size_t kRun = 16;
+    static constexpr std::size_t kMost = 256;
 
-    /// Writes neighbouring pixels of a row from left to right, whose sums begin at `sums`.
-    void write(std::span<const FeaturePixel> pixels, const PixelSums* sums);
+    /// Writes the pixels of a rectangle of this width, row by row from the top left. `sums`: of the
+    /// first one; those of the pixel below it follow after `row` others.
+    void write(std::span<const FeaturePixel> pixels, std::size_t width, const PixelSums* sums,
+               std::size_t row);
 
     /// Adds colours to the halves. Once all pixels are written, from one thread.
     void add_to_colours(const Film& a, const Film& b);

@@ -77,12 +77,12 @@ class Ranges {
 /// What a pixel's samples and rays saw up to now.
 struct FeatureTracer::Sums {
     PixelFeatures sum{};  // of rays
-    std::array<float, PixelFeatures::kCount> least{};
-    std::array<float, PixelFeatures::kCount> most{};
+    PixelFeatures least{};
+    PixelFeatures most{};
     int rays = 0;
 
     explicit Sums(const PixelFeatures (&halves)[2])
-        : least(halves[0].values), most(halves[0].values) {
+        : least(halves[0]), most(halves[0]) {
         include(halves[1]);
     }
     void add(const RadianceSample& sample) {
@@ -90,9 +90,9 @@ struct FeatureTracer::Sums {
         rays += 1;
     }
     void include(const PixelFeatures& value) {
-        for (std::size_t i = 0; i < PixelFeatures::kCount; ++i) {
-            least[i] = std::min(least[i], value[i]);
-            most[i] = std::max(most[i], value[i]);
+        for (std::size_t i = 0; i < PixelFeatures::kPadded; ++i) {
+            least.values[i] = std::min(least[i], value[i]);
+            most.values[i] = std::max(most[i], value[i]);
         }
     }
     /// The largest ranges of albedo and normal, and of light.

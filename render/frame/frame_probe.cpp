@@ -138,7 +138,7 @@ SampleRound FrameProbe::Data::next_round(const WorkContext& context) const {
         if (!planes.empty()) {
             const FeaturePixel one{
                 x, y, {features_of_half(own, 0), features_of_half(own, 1)}, features[pixel]};
-            planes.write({&one, 1}, &own);
+            planes.write({&one, 1}, 1, &own, 1);
         }
     });
     MeasuredError error = error_of_halves(means, differences, width, height);

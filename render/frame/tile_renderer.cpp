@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <span>
 
 #include "render/frame/sample_plan.h"
 #include "render/integrator/distributed_integrator.h"
@@ -62,7 +61,7 @@ int expected_samples(const RenderSettings& settings) {
 }
 
 static_assert(TileRenderer::kTileSize <= FeatureTracer::kMostSide);
-static_assert(TileRenderer::kTileSize <= DenoiserPlanes::kRun);
+static_assert(TileRenderer::kTileSize * TileRenderer::kTileSize <= DenoiserPlanes::kMost);
 
 int tiles_along(int pixels) {
     return (pixels + TileRenderer::kTileSize - 1) / TileRenderer::kTileSize;
@@ -215,12 +214,8 @@ void TileRenderer::write(int tile, const TileSums& sums, DenoiserPlanes& planes,
             pixel.traced = features[index(pixel.x, pixel.y)];
         }
     }
-    const std::size_t width =
-        static_cast<std::size_t>(std::min(kTileSize, settings_.width - tile_left(tile)));
-    for (std::size_t first = 0; first < pixels.size(); first += width) {
-        const FeaturePixel& pixel = pixels[first];
-        planes.write(std::span(pixels).subspan(first, width), &at(tile, sums, pixel.x, pixel.y));
-    }
+    const int width = std::min(kTileSize, settings_.width - tile_left(tile));
+    planes.write(pixels, static_cast<std::size_t>(width), sums.first, sums.row);
 }
 
 std::vector<float> TileRenderer::errors(int tile, const TileSums& sums) const {
