@@ -113,32 +113,23 @@ struct FeatureTracer::Sums {
 class FeatureTracer::Queue {
   public:
     explicit Queue(const FeatureTracer& tracer) : tracer_(tracer), workspace_(tracer.workspaces_) {
-        sums_.reserve(kSize);
-        tasks_.reserve(kSize);
+        sums_.reserve(CameraBatch::kMost);
     }
 
     bool is_last_round = false;  // after which no ranges are asked for
 
     void add(const FeaturePixel& pixel, const SampleStream& stream, Sums& sums) {
-        const std::size_t i = sums_.size();
-        batch_->x[i] = pixel.x;
-        batch_->y[i] = pixel.y;
-        batch_->pixel_hash[i] = static_cast<std::int32_t>(stream.pixel_hash());
-        batch_->reversed_sample[i] = static_cast<std::int32_t>(stream.reversed_sample());
+        batch_->add(stream, {pixel.x, pixel.y, 0});
         sums_.push_back(&sums);
-        tasks_.push_back({Ray{}, stream, {pixel.x, pixel.y, 0}});
-        if (sums_.size() == kSize) {
+        if (batch_->count == CameraBatch::kMost) {
             flush();
         }
     }
 
     void flush() {
-        batch_->count = static_cast<int>(sums_.size());
         make_rays(tracer_.camera_, tracer_.fixings_, *batch_);
-        for (std::size_t i = 0; i < tasks_.size(); ++i) {
-            tasks_[i].ray = batch_->ray(static_cast<int>(i));
-        }
-        tracer_.integrator_.look(tasks_, tracer_.pixel_spread_, results_, workspace_.get());
+        tracer_.integrator_.look(CameraRun::all(*batch_), tracer_.pixel_spread_, results_.data(),
+                                 workspace_.get());
         for (std::size_t i = 0; i < sums_.size(); ++i) {
             sums_[i]->add(results_[i]);
             if (!is_last_round) {
@@ -146,18 +137,15 @@ class FeatureTracer::Queue {
             }
         }
         sums_.clear();
-        tasks_.clear();
+        batch_->count = 0;
     }
 
   private:
-    static constexpr std::size_t kSize = CameraBatch::kMost;
-
     const FeatureTracer& tracer_;
     WorkspacePool::Loan workspace_;
     std::unique_ptr<CameraBatch> batch_ = std::make_unique<CameraBatch>();
     std::vector<Sums*> sums_;
-    std::vector<CameraTask> tasks_;
-    std::vector<RadianceSample> results_ = std::vector<RadianceSample>(kSize);
+    std::vector<RadianceSample> results_ = std::vector<RadianceSample>(CameraBatch::kMost);
 };
 
 FeatureTracer::FeatureTracer(const Integrator& integrator, WorkspacePool& workspaces,

@@ -23,7 +23,7 @@ class SampleQueue {
         const ThinLensCamera& camera;
         CameraFixings fixings;
         float pixel_spread;
-        std::size_t traced_at_once;  // samples between two checks for a stop request
+        int traced_at_once;          // samples between two checks for a stop request
         bool counts_objects;         // that samples hit
         bool keeps_halves = false;   // what the halves of the samples saw
     };
@@ -39,17 +39,16 @@ class SampleQueue {
   private:
     /// Capacity of the queue. Camera rays are made for all samples together even if the integrator
     /// takes one at a time, because vector code takes as long for one ray as for a full vector.
-    static constexpr std::size_t kSize = CameraBatch::kMost;
+    static constexpr int kSize = CameraBatch::kMost;
 
     /// Returns how many of `results_` were computed before a stop was requested.
-    [[nodiscard]] std::size_t trace();
+    [[nodiscard]] int trace();
 
     Setting setting_;
     std::stop_token stop_;
     RenderStatistics& count_;
     WorkspacePool::Loan workspace_;
     std::unique_ptr<CameraBatch> batch_;
-    std::vector<CameraTask> tasks_;
     std::vector<PixelSums*> pixels_;
     std::vector<RadianceSample> results_;
 };

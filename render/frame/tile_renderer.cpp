@@ -15,7 +15,7 @@ namespace {
 
 // Samples between two checks for a stop request; a sample of the distributed integrator is a tree
 // of rays.
-constexpr std::size_t kPathSamplesAtOnce = CameraBatch::kMost;
+constexpr int kPathSamplesAtOnce = CameraBatch::kMost;
 
 PathSettings path_settings(const RenderSettings& settings) {
     PathSettings path;

@@ -123,7 +123,7 @@ class TileRenderer {
     std::unique_ptr<const Integrator> integrator_;
     std::unique_ptr<WorkspacePool> workspaces_;
     int samples_;  // per pixel
-    std::size_t samples_at_once_;
+    int samples_at_once_;
     CameraFixings fixings_;
     std::unique_ptr<const FeatureTracer> feature_tracer_;  // for the denoiser only
     bool counts_objects_;

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 
+#include "render/camera/camera_batch.h"
 #include "render/film/film.h"
 #include "render/geometry/ray.h"
 #include "render/sampling/sampler.h"
@@ -24,18 +24,6 @@ struct RadianceSample {
     std::uint32_t object = kNoObject;  // that was hit; lights are numbered after the objects
 };
 
-/// Which sample of which pixel, for messages.
-struct SampleIndex {
-    int x = 0, y = 0, sample = 0;
-};
-
-/// A sample to compute.
-struct CameraTask {
-    Ray ray;
-    SampleStream stream;
-    SampleIndex index;
-};
-
 /// Immutable; shared by all threads.
 class Integrator {
   public:
@@ -49,13 +37,12 @@ class Integrator {
     /// Returns null if the integrator needs none.
     [[nodiscard]] virtual std::unique_ptr<Workspace> make_workspace() const { return nullptr; }
 
-    /// Computes `sample` for each task, in any order: a result does not depend on the other tasks.
-    /// `workspace` comes from this integrator.
-    virtual void samples(std::span<const CameraTask> tasks, float pixel_spread,
-                         std::span<RadianceSample> results, Workspace* /*workspace*/,
-                         RenderStatistics& count) const {
-        for (std::size_t i = 0; i < tasks.size(); ++i) {
-            results[i] = sample(tasks[i].ray, pixel_spread, tasks[i].stream, tasks[i].index, count);
+    /// Computes `sample` for all samples of a run, in any order: a result does not depend on the
+    /// others. `results` has room for as many. `workspace` comes from this integrator.
+    virtual void samples(const CameraRun& run, float pixel_spread, RadianceSample* results,
+                         Workspace* /*workspace*/, RenderStatistics& count) const {
+        for (int i = 0; i < run.count; ++i) {
+            results[i] = sample(run.ray(i), pixel_spread, run.stream(i), run.index(i), count);
         }
     }
 
@@ -68,8 +55,8 @@ class Integrator {
 
     /// What rays from the camera see: all of `sample` except the radiance, with the same means.
     /// Only of integrators that follow paths; the others set nothing. `workspace`: as of `samples`.
-    virtual void look(std::span<const CameraTask> /*tasks*/, float /*pixel_spread*/,
-                      std::span<RadianceSample> /*results*/, Workspace* /*workspace*/) const {}
+    virtual void look(const CameraRun& /*run*/, float /*pixel_spread*/, RadianceSample* /*results*/,
+                      Workspace* /*workspace*/) const {}
 
   protected:
     Integrator() = default;

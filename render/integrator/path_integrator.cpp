@@ -79,12 +79,12 @@ RadianceSample PathIntegrator::sample(const Ray& camera_ray, float pixel_spread,
     return total(work);
 }
 
-void PathIntegrator::look(std::span<const CameraTask> tasks, float pixel_spread,
-                          std::span<RadianceSample> results, Workspace* /*workspace*/) const {
+void PathIntegrator::look(const CameraRun& run, float pixel_spread, RadianceSample* results,
+                          Workspace* /*workspace*/) const {
     RenderStatistics count;
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-        PathWork work{PathDimensions(tasks[i].stream), tasks[i].index, count};
-        Path path{tasks[i].ray};
+    for (int i = 0; i < run.count; ++i) {
+        PathWork work{PathDimensions(run.stream(i)), run.index(i), count};
+        Path path{run.ray(i)};
         path.spread = pixel_spread;
         path.last.connects = light_tracer_ != nullptr;
         Hit hit;

@@ -75,8 +75,8 @@ class PathIntegrator final : public Integrator {
                                         const SampleStream& stream, const SampleIndex& index,
                                         RenderStatistics& count) const override;
 
-    void look(std::span<const CameraTask> tasks, float pixel_spread,
-              std::span<RadianceSample> results, Workspace* workspace) const override;
+    void look(const CameraRun& run, float pixel_spread, RadianceSample* results,
+              Workspace* workspace) const override;
 
     // For an integrator that carries many paths and leaves some of their vertices to this one.
 

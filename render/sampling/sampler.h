@@ -30,6 +30,14 @@ class SampleStream {
     [[nodiscard]] CameraSample camera_sample() const {
         return render::camera_sample(pixel_hash_, reversed_sample_);
     }
+    /// The stream with this state.
+    [[nodiscard]] static SampleStream of_state(std::uint32_t pixel_hash,
+                                               std::uint32_t reversed_sample) {
+        SampleStream stream;
+        stream.pixel_hash_ = pixel_hash;
+        stream.reversed_sample_ = reversed_sample;
+        return stream;
+    }
     /// The stream of another sample of the same pixel.
     [[nodiscard]] SampleStream of_sample(std::uint32_t sample) const;
 
@@ -54,6 +62,8 @@ class SampleStream {
     [[nodiscard]] std::uint32_t reversed_sample() const { return reversed_sample_; }
 
   private:
+    SampleStream() = default;
+
     std::uint32_t pixel_hash_ = 0;
     std::uint32_t reversed_sample_ = 0;  // the sample's number with its bits reversed
     std::uint32_t set_ = 0;              // index of the next four dimensions

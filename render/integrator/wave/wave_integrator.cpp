@@ -109,7 +109,7 @@ WaveIntegrator::WaveIntegrator(const TransportScene& scene, const PathSettings& 
     // A first vertex continues in all directions of its coat and one of its base, each of which may
     // split again.
     const int paths_of_sample = 2 * (wave_scene_.glossy_samples + 1);
-    wave_samples_ = static_cast<std::size_t>(std::min(kWaveSamples, kWavePaths / paths_of_sample));
+    wave_samples_ = std::min(kWaveSamples, kWavePaths / paths_of_sample);
 }
 
 bool WaveIntegrator::can_do(const TransportScene& scene, const PathSettings& settings) {
@@ -131,14 +131,12 @@ std::unique_ptr<Integrator::Workspace> WaveIntegrator::make_workspace() const {
     return std::make_unique<Wave>();
 }
 
-void WaveIntegrator::samples(std::span<const CameraTask> tasks, float pixel_spread,
-                             std::span<RadianceSample> results, Workspace* workspace,
-                             RenderStatistics& count) const {
+void WaveIntegrator::samples(const CameraRun& run, float pixel_spread, RadianceSample* results,
+                             Workspace* workspace, RenderStatistics& count) const {
     Wave& wave = dynamic_cast<Wave&>(*workspace);
-    for (std::size_t from = 0; from < tasks.size(); from += wave_samples_) {
-        const std::size_t size = std::min(wave_samples_, tasks.size() - from);
-        begin(tasks.subspan(from, size), pixel_spread, wave, count);
-        count.camera_rays += size;
+    for (int from = 0; from < run.count; from += wave_samples_) {
+        begin(run.part(from, wave_samples_), pixel_spread, wave, count);
+        count.camera_rays += wave.works.size();
         while (wave.paths().count > 0) {
             process_hits(wave);
             kernels_->take_step(step_of(wave));
@@ -151,30 +149,36 @@ void WaveIntegrator::samples(std::span<const CameraTask> tasks, float pixel_spre
             }
             wave.vertex += 1;
         }
-        for (std::size_t i = 0; i < size; ++i) {
-            results[from + i] = path_integrator_.total(wave.works[i]);
+        for (PathWork& work : wave.works) {
+            *results++ = path_integrator_.total(work);
         }
     }
 }
 
-void WaveIntegrator::begin(std::span<const CameraTask> tasks, float pixel_spread, Wave& wave,
+void WaveIntegrator::begin(const CameraRun& run, float pixel_spread, Wave& wave,
                            RenderStatistics& count) const {
     wave.vertex = 0;
     wave.is_looking = false;
     wave.works.clear();
     PathWave& paths = wave.paths();
-    paths.count = static_cast<int>(tasks.size());
+    paths.count = run.count;
     paths.vertex = 0;
     for (int i = 0; i < paths.count; ++i) {
-        const CameraTask& task = tasks[i];
-        wave.works.push_back({PathDimensions(task.stream), task.index, count});
-        wave.samples.pixel_hash.at[i] = static_cast<std::int32_t>(task.stream.pixel_hash());
-        wave.samples.reversed_sample.at[i] =
-            static_cast<std::int32_t>(task.stream.reversed_sample());
-        paths.origin.set(i, task.ray.origin);
-        paths.direction.set(i, task.ray.direction);
-        paths.time.at[i] = task.ray.time;
+        wave.works.push_back({PathDimensions(run.stream(i)), run.index(i), count});
     }
+    const CameraBatch& batch = *run.batch;
+    const auto copy = [&](const auto* from, auto& field) {
+        std::copy_n(from + run.first, run.count, field.at);
+    };
+    copy(batch.pixel_hash, wave.samples.pixel_hash);
+    copy(batch.reversed_sample, wave.samples.reversed_sample);
+    copy(batch.origin[0], paths.origin.x);
+    copy(batch.origin[1], paths.origin.y);
+    copy(batch.origin[2], paths.origin.z);
+    copy(batch.direction[0], paths.direction.x);
+    copy(batch.direction[1], paths.direction.y);
+    copy(batch.direction[2], paths.direction.z);
+    copy(batch.time, paths.time);
     std::iota(paths.slot.at, paths.slot.at + paths.count, 0);
     const auto fill = [&](auto& field, auto value) { std::fill_n(field.at, paths.count, value); };
     fill(paths.branch, 1);
@@ -191,20 +195,19 @@ void WaveIntegrator::begin(std::span<const CameraTask> tasks, float pixel_spread
     fill(paths.connected_ball, -1);
 }
 
-void WaveIntegrator::look(std::span<const CameraTask> tasks, float pixel_spread,
-                          std::span<RadianceSample> results, Workspace* workspace) const {
+void WaveIntegrator::look(const CameraRun& run, float pixel_spread, RadianceSample* results,
+                          Workspace* workspace) const {
     Wave& wave = dynamic_cast<Wave&>(*workspace);
     RenderStatistics count;
-    for (std::size_t from = 0; from < tasks.size(); from += wave_samples_) {
-        const std::size_t size = std::min(wave_samples_, tasks.size() - from);
-        begin(tasks.subspan(from, size), pixel_spread, wave, count);
+    for (int from = 0; from < run.count; from += wave_samples_) {
+        begin(run.part(from, wave_samples_), pixel_spread, wave, count);
         wave.is_looking = true;
         process_hits(wave);
         kernels_->look_into_coats(step_of(wave));
         wave.vertex = 1;
         process_hits(wave);
-        for (std::size_t i = 0; i < size; ++i) {
-            results[from + i] = wave.works[i].result;
+        for (const PathWork& work : wave.works) {
+            *results++ = work.result;
         }
     }
 }

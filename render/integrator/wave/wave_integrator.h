@@ -30,17 +30,15 @@ class WaveIntegrator final : public Integrator {
                                         const SampleStream& stream, const SampleIndex& index,
                                         RenderStatistics& count) const override;
     [[nodiscard]] std::unique_ptr<Workspace> make_workspace() const override;
-    void samples(std::span<const CameraTask> tasks, float pixel_spread,
-                 std::span<RadianceSample> results, Workspace* workspace,
-                 RenderStatistics& count) const override;
-    void look(std::span<const CameraTask> tasks, float pixel_spread,
-              std::span<RadianceSample> results, Workspace* workspace) const override;
+    void samples(const CameraRun& run, float pixel_spread, RadianceSample* results,
+                 Workspace* workspace, RenderStatistics& count) const override;
+    void look(const CameraRun& run, float pixel_spread, RadianceSample* results,
+              Workspace* workspace) const override;
 
   private:
     struct Wave;
 
-    void begin(std::span<const CameraTask> tasks, float pixel_spread, Wave& wave,
-               RenderStatistics& count) const;
+    void begin(const CameraRun& run, float pixel_spread, Wave& wave, RenderStatistics& count) const;
     [[nodiscard]] WaveStep step_of(Wave& wave) const;
     void process_hits(Wave& wave) const;
     static void note_first_surfaces(Wave& wave);
@@ -59,7 +57,7 @@ class WaveIntegrator final : public Integrator {
     int max_bounces_;
     const WaveKernels* kernels_;
     WaveScene wave_scene_;
-    std::size_t wave_samples_;   // camera samples in a wave
+    int wave_samples_;           // camera samples in a wave
     V3f constant_sky_{0, 0, 0};  // unless the wave's scene has a sky
 };
 
