@@ -61,7 +61,9 @@ struct CameraRun {
     int first = 0;
     int count = 0;
 
-    [[nodiscard]] static CameraRun all(const CameraBatch& batch) { return {&batch, 0, batch.count}; }
+    [[nodiscard]] static CameraRun all(const CameraBatch& batch) {
+        return {&batch, 0, batch.count};
+    }
     /// At most `most` of them from number `from` on.
     [[nodiscard]] CameraRun part(int from, int most) const {
         return {batch, first + from, std::min(most, count - from)};

@@ -87,8 +87,8 @@ BandPlanes make_planes(const DenoiseInput& input, const RowRange& rows) {
     planes.predicted = rows.widened(kError + kMask, height);
     planes.weighed = planes.predicted.widened(kWindow + kPatch, height);
     planes.known = planes.weighed.widened(kLevel, height);
-    for (ColourPlane* plane : {&planes.mean, &planes.difference, &planes.squares, &planes.half[0],
-                               &planes.half[1]}) {
+    for (ColourPlane* plane :
+         {&planes.mean, &planes.difference, &planes.squares, &planes.half[0], &planes.half[1]}) {
         *plane = colour_plane(planes.known, width);
     }
     planes.variance = colour_plane(planes.weighed, width);
@@ -138,8 +138,8 @@ void Band::copy_colours(int y) {
         read_row(input_.colour[c].difference, y, width, difference);
         add_and_subtract(mean, difference, width, planes_.half[0][c].row(y),
                          planes_.half[1][c].row(y));
-        for (Plane* plane : {&planes_.mean[c], &planes_.difference[c], &planes_.half[0][c],
-                             &planes_.half[1][c]}) {
+        for (Plane* plane :
+             {&planes_.mean[c], &planes_.difference[c], &planes_.half[0][c], &planes_.half[1][c]}) {
             plane->extend(y);
         }
         kernels_.square(difference, planes_.squares[c].row(y), planes_.chunks);

@@ -39,8 +39,8 @@ class Plane {
         : rows_(rows),
           width_(width),
           stride_(rounded_up(width) + 2 * kMargin),
-          values_(std::make_unique_for_overwrite<float[]>(static_cast<std::size_t>(stride_) *
-                                                          static_cast<std::size_t>(rows.count()))) {}
+          values_(std::make_unique_for_overwrite<float[]>(
+              static_cast<std::size_t>(stride_) * static_cast<std::size_t>(rows.count()))) {}
 
     /// The pixel in column 0.
     [[nodiscard]] float* row(int y) { return values_.get() + offset(y); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 
 namespace carom::render {
 namespace {
@@ -29,9 +30,11 @@ class HalfTile {
           kernels_(kernels),
           planes_(planes),
           half_(half),
-          distances_(static_cast<std::size_t>(kDistanceRow) * (DenoiseTile::kHeight + 2 * kPatch)),
-          weights_(static_cast<std::size_t>(DenoiseTile::kWidth) * DenoiseTile::kHeight *
-                   kNeighbours) {}
+          distances_(std::make_unique_for_overwrite<float[]>(
+              static_cast<std::size_t>(kDistanceRow) * (DenoiseTile::kHeight + 2 * kPatch))),
+          weights_(std::make_unique_for_overwrite<float[]>(
+              static_cast<std::size_t>(DenoiseTile::kWidth) * DenoiseTile::kHeight * kNeighbours)) {
+    }
 
     void predict() {
         for (int dy = -kWindow; dy <= kWindow; ++dy) {
@@ -48,10 +51,10 @@ class HalfTile {
     static constexpr int kDistanceRow = DenoiseTile::kWidth + 2 * kChunk;
 
     [[nodiscard]] float* distance_row(int y) {
-        return distances_.data() + std::ptrdiff_t{y - tile_.rows.first + kPatch} * kDistanceRow;
+        return distances_.get() + std::ptrdiff_t{y - tile_.rows.first + kPatch} * kDistanceRow;
     }
     [[nodiscard]] float* weights_of(int y, int chunk) {
-        return weights_.data() +
+        return weights_.get() +
                (std::ptrdiff_t{y - tile_.rows.first} * tile_.chunks + chunk) * kNeighbours * kChunk;
     }
 
@@ -157,8 +160,8 @@ class HalfTile {
     const DenoiseKernels& kernels_;
     BandPlanes& planes_;
     int half_;
-    std::vector<float> distances_;
-    std::vector<float> weights_;
+    std::unique_ptr<float[]> distances_;
+    std::unique_ptr<float[]> weights_;
 };
 
 }  // namespace

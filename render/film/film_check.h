@@ -15,8 +15,9 @@ namespace carom::render {
 class FiniteCheck {
   public:
     void add(float value) {
-        largest_ = std::max(largest_, static_cast<std::int32_t>(
-                                          std::bit_cast<std::uint32_t>(value) & 0x7fff'ffffU));
+        largest_ =
+            std::max(largest_,
+                     static_cast<std::int32_t>(std::bit_cast<std::uint32_t>(value) & 0x7fff'ffffU));
     }
     /// The exponent of what is not finite has all bits set (IEEE 754).
     [[nodiscard]] bool all_finite() const { return largest_ < 0x7f80'0000; }

@@ -48,8 +48,9 @@ inline constexpr float kRounding = 0.5F;
         std::min(static_cast<std::int32_t>(bits & 0x7fff'ffffU),
                  static_cast<std::int32_t>(std::bit_cast<std::uint32_t>(kLargest))));
     const std::uint32_t normal = rounded(size) - (kExponentOffset << 10);
-    const std::uint32_t small = std::bit_cast<std::uint32_t>(std::bit_cast<float>(size) + kRounding) -
-                                std::bit_cast<std::uint32_t>(kRounding);
+    const std::uint32_t small =
+        std::bit_cast<std::uint32_t>(std::bit_cast<float>(size) + kRounding) -
+        std::bit_cast<std::uint32_t>(kRounding);
     const bool is_small = size < std::bit_cast<std::uint32_t>(kLeastNormal);
     return static_cast<std::uint16_t>((bits >> 16 & 0x8000U) | (is_small ? small : normal));
 }

@@ -87,9 +87,9 @@ float rounded_feature(float value) {
 
 PixelFeatures features_of_half(const PixelSums& pixel, int half) {
     const int samples = pixel.samples_of_half(half);
-    return samples > 0 ? pixel.halves[static_cast<std::size_t>(half)] *
-                             (1.0F / static_cast<float>(samples))
-                       : PixelFeatures();
+    return samples > 0
+               ? pixel.halves[static_cast<std::size_t>(half)] * (1.0F / static_cast<float>(samples))
+               : PixelFeatures();
 }
 
 DenoiserPlanes::DenoiserPlanes(int width, int height) : width_(width) {
@@ -153,9 +153,8 @@ void DenoiserPlanes::write(std::span<const FeaturePixel> pixels, std::size_t wid
         }
     };
     for (std::size_t c = 0; c < kColours; ++c) {
-        write(c, [&](std::size_t i) {
-            return rounded<kNoiseDigits>(all.difference_of_colour[c][i]);
-        });
+        write(c,
+              [&](std::size_t i) { return rounded<kNoiseDigits>(all.difference_of_colour[c][i]); });
     }
     write(kVariance, [&](std::size_t i) { return rounded<kVarianceDigits>(all.variance[i]); });
     write(kShare, [&](std::size_t i) { return as_half(all.share[i]); });
@@ -165,7 +164,8 @@ void DenoiserPlanes::write(std::span<const FeaturePixel> pixels, std::size_t wid
         if (f >= PixelFeatures::kLight) {
             write(kExact + f, [&](std::size_t i) { return as_half(exact[i]); });
         } else {
-            write(kExact + f, [&](std::size_t i) { return as_half(stepped(exact[i], kExactStep)); });
+            write(kExact + f,
+                  [&](std::size_t i) { return as_half(stepped(exact[i], kExactStep)); });
         }
         const Values kept = values;
         write(kError + f, [&](std::size_t i) {
@@ -173,7 +173,8 @@ void DenoiserPlanes::write(std::span<const FeaturePixel> pixels, std::size_t wid
             const float error = rounded_feature(mean[i] - kept[i]);
             return difference(mean[i], exact[i]) == 0 ? 0 : error;
         });
-        write(kDifference + f, [&](std::size_t i) { return rounded_feature(all.difference[f][i]); });
+        write(kDifference + f,
+              [&](std::size_t i) { return rounded_feature(all.difference[f][i]); });
     }
 }
 

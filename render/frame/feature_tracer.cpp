@@ -81,8 +81,7 @@ struct FeatureTracer::Sums {
     PixelFeatures most{};
     int rays = 0;
 
-    explicit Sums(const PixelFeatures (&halves)[2])
-        : least(halves[0]), most(halves[0]) {
+    explicit Sums(const PixelFeatures (&halves)[2]) : least(halves[0]), most(halves[0]) {
         include(halves[1]);
     }
     void add(const RadianceSample& sample) {

@@ -23,9 +23,9 @@ class SampleQueue {
         const ThinLensCamera& camera;
         CameraFixings fixings;
         float pixel_spread;
-        int traced_at_once;          // samples between two checks for a stop request
-        bool counts_objects;         // that samples hit
-        bool keeps_halves = false;   // what the halves of the samples saw
+        int traced_at_once;         // samples between two checks for a stop request
+        bool counts_objects;        // that samples hit
+        bool keeps_halves = false;  // what the halves of the samples saw
     };
     SampleQueue(const Setting& setting, std::stop_token stop, RenderStatistics& count);
 

@@ -1,7 +1,6 @@
 // All kernels of this folder, for kernels-inl.h and scalar_kernels.h. The order matters.
 // clang-format off
 #include "render/material/kernels/fresnel.h"
-#include "render/material/kernels/sheen.h"
 #include "render/material/kernels/microfacet.h"
 #include "render/material/kernels/albedo_table.h"
 #include "render/material/kernels/lobes.h"

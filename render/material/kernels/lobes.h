@@ -1,6 +1,8 @@
 // The lobes of a layered surface (lobe_weights.h, bsdf.h) in lanes: weights, values, densities.
 // Directions are in the surface's own axes, z > 0. Included as render/lanes/kernels/vectors.h is.
 
+#include "render/material/kernels/sheen.h"
+
 /// LayerConstants of the material in each lane.
 template <class L>
 struct LayersOf {

@@ -17,24 +17,23 @@ class CountingIntegrator final : public Integrator {
                                         RenderStatistics& /*count*/) const override {
         return {};
     }
-    void samples(std::span<const CameraTask> tasks, float /*spread*/,
-                 std::span<RadianceSample> results, Workspace* /*workspace*/,
-                 RenderStatistics& /*count*/) const override {
-        EXPECT_EQ(tasks.size(), results.size());
-        sizes.push_back(tasks.size());
+    void samples(const CameraRun& run, float /*spread*/, RadianceSample* /*results*/,
+                 Workspace* /*workspace*/, RenderStatistics& /*count*/) const override {
+        EXPECT_EQ(run.first, static_cast<int>(sizes.size()) % CameraBatch::kMost * run.count);
+        sizes.push_back(run.count);
         if (sizes.size() == stop_after) {
             stop.request_stop();
         }
     }
 
-    mutable std::vector<std::size_t> sizes;
+    mutable std::vector<int> sizes;
     mutable std::stop_source stop;
     std::size_t stop_after = 0;
 };
 
 /// The requests to the integrator for `samples` samples of one pixel, at most `at_once` at a time.
-std::vector<std::size_t> asked_for(int samples, std::size_t at_once, CountingIntegrator& integrator,
-                                   PixelSums& sums) {
+std::vector<int> asked_for(int samples, int at_once, CountingIntegrator& integrator,
+                           PixelSums& sums) {
     const CameraState state = test::camera(Vec3(0, -2, 1), Vec3(0, 0, 0), 0.6);
     const ThinLensCamera camera(state, state, 16, 16, 0, PixelFilter::box, 1);
     RenderStatistics count;
@@ -52,19 +51,17 @@ TEST(SampleQueue, RaysOfManySamples_AreMadeTogetherAndTracedAFewAtATime) {
     CountingIntegrator waiting;
     EXPECT_TRUE(asked_for(CameraBatch::kMost - 1, 1, waiting, sums).empty());
     CountingIntegrator one;
-    EXPECT_EQ(asked_for(CameraBatch::kMost, 1, one, sums),
-              std::vector<std::size_t>(CameraBatch::kMost, 1));
+    EXPECT_EQ(asked_for(CameraBatch::kMost, 1, one, sums), std::vector<int>(CameraBatch::kMost, 1));
     CountingIntegrator all;
     EXPECT_EQ(asked_for(CameraBatch::kMost, CameraBatch::kMost, all, sums),
-              std::vector<std::size_t>{CameraBatch::kMost});
+              std::vector<int>{CameraBatch::kMost});
 }
 
 TEST(SampleQueue, StopBetweenSamples_LeavesTheOthersOut) {
     CountingIntegrator integrator;
     integrator.stop_after = 3;
     PixelSums sums;
-    EXPECT_EQ(asked_for(2 * CameraBatch::kMost, 1, integrator, sums),
-              std::vector<std::size_t>(3, 1));
+    EXPECT_EQ(asked_for(2 * CameraBatch::kMost, 1, integrator, sums), std::vector<int>(3, 1));
     EXPECT_EQ(sums.samples, 3) << "what was traced before the stop is added";
 }
 

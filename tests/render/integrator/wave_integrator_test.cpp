@@ -16,7 +16,8 @@
 namespace carom::test {
 namespace {
 
-using render::CameraTask;
+using render::CameraBatch;
+using render::CameraRun;
 using render::RadianceSample;
 using render::StandardMaterial;
 
@@ -311,16 +312,21 @@ bool is_near(const render::V3f& a, const render::V3f& b) {
 /// Rays that end at what they see find the same as the samples, whichever way they are followed. A
 /// rough coat shows a sample another part of its surroundings, in the mean the same.
 void expect_same_sights(const render::Integrator& one, const render::Integrator& many,
-                        const std::vector<CameraTask>& tasks, float spread,
+                        const std::vector<CameraBatch>& batches, float spread,
                         const std::vector<RadianceSample>& samples) {
-    std::vector<RadianceSample> seen_alone(tasks.size());
-    std::vector<RadianceSample> seen(tasks.size());
-    one.look(tasks, spread, seen_alone, nullptr);
+    std::vector<RadianceSample> seen_alone(samples.size());
+    std::vector<RadianceSample> seen(samples.size());
     const auto workspace = many.make_workspace();
-    many.look(tasks, spread, seen, workspace.get());
+    std::size_t first = 0;
+    for (const CameraBatch& batch : batches) {
+        const CameraRun run = CameraRun::all(batch);
+        one.look(run, spread, &seen_alone[first], nullptr);
+        many.look(run, spread, &seen[first], workspace.get());
+        first += static_cast<std::size_t>(run.count);
+    }
     render::V3f sum(0, 0, 0);
     float squares = 0;
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
         EXPECT_EQ(seen[i].object, samples[i].object) << i;
         EXPECT_EQ(seen[i].coverage, samples[i].coverage) << i;
         EXPECT_EQ(seen[i].normal, samples[i].normal) << i;
@@ -334,6 +340,26 @@ void expect_same_sights(const render::Integrator& one, const render::Integrator&
         squares += difference.length2();
     }
     EXPECT_LE(sum.length(), 4 * std::sqrt(squares) + 1e-4f);
+}
+
+/// Samples of all pixels with their rays.
+std::vector<CameraBatch> batches_of(const render::ThinLensCamera& lens, int samples) {
+    std::vector<CameraBatch> batches(1);
+    for (int i = 0; i < kSide * kSide * samples; ++i) {
+        if (batches.back().count == CameraBatch::kMost) {
+            batches.emplace_back();
+        }
+        const int x = i / samples % kSide;
+        const int y = i / samples / kSide;
+        const render::SampleStream stream(3, static_cast<std::uint32_t>(x),
+                                          static_cast<std::uint32_t>(y),
+                                          static_cast<std::uint32_t>(i % samples));
+        batches.back().add(stream, {x, y, i % samples});
+    }
+    for (CameraBatch& batch : batches) {
+        render::make_rays(lens, {}, batch);
+    }
+    return batches;
 }
 
 class Waves : public testing::TestWithParam<WaveCase> {};
@@ -356,25 +382,23 @@ TEST_P(Waves, Gather_WhatPathsGatherOneAtATime) {
     const render::PathIntegrator one(scene, GetParam().path, &light_tracer);
     const render::WaveIntegrator many(scene, GetParam().path, &light_tracer);
 
-    std::vector<CameraTask> tasks;
-    for (int i = 0; i < kSide * kSide * kSamples; ++i) {
-        const int x = i / kSamples % kSide;
-        const int y = i / kSamples / kSide;
-        const render::SampleStream stream(3, static_cast<std::uint32_t>(x),
-                                          static_cast<std::uint32_t>(y),
-                                          static_cast<std::uint32_t>(i % kSamples));
-        tasks.push_back({lens.ray(x, y, stream.camera_sample()), stream, {x, y, i % kSamples}});
-    }
+    const std::vector<CameraBatch> batches = batches_of(lens, kSamples);
     const float spread = lens.frame_at(0).pixel_size;
-    std::vector<RadianceSample> together(tasks.size());
+    std::vector<RadianceSample> together(std::size_t{kSide} * kSide * kSamples);
     render::RenderStatistics count_together;
     const auto workspace = many.make_workspace();
-    many.samples(tasks, spread, together, workspace.get(), count_together);
-
     render::RenderStatistics count_alone;
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-        const RadianceSample alone =
-            one.sample(tasks[i].ray, spread, tasks[i].stream, tasks[i].index, count_alone);
+    std::vector<RadianceSample> one_by_one;
+    for (const CameraBatch& batch : batches) {
+        const CameraRun run = CameraRun::all(batch);
+        many.samples(run, spread, &together[one_by_one.size()], workspace.get(), count_together);
+        for (int i = 0; i < run.count; ++i) {
+            one_by_one.push_back(
+                one.sample(run.ray(i), spread, run.stream(i), run.index(i), count_alone));
+        }
+    }
+    for (std::size_t i = 0; i < together.size(); ++i) {
+        const RadianceSample& alone = one_by_one[i];
         EXPECT_EQ(alone.object, together[i].object) << i;
         EXPECT_EQ(alone.coverage, together[i].coverage) << i;
         EXPECT_EQ(alone.normal, together[i].normal) << i;
@@ -385,7 +409,7 @@ TEST_P(Waves, Gather_WhatPathsGatherOneAtATime) {
         // Light is added up in another order.
         EXPECT_LE((alone.radiance - together[i].radiance).length(), kRounding * size) << i;
     }
-    expect_same_sights(one, many, tasks, spread, together);
+    expect_same_sights(one, many, batches, spread, together);
     EXPECT_EQ(count_together.camera_rays, count_alone.camera_rays);
     EXPECT_EQ(count_together.scattered_rays, count_alone.scattered_rays);
     EXPECT_EQ(count_together.shadow_rays, count_alone.shadow_rays);
@@ -409,28 +433,23 @@ TEST(WaveIntegrator, Samples_DoNotDependOnOthersInTheWave) {
     const render::CameraState state = camera(Vec3(0.3, -1.6, 1.1), Vec3(0, 0, 0.05), 0.8);
     const render::ThinLensCamera lens(state, state, kSide, kSide, 0, render::PixelFilter::box, 1);
     const render::WaveIntegrator many(scene, {});
-    std::vector<CameraTask> tasks;
-    for (int i = 0; i < kSide * kSide; ++i) {
-        const auto x = static_cast<std::uint32_t>(i % kSide);
-        const auto y = static_cast<std::uint32_t>(i / kSide);
-        const render::SampleStream stream(3, x, y, 0);
-        tasks.push_back({lens.ray(i % kSide, i / kSide, stream.camera_sample()),
-                         stream,
-                         {i % kSide, i / kSide, 0}});
-    }
-    const auto traced = [&](std::size_t at_once) {
-        std::vector<RadianceSample> results(tasks.size());
+    const std::vector<CameraBatch> batches = batches_of(lens, 1);
+    const auto traced = [&](int at_once) {
+        std::vector<RadianceSample> results(std::size_t{kSide} * kSide);
+        RadianceSample* result = results.data();
         render::RenderStatistics count;
         const auto workspace = many.make_workspace();
-        for (std::size_t from = 0; from < tasks.size(); from += at_once) {
-            const std::size_t size = std::min(at_once, tasks.size() - from);
-            many.samples(std::span(tasks).subspan(from, size), 0.001f,
-                         std::span(results).subspan(from, size), workspace.get(), count);
+        for (const CameraBatch& batch : batches) {
+            for (int from = 0; from < batch.count; from += at_once) {
+                const CameraRun run = CameraRun::all(batch).part(from, at_once);
+                many.samples(run, 0.001f, result, workspace.get(), count);
+                result += run.count;
+            }
         }
         return results;
     };
-    const std::vector<RadianceSample> whole = traced(tasks.size());
-    for (const std::size_t at_once : {1u, 7u, 100u}) {
+    const std::vector<RadianceSample> whole = traced(CameraBatch::kMost);
+    for (const int at_once : {1, 7, 100}) {
         const std::vector<RadianceSample> parts = traced(at_once);
         for (std::size_t i = 0; i < whole.size(); ++i) {
             ASSERT_EQ(whole[i].radiance, parts[i].radiance) << at_once << " " << i;
