@@ -83,8 +83,7 @@ SceneNames names_of(const SceneDescription& scene) {
     }
     for (const LightDescription& light : scene.lights) {
         // Other lights have no shape that rays could hit.
-        if (std::holds_alternative<RectangleLight>(light.light) ||
-            std::holds_alternative<SphereLight>(light.light)) {
+        if (shape_of(light)) {
             names.objects.push_back(light.name);
             names.material_of.push_back(static_cast<std::uint32_t>(names.materials.size()));
         }

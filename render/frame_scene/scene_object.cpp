@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "render/geometry/mesh_file.h"
 #include "render/geometry/smooth_normals.h"
+#include "render/light/area_light.h"
 
 namespace carom::render {
 namespace {
@@ -242,35 +243,21 @@ SceneObject make_object(const ObjectDescription& description, std::uint32_t mate
 
 std::optional<SceneObject> make_light_object(const LightDescription& description,
                                              std::uint32_t light) {
+    const std::optional<LightShape> shape = shape_of(description);
+    if (!shape) {
+        return std::nullopt;
+    }
     SceneObject object;
     object.name = description.name;
     object.light = light;
-    if (const auto* sphere = std::get_if<SphereLight>(&description.light)) {
-        Mat44 place;
-        place.setTranslation(sphere->centre);
-        object.kind = ShapeKind::ball;
-        object.is_round = true;
-        object.half_size = V3f(static_cast<float>(sphere->radius));
-        object.bounding_radius = object.half_size.x;
-        object.frame = frame_of(scaling(Vec3(sphere->radius)) * place);
-        return object;
-    }
-    if (const auto* rectangle = std::get_if<RectangleLight>(&description.light)) {
-        const Vec3& u = rectangle->edge_u;
-        const Vec3& v = rectangle->edge_v;
-        const Vec3& n = rectangle->normal;
-        const Vec3& c = rectangle->centre;
-        const Mat44 world_from_unit(u.x, u.y, u.z, 0, v.x, v.y, v.z, 0, n.x, n.y, n.z, 0, c.x, c.y,
-                                    c.z, 1);
-        object.kind = ShapeKind::rectangle;
-        object.is_one_sided = true;
-        object.half_size = V3f(static_cast<float>(u.length()), static_cast<float>(v.length()), 1);
-        object.bounding_radius =
-            static_cast<float>(bounding_radius_of({object.kind}, world_from_unit));
-        object.frame = frame_of(world_from_unit);
-        return object;
-    }
-    return std::nullopt;
+    object.kind = shape->kind;
+    object.is_round = shape->kind == ShapeKind::ball;
+    object.is_one_sided = shape->is_one_sided;
+    object.half_size = shape->half_size;
+    object.bounding_radius =
+        static_cast<float>(bounding_radius_of({shape->kind}, shape->world_from_unit));
+    object.frame = frame_of(shape->world_from_unit);
+    return object;
 }
 
 UnitFrame placed(const UnitFrame& in_body, const V3f& position,

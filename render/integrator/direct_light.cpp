@@ -40,8 +40,8 @@ constexpr int kBlockSamples = 4;
 
 int first_vertex_samples(const LightSet& lights, std::size_t light) {
     const std::size_t area_lights = lights.area_light_count();
-    const bool is_lamp = light < area_lights && area_lights <= kFewLights &&
-                         std::holds_alternative<RectangleEmitter>(lights.area_light(light));
+    const bool is_lamp =
+        light < area_lights && area_lights <= kFewLights && !lights.is_round(light);
     return is_lamp ? kBlockSamples : 1;
 }
 

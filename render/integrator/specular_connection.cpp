@@ -21,13 +21,6 @@ struct LastLeg {
 // as much near the focus of a ball, where the spread of a path has no bound.
 constexpr float kSmallLamp = 0.02f;
 
-float radius_of(const RectangleEmitter& light) {
-    return light.constants().half_diagonal;
-}
-float radius_of(const SphereEmitter& light) {
-    return light.radius();
-}
-
 // Adds the radiance of an area light along the second leg; `connection.radiance` already holds the
 // reflectance of the ball.
 bool from_area(const TransportScene& scene, std::size_t light, const LastLeg& leg,
@@ -122,7 +115,7 @@ float connection_importance(const TransportScene& scene, const SpecularBall& bal
     const auto irradiance = [&](const auto& emitter) {
         const float distance = (emitter.centre() - middle).length() - travel;
         const bool is_small =
-            !ball.refracts || radius_of(emitter) < kSmallLamp * (distance - ball.radius);
+            !ball.refracts || emitter.radius() < kSmallLamp * (distance - ball.radius);
         return distance > 0 && is_small && emitter.can_sample_area(distance, ball.radius)
                    ? emitter.intensity() / (distance * distance)
                    : 0.0f;

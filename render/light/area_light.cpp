@@ -124,4 +124,37 @@ std::optional<float> SphereEmitter::distance_along(const V3f& origin, const V3f&
     return std::max(0.0f, along - std::sqrt(inside2));
 }
 
+std::optional<AreaLight> area_light_of(const LightDescription& description) {
+    if (const auto* rectangle = std::get_if<RectangleLight>(&description.light)) {
+        return RectangleEmitter(*rectangle);
+    }
+    if (const auto* sphere = std::get_if<SphereLight>(&description.light)) {
+        return SphereEmitter(*sphere);
+    }
+    return std::nullopt;
+}
+
+std::optional<LightShape> shape_of(const LightDescription& description) {
+    if (const auto* sphere = std::get_if<SphereLight>(&description.light)) {
+        Mat44 world_from_unit;
+        world_from_unit.setScale(Vec3(sphere->radius));
+        for (int axis = 0; axis < 3; ++axis) {
+            world_from_unit[3][axis] = sphere->centre[axis];
+        }
+        return LightShape{ShapeKind::ball, false, V3f(static_cast<float>(sphere->radius)),
+                          world_from_unit};
+    }
+    if (const auto* rectangle = std::get_if<RectangleLight>(&description.light)) {
+        const Vec3& u = rectangle->edge_u;
+        const Vec3& v = rectangle->edge_v;
+        const Vec3& n = rectangle->normal;
+        const Vec3& c = rectangle->centre;
+        return LightShape{
+            ShapeKind::rectangle, true,
+            V3f(static_cast<float>(u.length()), static_cast<float>(v.length()), 1),
+            Mat44(u.x, u.y, u.z, 0, v.x, v.y, v.z, 0, n.x, n.y, n.z, 0, c.x, c.y, c.z, 1)};
+    }
+    return std::nullopt;
+}
+
 }  // namespace carom::render

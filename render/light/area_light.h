@@ -7,11 +7,42 @@
 
 #include "core/colour.h"
 #include "render/geometry/ray.h"
+#include "render/geometry/shape_kind.h"
 #include "render/geometry/trigonometry.h"
-#include "render/light/area_light_constants.h"
 #include "render/scene/scene_description.h"
 
 namespace carom::render {
+
+/// A RectangleEmitter as plain data, for kernels.
+struct RectangleConstants {
+    V3f centre{0, 0, 0};
+    V3f edge_u{1, 0, 0}, edge_v{0, 1, 0};  // half sides
+    V3f normal{0, 0, 1};
+    V3f radiance{0, 0, 0};
+    bool has_falloff = true;
+    float area = 4;
+    float half_diagonal = 0;
+};
+
+/// A SphereEmitter as plain data, for kernels.
+struct SphereConstants {
+    V3f centre{0, 0, 0};
+    V3f radiance{0, 0, 0};
+    bool has_falloff = true;
+    float radius = 1;
+};
+
+/// Lower bound on the cosine at the surface in importance estimates of a light that crosses the
+/// surface's horizon, so that such a light is still chosen sometimes.
+inline constexpr float kLeastHorizonCosine = 0.1f;
+
+/// An AreaLight as plain data, for kernels.
+struct AreaLightConstants {
+    enum class Kind { rectangle, sphere };
+    Kind kind = Kind::rectangle;
+    RectangleConstants rectangle;
+    SphereConstants sphere;
+};
 
 /// A sampled direction towards a light. The light's own surface lies at `distance`.
 struct LightSample {
@@ -57,8 +88,13 @@ class RectangleEmitter {
     [[nodiscard]] const V3f& edge_v() const { return light_.edge_v; }
     [[nodiscard]] const V3f& normal() const { return light_.normal; }
 
-    /// For kernels.
-    [[nodiscard]] const RectangleConstants& constants() const { return light_; }
+    [[nodiscard]] AreaLightConstants constants() const {
+        return {AreaLightConstants::Kind::rectangle, light_, {}};
+    }
+    /// Whether it is sampled over the cone that a sphere subtends.
+    static constexpr bool kIsRound = false;
+    /// Of a sphere around the centre that contains the light, m.
+    [[nodiscard]] float radius() const { return light_.half_diagonal; }
 
     /// A point sampled over the whole rectangle, whatever the receiver.
     [[nodiscard]] EmitterPoint sample_area(const V3f& receiver, float receiver_radius,
@@ -93,8 +129,10 @@ class SphereEmitter {
     /// See RectangleEmitter.
     [[nodiscard]] float gain(float pdf) const { return light_.has_falloff ? 1.0f : kPi * pdf; }
     [[nodiscard]] float radius() const { return light_.radius; }
-    /// For kernels.
-    [[nodiscard]] const SphereConstants& constants() const { return light_; }
+    [[nodiscard]] AreaLightConstants constants() const {
+        return {AreaLightConstants::Kind::sphere, {}, light_};
+    }
+    static constexpr bool kIsRound = true;
 
     /// A point of a disk through the light's centre that is large enough that every ray from within
     /// `receiver_radius` of `receiver` that hits the light crosses it. `can_sample_area` must be
@@ -112,5 +150,19 @@ class SphereEmitter {
 };
 
 using AreaLight = std::variant<RectangleEmitter, SphereEmitter>;
+
+/// Empty if the light is of another kind.
+[[nodiscard]] std::optional<AreaLight> area_light_of(const LightDescription& description);
+
+/// The surface of an area light, which rays hit.
+struct LightShape {
+    ShapeKind kind = ShapeKind::ball;
+    bool is_one_sided = false;
+    V3f half_size{1, 1, 1};  // m; 1 along an axis without extent
+    Mat44 world_from_unit;
+};
+
+/// Empty if the light is of another kind.
+[[nodiscard]] std::optional<LightShape> shape_of(const LightDescription& description);
 
 }  // namespace carom::render

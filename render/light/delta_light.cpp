@@ -1,6 +1,8 @@
 #include "render/light/delta_light.h"
 
 #include <algorithm>
+#include <type_traits>
+#include <variant>
 
 #include "core/elementary.h"
 #include "core/elementary_float.h"
@@ -82,6 +84,17 @@ float DeltaLight::irradiance_within(const V3f& centre, float radius) const {
 float DeltaLight::importance(const V3f& point, const V3f& normal) const {
     return scalar::importance_of_delta_light<scalar::One>(light_, scalar::three(point),
                                                           scalar::three(normal));
+}
+
+std::optional<DeltaLight> delta_light_of(const LightDescription& description) {
+    return std::visit(
+        [](const auto& light) -> std::optional<DeltaLight> {
+            if constexpr (std::is_constructible_v<DeltaLight, decltype(light)>) {
+                return DeltaLight(light);
+            }
+            return std::nullopt;
+        },
+        description.light);
 }
 
 }  // namespace carom::render

@@ -5,10 +5,23 @@
 #include <string>
 
 #include "render/light/area_light.h"
-#include "render/light/delta_light_constants.h"
 #include "render/scene/scene_description.h"
 
 namespace carom::render {
+
+/// A DeltaLight as plain data, for kernels.
+struct DeltaLightConstants {
+    bool is_parallel = false;
+    bool has_falloff = true;  // inverse square; never for directional lights
+    V3f position{0, 0, 0};
+    V3f direction{0, 0, -1};     // in which the light shines
+    V3f power{0, 0, 0};          // W/sr, or W/m^2 for a light without falloff
+    float inner_cosine = -2.0f;  // a point light shines everywhere
+    float outer_cosine = -2.0f;
+};
+
+/// 1/sr; a power of two, so that multiplying and dividing by it is exact.
+inline constexpr float kDeltaPdf = 0x1p60f;
 
 /// A point light, spot light or directional light. Exactly one direction leads to it from any
 /// point. Its sample has the density kDeltaPdf, and `radiance` is the irradiance perpendicular to
@@ -46,5 +59,8 @@ class DeltaLight {
   private:
     DeltaLightConstants light_;
 };
+
+/// Empty if the light is of another kind.
+[[nodiscard]] std::optional<DeltaLight> delta_light_of(const LightDescription& description);
 
 }  // namespace carom::render

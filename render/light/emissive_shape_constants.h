@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "render/geometry/affine.h"
-#include "render/light/area_light_constants.h"
+#include "render/light/area_light.h"
 
 namespace carom::render {
 

@@ -7,8 +7,8 @@
 #define CAROM_LIGHT_KERNELS_INL_H
 #endif
 
-#include "render/light/area_light_constants.h"
-#include "render/light/delta_light_constants.h"
+#include "render/light/area_light.h"
+#include "render/light/delta_light.h"
 #include "render/light/emissive_shape_constants.h"
 #include "render/light/environment_picture.h"
 #include "render/sampling/kernels-inl.h"
@@ -18,15 +18,7 @@ namespace carom::render::HWY_NAMESPACE {
 
 #define CAROM_KERNEL HWY_INLINE
 #define CAROM_KERNEL_ATTRIBUTE HWY_ATTR
-// The order of these matters.
-// clang-format off
-#include "render/light/kernels/shared_exponent.h"
-#include "render/light/kernels/environment.h"
-#include "render/light/kernels/light_sample.h"
-#include "render/light/kernels/area_light.h"
-#include "render/light/kernels/delta_light.h"
-#include "render/light/kernels/emissive_object.h"
-// clang-format on
+#include "render/light/kernels/all.h"
 #undef CAROM_KERNEL_ATTRIBUTE
 #undef CAROM_KERNEL
 

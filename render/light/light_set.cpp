@@ -15,18 +15,12 @@ LightSet::LightSet(const std::vector<LightDescription>& lights) {
         throw Error(problems.front().sentence);
     }
     for (const LightDescription& description : lights) {
-        if (const auto* rectangle = std::get_if<RectangleLight>(&description.light)) {
-            area_lights_.emplace_back(RectangleEmitter(*rectangle));
-        } else if (const auto* sphere = std::get_if<SphereLight>(&description.light)) {
-            area_lights_.emplace_back(SphereEmitter(*sphere));
-        } else if (const auto* environment = std::get_if<EnvironmentLight>(&description.light)) {
+        if (const auto* environment = std::get_if<EnvironmentLight>(&description.light)) {
             environment_ = std::make_shared<const Environment>(*environment);
-        } else if (const auto* point = std::get_if<PointLight>(&description.light)) {
-            delta_lights_.emplace_back(*point);
-        } else if (const auto* spot = std::get_if<SpotLight>(&description.light)) {
-            delta_lights_.emplace_back(*spot);
-        } else {
-            delta_lights_.emplace_back(std::get<DirectionalLight>(description.light));
+        } else if (const std::optional<AreaLight> area_light = area_light_of(description)) {
+            area_lights_.push_back(*area_light);
+        } else if (const std::optional<DeltaLight> delta_light = delta_light_of(description)) {
+            delta_lights_.push_back(*delta_light);
         }
     }
 }
@@ -59,7 +53,7 @@ bool LightSet::is_round(std::size_t light) const {
         return emissive_[light - first_emissive()].is_round();
     }
     return light < area_lights_.size() &&
-           std::holds_alternative<SphereEmitter>(area_lights_[light]);
+           std::visit([](const auto& emitter) { return emitter.kIsRound; }, area_lights_[light]);
 }
 
 float LightSet::importance(std::size_t light, const V3f& point, const V3f& normal,

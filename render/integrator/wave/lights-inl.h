@@ -144,10 +144,8 @@ HWY_INLINE F importance(const WaveScene& scene, std::size_t light, const PlaceLa
                         const F3& normal, M wanted) {
     const WaveLight& known = scene.light[light];
     switch (known.kind) {
-        case WaveLight::Kind::rectangle:
-            return importance_of_rectangle<Lanes>(known.rectangle, place.position, normal);
-        case WaveLight::Kind::sphere:
-            return importance_of_sphere<Lanes>(known.sphere, place.position, normal);
+        case WaveLight::Kind::area:
+            return importance_of_area_light<Lanes>(known.area, place.position, normal);
         case WaveLight::Kind::environment:
             return all(scene.environment_importance);
         case WaveLight::Kind::delta:
@@ -188,10 +186,8 @@ HWY_INLINE LightLanes sample(const WaveScene& scene, std::size_t light, const Pl
                              const V2& u, M wanted) {
     const WaveLight& known = scene.light[light];
     switch (known.kind) {
-        case WaveLight::Kind::rectangle:
-            return sample_rectangle<Lanes>(known.rectangle, place.position, u);
-        case WaveLight::Kind::sphere:
-            return sample_sphere_light<Lanes>(known.sphere, place.position, u);
+        case WaveLight::Kind::area:
+            return sample_area_light<Lanes>(known.area, place.position, u);
         case WaveLight::Kind::environment:
             return sample_environment(*scene.sky, u);
         case WaveLight::Kind::delta:

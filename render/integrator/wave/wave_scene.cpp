@@ -30,15 +30,10 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
         }
         return light;
     }
-    const AreaLight& area_light = lights.area_light(index);
-    if (const auto* rectangle = std::get_if<RectangleEmitter>(&area_light)) {
-        light.kind = WaveLight::Kind::rectangle;
-        light.rectangle = rectangle->constants();
-        light.samples = first_vertex_samples(lights, index);
-    } else {
-        light.kind = WaveLight::Kind::sphere;
-        light.sphere = std::get<SphereEmitter>(area_light).constants();
-    }
+    light.kind = WaveLight::Kind::area;
+    light.area = std::visit([](const auto& emitter) { return emitter.constants(); },
+                            lights.area_light(index));
+    light.samples = first_vertex_samples(lights, index);
     return light;
 }
 

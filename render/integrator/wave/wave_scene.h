@@ -16,11 +16,10 @@ namespace carom::render {
 
 /// A light for the kernels.
 struct WaveLight {
-    enum class Kind { rectangle, sphere, environment, delta, curved_object, flat_object, other };
+    enum class Kind { area, environment, delta, curved_object, flat_object, other };
     Kind kind = Kind::other;
     int samples = 1;  // at a path's first vertex
-    RectangleConstants rectangle;
-    SphereConstants sphere;
+    AreaLightConstants area;
     DeltaLightConstants delta;
     EmissiveShapeConstants shape;         // of a curved object
     ObjectImportance importance;          // of a flat object

@@ -122,7 +122,7 @@ HWY_INLINE void sample_all_lights(const WaveStep& step, VertexLanes& v,
                                  x, y);
             for (int j = 0; j < 4; ++j) {
                 const LightLanes found =
-                    sample_rectangle<Lanes>(known.rectangle, v.position, {x[j], y[j]});
+                    sample_area_light<Lanes>(known.area, v.position, {x[j], y[j]});
                 add_shadow_rays(step, v, found, all(4.f), v.scatters, k++);
             }
             continue;

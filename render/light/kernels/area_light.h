@@ -88,3 +88,29 @@ CAROM_KERNEL typename L::Value importance_of_sphere(const SphereConstants& light
                        surface_cosine<L>(dot(to_light, normal) / distance, radius / distance);
     return L::select(L::is_less(radius, distance), value, L::all(0));
 }
+
+template <class L>
+CAROM_KERNEL LightSampleOf<L> sample_area_light(const AreaLightConstants& light,
+                                                const Three<typename L::Value>& point,
+                                                const Two<typename L::Value>& u) {
+    switch (light.kind) {
+        case AreaLightConstants::Kind::rectangle:
+            return sample_rectangle<L>(light.rectangle, point, u);
+        case AreaLightConstants::Kind::sphere:
+            break;
+    }
+    return sample_sphere_light<L>(light.sphere, point, u);
+}
+
+template <class L>
+CAROM_KERNEL typename L::Value importance_of_area_light(const AreaLightConstants& light,
+                                                        const Three<typename L::Value>& point,
+                                                        const Three<typename L::Value>& normal) {
+    switch (light.kind) {
+        case AreaLightConstants::Kind::rectangle:
+            return importance_of_rectangle<L>(light.rectangle, point, normal);
+        case AreaLightConstants::Kind::sphere:
+            break;
+    }
+    return importance_of_sphere<L>(light.sphere, point, normal);
+}
