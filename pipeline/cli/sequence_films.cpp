@@ -18,7 +18,6 @@
 #include "pipeline/cli/terminal/duration_text.h"
 #include "pipeline/cli/time_text.h"
 #include "pipeline/job/film_status.h"
-#include "pipeline/sequence/sequence_job.h"
 #include "pipeline/video/image_sequence.h"
 #include "pipeline/video/picture_kind.h"
 #include "pipeline/video/picture_writer.h"
@@ -26,13 +25,10 @@
 
 namespace carom::cli {
 
-namespace {
-
 using pipeline::Sequence;
 using pipeline::SequenceBakes;
 using pipeline::ShotPart;
 
-/// The bakes of all shots, each world simulated once.
 SequenceBakes obtain_bakes(Sequence& sequence, const CacheOptions& cache, CommandContext& context) {
     SequenceBakes bakes;
     for (std::size_t i = 0; i < sequence.parts.size(); ++i) {
@@ -45,7 +41,6 @@ SequenceBakes obtain_bakes(Sequence& sequence, const CacheOptions& cache, Comman
     return bakes;
 }
 
-/// Throws InputError if the film cannot be written to the file.
 void check_sequence_file(const Sequence& sequence, const std::string& path) {
     if (pipeline::is_image_sequence(path)) {
         throw InputError("a film of several shots is written as a video, not as pictures ('" +
@@ -59,9 +54,9 @@ void check_sequence_file(const Sequence& sequence, const std::string& path) {
     check_output_folder(path);
 }
 
-/// The frames that the job has; throws InputError if it has none.
-std::int64_t count_frames(const Sequence& sequence, const pipeline::FilmJobOptions& options,
-                          const std::string& text) {
+std::int64_t count_sequence_frames(const Sequence& sequence,
+                                   const pipeline::FilmJobOptions& options,
+                                   const std::string& text) {
     const std::int64_t all = sequence.frames();
     const std::vector<std::int64_t> frames = options.frames.frames(all);
     if (frames.empty()) {
@@ -71,6 +66,8 @@ std::int64_t count_frames(const Sequence& sequence, const pipeline::FilmJobOptio
     }
     return std::ssize(options.chunk.part_of(frames));
 }
+
+namespace {
 
 /// Prints how many frames of each part are stored.
 void print_status(const Sequence& sequence, const SequenceBakes& bakes,
@@ -115,7 +112,7 @@ void render_sequence(const RenderCommand& command, CommandContext& context) {
     options.output = path;
     options.threads = command.threads;
     options.factory = context.factory;
-    const std::int64_t frames = count_frames(sequence, options, command.frames);
+    const std::int64_t frames = count_sequence_frames(sequence, options, command.frames);
     const SequenceBakes bakes = obtain_bakes(sequence, command.cache, context);
     if (command.dry_run) {
         return print_status(sequence, bakes, options, context);
@@ -141,7 +138,7 @@ void mux_sequence(const MuxCommand& command, CommandContext& context) {
     pipeline::FilmJobOptions options = job_options(command.cache, command.frames, {});
     options.output = path;
     options.so_far = command.so_far;
-    const std::int64_t frames = count_frames(sequence, options, command.frames);
+    const std::int64_t frames = count_sequence_frames(sequence, options, command.frames);
     const SequenceBakes bakes = obtain_bakes(sequence, command.cache, context);
     options.tier = tier_to_mux(command.tier, context.console, [&] {
         return pipeline::stored_tier(sequence, bakes, options, context.stop);
@@ -186,31 +183,18 @@ void write_sequence_frame(const FrameCommand& command, CommandContext& context) 
     print_path(path);
 }
 
-void write_sequence_sheet(const ContactSheetCommand& command, CommandContext& context) {
-    InputOptions input = command.input;
-    if (input.quality.empty()) {
-        input.quality = "draft";
-    }
-    const std::string path = output_or_default(command.output, input.path, "_sheet.png");
-    check_sheet_path(path, "a contact sheet");
-    check_output_folder(path);
-    const ChosenTier tier(command.tier);
-    Sequence sequence = read_sequence_input(input, context.console);
-    pipeline::FilmJobOptions options = job_options(command.cache, {}, {});
-    options.threads = command.threads;
-    options.factory = context.factory;
-    const std::vector<std::int64_t> frames =
-        spread_frames(command.count, sequence.frames()).frames(sequence.frames());
-    const SequenceBakes bakes = obtain_bakes(sequence, command.cache, context);
+void write_frames_sheet(const Sequence& sequence, const SequenceBakes& bakes,
+                        const pipeline::FilmJobOptions& options, const FramesSheet& sheet,
+                        CommandContext& context) {
     std::vector<pipeline::SheetCell> cells;
     pipeline::for_each_frame(
-        sequence, bakes, frames, options,
-        make_console_observer(context.console, std::ssize(frames)),
+        sequence, bakes, sheet.frames, options,
+        make_console_observer(context.console, std::ssize(sheet.frames)),
         [&](std::int64_t frame, const pipeline::DisplayPicture& picture) {
             const pipeline::SequenceLayer layer = pipeline::layers_of(sequence, frame).back();
             const auto* part = std::get_if<ShotPart>(&sequence.parts[layer.part].content);
             cells.push_back(
-                {reduced(picture, command.width),
+                {reduced(picture, sheet.most_width),
                  fmt::format("frame {}  {}", frame,
                              part != nullptr ? part_name(layer.part, *part)
                                              : fmt::format("part {}, title", layer.part + 1)),
@@ -218,12 +202,33 @@ void write_sequence_sheet(const ContactSheetCommand& command, CommandContext& co
         },
         context.stop);
     context.console.end_progress();
-    const pipeline::DisplayPicture sheet = pipeline::contact_sheet(
-        sequence.name,
-        fmt::format("{} frames, {:.6g} per second", sequence.frames(), sequence.fps.to_double()),
-        cells, command.columns);
-    pipeline::write_display_picture(sheet.rgb, sheet.width, sheet.height, path);
-    print_path(path);
+    const pipeline::DisplayPicture made =
+        pipeline::contact_sheet(sequence.name, sheet.facts, cells, sheet.columns);
+    pipeline::write_display_picture(made.rgb, made.width, made.height, sheet.path);
+    print_path(sheet.path);
+}
+
+void write_sequence_sheet(const ContactSheetCommand& command, CommandContext& context) {
+    InputOptions input = command.input;
+    if (input.quality.empty()) {
+        input.quality = "draft";
+    }
+    FramesSheet sheet;
+    sheet.path = output_or_default(command.output, input.path, "_sheet.png");
+    check_sheet_path(sheet.path, "a contact sheet");
+    check_output_folder(sheet.path);
+    const ChosenTier tier(command.tier);
+    Sequence sequence = read_sequence_input(input, context.console);
+    pipeline::FilmJobOptions options = job_options(command.cache, {}, {});
+    options.threads = command.threads;
+    options.factory = context.factory;
+    sheet.frames = spread_frames(command.count, sequence.frames()).frames(sequence.frames());
+    sheet.facts =
+        fmt::format("{} frames, {:.6g} per second", sequence.frames(), sequence.fps.to_double());
+    sheet.columns = command.columns;
+    sheet.most_width = command.width;
+    const SequenceBakes bakes = obtain_bakes(sequence, command.cache, context);
+    write_frames_sheet(sequence, bakes, options, sheet, context);
 }
 
 }  // namespace carom::cli

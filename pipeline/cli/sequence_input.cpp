@@ -20,17 +20,20 @@ using pipeline::Sequence;
 using pipeline::SequencePart;
 using pipeline::ShotPart;
 
-pipeline::SequenceResult load_sequence_input(const InputOptions& input) {
+pipeline::SequenceResult load_sequence_input(const InputOptions& input,
+                                             const std::string& folder_of_shots) {
     if (!input.camera_file.empty()) {
         throw InputError("--camera replaces the cameras of one shot, but '" + input.path +
                          "' is a film of several");
     }
     return pipeline::load_sequence(
-        input.path, {.overrides = input.overrides, .quality = input.quality, .root = input.root});
+        input.path, {.overrides = input.overrides, .quality = input.quality, .root = input.root},
+        folder_of_shots);
 }
 
-Sequence read_sequence_input(const InputOptions& input, Console& console) {
-    pipeline::SequenceResult loaded = load_sequence_input(input);
+Sequence read_sequence_input(const InputOptions& input, Console& console,
+                             const std::string& folder_of_shots) {
+    pipeline::SequenceResult loaded = load_sequence_input(input, folder_of_shots);
     report_problems(loaded.problems, console);
     if (!loaded.sequence) {
         throw InputError("'" + input.path + "' has " + count_text(loaded.problems));
@@ -42,6 +45,9 @@ ShotInput input_of(ShotPart& part) {
     ShotInput input;
     input.shot = std::move(part.shot);
     input.source = part.source;
+    if (part.bake) {
+        input.bake = *part.bake;
+    }
     return input;
 }
 

@@ -7,13 +7,15 @@
 
 namespace carom::cli {
 
-/// The film and its problems. Throws InputError if an option does not apply to films of several
-/// shots.
-[[nodiscard]] pipeline::SequenceResult load_sequence_input(const InputOptions& input);
+/// The film and its problems. `folder_of_shots` as of load_sequence. Throws InputError if an option
+/// does not apply to films of several shots.
+[[nodiscard]] pipeline::SequenceResult load_sequence_input(const InputOptions& input,
+                                                           const std::string& folder_of_shots = {});
 
 /// The same; all problems are reported on the console. Throws InputError if one of them is an
 /// error.
-[[nodiscard]] pipeline::Sequence read_sequence_input(const InputOptions& input, Console& console);
+[[nodiscard]] pipeline::Sequence read_sequence_input(const InputOptions& input, Console& console,
+                                                     const std::string& folder_of_shots = {});
 
 /// The shot of a part as the input of other functions, which takes it out of the part until
 /// `take_back`.

@@ -11,8 +11,7 @@
 
 #include "core/text.h"
 #include "pipeline/cli/run_program.h"
-#include "pipeline/config/load_shot.h"
-#include "sim/bake.h"
+#include "pipeline/config/bake_shot.h"
 
 namespace carom::cli {
 
@@ -33,26 +32,11 @@ pipeline::LoadOptions load_options(const InputOptions& input) {
             .root = input.root};
 }
 
-/// Whether the options change the world that was simulated. The bake contains its hash. An earlier
-/// revision of the simulation computed another hash of the same world, so if the hashes differ, the
-/// world is compared with that of the shot as it was baked.
-bool changes_physics(const sim::Bake& bake, const pipeline::Shot& changed,
-                     const InputOptions& input) {
-    const Hash128 physics_hash = sim::physics_hash(changed.world);
-    if (physics_hash == bake.physics_hash) {
-        return false;
-    }
-    const pipeline::LoadResult plain =
-        pipeline::load_shot_text(bake.shot_text, input.path, {.root = input.root});
-    return plain.shot && sim::physics_hash(plain.shot->world) != physics_hash;
-}
-
 /// The shot in a bake, with the options applied. They may change the look but not the physics.
 pipeline::LoadResult load_shot_of_bake(const sim::Bake& bake, const InputOptions& input) {
-    pipeline::LoadResult loaded =
-        pipeline::load_shot_text(bake.shot_text, input.path, load_options(input));
-    const bool has_changes = !input.overrides.empty() || !input.quality.empty();
-    if (loaded.shot && has_changes && changes_physics(bake, *loaded.shot, input)) {
+    const pipeline::LoadOptions options = load_options(input);
+    pipeline::LoadResult loaded = pipeline::load_bake_shot(bake, input.path, options);
+    if (loaded.shot && pipeline::changes_physics(bake, *loaded.shot, input.path, options)) {
         throw InputError("'" + input.path +
                          "' is a bake: --set cannot change its physics; change the shot and bake "
                          "it again");

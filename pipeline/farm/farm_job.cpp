@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 constexpr int kMostJobs = 10000;  // of one film in one store
 
 std::string farm_folder(const std::string& store) {
@@ -83,6 +83,7 @@ void write_job(const FarmJob& job) {
         .add("time", job.time)
         .add("film_time", job.film_time)
         .add("engine", job.engine)
+        .add("sequence", job.is_sequence ? 1 : 0)
         .add("portable", job.is_portable ? 1 : 0);
     write_record(job.folder + "/job.json", members);
 }
@@ -123,6 +124,7 @@ FarmJob read_job(const std::string& folder) {
     job.time = text_of(record, "time");
     job.film_time = text_of(record, "film_time");
     job.engine = text_of(record, "engine");
+    job.is_sequence = record->integer("sequence") != 0;
     job.is_portable = record->integer("portable") != 0;
     return job;
 }
@@ -134,6 +136,14 @@ bool is_job_folder(const std::string& folder) {
 
 std::string bake_path(const FarmJob& job) {
     return job.folder + "/" + job.name + ".bake";
+}
+
+std::string sequence_path(const FarmJob& job) {
+    return job.folder + "/" + job.name + ".yaml";
+}
+
+std::string part_folder_name(std::size_t part) {
+    return fmt::format("part-{}", part + 1);
 }
 
 std::vector<std::string> job_folders(const std::string& store) {

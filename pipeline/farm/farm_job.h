@@ -1,6 +1,7 @@
 // A job of the farm: what its folder says, which is all that its workers need.
 //   FOLDER/job.json      this file
 //   FOLDER/NAME.bake     the motion, with the shot's text; NAME is the shot's, which films tell
+//   FOLDER/NAME.yaml     of a film of several shots instead, with FOLDER/part-1/SHOT.bake and so on
 //   FOLDER/workers/      what each worker does now
 //   FOLDER/logs/         what the tasks print
 //   FOLDER/slurm.json    the numbers of the tasks in Slurm's queue
@@ -21,7 +22,7 @@ struct FarmJob {
     std::string folder;        // absolute; not in the file
     std::string film;          // absolute
     std::string shot;          // as it was given, for people
-    std::string name;          // of the shot
+    std::string name;          // of the shot, or of the film of several
     std::string store;         // the cache of bakes and frames that all workers share, absolute
     std::string root;          // the folder in which the shot's files must lie; empty: anywhere
     std::string frames;        // "0-47x2"; empty: all
@@ -38,6 +39,7 @@ struct FarmJob {
     std::string time;              // the limit of a task; empty: what the budget needs
     std::string film_time;         // the limit of the task that writes the film
     std::string engine = "slurm";  // or "parallel", which submits nothing by itself
+    bool is_sequence = false;      // a film of several shots
     bool is_portable = false;      // the folder may be copied: its scripts and paths are relative
 
     bool operator==(const FarmJob&) const = default;
@@ -52,6 +54,10 @@ void write_job(const FarmJob& job);
 [[nodiscard]] bool is_job_folder(const std::string& folder);
 
 [[nodiscard]] std::string bake_path(const FarmJob& job);
+/// Of a film of several shots: the film's file, and the folder beside it that has the bake of a
+/// part, by its index from 0.
+[[nodiscard]] std::string sequence_path(const FarmJob& job);
+[[nodiscard]] std::string part_folder_name(std::size_t part);
 [[nodiscard]] std::string worker_log_pattern(const FarmJob& job);
 
 /// The folders of all jobs of a store, the newest first.

@@ -4,9 +4,11 @@
 #include <bit>
 #include <condition_variable>
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <numeric>
 
+#include "core/assert.h"
 #include "core/error.h"
 #include "pipeline/job/cached_renderer.h"
 #include "pipeline/job/job_frames.h"
@@ -40,22 +42,45 @@ void wait(std::chrono::milliseconds time, const std::stop_token& stop) {
     wake.wait_for(lock, stop, time, [] { return false; });
 }
 
+/// A film while it is worked on.
+struct Film {
+    Film(const WorkerFilm& film, const WorkerOptions& options, const std::stop_token& stop)
+        : given(film),
+          source(film.shot, film.bake.timeline, film.options.tier),
+          plan(plan_film(source, job_frames(film.shot, film.options), stop)),
+          waiting(own_share_first(bit_reversed_order(plan.pictures.size()), options.number,
+                                  options.of)) {}
+
+    const WorkerFilm& given;
+    FilmSource source;
+    FilmPlan plan;
+    std::deque<std::size_t> waiting;  // pictures
+};
+
 class Worker {
   public:
-    Worker(const FilmPlan& plan, CachedRenderer& renderer, const WorkerOptions& options,
-           const std::function<void(const WorkerState&)>& on_state)
-        : plan_(plan),
-          renderer_(renderer),
+    Worker(const std::vector<WorkerFilm>& films, const WorkerOptions& options,
+           const FrameStore& store, const std::function<void(const WorkerState&)>& on_state,
+           const std::stop_token& stop)
+        : store_(store),
           end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(options.budget)),
-          on_state_(on_state),
-          waiting_(own_share_first(bit_reversed_order(plan.pictures.size()), options.number,
-                                   options.of)) {
-        state_.pictures = std::ssize(plan.pictures);
+          on_state_(on_state) {
+        for (const WorkerFilm& film : films) {
+            films_.push_back(std::make_unique<Film>(film, options, stop));
+            state_.pictures += std::ssize(films_.back()->plan.pictures);
+        }
     }
 
     WorkerResult run(const std::stop_token& stop) {
-        while (!waiting_.empty() && Clock::now() < end_) {
-            if (!pass(stop) && Clock::now() < end_) {
+        while (!is_complete() && Clock::now() < end_) {
+            bool is_any = false;
+            for (const auto& film : films_) {
+                // Again and again, as long as pictures arrive: others render this film, too.
+                while (!film->waiting.empty() && Clock::now() < end_ && pass(*film, stop)) {
+                    is_any = true;
+                }
+            }
+            if (!is_any && Clock::now() < end_) {
                 tell(-1, 0);
                 wait(kPollInterval, stop);
             }
@@ -64,32 +89,49 @@ class Worker {
             }
         }
         tell(-1, 0);
-        return {state_, waiting_.empty()};
+        return {state_, is_complete()};
     }
 
   private:
+    [[nodiscard]] bool is_complete() const {
+        return std::ranges::all_of(films_, [](const auto& film) { return film->waiting.empty(); });
+    }
+
     /// Tries each waiting picture once. Returns whether any is there now.
-    bool pass(const std::stop_token& stop) {
+    bool pass(Film& film, const std::stop_token& stop) {
         std::deque<std::size_t> left;
         bool is_any = false;
-        while (!waiting_.empty() && Clock::now() < end_) {
+        while (!film.waiting.empty() && Clock::now() < end_) {
             if (stop.stop_requested()) {
                 throw Stopped();
             }
-            const std::size_t picture = waiting_.front();
-            if (render(picture, stop)) {
+            const std::size_t picture = film.waiting.front();
+            if (render(film, picture, stop)) {
                 is_any = true;
             } else {
                 left.push_back(picture);
             }
-            waiting_.pop_front();
+            film.waiting.pop_front();
         }
-        waiting_.insert(waiting_.begin(), left.begin(), left.end());
+        film.waiting.insert(film.waiting.begin(), left.begin(), left.end());
         return is_any;
     }
 
-    bool render(std::size_t picture, const std::stop_token& stop) {
-        const std::int64_t frame = plan_.pictures[picture].frame;
+    /// One film at a time has its scene in memory.
+    CachedRenderer& renderer_for(const Film& film) {
+        if (prepared_ != &film) {
+            renderer_.reset();
+            const FilmJobOptions& options = film.given.options;
+            renderer_ = std::make_unique<CachedRenderer>(film.source, store_,
+                                                         renderer_of(film.given.shot, options),
+                                                         options.keeps_sums, options.threads);
+            prepared_ = &film;
+        }
+        return *renderer_;
+    }
+
+    bool render(const Film& film, std::size_t picture, const std::stop_token& stop) {
+        const std::int64_t frame = film.plan.pictures[picture].frame + film.given.shift;
         WorkContext context;
         context.stop = stop;
         context.progress = [this, frame](double fraction) {
@@ -99,7 +141,7 @@ class Worker {
                 tell(frame, fraction);
             }
         };
-        const CachedRender result = renderer_.render(plan_.pictures[picture], context);
+        const CachedRender result = renderer_for(film).render(film.plan.pictures[picture], context);
         if (result.origin == RenderOrigin::claimed_elsewhere) {
             return false;
         }
@@ -123,11 +165,12 @@ class Worker {
         }
     }
 
-    const FilmPlan& plan_;
-    CachedRenderer& renderer_;
+    const FrameStore& store_;
     Clock::time_point end_;
     const std::function<void(const WorkerState&)>& on_state_;
-    std::deque<std::size_t> waiting_;
+    std::vector<std::unique_ptr<Film>> films_;
+    const Film* prepared_ = nullptr;
+    std::unique_ptr<CachedRenderer> renderer_;
     std::mutex mutex_;  // progress is told by any thread
     WorkerState state_;
     Clock::time_point told_{};
@@ -154,18 +197,22 @@ std::vector<std::size_t> bit_reversed_order(std::size_t count) {
     return order;
 }
 
+WorkerResult work_on_films(const std::vector<WorkerFilm>& films, const WorkerOptions& worker,
+                           const JobObserver& observer,
+                           const std::function<void(const WorkerState&)>& on_state,
+                           const std::stop_token& stop) {
+    CAROM_ASSERT(!films.empty());
+    ThreadSafeObserver safe_observer(observer);
+    DamageReport damages(safe_observer);
+    const FrameStore store = open_store(films.front().options, damages);
+    return Worker(films, worker, store, on_state, stop).run(stop);
+}
+
 WorkerResult work_on_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
                           const WorkerOptions& worker, const JobObserver& observer,
                           const std::function<void(const WorkerState&)>& on_state,
                           const std::stop_token& stop) {
-    ThreadSafeObserver safe_observer(observer);
-    DamageReport damages(safe_observer);
-    const FrameStore store = open_store(options, damages);
-    const FilmSource source(shot, bake.timeline, options.tier);
-    const FilmPlan plan = plan_film(source, job_frames(shot, options), stop);
-    CachedRenderer renderer(source, store, renderer_of(shot, options), options.keeps_sums,
-                            options.threads);
-    return Worker(plan, renderer, worker, on_state).run(stop);
+    return work_on_films({{shot, bake, options}}, worker, observer, on_state, stop);
 }
 
 }  // namespace carom::pipeline

@@ -40,11 +40,26 @@ struct WorkerResult {
 /// spread over the whole film, wherever one stops.
 [[nodiscard]] std::vector<std::size_t> bit_reversed_order(std::size_t count);
 
+/// A shot whose frames a worker renders: a whole film, or a part of one of several shots.
+struct WorkerFilm {
+    const Shot& shot;
+    const sim::Bake& bake;
+    FilmJobOptions options;  // of which the frames, the cache's folder and how to render are used
+    std::int64_t shift = 0;  // from the frames of the shot's own film to those that are told
+};
+
 /// Renders pictures that nobody has rendered or claimed, one after the other, until all are there
-/// or the budget is over. A worker begins with its own share of the bit-reversed order and goes on
-/// with what is left of the others'. It waits for pictures that others have claimed, and renders
-/// those whose workers have died. `on_state` is called when the state changes, and every second at
-/// least. Throws Error, Stopped.
+/// or the budget is over. A worker begins with its own share of the bit-reversed order of the first
+/// film, goes on with what is left of the others' share, and then with the next film. It waits for
+/// pictures that others have claimed when nothing else is left, and renders those whose workers
+/// have died. `on_state` is called when the state changes, and every second at least. Throws Error,
+/// Stopped.
+WorkerResult work_on_films(const std::vector<WorkerFilm>& films, const WorkerOptions& worker,
+                           const JobObserver& observer,
+                           const std::function<void(const WorkerState&)>& on_state,
+                           const std::stop_token& stop);
+
+/// The same with one film.
 WorkerResult work_on_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
                           const WorkerOptions& worker, const JobObserver& observer,
                           const std::function<void(const WorkerState&)>& on_state,

@@ -8,9 +8,12 @@
 
 #include <fmt/core.h>
 
+#include "core/error.h"
 #include "core/text.h"
 #include "pipeline/camera/frame_plan.h"
+#include "pipeline/config/bake_shot.h"
 #include "pipeline/config/config_files.h"
+#include "pipeline/config/emit_yaml.h"
 #include "pipeline/config/gather.h"
 #include "pipeline/config/parse_yaml.h"
 #include "pipeline/config/sections/sections.h"
@@ -27,6 +30,7 @@ namespace {
 struct SequenceFile {
     std::optional<FilmSection> film;
     OutputSettings output;
+    std::string output_text;
 };
 
 const MapSpec<SequenceFile>& sequence_spec() {
@@ -67,9 +71,16 @@ std::string rate_text(const Rational& fps) {
     return decimal_text(fps.to_double(), 4) + " frames per second";
 }
 
+bool is_bake(const std::string& path) {
+    return fs::path(path).extension() == ".bake";
+}
+
 class Loader {
   public:
-    Loader(const std::string& path, const LoadOptions& options) : path_(path), options_(options) {}
+    Loader(const std::string& path, const LoadOptions& options, const std::string& folder_of_shots)
+        : path_(path),
+          options_(options),
+          root_of_shots_(folder_of_shots.empty() ? options.root : folder_of_shots) {}
 
     SequenceResult load() {
         SequenceResult result;
@@ -78,6 +89,7 @@ class Loader {
             Sequence sequence;
             sequence.name = fs::path(path_).stem().string();
             sequence.output = file->output;
+            sequence.output_text = file->output_text;
             add_parts(*file->film, sequence);
             if (!problems_.has_error() && !has_errors(of_shots_)) {
                 check_fades(*file->film, sequence);
@@ -115,6 +127,9 @@ class Loader {
         reader.set_partial(!gathered.is_complete);
         SequenceFile file;
         sequence_spec().read(reader, *gathered.root, file);
+        if (const Entry* output = gathered.root->find("output")) {
+            file.output_text = emit_flow(output->value);
+        }
         if (file.output.hdr10) {
             reader.error(gathered.root->find("output")->key_place,
                          "a film of several shots cannot be written as 'hdr10' yet");
@@ -160,8 +175,43 @@ class Loader {
         return options;
     }
 
+    /// The shot in a bake, which it keeps.
+    LoadResult load_bake(const FilmPartSection& part, const LoadOptions& options, ShotPart& shot) {
+        try {
+            shot.bake = std::make_shared<const sim::Bake>(sim::read_bake(shot.path));
+        } catch (const Error& error) {
+            problems_.error(part.shot_place, error.what());
+            return {};
+        }
+        LoadResult loaded = load_bake_shot(*shot.bake, shot.path, options);
+        if (loaded.shot && changes_physics(*shot.bake, *loaded.shot, shot.path, options)) {
+            problems_.error(part.place, quote(*part.shot) +
+                                            " is a bake, whose physics cannot be changed; change "
+                                            "the shot and bake it again");
+        }
+        return loaded;
+    }
+
+    /// Whether the shot's file may be read; else a problem says why not.
+    [[nodiscard]] bool may_read(const FilmPartSection& part) {
+        if (root_of_shots_.empty()) {
+            return true;
+        }
+        ConfigFolders folders;
+        folders.root = root_of_shots_;
+        folders.texts = options_.texts;
+        const FoundFile found = find_config_file(*part.shot, folder_, folders);
+        if (found.path.empty()) {
+            problems_.error(part.shot_place, found.problem);
+        }
+        return !found.path.empty();
+    }
+
     void add_shot(const FilmSection& film, const FilmPartSection& part, bool& is_first,
                   Sequence& sequence) {
+        if (!may_read(part)) {
+            return;
+        }
         ShotPart shot;
         const fs::path name(*part.shot);
         shot.path =
@@ -169,7 +219,8 @@ class Loader {
         const LoadOptions options = options_of(film, part);
         shot.own = options.own;
         shot.overrides = options.overrides;
-        LoadResult loaded = load_shot(shot.path, options);
+        LoadResult loaded =
+            is_bake(shot.path) ? load_bake(part, options, shot) : load_shot(shot.path, options);
         for (Problem& problem : loaded.problems) {
             problem.included_by.push_back(sources_.describe(part.shot_place));
             of_shots_.push_back(std::move(problem));
@@ -249,6 +300,7 @@ class Loader {
 
     std::string path_;
     const LoadOptions& options_;
+    std::string root_of_shots_;
     std::string folder_;
     SourceSet sources_;
     ProblemList problems_{sources_};
@@ -274,8 +326,9 @@ bool is_sequence_file(const std::string& path) {
     return root && root->find("film") != nullptr;
 }
 
-SequenceResult load_sequence(const std::string& path, const LoadOptions& options) {
-    return Loader(path, options).load();
+SequenceResult load_sequence(const std::string& path, const LoadOptions& options,
+                             const std::string& folder_of_shots) {
+    return Loader(path, options, folder_of_shots).load();
 }
 
 }  // namespace carom::pipeline

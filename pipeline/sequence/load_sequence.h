@@ -20,8 +20,9 @@ struct SequenceResult {
 };
 
 /// `options.overrides` and `options.quality` are for all shots. The shots' moments are open, and
-/// nothing is simulated.
-[[nodiscard]] SequenceResult load_sequence(const std::string& path,
-                                           const LoadOptions& options = {});
+/// nothing is simulated. With `options.root` the shots' files have to lie in that folder, too, or
+/// in `folder_of_shots` if it is given.
+[[nodiscard]] SequenceResult load_sequence(const std::string& path, const LoadOptions& options = {},
+                                           const std::string& folder_of_shots = {});
 
 }  // namespace carom::pipeline

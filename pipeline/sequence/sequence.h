@@ -14,6 +14,7 @@
 #include "pipeline/config/shot_source.h"
 #include "pipeline/shot/shot.h"
 #include "pipeline/video/output_settings.h"
+#include "sim/timeline/bake_file.h"
 
 namespace carom::pipeline {
 
@@ -24,7 +25,8 @@ struct ShotPart {
     std::vector<std::string> overrides;  // as given to --set
     Shot shot;
     std::shared_ptr<const ShotSource> source;
-    std::int64_t first = 0;  // frame of the shot's film
+    std::shared_ptr<const sim::Bake> bake;  // if the file is a bake
+    std::int64_t first = 0;                 // frame of the shot's film
 };
 
 struct SequencePart {
@@ -39,7 +41,8 @@ struct Sequence {
     int width = 0;     // pixels
     int height = 0;
     Rational fps{24};
-    OutputSettings output;  // how it is encoded; each shot has its own view
+    OutputSettings output;    // how it is encoded; each shot has its own view
+    std::string output_text;  // the same as a value of YAML on one line; empty: the defaults
     std::vector<SequencePart> parts;
 
     /// The number of the film's frame with which each part begins.

@@ -59,15 +59,6 @@ FrameRange range_of(const std::vector<std::int64_t>& frames) {
     return range;
 }
 
-/// The job of one part, with frames of its own film.
-FilmJobOptions part_options(FilmJobOptions options, const std::vector<std::int64_t>& own) {
-    options.output.clear();
-    options.chunk = {};
-    options.sink = nullptr;
-    options.frames = range_of(own);
-    return options;
-}
-
 /// An observer of one part, whose progress is a part of the whole.
 class PartObserver {
   public:
@@ -241,6 +232,14 @@ FilmStatus sequence_status(const Sequence& sequence, const SequenceBakes& bakes,
 }
 
 }  // namespace
+
+FilmJobOptions part_options(FilmJobOptions options, const std::vector<std::int64_t>& own) {
+    options.output.clear();
+    options.chunk = {};
+    options.sink = nullptr;
+    options.frames = range_of(own);
+    return options;
+}
 
 std::vector<std::int64_t> own_frames(const Sequence& sequence, std::size_t part,
                                      const std::vector<std::int64_t>& frames) {

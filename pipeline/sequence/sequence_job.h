@@ -23,6 +23,10 @@ using SequenceBakes = std::map<std::size_t, sim::Bake>;
 [[nodiscard]] std::vector<std::int64_t> own_frames(const Sequence& sequence, std::size_t part,
                                                    const std::vector<std::int64_t>& frames);
 
+/// The job of a part that renders these frames of its shot's own film.
+[[nodiscard]] FilmJobOptions part_options(FilmJobOptions options,
+                                          const std::vector<std::int64_t>& own);
+
 /// As make_film, for the frames of all parts: one progress, one file. With an empty
 /// `options.output` the frames are only rendered and stored. Throws Error, Stopped.
 FilmJobResult make_sequence(const Sequence& sequence, const SequenceBakes& bakes,

@@ -1,4 +1,5 @@
 // A job in a folder of its own, to be run elsewhere.
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
@@ -26,11 +27,15 @@ void write_script(const std::string& path, const std::string& text) {
 
 std::string readme_text(const PlannedFarm& planned, const std::string& start) {
     const farm::FarmJob& job = planned.job;
-    const bool is_ocio = planned.input.shot.output.view == pipeline::ViewTransform::ocio;
+    const std::vector<pipeline::WorkerFilm> shots = planned.film.shots();
+    const bool is_ocio = std::ranges::any_of(shots, [](const pipeline::WorkerFilm& film) {
+        return film.shot.output.view == pipeline::ViewTransform::ocio;
+    });
     return fmt::format(
         "# The film {}\n\n"
         "This folder has all that is needed to render the film of {}, except carom itself. The\n"
-        "files that the shot names (meshes, pictures) are in files/, and no others are read.\n\n"
+        "files that shots name (meshes, pictures) are in folders files/, and no others are "
+        "read.\n\n"
         "    {}\n\n"
         "renders its frames and writes the film into this folder. It may be stopped at any time "
         "and\n"
@@ -67,6 +72,19 @@ constexpr const char* kSlurmScript =
     "cd \"$(dirname \"$0\")\" || exit 1\n"
     "exec \"${CAROM:-carom}\" farm resume .\n";
 
+void copy_all_files(FarmFilm& film, const std::string& folder) {
+    if (auto* one = std::get_if<FarmFilm::OneShot>(&film.content)) {
+        return copy_files(one->input.shot, *one->input.source, one->bake, folder);
+    }
+    auto& [sequence, bakes] = std::get<FarmFilm::SeveralShots>(film.content);
+    for (auto& [part, bake] : bakes) {
+        const auto& shot = std::get<pipeline::ShotPart>(sequence.parts[part].content);
+        const std::string part_folder = folder + "/" + farm::part_folder_name(part);
+        pipeline::create_folder(part_folder);
+        copy_files(shot.shot, *shot.source, bake, part_folder);
+    }
+}
+
 }  // namespace
 
 void farm_export(const FarmCommand& command, CommandContext& context) {
@@ -89,7 +107,7 @@ void farm_export(const FarmCommand& command, CommandContext& context) {
         job.is_portable = true;
         pipeline::create_folder(folder + "/logs");
         pipeline::create_folder(folder + "/workers");
-        copy_files(planned.input, planned.bake, folder);
+        copy_all_files(planned.film, folder);
         write_folder(planned);
         farm::write_portable_scripts(job);
         const bool is_slurm = command.format == "slurm";

@@ -47,10 +47,11 @@ void copy(const sim::Asset& asset, const std::string& target) {
 
 }  // namespace
 
-void copy_files(const ShotInput& input, sim::Bake& bake, const std::string& folder) {
+void copy_files(const pipeline::Shot& shot, const pipeline::ShotSource& source, sim::Bake& bake,
+                const std::string& folder) {
     std::map<std::string, std::string> copies;  // by the path of the original
     std::set<std::string> taken;
-    bake.assets = input.shot.assets;
+    bake.assets = shot.assets;
     if (!bake.assets.empty()) {
         pipeline::create_folder(folder + "/" + kFolder);
     }
@@ -61,13 +62,13 @@ void copy_files(const ShotInput& input, sim::Bake& bake, const std::string& fold
         asset.path = path;
     }
     std::map<const pipeline::config::Node*, std::string> names;
-    for (const auto& [node, original] : input.source->replaced()) {
+    for (const auto& [node, original] : source.replaced()) {
         const auto copy = copies.find(original);  // moments stay as they are written
         if (copy != copies.end()) {
             names[node] = copy->second;
         }
     }
-    bake.shot_text = pipeline::config::emit_yaml(input.source->root(), names);
+    bake.shot_text = pipeline::config::emit_yaml(source.root(), names);
 }
 
 }  // namespace carom::cli

@@ -12,6 +12,7 @@ namespace carom::cli {
 /// copies, relative to `folder`, where the bake is to be written. The copies have the names of the
 /// files; a number is added where two files have the same name. Throws Error if a file cannot be
 /// copied, or has changed since the shot was read.
-void copy_files(const ShotInput& input, sim::Bake& bake, const std::string& folder);
+void copy_files(const pipeline::Shot& shot, const pipeline::ShotSource& source, sim::Bake& bake,
+                const std::string& folder);
 
 }  // namespace carom::cli

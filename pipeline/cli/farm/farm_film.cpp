@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/film_input.h"
+#include "pipeline/cli/sequence_films.h"
+#include "pipeline/cli/sequence_input.h"
 #include "pipeline/job/job_frames.h"
 #include "pipeline/store/cache_folder.h"
 #include "pipeline/store/pins.h"
@@ -65,13 +68,69 @@ FarmJob find_job(const FarmCommand& command) {
                      "store with --store");
 }
 
-FarmFilm read_film(const FarmJob& job, CommandContext& context) {
+std::vector<std::int64_t> FarmFilm::frames() const {
+    if (const auto* one = std::get_if<OneShot>(&content)) {
+        return pipeline::job_frames(one->input.shot, options);
+    }
+    const auto& several = std::get<SeveralShots>(content);
+    return options.frames.frames(several.sequence.frames());
+}
+
+std::vector<pipeline::WorkerFilm> FarmFilm::shots() const {
+    if (const auto* one = std::get_if<OneShot>(&content)) {
+        return {{one->input.shot, one->bake, options}};
+    }
+    const auto& [sequence, bakes] = std::get<SeveralShots>(content);
+    const std::vector<std::int64_t> all = frames();
+    const std::vector<std::int64_t> starts = sequence.starts();
+    std::vector<pipeline::WorkerFilm> shots;
+    for (const auto& [part, bake] : bakes) {
+        const auto& shot = std::get<pipeline::ShotPart>(sequence.parts[part].content);
+        const std::vector<std::int64_t> own = pipeline::own_frames(sequence, part, all);
+        if (!own.empty()) {
+            shots.push_back(
+                {shot.shot, bake, pipeline::part_options(options, own), starts[part] - shot.first});
+        }
+    }
+    return shots;
+}
+
+std::vector<std::int64_t> FarmFilm::missing_frames(const std::stop_token& stop,
+                                                   pipeline::DamagedFrames damaged) const {
+    std::set<std::int64_t> missing;
+    for (const pipeline::WorkerFilm& shot : shots()) {
+        for (const std::int64_t frame :
+             pipeline::film_status(shot.shot, shot.bake, shot.options, stop, damaged).missing) {
+            missing.insert(frame + shot.shift);
+        }
+    }
+    return {missing.begin(), missing.end()};
+}
+
+namespace {
+
+std::variant<FarmFilm::OneShot, FarmFilm::SeveralShots> read_content(const FarmJob& job,
+                                                                     const CacheOptions& cache,
+                                                                     CommandContext& context) {
     InputOptions input;
-    input.path = farm::bake_path(job);
     input.root = job.root;
-    FarmFilm film{
-        read_film_input(input, context), {}, job_options({job.store, "none"}, job.frames, "")};
-    film.bake = obtain_bake(film.input, input, {job.store, "none"}, context);
+    if (job.is_sequence) {
+        input.path = farm::sequence_path(job);
+        FarmFilm::SeveralShots film{read_sequence_input(input, context.console, job.folder), {}};
+        film.bakes = obtain_bakes(film.sequence, cache, context);
+        return film;
+    }
+    input.path = farm::bake_path(job);
+    FarmFilm::OneShot film{read_film_input(input, context), {}};
+    film.bake = obtain_bake(film.input, input, cache, context);
+    return film;
+}
+
+}  // namespace
+
+FarmFilm read_film(const FarmJob& job, CommandContext& context) {
+    const CacheOptions cache{job.store, "none"};
+    FarmFilm film{read_content(job, cache, context), job_options(cache, job.frames, "")};
     film.options.tier = job.tier;
     film.options.threads = static_cast<int>(job.processors);
     film.options.claim_times = pipeline::claim_times(
@@ -82,25 +141,55 @@ FarmFilm read_film(const FarmJob& job, CommandContext& context) {
 }
 
 FarmFrames::FarmFrames(const FarmFilm& film, const std::stop_token& stop)
-    : folder_(pipeline::frames_folder(film.options)),
-      plan_(pipeline::plan_film(
-          pipeline::FilmSource(film.input.shot, film.bake.timeline, film.options.tier),
-          pipeline::job_frames(film.input.shot, film.options), stop)) {}
-
-FarmFrames::Stored FarmFrames::stored() const {
-    Stored stored;
-    const pipeline::FrameStore store(folder_);
-    std::vector<bool> is_stored;
-    for (const pipeline::FilmPlan::Picture& picture : plan_.pictures) {
-        is_stored.push_back(store.contains(picture.key));
-        stored.pictures += is_stored.back() ? 1 : 0;
+    : folder_(pipeline::frames_folder(film.options)), frames_(film.frames()) {
+    for (const pipeline::WorkerFilm& shot : film.shots()) {
+        const pipeline::FilmSource source(shot.shot, shot.bake.timeline, film.options.tier);
+        parts_.push_back(
+            {pipeline::plan_film(source, pipeline::job_frames(shot.shot, shot.options), stop),
+             shot.shift});
     }
-    for (std::size_t i = 0; i < plan_.frames.size(); ++i) {
-        const pipeline::FilmPlan::Blend* blend = plan_.blend_of(i);
-        if (is_stored[plan_.picture_of[i]] && (blend == nullptr || is_stored[blend->picture])) {
-            stored.frames.push_back(plan_.frames[i]);
+}
+
+std::int64_t FarmFrames::pictures() const {
+    std::set<Hash128> keys;
+    for (const Part& part : parts_) {
+        for (const pipeline::FilmPlan::Picture& picture : part.plan.pictures) {
+            keys.insert(picture.key);
         }
     }
+    return std::ssize(keys);
+}
+
+void FarmFrames::add_missing(const Part& part, std::set<std::int64_t>& missing) const {
+    const pipeline::FilmPlan& plan = part.plan;
+    const pipeline::FrameStore store(folder_);
+    std::vector<bool> is_stored;
+    for (const pipeline::FilmPlan::Picture& picture : plan.pictures) {
+        is_stored.push_back(store.contains(picture.key));
+    }
+    for (std::size_t i = 0; i < plan.frames.size(); ++i) {
+        const pipeline::FilmPlan::Blend* blend = plan.blend_of(i);
+        if (!is_stored[plan.picture_of[i]] || (blend != nullptr && !is_stored[blend->picture])) {
+            missing.insert(plan.frames[i] + part.shift);
+        }
+    }
+}
+
+FarmFrames::Stored FarmFrames::stored() const {
+    std::set<std::int64_t> missing;
+    std::set<Hash128> pictures;
+    const pipeline::FrameStore store(folder_);
+    for (const Part& part : parts_) {
+        add_missing(part, missing);
+        for (const pipeline::FilmPlan::Picture& picture : part.plan.pictures) {
+            if (store.contains(picture.key)) {
+                pictures.insert(picture.key);
+            }
+        }
+    }
+    Stored stored;
+    std::ranges::set_difference(frames_, missing, std::back_inserter(stored.frames));
+    stored.pictures = std::ssize(pictures);
     return stored;
 }
 
@@ -110,10 +199,17 @@ void FarmFrames::pin(const FarmJob& job, const FarmFilm& film, const std::stop_t
         pin.folder = fs::path(job.folder).lexically_relative(job.store).string();
     }
     const pipeline::RoomRequest request{job.store, pipeline::job_pin_name(pin.job)};
+    std::set<Hash128> keys;
+    const std::vector<pipeline::WorkerFilm> shots = film.shots();
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+        for (const Hash128& key : pipeline::keys_of(parts_[i].plan, shots[i].bake)) {
+            keys.insert(key);
+        }
+    }
+    const std::vector<Hash128> list(keys.begin(), keys.end());
     try {
         pipeline::reserve_room(
-            request, [&] { write_job_pin(job.store, pin, pipeline::keys_of(plan_, film.bake)); },
-            stop);
+            request, [&] { write_job_pin(job.store, pin, list); }, stop);
     } catch (const pipeline::NoRoom&) {
         unpin(job);
         throw;
@@ -130,8 +226,10 @@ void FarmFrames::forget_reservation(const FarmJob& job) {
 
 void FarmFrames::forget_claims() const {
     const pipeline::FrameStore store(folder_);
-    for (const pipeline::FilmPlan::Picture& picture : plan_.pictures) {
-        store.forget_claims(picture.key);
+    for (const Part& part : parts_) {
+        for (const pipeline::FilmPlan::Picture& picture : part.plan.pictures) {
+            store.forget_claims(picture.key);
+        }
     }
 }
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "pipeline/cli/commands.h"
@@ -11,6 +13,9 @@
 #include "pipeline/farm/farm_job.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/job/film_plan.h"
+#include "pipeline/job/film_status.h"
+#include "pipeline/job/film_worker.h"
+#include "pipeline/sequence/sequence_job.h"
 #include "sim/timeline/bake_file.h"
 
 namespace carom::cli {
@@ -24,11 +29,27 @@ namespace carom::cli {
 /// The job that the command names. Throws InputError if there is none.
 [[nodiscard]] farm::FarmJob find_job(const FarmCommand& command);
 
-/// A job's shot and motion, and the options with which its frames are rendered and encoded.
+/// What a job films, and the options with which its frames are rendered and encoded.
 struct FarmFilm {
-    ShotInput input;
-    sim::Bake bake;
+    struct OneShot {
+        ShotInput input;
+        sim::Bake bake;
+    };
+    struct SeveralShots {
+        pipeline::Sequence sequence;
+        pipeline::SequenceBakes bakes;
+    };
+    std::variant<OneShot, SeveralShots> content;
     pipeline::FilmJobOptions options;
+
+    /// The numbers of the job's frames, ascending. Throws Error if there are none.
+    [[nodiscard]] std::vector<std::int64_t> frames() const;
+    /// Its shots with the frames of each that the job needs. They refer to this film.
+    [[nodiscard]] std::vector<pipeline::WorkerFilm> shots() const;
+    /// Of the job's frames those that are not stored, ascending; of several shots without title
+    /// cards, which are drawn. Every stored frame is read. Throws Error, Stopped.
+    [[nodiscard]] std::vector<std::int64_t> missing_frames(const std::stop_token& stop,
+                                                           pipeline::DamagedFrames damaged) const;
 };
 [[nodiscard]] FarmFilm read_film(const farm::FarmJob& job, CommandContext& context);
 
@@ -43,8 +64,8 @@ class FarmFrames {
     };
     /// What is stored of the job.
     [[nodiscard]] Stored stored() const;
-    [[nodiscard]] std::int64_t count() const { return std::ssize(plan_.frames); }
-    [[nodiscard]] std::int64_t pictures() const { return std::ssize(plan_.pictures); }
+    [[nodiscard]] std::int64_t count() const { return std::ssize(frames_); }
+    [[nodiscard]] std::int64_t pictures() const;
     /// Protects the frames and the bake from being pruned until unpin(), and reserves room for
     /// those that are missing. Throws NoRoom, and protects nothing then, if other jobs have
     /// reserved too much of what is left. Throws Error, Stopped.
@@ -57,8 +78,16 @@ class FarmFrames {
     void forget_claims() const;
 
   private:
+    struct Part {
+        pipeline::FilmPlan plan;
+        std::int64_t shift = 0;  // from its frames to those of the job
+    };
+    /// The frames of a part that are not stored, in the numbers of the job, are added.
+    void add_missing(const Part& part, std::set<std::int64_t>& missing) const;
+
     std::string folder_;
-    pipeline::FilmPlan plan_;
+    std::vector<std::int64_t> frames_;
+    std::vector<Part> parts_;
 };
 
 /// Writes a picture with some of the stored frames. `count`: of all frames of the job. Throws

@@ -3,17 +3,27 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
+#include <utility>
 
 #include <fmt/core.h>
 
+#include "core/atomic_file.h"
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/duration_text.h"
 #include "pipeline/cli/farm/farm_film.h"
 #include "pipeline/cli/film_input.h"
 #include "pipeline/cli/forecast_report.h"
+#include "pipeline/cli/output_file.h"
+#include "pipeline/cli/sequence_films.h"
+#include "pipeline/cli/sequence_input.h"
 #include "pipeline/cli/terminal/duration_text.h"
 #include "pipeline/job/film_status.h"
+#include "pipeline/sequence/load_sequence.h"
+#include "pipeline/sequence/sequence_text.h"
 #include "pipeline/store/cache_maintenance.h"
+#include "pipeline/store/file_descriptor.h"
+#include "pipeline/video/video_format.h"
 #include "render/acceleration/vector_tier.h"
 
 namespace carom::cli {
@@ -68,12 +78,25 @@ std::string tier_of(const FarmCommand& command) {
                                             : render::tier_named(command.tier));
 }
 
-FarmJob job_of(const FarmCommand& command, const ShotInput& input,
+/// The file of the film.
+std::string film_of(const FarmCommand& command, const FarmFilm& film) {
+    if (const auto* one = std::get_if<FarmFilm::OneShot>(&film.content)) {
+        return absolute_path(film_path(command.output, command.input, one->input.shot));
+    }
+    const auto& several = std::get<FarmFilm::SeveralShots>(film.content);
+    return absolute_path(output_or_default(command.output, command.input.path,
+                                           pipeline::default_extension(several.sequence.output)));
+}
+
+FarmJob job_of(const FarmCommand& command, const FarmFilm& film,
                const pipeline::FilmForecast& forecast) {
     FarmJob job;
-    job.film = absolute_path(film_path(command.output, command.input, input.shot));
+    const auto* one = std::get_if<FarmFilm::OneShot>(&film.content);
+    job.is_sequence = one == nullptr;
+    job.name = one != nullptr ? one->input.shot.name
+                              : std::get<FarmFilm::SeveralShots>(film.content).sequence.name;
+    job.film = film_of(command, film);
     job.shot = command.input.path;
-    job.name = input.shot.name;
     job.store = store_of(command);
     job.root = command.input.root.empty() ? "" : absolute_path(command.input.root);
     job.frames = command.frames;
@@ -110,44 +133,135 @@ void tell_forecast(const FarmJob& job, const pipeline::FilmForecast& forecast,
                     at_once));
 }
 
+/// Reads the input and checks that its film can be written; its motion is not known yet.
+FarmFilm read_input(const FarmCommand& command, CommandContext& context) {
+    FarmFilm film;
+    film.options = job_options({store_of(command), "none"}, command.frames, "");
+    if (pipeline::is_sequence_file(command.input.path)) {
+        FarmFilm::SeveralShots several{read_sequence_input(command.input, context.console), {}};
+        (void)count_sequence_frames(several.sequence, film.options, command.frames);
+        film.content = std::move(several);
+        check_sequence_file(std::get<FarmFilm::SeveralShots>(film.content).sequence,
+                            film_of(command, film));
+        return film;
+    }
+    FarmFilm::OneShot one{read_film_input(command.input, context), {}};
+    check_film(one.input, film_path(command.output, command.input, one.input.shot),
+               context.console);
+    (void)count_job_frames(one.input.shot, film.options, command.frames, context.console);
+    film.content = std::move(one);
+    return film;
+}
+
+/// Each bake gets its shot as the options have changed it.
+void keep_shot(const pipeline::Shot& shot, sim::Bake& bake) {
+    bake.shot_text = shot.resolved_text;
+    bake.assets = shot.assets;
+}
+
+void bake_all(const FarmCommand& command, FarmFilm& film, CommandContext& context) {
+    const CacheOptions cache{store_of(command), "none"};
+    if (auto* one = std::get_if<FarmFilm::OneShot>(&film.content)) {
+        one->bake = obtain_bake(one->input, command.input, cache, context);
+        keep_shot(one->input.shot, one->bake);
+        return;
+    }
+    auto& [sequence, bakes] = std::get<FarmFilm::SeveralShots>(film.content);
+    bakes = obtain_bakes(sequence, cache, context);
+    for (auto& [part, bake] : bakes) {
+        keep_shot(std::get<pipeline::ShotPart>(sequence.parts[part].content).shot, bake);
+    }
+}
+
+/// Of two films that are rendered by the same workers and encoded as one.
+pipeline::FilmForecast together(const pipeline::FilmForecast& a, const pipeline::FilmForecast& b) {
+    pipeline::FilmForecast sum = a;
+    const auto pictures = static_cast<double>(std::max<std::int64_t>(1, a.pictures + b.pictures));
+    const auto mean = [&](double of_a, double of_b) {
+        return (of_a * static_cast<double>(a.pictures) + of_b * static_cast<double>(b.pictures)) /
+               pictures;
+    };
+    sum.frames += b.frames;
+    sum.pictures += b.pictures;
+    sum.seconds_per_picture = mean(a.seconds_per_picture, b.seconds_per_picture);
+    sum.serial_per_picture = mean(a.serial_per_picture, b.serial_per_picture);
+    sum.preparation_seconds += b.preparation_seconds;
+    sum.encoding_seconds += b.encoding_seconds;
+    sum.error = std::max(a.error, b.error);
+    sum.memory_bytes = std::max(a.memory_bytes, b.memory_bytes);
+    sum.store_bytes += b.store_bytes;
+    sum.film_bytes += b.film_bytes;
+    sum.probe_seconds += b.probe_seconds;
+    return sum;
+}
+
+/// Of all shots; `missing` gets the number of frames that are to be rendered.
+pipeline::FilmForecast forecast_all(const FarmFilm& film, std::int64_t& missing,
+                                    const std::stop_token& stop) {
+    constexpr double kLeastCpu = 4;  // s, for each shot
+    const std::vector<pipeline::WorkerFilm> shots = film.shots();
+    pipeline::ForecastSettings settings;
+    settings.cpu_limit =
+        std::max(kLeastCpu,
+                 settings.cpu_limit / static_cast<double>(std::max<std::size_t>(1, shots.size())));
+    std::optional<pipeline::FilmForecast> all;
+    for (const pipeline::WorkerFilm& shot : shots) {
+        const pipeline::FilmStatus status =
+            pipeline::film_status(shot.shot, shot.bake, shot.options, stop);
+        missing += std::ssize(status.missing);
+        pipeline::FilmJobOptions options = shot.options;
+        options.output = film.options.output;
+        const pipeline::FilmForecast one =
+            pipeline::forecast_film(shot.shot, shot.bake, status.missing, options, stop, settings);
+        all = all ? together(*all, one) : one;
+    }
+    return all.value_or(pipeline::FilmForecast{});
+}
+
 }  // namespace
 
 PlannedFarm plan_farm(const FarmCommand& command, CommandContext& context) {
-    ShotInput input = read_film_input(command.input, context);
-    check_film(input, film_path(command.output, command.input, input.shot), context.console);
-    const CacheOptions cache{store_of(command), "none"};
-    pipeline::FilmJobOptions options = job_options(cache, command.frames, "");
-    (void)count_job_frames(input.shot, options, command.frames, context.console);
-    options.tier = job_of(command, input, {}).tier;  // and its problems before the simulation
-    std::optional<render::TierLimit> limit;          // the forecast measures this tier
-    if (render::machine_has_tier(options.tier)) {
-        limit.emplace(options.tier);
+    PlannedFarm planned;
+    planned.film = read_input(command, context);
+    FarmFilm& film = planned.film;
+    film.options.tier = job_of(command, film, {}).tier;  // and its problems before the simulation
+    std::optional<render::TierLimit> limit;              // the forecast measures this tier
+    if (render::machine_has_tier(film.options.tier)) {
+        limit.emplace(film.options.tier);
     } else {
         context.console.warning(fmt::format(
             "this machine has only {} instructions, so the forecast may be wrong for nodes with {}",
-            render::simd_tier(), options.tier));
+            render::simd_tier(), film.options.tier));
     }
-    PlannedFarm planned;
-    planned.bake = obtain_bake(input, command.input, cache, context);
-    const pipeline::FilmStatus status =
-        pipeline::film_status(input.shot, planned.bake, options, context.stop);
-    planned.missing = std::ssize(status.missing);
-    options.output = absolute_path(film_path(command.output, command.input, input.shot));
-    options.threads = command.processors;
-    options.keeps_sums = true;
-    planned.forecast =
-        pipeline::forecast_film(input.shot, planned.bake, status.missing, options, context.stop);
-    planned.job = job_of(command, input, planned.forecast);
-    planned.bake.shot_text = input.shot.resolved_text;
-    planned.bake.assets = input.shot.assets;
+    bake_all(command, film, context);
+    film.options.output = film_of(command, film);
+    film.options.threads = command.processors;
+    film.options.keeps_sums = true;
+    planned.forecast = forecast_all(film, planned.missing, context.stop);
+    planned.job = job_of(command, film, planned.forecast);
     tell_forecast(planned.job, planned.forecast, context);
-    planned.input = std::move(input);
     return planned;
 }
 
 void write_folder(const PlannedFarm& planned) {
-    sim::write_bake(planned.bake, farm::bake_path(planned.job));
-    farm::write_job(planned.job);
+    const FarmJob& job = planned.job;
+    if (const auto* one = std::get_if<FarmFilm::OneShot>(&planned.film.content)) {
+        sim::write_bake(one->bake, farm::bake_path(job));
+    } else {
+        const auto& [sequence, bakes] = std::get<FarmFilm::SeveralShots>(planned.film.content);
+        // The bake has the name of its shot, which films tell.
+        const auto name = [&](std::size_t part) {
+            const auto& shot = std::get<pipeline::ShotPart>(sequence.parts[part].content);
+            return farm::part_folder_name(part) + "/" + shot.shot.name + ".bake";
+        };
+        for (const auto& [part, bake] : bakes) {
+            pipeline::create_folder(job.folder + "/" + farm::part_folder_name(part));
+            sim::write_bake(bake, job.folder + "/" + name(part));
+        }
+        const std::string text = pipeline::sequence_text(sequence, name);
+        write_file_atomically(farm::sequence_path(job), std::as_bytes(std::span(text)));
+    }
+    farm::write_job(job);
 }
 
 }  // namespace carom::cli

@@ -4,26 +4,26 @@
 #include <cstdint>
 
 #include "pipeline/cli/commands.h"
+#include "pipeline/cli/farm/farm_film.h"
 #include "pipeline/cli/run_program.h"
-#include "pipeline/cli/shot_input.h"
 #include "pipeline/farm/farm_job.h"
 #include "pipeline/job/film_forecast.h"
-#include "sim/timeline/bake_file.h"
 
 namespace carom::cli {
 
 struct PlannedFarm {
     farm::FarmJob job;  // without a folder
-    ShotInput input;    // without a bake
-    sim::Bake bake;     // with the shot as the options have changed it
+    FarmFilm film;      // the bakes have the shots as the options have changed them
     pipeline::FilmForecast forecast;
     std::int64_t missing = 0;  // frames
 };
 
-/// Reads and simulates the shot, forecasts its frames and tells the user. Throws Error, Stopped.
+/// Reads and simulates the shot, or the shots of a film of several, forecasts its frames and tells
+/// the user. Throws Error, Stopped.
 [[nodiscard]] PlannedFarm plan_farm(const FarmCommand& command, CommandContext& context);
 
-/// Writes the bake and job.json into the job's folder, which exists. Throws Error.
+/// Writes the bakes, the file of a film of several shots, and job.json into the job's folder, which
+/// exists. Throws Error.
 void write_folder(const PlannedFarm& planned);
 
 }  // namespace carom::cli

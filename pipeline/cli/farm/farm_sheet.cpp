@@ -5,6 +5,7 @@
 
 #include "pipeline/cli/farm/farm_film.h"
 #include "pipeline/cli/frames_sheet.h"
+#include "pipeline/cli/sequence_films.h"
 
 namespace carom::cli {
 namespace {
@@ -41,7 +42,11 @@ void write_sheet(const FarmFilm& film, const std::vector<std::int64_t>& stored, 
     sheet.frames = spread(stored);
     sheet.facts = fmt::format("{} of {} frames", stored.size(), count);
     sheet.path = path;
-    write_frames_sheet(film.input.shot, film.bake, options, sheet, context);
+    if (const auto* one = std::get_if<FarmFilm::OneShot>(&film.content)) {
+        return write_frames_sheet(one->input.shot, one->bake, options, sheet, context);
+    }
+    const auto& [sequence, bakes] = std::get<FarmFilm::SeveralShots>(film.content);
+    write_frames_sheet(sequence, bakes, options, sheet, context);
 }
 
 }  // namespace carom::cli

@@ -133,8 +133,8 @@ pipeline::WorkerResult work(const FarmJob& job, const FarmFilm& film, Note& note
     options.of = static_cast<std::size_t>(at_once);
     options.number = static_cast<std::size_t>(task_number() % at_once);
     options.budget = std::chrono::duration<double>(job.budget);
-    return pipeline::work_on_film(
-        film.input.shot, film.bake, film.options, options, make_console_observer(context.console),
+    return pipeline::work_on_films(
+        film.shots(), options, make_console_observer(context.console),
         [&](const pipeline::WorkerState& state) { note.tell(state); }, context.stop);
 }
 
@@ -186,14 +186,20 @@ void submit_again(const FarmJob& job, SlurmJobs slurm, std::int64_t missing,
 std::vector<std::int64_t> write_film(const FarmJob& job, CommandContext& context) {
     FarmFilm film = read_film(job, context);
     film.options.output = job.film;
-    pipeline::FilmStatus status = pipeline::film_status(
-        film.input.shot, film.bake, film.options, context.stop, pipeline::DamagedFrames::remove);
-    if (!status.missing.empty()) {
-        return std::move(status.missing);
+    std::vector<std::int64_t> missing =
+        film.missing_frames(context.stop, pipeline::DamagedFrames::remove);
+    if (!missing.empty()) {
+        return missing;
     }
-    (void)pipeline::mux_complete_film(
-        film.input.shot, film.bake, film.options,
-        make_console_observer(context.console, std::ssize(status.frames)), context.stop);
+    const pipeline::JobObserver observer =
+        make_console_observer(context.console, std::ssize(film.frames()));
+    if (const auto* one = std::get_if<FarmFilm::OneShot>(&film.content)) {
+        (void)pipeline::mux_complete_film(one->input.shot, one->bake, film.options, observer,
+                                          context.stop);
+    } else {
+        const auto& [sequence, bakes] = std::get<FarmFilm::SeveralShots>(film.content);
+        (void)pipeline::mux_sequence(sequence, bakes, film.options, observer, context.stop);
+    }
     context.console.end_progress();
     FarmFrames(film, context.stop).forget_claims();
     return {};

@@ -50,7 +50,7 @@ const MapSpec<FilmPartSection>& part_spec() {
     static const MapSpec<FilmPartSection> spec = [] {
         MapSpec<FilmPartSection> s("part", "A part of a film: a shot, or a title card.");
         s.key("shot", &FilmPartSection::shot, text("the name of a file"),
-              "file of the shot, relative to this file");
+              "file of the shot, or its bake, relative to this file");
         s.key("set", &FilmPartSection::overrides, settings(),
               "values of the shot that are replaced, by their key paths as for `--set`: "
               "{render.samples: 64}")

@@ -1,6 +1,8 @@
 // End-to-end tests of films of several shots.
 #include <algorithm>
+#include <filesystem>
 
+#include "core/hash.h"
 #include "tests/pipeline/cli/end_to_end.h"
 #include "tests/pipeline/video/decoded_video.h"
 
@@ -115,6 +117,34 @@ TEST_F(SequenceRun, Mux_WritesTheFilmOfTheChunks) {
     }
     const auto& last = so_far.frames[11].rgb;
     EXPECT_TRUE(std::all_of(last.begin(), last.end(), [](auto value) { return value == 0; }));
+}
+
+TEST_F(SequenceRun, Farm_RendersTheSameFilmWithoutTheOriginals) {
+    (void)must_run({"render", "film.yaml", "-o", "film.mkv"});
+    (void)must_run({"farm", "export", "film.yaml", "--format", "parallel", "-o", "made"});
+    for (const char* name : {"a.yaml", "b.yaml", "film.yaml"}) {
+        std::filesystem::remove(path(name));
+    }
+    std::filesystem::rename(path("made"), path("a job's $HOME"));
+    // Two frames show the title alone.
+    EXPECT_THAT(must_run({"farm", "status", "a job's $HOME"}).out,
+                HasSubstr("running, 2 of 12 frames, 0 of 10 pictures"));
+    (void)must_run({"farm", "work", "a job's $HOME"});
+    EXPECT_THAT(must_run({"farm", "status", "a job's $HOME", "--sheet", "sheet.png"}).out,
+                HasSubstr("running, 12 of 12 frames, 10 of 10 pictures"));
+    EXPECT_TRUE(exists("sheet.png"));
+    (void)must_run({"farm", "finish", "a job's $HOME"});
+    EXPECT_EQ(hash_file(path("a job's $HOME/film.mkv")), hash_file(path("film.mkv")));
+}
+
+TEST_F(SequenceRun, FarmOfSomeFrames_SaysWhatIsMissing) {
+    (void)must_run({"render", "film.yaml", "-o", "film.mkv", "--frames", "8-10"});
+    (void)must_run(
+        {"farm", "export", "film.yaml", "--format", "parallel", "--frames", "8-10", "-o", "made"});
+    EXPECT_THAT(run({"farm", "finish", "made"}).err, HasSubstr("3 frames are missing: 8-10"));
+    (void)must_run({"farm", "work", "made"});
+    (void)must_run({"farm", "finish", "made"});
+    EXPECT_EQ(hash_file(path("made/film.mkv")), hash_file(path("film.mkv")));
 }
 
 TEST_F(SequenceRun, OtherCommands_KnowTheFilm) {

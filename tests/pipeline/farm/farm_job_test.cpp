@@ -74,11 +74,11 @@ TEST(FarmJob, OtherFolders_AreErrorsThatSayWhy) {
         return std::string();
     };
     EXPECT_THAT(problem(), HasSubstr("is not the folder of a job: it has no job.json"));
-    write_text(folder.path("job.json"), "{\"carom_farm_job\": 2}");
+    write_text(folder.path("job.json"), "{\"carom_farm_job\": 1}");
     EXPECT_THAT(problem(), HasSubstr("was written by another version of carom"));
     write_text(folder.path("job.json"), "[1, 2");
     EXPECT_THAT(problem(), HasSubstr("is no JSON object"));
-    write_text(folder.path("job.json"), "{\"carom_farm_job\": 1, \"workers\": \"many\"}");
+    write_text(folder.path("job.json"), "{\"carom_farm_job\": 2, \"workers\": \"many\"}");
     EXPECT_THAT(problem(), HasSubstr("'workers' is no number: many"));
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include <gmock/gmock.h>
 
@@ -81,6 +82,38 @@ TEST(FilmWorker, ThreeAtOnce_RenderEachPictureOnce) {
     const FilmStatus status = film_status(farm.shot, farm.bake, farm.options(), {});
     EXPECT_TRUE(status.missing.empty());
     EXPECT_EQ(farm.work({}).state.rendered, 0);
+}
+
+// While others are in the last pictures of a film, a worker goes on with the next one.
+TEST(FilmWorker, SeveralFilms_AreRenderedWithoutWaiting) {
+    Farm farm;
+    Shot other = farm.shot;
+    other.render.seed = 7;
+    FilmJobOptions options = farm.options();
+    const std::vector<WorkerFilm> films{{farm.shot, farm.bake, options, 100},
+                                        {other, farm.bake, options, 200}};
+    std::set<std::int64_t> told;
+    bool is_reached = false;
+    WorkerResult elsewhere;
+    FilmJobOptions slow = options;
+    // In its first picture this worker waits until the other one has done all it can.
+    slow.renderer = [&](const FrameInputs& inputs, const WorkContext&, render::FrameSums*) {
+        if (!std::exchange(is_reached, true)) {
+            elsewhere =
+                work_on_films(films, {0, 1, std::chrono::milliseconds(300)}, {},
+                              [&](const WorkerState& state) { told.insert(state.frame); }, {});
+        }
+        return carom::testing::fake_picture(farm.shot, inputs);
+    };
+    const WorkerResult result = work_on_film(farm.shot, farm.bake, slow, {}, {}, {}, {});
+    const std::int64_t pictures = result.state.pictures;
+    EXPECT_TRUE(result.is_complete);
+    EXPECT_EQ(result.state.rendered, 1);
+    EXPECT_FALSE(elsewhere.is_complete);
+    EXPECT_EQ(elsewhere.state.rendered, 2 * pictures - 1);
+    EXPECT_EQ(elsewhere.state.pictures, 2 * pictures);
+    EXPECT_TRUE(told.contains(200));
+    EXPECT_TRUE(told.contains(101));
 }
 
 TEST(FilmWorker, StoppedPicture_IsGoneOnWithByTheNextWorker) {

@@ -1,10 +1,14 @@
 // How films of several shots are read, and the whole messages of their problems.
 #include "pipeline/sequence/load_sequence.h"
 
+#include <filesystem>
 #include <fstream>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include "pipeline/job/film_job.h"
+#include "pipeline/sequence/sequence_text.h"
+#include "sim/timeline/bake_file.h"
 #include "tests/pipeline/video/scratch_folder.h"
 
 namespace carom::pipeline {
@@ -116,6 +120,60 @@ TEST_F(LoadSequence, PartsThatCannotBe_AreErrors) {
     EXPECT_EQ(problem("  shots: [none.yaml]\n"), "none.yaml:0: the file does not exist");
     EXPECT_EQ(problem("  shots: [a.yaml]\noutput: {hdr10: {}}\n"),
               "film.yaml:4: a film of several shots cannot be written as 'hdr10' yet");
+}
+
+TEST_F(LoadSequence, Bakes_AreShotsWithTheirMotion) {
+    const LoadResult shot = load_shot(folder_.path("a.yaml"));
+    ASSERT_TRUE(shot.shot);
+    sim::Bake bake = bake_shot(*shot.shot);
+    sim::write_bake(bake, folder_.path("a.bake"));
+    const SequenceResult result =
+        load("  shots: [b.yaml, {shot: a.bake, set: {render.samples: 3}}]\n");
+    ASSERT_TRUE(result.sequence) << result.problems[0].message;
+    const auto& part = std::get<ShotPart>(result.sequence->parts[1].content);
+    EXPECT_EQ(part.shot.render.samples, 3);
+    ASSERT_TRUE(part.bake);
+    EXPECT_EQ(part.bake->physics_hash, bake.physics_hash);
+    EXPECT_EQ(problem("  shots: [{shot: a.bake, set: {\"balls.cue.at\": [0.1, 0]}}]\n"),
+              "film.yaml:3: 'a.bake' is a bake, whose physics cannot be changed; change the shot "
+              "and bake it again");
+    write("bad.bake", "no bake");
+    EXPECT_THAT(problem("  shots: [bad.bake]\n"), ::testing::StartsWith("film.yaml:3: "));
+}
+
+TEST_F(LoadSequence, Root_HoldsTheShotsToo) {
+    std::filesystem::create_directory(folder_.path("inside"));
+    write("inside/a.yaml", shot("[640, 360]", "24"));
+    EXPECT_TRUE(load("  shots: [inside/a.yaml]\n", {.root = folder_.path("")}).sequence);
+    const SequenceResult result = load("  shots: [a.yaml]\n", {.root = folder_.path("inside")});
+    ASSERT_EQ(result.problems.size(), 1U);
+    EXPECT_THAT(result.problems[0].message,
+                ::testing::HasSubstr("--root allows only files inside that folder"));
+    EXPECT_EQ(result.problems[0].place.line, 3);
+}
+
+TEST_F(LoadSequence, Text_ReadsBackAsTheSameFilm) {
+    const SequenceResult first = load(R"(  shots:
+    - {title: "Say \"it\": #1", subtitle: two, for: 0.7 s, colour: [1, 0.2158605, 0], fade: 0.25 s}
+    - {shot: a.yaml, from: 1/24 s, to: 47/24 s, fade: 1/24 s}
+    - b.yaml
+output: {crf: 18, poster: 0.5 s, title: "A: film"}
+)");
+    ASSERT_TRUE(first.sequence) << first.problems[0].message;
+    const auto file_of = [](std::size_t part) { return part == 1 ? "a.yaml" : "b.yaml"; };
+    const std::string text = sequence_text(*first.sequence, file_of);
+    write("again.yaml", text);
+    const SequenceResult second = load_sequence(folder_.path("again.yaml"));
+    ASSERT_TRUE(second.sequence) << text << second.problems[0].message;
+    EXPECT_EQ(sequence_text(*second.sequence, file_of), text);
+    EXPECT_EQ(second.sequence->starts(), first.sequence->starts());
+    EXPECT_EQ(second.sequence->frames(), first.sequence->frames());
+    EXPECT_EQ(std::get<ShotPart>(second.sequence->parts[1].content).first, 1);
+    const auto& card = std::get<TitleCard>(second.sequence->parts[0].content);
+    EXPECT_EQ(card.text, "Say \"it\": #1");
+    EXPECT_EQ(card.colour, Vec3(1, 0.2158605, 0));
+    EXPECT_EQ(second.sequence->output.crf, 18);
+    EXPECT_EQ(second.sequence->output.title, "A: film");
 }
 
 TEST_F(LoadSequence, ProblemsOfAShot_SayWhichFilmNamesIt) {
