@@ -4,6 +4,7 @@
 #include "pipeline/cli/bake_reason.h"
 #include "pipeline/cli/job_observer.h"
 #include "pipeline/config/load_shot.h"
+#include "pipeline/picture/lit_annotations.h"
 #include "pipeline/store/cache_folder.h"
 
 namespace carom::cli {
@@ -55,6 +56,7 @@ void know_motion(ShotInput& input, const InputOptions& options, const CacheOptio
         input.bake = obtain_bake_of_shot(input, options.path, cache, context);
     }
     give_moments(input, options, input.bake->timeline, context.console);
+    pipeline::add_lit_annotations(input.shot, input.bake->timeline);
 }
 
 sim::Bake obtain_bake(ShotInput& input, const InputOptions& options, const CacheOptions& cache,
@@ -71,6 +73,7 @@ sim::Bake obtain_bake(ShotInput& input, const InputOptions& options, const Cache
     report_problems(pipeline::stick_problems(input.shot, input.source.get(), bake.timeline),
                     context.console);
     give_moments(input, options, bake.timeline, context.console);
+    pipeline::add_lit_annotations(input.shot, bake.timeline);
     report_cameras(input, bake.timeline, context.console);
     return bake;
 }

@@ -154,6 +154,9 @@ struct Annotation {
     std::optional<double> size{};   // of a line of text, of a diagram or picture; picture heights
     std::optional<TextBox> box{};
     std::optional<PicturePlace> place{};
+    /// In the scene, a thin object instead of lines on the picture (lit_annotations.h): its
+    /// diameter, m; 0: it is none.
+    double lit = 0;
 };
 
 /// Whether the annotation is placed in the scene, so that its times are scene times.

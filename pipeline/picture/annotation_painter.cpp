@@ -99,8 +99,13 @@ class AnnotationPainter::Painter {
                     ? frame.weight * opacity_at(annotation, time, frame.video_time)
                     : 0;
             if (opacity > 0) {
-                const std::vector<PlacedShape> shapes =
-                    placed_shapes(shapes_of(annotation, moment), view, fonts_);
+                SceneShapes shown = shapes_of(annotation, moment);
+                if (annotation.lit > 0) {  // the rest is in the scene
+                    std::erase_if(shown, [](const SceneShape& shape) {
+                        return !std::holds_alternative<SceneText>(shape);
+                    });
+                }
+                const std::vector<PlacedShape> shapes = placed_shapes(shown, view, fonts_);
                 draw_shapes(shapes, view, opacity, time, obstacles);
             }
             moment.path_index += is_path ? 1 : 0;

@@ -10,6 +10,7 @@
 #include "core/cpu_time.h"
 #include "core/error.h"
 #include "pipeline/job/film_job.h"
+#include "pipeline/picture/lit_annotations.h"
 #include "pipeline/studio/live_bake.h"
 #include "pipeline/studio/live_messages.h"
 #include "pipeline/studio/live_requests.h"
@@ -105,6 +106,7 @@ class LiveShot::Worker {
         if (!resolve_moments(v, *shot, loaded, *timeline)) {
             return;
         }
+        pipeline::add_lit_annotations(*shot, *timeline);
         messages_.show(v, *shot, *loaded.source, *timeline, kept, start);
         output_.answer({v, shot, loaded.source, timeline});
         if (!requests_.has_newer()) {

@@ -82,10 +82,40 @@ void check_time(Builder& builder, const Annotation& annotation, const Path& path
     }
 }
 
+/// Why an annotation is not the same during the whole film, which a lit one has to be; empty if it
+/// is.
+std::string change_of(const Annotation& annotation) {
+    if (annotation.from || annotation.to || annotation.fade > 0 || annotation.opacity < 1) {
+        return "it is there for the whole film, without 'from', 'to', 'fade' and 'opacity'";
+    }
+    const auto* path = std::get_if<PathAnnotation>(&annotation.kind);
+    if (path != nullptr && (path->part != PathPart::whole || path->fading > 0)) {
+        return "the path needs 'part: whole', without 'fading'";
+    }
+    const auto* aim = std::get_if<AimAnnotation>(&annotation.kind);
+    if (aim != nullptr && (aim->toward || aim->direction)) {
+        return "the aim has to be that of a strike, without 'toward' and 'direction'";
+    }
+    const auto* zone = std::get_if<ZoneAnnotation>(&annotation.kind);
+    if (zone != nullptr && !zone->at.object.empty()) {
+        return "the zone needs a position instead of a ball";
+    }
+    const auto* angle = std::get_if<AngleAnnotation>(&annotation.kind);
+    if (angle != nullptr && std::ranges::any_of(angle->points, [](const ScenePoint& point) {
+            return !point.object.empty();
+        })) {
+        return "the angle needs positions instead of balls";
+    }
+    return "";
+}
+
 void check_annotation(Builder& builder, const Annotation& annotation, const std::string& index) {
     const auto path = [&](const auto&... keys) {
         return Path{"annotations", index, std::string(keys)...};
     };
+    if (const std::string change = change_of(annotation); annotation.lit > 0 && !change.empty()) {
+        report(builder, path("lit"), "a lit annotation has to stand still: " + change);
+    }
     check_time(builder, annotation, path("from"));
     if (const auto* text = std::get_if<TextAnnotation>(&annotation.kind)) {
         check_text(builder, text->text, path("text"));

@@ -10,6 +10,7 @@
 
 #include "pipeline/config/sections/occurrences.h"
 #include "pipeline/config/sections/sections.h"
+#include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
 #include "pipeline/config/value_types.h"
 #include "pipeline/picture/fonts.h"
@@ -363,6 +364,23 @@ ValueType<AnnotationTime> annotation_time() {
     return result;
 }
 
+/// `true`, `false` or a length.
+ValueType<double> lit() {
+    const auto word = convert<double>(boolean(), [](bool is_lit) {
+        constexpr double kUsual = 0.005;  // m
+        return is_lit ? kUsual : 0;
+    });
+    const auto is_boolean = [](const Node& node) {
+        return node.is_scalar() && (node.text == "true" || node.text == "false");
+    };
+    ValueType<double> result = any_of<double>(
+        {{is_boolean, word}, {[](const Node&) { return true; }, length(between(0.0005, 0.1))}});
+    result.show = [](double diameter) {
+        return diameter > 0 ? show(diameter, Dimension::length) : "false";
+    };
+    return result;
+}
+
 void add_times(MapSpec<Annotation>& s) {
     s.key("from", &Annotation::from, annotation_time(),
           "time at which it appears: scene time of annotations in the scene, video time of those "
@@ -403,6 +421,11 @@ void add_look(MapSpec<Annotation>& s) {
           "whether a box is behind the text, or its colour. The default is true for `text` and for "
           "the numbers of paths. Without a box the letters have a dark edge")
         .goes_with({"path", "velocity", "spin", "angle", "label", "text", "title"});
+    s.key("lit", &Annotation::lit, lit(),
+          "whether it is a thin object in the scene instead, which is lit, casts shadows and is "
+          "seen in mirrors, and is there for the whole film; or its diameter. The default is "
+          "false, and 5 mm for true. Only for what stands still")
+        .goes_with({"path", "aim", "ghost", "tangent", "angle", "zone"});
     s.key("position", &Annotation::place, picture_place(),
           "`top_left`, `top`, `top_right`, `left`, `centre`, `right`, `bottom_left`, `bottom`, "
           "`bottom_right`, or [x, y] of its centre in fractions of the picture, from the top left")

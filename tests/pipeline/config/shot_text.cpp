@@ -259,7 +259,7 @@ void write_annotation(Writer& out, const Annotation& annotation) {
     const PicturePlace place = annotation.place.value_or(PicturePlace{{-1, -1}, false});
     out.line(annotation.from, annotation.to, annotation.fade, annotation.opacity, annotation.colour,
              annotation.width, annotation.dash, annotation.font, annotation.size, box.colour,
-             box.opacity, place.at, place.is_edge);
+             box.opacity, place.at, place.is_edge, annotation.lit);
 }
 
 }  // namespace

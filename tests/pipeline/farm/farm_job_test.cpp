@@ -39,6 +39,7 @@ FarmJob make_job(const std::string& folder) {
     job.partition = "short";
     job.time = "22";
     job.film_time = "15";
+    job.is_sequence = true;
     return job;
 }
 
