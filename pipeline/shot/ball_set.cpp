@@ -84,8 +84,9 @@ BallMeasures ball_measures(BallSet set) {
             // WPA, Tournament Table & Equipment Specifications: 2 1/4 in, 5.5 to 6 oz.
             return {0.028575, 0.170097};
         case BallSet::snooker:
-            // WPBSA, Rules of Snooker, section 2: 52.5 mm +- 0.05 mm, all equally heavy within 3 g.
-            // The mass is ours, rounded; Mathavan, Jackson & Parkin 2010 calculate with 140.6 g.
+            // WPBSA, Rules of Snooker, section 1, rule 2: 52.5 mm +- 0.05 mm, all equally heavy
+            // within 3 g. The mass is ours, rounded; Mathavan, Jackson & Parkin 2010 calculate with
+            // 140.6 g.
             return {0.02625, 0.140};
         case BallSet::carom:
             // UMB, World Rules of Carom Billiard, article 12: 61 to 61.5 mm, 205 to 220 g.

@@ -109,8 +109,8 @@ std::vector<PlacedBall> snooker(const TableMeasures& table, double ball_radius,
     return balls;
 }
 
-// UMB, World Rules of Carom Billiard, article 12: red on the foot spot, the opponent's ball on the
-// head spot, the player's 18.25 cm to the side of that on a match table.
+// UMB, World Rules of Carom Billiard (1989), articles 13 and 23: red on the foot spot, the other
+// ball on the head spot, the player's 18.25 cm to the side of that on a match table.
 std::vector<PlacedBall> carom_balls(const TableMeasures& table, double ball_radius) {
     const double quarter = 0.25 * table.length;
     const double aside = 0.1825 * table.length / 2.84;
