@@ -45,9 +45,9 @@ LineMap line_map(std::size_t size, std::size_t count, std::size_t taps, const au
 /// ... n-1 | n-1 n-2 .... `margin`: how far beyond the ends f may differ from 0.
 double sum_over_images(std::size_t i, std::size_t count, double margin, const auto& f) {
     const auto period = 2 * static_cast<double>(count);
-    const double turns = std::ceil(margin / period) + 1;
+    const int turns = static_cast<int>(std::ceil(margin / period)) + 1;
     double sum = 0;
-    for (double turn = -turns; turn <= turns; ++turn) {
+    for (int turn = -turns; turn <= turns; ++turn) {
         sum += f(static_cast<double>(i) + turn * period) +
                f(-1 - static_cast<double>(i) + turn * period);
     }

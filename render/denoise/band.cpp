@@ -66,8 +66,10 @@ void add_and_subtract(const float* a, const float* b, int width, float* sum, flo
     }
 }
 
-ColourPlane colour_plane(const RowRange& rows, int width) {
-    return {Plane(rows, width), Plane(rows, width), Plane(rows, width)};
+void make(ColourPlane& planes, const RowRange& rows, int width) {
+    for (Plane& plane : planes) {
+        plane = Plane(rows, width);
+    }
 }
 
 std::vector<Plane> feature_planes(std::size_t count, const RowRange& rows, int width) {
@@ -89,17 +91,17 @@ BandPlanes make_planes(const DenoiseInput& input, const RowRange& rows) {
     planes.known = planes.weighed.widened(kLevel, height);
     for (ColourPlane* plane :
          {&planes.mean, &planes.difference, &planes.squares, &planes.half[0], &planes.half[1]}) {
-        *plane = colour_plane(planes.known, width);
+        make(*plane, planes.known, width);
     }
-    planes.variance = colour_plane(planes.weighed, width);
+    make(planes.variance, planes.weighed, width);
     planes.shape = input.variance.first != nullptr ? Plane(planes.known, width) : Plane();
     const std::size_t features = input.features.size();
     planes.exact = feature_planes(features, planes.predicted, width);
     planes.share = Plane(planes.predicted, width);
     for (std::size_t half = 0; half < kHalves; ++half) {
         planes.features[half] = feature_planes(features, planes.weighed, width);
-        planes.prediction[half] = colour_plane(planes.predicted, width);
-        planes.checked[half] = colour_plane(planes.predicted, width);
+        make(planes.prediction[half], planes.predicted, width);
+        make(planes.checked[half], planes.predicted, width);
     }
     for (Plane* plane : {&planes.noisy_error, &planes.filtered_error, &planes.squared_excess}) {
         *plane = Plane(planes.predicted, width);

@@ -47,13 +47,13 @@ class Ranges {
     void widen() {
         static_assert(kDistance <= kReach);
         Values wider{};
-        for (int step : {1, static_cast<int>(kRow)}) {
+        for (const std::ptrdiff_t step : {std::ptrdiff_t{1}, static_cast<std::ptrdiff_t>(kRow)}) {
             for (std::size_t y = kReach; y < kReach + kSide; ++y) {
                 for (std::size_t x = 0; x < kSide; ++x) {
                     const float* value = &values_[kRow * y + kReach + x];
                     float largest = 0;
-                    for (int k = -kDistance; k <= kDistance; ++k) {
-                        largest = largest < value[k * step] ? value[k * step] : largest;
+                    for (std::ptrdiff_t k = -kDistance; k <= kDistance; ++k) {
+                        largest = std::max(largest, value[k * step]);
                     }
                     wider[kRow * y + kReach + x] = largest;
                 }
@@ -67,7 +67,7 @@ class Ranges {
     static constexpr std::size_t kRow = kSide + std::size_t{2} * kReach;  // with zeros around
     using Values = std::array<float, kRow * kRow>;
 
-    [[nodiscard]] static std::size_t index(int i) { return static_cast<std::size_t>(i + kReach); }
+    [[nodiscard]] static std::size_t index(int i) { return static_cast<std::size_t>(i) + kReach; }
 
     Values values_{};
 };

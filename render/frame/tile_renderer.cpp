@@ -61,7 +61,8 @@ int expected_samples(const RenderSettings& settings) {
 }
 
 static_assert(TileRenderer::kTileSize <= FeatureTracer::kMostSide);
-static_assert(TileRenderer::kTileSize * TileRenderer::kTileSize <= DenoiserPlanes::kMost);
+static_assert(std::size_t{TileRenderer::kTileSize} * TileRenderer::kTileSize <=
+              DenoiserPlanes::kMost);
 
 int tiles_along(int pixels) {
     return (pixels + TileRenderer::kTileSize - 1) / TileRenderer::kTileSize;

@@ -248,13 +248,14 @@ void write_folder(const PlannedFarm& planned) {
     if (const auto* one = std::get_if<FarmFilm::OneShot>(&planned.film.content)) {
         sim::write_bake(one->bake, farm::bake_path(job));
     } else {
-        const auto& [sequence, bakes] = std::get<FarmFilm::SeveralShots>(planned.film.content);
+        const auto& several = std::get<FarmFilm::SeveralShots>(planned.film.content);
+        const pipeline::Sequence& sequence = several.sequence;
         // The bake has the name of its shot, which films tell.
         const auto name = [&](std::size_t part) {
             const auto& shot = std::get<pipeline::ShotPart>(sequence.parts[part].content);
             return farm::part_folder_name(part) + "/" + shot.shot.name + ".bake";
         };
-        for (const auto& [part, bake] : bakes) {
+        for (const auto& [part, bake] : several.bakes) {
             pipeline::create_folder(job.folder + "/" + farm::part_folder_name(part));
             sim::write_bake(bake, job.folder + "/" + name(part));
         }
