@@ -62,8 +62,7 @@ void add_standard(Imf::Header& header, const ExrStandardAttributes& standard) {
                                      {0.3127f, 0.3290f});
     header.insert("worldToCamera", Imf::M44fAttribute(standard.world_to_camera));
     header.insert("worldToNDC", Imf::M44fAttribute(standard.world_to_ndc));
-    const Imf::Rational fps(standard.fps_numerator,
-                            static_cast<unsigned>(standard.fps_denominator));
+    const Imf::Rational fps(standard.fps_numerator, standard.fps_denominator);
     header.insert("framesPerSecond", Imf::RationalAttribute(fps));
     header.insert("chromaticities", Imf::ChromaticitiesAttribute(rec709));
 }
