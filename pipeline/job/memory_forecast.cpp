@@ -24,7 +24,7 @@ constexpr double kProgram = 180e6;
 /// The film of a frame, its tiles, the frame that is being stored, and its view transform.
 constexpr double kPicturePerPixel = 62;
 /// The sums of all samples of a frame that can be gone on with (render/frame/frame_sums.h).
-constexpr double kSumsPerPixel = 152;
+constexpr double kSumsPerPixel = 256;
 /// One AOV, while it is rendered and while it is stored.
 constexpr double kPerPixelAndAov = 20;
 
@@ -32,9 +32,7 @@ constexpr double kPerPixelAndAov = 20;
 constexpr double kRoundsPerPixel = 60;
 
 /// What the denoiser needs: 32 channels, while they are rendered, packed and filtered.
-constexpr double kForDenoiser = 165;
-/// What both halves of all samples saw.
-constexpr double kHalfSumsPerPixel = 100;
+constexpr double kForDenoiser = 180;
 
 /// The memory of a mesh in multiples of its file size: arrays in double, and Embree's tree.
 double mesh_growth(const std::string& extension) {
@@ -95,7 +93,7 @@ std::uint64_t forecast_memory(const Shot& shot, const std::string& output, bool 
         per_pixel += kForDenoiser;
     }
     if (keeps_sums || render::is_adaptive(shot.render)) {
-        per_pixel += kSumsPerPixel + (shot.render.for_denoiser ? kHalfSumsPerPixel : 0);
+        per_pixel += kSumsPerPixel;
     }
     if (render::is_adaptive(shot.render)) {
         per_pixel += kRoundsPerPixel;

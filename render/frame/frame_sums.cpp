@@ -14,7 +14,7 @@ namespace {
 constexpr std::array<char, 8> kMagic{'c', 'a', 'r', 'o', 'm', 's', 'u', '4'};
 constexpr std::size_t kPiece = std::size_t{1} << 20;  // bytes
 
-/// Calls `visit` for each value of a pixel except its list.
+/// Calls `visit` for each value of a pixel except its lists.
 template <class Visit, class Pixel>
 requires std::is_same_v<std::remove_const_t<Pixel>, PixelSums>
 void for_each_value(Visit& visit, Pixel& pixel) {
@@ -27,7 +27,6 @@ void for_each_value(Visit& visit, Pixel& pixel) {
     visit(pixel.samples);
     visit(pixel.half_radiance[0]);
     visit(pixel.half_radiance[1]);
-    visit(pixel.halves);
 }
 
 /// Collects small values into pieces.
@@ -52,6 +51,15 @@ class Writer {
         (*this)(std::uint64_t{values.size()});
         for (const Value& value : values) {
             (*this)(value);
+        }
+    }
+
+    /// What the halves saw, if it is for the denoiser.
+    void halves(const std::array<PixelFeatures, 2>& values) {
+        const bool are_used = values != std::array<PixelFeatures, 2>{};
+        (*this)(static_cast<std::uint8_t>(are_used));
+        if (are_used) {
+            (*this)(values);
         }
     }
 
@@ -100,6 +108,14 @@ class Reader {
         }
     }
 
+    void halves(std::array<PixelFeatures, 2>& values) {
+        std::uint8_t are_used = 0;
+        (*this)(are_used);
+        if (are_used != 0) {
+            (*this)(values);
+        }
+    }
+
   private:
     const FrameSums::Source& source_;
     bool is_good_ = true;
@@ -131,6 +147,7 @@ void FrameSums::save(const Sink& sink) const {
     for (const PixelSums& pixel : data_->pixels) {
         for_each_value(write, pixel);
         write.list(pixel.objects);
+        write.halves(pixel.halves);
     }
     write.flush();
 }
@@ -154,6 +171,7 @@ std::optional<FrameSums> FrameSums::load(const Source& source, std::size_t pixel
     for (PixelSums& pixel : data.pixels) {
         for_each_value(read, pixel);
         read.list(pixel.objects);
+        read.halves(pixel.halves);
     }
     const auto fits = [&](std::size_t size) { return size == 0 || size == pixels; };
     if (!read.is_good() || !fits(data.plan.size()) || !fits(data.features.size())) {

@@ -10,7 +10,7 @@
 
 namespace carom::render {
 
-/// Filled by render_frame (about 150 bytes a pixel). A frame that goes on with the sums of an
+/// Filled by render_frame (256 bytes a pixel). A frame that goes on with the sums of an
 /// earlier attempt, of whatever process, has the same bytes as one that was never stopped.
 class FrameSums {
   public:

@@ -27,6 +27,7 @@ struct PixelFeatures {
         return {{albedo.x, albedo.y, albedo.z, normal.x, normal.y, normal.z, light.x, light.y,
                  light.z, 0, 0, 0}};
     }
+    bool operator==(const PixelFeatures&) const = default;
     [[nodiscard]] float operator[](std::size_t i) const { return values[i]; }
     PixelFeatures& operator+=(const PixelFeatures& other) {
         for (std::size_t i = 0; i < kPadded; ++i) {
