@@ -1,0 +1,171 @@
+// A film of several shots in a session: its state, its problems and its files.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tests/pipeline/studio/session_fixture.h"
+
+namespace carom::studio {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string kFilm = R"(carom: 1
+film:
+  shots:
+    - {title: A lesson, for: 1 s, fade: 0.25 s}
+    - {shot: parts/short.yaml, from: 0.5 s, to: 1.5 s, fade: 0.5 s}
+    - parts/short.yaml
+)";
+const std::string kShot = R"(carom: 1
+table: {kind: cloth}
+balls: {cue: {at: [0, 0]}}
+cameras: [{video: [0 s, 2 s], scene: [0 s, 2 s], position: [0, -2, 1], target: [0, 0, 0]}]
+render: {size: [640, 360], fps: 24}
+)";
+
+class SequenceSession : public StudioSession {
+  protected:
+    SequenceSession() {
+        std::filesystem::create_directories(path("parts"));
+        write_file(path("film.yaml"), kFilm);
+        write_file(path("parts/short.yaml"), kShot);
+    }
+
+    void open(const std::string& name = "film.yaml") {
+        SessionOptions all = options();
+        all.shot = path(name);
+        start(all);
+    }
+
+    void type(const std::string& name, const std::string& text) {
+        forget();
+        version_ += 1;
+        say(TextChange{version_, path(name), text});
+    }
+
+    /// The problems of the newest text.
+    Problems problems() {
+        return wait_for<Problems>(
+            [this](const Problems& one) { return one.complete && one.v >= version_; });
+    }
+
+    std::int64_t version_ = 1;
+};
+
+TEST_F(SequenceSession, Opened_TellsPartsAndNoProblem) {
+    open();
+    const auto state = wait_for<SequenceState>();
+    EXPECT_EQ(state.name, "film");
+    EXPECT_EQ(state.film.frames, 84);  // 24 + 24 + 48 less the fade between two parts
+    EXPECT_EQ(state.film.fps, 24);
+    ASSERT_EQ(state.parts.size(), 3U);
+    EXPECT_EQ(state.parts[0].kind, "title");
+    EXPECT_EQ(state.parts[0].name, "A lesson");
+    EXPECT_EQ(state.parts[0].fade, 6);
+    EXPECT_EQ(state.parts[1].kind, "shot");
+    EXPECT_EQ(state.parts[1].name, "short.yaml");
+    EXPECT_EQ(state.parts[1].file, path("parts/short.yaml"));
+    EXPECT_THAT(state.parts[1].path, ElementsAre("film", "shots", "1"));
+    EXPECT_EQ(state.parts[1].start, 12);
+    EXPECT_EQ(state.parts[1].first, 12);
+    EXPECT_EQ(state.parts[1].frames, 24);
+    EXPECT_EQ(state.parts[1].of_frames, 48);
+    EXPECT_EQ(state.parts[2].start, 36);
+    EXPECT_THAT(problems().list, IsEmpty());
+}
+
+TEST_F(SequenceSession, Opened_HasTheFilesOfItsShots) {
+    open();
+    const auto files =
+        wait_for<Files>([](const Files& message) { return message.files.size() > 1; });
+    EXPECT_EQ(files.files[0].name, "film.yaml");
+    EXPECT_EQ(files.files[1].name, "parts/short.yaml");
+    EXPECT_TRUE(files.files[1].writable);
+}
+
+TEST_F(SequenceSession, TextOfAShot_CountsBeforeItIsSaved) {
+    open();
+    static_cast<void>(
+        wait_for<Files>([](const Files& message) { return message.files.size() > 1; }));
+    std::string longer = kShot;
+    longer.replace(longer.find("[0 s, 2 s]"), 10, "[0 s, 3 s]");
+    type("parts/short.yaml", longer);
+    const auto state =
+        wait_for<SequenceState>([this](const SequenceState& one) { return one.v >= version_; });
+    EXPECT_EQ(state.parts[2].frames, 72);
+}
+
+TEST_F(SequenceSession, MistakeInAShot_IsToldOnceAtItsPlace) {
+    open();
+    static_cast<void>(
+        wait_for<Files>([](const Files& message) { return message.files.size() > 1; }));
+    std::string wrong = kShot;
+    wrong.replace(wrong.find("[640, 360]"), 10, "[640, oak]");
+    type("parts/short.yaml", wrong);
+    const Problems found = problems();
+    ASSERT_EQ(found.list.size(), 1U);  // though two parts show it
+    EXPECT_EQ(found.list[0].place.file, path("parts/short.yaml"));
+    EXPECT_EQ(found.list[0].place.line, 5);
+}
+
+TEST_F(SequenceSession, MistakeInTheFilm_IsToldAtItsPlace) {
+    open();
+    std::string wrong = kFilm;
+    wrong.replace(wrong.find("to: 1.5 s"), 9, "to: 9.5 s");
+    type("film.yaml", wrong);
+    const Problems found = problems();
+    ASSERT_EQ(found.list.size(), 1U);
+    EXPECT_EQ(found.list[0].message,
+              "the film of 'parts/short.yaml' ends at 2 s, before this part does");
+    EXPECT_EQ(found.list[0].place.file, path("film.yaml"));
+    EXPECT_EQ(found.list[0].place.line, 5);
+}
+
+TEST_F(SequenceSession, ValueThatTheShotDoesNotHave_IsToldAtThePart) {
+    open();
+    std::string wrong = kFilm;
+    wrong.replace(wrong.find("from: 0.5 s"), 11, "set: {render.oak: 3}");
+    type("film.yaml", wrong);
+    const Problems found = problems();
+    ASSERT_EQ(found.list.size(), 1U);
+    EXPECT_THAT(found.list[0].message, HasSubstr("oak"));
+    EXPECT_EQ(found.list[0].place.file, path("film.yaml"));
+    EXPECT_EQ(found.list[0].place.line, 5);
+}
+
+TEST_F(SequenceSession, ShotOutsideOfTheRoot_IsNotRead) {
+    write_file(path("outside.yaml"), kShot);
+    write_file(path("parts/film.yaml"), "carom: 1\nfilm: {shots: [../outside.yaml]}\n");
+    SessionOptions all = options();
+    all.shot = path("parts/film.yaml");
+    all.root = path("parts");
+    start(all);
+    const Problems found = problems();
+    ASSERT_EQ(found.list.size(), 1U);
+    EXPECT_THAT(found.list[0].message, HasSubstr("'../outside.yaml' is outside"));
+}
+
+TEST_F(SequenceSession, ShotThatAppears_IsRead) {
+    std::filesystem::rename(path("parts/short.yaml"), path("elsewhere.yaml"));
+    open();
+    EXPECT_THAT(problems().list[0].message, HasSubstr("'parts/short.yaml' does not exist"));
+    forget();
+    std::filesystem::rename(path("elsewhere.yaml"), path("parts/short.yaml"));
+    EXPECT_EQ(wait_for<SequenceState>().parts.size(), 3U);
+}
+
+TEST_F(SequenceSession, TextThatBecomesAShot_IsAShot) {
+    open();
+    static_cast<void>(wait_for<SequenceState>());
+    type("film.yaml", "carom: 1\nfilm: {shots: [");  // still a film
+    EXPECT_THAT(problems().list, testing::Not(IsEmpty()));
+    type("film.yaml", kShot);
+    EXPECT_GE(wait_for<ShotState>().v, version_);
+    EXPECT_THAT(problems().list, IsEmpty());
+}
+
+}  // namespace
+}  // namespace carom::studio
