@@ -3,7 +3,7 @@
 import { ChevronRight, RotateCcw } from 'lucide-preact';
 import { useState } from 'preact/hooks';
 import { removeValue } from '../edit/edit';
-import { shot } from '../state/state';
+import { sequence, shot } from '../state/state';
 import { showRange } from '../text/show';
 import { HiddenAbout } from './About';
 import { describedBy, kOrigins, rowEvents } from './describe';
@@ -17,7 +17,7 @@ const kBadges = { shot: '', include: 'incl', config: 'conf', set: 'set', absent:
 /// Shows the value in the text, if it stands there.
 function show(field: Field): void {
     const path = field.path.join('/');
-    const places = shot.peek()?.places ?? [];
+    const places = (sequence.peek() ?? shot.peek())?.places ?? [];
     const place = places.find((one) => one.path.join('/') === path)
         ?? places.find((one) => one.path.join('/') === field.path.slice(0, -1).join('/'));
     if (place && field.source) {
