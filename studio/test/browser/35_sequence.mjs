@@ -133,6 +133,28 @@ async function mistake(page) {
     await page.getByRole('tab', { name: 'lesson.yaml' }).click();
 }
 
+/// A few frames of a card, of a fade and of a shot become a film, which plays.
+async function film(page) {
+    await page.getByRole('button', { name: /^Make a film/ }).click();
+    await page.getByText('The film has 640 × 360, 480 frames, 24 frames per second.').waitFor();
+    await page.getByLabel('Quality').selectOption('draft');
+    await page.getByLabel('Size').fill('160 x 90');
+    await page.getByLabel('Frames').fill('40-79');
+    await page.getByRole('button', { name: 'Render', exact: true }).click();
+    await page.waitForFunction(() => ['done', 'failed'].includes(window.studio.films.film.value?.state),
+        null, { timeout: 120_000 });
+    const state = await page.evaluate(() => window.studio.films.film.value);
+    equal([state.state, state.message, state.frames, state.finished], ['done', '', 40, 40], 'the film');
+    await page.waitForFunction(() => [...window.studio.films.thumbnails.value.values()]
+        .filter((address) => address !== '').length === 40);
+    await page.waitForFunction(() => document.querySelector('video')?.readyState >= 2);
+    await page.getByRole('slider', { name: 'Frame' }).fill('35');
+    await page.getByText('frame 35 of 40').waitFor();
+    await keepPictures(page, 'film');
+    await page.keyboard.press('Escape');
+    equal(await page.getByRole('dialog').count(), 0, 'open dialogs');
+}
+
 async function open(page) {
     await page.locator('.outline .item', { hasText: 'half_ball' }).first().click();
     await page.locator('.inspector').getByRole('button', { name: 'Open shot' }).click();
@@ -151,6 +173,7 @@ export async function check({ page }) {
     await drag(page, before);
     await move(page, before);
     await mistake(page);
+    await film(page);
     await open(page);
     return 'parts shown, selected, edited, dragged and moved, one undo each; its shot opened';
 }
