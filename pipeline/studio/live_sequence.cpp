@@ -1,17 +1,20 @@
 #include "pipeline/studio/live_sequence.h"
 
 #include <algorithm>
-#include <optional>
+#include <iterator>
+#include <memory>
 #include <tuple>
 #include <utility>
-#include <vector>
+#include <variant>
 
 #include "pipeline/config/config_files.h"
 #include "pipeline/config/parse_yaml.h"
 #include "pipeline/config/problem_list.h"
+#include "pipeline/job/film_job.h"
 #include "pipeline/sequence/load_sequence.h"
 #include "pipeline/studio/sequence_state.h"
 #include "pipeline/studio/value_places.h"
+#include "sim/bake.h"
 
 namespace carom::studio {
 
@@ -63,17 +66,74 @@ bool LiveSequence::takes(const TextsOfVersion& texts) {
     return is_sequence_;
 }
 
-void LiveSequence::answer(std::int64_t v, const pipeline::LoadOptions& options) {
-    const pipeline::SequenceResult loaded = pipeline::load_sequence(path_, options);
-    output_.files(v, loaded.files, loaded.missing);
-    if (loaded.sequence) {
-        SequenceState state = sequence_state(*loaded.sequence);
-        state.v = v;
-        state.places = places_;
-        output_.text(std::move(state));
+const std::optional<sim::Timeline>& LiveSequence::motion_of(const sim::WorldDescription& world,
+                                                            const Simulate& simulate,
+                                                            Timelines& used) {
+    const Hash128 hash = sim::physics_hash(world);
+    if (const auto found = used.find(hash); found != used.end()) {
+        return found->second;
     }
-    output_.text(Problems{
-        v, true, told_once(problem_messages(loaded.problems, loaded.files), loaded.files)});
+    if (auto known = timelines_.extract(hash)) {
+        return used.insert(std::move(known)).position->second;
+    }
+    return used.emplace(hash, simulate(world)).first->second;
+}
+
+/// The moments of the shots get their times. Returns the problems of those that never come.
+std::vector<pipeline::Problem> LiveSequence::add_motions(SequenceAnswer& answer,
+                                                         pipeline::Sequence& sequence,
+                                                         const pipeline::LoadOptions& options,
+                                                         const Simulate& simulate) {
+    std::vector<pipeline::Problem> problems;
+    Timelines used;
+    for (pipeline::SequencePart& part : sequence.parts) {
+        answer.timelines.emplace_back();
+        auto* shot = std::get_if<pipeline::ShotPart>(&part.content);
+        const std::optional<sim::Timeline>* motion =
+            shot == nullptr ? nullptr : &motion_of(shot->shot.world, simulate, used);
+        if (motion == nullptr || !*motion) {
+            continue;
+        }
+        sim::Bake bake;
+        bake.timeline = **motion;
+        pipeline::add_keyed_motions(bake, shot->shot);
+        std::vector<pipeline::Problem> found =
+            pipeline::resolve_moments(shot->shot, shot->source, bake.timeline, options.tables);
+        std::move(found.begin(), found.end(), std::back_inserter(problems));
+        answer.timelines.back() = std::make_shared<const sim::Timeline>(std::move(bake.timeline));
+    }
+    timelines_ = std::move(used);
+    return problems;
+}
+
+std::vector<Problem> LiveSequence::told(const std::vector<pipeline::Problem>& problems,
+                                        const std::vector<pipeline::ReadFile>& files) const {
+    return told_once(problem_messages(problems, files), files);
+}
+
+void LiveSequence::answer(std::int64_t v, const pipeline::LoadOptions& options,
+                          const Simulate& simulate) {
+    pipeline::SequenceResult loaded = pipeline::load_sequence(path_, options);
+    output_.files(v, loaded.files, loaded.missing);
+    if (!loaded.sequence) {
+        output_.text(Problems{v, true, told(loaded.problems, loaded.files)});
+        return;
+    }
+    SequenceState state = sequence_state(*loaded.sequence);
+    state.v = v;
+    state.places = places_;
+    output_.text(std::move(state));
+    output_.text(Problems{v, false, told(loaded.problems, loaded.files)});
+    SequenceAnswer answer;
+    answer.v = v;
+    std::vector<pipeline::Problem> more = add_motions(answer, *loaded.sequence, options, simulate);
+    const bool is_usable = !pipeline::has_errors(more);
+    std::move(more.begin(), more.end(), std::back_inserter(loaded.problems));
+    if (is_usable) {
+        answer.sequence = std::make_shared<const pipeline::Sequence>(std::move(*loaded.sequence));
+        output_.sequence(std::move(answer));
+    }
+    output_.text(Problems{v, true, told(loaded.problems, loaded.files)});
 }
 
 }  // namespace carom::studio

@@ -87,7 +87,9 @@ class LiveShot::Worker {
         const double start = thread_cpu_seconds();
         const std::int64_t v = request.texts.v;
         if (sequence_.takes(request.texts)) {
-            sequence_.answer(v, load_options(request.texts));
+            timeline_.reset();
+            sequence_.answer(v, load_options(request.texts),
+                             [&](const auto& world) { return bake(request, world); });
             return;
         }
         pipeline::LoadResult loaded = load(request.texts);

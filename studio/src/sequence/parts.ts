@@ -1,10 +1,10 @@
 /// The parts of a film of several shots: which one is shown, and what can be done with one.
-import { computed } from '@preact/signals';
+import { computed, effect } from '@preact/signals';
 import { moveItem, sourceOf } from '../edit/edit';
 import { goToFrame } from '../motion/clock';
 import type { FilmPart, KeyPath } from '../protocol';
 import { openShot } from '../start/file_actions';
-import { filmTime, notice, selection, sequence } from '../state/state';
+import { filmTime, notice, selection, sequence, shot } from '../state/state';
 
 export const kParts: KeyPath = ['film', 'shots'];
 
@@ -38,6 +38,18 @@ export function openPart(part: FilmPart): void {
     if (part.file !== '') {
         void openShot(part.file);
     }
+}
+
+/// Nothing is selected any more once a shot is open instead of the film, or a film instead of a shot.
+/// Returns a function that ends this.
+export function followKind(): () => void {
+    return effect(() => {
+        const isPart = selection.peek()?.[0] === 'film';
+        if ((shot.value && isPart) || (sequence.value && selection.peek() && !isPart
+            && selection.peek()?.[0] !== 'output')) {
+            selection.value = null;
+        }
+    });
 }
 
 /// Moves a part by one place, earlier (-1) or later (1). The selection follows it.

@@ -48,6 +48,28 @@ async function look(page) {
         'the frame after a step to the next part');
 }
 
+/// The frame of the film at the play head, of a card and of a shot.
+async function picture(page) {
+    const traced = async (time) => {
+        await page.mouse.click(...await pixelOnStrip(page, 'filmRuler', time, true));
+        await page.waitForFunction(() => window.studio.state.pictureAsked.value);
+        await settle(page);
+        return page.evaluate(() => {
+            const canvas = document.querySelector('.sequence-view canvas');
+            const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+            const mean = [0, 1, 2].map((i) => data.reduce((sum, x, at) =>
+                at % 4 === i ? sum + x : sum, 0) / (data.length / 4));
+            return { width: canvas.width, isGreen: mean[1] > 1.5 * mean[0] && mean[1] > 20, mean };
+        });
+    };
+    const card = await traced(1.5);
+    equal([card.width, card.isGreen, card.mean[0] > 0.5], [640, false, true],
+        `the picture of a card (${card.mean})`);
+    await keepPictures(page, 'card');
+    const table = await traced(5.5);
+    equal([table.width, table.isGreen], [640, true], `the picture of a shot (${table.mean})`);
+}
+
 /// A press on the strip selects a part; the inspector says what it is.
 async function select(page) {
     const [, part] = await parts(page);
@@ -161,14 +183,23 @@ async function open(page) {
     await page.waitForFunction(() => window.studio.state.shot.value?.name === 'half_ball');
     await settle(page);
     equal(await page.evaluate(() => window.studio.state.sequence.value), null, 'the film of several shots');
+    equal([await selected(page), await page.evaluate(() => document.querySelectorAll('.cm-lint-marker').length)],
+        [null, 0], 'the selection, and marks of the mistake that was undone');
     equal(await page.locator('.view canvas').count(), 1, 'canvases of the view');
+    equal(await page.getByRole('button', { name: 'Traced' }).getAttribute('aria-pressed'), 'false',
+        'whether the view of a shot is traced');
 }
 
 export async function check({ page }) {
     const before = await textOf(page);
     await look(page);
+    await picture(page);
     await select(page);
+    await settle(page);
     await keepPictures(page, 'part');
+    await page.getByLabel('Switch to dark').or(page.getByLabel('Switch to light')).click();
+    await keepPictures(page, 'other_theme');
+    await page.getByRole('button', { name: 'Traced' }).click();  // each edit would trace it anew
     await editFields(page, before);
     await drag(page, before);
     await move(page, before);

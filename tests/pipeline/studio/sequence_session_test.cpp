@@ -1,5 +1,7 @@
 // A film of several shots in a session: its state, its problems and its files.
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,34 @@ class SequenceSession : public StudioSession {
     Problems problems() {
         return wait_for<Problems>(
             [this](const Problems& one) { return one.complete && one.v >= version_; });
+    }
+
+    void see(int question, int frame) {
+        See see;
+        see.q = question;
+        see.frame = frame;
+        see.samples = 1;
+        say(see);
+    }
+
+    /// The pixels of the last picture that answers a question.
+    std::string picture(int question) {
+        const std::string q = "\"q\":" + std::to_string(question) + ",";
+        std::unique_lock lock(mutex_);
+        std::string pixels;
+        const bool heard = wake_.wait_for(lock, kPatience, [&] {
+            for (const Outgoing& one : sent_) {
+                if (one.binary && one.slot == PictureHead::kName &&
+                    one.data.find(q) != std::string::npos &&
+                    one.data.find("\"complete\":true") != std::string::npos) {
+                    std::uint32_t head = 0;
+                    std::memcpy(&head, one.data.data() + 4, sizeof head);
+                    pixels = one.data.substr(8 + head);
+                }
+            }
+            return !pixels.empty();
+        });
+        return heard ? pixels : throw std::runtime_error("there is no picture");
     }
 
     std::int64_t version_ = 1;
@@ -155,6 +185,43 @@ TEST_F(SequenceSession, ShotThatAppears_IsRead) {
     forget();
     std::filesystem::rename(path("elsewhere.yaml"), path("parts/short.yaml"));
     EXPECT_EQ(wait_for<SequenceState>().parts.size(), 3U);
+}
+
+TEST_F(SequenceSession, Pictures_AreThoseOfTheCardAndOfTheShot) {
+    open();
+    static_cast<void>(problems());
+    see(1, 8);
+    const std::string card = picture(1);
+    see(2, 30);
+    const std::string shot = picture(2);
+    EXPECT_EQ(card.size(), 640U * 360U * 4U);
+    EXPECT_EQ(shot.size(), card.size());
+    EXPECT_NE(shot, card);
+    see(3, 12 + 9);  // a fade, in which the shot prevails
+    see(4, 12 + 3);  // in which the card does
+    EXPECT_EQ(picture(4), card);
+}
+
+TEST_F(SequenceSession, PictureOfANewText_ComesByItself) {
+    open();
+    static_cast<void>(problems());
+    see(1, 8);
+    const std::string before = picture(1);
+    std::string other = kFilm;
+    other.replace(other.find("A lesson"), 8, "Another lesson");
+    type("film.yaml", other);
+    EXPECT_NE(picture(1), before);
+}
+
+TEST_F(SequenceSession, MomentThatNeverComes_IsAnError) {
+    std::string shot = kShot;
+    shot.replace(shot.find("scene: [0 s,"), 12, "scene: [{potted: cue},");
+    write_file(path("parts/short.yaml"), shot);
+    open();
+    const Problems found = problems();
+    ASSERT_EQ(found.list.size(), 1U);
+    EXPECT_EQ(found.list[0].place.file, path("parts/short.yaml"));
+    EXPECT_EQ(found.list[0].severity, "error");
 }
 
 TEST_F(SequenceSession, TextThatBecomesAShot_IsAShot) {
