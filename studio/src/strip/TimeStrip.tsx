@@ -83,7 +83,8 @@ function keepDrawn(still: HTMLCanvasElement, moving: HTMLCanvasElement): () => v
             if (pen && stripSize.value.width > 0) {
                 pen.clearRect(0, 0, layout.width, layout.height);
                 drawPlayHead(pen, { layout, colours: readColours(moving) },
-                    filmTime.value, sceneTime.value, otherInstants.value);
+                    filmTime.value, isSequence.value ? filmTime.value : sceneTime.value,
+                    otherInstants.value);
             }
         }),
     ];

@@ -177,6 +177,17 @@ async function film(page) {
     equal(await page.getByRole('dialog').count(), 0, 'open dialogs');
 }
 
+/// Of the documents there are those of a film.
+async function documents(page) {
+    await page.getByRole('button', { name: 'Plan, report and contact sheet' }).click();
+    equal(await page.getByRole('tab').filter({ hasNotText: 'yaml' }).allInnerTexts(),
+        ['Contact sheet', 'Export'], 'the documents');
+    await page.getByRole('button', { name: 'Make', exact: true }).waitFor();
+    await page.getByRole('tab', { name: 'Export' }).click();
+    equal(await page.locator('.export input').first().inputValue(), 'lesson_frame_0132.png', 'the file');
+    await page.keyboard.press('Escape');
+}
+
 async function open(page) {
     await page.locator('.outline .item', { hasText: 'half_ball' }).first().click();
     await page.locator('.inspector').getByRole('button', { name: 'Open shot' }).click();
@@ -204,6 +215,7 @@ export async function check({ page }) {
     await drag(page, before);
     await move(page, before);
     await mistake(page);
+    await documents(page);
     await film(page);
     await open(page);
     return 'parts shown, selected, edited, dragged and moved, one undo each; its shot opened';

@@ -224,6 +224,19 @@ TEST_F(SequenceSession, MomentThatNeverComes_IsAnError) {
     EXPECT_EQ(found.list[0].severity, "error");
 }
 
+TEST_F(SequenceSession, NewFilmFromAnExample_HasItsShots) {
+    SessionOptions all = options();
+    all.shot = "";
+    start(all);
+    Open request;
+    request.file = path("mine.yaml");
+    request.from = CAROM_SOURCE_DIR "/examples/lesson.yaml";
+    say(request);
+    EXPECT_EQ(wait_for<SequenceState>().parts.size(), 4U);
+    EXPECT_TRUE(std::filesystem::exists(path("parts/half_ball.yaml")));
+    EXPECT_THAT(problems().list, IsEmpty());
+}
+
 TEST_F(SequenceSession, TextThatBecomesAShot_IsAShot) {
     open();
     static_cast<void>(wait_for<SequenceState>());

@@ -73,7 +73,7 @@ function drawPart(pen: Pen, picture: StripPicture, part: FilmPart, index: number
     pen.fillStyle = colours.raised;
     pen.fill();
     pen.save();
-    pen.globalAlpha *= isSelected ? 0.5 : index === shownPart ? 0.36 : 0.2;
+    pen.globalAlpha *= isSelected ? 0.34 : index === shownPart ? 0.28 : 0.16;
     pen.fillStyle = colour;
     pen.fill();
     pen.clip();
