@@ -88,6 +88,7 @@ class LiveShot::Worker {
         const std::int64_t v = request.texts.v;
         if (sequence_.takes(request.texts)) {
             timeline_.reset();
+            messages_.forget_cameras();
             sequence_.answer(v, load_options(request.texts),
                              [&](const auto& world) { return bake(request, world); });
             return;

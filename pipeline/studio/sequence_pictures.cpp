@@ -9,18 +9,31 @@
 namespace carom::studio {
 
 void SequencePictures::set(std::optional<SequenceAnswer> answer) {
-    if (!answer) {
-        questions_.clear();
-    }
     if (answer || answer_) {
         view_.set_shot(nullptr, nullptr, 0);
     }
     answer_ = std::move(answer);
     shown_.reset();
     if (answer_) {
-        for (const auto& [page, question] : std::map<PageId, See>(questions_)) {
-            ask(page, question);
+        for (const auto& [page, question] : questions_) {
+            if (question.frame) {
+                ask_frame(page, question);
+            }
         }
+    }
+}
+
+void SequencePictures::clear() {
+    questions_.clear();
+    set({});
+}
+
+void SequencePictures::ask(PageId page, const See& question) {
+    questions_[page] = question;  // also before the film is read and simulated
+    if (answer_) {
+        ask_frame(page, question);
+    } else {
+        view_.ask(page, question);
     }
 }
 
@@ -37,8 +50,7 @@ bool SequencePictures::show(std::size_t part) {
     return true;
 }
 
-void SequencePictures::ask(PageId page, const See& question) {
-    questions_[page] = question;
+void SequencePictures::ask_frame(PageId page, const See& question) {
     const pipeline::Sequence& sequence = *answer_->sequence;
     if (!question.frame || *question.frame < 0) {
         output_.fail(page, "a picture of a film of several shots is one of its frames");

@@ -33,19 +33,22 @@ class SequencePictures {
     SequencePictures(PictureView& view, Output output) : view_(view), output_(std::move(output)) {}
 
     /// A film without errors with the motion of its shots: all questions are answered again. Empty:
-    /// none is open.
+    /// a shot is open, to which the questions are passed on.
     void set(std::optional<SequenceAnswer> answer);
 
-    /// Whether the questions of the pages are about such a film.
-    [[nodiscard]] bool is_set() const { return answer_.has_value(); }
+    /// Neither is open, and nothing is asked any more.
+    void clear();
 
-    /// Asks for a frame of the film. In a fade the picture is that of the part which has more
-    /// weight. One page's question about another shot ends those of the others.
+    /// Asks for a frame of the film, or for a picture of the shot. In a fade the picture is that of
+    /// the part which has more weight. One page's question about another shot ends those of the
+    /// others.
     void ask(PageId page, const See& question);
     void cancel(PageId page);
 
   private:
     [[nodiscard]] bool show(std::size_t part);
+
+    void ask_frame(PageId page, const See& question);
 
     PictureView& view_;
     Output output_;

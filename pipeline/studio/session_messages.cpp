@@ -222,7 +222,7 @@ void Session::State::receive(PageId /*page*/, const Unfan& /*message*/) {
 }
 
 void Session::State::receive(PageId page, const See& question) {
-    films_->is_set() ? films_->ask(page, question) : pictures_->ask(page, question);
+    films_->ask(page, question);
 }
 
 void Session::State::receive(PageId page, const Unsee& /*message*/) {

@@ -36,7 +36,7 @@ int Session::State::close_shot() {
     ended_ = std::move(live_);
     pictures_->cancel_all();
     fan_->cancel();
-    films_->set({});
+    films_->clear();
     show(nullptr, nullptr, 0);
     watch_->watch({});
     shot_.reset();
@@ -120,6 +120,7 @@ void Session::State::take_answer(int opening, const LiveAnswer& answer) {
     if (shot_->files().set_assets(std::move(assets))) {
         watch_->watch(shot_->files().watched());
     }
+    messages_.forget(SequenceState::kName);
     films_->set({});
     show(answer.shot, answer.timeline, answer.v);
 }
@@ -139,6 +140,9 @@ void Session::State::take_sequence(int opening, SequenceAnswer answer) {
     }
     if (shot_->files().set_assets(std::move(assets))) {
         watch_->watch(shot_->files().watched());
+    }
+    for (const char* of_shot : {ShotState::kName, CamerasHead::kName, TimelineHead::kName}) {
+        messages_.forget(of_shot);
     }
     show(nullptr, nullptr, 0);
     films_->set(std::move(answer));

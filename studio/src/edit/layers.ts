@@ -74,6 +74,11 @@ export function isShotOfPart(path: KeyPath): boolean {
     return path.length === 4 && path[0] === 'film' && path[1] === 'shots' && path[3] === 'shot';
 }
 
+/// Whether the path leads to the key that decides what a part of a film is: it cannot go without it.
+export function isKindOfPart(path: KeyPath): boolean {
+    return isShotOfPart([...path.slice(0, -1), 'shot']) && ['shot', 'title'].includes(path[3] ?? '');
+}
+
 function locateIn(
     files: readonly SourceFile[], file: SourceFile, path: KeyPath, depth: number,
 ): Located | null {

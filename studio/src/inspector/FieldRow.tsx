@@ -3,6 +3,7 @@
 import { ChevronRight, RotateCcw } from 'lucide-preact';
 import { useState } from 'preact/hooks';
 import { removeValue } from '../edit/edit';
+import { isKindOfPart } from '../edit/layers';
 import { sequence, shot } from '../state/state';
 import { showRange } from '../text/show';
 import { HiddenAbout } from './About';
@@ -49,7 +50,8 @@ function Origin({ field }: { field: Field }) {
             {badge ? <button type="button" class="badge"
                 title={`From ${kOrigins[field.origin]}: show it in the text`}
                 onClick={() => show(field)}>{badge}</button> : null}
-            {field.origin === 'shot' && !field.info?.isRequired && !/^\d+$/.test(field.path.at(-1) ?? '')
+            {field.origin === 'shot' && !field.info?.isRequired && !isKindOfPart(field.path)
+                && !/^\d+$/.test(field.path.at(-1) ?? '')
                 ? (
                     <button type="button" class="reset" title="Reset to default"
                         aria-label={`Reset ${field.name}`}

@@ -1,6 +1,7 @@
 // A film of several shots: its parts on the strip, in the outline and in the inspector; times are
 // edited there, one undo each, and the shot of a part is opened.
 import { join } from 'node:path';
+import { faults } from './axe.mjs';
 import { changedLines, dragPixels, equal, settle, textOf } from './harness.mjs';
 import { handleOf, pixelOfHandle, pixelOnStrip } from './strip_harness.mjs';
 
@@ -208,8 +209,10 @@ export async function check({ page }) {
     await select(page);
     await settle(page);
     await keepPictures(page, 'part');
+    equal(await faults(page), [], 'what axe finds');
     await page.getByLabel('Switch to dark').or(page.getByLabel('Switch to light')).click();
     await keepPictures(page, 'other_theme');
+    equal(await faults(page), [], 'what axe finds in the other theme');
     await page.getByRole('button', { name: 'Traced' }).click();  // each edit would trace it anew
     await editFields(page, before);
     await drag(page, before);

@@ -54,6 +54,14 @@ class SequenceSession : public StudioSession {
             [this](const Problems& one) { return one.complete && one.v >= version_; });
     }
 
+    /// Whether the cameras of a shot were sent.
+    bool has_cameras() {
+        const std::lock_guard lock(mutex_);
+        return std::ranges::any_of(sent_, [](const Outgoing& one) {
+            return one.binary && one.slot == CamerasHead::kName;
+        });
+    }
+
     void see(int question, int frame) {
         See see;
         see.q = question;
@@ -202,6 +210,12 @@ TEST_F(SequenceSession, Pictures_AreThoseOfTheCardAndOfTheShot) {
     EXPECT_EQ(picture(4), card);
 }
 
+TEST_F(SequenceSession, PictureThatIsAskedForAtOnce_ComesOnceTheFilmIsRead) {
+    open();
+    see(1, 8);
+    EXPECT_EQ(picture(1).size(), 640U * 360U * 4U);
+}
+
 TEST_F(SequenceSession, PictureOfANewText_ComesByItself) {
     open();
     static_cast<void>(problems());
@@ -245,6 +259,12 @@ TEST_F(SequenceSession, TextThatBecomesAShot_IsAShot) {
     type("film.yaml", kShot);
     EXPECT_GE(wait_for<ShotState>().v, version_);
     EXPECT_THAT(problems().list, IsEmpty());
+    EXPECT_TRUE(has_cameras());
+    type("film.yaml", kFilm);
+    static_cast<void>(wait_for<SequenceState>());
+    type("film.yaml", kShot);
+    EXPECT_THAT(problems().list, IsEmpty());
+    EXPECT_TRUE(has_cameras());  // again, because the page forgot them
 }
 
 }  // namespace
