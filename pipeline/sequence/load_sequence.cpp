@@ -223,6 +223,18 @@ class Loader {
         return !found.path.empty();
     }
 
+    /// The problems and the files of a part's shot become those of the film.
+    void take_over(LoadResult& loaded, const FilmPartSection& part, bool is_text) {
+        if (is_text) {
+            add_files(loaded.files);
+        }
+        missing_.insert(missing_.end(), loaded.missing.begin(), loaded.missing.end());
+        for (Problem& problem : loaded.problems) {
+            problem.included_by.push_back(sources_.describe(part.shot_place));
+            of_shots_.push_back(std::move(problem));
+        }
+    }
+
     void add_shot(const FilmSection& film, const FilmPartSection& part, bool& is_first,
                   Sequence& sequence) {
         if (!may_read(part)) {
@@ -237,14 +249,7 @@ class Loader {
         shot.overrides = options.overrides;
         LoadResult loaded =
             is_bake(shot.path) ? load_bake(part, options, shot) : load_shot(shot.path, options);
-        if (!shot.bake) {
-            add_files(loaded.files);
-        }
-        missing_.insert(missing_.end(), loaded.missing.begin(), loaded.missing.end());
-        for (Problem& problem : loaded.problems) {
-            problem.included_by.push_back(sources_.describe(part.shot_place));
-            of_shots_.push_back(std::move(problem));
-        }
+        take_over(loaded, part, shot.bake == nullptr);
         sequence.parts.push_back({TitleCard{}, 1, 0});
         if (!loaded.shot) {
             return;

@@ -46,7 +46,7 @@ class SomeThumbnails {
         }
         if (!of_shot_) {
             const auto& [shot, source] = std::get<FilmedShot>(film_.content);
-            of_shot_.emplace(shot, source, cache_folder_);
+            of_shot_.emplace(shot, source, nullptr, cache_folder_);
         }
         return of_shot_->jpeg(frame);
     }

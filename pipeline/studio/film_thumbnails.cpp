@@ -14,22 +14,28 @@
 #include "pipeline/config/load_shot.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/job/mixed_film.h"
+#include "pipeline/picture/lit_annotations.h"
 #include "render/film/image_file.h"
 
 namespace carom::studio {
 namespace {
 
-/// The shot's moments get their times.
-sim::Timeline cached_timeline(pipeline::Shot& shot,
-                              std::shared_ptr<const pipeline::ShotSource> source,
-                              const std::string& cache_folder) {
-    std::optional<sim::Bake> bake = pipeline::find_cached_bake(shot, cache_folder, {});
+/// The shot's moments get their times, and its lit annotations become things, as in the film.
+sim::Timeline timeline_of(pipeline::Shot& shot, std::shared_ptr<const pipeline::ShotSource> source,
+                          const sim::Bake* known, const std::string& cache_folder) {
+    std::optional<sim::Bake> bake = known != nullptr
+                                        ? std::optional(*known)
+                                        : pipeline::find_cached_bake(shot, cache_folder, {});
     if (!bake) {
         throw Error("the cache has no bake of the film");
     }
     if (pipeline::has_errors(pipeline::resolve_moments(shot, source, bake->timeline))) {
         throw Error("a moment of the film never comes");
     }
+    if (known != nullptr) {
+        pipeline::add_keyed_motions(*bake, shot);
+    }
+    pipeline::add_lit_annotations(shot, bake->timeline);
     return std::move(bake->timeline);
 }
 
@@ -51,10 +57,10 @@ int thumbnail_factor(int width) {
 
 FilmThumbnails::FilmThumbnails(pipeline::Shot shot,
                                std::shared_ptr<const pipeline::ShotSource> source,
-                               const std::string& cache_folder)
+                               const sim::Bake* bake, const std::string& cache_folder)
     : folder_(cache_folder + "/studio"),
       shot_(std::move(shot)),
-      timeline_(cached_timeline(shot_, std::move(source), cache_folder)),
+      timeline_(timeline_of(shot_, std::move(source), bake, cache_folder)),
       source_(shot_, timeline_),
       store_(cache_folder + "/frames"),
       view_(shot_.output),

@@ -34,10 +34,10 @@ struct SmallPicture {
 /// For one thread.
 class FilmThumbnails {
   public:
-    /// Of this shot, of which the cache has the bake; its folder is not empty. `source`: what the
-    /// shot was read from, for its moments. Throws Error.
+    /// Of this shot; the folder of the cache is not empty. `source`: what the shot was read from,
+    /// for its moments. `bake`: its motion; null: the cache has it. Throws Error.
     FilmThumbnails(pipeline::Shot shot, std::shared_ptr<const pipeline::ShotSource> source,
-                   const std::string& cache_folder);
+                   const sim::Bake* bake, const std::string& cache_folder);
 
     /// The frame through the film's view, with annotations, kThumbnailWidth wide or less; nothing
     /// if the cache does not have it. Throws Error.

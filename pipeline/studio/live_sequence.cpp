@@ -11,6 +11,7 @@
 #include "pipeline/config/parse_yaml.h"
 #include "pipeline/config/problem_list.h"
 #include "pipeline/job/film_job.h"
+#include "pipeline/picture/lit_annotations.h"
 #include "pipeline/sequence/load_sequence.h"
 #include "pipeline/studio/sequence_state.h"
 #include "pipeline/studio/value_places.h"
@@ -89,17 +90,22 @@ std::vector<pipeline::Problem> LiveSequence::add_motions(SequenceAnswer& answer,
     for (pipeline::SequencePart& part : sequence.parts) {
         answer.timelines.emplace_back();
         auto* shot = std::get_if<pipeline::ShotPart>(&part.content);
-        const std::optional<sim::Timeline>* motion =
-            shot == nullptr ? nullptr : &motion_of(shot->shot.world, simulate, used);
-        if (motion == nullptr || !*motion) {
+        if (shot == nullptr) {
             continue;
         }
         sim::Bake bake;
-        bake.timeline = **motion;
+        if (shot->bake) {
+            bake.timeline = shot->bake->timeline;
+        } else if (const auto& motion = motion_of(shot->shot.world, simulate, used)) {
+            bake.timeline = *motion;
+        } else {
+            continue;
+        }
         pipeline::add_keyed_motions(bake, shot->shot);
         std::vector<pipeline::Problem> found =
             pipeline::resolve_moments(shot->shot, shot->source, bake.timeline, options.tables);
         std::move(found.begin(), found.end(), std::back_inserter(problems));
+        pipeline::add_lit_annotations(shot->shot, bake.timeline);
         answer.timelines.back() = std::make_shared<const sim::Timeline>(std::move(bake.timeline));
     }
     timelines_ = std::move(used);

@@ -14,8 +14,8 @@ namespace carom::studio {
 struct FilmPart {
     KeyPath path{};              // ["film", "shots", "0"]
     std::string kind{};          // "shot" or "title"
-    std::string file{};          // of a shot: the path of its file; else empty
-    std::string name{};          // of a shot: the name of that file; else the text of the card
+    std::string file{};          // of a shot: the path of its text; empty: it is a bake
+    std::string name{};          // of a shot: the name of its file; else the text of the card
     std::int64_t start = 0;      // the frame of the film with which it begins
     std::int64_t frames = 0;     // at least one
     std::int64_t fade = 0;       // frames that it has in common with the part before; of the first

@@ -24,7 +24,7 @@ FilmPart part_message(const pipeline::SequencePart& part) {
     }
     const auto& shot = std::get<pipeline::ShotPart>(part.content);
     message.kind = "shot";
-    message.file = whole_path(shot.path);
+    message.file = shot.bake ? "" : whole_path(shot.path);
     message.name = std::filesystem::path(shot.path).filename().string();
     message.first = shot.first;
     message.of_frames = pipeline::frame_count(shot.shot.cameras, shot.shot.timing);

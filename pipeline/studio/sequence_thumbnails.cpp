@@ -47,7 +47,8 @@ std::optional<SmallPicture> SequenceThumbnails::layer(const pipeline::SequenceLa
     const auto& shot = std::get<pipeline::ShotPart>(content);
     std::unique_ptr<FilmThumbnails>& thumbnails = shots_[layer.part];
     if (!thumbnails) {
-        thumbnails = std::make_unique<FilmThumbnails>(shot.shot, shot.source, cache_folder_);
+        thumbnails = std::make_unique<FilmThumbnails>(shot.shot, shot.source, shot.bake.get(),
+                                                      cache_folder_);
     }
     return thumbnails->small(shot.first + layer.frame);
 }

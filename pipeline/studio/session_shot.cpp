@@ -132,6 +132,9 @@ void Session::State::take_sequence(int opening, SequenceAnswer answer) {
             for (const sim::Asset& asset : shot->shot.assets) {
                 assets.push_back(asset.path);
             }
+            if (shot->bake) {
+                assets.push_back(whole_path(shot->path));
+            }
         }
     }
     const std::lock_guard lock(mutex_);

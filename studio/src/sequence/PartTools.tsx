@@ -30,7 +30,7 @@ export function PartTools({ part }: { part: FilmPart }) {
         <div class="part-tools">
             <About part={part} fps={sequence.value?.film.fps ?? 24} />
             <div class="buttons">
-                {part.kind === 'shot' ? (
+                {part.file !== '' ? (
                     <button type="button" title={part.file} onClick={() => openPart(part)}>
                         <FolderOpen size={14} strokeWidth={1.75} aria-hidden="true" />Open shot
                     </button>

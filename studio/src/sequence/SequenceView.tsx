@@ -66,7 +66,7 @@ function Card({ part }: { part: FilmPart }) {
     return (
         <div class="card">
             <h2>{part.name}</h2>
-            {part.kind === 'shot' ? (
+            {part.file !== '' ? (
                 <button type="button" onClick={() => openPart(part)}>
                     <FolderOpen size={15} strokeWidth={1.75} aria-hidden="true" />Open shot
                 </button>
@@ -87,7 +87,7 @@ function Bar({ part }: { part: FilmPart | undefined }) {
                 title="Show the path-traced picture of the frame (R)" onClick={() => runCommand('refine')}>
                 <Aperture size={15} aria-hidden="true" /> <span>Traced</span>
             </button>
-            {part?.kind === 'shot' ? (
+            {part && part.file !== '' ? (
                 <button class="tool" aria-label="Open shot" title={`Open ${part.file}`} onClick={() => openPart(part)}>
                     <FolderOpen size={15} aria-hidden="true" /> <span>Open shot</span>
                 </button>

@@ -44,7 +44,7 @@ function partLines(part: FilmPart | undefined): string[] {
     return !part ? [] : [part.name.replace(/\s+/g, ' '), partAbout(part, fps),
         `${filmClock(part.start / fps)} to ${filmClock((part.start + part.frames) / fps)} of the film`,
         ...part.fade > 0 ? [`appears in ${(part.fade / fps).toFixed(2)} s`] : [],
-        ...part.kind === 'shot' ? ['double-click to open the shot'] : []];
+        ...part.file !== '' ? ['double-click to open the shot'] : []];
 }
 
 /// The text for a place of the strip; null if there is nothing to say.

@@ -181,6 +181,7 @@ async function film(page) {
 /// Of the documents there are those of a film.
 async function documents(page) {
     await page.getByRole('button', { name: 'Plan, report and contact sheet' }).click();
+    await page.getByRole('tab', { name: 'Export' }).waitFor();
     equal(await page.getByRole('tab').filter({ hasNotText: 'yaml' }).allInnerTexts(),
         ['Contact sheet', 'Export'], 'the documents');
     await page.getByRole('button', { name: 'Make', exact: true }).waitFor();

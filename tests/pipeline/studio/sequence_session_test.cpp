@@ -5,6 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/config/load_shot.h"
+#include "sim/bake.h"
+#include "sim/timeline/bake_file.h"
 #include "tests/pipeline/studio/session_fixture.h"
 
 namespace carom::studio {
@@ -225,6 +228,28 @@ TEST_F(SequenceSession, PictureOfANewText_ComesByItself) {
     other.replace(other.find("A lesson"), 8, "Another lesson");
     type("film.yaml", other);
     EXPECT_NE(picture(1), before);
+}
+
+TEST_F(SequenceSession, PartThatIsABake_HasPicturesButNoText) {
+    pipeline::LoadResult loaded = pipeline::load_shot(path("parts/short.yaml"));
+    sim::Bake bake;
+    bake.timeline = sim::bake(loaded.shot->world);
+    bake.physics_hash = sim::physics_hash(loaded.shot->world);
+    bake.shot_text = read_file(path("parts/short.yaml"));
+    sim::write_bake(bake, path("parts/short.bake"));
+    std::string film = kFilm;
+    film.replace(film.rfind("parts/short.yaml"), 16, "parts/short.bake");
+    write_file(path("film.yaml"), film);
+    open();
+    const auto state = wait_for<SequenceState>();
+    EXPECT_EQ(state.parts[2].file, "");
+    EXPECT_EQ(state.parts[2].name, "short.bake");
+    EXPECT_THAT(problems().list, IsEmpty());
+    see(1, 80);
+    EXPECT_EQ(picture(1).size(), 640U * 360U * 4U);
+    const auto files =
+        wait_for<Files>([](const Files& message) { return message.files.size() > 1; });
+    EXPECT_EQ(files.files.size(), 2U);  // the film and the other shot
 }
 
 TEST_F(SequenceSession, MomentThatNeverComes_IsAnError) {
