@@ -100,6 +100,8 @@ class Loader {
         }
         result.problems = problems_.take();
         std::move(of_shots_.begin(), of_shots_.end(), std::back_inserter(result.problems));
+        result.files = std::move(files_);
+        result.missing = std::move(missing_);
         return result;
     }
 
@@ -108,6 +110,7 @@ class Loader {
         ConfigFolders folders = standard_config_folders();
         folders.root = options_.root;
         folders.texts = options_.texts;
+        folders.missing = &missing_;
         std::string text;
         if (!read_config_text(path_, YamlLimits{}.bytes, folders, text)) {
             Problem problem;
@@ -119,6 +122,9 @@ class Loader {
         folder_ = folder_of(path_);
         const int source = sources_.add({path_, folder_, std::move(text), {}, path_});
         const Gathered gathered = gather(sources_, source, folders, {}, problems_);
+        for (int i = 0; i < sources_.size(); ++i) {
+            add_files({{sources_.at(i).path, sources_.at(i).name}});
+        }
         if (!gathered.root) {
             return std::nullopt;
         }
@@ -135,6 +141,15 @@ class Loader {
                          "a film of several shots cannot be written as 'hdr10' yet");
         }
         return file;
+    }
+
+    void add_files(const std::vector<ReadFile>& files) {
+        for (const ReadFile& file : files) {
+            if (!file.path.empty() &&
+                std::ranges::find(files_, file.path, &ReadFile::path) == files_.end()) {
+                files_.push_back(file);
+            }
+        }
     }
 
     void add_parts(const FilmSection& film, Sequence& sequence) {
@@ -200,11 +215,24 @@ class Loader {
         ConfigFolders folders;
         folders.root = root_of_shots_;
         folders.texts = options_.texts;
+        folders.missing = &missing_;
         const FoundFile found = find_config_file(*part.shot, folder_, folders);
         if (found.path.empty()) {
             problems_.error(part.shot_place, found.problem);
         }
         return !found.path.empty();
+    }
+
+    /// The problems and the files of a part's shot become those of the film.
+    void take_over(LoadResult& loaded, const FilmPartSection& part, bool is_text) {
+        if (is_text) {
+            add_files(loaded.files);
+        }
+        missing_.insert(missing_.end(), loaded.missing.begin(), loaded.missing.end());
+        for (Problem& problem : loaded.problems) {
+            problem.included_by.push_back(sources_.describe(part.shot_place));
+            of_shots_.push_back(std::move(problem));
+        }
     }
 
     void add_shot(const FilmSection& film, const FilmPartSection& part, bool& is_first,
@@ -221,10 +249,7 @@ class Loader {
         shot.overrides = options.overrides;
         LoadResult loaded =
             is_bake(shot.path) ? load_bake(part, options, shot) : load_shot(shot.path, options);
-        for (Problem& problem : loaded.problems) {
-            problem.included_by.push_back(sources_.describe(part.shot_place));
-            of_shots_.push_back(std::move(problem));
-        }
+        take_over(loaded, part, shot.bake == nullptr);
         sequence.parts.push_back({TitleCard{}, 1, 0});
         if (!loaded.shot) {
             return;
@@ -305,6 +330,8 @@ class Loader {
     SourceSet sources_;
     ProblemList problems_{sources_};
     std::vector<Problem> of_shots_;
+    std::vector<ReadFile> files_;
+    std::vector<std::string> missing_;
     std::string first_;  // the shot that decides about size and rate
 };
 

@@ -17,6 +17,8 @@ namespace carom::pipeline {
 struct SequenceResult {
     std::optional<Sequence> sequence;  // empty if a problem is an error
     std::vector<Problem> problems;  // those of the film's own file first, then those of its shots
+    std::vector<ReadFile> files{};  // texts that were read, each once, the film's own first
+    std::vector<std::string> missing{};  // absolute paths of files that do not exist
 };
 
 /// `options.overrides` and `options.quality` are for all shots. The shots' moments are open, and

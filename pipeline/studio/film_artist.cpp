@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <utility>
+#include <variant>
 
 #include "pipeline/studio/film_thumbnails.h"
+#include "pipeline/studio/sequence_thumbnails.h"
 
 namespace carom::studio {
 namespace {
@@ -15,10 +18,10 @@ constexpr std::int64_t kMostThumbnails = 600;
 /// fails ends them.
 class SomeThumbnails {
   public:
-    SomeThumbnails(const pipeline::Shot& shot, std::int64_t frames, const std::string& cache_folder)
-        : shot_(shot),
+    SomeThumbnails(const PreparedFilm& film, const std::string& cache_folder)
+        : film_(film),
           cache_folder_(cache_folder),
-          every_(std::max<std::int64_t>(1, frames / kMostThumbnails)) {}
+          every_(std::max<std::int64_t>(1, std::ssize(film.frames) / kMostThumbnails)) {}
 
     /// For each frame, one after the other; empty: it gets none.
     std::optional<std::string> jpeg(std::int64_t frame) {
@@ -26,10 +29,7 @@ class SomeThumbnails {
             return std::nullopt;
         }
         try {
-            if (!thumbnails_) {
-                thumbnails_.emplace(shot_, cache_folder_);
-            }
-            return thumbnails_->jpeg(frame);
+            return drawn(frame);
         } catch (const std::exception&) {
             failed_ = true;
             return std::nullopt;
@@ -37,12 +37,27 @@ class SomeThumbnails {
     }
 
   private:
-    const pipeline::Shot& shot_;
+    std::optional<std::string> drawn(std::int64_t frame) {
+        if (const auto* sequence = std::get_if<pipeline::Sequence>(&film_.content)) {
+            if (!of_sequence_) {
+                of_sequence_.emplace(*sequence, cache_folder_);
+            }
+            return of_sequence_->jpeg(frame);
+        }
+        if (!of_shot_) {
+            const auto& [shot, source] = std::get<FilmedShot>(film_.content);
+            of_shot_.emplace(shot, source, nullptr, cache_folder_);
+        }
+        return of_shot_->jpeg(frame);
+    }
+
+    const PreparedFilm& film_;
     const std::string& cache_folder_;
     std::int64_t every_;
     std::int64_t count_ = 0;
     bool failed_ = false;
-    std::optional<FilmThumbnails> thumbnails_;
+    std::optional<FilmThumbnails> of_shot_;
+    std::optional<SequenceThumbnails> of_sequence_;
 };
 
 }  // namespace
@@ -74,9 +89,9 @@ std::optional<FilmFrame> FilmArtist::next(const std::stop_token& ended,
     return frame;
 }
 
-void FilmArtist::draw(const pipeline::Shot& shot, std::int64_t frames, const std::stop_token& ended,
+void FilmArtist::draw(const PreparedFilm& film, const std::stop_token& ended,
                       const std::stop_token& cancelled) {
-    SomeThumbnails thumbnails(shot, frames, cache_folder_);
+    SomeThumbnails thumbnails(film, cache_folder_);
     while (std::optional<FilmFrame> frame = next(ended, cancelled)) {
         std::optional<std::string> bytes = thumbnails.jpeg(frame->frame);
         const std::lock_guard lock(mutex_);

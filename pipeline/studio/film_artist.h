@@ -13,7 +13,7 @@
 #include <string>
 #include <string_view>
 
-#include "pipeline/shot/shot.h"
+#include "pipeline/studio/film_request.h"
 #include "pipeline/studio/message_lists.h"
 #include "pipeline/studio/session.h"
 
@@ -37,9 +37,8 @@ class FilmArtist {
     void add(FilmFrame frame);
 
     /// Draws the frames that were added and tells the pages of them, until all are drawn and
-    /// `ended`, or `cancelled`. `frames`: how many the film has. Runs beside the reading of the
-    /// log, which must not wait.
-    void draw(const pipeline::Shot& shot, std::int64_t frames, const std::stop_token& ended,
+    /// `ended`, or `cancelled`. Runs beside the reading of the log, which must not wait.
+    void draw(const PreparedFilm& film, const std::stop_token& ended,
               const std::stop_token& cancelled);
 
     /// Tells a page of the frames of which the others were told.

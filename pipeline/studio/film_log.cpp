@@ -1,5 +1,6 @@
 #include "pipeline/studio/film_log.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -21,9 +22,9 @@ FilmState first_state(const FilmRequest& request, const PreparedFilm& film) {
     state.state = "running";
     state.shot = request.shot;
     state.output = film.path;
-    state.width = film.shot.render.width;
-    state.height = film.shot.render.height;
-    state.fps = film.shot.timing.fps.to_double();
+    state.width = film.format.width;
+    state.height = film.format.height;
+    state.fps = film.format.fps.to_double();
     state.frames = std::ssize(film.frames);
     return state;
 }
@@ -44,7 +45,8 @@ std::optional<FilmFrame> read_log(const std::string& line, bool stopping, FilmSt
         state.stage = log.value("stage", "");
         state.fraction = log.value("fraction", 0.0);
         state.left = log.value("seconds_left", -1.0);
-        state.finished = log.value("frames_done", state.finished);
+        // A frame of a fade between shots counts for both.
+        state.finished = std::min(log.value("frames_done", state.finished), state.frames);
         state.reused = log.value("frames_found", state.reused);
     }
     if (event != "frame") {
@@ -61,6 +63,7 @@ void end_state(int result, bool stopping, const std::string& address, FilmState&
     if (result == 0) {
         state.state = "done";
         state.fraction = 1;
+        state.finished = state.frames;  // of title cards the log says nothing
         if (!pipeline::is_image_sequence(state.output)) {
             state.address = address;
         }

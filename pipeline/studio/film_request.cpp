@@ -11,11 +11,11 @@
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/config/load_shot.h"
 #include "pipeline/job/frame_range.h"
+#include "pipeline/sequence/load_sequence.h"
 #include "pipeline/studio/output_path.h"
 #include "pipeline/studio/paths.h"
 #include "pipeline/video/image_sequence.h"
 #include "pipeline/video/made_by_carom.h"
-#include "pipeline/video/video_format.h"
 
 namespace carom::studio {
 namespace {
@@ -55,13 +55,13 @@ const std::string& quality_of(const FilmRequest& request, const ProgramOptions& 
     return request.start.quality.empty() ? options.quality : request.start.quality;
 }
 
-std::vector<std::int64_t> frames_of(const FilmRequest& request, const pipeline::Shot& shot) {
+/// `count`: of the whole film.
+std::vector<std::int64_t> frames_of(const FilmRequest& request, std::int64_t count) {
     pipeline::FrameRange range;
     if (!request.start.frames.empty()) {
         range = pipeline::parse_frame_range(request.start.frames);
     }
-    std::vector<std::int64_t> frames =
-        range.frames(pipeline::frame_count(shot.cameras, shot.timing));
+    std::vector<std::int64_t> frames = range.frames(count);
     if (frames.empty()) {
         throw Error("the film has none of these frames");
     }
@@ -69,15 +69,54 @@ std::vector<std::int64_t> frames_of(const FilmRequest& request, const pipeline::
 }
 
 std::string path_of(const FilmRequest& request, const ProgramOptions& options,
-                    const pipeline::Shot& shot) {
+                    const pipeline::VideoFormat& format, const pipeline::OutputSettings& output) {
     std::string path = output_path(request.start.output, request.shot, options.output, request.root,
-                                   pipeline::default_extension(shot.output));
-    const std::string problem = pipeline::check_video_format(
-        {shot.render.width, shot.render.height, shot.timing.fps}, shot.output, path);
+                                   pipeline::default_extension(output));
+    const std::string problem = pipeline::check_video_format(format, output, path);
     if (!problem.empty()) {
         throw Error(problem);
     }
     return path;
+}
+
+pipeline::LoadOptions load_options(const FilmRequest& request, const ProgramOptions& options) {
+    return {.overrides = overrides_of(request, options),
+            .quality = quality_of(request, options),
+            .root = request.root};
+}
+
+PreparedFilm prepare_shot(const FilmRequest& request, const ProgramOptions& options) {
+    pipeline::LoadResult loaded = pipeline::load_shot(request.shot, load_options(request, options));
+    if (!loaded.shot) {
+        throw Error("the shot has errors, so that no film of it can be made: " +
+                    loaded.problems.front().message);
+    }
+    pipeline::Shot& shot = *loaded.shot;
+    PreparedFilm film;
+    film.format = {shot.render.width, shot.render.height, shot.timing.fps};
+    film.frames = frames_of(request, pipeline::frame_count(shot.cameras, shot.timing));
+    film.path = path_of(request, options, film.format, shot.output);
+    film.content = FilmedShot{std::move(shot), std::move(loaded.source)};
+    return film;
+}
+
+PreparedFilm prepare_sequence(const FilmRequest& request, const ProgramOptions& options) {
+    pipeline::SequenceResult loaded =
+        pipeline::load_sequence(request.shot, load_options(request, options));
+    if (!loaded.sequence) {
+        throw Error("the film has errors, so that it cannot be made: " +
+                    loaded.problems.front().message);
+    }
+    pipeline::Sequence& sequence = *loaded.sequence;
+    PreparedFilm film;
+    film.format = {sequence.width, sequence.height, sequence.fps};
+    film.frames = frames_of(request, sequence.frames());
+    film.path = path_of(request, options, film.format, sequence.output);
+    if (pipeline::is_image_sequence(film.path)) {
+        throw Error("a film of several shots is written as a video, not as pictures");
+    }
+    film.content = std::move(sequence);
+    return film;
 }
 
 }  // namespace
@@ -85,24 +124,17 @@ std::string path_of(const FilmRequest& request, const ProgramOptions& options,
 std::variant<PreparedFilm, Exists> prepare_film(const FilmRequest& request,
                                                 const ProgramOptions& options,
                                                 const std::string& stopped) {
-    pipeline::LoadResult loaded =
-        pipeline::load_shot(request.shot, {.overrides = overrides_of(request, options),
-                                           .quality = quality_of(request, options),
-                                           .root = request.root});
-    if (!loaded.shot) {
-        throw Error("the shot has errors, so that no film of it can be made: " +
-                    loaded.problems.front().message);
-    }
-    pipeline::Shot& shot = *loaded.shot;
-    std::vector<std::int64_t> frames = frames_of(request, shot);
-    std::string path = path_of(request, options, shot);
+    PreparedFilm film = pipeline::is_sequence_file(request.shot)
+                            ? prepare_sequence(request, options)
+                            : prepare_shot(request, options);
     if (!request.start.overwrite) {
-        if (const auto file = existing_file(files_of(path, frames), path == stopped)) {
+        const std::vector<std::string> files = files_of(film.path, film.frames);
+        if (const auto file = existing_file(files, film.path == stopped)) {
             return Exists{StartFilm::kName, *file,
                           std::filesystem::path(*file).lexically_relative(request.root).string()};
         }
     }
-    return PreparedFilm{std::move(shot), std::move(path), std::move(frames)};
+    return film;
 }
 
 std::vector<std::string> film_words(const FilmRequest& request, const ProgramOptions& options,

@@ -2,13 +2,17 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "pipeline/config/shot_source.h"
+#include "pipeline/sequence/sequence.h"
 #include "pipeline/shot/shot.h"
 #include "pipeline/studio/messages.h"
 #include "pipeline/studio/program_options.h"
+#include "pipeline/video/video_format.h"
 
 namespace carom::studio {
 
@@ -19,9 +23,15 @@ struct FilmRequest {
     std::string root;  // the folder below which files are written
 };
 
+struct FilmedShot {
+    pipeline::Shot shot;
+    std::shared_ptr<const pipeline::ShotSource> source;
+};
+
 /// What was found out before the film is begun.
 struct PreparedFilm {
-    pipeline::Shot shot;
+    std::variant<FilmedShot, pipeline::Sequence> content;
+    pipeline::VideoFormat format;
     std::string path;  // of the film, or of the frames of an image sequence
     std::vector<std::int64_t> frames;
 };

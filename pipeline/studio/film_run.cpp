@@ -1,10 +1,13 @@
 #include "pipeline/studio/film_run.h"
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <mutex>
 #include <thread>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "core/error.h"
 #include "pipeline/store/cache_folder.h"
@@ -136,6 +139,9 @@ class FilmRun::State {
         if (!begin(request, film)) {
             return idle([&] { finish(kInterrupted); });
         }
+        for (const std::int64_t frame : frames_of_cards(film)) {
+            artist_.add(FilmFrame{frame, false, 0, {}});
+        }
         ChildProgram child(options_.program, film_words(request, options_, film.path));
         {
             const std::lock_guard lock(mutex_);
@@ -144,14 +150,29 @@ class FilmRun::State {
                 child.interrupt();
             }
         }
-        const std::jthread artist([&](const std::stop_token& ended) {
-            artist_.draw(film.shot, std::ssize(film.frames), ended, end);
-        });
+        const std::jthread artist(
+            [&](const std::stop_token& ended) { artist_.draw(film, ended, end); });
         while (const std::optional<std::string> line = child.next_line()) {
             read(*line);
         }
         const int result = child.wait();
         idle([&] { finish(result); });  // before the last thumbnails
+    }
+
+    /// Those of the frames that show title cards alone, of which the log says nothing.
+    static std::vector<std::int64_t> frames_of_cards(const PreparedFilm& film) {
+        std::vector<std::int64_t> frames;
+        const auto* sequence = std::get_if<pipeline::Sequence>(&film.content);
+        if (sequence != nullptr) {
+            std::ranges::copy_if(film.frames, std::back_inserter(frames), [&](std::int64_t frame) {
+                return std::ranges::all_of(pipeline::layers_of(*sequence, frame),
+                                           [&](const auto& layer) {
+                                               return std::holds_alternative<pipeline::TitleCard>(
+                                                   sequence->parts[layer.part].content);
+                                           });
+            });
+        }
+        return frames;
     }
 
     /// The pages hear of the film. Returns false if it was stopped already.

@@ -11,25 +11,39 @@
 #include <unistd.h>
 
 #include "core/error.h"
+#include "pipeline/config/load_shot.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/job/mixed_film.h"
+#include "pipeline/picture/lit_annotations.h"
 #include "render/film/image_file.h"
 
 namespace carom::studio {
 namespace {
 
-sim::Timeline cached_timeline(const pipeline::Shot& shot, const std::string& cache_folder) {
-    std::optional<sim::Bake> bake = pipeline::find_cached_bake(shot, cache_folder, {});
+/// The shot's moments get their times, and its lit annotations become things, as in the film.
+sim::Timeline timeline_of(pipeline::Shot& shot, std::shared_ptr<const pipeline::ShotSource> source,
+                          const sim::Bake* known, const std::string& cache_folder) {
+    std::optional<sim::Bake> bake = known != nullptr
+                                        ? std::optional(*known)
+                                        : pipeline::find_cached_bake(shot, cache_folder, {});
     if (!bake) {
         throw Error("the cache has no bake of the film");
     }
+    if (pipeline::has_errors(pipeline::resolve_moments(shot, source, bake->timeline))) {
+        throw Error("a moment of the film never comes");
+    }
+    if (known != nullptr) {
+        pipeline::add_keyed_motions(*bake, shot);
+    }
+    pipeline::add_lit_annotations(shot, bake->timeline);
     return std::move(bake->timeline);
 }
 
-/// Writes a JPEG and returns its bytes. The file is removed.
-std::string jpeg_of(const std::vector<std::uint8_t>& rgb, int width, int height,
-                    const std::string& path) {
-    render::write_display_image(rgb, width, height, path);
+}  // namespace
+
+std::string jpeg_of(const SmallPicture& picture, const std::string& folder) {
+    const std::string path = folder + "/thumbnail_" + std::to_string(::getpid()) + ".jpg";
+    render::write_display_image(picture.rgb, picture.width, picture.height, path);
     std::ifstream file(path, std::ios::binary);
     std::string bytes{std::istreambuf_iterator<char>(file), {}};
     std::error_code ignored;
@@ -37,12 +51,16 @@ std::string jpeg_of(const std::vector<std::uint8_t>& rgb, int width, int height,
     return bytes;
 }
 
-}  // namespace
+int thumbnail_factor(int width) {
+    return std::max(1, (width + kThumbnailWidth - 1) / kThumbnailWidth);
+}
 
-FilmThumbnails::FilmThumbnails(pipeline::Shot shot, const std::string& cache_folder)
+FilmThumbnails::FilmThumbnails(pipeline::Shot shot,
+                               std::shared_ptr<const pipeline::ShotSource> source,
+                               const sim::Bake* bake, const std::string& cache_folder)
     : folder_(cache_folder + "/studio"),
       shot_(std::move(shot)),
-      timeline_(cached_timeline(shot_, cache_folder)),
+      timeline_(timeline_of(shot_, std::move(source), bake, cache_folder)),
       source_(shot_, timeline_),
       store_(cache_folder + "/frames"),
       view_(shot_.output),
@@ -50,7 +68,7 @@ FilmThumbnails::FilmThumbnails(pipeline::Shot shot, const std::string& cache_fol
     std::filesystem::create_directories(folder_);
 }
 
-std::optional<std::string> FilmThumbnails::jpeg(std::int64_t frame) {
+std::optional<SmallPicture> FilmThumbnails::small(std::int64_t frame) {
     std::optional<render::Film> film;
     const std::vector<pipeline::PlannedFrame> layers = source_.layers(frame);
     for (const pipeline::PlannedFrame& layer : layers) {
@@ -65,10 +83,14 @@ std::optional<std::string> FilmThumbnails::jpeg(std::int64_t frame) {
             film = std::move(small);
         }
     }
-    const std::string path = folder_ + "/thumbnail_" + std::to_string(::getpid()) + ".jpg";
     std::vector<std::uint8_t> rgb = view_.to_8(*film);
     graphics_.draw_annotations(layers, rgb, film->width, film->height);
-    return jpeg_of(rgb, film->width, film->height, path);
+    return SmallPicture{std::move(rgb), film->width, film->height};
+}
+
+std::optional<std::string> FilmThumbnails::jpeg(std::int64_t frame) {
+    const std::optional<SmallPicture> picture = small(frame);
+    return picture ? std::optional(jpeg_of(*picture, folder_)) : std::nullopt;
 }
 
 render::Film reduced(const render::Film& film, int width) {

@@ -40,6 +40,9 @@ class LiveMessages {
     void show(std::int64_t v, const pipeline::Shot& shot, const pipeline::ShotSource& source,
               const sim::Timeline& timeline, bool kept, double start);
 
+    /// The pages show something else than a shot: they do not keep its cameras.
+    void forget_cameras() { has_cameras_ = false; }
+
     /// The motion follows when the drag ends.
     void defer_to_end_of_drag(std::int64_t v);
 

@@ -14,6 +14,7 @@
 #include "pipeline/studio/live_bake.h"
 #include "pipeline/studio/live_messages.h"
 #include "pipeline/studio/live_requests.h"
+#include "pipeline/studio/live_sequence.h"
 #include "sim/bake.h"
 #include "sim/billiards/table_memo.h"
 
@@ -44,6 +45,7 @@ class LiveShot::Worker {
         : options_(with_defaults(std::move(options))),
           output_(std::move(output)),
           messages_(output_, options_.root),
+          sequence_(output_, options_.root),
           bake_(options_.clock),
           requests_(bake_) {
         thread_ = std::jthread([this](const std::stop_token& end) { run(end); });
@@ -84,6 +86,13 @@ class LiveShot::Worker {
     void answer(const LiveRequest& request) {
         const double start = thread_cpu_seconds();
         const std::int64_t v = request.texts.v;
+        if (sequence_.takes(request.texts)) {
+            timeline_.reset();
+            messages_.forget_cameras();
+            sequence_.answer(v, load_options(request.texts),
+                             [&](const auto& world) { return bake(request, world); });
+            return;
+        }
         pipeline::LoadResult loaded = load(request.texts);
         output_.files(v, loaded.files, loaded.missing);
         messages_.tell_problems(v, loaded, !loaded.shot);
@@ -210,17 +219,22 @@ class LiveShot::Worker {
     }
 
     pipeline::LoadResult load(const TextsOfVersion& texts) {
-        return pipeline::load_shot(texts.shot, {.overrides = options_.overrides,
-                                                .quality = options_.quality,
-                                                .root = options_.root,
-                                                .texts = texts.texts.get(),
-                                                .most_asset_bytes = options_.most_asset_bytes,
-                                                .tables = &tables_});
+        return pipeline::load_shot(texts.shot, load_options(texts));
+    }
+
+    pipeline::LoadOptions load_options(const TextsOfVersion& texts) {
+        return {.overrides = options_.overrides,
+                .quality = options_.quality,
+                .root = options_.root,
+                .texts = texts.texts.get(),
+                .most_asset_bytes = options_.most_asset_bytes,
+                .tables = &tables_};
     }
 
     LiveOptions options_;
     LiveOutput output_;
     LiveMessages messages_;  // of the thread
+    LiveSequence sequence_;  // as well
     LiveBake bake_;
     LiveRequests requests_;
 

@@ -13,6 +13,7 @@
 #include "pipeline/config/config_files.h"
 #include "pipeline/config/load_shot.h"
 #include "pipeline/config/shot_source.h"
+#include "pipeline/sequence/sequence.h"
 #include "pipeline/shot/shot.h"
 #include "pipeline/studio/message_lists.h"
 #include "sim/timeline/timeline.h"
@@ -34,6 +35,15 @@ struct LiveAnswer {
     std::shared_ptr<const sim::Timeline> timeline;  // with the keyed motions
 };
 
+/// A version of a film of several shots without errors, with the motions of its shots.
+struct SequenceAnswer {
+    std::int64_t v = 0;
+    std::shared_ptr<const pipeline::Sequence> sequence;  // its moments have their times
+    /// Of each part, with the keyed motions; null for title cards, and for shots that take too long
+    /// to simulate.
+    std::vector<std::shared_ptr<const sim::Timeline>> timelines;
+};
+
 /// Called from the thread of the live shot, one call at a time. `shown` is called before `answer`,
 /// and also without it if the simulation is deferred or takes long.
 struct LiveOutput {
@@ -44,6 +54,7 @@ struct LiveOutput {
         files;
     std::function<void(std::int64_t v, const pipeline::Shot& shot)> shown;
     std::function<void(LiveAnswer)> answer;
+    std::function<void(SequenceAnswer)> sequence;  // in the stead of both
 };
 
 struct LiveOptions {

@@ -5,5 +5,6 @@
 #include "pipeline/studio/binary_message_fields.h"
 #include "pipeline/studio/message_value_fields.h"
 #include "pipeline/studio/page_message_fields.h"
+#include "pipeline/studio/sequence_message_fields.h"
 #include "pipeline/studio/server_message_fields.h"
 #include "pipeline/studio/shot_message_fields.h"

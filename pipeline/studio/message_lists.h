@@ -15,8 +15,8 @@ using PageMessage = std::variant<Hello, TextChange, Save, Revert, Open, SaveAs, 
 /// The texts that the server may send.
 using ServerMessage =
     std::variant<Welcome, Start, Exists, Folder, Imported, Parts, Additions, Files, TextChanged,
-                 Saved, DiskChanged, Recovered, Failed, Problems, ShotState, SceneMeshes, Work,
-                 Deferred, FilmState, FilmFrame, Making, Made>;
+                 Saved, DiskChanged, Recovered, Failed, Problems, ShotState, SequenceState,
+                 SceneMeshes, Work, Deferred, FilmState, FilmFrame, Making, Made>;
 
 /// The heads of its binary messages.
 using BinaryHead = std::variant<TimelineHead, CamerasHead, PictureHead, FanHead>;

@@ -12,5 +12,6 @@
 #include "pipeline/studio/binary_messages.h"
 #include "pipeline/studio/message_values.h"
 #include "pipeline/studio/page_messages.h"
+#include "pipeline/studio/sequence_messages.h"
 #include "pipeline/studio/server_messages.h"
 #include "pipeline/studio/shot_messages.h"

@@ -43,6 +43,13 @@ void Session::State::start_workers() {
     pictures_ = std::make_unique<PictureView>(
         [this](PageId page, const Picture& picture) { send_picture(page, picture); },
         PictureOptions{.cache_folder = o.cache_folder});
+    films_ = std::make_unique<SequencePictures>(
+        *pictures_,
+        SequencePictures::Output{[this](PageId page, const pipeline::TitleCard& card,
+                                        const PictureHead& head) { draw_card(page, card, head); },
+                                 [this](PageId page, const std::string& why) {
+                                     messages_.send(page, Failed{"picture", version(), why});
+                                 }});
     fan_ = std::make_unique<OutcomeFan>(
         [this](const FanHead& head, const std::vector<double>& numbers) {
             messages_.send(0, head, std::as_bytes(std::span(numbers)));
@@ -74,7 +81,7 @@ void Session::State::opened(PageId page) {
 void Session::State::closed(PageId page) {
     const std::lock_guard lock(mutex_);
     pages_.erase(page);
-    pictures_->cancel(page);
+    films_->cancel(page);
     documents_->closed(page);
     set_dragging(page, false);
 }

@@ -222,11 +222,11 @@ void Session::State::receive(PageId /*page*/, const Unfan& /*message*/) {
 }
 
 void Session::State::receive(PageId page, const See& question) {
-    pictures_->ask(page, question);
+    films_->ask(page, question);
 }
 
 void Session::State::receive(PageId page, const Unsee& /*message*/) {
-    pictures_->cancel(page);
+    films_->cancel(page);
 }
 
 void Session::State::receive(PageId page, const StartFilm& request) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pipeline/config/shot_source.h"
+#include "pipeline/sequence/sequence_writer.h"
 #include "pipeline/studio/message_json.h"
 #include "pipeline/studio/paths.h"
 #include "pipeline/studio/session_state.h"
@@ -35,6 +36,7 @@ int Session::State::close_shot() {
     ended_ = std::move(live_);
     pictures_->cancel_all();
     fan_->cancel();
+    films_->clear();
     show(nullptr, nullptr, 0);
     watch_->watch({});
     shot_.reset();
@@ -70,6 +72,9 @@ LiveOutput Session::State::output_of(int opening) {
         take_files(opening, files, missing);
     };
     output.answer = [this, opening](const LiveAnswer& answer) { take_answer(opening, answer); };
+    output.sequence = [this, opening](SequenceAnswer answer) {
+        take_sequence(opening, std::move(answer));
+    };
     output.shown = [this, opening](std::int64_t v, const pipeline::Shot& shot) {
         messages_.send_newest(opening, SceneMeshes{v, meshes_.add(shot)});
     };
@@ -115,7 +120,50 @@ void Session::State::take_answer(int opening, const LiveAnswer& answer) {
     if (shot_->files().set_assets(std::move(assets))) {
         watch_->watch(shot_->files().watched());
     }
+    messages_.forget(SequenceState::kName);
+    films_->set({});
     show(answer.shot, answer.timeline, answer.v);
+}
+
+void Session::State::take_sequence(int opening, SequenceAnswer answer) {
+    std::vector<std::string> assets;
+    for (const pipeline::SequencePart& part : answer.sequence->parts) {
+        if (const auto* shot = std::get_if<pipeline::ShotPart>(&part.content)) {
+            for (const sim::Asset& asset : shot->shot.assets) {
+                assets.push_back(asset.path);
+            }
+            if (shot->bake) {
+                assets.push_back(whole_path(shot->path));
+            }
+        }
+    }
+    const std::lock_guard lock(mutex_);
+    if (opening != opening_) {
+        return;
+    }
+    if (shot_->files().set_assets(std::move(assets))) {
+        watch_->watch(shot_->files().watched());
+    }
+    for (const char* of_shot : {ShotState::kName, CamerasHead::kName, TimelineHead::kName}) {
+        messages_.forget(of_shot);
+    }
+    show(nullptr, nullptr, 0);
+    films_->set(std::move(answer));
+}
+
+void Session::State::draw_card(PageId page, const pipeline::TitleCard& card,
+                               const PictureHead& head) {
+    desk_->later([this, page, card, head] {
+        std::vector<std::uint8_t> rgba;
+        int channel = 0;
+        for (const std::uint16_t value : pipeline::drawn_card(card, head.width, head.height)) {
+            rgba.push_back(static_cast<std::uint8_t>((value + 128U) / 257U));
+            if (++channel % 3 == 0) {
+                rgba.push_back(255);
+            }
+        }
+        messages_.send(page, head, std::as_bytes(std::span(rgba)));
+    });
 }
 
 void Session::State::send_picture(PageId page, const Picture& picture) {

@@ -23,6 +23,7 @@
 #include "pipeline/studio/outcome_fan.h"
 #include "pipeline/studio/picture_view.h"
 #include "pipeline/studio/scene_meshes.h"
+#include "pipeline/studio/sequence_pictures.h"
 #include "pipeline/studio/session.h"
 
 namespace carom::studio {
@@ -93,6 +94,8 @@ class Session::State {
     void take_files(int opening, const std::vector<pipeline::ReadFile>& files,
                     const std::vector<std::string>& missing);
     void take_answer(int opening, const LiveAnswer& answer);
+    void take_sequence(int opening, SequenceAnswer answer);
+    void draw_card(PageId page, const pipeline::TitleCard& card, const PictureHead& head);
     void send_picture(PageId page, const Picture& picture);
     [[nodiscard]] bool look_at_disk();
 
@@ -111,6 +114,7 @@ class Session::State {
     std::unique_ptr<FileDesk> desk_;
     std::unique_ptr<OutcomeFan> fan_;
     std::unique_ptr<PictureView> pictures_;
+    std::unique_ptr<SequencePictures> films_;  // with the mutex
     std::unique_ptr<Documents> documents_;
     std::unique_ptr<FilmRun> film_;    // it also calls the pictures
     std::unique_ptr<LiveShot> ended_;  // of the shot before

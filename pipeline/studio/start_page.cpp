@@ -19,7 +19,6 @@
 #include "pipeline/config/load_shot.h"
 #include "pipeline/config/parse_yaml.h"
 #include "pipeline/plan/plan_svg.h"
-#include "pipeline/sequence/load_sequence.h"
 #include "pipeline/studio/text_hash.h"
 #include "sim/bake.h"
 
@@ -51,9 +50,7 @@ std::vector<std::string> shots_in(const fs::path& folder) {
     std::error_code code;
     for (fs::directory_iterator entry(folder, code), end; !code && entry != end;
          entry.increment(code)) {
-        // The studio opens shots, not films of several.
-        if (entry->path().extension() == ".yaml" && entry->is_regular_file(code) &&
-            !pipeline::is_sequence_file(entry->path().string())) {
+        if (entry->path().extension() == ".yaml" && entry->is_regular_file(code)) {
             files.push_back(fs::weakly_canonical(entry->path(), code).string());
         }
     }

@@ -85,8 +85,13 @@ TextRange range_of(const pipeline::SourcePlace& place,
 }  // namespace
 
 std::vector<ValuePlace> value_places(const pipeline::ShotSource& source, const std::string& root) {
-    PlaceWalk walk(source.sources(), root);
-    walk.visit(source.root());
+    return value_places(source.sources(), source.root(), root);
+}
+
+std::vector<ValuePlace> value_places(const SourceSet& sources, const Node& top,
+                                     const std::string& root) {
+    PlaceWalk walk(sources, root);
+    walk.visit(top);
     return walk.take();
 }
 

@@ -14,6 +14,7 @@ import { watchAddress } from './state/address';
 import { listenToKeys, onCommand } from './state/keys';
 import { filmThumbnails } from './state/film_thumbnails';
 import { isStarting, panel, selection } from './state/state';
+import { followKind } from './sequence/parts';
 import { exposeStudio } from './state/studio';
 import { openShot, watchExisting } from './start/file_actions';
 import { watchDrops } from './start/import_scene';
@@ -63,6 +64,7 @@ if (app) {
     watchQuestions();
     listenToKeys();
     watchAddress();
+    followKind();
     onCommand('save', saveAll);
     onCommand('problems', focusProblems);
     watchExisting();

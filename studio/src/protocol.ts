@@ -487,6 +487,26 @@ export interface ShotState {
     places: ValuePlace[];
 }
 
+export interface FilmPart {
+    path: KeyPath;
+    kind: string;
+    file: string;
+    name: string;
+    start: number;
+    frames: number;
+    fade: number;
+    first: number;
+    of_frames: number;
+}
+
+export interface SequenceState {
+    v: number;
+    name: string;
+    film: Film;
+    parts: FilmPart[];
+    places: ValuePlace[];
+}
+
 export interface SceneMeshes {
     v: number;
     hash: string;
@@ -561,6 +581,7 @@ export interface ToPage {
     failed: Failed;
     problems: Problems;
     shot: ShotState;
+    sequence: SequenceState;
     scene: SceneMeshes;
     work: Work;
     deferred: Deferred;

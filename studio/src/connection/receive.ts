@@ -4,7 +4,7 @@ import { batch } from '@preact/signals';
 import type { BinaryToPage, ToPage } from '../protocol';
 import { kBinaryTypes } from '../protocol';
 import {
-    cameraFrames, deferred, fan, files, meshes, picture, pictureAsked, problems, shot, start, textVersion, timeline, welcome, work,
+    cameraFrames, deferred, fan, files, meshes, picture, pictureAsked, problems, sequence, shot, start, textVersion, timeline, welcome, work,
     type CameraFrames,
 } from '../state/state';
 import { asFloat64, decodeBinary } from './decode';
@@ -69,9 +69,16 @@ const texts: Handlers<ToPage> = {
         }
     },
     shot: (message) => {
-        if (isNewer(message.v, shot.value?.v)) {
+        if (isNewer(message.v, shot.value?.v) && isNewer(message.v, sequence.value?.v)) {
+            sequence.value = null;
             awaited = message.moves ? { shot: message, cameras: null } : null;
             shot.value = message.moves ? shot.value : message;
+        }
+    },
+    sequence: (message) => {
+        if (isNewer(message.v, sequence.value?.v) && isNewer(message.v, shot.value?.v)) {
+            forgetShot();
+            sequence.value = message;
         }
     },
     scene: (message) => {
@@ -144,15 +151,20 @@ export function receive(data: string | ArrayBuffer): void {
 /// Forgets what was told about the shot, because a new connection tells it again with versions that
 /// may begin anew.
 export function forgetVersions(): void {
-    awaited = null;
     batch(() => {
         problems.value = null;
-        shot.value = null;
-        timeline.value = null;
-        cameraFrames.value = null;
-        fan.value = null;
-        work.value = null;
-        deferred.value = null;
-        pictureAsked.value = false;
+        sequence.value = null;
+        forgetShot();
     });
+}
+
+function forgetShot(): void {
+    awaited = null;
+    shot.value = null;
+    timeline.value = null;
+    cameraFrames.value = null;
+    fan.value = null;
+    work.value = null;
+    deferred.value = null;
+    pictureAsked.value = false;
 }

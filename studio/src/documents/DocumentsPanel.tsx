@@ -4,7 +4,7 @@ import { Dialog, type DialogAction } from '../dialogs/Dialog';
 import { hasErrors, isStale, panel, timeline } from '../state/state';
 import { hasUnsaved } from '../start/file_actions';
 import {
-    documentProblem, look, looks, making, shownDocument, stopMaking, written, type DocumentKind,
+    documentKinds, documentProblem, look, looks, making, shownDocument, stopMaking, written, type DocumentKind,
 } from './documents_state';
 import { ExportForm } from './ExportForm';
 import { kTitles } from './formats';
@@ -13,14 +13,14 @@ import './documents.css';
 
 const kNoSheet = 'A contact sheet shows frames of the film, which have to be rendered. '
     + 'It is made of the saved shot.';
-const kKinds: readonly DocumentKind[] = ['plan', 'report', 'plot', 'contact_sheet', 'export'];
 
 function walk(event: KeyboardEvent): void {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (step) {
         event.preventDefault();
-        const at = (kKinds.indexOf(shownDocument.value) + step + kKinds.length) % kKinds.length;
-        shownDocument.value = kKinds[at] ?? 'plan';
+        const kinds = documentKinds.peek();
+        const at = (kinds.indexOf(shownDocument.value) + step + kinds.length) % kinds.length;
+        shownDocument.value = kinds[at] ?? 'plan';
         document.getElementById(`document-${shownDocument.value}`)?.focus();
     }
 }
@@ -28,7 +28,7 @@ function walk(event: KeyboardEvent): void {
 function Tabs() {
     return (
         <div class="tabs" role="tablist" aria-label="Documents" onKeyDown={walk}>
-            {kKinds.map((kind) => {
+            {documentKinds.value.map((kind) => {
                 const isShown = shownDocument.value === kind;
                 return (
                     <button key={kind} type="button" role="tab" id={`document-${kind}`}

@@ -1,9 +1,9 @@
 /// Chooses the format and the name of a file, and has it written.
 import { useSignal } from '@preact/signals';
-import { filmTime, folderOfFiles, shot, welcome } from '../state/state';
+import { filmTime, folderOfFiles, isSequence, openFilm, welcome } from '../state/state';
 import { hasUnsaved } from '../start/file_actions';
 import { write, type DocumentKind } from './documents_state';
-import { kFormats, problemOfOutput, withEnding, type Format } from './formats';
+import { formatsOf, problemOfOutput, withEnding, type Format } from './formats';
 
 /// The name of the shot's file without its ending.
 function stem(): string {
@@ -12,7 +12,7 @@ function stem(): string {
 
 /// The number of the film's frame at the play head.
 function frameNow(): number {
-    const film = shot.value?.film;
+    const film = openFilm.value;
     const frame = film ? Math.floor(filmTime.value * film.fps + 1e-6) : 0;
     return Math.max(0, Math.min(frame, (film?.frames ?? 1) - 1));
 }
@@ -29,7 +29,7 @@ interface Properties {
 }
 
 export function ExportForm({ kind, isOff }: Properties) {
-    const formats = kFormats[kind];
+    const formats = formatsOf(kind, isSequence.value);
     const chosen = useSignal(0);
     const format = formats[chosen.value] ?? formats[0];
     const typed = useSignal('');  // empty: the suggested name

@@ -1,10 +1,11 @@
 /// Drawings, the report, pictures and exports of the shot, which the server makes.
-import { signal } from '@preact/signals';
+import { computed, signal } from '@preact/signals';
 import { onMessage } from '../connection/receive';
 import { send } from '../connection/socket';
 import { ask } from '../dialogs/open_dialogs';
 import type { Made, Make, Making } from '../protocol';
-import { notice, panel } from '../state/state';
+import { isSequence, notice, panel } from '../state/state';
+import { formatsOf } from './formats';
 import { saveIfChanged } from '../start/file_actions';
 import { existsQuestion } from '../start/questions';
 
@@ -26,9 +27,16 @@ let lastQ = 0;
 /// What was asked for last, for the question whether a file may be replaced.
 let last: Wanted | null = null;
 
-/// Shows one of the documents.
+const kKinds: readonly DocumentKind[] = ['plan', 'report', 'plot', 'contact_sheet', 'export'];
+
+/// The documents that there are of what is open.
+export const documentKinds = computed(() =>
+    kKinds.filter((kind) => formatsOf(kind, isSequence.value).length > 0));
+
+/// Shows one of the documents, or the first one of those that there are.
 export function openDocuments(kind: DocumentKind): void {
-    shownDocument.value = kind;
+    const kinds = documentKinds.peek();
+    shownDocument.value = kinds.includes(kind) ? kind : kinds[0] ?? kind;
     panel.value = 'documents';
 }
 

@@ -43,6 +43,17 @@ export const kFormats: Readonly<Record<DocumentKind, readonly Format[]>> = {
     ],
 };
 
+/// What can be written of a film of several shots; the rest is that of one shot.
+const kOfSequence: Readonly<Partial<Record<DocumentKind, readonly Format[]>>> = {
+    contact_sheet: kFormats.contact_sheet,
+    export: kFormats.export.filter(({ what }) => what === 'frame').map((format) =>
+        ({ ...format, endings: kPictures, about: 'As carom frame renders it.' })),
+};
+
+export function formatsOf(kind: DocumentKind, isSequence: boolean): readonly Format[] {
+    return isSequence ? kOfSequence[kind] ?? [] : kFormats[kind];
+}
+
 /// The name of a file with another ending.
 export function withEnding(name: string, ending: string): string {
     return name.replace(/\.[A-Za-z0-9]{1,5}$/, '') + ending;

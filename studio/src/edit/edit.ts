@@ -38,6 +38,16 @@ export function insertEntry(
     { text: nestBlock([...mapPath, key], yaml, true), path: mapPath });
 }
 
+/// Takes an item out of a list and puts it, written as YAML, before what is then the item `to`.
+export function moveItem(
+    listPath: KeyPath, from: number, to: number, yaml: string, label: string,
+): EditResult {
+    return applyPlan((files, decisions) => {
+        const without = withEdits(files, planRemove(files, [...listPath, String(from)], decisions));
+        return withEdits(without, planInsert(without, listPath, to, yaml, decisions));
+    }, label, { text: '', path: listPath });
+}
+
 /// After the last item of any list.
 const kLast = 1_000_000;
 

@@ -69,6 +69,16 @@ function behind(files: readonly SourceFile[], file: SourceFile, tree: Tree): Sou
         .filter((found) => found !== null);
 }
 
+/// Whether the path leads to the shot of a part of a film. The part may be only the name of its file.
+export function isShotOfPart(path: KeyPath): boolean {
+    return path.length === 4 && path[0] === 'film' && path[1] === 'shots' && path[3] === 'shot';
+}
+
+/// Whether the path leads to the key that decides what a part of a film is: it cannot go without it.
+export function isKindOfPart(path: KeyPath): boolean {
+    return isShotOfPart([...path.slice(0, -1), 'shot']) && ['shot', 'title'].includes(path[3] ?? '');
+}
+
 function locateIn(
     files: readonly SourceFile[], file: SourceFile, path: KeyPath, depth: number,
 ): Located | null {
@@ -76,6 +86,9 @@ function locateIn(
     const way = walk(tree, path);
     if (way.rest.length === 0) {
         return { file, tree, path, way };
+    }
+    if (isShotOfPart(path) && way.rest.length === 1 && isScalar(way.steps.at(-1)?.node)) {
+        return locateIn(files, file, path.slice(0, 3), depth);
     }
     if (depth > kDeepest || way.steps.some((step) => isScalar(step.node))) {
         return null;  // something else stands in its place

@@ -1,19 +1,19 @@
 /// Decides where a change is written, and what exactly.
-import { isSeq } from 'yaml';
+import { isScalar, isSeq } from 'yaml';
 import type { KeyPath } from '../protocol';
 import { checked } from './alias_check';
 import { decisionOf, resolveAlias, type Decisions } from './decisions';
 import { EditError } from './edit_error';
 import type { FileEdits, SourceFile, Value } from './edit_types';
 import { after, both, withEdits } from './file_edits';
-import { locate, type Located } from './layers';
+import { isShotOfPart, locate, type Located } from './layers';
 import { filesOfCamera, listAround, takenFrom } from './place';
 import { add, addTo } from './plan_add';
 import { removeAt } from './remove_entry';
 import { setNode } from './set_value';
 import type { TextEdit } from './text_edit';
 import { parseWhole, walk, type Step, type Tree } from './yaml_tree';
-import { writeValue, type NumberStyle } from './write_value';
+import { flowText, writeValue, type NumberStyle } from './write_value';
 
 export type { FileEdits } from './edit_types';
 export { Undecided, type Decisions } from './decisions';
@@ -41,15 +41,11 @@ function setThere(
         (alias) => decisionOf(file, alias, decisions)) };
 }
 
-function planSetUnchecked(
-    all: readonly SourceFile[], path: KeyPath, value: Value, style: NumberStyle,
-    decisions: Decisions,
+/// Sets a value that a file has: there, or over it in the shot.
+function setLocated(
+    all: readonly SourceFile[], files: readonly SourceFile[], located: Located, path: KeyPath,
+    value: Value, style: NumberStyle, decisions: Decisions,
 ): FileEdits {
-    const files = filesOfCamera(all, path);
-    const located = locate(files, path);
-    if (!located) {
-        return add(all, path, writeValue(value, style), decisions);
-    }
     const shot = files[0] as SourceFile;
     const list = located.file === shot ? null : listAround(files, path, located, false);
     if (located.file === shot && (shot === all[0] || shot.writable)) {
@@ -65,6 +61,32 @@ function planSetUnchecked(
         throw takenFrom(located.file, list);
     }
     return addTo({ file: shot, path }, writeValue(value, style), decisions);
+}
+
+/// The name of the shot's file, as it is written, if the path leads into a part of a film that is
+/// only that name; else null. Such a part becomes a map when it gets another key.
+function shotOfPart(files: readonly SourceFile[], path: KeyPath): string | null {
+    const part = path.length === 4 ? path.slice(0, 3) : [];
+    const node = isShotOfPart([...part, 'shot']) ? locate(files, part)?.way.steps.at(-1)?.node : null;
+    const located = isScalar(node) ? locate(files, part) : null;
+    return located && isScalar(node) ? flowText(located.tree, node) : null;
+}
+
+function planSetUnchecked(
+    all: readonly SourceFile[], path: KeyPath, value: Value, style: NumberStyle,
+    decisions: Decisions,
+): FileEdits {
+    const files = filesOfCamera(all, path);
+    const located = locate(files, path);
+    const shot = located ? null : shotOfPart(files, path);
+    if (shot !== null) {
+        const yaml = `{shot: ${shot}, ${path[3] ?? ''}: ${writeValue(value, style)}}`;
+        return planSetUnchecked(all, path.slice(0, 3), { yaml }, { unit: '' }, decisions);
+    }
+    if (!located) {
+        return add(all, path, writeValue(value, style), decisions);
+    }
+    return setLocated(all, files, located, path, value, style, decisions);
 }
 
 /// The same as `[]` instead, if the list would not be empty without the item but that of an included

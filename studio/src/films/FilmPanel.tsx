@@ -3,7 +3,7 @@ import { Dialog, type DialogAction } from '../dialogs/Dialog';
 import { goToFrame } from '../motion/clock';
 import type { FilmState } from '../protocol';
 import { filmThumbnails } from '../state/film_thumbnails';
-import { folderOfFiles, hasErrors, panel, shot, welcome } from '../state/state';
+import { folderOfFiles, hasErrors, isSequence, openFilm, panel, welcome } from '../state/state';
 import { hasUnsaved } from '../start/file_actions';
 import { configFiles } from '../text/complete/config_files';
 import { counted, durationText } from './durations';
@@ -56,9 +56,15 @@ function defaultName(): string {
     return file.replace(/\.ya?ml$/, '');
 }
 
+/// A film of several shots has none of its own.
+function samplesText(samples: number): string {
+    return samples > 0 ? `, ${counted(samples, 'sample')} per pixel` : '';
+}
+
 function Choices() {
     const problem = problemOfChoice();
-    const size = shot.value?.film;
+    const size = openFilm.value;
+    const subject = isSequence.value ? 'film' : 'shot';
     return (
         <>
             <div class="choices">
@@ -73,7 +79,7 @@ function Choices() {
                     <span>Quality</span>
                     <select class="choice" value={choice.quality.value} data-focus
                         onChange={(event) => { choice.quality.value = event.currentTarget.value; }}>
-                        <option value="">As in the shot</option>
+                        <option value="">{isSequence.value ? 'As in the shots' : 'As in the shot'}</option>
                         {presets().map((name) => <option key={name} value={name}>{name}</option>)}
                     </select>
                 </label>
@@ -96,8 +102,8 @@ function Choices() {
             </div>
             <p class="where">
                 {problem || (size && choice.quality.value === ''
-                    ? `The shot has ${size.width} × ${size.height}, ${counted(size.frames, 'frame')}, `
-                        + `${rateText(size.fps)} frames per second, ${counted(size.samples, 'sample')} per pixel.`
+                    ? `The ${subject} has ${size.width} × ${size.height}, ${counted(size.frames, 'frame')}, `
+                        + `${rateText(size.fps)} frames per second${samplesText(size.samples)}.`
                     : `The film is written to ${folderOfFiles.value}; the ending of its name chooses the format.`)}
             </p>
         </>

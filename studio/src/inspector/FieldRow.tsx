@@ -3,7 +3,8 @@
 import { ChevronRight, RotateCcw } from 'lucide-preact';
 import { useState } from 'preact/hooks';
 import { removeValue } from '../edit/edit';
-import { shot } from '../state/state';
+import { isKindOfPart } from '../edit/layers';
+import { sequence, shot } from '../state/state';
 import { showRange } from '../text/show';
 import { HiddenAbout } from './About';
 import { describedBy, kOrigins, rowEvents } from './describe';
@@ -17,7 +18,7 @@ const kBadges = { shot: '', include: 'incl', config: 'conf', set: 'set', absent:
 /// Shows the value in the text, if it stands there.
 function show(field: Field): void {
     const path = field.path.join('/');
-    const places = shot.peek()?.places ?? [];
+    const places = (sequence.peek() ?? shot.peek())?.places ?? [];
     const place = places.find((one) => one.path.join('/') === path)
         ?? places.find((one) => one.path.join('/') === field.path.slice(0, -1).join('/'));
     if (place && field.source) {
@@ -49,7 +50,8 @@ function Origin({ field }: { field: Field }) {
             {badge ? <button type="button" class="badge"
                 title={`From ${kOrigins[field.origin]}: show it in the text`}
                 onClick={() => show(field)}>{badge}</button> : null}
-            {field.origin === 'shot' && !field.info?.isRequired && !/^\d+$/.test(field.path.at(-1) ?? '')
+            {field.origin === 'shot' && !field.info?.isRequired && !isKindOfPart(field.path)
+                && !/^\d+$/.test(field.path.at(-1) ?? '')
                 ? (
                     <button type="button" class="reset" title="Reset to default"
                         aria-label={`Reset ${field.name}`}

@@ -2,8 +2,12 @@ import { signal } from '@preact/signals';
 import { ChevronRight, Search } from 'lucide-preact';
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { schema } from '../schema/schema';
-import { dragging, selection, shot } from '../state/state';
+import { groupsNow } from '../outline/groups_now';
 import { titleOf } from '../outline/outline_groups';
+import { thingOf } from '../outline/thing';
+import { indexOfPart } from '../sequence/parts';
+import { PartTools } from '../sequence/PartTools';
+import { dragging, isSequence, selection, sequence, shot } from '../state/state';
 import type { KeyPath } from '../protocol';
 import { About } from './About';
 import { FieldRow } from './FieldRow';
@@ -14,11 +18,6 @@ import './inspector.css';
 
 const word = signal('');
 const showsMore = signal(true);
-
-/// The selected thing as a whole: of a point of a path its camera.
-function thingOf(chosen: KeyPath): KeyPath {
-    return chosen.slice(0, 2);
-}
 
 /// The fields to show. While something is dragged, or a key is held, a default that gets a value
 /// keeps its place among the defaults: the row stays under the pointer.
@@ -31,6 +30,9 @@ function useFields(path: KeyPath, kind: string | null): { given: Field[]; more: 
     }
     const fields = kind === null ? fieldsOf(all, texts, path)
         : fieldsOfKind(all, texts, path, kind);
+    if (path.join('/') === 'film') {  // its parts are things of their own
+        fields.given = fields.given.filter(({ name }) => name !== 'shots');
+    }
     if (dragging.value) {
         return inPlace(fields, held.current);
     }
@@ -54,6 +56,7 @@ function Values({ path }: { path: KeyPath }) {
     const isThis = (one: { path: KeyPath }) => one.path.join('/') === path.join('/');
     const event = shot.value?.events.find(isThis);
     const annotation = shot.value?.annotations.find(isThis);
+    const part = sequence.value?.parts[indexOfPart(path)];
     // The keys of an event stand below its kind, those of an annotation also beside it.
     const fields = useFields(event ? [...path, event.kind] : path, annotation?.kind ?? null);
     useKeptFocus(list);
@@ -80,6 +83,7 @@ function Values({ path }: { path: KeyPath }) {
         <>
             <div class="list" ref={list}>
                 {event?.kind === 'strike' && !isSearch ? <StrikeTool event={event} /> : null}
+                {part && !isSearch ? <PartTools part={part} /> : null}
                 {rows}
                 {isSearch && shown.length + rest.length === 0 ? <p class="hint">No matches.</p> : null}
             </div>
@@ -95,12 +99,13 @@ export function Inspector() {
         <div class="inspector" role="region" aria-label="Values of the selection">
             {chosen === null
                 ? <p class="hint">
-                    Select a ball, an event, a camera or anything else in the shot to see its values.
+                    {isSequence.value ? 'Select a part of the film to see its values.'
+                        : 'Select a ball, an event, a camera or anything else in the shot to see its values.'}
                 </p>
                 : (
                     <>
                         <header>
-                            <h2 title={chosen.join(' › ')}>{titleOf(thingOf(chosen), shot.value)}</h2>
+                            <h2 title={chosen.join(' › ')}>{titleOf(thingOf(chosen), groupsNow.value)}</h2>
                             <label class="seek">
                                 <Search size={13} aria-hidden="true" />
                                 <input type="search" placeholder="Find a key" aria-label="Find a key"

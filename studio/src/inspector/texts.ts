@@ -1,7 +1,7 @@
 /// The shot's texts as the inspector asks them.
-import { isMap, isSeq } from 'yaml';
+import { isMap, isScalar, isSeq } from 'yaml';
 import { originOf, sourceOf } from '../edit/edit';
-import { locate } from '../edit/layers';
+import { isShotOfPart, locate } from '../edit/layers';
 import type { SourceFile } from '../edit/edit_types';
 import { keyText } from '../edit/yaml_tree';
 import type { KeyPath } from '../protocol';
@@ -16,6 +16,9 @@ function filesNow(): SourceFile[] {
 /// Keys of a map in the file that counts, and those of the files below it.
 function keysIn(files: readonly SourceFile[], path: KeyPath): string[] {
     const keys: string[] = [];
+    if (isShotOfPart([...path, 'shot']) && isScalar(locate(files, path)?.way.steps.at(-1)?.node)) {
+        return ['shot'];
+    }
     for (let first = 0; first < files.length; first += 1) {
         const located = locate(files.slice(first), path);
         if (!located) {

@@ -1,7 +1,7 @@
 /// The motion of the newest version as signals, and the play head: both clocks always agree.
 import { batch, computed } from '@preact/signals';
 import {
-    cameraFrames, filmTime, kTheFilm, lookThrough, sceneTime, shot, timeline,
+    cameraFrames, filmTime, kTheFilm, lookThrough, openFilm, sceneTime, sequence, shot, timeline,
 } from '../state/state';
 import { CameraFramesOf } from './camera_frames';
 import { cameraAt, nearestInstant, sceneTimeAt } from './time_map';
@@ -35,6 +35,9 @@ export const cameraLookedThrough = computed(() => {
 
 /// The film's duration, s; without cameras that of the motion.
 export const filmDuration = computed(() => {
+    if (sequence.value) {
+        return sequence.value.film.duration;
+    }
     const cameras = shot.value?.cameras ?? [];
     const head = timeline.value?.head;
     return cameras.length > 0 ? Math.max(...cameras.map((camera) => camera.video_end))
@@ -56,6 +59,10 @@ export function goToFilmTime(time: number): void {
 /// Puts the play head to a time of the scene, and the film's clock to the nearest instant from the
 /// present one that shows it. If no camera does, to the one that shows the nearest scene time.
 export function goToSceneTime(time: number): void {
+    if (sequence.peek()) {  // has no scene of its own: its clock is that of the film
+        goToFilmTime(time);
+        return;
+    }
     const cameras = shot.peek()?.cameras ?? [];
     const start = timeline.peek()?.head.start ?? 0;
     const end = timeline.peek()?.head.end ?? time;
@@ -69,6 +76,5 @@ export function goToSceneTime(time: number): void {
 
 /// Puts the play head to a frame of the film.
 export function goToFrame(frame: number): void {
-    const fps = shot.peek()?.film.fps ?? 24;
-    goToFilmTime(frame / fps);
+    goToFilmTime(frame / (openFilm.peek()?.fps ?? 24));
 }

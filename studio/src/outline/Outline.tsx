@@ -3,11 +3,13 @@ import { ChevronRight, Copy, Plus, Search, Trash2 } from 'lucide-preact';
 import { useEffect, useRef } from 'preact/hooks';
 import type { KeyPath } from '../protocol';
 import { onCommand } from '../state/keys';
-import { hovered, selection, shot } from '../state/state';
+import { hovered, selection, sequence } from '../state/state';
 import { openMenu } from '../view/menu/menu_state';
 import { bindSelectionCommands, deleteSelected, duplicateSelected, templatesOf } from './commands';
 import { ItemIcon } from './ItemIcon';
-import { matchingGroups, outlineGroups, type OutlineGroup, type OutlineItem } from './outline_groups';
+import { groupsNow } from './groups_now';
+import { matchingGroups, type OutlineGroup, type OutlineItem } from './outline_groups';
+import { isThing } from './thing';
 import './outline.css';
 
 const word = signal('');
@@ -111,7 +113,7 @@ function Group({ group, reached }: { group: OutlineGroup; reached: string }) {
 
 function addMenuOfAll(button: HTMLElement): void {
     const box = button.getBoundingClientRect();
-    const groups = shot.peek() ? outlineGroups(shot.peek() as NonNullable<typeof shot.value>) : [];
+    const groups = groupsNow.peek();
     openMenu({ title: 'Add', x: box.left, y: box.bottom + 4,
         items: () => groups.filter((group) => group.section !== '').flatMap((group) =>
             templatesOf(group.section).map(({ label, run }, i) =>
@@ -121,7 +123,7 @@ function addMenuOfAll(button: HTMLElement): void {
 function Head() {
     const search = useRef<HTMLInputElement>(null);
     useEffect(() => onCommand('search', () => search.current?.focus()), []);
-    const hasThing = (selection.value?.length ?? 0) >= 2;
+    const hasThing = isThing(selection.value);
     return (
         <div class="head">
             <label class="seek">
@@ -129,7 +131,7 @@ function Head() {
                 <input type="search" ref={search} placeholder="Search" aria-label="Search the outline"
                     value={word.value} onInput={(event) => { word.value = event.currentTarget.value; }} />
             </label>
-            <button type="button" title="Add a ball, an event, a camera …" aria-label="Add"
+            <button type="button" title={sequence.value ? 'Add a part' : 'Add a ball, an event, a camera …'} aria-label="Add"
                 aria-haspopup="menu" onClick={(event) => addMenuOfAll(event.currentTarget)}>
                 <Plus size={15} strokeWidth={1.75} aria-hidden="true" />
             </button>
@@ -148,7 +150,7 @@ function Head() {
 /// The list of everything in the shot. Fills its parent.
 export function Outline() {
     useEffect(bindSelectionCommands, []);
-    const groups = shot.value ? matchingGroups(outlineGroups(shot.value), word.value) : [];
+    const groups = matchingGroups(groupsNow.value, word.value);
     const isOpen = (group: OutlineGroup) => !folded.value.has(group.name) || word.value !== '';
     const chosen = groups.filter(isOpen).flatMap((group) => group.items)
         .find((item) => isChosen(item.path));
@@ -156,7 +158,7 @@ export function Outline() {
     return (
         <div class="outline">
             <Head />
-            <div class="tree" role="tree" aria-label="The shot" onKeyDown={onKey}>
+            <div class="tree" role="tree" aria-label={sequence.value ? 'The film' : 'The shot'} onKeyDown={onKey}>
                 {groups.map((group) => <Group key={group.name} group={group} reached={reached} />)}
             </div>
             {groups.length === 0 && word.value !== '' ? <p class="none">No matches.</p> : null}

@@ -4,11 +4,13 @@ import { namesOfSet } from '../edit/ball_names';
 import { filmDuration } from '../motion/clock';
 import type { KeyPath, ShotState } from '../protocol';
 import { onCommand } from '../state/keys';
-import { notice, selection, shot } from '../state/state';
+import { indexOfPart, kParts } from '../sequence/parts';
+import { notice, selection, sequence, shot } from '../state/state';
 import { kNoNames } from '../text/complete/candidates';
 import { snippetsFor } from '../text/complete/snippets';
 import { freeName } from './free_name';
 import { atEnd, lengthOf, originalText } from './original_text';
+import { isThing, thingOf } from './thing';
 
 const kNewCamera = 3; // s
 const kLists = new Set(['events', 'cameras', 'annotations']);
@@ -73,6 +75,9 @@ function newCamera(yaml: string, state: ShotState): string {
 
 /// What can be added to a section of the shot.
 export function templatesOf(section: string): Template[] {
+    if (section === kParts.join('.')) {
+        return partTemplates();
+    }
     const state = shot.peek();
     if (!state) {
         return [];
@@ -98,17 +103,18 @@ export function templatesOf(section: string): Template[] {
 /// The thing that the selection belongs to.
 function chosenThing(): KeyPath | null {
     const path = selection.peek();
-    return path && path.length >= 2 ? path.slice(0, 2) : null;
+    return path && isThing(path) ? thingOf(path) : null;
 }
 
 /// Takes what is selected out of the text: a point of a ramp or of a path, or a whole thing.
 export function deleteSelected(): void {
     const path = selection.peek();
-    if (!path || path.length < 2) {
+    if (!path || !isThing(path)) {
         return;
     }
-    const isPoint = path.length > 2 && /^\d+$/.test(path[path.length - 1] ?? '');
-    const what = isPoint ? path : path.slice(0, 2);
+    const thing = thingOf(path);
+    const isPoint = path.length > thing.length && /^\d+$/.test(path[path.length - 1] ?? '');
+    const what = isPoint ? path : thing;
     if (!sourceOf(what)) {
         notice.value = { kind: 'info',
             text: `'${what.join('.')}' is not in the text: it comes from a rack or a preset.` };
@@ -116,12 +122,46 @@ export function deleteSelected(): void {
     }
     const result = removeValue(what, `Delete ${what[what.length - 1]}`);
     if (result.ok) {
-        selection.value = isPoint ? path.slice(0, 2) : null;
+        selection.value = isPoint ? thing : null;
     }
+}
+
+/// Adds a part to a film of several shots before the one with that index.
+function addPart(index: number, yaml: string, label: string): void {
+    done(insertItem(kParts, index, yaml, label), [...kParts, String(index)]);
+}
+
+function duplicatePart(): void {
+    const path = chosenThing();
+    const text = path ? sourceOf(path)?.text : undefined;
+    if (path && text !== undefined) {
+        addPart(indexOfPart(path) + 1, text, 'Duplicate part');
+    }
+}
+
+/// What can be added to a film of several shots: a card after the selected part, and its shot again.
+function partTemplates(): Template[] {
+    const parts = sequence.peek()?.parts ?? [];
+    const chosen = indexOfPart(selection.peek());
+    const at = chosen < 0 ? parts.length : chosen + 1;
+    const files = [...new Set(parts.flatMap(({ kind, path }) => {
+        const name = kind === 'shot' ? sourceOf([...path, 'shot'])?.text : undefined;
+        return name === undefined ? [] : [name];
+    }))];
+    return [
+        { label: 'title card', about: 'a text for three seconds',
+            run: () => addPart(at, '{title: Title, for: 3 s, fade: 0.5 s}', 'Add title card') },
+        ...files.map((name) => ({ label: `shot ${name}`, about: 'the shot once more',
+            run: () => addPart(at, `{shot: ${name}}`, `Add shot ${name}`) })),
+    ];
 }
 
 /// Adds a copy of the selected thing after it; a camera follows at the end of the film.
 export function duplicateSelected(): void {
+    if (sequence.peek()) {
+        duplicatePart();
+        return;
+    }
     const state = shot.peek();
     const path = chosenThing();
     const [section = '', key = ''] = path ?? [];

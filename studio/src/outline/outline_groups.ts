@@ -1,5 +1,5 @@
 /// The tree of what a shot has, for the outline.
-import type { KeyPath, ShotState } from '../protocol';
+import type { KeyPath, SequenceState, ShotState } from '../protocol';
 import { annotationName, withoutValues } from './annotation_name';
 
 export interface OutlineItem {
@@ -50,6 +50,18 @@ export function outlineGroups(shot: ShotState): OutlineGroup[] {
     ];
 }
 
+/// The groups of a film of several shots.
+export function groupsOfSequence({ film, parts }: SequenceState): OutlineGroup[] {
+    return [
+        { name: 'Parts', section: 'film.shots', items: parts.map(({ name, path, kind, frames }) =>
+            ({ name: name.replace(/\s+/g, ' '), path, kind: kind === 'title' ? 'title' : 'camera',
+                about: `${(frames / film.fps).toFixed(2)} s` })) },
+        { name: 'Settings', section: '', items: [
+            { name: 'Size and rate', path: ['film'], about: '', kind: 'setting' },
+            { name: 'Output', path: ['output'], about: '', kind: 'setting' }] },
+    ];
+}
+
 /// The groups with the items whose name, kind or group contains a word; groups without any are left
 /// out.
 export function matchingGroups(groups: readonly OutlineGroup[], word: string): OutlineGroup[] {
@@ -61,9 +73,8 @@ export function matchingGroups(groups: readonly OutlineGroup[], word: string): O
 }
 
 /// The name of the thing at a path: "cue", "camera slow", "strike cue".
-export function titleOf(path: KeyPath, shot: ShotState | null): string {
+export function titleOf(path: KeyPath, groups: readonly OutlineGroup[]): string {
     const key = path.join('/');
-    const groups = shot ? outlineGroups(shot) : [];
     for (const group of groups) {
         const item = group.items.find((one) => one.path.join('/') === key);
         if (item) {

@@ -2,7 +2,7 @@
 import { signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { templatesOf } from '../outline/commands';
-import { outlineGroups } from '../outline/outline_groups';
+import { groupsNow } from '../outline/groups_now';
 import { isBound, keyWords, kKeyBindings, runCommand, type KeyBinding } from '../state/keys';
 import { fileItems } from '../start/FileMenu';
 import { lookThrough, panel, selection, shot } from '../state/state';
@@ -26,7 +26,7 @@ function allEntries(): Entry[] {
         .filter((one) => one.command !== 'palette' && isBound(one.command as never))
         .map((one): Entry => ({ text: one.about, group: one.group, key: one.keys[0] ?? '',
             run: () => { runCommand(one.command as never); } }));
-    const groups = shot.value ? outlineGroups(shot.value) : [];
+    const groups = groupsNow.value;
     const cameras = (shot.value?.cameras ?? []).map(({ name }): Entry => ({ key: '', group: 'View',
         text: `Look through camera ${name}`, run: () => { lookThrough.value = name; } }));
     const adds = groups.filter(({ section }) => section !== '').flatMap(({ section }) =>

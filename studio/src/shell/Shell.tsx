@@ -5,7 +5,8 @@ import { Outline } from '../outline/Outline';
 import { SceneList } from '../outline/SceneList';
 import { KeysPanel } from '../panels/KeysPanel';
 import { Palette } from '../panels/Palette';
-import { panel } from '../state/state';
+import { SequenceView } from '../sequence/SequenceView';
+import { isSequence, panel } from '../state/state';
 import { TimeStrip } from '../strip/TimeStrip';
 import { TextEditor } from '../text/TextEditor';
 import { View } from '../view/View';
@@ -35,7 +36,7 @@ export function Shell() {
                 </nav>
                 <Splitter area={outlineArea} label="Width of the outline" />
                 <main class="middle">
-                    <div class="fill"><View /><SceneList /></div>
+                    <div class="fill">{isSequence.value ? <SequenceView /> : <><View /><SceneList /></>}</div>
                     <Splitter area={stripArea} label="Height of the time strip" isLevel isAfter />
                     <div class="fixed" style={{ height: strip }}><TimeStrip /></div>
                 </main>

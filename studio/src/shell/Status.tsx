@@ -1,7 +1,7 @@
 /// The line below everything: what happened last, what the server does, and what the film is.
 import { send } from '../connection/socket';
 import {
-    connection, deferred, hasErrors, isDeferred, isStale, notice, problems, shot, timeline,
+    connection, deferred, hasErrors, isDeferred, isStale, notice, openFilm, problems, timeline,
     welcome, work,
 } from '../state/state';
 import { copyShownText } from '../text/copy_text';
@@ -49,7 +49,7 @@ function Simulation() {
 }
 
 function Film() {
-    const film = shot.value?.film;
+    const film = openFilm.value;
     return film ? (
         <span title="The film">
             {film.width} × {film.height}, {film.frames} frames, {Number(film.fps.toFixed(3))} fps

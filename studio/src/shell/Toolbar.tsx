@@ -2,7 +2,7 @@ import {
     CircleHelp, Clapperboard, Map as MapIcon, Moon, PanelLeft, PanelRight, Redo2, Save, Sun, TriangleAlert, Undo2,
     type LucideIcon,
 } from 'lucide-preact';
-import { panel, problems, shot, welcome } from '../state/state';
+import { panel, problems, sequence, shot, welcome } from '../state/state';
 import { openDocuments } from '../documents/documents_state';
 import { film, isMaking } from '../films/film_state';
 import { hintOf } from '../state/keys';
@@ -47,7 +47,7 @@ function filmText(): string {
 
 /// The line of tools above everything.
 export function Toolbar() {
-    const name = shot.value?.name ?? buffers.value[0]?.name ?? 'carom studio';
+    const name = (shot.value ?? sequence.value)?.name ?? buffers.value[0]?.name ?? 'carom studio';
     const isDirty = buffers.value.some((buffer) => buffer.writable && isChanged(buffer));
     const count = problems.value?.list.length ?? 0;
     const first = problems.value?.list[0];

@@ -2,7 +2,7 @@
 /// camera is a step of the browser's history; the time only replaces the last one.
 import { effect } from '@preact/signals';
 import { goToFilmTime } from '../motion/clock';
-import { filmTime, kTheFilm, lookThrough, playing, selection, shot } from './state';
+import { filmTime, kTheFilm, lookThrough, playing, selection, sequence, shot } from './state';
 
 const kFilmInAddress = 'film'; // camera=film: the one that the film shows
 
@@ -71,7 +71,7 @@ export function watchAddress(): () => void {
     let timer = 0;
     const endings = [
         effect(() => {
-            if (!isRestored && shot.value) {
+            if (!isRestored && (shot.value ?? sequence.value)) {
                 isRestored = true;
                 queueMicrotask(restore);
             }

@@ -2,7 +2,7 @@
 /// the inspector read these and write through src/edit.
 import { computed, signal } from '@preact/signals';
 import type {
-    CamerasHead, Deferred, FanHead, KeyPath, OpenFile, PictureHead, Problems, ShotState, Start,
+    CamerasHead, Deferred, FanHead, KeyPath, OpenFile, PictureHead, Problems, SequenceState, ShotState, Start,
     TimelineHead, Triple, Welcome, Work,
 } from '../protocol';
 
@@ -47,8 +47,18 @@ export const files = signal<OpenFile[]>([]);
 export const textVersion = signal(0);
 /// Of the newest version without errors.
 export const shot = signal<ShotState | null>(null);
+/// The same of a film of several shots; then there is no shot.
+export const sequence = signal<SequenceState | null>(null);
 export const timeline = signal<Timeline | null>(null);
 export const cameraFrames = signal<CameraFrames | null>(null);
+/// Whether the open text is a film of several shots, also before the server has read it, and as long
+/// as it has errors.
+export const isSequence = computed(() => sequence.value !== null
+    || (shot.value === null && /^film[ \t]*:/m.test(files.value[0]?.text ?? '')));
+
+/// Size, rate and length of the film that is open.
+export const openFilm = computed(() => sequence.value?.film ?? shot.value?.film ?? null);
+
 /// The answer to the newest question how sure the outcome is; of an older version once the texts
 /// changed.
 export const fan = signal<OutcomeFan | null>(null);
@@ -77,9 +87,8 @@ export const hasErrors = computed(
 );
 
 /// Whether the motion belongs to older texts: it is drawn greyed.
-export const isStale = computed(
-    () => hasErrors.value || (timeline.value?.head.v ?? 0) < textVersion.value,
-);
+export const isStale = computed(() => hasErrors.value
+    || (sequence.value?.v ?? timeline.value?.head.v ?? 0) < textVersion.value);
 
 /// The key path of what is selected: ["balls", "cue"], ["cameras", "0", "position", "bezier", "1"].
 export const selection = signal<KeyPath | null>(null);
@@ -135,5 +144,6 @@ export const isIdle = computed(() => {
         return false;
     }
     const answered = problems.value.v >= textVersion.value;
-    return answered && (hasErrors.value || (timeline.value?.head.v ?? -1) >= textVersion.value);
+    const shown = sequence.value?.v ?? timeline.value?.head.v ?? -1;
+    return answered && (hasErrors.value || shown >= textVersion.value);
 });

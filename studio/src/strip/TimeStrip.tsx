@@ -4,7 +4,10 @@ import { filmDuration, framesOfCameras } from '../motion/clock';
 import { shownTheme } from '../shell/theme';
 import { filmThumbnails } from '../state/film_thumbnails';
 import { bindingOf, keyName, runCommand, type Command } from '../state/keys';
-import { filmTime, isStale, sceneTime, selection, shot, timeline } from '../state/state';
+import { shownPart } from '../sequence/parts';
+import {
+    filmTime, isSequence, isStale, openFilm, sceneTime, selection, sequence, shot, timeline,
+} from '../state/state';
 import { ballSpeeds } from './ball_speeds';
 import { filmClock, sceneClock } from './clock_text';
 import { readColours } from './colours';
@@ -31,6 +34,8 @@ function pictureOf(canvas: HTMLCanvasElement): StripPicture {
     const camera = curveCamera.value;
     return {
         layout: currentLayout.value, colours: readColours(canvas), shot: shot.value,
+        film: openFilm.value, isSequence: isSequence.value, sequence: sequence.value,
+        shownPart: shownPart.value,
         frames: framesOfCameras.value, events: shownEvents.value,
         energy: timeline.value?.head.energy ?? [], balls: ballSpeeds.value.balls,
         fastest: ballSpeeds.value.most, curve: curveName.value, curves: curvePoints.value,
@@ -78,7 +83,8 @@ function keepDrawn(still: HTMLCanvasElement, moving: HTMLCanvasElement): () => v
             if (pen && stripSize.value.width > 0) {
                 pen.clearRect(0, 0, layout.width, layout.height);
                 drawPlayHead(pen, { layout, colours: readColours(moving) },
-                    filmTime.value, sceneTime.value, otherInstants.value);
+                    filmTime.value, isSequence.value ? filmTime.value : sceneTime.value,
+                    otherInstants.value);
             }
         }),
     ];

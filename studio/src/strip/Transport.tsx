@@ -5,7 +5,8 @@ import {
 import { filmCamera, goToFilmTime } from '../motion/clock';
 import { runCommand, type Command } from '../state/keys';
 import { openMenu } from '../view/menu/menu_state';
-import { filmTime, playing, sceneTime, shot } from '../state/state';
+import { shownPart } from '../sequence/parts';
+import { filmTime, isSequence, playing, sceneTime, sequence, shot } from '../state/state';
 import { filmClock, sceneClock, speedText } from './clock_text';
 import { kCurves } from './curves';
 import { otherInstants } from './instants';
@@ -32,6 +33,15 @@ function Step({ icon: Icon, label, command, isPressed }: StepProperties) {
 /// Both clocks: the film's time and frame, the scene's time, and the camera that films it.
 function Clocks() {
     const camera = shot.value?.cameras[filmCamera.value]?.name;
+    const part = sequence.value?.parts[shownPart.value];
+    if (isSequence.value) {
+        return (
+            <div class="clocks">
+                <span>film <b>{filmClock(filmTime.value)}</b> frame <b>{currentFrame()}</b></span>
+                {part ? <span class="part">part <b>{shownPart.value + 1}</b> {part.name}</span> : null}
+            </div>
+        );
+    }
     return (
         <div class="clocks">
             <span>film <b>{filmClock(filmTime.value)}</b> frame <b>{currentFrame()}</b></span>
@@ -85,17 +95,27 @@ function EventFilter() {
     );
 }
 
+function CurveChoice() {
+    return (
+        <select aria-label="Camera curve" value={curveName.value}
+            onChange={(event) => { curveName.value = event.currentTarget.value as CurveName; }}>
+            {kCurves.map(({ name, label }) => <option key={name} value={name}>{label}</option>)}
+        </select>
+    );
+}
+
 /// The buttons of time, the clocks, and what the strip shows.
 export function Transport() {
+    const stop = isSequence.value ? 'part' : 'event';
     return (
         <div class="transport" role="toolbar" aria-label="Time">
             <Step icon={SkipBack} label="To the start (Home)" command="toStart" />
-            <Step icon={ChevronsLeft} label="Previous event ([)" command="eventBack" />
+            <Step icon={ChevronsLeft} label={`Previous ${stop} ([)`} command="eventBack" />
             <Step icon={ChevronLeft} label="One frame back (←)" command="frameBack" />
             <Step icon={playing.value ? Pause : Play} command="play"
                 label={playing.value ? 'Pause (Space)' : 'Play (Space)'} />
             <Step icon={ChevronRight} label="One frame forward (→)" command="frameForward" />
-            <Step icon={ChevronsRight} label="Next event (])" command="eventForward" />
+            <Step icon={ChevronsRight} label={`Next ${stop} (])`} command="eventForward" />
             <Step icon={Repeat} label="Repeat (L)" command="loop" isPressed={loops.value} />
             <select aria-label="Playback speed" value={String(speed.value)}
                 onChange={(event) => { speed.value = Number(event.currentTarget.value); }}>
@@ -106,13 +126,7 @@ export function Transport() {
             <Clocks />
             <Instants />
             <div class="spring" />
-            <EventFilter />
-            <select aria-label="Camera curve" value={curveName.value}
-                onChange={(event) => {
-                    curveName.value = event.currentTarget.value as CurveName;
-                }}>
-                {kCurves.map(({ name, label }) => <option key={name} value={name}>{label}</option>)}
-            </select>
+            {isSequence.value ? null : <><EventFilter /><CurveChoice /></>}
             <Step icon={Maximize2} label="Show all times (Shift+F)" command="fitStrip" />
         </div>
     );

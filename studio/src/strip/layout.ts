@@ -55,6 +55,30 @@ export function layoutOf(
     };
 }
 
+/// The rows for a film of several shots: the parts have all of the height, and there is no scene.
+export function layoutOfParts(width: number, height: number, film: Range, hasFrames: boolean): Layout {
+    const inner = Math.max(40, width - kLabels - kRight);
+    const axis = { ...film, left: kLabels, width: inner };
+    const frames = hasFrames && height > 130 ? kFrames : 0;
+    const top = kRuler + frames;
+    const none = { y: height, height: 0 };
+    return {
+        width, height, filmRuler: { y: 0, height: kRuler }, frames: { y: kRuler, height: frames },
+        clips: { y: top, height: Math.max(30, height - top) },
+        curve: none, map: none, motion: none, events: none, sceneRuler: none, film: axis, scene: axis,
+    };
+}
+
+const kLane = 60; // px, the largest height of a lane
+const kLanesApart = 6;
+
+/// Where parts are drawn: by turns in two lanes, so that those that fade into each other stand one
+/// above the other.
+export function laneOf(row: Row, index: number): Row {
+    const height = Math.min(kLane, (row.height - kLanesApart) / 2);
+    return { y: row.y + kLanesApart / 2 + (index % 2) * height, height: height - 3 };
+}
+
 /// Whether a height belongs to film time (else to scene time); the middle of the map is the border.
 export function isFilmSide(layout: Layout, y: number): boolean {
     return y < layout.map.y + layout.map.height / 2;

@@ -2,7 +2,8 @@
 import { effect, signal } from '@preact/signals';
 import { filmDuration, goToFilmTime, goToFrame, goToSceneTime } from '../motion/clock';
 import { onCommand } from '../state/keys';
-import { filmTime, playing, sceneTime, shot } from '../state/state';
+import { stepParts } from '../sequence/parts';
+import { filmTime, openFilm, playing, sceneTime, sequence } from '../state/state';
 import { currentEvent, fitStrip, shownEvents, visitedEvent } from './strip_state';
 
 /// The speeds of playing, of the film's own.
@@ -75,7 +76,7 @@ export function stopAt(time: number): void {
 
 /// The frame of the film under the play head: the last one that has begun.
 export function currentFrame(): number {
-    const fps = shot.value?.film.fps ?? 24;
+    const fps = openFilm.value?.fps ?? 24;
     return Math.floor(filmTime.value * fps + 1e-6);
 }
 
@@ -83,11 +84,11 @@ export function currentFrame(): number {
 /// direction.
 export function stepFrames(count: number): void {
     playing.value = false;
-    const fps = shot.peek()?.film.fps ?? 24;
+    const fps = openFilm.peek()?.fps ?? 24;
     const frame = filmTime.peek() * fps;
     const whole = Math.abs(frame - Math.round(frame)) < 1e-6 ? Math.round(frame)
         : count > 0 ? Math.floor(frame) : Math.ceil(frame);
-    const last = Math.max(0, (shot.peek()?.film.frames ?? 1) - 1);
+    const last = Math.max(0, (openFilm.peek()?.frames ?? 1) - 1);
     goToFrame(Math.min(Math.max(whole + count, 0), last));
 }
 
@@ -109,9 +110,13 @@ export function nextEvent<T extends { time: number }>(
     return (direction > 0 ? beyond[0] : beyond.at(-1)) ?? null;
 }
 
-/// Stops at the next event of those that are shown.
+/// Stops at the next event of those that are shown, or at the next part of a film of several shots.
 export function stepEvent(direction: number): void {
     playing.value = false;
+    if (sequence.peek()) {
+        stepParts(direction);
+        return;
+    }
     const next = nextEvent(shownEvents.peek(), currentEvent.peek(), sceneTime.peek(), direction);
     if (next) {
         goToSceneTime(next.time);

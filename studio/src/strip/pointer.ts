@@ -1,7 +1,8 @@
 /// What the pointer does on the strip: scrubs, drags handles, zooms, pans.
 import { beginGesture, type Gesture } from '../edit/edit';
 import { goToFilmTime, goToSceneTime } from '../motion/clock';
-import { playing, selection, shot } from '../state/state';
+import { openPart } from '../sequence/parts';
+import { openFilm, playing, selection, sequence, shot } from '../state/state';
 import { timeAt } from './axis';
 import { curveRow, curveScale, heldScale } from './curve_row';
 import { binAt, binsOf } from './event_bins';
@@ -13,6 +14,7 @@ import { isFilmSide, isIn, type Layout } from './layout';
 import { currentLayout } from './layout_now';
 import { addPointAt } from './add_point';
 import { otherInstants } from './instants';
+import { partUnder } from './part_under';
 import { panAxis, zoomAxis } from './ranges';
 import { shownEvents, visitedEvent } from './strip_state';
 import { tipOf, type Tip } from './tips';
@@ -39,13 +41,28 @@ export function handleUnder(layout: Layout, at: Place, isTouch: boolean): Handle
         ? lineAt(layout, state, selectedCamera.peek(), at.x, at.y) : undefined);
 }
 
-/// Selects the camera whose clip is at a place.
-function selectClip(layout: Layout, x: number): void {
-    const time = timeAt(layout.film, x);
+/// Selects the camera whose clip is at a place, or the part of the film.
+function selectClip(layout: Layout, at: Place): void {
+    const part = partUnder(layout, at);
+    if (part) {
+        selection.value = part.path;
+        return;
+    }
+    const time = timeAt(layout.film, at.x);
     const camera = shot.peek()?.cameras.findLast((one) =>
         time >= one.video_start && time < one.video_end);
     if (camera) {
         selection.value = camera.path;
+    }
+}
+
+/// Adds a point to a curve, or opens the shot of a part.
+function doubleClick(layout: Layout, at: Place): void {
+    const part = partUnder(layout, at);
+    if (part) {
+        openPart(part);
+    } else if (!sequence.peek()) {
+        addPointAt(layout, at);
     }
 }
 
@@ -56,7 +73,7 @@ function scrub(layout: Layout, x: number, isFilm: boolean, isFree: boolean): voi
         goToSceneTime(timeAt(layout.scene, x));
         return;
     }
-    const fps = shot.peek()?.film.fps ?? 24;
+    const fps = openFilm.peek()?.fps ?? 24;
     const time = timeAt(layout.film, x);
     goToFilmTime(isFree ? time : Math.round(time * fps) / fps);
 }
@@ -135,7 +152,7 @@ export function watchPointer(
             grab(layout, at, handle);
         } else if (!jump(layout, at)) {
             if (isIn(layout.clips, at.y)) {
-                selectClip(layout, at.x);
+                selectClip(layout, at);
             }
             held = { kind: 'scrub', isFilm };
             scrub(layout, at.x, isFilm, event.altKey);
@@ -192,7 +209,7 @@ export function watchPointer(
         pointerdown: onDown, pointermove: onMove, pointerup: onUp,
         pointercancel: (event: PointerEvent) => { pointers.delete(event.pointerId); letGo(false); },
         pointerleave: () => { activeHandle.value = null; show(null); },
-        dblclick: (event: MouseEvent) => addPointAt(currentLayout.peek(), placeOf(event)),
+        dblclick: (event: MouseEvent) => doubleClick(currentLayout.peek(), placeOf(event)),
         wheel: onWheel, contextmenu: (event: Event) => event.preventDefault(),
     };
     for (const [name, listener] of Object.entries(listeners)) {

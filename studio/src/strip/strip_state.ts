@@ -3,7 +3,7 @@
 import { computed, effect, signal } from '@preact/signals';
 import { filmCamera, filmDuration } from '../motion/clock';
 import type { Camera, TimelineEvent } from '../protocol';
-import { sceneTime, selection, shot, timeline } from '../state/state';
+import { sceneTime, selection, sequence, shot, timeline } from '../state/state';
 import { kept, type Range } from './axis';
 
 export type CurveName = 'speed' | 'fov' | 'focus' | 'aperture';
@@ -98,7 +98,7 @@ export function fitStrip(): void {
 export function fitOnNewShot(): () => void {
     let name: string | null = null;
     return effect(() => {
-        const next = shot.value?.name ?? null;
+        const next = (shot.value ?? sequence.value)?.name ?? null;
         if (next !== name) {
             name = next;
             fitStrip();

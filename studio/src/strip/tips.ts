@@ -1,12 +1,15 @@
 /// The texts beside the pointer.
-import { shot } from '../state/state';
+import type { FilmPart } from '../protocol';
+import { openFilm, sequence, shot } from '../state/state';
 import { timeAt } from './axis';
 import { fastestAt } from './ball_speeds';
-import { sceneClock, speedText } from './clock_text';
+import { filmClock, sceneClock, speedText } from './clock_text';
+import { partAbout } from './draw/parts';
 import { curveName } from './strip_state';
 import { binAt, binsOf } from './event_bins';
 import type { Handle } from './handles/handle';
 import { isIn, type Layout } from './layout';
+import { partUnder } from './part_under';
 import { shownEvents } from './strip_state';
 import { speedAt } from '../motion/time_map';
 
@@ -36,12 +39,21 @@ function clipLines(layout: Layout, x: number): string[] {
         `${camera.video_start.toFixed(2)} s to ${camera.video_end.toFixed(2)} s of the film`] : [];
 }
 
+function partLines(part: FilmPart | undefined): string[] {
+    const fps = openFilm.peek()?.fps ?? 24;
+    return !part ? [] : [part.name.replace(/\s+/g, ' '), partAbout(part, fps),
+        `${filmClock(part.start / fps)} to ${filmClock((part.start + part.frames) / fps)} of the film`,
+        ...part.fade > 0 ? [`appears in ${(part.fade / fps).toFixed(2)} s`] : [],
+        ...part.file !== '' ? ['double-click to open the shot'] : []];
+}
+
 /// The text for a place of the strip; null if there is nothing to say.
 export function tipOf(
     layout: Layout, { x, y }: { x: number; y: number }, handle: Handle | undefined,
 ): Tip | null {
     const lines = handle ? [`${handle.label}: ${handle.text}`,
         handle.remove ? 'drag to move it, Delete to remove it' : 'drag to move it']
+        : sequence.peek() ? partLines(partUnder(layout, { x, y }))
         : isIn(layout.events, y) ? eventLines(layout, x)
             : isIn(layout.motion, y)
                 ? [sceneClock(timeAt(layout.scene, x)), ...fastestAt(timeAt(layout.scene, x), 5)]

@@ -102,13 +102,15 @@ function openView(parent: HTMLElement): () => void {
     attachView(view);
     window.studio['editor'] = { view, marks: () => marksIn(view.state) };
     setShownView(view);
+    const marked = new Set<string>();  // files; a mark in the gutter outlives the text that it was for
     const mark = () => {
         const list = problems.peek()?.list ?? [];
         if (shown) {
             const marks = marksOf(view.state.doc, shown.file, list);
-            if (marks.length > 0 || diagnosticCount(view.state) > 0) {
+            if (marks.length > 0 || marked.has(shown.file) || diagnosticCount(view.state) > 0) {
                 view.dispatch(setDiagnostics(view.state, marks));
             }
+            marked[marks.length > 0 ? 'add' : 'delete'](shown.file);
         }
     };
     const stopFile = effect(() => {

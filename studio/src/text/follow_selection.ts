@@ -6,6 +6,7 @@ import { currentFiles } from '../edit/current_files';
 import { itemEnd, itemStart, keyText, parseTree } from '../edit/yaml_tree';
 import { locate } from '../edit/layers';
 import type { KeyPath } from '../protocol';
+import { isThing, thingOf } from '../outline/thing';
 import { selection } from '../state/state';
 import { activeFile, buffers } from './buffers';
 
@@ -29,7 +30,7 @@ export function pathAt(text: string, offset: number, depth: number): KeyPath {
 
 /// The sections whose entries can be selected.
 const kSelectable = new Set([
-    'balls', 'objects', 'lights', 'materials', 'events', 'cameras', 'annotations',
+    'balls', 'objects', 'lights', 'materials', 'events', 'cameras', 'annotations', 'film',
 ]);
 
 let told: KeyPath | null = null;  // what the cursor selected
@@ -41,8 +42,8 @@ export const selectAtCursor = EditorView.updateListener.of((update) => {
     if (!isUser || !shot || activeFile.peek() !== shot.file) {
         return;
     }
-    const path = pathAt(update.state.doc.toString(), update.state.selection.main.head, 2);
-    if (path.length === 2 && kSelectable.has(path[0] ?? '')) {
+    const path = thingOf(pathAt(update.state.doc.toString(), update.state.selection.main.head, 3));
+    if (isThing(path) && kSelectable.has(path[0] ?? '')) {
         told = path;
         selection.value = path;
     }

@@ -1,5 +1,5 @@
 // Opening every example, one after the other, changes no file and makes none but the cache and the
-// list of recent shots. Of a film of several shots the text and a problem are shown.
+// list of recent shots. Of a film of several shots the text and the parts are shown.
 import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { equal } from './harness.mjs';
@@ -21,8 +21,7 @@ export async function check({ page, folder }) {
         await page.waitForFunction(([file, needsShot]) =>
             window.studio.state.files.value[0]?.file.endsWith(`/${file}`)
             && (needsShot ? window.studio.state.shot.value?.objects.length > 0
-                : window.studio.state.problems.value?.list.some(({ message }) =>
-                    message === 'this is a film of several shots, where a single shot is needed'))
+                : window.studio.state.sequence.value?.parts.length > 0)
             && window.studio.edit.text().length > 0, [name, !isSequence]);
         equal(await page.evaluate(() => window.studio.edit.text()),
             readFileSync(join(folder, 'examples', name), 'utf8'), `the text of ${name}`);

@@ -1,22 +1,7 @@
 // By the keyboard alone: a ball is selected and nudged, struck harder, and the film scrubbed. axe finds
 // no serious or critical fault, in dark and in light.
-import { readFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
-import { fileURLToPath } from 'node:url';
+import { faults } from './axe.mjs';
 import { changedLines, equal, settle, textOf } from './harness.mjs';
-
-const here = dirname(fileURLToPath(import.meta.url));
-const packages = process.env.CAROM_NODE_MODULES || join(here, '../../node_modules');
-const axe = readFileSync(join(packages, 'axe-core/axe.min.js'), 'utf8');
-
-/// The serious and critical faults of the page as it is.
-async function faults(page) {
-    return page.evaluate(async () => {
-        const result = await window.axe.run(document, { resultTypes: ['violations'] });
-        return result.violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')
-            .map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map((one) => one.html.slice(0, 120)).join(' ')}`);
-    });
-}
 
 function focused(page) {
     return page.evaluate(() => {
@@ -118,7 +103,6 @@ export async function check({ page }) {
     await hasFocus(page, 'Resume');
     await page.keyboard.press('Escape');
 
-    await page.evaluate(axe);
     const counts = [];
     for (const theme of ['dark', 'light']) {
         await page.evaluate((one) => { window.studio.state.theme.value = one; }, theme);

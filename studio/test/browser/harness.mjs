@@ -121,6 +121,7 @@ export async function openText({ browser, carom, folder }, name, text, size) {
     try {
         const opened = await open(browser, served.address, size);
         await opened.page.waitForFunction(() => window.studio.state.meshes.value !== null
+            || window.studio.state.sequence.value !== null
             || window.studio.state.problems.value?.list.some(({ severity }) => severity === 'error'));
         return { ...opened, path, end: async () => {
             await opened.page.close();

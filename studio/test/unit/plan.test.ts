@@ -28,6 +28,16 @@ function set(all: SourceFile[], path: string, value: Value, decisions: Decisions
     return made(planSet(all, path.split('.'), value, { unit: '' }, decisions));
 }
 
+test('PlanSet_OfAPartThatIsOnlyAName_MakesItAMap', () => {
+    const film = files('film:\n  shots:\n    - a.yaml  # first\n    - {shot: b.yaml}\n');
+    assert.equal(set(film, 'film.shots.0.from', { yaml: '1 s' }),
+        'a.yaml\nfilm:\n  shots:\n    - {shot: a.yaml, from: 1 s}  # first\n    - {shot: b.yaml}\n');
+    assert.equal(set(film, 'film.shots.0.shot', 'c.yaml'),
+        'a.yaml\nfilm:\n  shots:\n    - c.yaml  # first\n    - {shot: b.yaml}\n');
+    assert.equal(set(film, 'film.shots.1.from', { yaml: '1 s' }),
+        'a.yaml\nfilm:\n  shots:\n    - a.yaml  # first\n    - {shot: b.yaml, from: 1 s}\n');
+});
+
 test('PlanSet_AbsentKeys_AreTheSmallestAddition', () => {
     assert.equal(set(files('balls:\n  cue: {at: [0, 1]}  # c\n'), 'balls.cue.spin', 2),
         'a.yaml\nballs:\n  cue: {at: [0, 1], spin: 2}  # c\n');

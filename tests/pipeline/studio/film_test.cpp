@@ -92,6 +92,62 @@ TEST_F(StudioFilm, Film_IsMadeWithProgressOfAllFrames) {
     }
 }
 
+TEST_F(StudioFilm, FilmOfSeveralShots_IsMadeWithPicturesOfAllFrames) {
+    write_file(path("film.yaml"), R"(carom: 1
+film:
+  shots:
+    - {title: A lesson, for: 0.5 s}
+    - {shot: shot.yaml, to: 0.6 s, fade: 0.2 s}
+    - {shot: shot.yaml, set: {"events[0].strike.speed": 2}}
+output: {preset: ultrafast}
+)");
+    write_file(path("shot.yaml"), shot_text(1));
+    SessionOptions all = options();
+    all.shot = path("film.yaml");
+    all.program = CAROM_PROGRAM;
+    StudioSession::start(std::move(all));
+    constexpr std::size_t kAll = 5 + 6 - 2 + 8;
+    say(StartFilm{});
+    const FilmState begun = wait_for_state("running");
+    EXPECT_EQ(begun.frames, static_cast<std::int64_t>(kAll));
+    EXPECT_EQ(begun.width, 64);
+    const FilmState done = wait_for_state("done");
+    EXPECT_EQ(done.output, path("film.mp4"));
+    EXPECT_EQ(done.finished, done.frames);
+    EXPECT_TRUE(fs::is_regular_file(done.output));
+    for (std::size_t frame = 0; frame < kAll; ++frame) {
+        const auto one = wait_for<FilmFrame>([&](const FilmFrame& told) {
+            return told.frame == static_cast<std::int64_t>(frame) && !told.address.empty();
+        });
+        EXPECT_TRUE(session_->find(one.address)) << "frame " << frame;
+    }
+}
+
+TEST_F(StudioFilm, FilmOfSeveralShots_CannotBePictures) {
+    write_file(path("film.yaml"), "carom: 1\nfilm: {shots: [shot.yaml]}\n");
+    write_file(path("shot.yaml"), shot_text(1));
+    SessionOptions all = options();
+    all.shot = path("film.yaml");
+    all.program = CAROM_PROGRAM;
+    StudioSession::start(std::move(all));
+    say(StartFilm{.output = "frame_####.png"});
+    EXPECT_EQ(wait_for<Failed>().message,
+              "a film of several shots is written as a video, not as pictures");
+}
+
+TEST_F(StudioFilm, ShotWithAMoment_HasPicturesOfItsFrames) {
+    std::string text = shot_text(1);
+    const std::string scene = "scene: [0 s, 0.8 s]";
+    text.replace(text.find(scene), scene.size(), "scene: [{contact: [cue, one]}, 0.8 s]");
+    write_file(path("shot.yaml"), text);
+    SessionOptions all = options();
+    all.program = CAROM_PROGRAM;
+    StudioSession::start(std::move(all));
+    say(StartFilm{.frames = "0-1"});
+    const auto frame = wait_for<FilmFrame>([](const FilmFrame& one) { return one.frame == 1; });
+    EXPECT_NE(frame.address, "");
+}
+
 TEST_F(StudioFilm, SecondFilm_UsesTheFramesOfTheFirst) {
     start_with(1);
     say(StartFilm{.frames = "0-2"});

@@ -9,6 +9,7 @@ import { drawCurves, drawMap } from './curves';
 import { drawFrames } from './frames';
 import { drawHandles } from './handles';
 import { drawEvents, drawMotion } from './motion';
+import { drawParts } from './parts';
 import type { Pen, StripPicture } from './picture';
 import { drawLabels, drawRuler } from './rulers';
 
@@ -38,6 +39,12 @@ export function drawStrip(
     inRow(pen, layout, sceneRuler, () => drawRuler(pen, picture, sceneRuler, layout.scene, true));
     pen.globalAlpha = picture.isStale ? 0.5 : 1;
     inRow(pen, layout, layout.frames, () => drawFrames(pen, picture, onPicture));
+    if (picture.isSequence) {
+        inRow(pen, layout, layout.clips, () => drawParts(pen, picture));
+        pen.globalAlpha = 1;
+        drawHandles(pen, picture);
+        return;
+    }
     inRow(pen, layout, layout.clips, () => drawClips(pen, picture));
     inRow(pen, layout, layout.curve, () => drawCurves(pen, picture));
     inRow(pen, layout, layout.map, () => drawMap(pen, picture));

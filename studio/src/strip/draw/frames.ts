@@ -33,11 +33,11 @@ function nearest(made: ReadonlyMap<number, string>, frame: number, most: number)
 }
 
 export function drawFrames(pen: Pen, picture: StripPicture, onCome: () => void): void {
-    const { layout: { film, frames: row }, colours, shot, thumbnails } = picture;
-    if (row.height === 0 || !shot) {
+    const { layout: { film, frames: row }, colours, thumbnails } = picture;
+    if (row.height === 0 || !picture.film) {
         return;
     }
-    const { fps, width, height, frames } = shot.film;
+    const { fps, width, height, frames } = picture.film;
     const inner = row.height - 7;
     const tile = inner * width / height;
     const first = Math.floor((xOf(film, 0) - film.left) / tile);

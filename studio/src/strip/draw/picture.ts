@@ -1,6 +1,6 @@
 /// All that the strip shows, and how things are drawn on it.
 import type { CameraFramesOf } from '../../motion/camera_frames';
-import type { ShotState, TimelineEvent } from '../../protocol';
+import type { Film, SequenceState, ShotState, TimelineEvent } from '../../protocol';
 import type { BallSpeeds } from '../ball_speeds';
 import type { Colours } from '../colours';
 import type { CurvePoint, CurveScale } from '../curves';
@@ -11,6 +11,10 @@ import type { CurveName } from '../strip_state';
 export interface StripPicture {
     layout: Layout;
     colours: Colours;
+    film: Film | null;
+    isSequence: boolean; // also while it has errors
+    sequence: SequenceState | null;
+    shownPart: number; // index of the part of the sequence at the play head, or -1
     shot: ShotState | null;
     frames: readonly CameraFramesOf[];
     events: readonly TimelineEvent[];

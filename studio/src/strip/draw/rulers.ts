@@ -1,6 +1,6 @@
 /// The two rulers, and the names of the rows.
 import { decimalsOf, ticksOf, xOf, type Axis } from '../axis';
-import { kLabels, type Row } from '../layout';
+import { kLabels, laneOf, type Row } from '../layout';
 import type { Pen, StripPicture } from './picture';
 
 const kTickSpacing = 88;
@@ -27,7 +27,7 @@ export function drawRuler(pen: Pen, picture: StripPicture, row: Row, axis: Axis,
     }
 }
 
-export function drawLabels(pen: Pen, { layout, colours, curve }: StripPicture): void {
+export function drawLabels(pen: Pen, { layout, colours, curve, isSequence }: StripPicture): void {
     pen.font = `11px ${colours.font}`;
     pen.textAlign = 'right';
     pen.textBaseline = 'middle';
@@ -37,12 +37,16 @@ export function drawLabels(pen: Pen, { layout, colours, curve }: StripPicture): 
     };
     const names = { speed: 'Speed', fov: 'View', focus: 'Focus', aperture: 'Aperture' };
     label('Film', layout.filmRuler, colours.soft);
-    label('Cameras', layout.clips);
-    label(names[curve], layout.curve);
-    label('Balls', layout.motion);
     if (layout.frames.height > 0) {
         label('Frames', layout.frames);
     }
+    if (isSequence) {
+        label('Parts', laneOf(layout.clips, 0));
+        return;
+    }
+    label('Cameras', layout.clips);
+    label(names[curve], layout.curve);
+    label('Balls', layout.motion);
     label('Map', layout.map);
     label('Events', layout.events);
     label('Scene', layout.sceneRuler, colours.soft);

@@ -1,7 +1,8 @@
 /// All handles of the strip as it is now.
 import { computed, signal } from '@preact/signals';
 import { framesOfCameras } from '../../motion/clock';
-import { selection, shot } from '../../state/state';
+import { indexOfPart } from '../../sequence/parts';
+import { selection, sequence, shot } from '../../state/state';
 import { xOf } from '../axis';
 import { curveRow, curveScale } from '../curve_row';
 import { currentLayout } from '../layout_now';
@@ -12,6 +13,7 @@ import { eventHandles } from './event_handles';
 import type { Handle } from './handle';
 import { lensHandles } from './lens_handles';
 import { mapHandles } from './map_handles';
+import { partHandles } from './part_handles';
 import { speedHandles } from './speed_handles';
 
 /// The id of the handle under the pointer, or with the focus; null: none.
@@ -26,10 +28,17 @@ function selectedIn(list: string): number {
 /// The index of the selected camera; -1 if none is.
 export const selectedCamera = computed(() => selectedIn('cameras'));
 
+function inSight(handles: readonly Handle[]): readonly Handle[] {
+    return handles.filter(({ time, axis }) => time >= axis.from && time <= axis.to);
+}
+
 /// Where several overlap, the first one counts.
 export const shownHandles = computed<readonly Handle[]>(() => {
     const layout = currentLayout.value;
     const state = shot.value;
+    if (sequence.value && layout.width > 0) {
+        return inSight(partHandles(layout, sequence.value, indexOfPart(selection.value)));
+    }
     if (!state || layout.width === 0) {
         return [];
     }
@@ -37,11 +46,11 @@ export const shownHandles = computed<readonly Handle[]>(() => {
     const index = curveCamera.value ? state.cameras.indexOf(curveCamera.value) : -1;
     const curve = curveName.value === 'speed' ? speedHandles(layout, state, index, row)
         : lensHandles(layout, state, index, curveName.value, row, framesOfCameras.value[index]);
-    return [
+    return inSight([
         ...annotationHandles(layout, state, selectedIn('annotations')),
         ...eventHandles(layout, state), ...curve, ...mapHandles(layout, state),
         ...clipHandles(layout, state, selectedCamera.value),
-    ].filter((handle) => handle.time >= handle.axis.from && handle.time <= handle.axis.to);
+    ]);
 });
 
 /// The handle at a place; `reach` is added to each handle's own, px.

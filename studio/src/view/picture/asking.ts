@@ -2,7 +2,7 @@
 import { batch, effect, signal } from '@preact/signals';
 import { send } from '../../connection/socket';
 import {
-    connection, isStale, picture, pictureAsked, playing, shot, timeline, waitsForButton, welcome,
+    connection, isStale, picture, pictureAsked, playing, sequence, shot, timeline, waitsForButton, welcome,
 } from '../../state/state';
 import { channel, isRefining, shownFrame, shownPicture } from './picture_state';
 import type { Shown } from './question';
@@ -28,7 +28,7 @@ function ask(wanted: Shown | null): void {
     shownFrame.value = wanted?.frame ?? null;
     const isAsked = wanted !== null
         ? send('see', {
-            q: question, v: shot.peek()?.v ?? 0, samples: 0, channel: channel.peek(), ...wanted,
+            q: question, v: (shot.peek() ?? sequence.peek())?.v ?? 0, samples: 0, channel: channel.peek(), ...wanted,
         })
         : send('unsee', {}) && false;
     openQuestion.value = isAsked ? question : 0;
@@ -36,7 +36,8 @@ function ask(wanted: Shown | null): void {
 
 /// Whether the picture belongs to older texts than the motion. The server makes it anew by itself.
 function isBehindMotion(): boolean {
-    return (shownPicture.value?.head.v ?? Infinity) < (timeline.value?.head.v ?? 0);
+    const newest = sequence.value?.v ?? timeline.value?.head.v ?? 0;
+    return (shownPicture.value?.head.v ?? Infinity) < newest;
 }
 
 /// Whether the shown picture is not that of the newest texts.
@@ -52,7 +53,7 @@ function isAwaited(): boolean {
 
 function canAsk(): boolean {
     return isRefining.value && !playing.value && isPageSeen.value && connection.value === 'open'
-        && shot.value !== null;
+        && (shot.value ?? sequence.value) !== null;
 }
 
 /// Keeps `shownPicture` that of what `shown` returns, until the returned function is called.

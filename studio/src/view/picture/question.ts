@@ -6,7 +6,7 @@ import { PerspectiveCamera, Vector3 } from 'three';
 import type { FreeView, See } from '../../protocol';
 
 /// What the view shows: a frame of the film, or a view of its own.
-export type Shown = Pick<See, 'frame' | 'view' | 'width' | 'height'>;
+export type Shown = Pick<See, 'frame' | 'view' | 'width' | 'height'> & { samples?: number };
 
 /// Bounds of the pictures that the page asks for; the film's own frames are not limited by it.
 const kMostPixels = 1_500_000;

@@ -1,6 +1,6 @@
 /// Saves the traced picture that is shown as a PNG, whatever it shows: a frame, a channel, a free view.
 import type { Picture } from '../../state/state';
-import { shot } from '../../state/state';
+import { sequence, shot } from '../../state/state';
 import { channel, shownFrame } from './picture_state';
 
 /// "nine_ball_break_84.png", "nine_ball_break_view_depth.png".
@@ -24,7 +24,7 @@ export function savePicture(picture: Picture): void {
         if (blob) {
             const link = document.createElement('a');
             link.href = URL.createObjectURL(blob);
-            link.download = pictureName(shot.peek()?.name ?? '', shownFrame.peek(), channel.peek());
+            link.download = pictureName((shot.peek() ?? sequence.peek())?.name ?? '', shownFrame.peek(), channel.peek());
             link.click();
             setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
         }
