@@ -3,7 +3,7 @@
 /// that was made, else the name of the part.
 import { effect } from '@preact/signals';
 import { Aperture, Download, FolderOpen } from 'lucide-preact';
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import type { FilmPart } from '../protocol';
 import { onCommand, runCommand } from '../state/keys';
 import { filmThumbnails } from '../state/film_thumbnails';
@@ -39,7 +39,8 @@ function useTracedFrame(): void {
 
 function Traced() {
     const canvas = useRef<HTMLCanvasElement>(null);
-    useEffect(() => effect(() => {
+    // Before the browser paints, so that nobody sees the canvas without the picture.
+    useLayoutEffect(() => effect(() => {
         const [element, picture] = [canvas.current, shownPicture.value];
         if (element && picture) {
             drawOn(element, picture);

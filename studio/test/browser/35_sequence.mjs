@@ -55,6 +55,10 @@ async function picture(page) {
         await page.mouse.click(...await pixelOnStrip(page, 'filmRuler', time, true));
         await page.waitForFunction(() => window.studio.state.pictureAsked.value);
         await settle(page);
+        // The picture is drawn with the next paint.
+        await page.evaluate(() => new Promise((done) => {
+            requestAnimationFrame(() => requestAnimationFrame(done));
+        }));
         return page.evaluate(() => {
             const canvas = document.querySelector('.sequence-view canvas');
             const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
