@@ -21,13 +21,9 @@ namespace carom::sim {
 /// the same ball ends the wait. Call it between two steps of ODE only.
 class BallPlacer {
   public:
-    BallPlacer(const WorldDescription& world, const StaticEnvironment& environment, Balls& balls,
-               SteppedBodies& stepped, Recorder& recorder)
-        : world_(world),
-          environment_(environment),
-          balls_(balls),
-          stepped_(stepped),
-          recorder_(recorder) {}
+    BallPlacer(const WorldDescription& world, Balls& balls, SteppedBodies& stepped,
+               Recorder& recorder)
+        : world_(world), balls_(balls), stepped_(stepped), recorder_(recorder) {}
 
     /// Event `event` of the world puts the ball down, now or later.
     void place(std::size_t event, std::uint32_t ball, double time);
@@ -66,7 +62,6 @@ class BallPlacer {
     [[nodiscard]] std::string never_happened(std::size_t event, const std::string& why) const;
 
     const WorldDescription& world_;
-    const StaticEnvironment& environment_;
     Balls& balls_;
     SteppedBodies& stepped_;
     Recorder& recorder_;

@@ -38,7 +38,7 @@ Scheduler::Scheduler(const WorldDescription& world)
       predictor_(environment_, balls_.all(), stepped_.all()),
       resolver_(environment_, balls_, stepped_, recorder_),
       schedule_(world.events),
-      placer_(world, environment_, balls_, stepped_, recorder_),
+      placer_(world, balls_, stepped_, recorder_),
       respotting_(world, balls_, recorder_, placer_),
       force_applier_(world, environment_, balls_, stepped_, recorder_, placer_),
       path_triggers_(world.events, stepped_.all()) {}
