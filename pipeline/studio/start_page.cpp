@@ -91,8 +91,8 @@ Offered find_offered() {
         }
     }
     // The smallest template first.
-    std::ranges::stable_partition(offered.templates,
-                                  [](const StartFile& one) { return one.name == "empty"; });
+    std::stable_partition(offered.templates.begin(), offered.templates.end(),
+                          [](const StartFile& one) { return one.name == "empty"; });
     return offered;
 }
 

@@ -1,5 +1,6 @@
 // The messages of the studio as JSON, as binary messages and as the page's types.
 #include <array>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 
