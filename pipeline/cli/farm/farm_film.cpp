@@ -160,12 +160,16 @@ std::int64_t FarmFrames::pictures() const {
     return std::ssize(keys);
 }
 
-void FarmFrames::add_missing(const Part& part, std::set<std::int64_t>& missing) const {
+void FarmFrames::look(const Part& part, std::set<Hash128>& pictures,
+                      std::set<std::int64_t>& missing) const {
     const pipeline::FilmPlan& plan = part.plan;
     const pipeline::FrameStore store(folder_);
     std::vector<bool> is_stored;
     for (const pipeline::FilmPlan::Picture& picture : plan.pictures) {
         is_stored.push_back(store.contains(picture.key));
+        if (is_stored.back()) {
+            pictures.insert(picture.key);
+        }
     }
     for (std::size_t i = 0; i < plan.frames.size(); ++i) {
         const pipeline::FilmPlan::Blend* blend = plan.blend_of(i);
@@ -178,14 +182,8 @@ void FarmFrames::add_missing(const Part& part, std::set<std::int64_t>& missing) 
 FarmFrames::Stored FarmFrames::stored() const {
     std::set<std::int64_t> missing;
     std::set<Hash128> pictures;
-    const pipeline::FrameStore store(folder_);
     for (const Part& part : parts_) {
-        add_missing(part, missing);
-        for (const pipeline::FilmPlan::Picture& picture : part.plan.pictures) {
-            if (store.contains(picture.key)) {
-                pictures.insert(picture.key);
-            }
-        }
+        look(part, pictures, missing);
     }
     Stored stored;
     std::ranges::set_difference(frames_, missing, std::back_inserter(stored.frames));

@@ -82,8 +82,9 @@ class FarmFrames {
         pipeline::FilmPlan plan;
         std::int64_t shift = 0;  // from its frames to those of the job
     };
-    /// The frames of a part that are not stored, in the numbers of the job, are added.
-    void add_missing(const Part& part, std::set<std::int64_t>& missing) const;
+    /// Adds the pictures of a part that are stored, and its frames that are not, in the numbers of
+    /// the job.
+    void look(const Part& part, std::set<Hash128>& pictures, std::set<std::int64_t>& missing) const;
 
     std::string folder_;
     std::vector<std::int64_t> frames_;

@@ -1,7 +1,7 @@
 // Annotations: the outline adds one, the inspector changes it, the film view drags a text, the strip
 // drags when it appears; each is one undo.
 import { join } from 'node:path';
-import { changedLines, dragPixels, equal, settle, textOf } from './harness.mjs';
+import { changedLines, dragPixels, equal, settle, textOf, undo } from './harness.mjs';
 import { handleOf, pixelOfHandle } from './strip_harness.mjs';
 
 export const shot = 'thirty_degrees.yaml';
@@ -10,13 +10,6 @@ const choose = (page, path) =>
     page.evaluate((one) => { window.studio.state.selection.value = one; }, path);
 const selected = (page) => page.evaluate(() => window.studio.state.selection.value);
 const annotations = (page) => page.evaluate(() => window.studio.state.shot.value.annotations);
-
-async function undo(page, before, what) {
-    await page.getByRole('slider', { name: 'Play head' }).focus();
-    await page.keyboard.press('Control+z');
-    await settle(page);
-    equal(await textOf(page), before, `the text after one undo of ${what}`);
-}
 
 async function add(page, before) {
     const rows = page.locator('.outline .item');

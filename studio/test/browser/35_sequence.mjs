@@ -2,7 +2,7 @@
 // edited there, one undo each, and the shot of a part is opened.
 import { join } from 'node:path';
 import { faults } from './axe.mjs';
-import { changedLines, dragPixels, equal, settle, textOf } from './harness.mjs';
+import { changedLines, dragPixels, equal, settle, textOf, undo } from './harness.mjs';
 import { handleOf, pixelOfHandle, pixelOnStrip } from './strip_harness.mjs';
 
 export const shot = 'lesson.yaml';
@@ -11,13 +11,6 @@ const parts = (page) => page.evaluate(() => window.studio.state.sequence.value.p
 const selected = (page) => page.evaluate(() => window.studio.state.selection.value);
 const problems = (page) => page.evaluate(() => window.studio.state.problems.value.list);
 const field = (page, name) => page.locator('.inspector').getByLabel(name, { exact: true });
-
-async function undo(page, before, what) {
-    await page.getByRole('slider', { name: 'Play head' }).focus();
-    await page.keyboard.press('Control+z');
-    await settle(page);
-    equal(await textOf(page), before, `the text after one undo of ${what}`);
-}
 
 async function keepPictures(page, name) {
     if (!process.env.CAROM_STUDIO_SHOTS) {

@@ -107,6 +107,14 @@ export function equal(actual, expected, message) {
     }
 }
 
+/// One undo by its key gives the text from before.
+export async function undo(page, before, what) {
+    await page.getByRole('slider', { name: 'Play head' }).focus();
+    await page.keyboard.press('Control+z');
+    await settle(page);
+    equal(await textOf(page), before, `the text after one undo of ${what}`);
+}
+
 /// Tries for three seconds, because a film that is being stopped may still write into the folder.
 export function remove(folder) {
     rmSync(folder, { recursive: true, force: true, maxRetries: 6, retryDelay: 150 });

@@ -57,6 +57,18 @@ class SequenceSession : public StudioSession {
             [this](const Problems& one) { return one.complete && one.v >= version_; });
     }
 
+    /// The sentence of the newest text's only problem, which is at that place.
+    std::string only_problem(const std::string& file, int line) {
+        const Problems found = problems();
+        EXPECT_EQ(found.list.size(), 1U);
+        if (found.list.empty()) {
+            return "";
+        }
+        EXPECT_EQ(found.list[0].place.file, path(file));
+        EXPECT_EQ(found.list[0].place.line, line);
+        return found.list[0].message;
+    }
+
     /// Whether the cameras of a shot were sent.
     bool has_cameras() {
         const std::lock_guard lock(mutex_);
@@ -157,12 +169,8 @@ TEST_F(SequenceSession, MistakeInTheFilm_IsToldAtItsPlace) {
     std::string wrong = kFilm;
     wrong.replace(wrong.find("to: 1.5 s"), 9, "to: 9.5 s");
     type("film.yaml", wrong);
-    const Problems found = problems();
-    ASSERT_EQ(found.list.size(), 1U);
-    EXPECT_EQ(found.list[0].message,
+    EXPECT_EQ(only_problem("film.yaml", 5),
               "the film of 'parts/short.yaml' ends at 2 s, before this part does");
-    EXPECT_EQ(found.list[0].place.file, path("film.yaml"));
-    EXPECT_EQ(found.list[0].place.line, 5);
 }
 
 TEST_F(SequenceSession, ValueThatTheShotDoesNotHave_IsToldAtThePart) {
@@ -170,11 +178,7 @@ TEST_F(SequenceSession, ValueThatTheShotDoesNotHave_IsToldAtThePart) {
     std::string wrong = kFilm;
     wrong.replace(wrong.find("from: 0.5 s"), 11, "set: {render.oak: 3}");
     type("film.yaml", wrong);
-    const Problems found = problems();
-    ASSERT_EQ(found.list.size(), 1U);
-    EXPECT_THAT(found.list[0].message, HasSubstr("oak"));
-    EXPECT_EQ(found.list[0].place.file, path("film.yaml"));
-    EXPECT_EQ(found.list[0].place.line, 5);
+    EXPECT_THAT(only_problem("film.yaml", 5), HasSubstr("oak"));
 }
 
 TEST_F(SequenceSession, ShotOutsideOfTheRoot_IsNotRead) {
