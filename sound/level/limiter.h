@@ -20,7 +20,7 @@ class Limiter {
     /// Samples of look-ahead: 1.5 ms.
     static constexpr std::size_t kLookAhead = 72;
     /// Samples by which the result is later than what comes in.
-    static constexpr std::size_t kDelay = kLookAhead + PeakInterpolator::kDelay + 1;
+    static constexpr std::size_t kDelay = kLookAhead + PeakInterpolator::kDelay;
 
     /// Replaces the samples of both channels, of the same size, by the result, whose first kDelay
     /// samples are silent. In order of time, in blocks of any size.
@@ -34,13 +34,12 @@ class Limiter {
 
     double ceiling_;
     PeakInterpolator left_peak_, right_peak_;
-    std::array<double, kDelay> left_{}, right_{};  // samples on their way, in a ring
+    std::array<double, kDelay> left_{}, right_{};  // samples on their way, in rings
     std::size_t oldest_ = 0;
-    double last_peak_ = 0;
-    // The factors that the next samples need, and the released ones, in rings of one window each.
+    double last_peak_ = 0;  // of the previous distance between two samples
+    // The factors that the latest samples need, and those after the release, in rings.
     std::array<double, kLookAhead + 1> needed_{}, released_{};
     std::size_t at_ = 0;
-    double recovering_ = 1;
     double lowest_ = 1;
 };
 

@@ -20,7 +20,8 @@ class PeakInterpolator {
     /// the one after it. Samples before the first are 0.
     double push(double sample);
 
-    /// The same, but returns 0 without computing it if it cannot be above `least`.
+    /// The same, but may return 0, quickly, if the value is not above `least`, which must not
+    /// fall from call to call.
     double push_above(double sample, double least);
 
   private:
@@ -29,6 +30,7 @@ class PeakInterpolator {
 
     std::array<double, 2 * kTaps> window_{};  // the last kTaps samples, twice, so that they adjoin
     std::size_t next_ = 0;
+    std::size_t loud_for_ = 0;  // pushes for which a loud sample is in the window
 };
 
 /// Meters the true peak of one channel.
