@@ -115,7 +115,8 @@ struct Passage {
 struct RoomSettings {
     enum class Kind { none, box, outdoors };
     Kind kind = Kind::box;
-    Vec3 size{8, 6, 2.8};            // m
+    Vec3 size{8, 6, 2.8};            // m, along the axes
+    Vec3 floor_centre{0, 0, -0.8};   // m, the middle of the floor (or the ground outdoors)
     double reverberation_low = 0.6;  // s to -60 dB, at low frequencies
     double reverberation_high = 0.35;
 

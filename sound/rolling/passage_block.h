@@ -1,0 +1,29 @@
+// What a passage of a film does during a block of samples, computed once for all that rolls.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sound/sound_scene.h"
+
+namespace carom::sound {
+
+/// How fast a sound plays while the film runs at `speed` (scene seconds per film second):
+/// |speed|^pitch, at least `lowest` and at most 2; the default follows the picture down to an
+/// eighth.
+[[nodiscard]] double playing_speed(double speed, const PassageSettings& settings);
+
+struct PassageBlock {
+    /// The samples `first` to `first` + `count` - 1 of the film, at kSampleRate. They may lie a
+    /// little outside of the passage.
+    PassageBlock(const Passage& passage, std::int64_t first, std::size_t count);
+
+    std::int64_t first = 0;
+    std::vector<double> scene_time;  // s, of each sample
+    std::vector<double> speed;       // playing_speed(); 0 where the picture stands still
+    std::vector<double> ratio;       // speed / |film's speed|: 1 if the pitch follows the picture
+};
+
+}  // namespace carom::sound
