@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include "core/assert.h"
@@ -235,12 +236,6 @@ struct Pair {
     std::vector<Stretch> stretches;
 };
 
-const SoundBody* body_of_name(const SoundShot& shot, const std::string& name) {
-    const auto found = std::find_if(shot.bodies.begin(), shot.bodies.end(),
-                                    [&](const SoundBody& body) { return body.name == name; });
-    return found == shot.bodies.end() ? nullptr : &*found;
-}
-
 /// Adds a stretch to those of a pair, which are in order of their beginnings. Where two contacts
 /// of one pair overlap, the later one goes on alone.
 void add_stretch(std::vector<Stretch>& stretches, const Stretch& stretch) {
@@ -273,8 +268,13 @@ std::vector<RollingSource> rolling_sources(const SoundShot& shot) {
     }
     std::vector<std::pair<std::string, std::string>> order;
     std::map<std::pair<std::string, std::string>, Pair> pairs;
+    std::map<std::string_view, const SoundBody*> bodies;
+    for (const SoundBody& body : shot.bodies) {
+        bodies.emplace(body.name, &body);
+    }
     for (const sim::LastingContact& contact : shot.timeline->lasting_contacts) {
-        const SoundBody* body = body_of_name(shot, contact.a);
+        const auto found = bodies.find(contact.a);
+        const SoundBody* body = found == bodies.end() ? nullptr : found->second;
         const bool is_rolling = body != nullptr && std::holds_alternative<BallShape>(body->shape) &&
                                 (contact.b == "cloth" || contact.b == "floor");
         const bool is_heard = scraping_pressure(contact.slip, contact.normal_force) > 0;
