@@ -24,6 +24,10 @@ struct PassageBlock {
     std::vector<double> scene_time;  // s, of each sample
     std::vector<double> speed;       // playing_speed(); 0 where the picture stands still
     std::vector<double> ratio;       // speed / |film's speed|: 1 if the pitch follows the picture
+    /// The factor with which lasting sounds are heard: 1, but below a hundredth of the normal speed
+    /// it falls to 0 with the film's speed (tuned), so that they end where the picture stops,
+    /// though the pitch goes no lower.
+    std::vector<double> presence;
 };
 
 }  // namespace carom::sound

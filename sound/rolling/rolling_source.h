@@ -15,23 +15,17 @@
 
 namespace carom::sound {
 
-/// A source of lasting sound. Its pressure is a surface's texture, read out along the way of the
-/// contact: a function of scene time, which therefore plays at any speed, backwards and from any
-/// instant. If the picture stands still, so does the way, and the source is silent.
+/// A source of lasting sound. Its pressure is a surface's texture (texture.h), read out along the
+/// way of the contact: a function of scene time, which therefore plays at any speed, backwards and
+/// from any instant. Where the picture stands still, so does the way, and the source is silent. As
+/// for impacts, a picture at another speed changes the pitch and not the pressure. How loud it is
+/// says rolling_level.h.
 ///
-/// Balls: with the speed v of the centre, the root mean square of the pressure at 1 m is
-/// 40 dB + 9 dB log2(v / 1 m/s) (tuned: no measured level of a ball on cloth was found). While the
-/// ball slides, the slip speed |v + w x r| of its lowest point adds a second read-out, 3 dB
-/// stronger. Both end where the log has the ball airborne, resting, potted or off the table.
-///
-/// Lasting contacts of the timeline: rms pressure at 1 m = 45 dB at 1 N and 0.1 m/s, times
-/// (slip / 0.1 m/s)^(3/4) sqrt(force / 1 N). The exponent of the speed is that which Dang,
-/// Perret-Liaudet, Scheibert and Le Bot found for the noise of rough surfaces ("Influence of
-/// sliding speed on roughness noise", 2019); the power is proportional to the force as it is to the
-/// area of contact in the first regime of Le Bot, Bou Chakra and Michon (2011), "Dissipation of
-/// vibration in rough contact", Tribology Letters 41, section 2. The level is tuned.
-///
-/// Slower than 20 mm/s (scraping: 2 mm/s) there is no sound.
+/// Balls on cloth: one read-out along the way of the centre, and one along that of the lowest point
+/// over the cloth (the slip). Lasting contacts of the timeline: one read-out along their slip, with
+/// cloth as the texture if one of both is cloth or a cushion. Contacts of balls with cloth or floor
+/// are left out, because that is the former. A stretch of contact fades in and out within 5 ms of
+/// the scene, but not within more than a quarter of its duration.
 class RollingSource {
   public:
     ~RollingSource();
