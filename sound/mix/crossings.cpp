@@ -7,8 +7,6 @@
 namespace carom::sound {
 namespace {
 
-constexpr double kExact = 2.5e-13;  // s
-
 /// The first film time of [low, high) at which the passage has reached a scene time. Requires that
 /// it has not at `low`, unless that is the passage's beginning, and has at `high`.
 double bisect(const Passage& passage, double scene_time, bool is_rising, double low, double high) {
@@ -19,14 +17,13 @@ double bisect(const Passage& passage, double scene_time, bool is_rising, double 
     if (has_reached(low)) {
         return low;
     }
-    while (high - low > kExact) {
+    for (;;) {
         const double middle = low + (high - low) / 2;
         if (middle <= low || middle >= high) {
-            break;
+            return high;
         }
         (has_reached(middle) ? high : low) = middle;
     }
-    return std::min(high, passage.to);
 }
 
 bool shows(double first, double last, double scene_time) {

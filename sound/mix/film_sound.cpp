@@ -23,59 +23,21 @@ constexpr double kEndFade = 240;         // samples, 5 ms
 
 using Block = std::array<double, kBlock>;
 
-/// What the first pass keeps of a film.
-struct Measured {
-    double true_peak = 0;  // Pa
-    double loudness = 0;   // LUFS, with kLeastFullScale
-};
-
-class Measurement {
-  public:
-    explicit Measurement(bool measures_loudness) : measures_loudness_(measures_loudness) {}
-
-    void add(std::span<const double> left, std::span<const double> right) {
-        if (!measures_loudness_) {
-            left_.add(left);
-            right_.add(right);
-            return;
-        }
-        Block scaled_left;
-        Block scaled_right;
-        for (std::size_t n = 0; n < left.size(); ++n) {
-            scaled_left[n] = left[n] / kLeastFullScale;
-            scaled_right[n] = right[n] / kLeastFullScale;
-        }
-        meter_.add(std::span(scaled_left).first(left.size()),
-                   std::span(scaled_right).first(left.size()));
-    }
-
-    [[nodiscard]] Measured result() const {
-        if (!measures_loudness_) {
-            return {std::max(left_.peak(), right_.peak()), 0};
-        }
-        return {meter_.true_peak() * kLeastFullScale, meter_.integrated()};
-    }
-
-  private:
-    bool measures_loudness_;
-    TruePeakMeter left_, right_;
-    LoudnessMeter meter_;
-};
-
-Measured measure(const SoundScene& scene, const FilmSoundOptions& options,
-                 const WorkContext& context) {
+/// Mixes the whole film, Pa, and hands each block to `sink`.
+template <class Sink>
+void mix_all(const SoundScene& scene, const FilmSoundOptions& options, const WorkContext& context,
+             const Sink& sink) {
     FilmMix mix(scene, options.only);
-    Measurement measurement(scene.loudness.has_value());
-    for (std::int64_t frame = 0; frame < scene.frames; frame += static_cast<std::int64_t>(kBlock)) {
+    constexpr auto kSamples = static_cast<std::int64_t>(kBlock);
+    for (std::int64_t frame = 0; frame < scene.frames; frame += kSamples) {
         if (context.stop.stop_requested()) {
             throw Stopped();
         }
         Block left{};
         Block right{};
         mix.add_block(left, right);
-        const auto count = static_cast<std::size_t>(
-            std::min<std::int64_t>(scene.frames - frame, static_cast<std::int64_t>(kBlock)));
-        measurement.add(std::span(left).first(count), std::span(right).first(count));
+        const auto count = static_cast<std::size_t>(std::min(scene.frames - frame, kSamples));
+        sink(std::span(left).first(count), std::span(right).first(count));
         if (context.progress) {
             context.progress(static_cast<double>(frame) / static_cast<double>(scene.frames));
         }
@@ -83,18 +45,59 @@ Measured measure(const SoundScene& scene, const FilmSoundOptions& options,
     if (context.progress) {
         context.progress(1);
     }
-    return measurement.result();
 }
 
-/// The pressure of a sample of 1, rounded to a hundredth of a decibel: upwards, so that the peak
-/// stays below its limit.
-double found_full_scale(const SoundScene& scene, const Measured& measured) {
-    const auto rounded = [](double level) { return pressure_of(std::ceil(level * 100) / 100); };
-    if (scene.loudness && std::isfinite(measured.loudness)) {
-        return rounded(level_of(kLeastFullScale) + measured.loudness - *scene.loudness);
+/// The pressure of a level (dB), which is rounded upwards to a hundredth: the peak stays below its
+/// limit.
+double rounded_pressure(double level) {
+    return pressure_of(std::ceil(level * 100) / 100);
+}
+
+double full_scale_for_peak(const SoundScene& scene, const FilmSoundOptions& options,
+                           const WorkContext& context) {
+    TruePeakMeter left_meter;
+    TruePeakMeter right_meter;
+    mix_all(scene, options, context, [&](std::span<double> left, std::span<double> right) {
+        left_meter.add(left);
+        right_meter.add(right);
+    });
+    const double peak =
+        std::max(left_meter.peak(), right_meter.peak()) / factor_of(kHighestTruePeak);
+    return peak > kLeastFullScale ? rounded_pressure(level_of(peak)) : kLeastFullScale;
+}
+
+/// The meter leaves out what is below -70 LUFS, so its result depends on the full scale that it
+/// measures with. The second measurement uses what the first has found.
+double full_scale_for_loudness(const SoundScene& scene, const FilmSoundOptions& options,
+                               const WorkContext& context) {
+    double full_scale = kLeastFullScale;
+    for (int pass = 0; pass < 2; ++pass) {
+        LoudnessMeter meter;
+        WorkContext part = context;
+        if (context.progress) {
+            part.progress = [&context, pass](double done) { context.progress((pass + done) / 2); };
+        }
+        mix_all(scene, options, part, [&](std::span<double> left, std::span<double> right) {
+            for (const std::span<double> channel : {left, right}) {
+                std::ranges::transform(channel, channel.begin(),
+                                       [full_scale](double x) { return x / full_scale; });
+            }
+            meter.add(left, right);
+        });
+        if (std::isfinite(meter.integrated())) {
+            full_scale =
+                rounded_pressure(level_of(full_scale) + meter.integrated() - *scene.loudness);
+        }
     }
-    const double peak = measured.true_peak / factor_of(kHighestTruePeak);
-    return peak > kLeastFullScale ? rounded(level_of(peak)) : kLeastFullScale;
+    return full_scale;
+}
+
+double full_scale_of(const SoundScene& scene, const FilmSoundOptions& options,
+                     const WorkContext& context) {
+    if (scene.loudness) {
+        return full_scale_for_loudness(scene, options, context);
+    }
+    return scene.full_scale ? *scene.full_scale : full_scale_for_peak(scene, options, context);
 }
 
 }  // namespace
@@ -103,9 +106,7 @@ class FilmSound::Implementation {
   public:
     Implementation(SoundScene scene, const FilmSoundOptions& options, const WorkContext& context)
         : scene_(std::move(scene)),
-          full_scale_(scene_.full_scale && !scene_.loudness
-                          ? *scene_.full_scale
-                          : found_full_scale(scene_, measure(scene_, options, context))),
+          full_scale_(full_scale_of(scene_, options, context)),
           mix_(scene_, options.only) {
         if (scene_.loudness) {
             limiter_.emplace(factor_of(kHighestTruePeak));
