@@ -131,7 +131,8 @@ class RollingSource::Implementation {
     const Vec3 resting_place;
 
     [[nodiscard]] bool sounds(double from, double to) const {
-        const auto [first, last] = std::minmax(from, to);
+        const double first = std::min(from, to);
+        const double last = std::max(from, to);
         const auto next = std::partition_point(stretches_.begin(), stretches_.end(),
                                                [&](const Stretch& s) { return s.to <= first; });
         return next != stretches_.end() && next->from <= last;
