@@ -26,13 +26,12 @@ Limiter::Limiter(double ceiling) : ceiling_(ceiling) {
 /// `peak`: between the sample of this call and the next one. Returns the factor of the sample that
 /// is kLookAhead older. With needed[n] = ceiling / peak at the sample n, the factors before release
 /// are the minima of needed[n .. n + kLookAhead], and the result is the mean of the last
-/// kLookAhead + 1 of those: each of them contains needed[n], so the mean is not above it.
+/// kLookAhead + 1 of those: each of them contains needed[n], so the mean is not above it. The
+/// sample after the peak has nearly the same factor, because the recovery is slow.
 double Limiter::factor_for(double peak) {
-    const double around = std::max(last_peak_, peak);
-    last_peak_ = peak;
     const double latest = released_[at_];
     at_ = at_ + 1 == needed_.size() ? 0 : at_ + 1;
-    needed_[at_] = around > ceiling_ * kMargin ? ceiling_ * kMargin / around : 1;
+    needed_[at_] = peak > ceiling_ * kMargin ? ceiling_ * kMargin / peak : 1;
     const double least = *std::min_element(needed_.begin(), needed_.end());
     released_[at_] = std::min(least, latest + (1 - latest) * kRecovery);
     const double sum = std::accumulate(released_.begin(), released_.end(), 0.0);

@@ -36,7 +36,6 @@ class Limiter {
     PeakInterpolator left_peak_, right_peak_;
     std::array<double, kDelay> left_{}, right_{};  // samples on their way, in rings
     std::size_t oldest_ = 0;
-    double last_peak_ = 0;  // of the previous distance between two samples
     // The factors that the latest samples need, and those after the release, in rings.
     std::array<double, kLookAhead + 1> needed_{}, released_{};
     std::size_t at_ = 0;

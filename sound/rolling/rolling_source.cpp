@@ -34,17 +34,19 @@ class ReadOut {
     void set_way(Way way, double offset) {
         way_ = std::move(way);
         offset_ = offset;
+        piece_ = kNoPiece;
         begin();
     }
 
     void begin() { has_last_ = false; }
 
-    [[nodiscard]] WayPoint point(double time) { return way_.at(time); }
+    /// The speed of the way, m/s.
+    [[nodiscard]] double speed_at(double time) { return way_.speed(way_.at(time)); }
 
     /// The place that is read is the integral of `ratio` over the way. In parts,
     ///     int r dx = r x - int x dr,
     /// it depends on the time alone where the ratio is constant.
-    double at(double time, double speed, double ratio) {
+    double at(double time, double playing_speed, double ratio) {
         const WayPoint point = way_.at(time);
         if (has_last_) {
             shift_ += (point.way + last_way_) / 2 * (ratio - last_ratio_);
@@ -54,14 +56,41 @@ class ReadOut {
         }
         last_way_ = point.way;
         last_ratio_ = ratio;
-        if (point.strength == 0) {
+        if (point.stands) {
             return 0;
         }
-        return point.strength *
-               reader_.at(offset_ + ratio * point.way - shift_, speed * point.speed);
+        if (point.piece != piece_ || playing_speed != playing_speed_) {
+            enter_piece(point.piece, playing_speed);
+        }
+        return is_silent_ ? 0
+                          : reader_.at(offset_ + ratio * point.way - shift_, first_weights_,
+                                       last_weights_, point.part);
     }
 
   private:
+    /// Between the ends of a piece, weights times strengths are linear: a function of scene time
+    /// and playing speed alone.
+    void enter_piece(std::size_t piece, double playing_speed) {
+        const WayEnds& ends = way_.ends(piece);
+        piece_ = piece;
+        playing_speed_ = playing_speed;
+        is_silent_ = ends.strengths[0] == 0 && ends.strengths[1] == 0;
+        if (!is_silent_) {
+            first_weights_ = scaled(ends.speeds[0] * playing_speed, ends.strengths[0]);
+            last_weights_ = scaled(ends.speeds[1] * playing_speed, ends.strengths[1]);
+        }
+    }
+
+    [[nodiscard]] TextureReader::Weights scaled(double speed, double strength) const {
+        TextureReader::Weights weights = reader_.weights(speed);
+        for (double& weight : weights) {
+            weight *= strength;
+        }
+        return weights;
+    }
+
+    static constexpr auto kNoPiece = static_cast<std::size_t>(-1);
+
     TextureReader reader_;
     Way way_;
     double offset_ = 0;  // m
@@ -69,6 +98,11 @@ class ReadOut {
     double last_way_ = 0;
     double last_ratio_ = 1;
     double shift_ = 0;  // int x dr since begin()
+    // Of the present piece and playing speed.
+    std::size_t piece_ = kNoPiece;
+    double playing_speed_ = 0;
+    bool is_silent_ = true;
+    TextureReader::Weights first_weights_{}, last_weights_{};
 };
 
 /// The factor with which a stretch fades in and out.
@@ -97,7 +131,8 @@ class RollingSource::Implementation {
     const Vec3 resting_place;
 
     [[nodiscard]] bool sounds(double from, double to) const {
-        const auto [first, last] = std::minmax(from, to);
+        const double first = std::min(from, to);
+        const double last = std::max(from, to);
         const auto next = std::partition_point(stretches_.begin(), stretches_.end(),
                                                [&](const Stretch& s) { return s.to <= first; });
         return next != stretches_.end() && next->from <= last;
@@ -111,8 +146,8 @@ class RollingSource::Implementation {
         if (stretch->force > 0) {
             return fade_of(*stretch, time) * scraping_pressure(stretch->slip, stretch->force);
         }
-        const double rolled = rolling_pressure(rolled_.point(time).speed);
-        const double slid = sliding_pressure(slid_.point(time).speed);
+        const double rolled = rolling_pressure(rolled_.speed_at(time));
+        const double slid = sliding_pressure(slid_.speed_at(time));
         return fade_of(*stretch, time) * std::sqrt(rolled * rolled + slid * slid);
     }
 

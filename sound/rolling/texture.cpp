@@ -27,11 +27,11 @@ TextureReader::TextureReader(std::uint64_t seed, const Texture& texture) {
         seeds_[i] = split_mix(seed + (i + 1) * kSplitMixStep);
         per_length_[i] = 1 / length;
         const double ka = 2 * std::numbers::pi / length * texture.contact_radius;
-        weights_[i] = std::sqrt(1 / (1 + std::numbers::pi / 4 * ka * ka * ka)) / length;
-        sum += weights_[i] * weights_[i];
+        unfiltered_[i] = std::sqrt(1 / (1 + std::numbers::pi / 4 * ka * ka * ka)) / length;
+        sum += unfiltered_[i] * unfiltered_[i];
     }
     for (std::size_t i = 0; i < kOctaves; ++i) {
-        weights_[i] /= std::sqrt(sum);
+        unfiltered_[i] /= std::sqrt(sum);
         enter_cell(i, 0);
     }
 }
@@ -49,26 +49,35 @@ void TextureReader::enter_cell(std::size_t octave, double cell) {
     c2_[octave] = (g[3] - g[0] + 3 * (g[1] - g[2])) / 2;
 }
 
-TextureReader::Lanes TextureReader::gains(double speed) const {
-    Lanes gains{};
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const double rate = speed * per_length_[i];
-        const double frequency2 = rate * rate / 9;
-        const double fade = (kLeftOutFrom - rate) * (1 / (kLeftOutFrom - kFadesFrom));
-        gains[i] = weights_[i] * std::min(std::max(fade, 0.0), 1.0) * frequency2 /
-                   (frequency2 + kLowest * kLowest);
+TextureReader::Weights TextureReader::weights(double speed) const {
+    Weights weights{};
+    for (std::size_t i = 0; i < kOctaves; ++i) {
+        const double rate = speed * per_length_[i];  // cells per s
+        const double rate2 = rate * rate;
+        const double fade = (kLeftOutFrom - rate) / (kLeftOutFrom - kFadesFrom);
+        weights[i] =
+            unfiltered_[i] * std::clamp(fade, 0.0, 1.0) * (rate2 / (rate2 + 9 * kLowest * kLowest));
     }
-    return gains;
+    return weights;
 }
 
-double TextureReader::at(double way, double speed) {
-    Lanes place{};
-    bool is_inside = true;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        place[i] = way * per_length_[i] - cells_[i];
-        is_inside = is_inside && place[i] >= 0 && place[i] < 1;
+double TextureReader::strength(double speed) const {
+    double sum = 0;
+    for (const double weight : weights(speed)) {
+        sum += weight * weight;
     }
-    if (!is_inside) {
+    return std::sqrt(sum);
+}
+
+// Written for vectors: no branches in the loops, and a sum in pairs.
+double TextureReader::at(double way, const Weights& first, const Weights& last, double part) {
+    Weights place{};
+    int outside = 0;
+    for (std::size_t i = 0; i < place.size(); ++i) {
+        place[i] = way * per_length_[i] - cells_[i];
+        outside |= static_cast<int>(place[i] < 0) | static_cast<int>(place[i] >= 1);
+    }
+    if (outside != 0) {
         for (std::size_t i = 0; i < kOctaves; ++i) {
             if (!(place[i] >= 0 && place[i] < 1)) {
                 enter_cell(i, std::floor(way * per_length_[i]));
@@ -76,21 +85,13 @@ double TextureReader::at(double way, double speed) {
             }
         }
     }
-    const Lanes gain = gains(speed);
-    Lanes values{};
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        values[i] = gain[i] * (c0_[i] + place[i] * (c1_[i] + place[i] * c2_[i]));
+    Weights values{};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double weight = first[i] + part * (last[i] - first[i]);
+        values[i] = weight * (c0_[i] + place[i] * (c1_[i] + place[i] * c2_[i]));
     }
     return ((values[0] + values[4]) + (values[1] + values[5])) +
            ((values[2] + values[6]) + (values[3] + values[7]));
-}
-
-double TextureReader::strength(double speed) const {
-    double sum = 0;
-    for (const double gain : gains(speed)) {
-        sum += gain * gain;
-    }
-    return std::sqrt(sum);
 }
 
 }  // namespace carom::sound

@@ -28,34 +28,41 @@ inline constexpr Texture kSolid{0.0048, 0.0002};
 ///     |H|^2 = 1 / (1 + (pi/4) (k a)^3),   k = 2 pi / lambda, a the radius of the contact.
 class TextureReader {
   public:
+    static constexpr std::size_t kOctaves = 7;
+    /// The weights of the octaves, and a zero.
+    using Weights = std::array<double, kOctaves + 1>;
+
     TextureReader(std::uint64_t seed, const Texture& texture);
 
-    /// The value at a place (m), read at `speed` >= 0 (m of the way per s of the film). Without the
-    /// next two weights its root mean square is 1.
+    /// The weights at a speed >= 0 (m of the way per s of the film). The sum of their squares is 1,
+    /// less what these two factors take:
     /// - Cells that pass faster than 0.4 of the sample rate are left out, and fade out from 0.3.
-    /// - 20 Hz high-pass: an octave has the weight f^2 / (f^2 + (20 Hz)^2), where f = speed /
+    /// - 20 Hz high-pass: an octave has the factor f^2 / (f^2 + (20 Hz)^2), where f = speed /
     ///   (3 lambda) is the frequency at which its slope is strongest. A way that stands still has
     ///   the value 0. As a function of the speed, unlike a filter, it is the same in both
     ///   directions.
-    double at(double way, double speed);
+    [[nodiscard]] Weights weights(double speed) const;
 
-    /// The root mean square of the values at this speed.
+    /// The root mean square of the values at this speed, in [0, 1].
     [[nodiscard]] double strength(double speed) const;
 
+    /// The value at a place (m) with the weights first + part (last - first).
+    double at(double way, const Weights& first, const Weights& last, double part);
+
+    /// The value at a place (m), read at this speed.
+    double at(double way, double speed) {
+        const Weights now = weights(speed);
+        return at(way, now, now, 0);
+    }
+
   private:
-    static constexpr std::size_t kOctaves = 7;
-    static constexpr std::size_t kLanes = 8;  // the last one is empty
-
-    using Lanes = std::array<double, kLanes>;
-
     void enter_cell(std::size_t octave, double cell);
-    [[nodiscard]] Lanes gains(double speed) const;
 
-    std::array<std::uint64_t, kLanes> seeds_{};
-    Lanes per_length_{};  // 1 / lambda
-    Lanes weights_{};
-    Lanes cells_{};             // the cell of which the polynomials below are
-    Lanes c0_{}, c1_{}, c2_{};  // the slope in this cell
+    std::array<std::uint64_t, kOctaves> seeds_{};
+    Weights per_length_{};        // 1 / lambda
+    Weights unfiltered_{};        // the weights without the two factors
+    Weights cells_{};             // the cell of which the polynomials below are
+    Weights c0_{}, c1_{}, c2_{};  // the slope in this cell
 };
 
 }  // namespace carom::sound

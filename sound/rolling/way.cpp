@@ -17,8 +17,7 @@ void Way::add(double time, double duration, const std::array<double, 3>& speeds,
                        duration,
                        length_,
                        {at_start, 3 * way - 2 * at_start - at_end, at_start + at_end - 2 * way},
-                       {speeds[0], speeds[2]},
-                       strengths});
+                       {{speeds[0], speeds[2]}, strengths}});
     length_ += way;
 }
 
@@ -45,11 +44,18 @@ WayPoint Way::at(double time) {
     const Piece& piece = pieces_[last_];
     const double s = (time - piece.time) / piece.duration;
     if (s > 1) {
-        return {piece.way + piece.curve[0] + piece.curve[1] + piece.curve[2], 0, 0};
+        return {piece.way + piece.curve[0] + piece.curve[1] + piece.curve[2], last_, 1, true};
     }
-    return {piece.way + s * (piece.curve[0] + s * (piece.curve[1] + s * piece.curve[2])),
-            piece.speeds[0] + s * (piece.speeds[1] - piece.speeds[0]),
-            piece.strengths[0] + s * (piece.strengths[1] - piece.strengths[0])};
+    return {piece.way + s * (piece.curve[0] + s * (piece.curve[1] + s * piece.curve[2])), last_, s,
+            false};
+}
+
+double Way::speed(const WayPoint& point) const {
+    if (point.stands) {
+        return 0;
+    }
+    const auto& [first, last] = ends(point.piece).speeds;
+    return first + point.part * (last - first);
 }
 
 }  // namespace carom::sound

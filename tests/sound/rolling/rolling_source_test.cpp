@@ -193,6 +193,20 @@ TEST(RollingBall, SlowPicture_LowersThePitch) {
     EXPECT_NEAR(ratio_at(1.0 / 40, {}) / ratio_at(1.0 / 8, {}), 1, 0.1);
 }
 
+TEST(RollingBall, AlmostStandingPicture_FadesThoughThePitchStays) {
+    const Shot shot(6, 6 / kRadius, kRolling);
+    PassageSettings keep;
+    keep.pitch = 0;
+    // A tenth of a hundredth: 20 dB. Of the scene, 10 s show what lasts 10 ms.
+    const auto passage = [&](double speed) {
+        return passage_of([speed](double time) { return 1 + speed * time; }, speed, keep);
+    };
+    const std::size_t count = 10 * kSampleRate;
+    EXPECT_NEAR(decibels(played(shot.source(), passage(1e-2), count)) -
+                    decibels(played(shot.source(), passage(1e-3), count)),
+                20, 1);
+}
+
 TEST(RollingBall, StandingPicture_IsSilent) {
     const Shot shot(2, 0, kRolling);
     const Passage frozen = passage_of([](double) { return 1.234; }, 0);

@@ -25,6 +25,10 @@ sim::Key key(double time, double x, double velocity, double spin) {
     return key;
 }
 
+double speed_at(Way& way, double time) {
+    return way.speed(way.at(time));
+}
+
 TEST(Way, ConstantAcceleration_IsExact) {
     // From 3 m/s with -2 m/s^2, in pieces of different durations.
     Way way;
@@ -36,8 +40,11 @@ TEST(Way, ConstantAcceleration_IsExact) {
     for (const double time : {0.9, 0.0, 0.05, 1.4999, 0.1, 0.3, 1.2}) {
         const WayPoint point = way.at(time);
         EXPECT_NEAR(point.way, 3 * time - time * time, 1e-12) << time;
-        EXPECT_NEAR(point.speed, speed(time), 1e-12);
-        EXPECT_NEAR(point.strength, 2 * speed(time), 1e-12);
+        EXPECT_NEAR(way.speed(point), speed(time), 1e-12);
+        EXPECT_FALSE(point.stands);
+        const WayEnds& ends = way.ends(point.piece);
+        EXPECT_EQ(ends.strengths[0], 2 * ends.speeds[0]);
+        EXPECT_EQ(ends.strengths[1], 2 * ends.speeds[1]);
     }
     EXPECT_NEAR(way.length(), 2.25, 1e-12);
 }
@@ -48,12 +55,12 @@ TEST(Way, OutsideAndInGaps_Stands) {
     way.add(1, 1, {2, 2, 2}, {1, 1});
     way.add(3, 1, {2, 2, 2}, {1, 1});
     EXPECT_EQ(way.at(0.5).way, 0);
-    EXPECT_EQ(way.at(0.5).strength, 0);
+    EXPECT_TRUE(way.at(0.5).stands);
     EXPECT_NEAR(way.at(2.5).way, 2, 1e-12);
-    EXPECT_EQ(way.at(2.5).strength, 0);
+    EXPECT_TRUE(way.at(2.5).stands);
     EXPECT_NEAR(way.at(3.5).way, 3, 1e-12);
     EXPECT_NEAR(way.at(9).way, 4, 1e-12);
-    EXPECT_EQ(way.at(9).speed, 0);
+    EXPECT_EQ(way.speed(way.at(9)), 0);
 }
 
 TEST(BallWay, RollingBall_SlipsNowhere) {
@@ -66,8 +73,8 @@ TEST(BallWay, RollingBall_SlipsNowhere) {
     BallWays ways = ball_ways(track, kRadius, 0.5, 4, {identity, identity});
     EXPECT_NEAR(ways.rolled.at(2).way, 1.5, 1e-12);
     EXPECT_NEAR(ways.rolled.at(3).way, 2, 1e-12);
-    EXPECT_NEAR(ways.rolled.at(1.9999).speed, 1, 1e-12);
-    EXPECT_NEAR(ways.rolled.at(2).speed, 0.5, 1e-12);
+    EXPECT_NEAR(speed_at(ways.rolled, 1.9999), 1, 1e-12);
+    EXPECT_NEAR(speed_at(ways.rolled, 2), 0.5, 1e-12);
     EXPECT_NEAR(ways.rolled.length(), 2.5, 1e-12);
     EXPECT_NEAR(ways.slid.length(), 0, 1e-12);
 }
@@ -85,8 +92,7 @@ TEST(BallWay, StruckBall_SlipsAsCoulombsFrictionHasIt) {
         const double t = part * end;
         EXPECT_NEAR(ways.rolled.at(t).way, v * t - a * t * t / 2, 1e-9);
         EXPECT_NEAR(ways.slid.at(t).way, v * t - 7.0 / 4 * a * t * t, 1e-9);
-        EXPECT_NEAR(ways.slid.at(t).speed, v * (1 - part), 1e-9);
-        EXPECT_NEAR(ways.slid.at(t).strength, v * (1 - part), 1e-9);
+        EXPECT_NEAR(speed_at(ways.slid, t), v * (1 - part), 1e-9);
     }
 }
 
