@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 #include "sim/timeline/hermite.h"
 #include "sound/rolling/rolling_level.h"
@@ -40,11 +39,12 @@ class KeyInterval {
 
 void add_interval(const KeyInterval& interval, double from, double to, double longest_piece,
                   BallWays& ways) {
-    const double count = std::ceil((to - from) / longest_piece);
+    const auto count = static_cast<int>(std::ceil((to - from) / longest_piece));
+    const double duration = (to - from) / count;
     BallSpeeds start = interval.at(from);
-    for (double i = 0; i < count; ++i) {
-        const double time = from + (to - from) * (i / count);
-        const double next = i + 1 == count ? to : from + (to - from) * ((i + 1) / count);
+    for (int i = 0; i < count; ++i) {
+        const double time = from + i * duration;
+        const double next = i + 1 == count ? to : from + (i + 1) * duration;
         if (!(next > time)) {
             continue;
         }
