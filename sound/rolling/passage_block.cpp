@@ -15,9 +15,8 @@ constexpr double kStands = 1e-6;
 }  // namespace
 
 double playing_speed(double speed, const PassageSettings& settings) {
-    const double magnitude = std::abs(speed);
-    const double followed = settings.pitch == 1 ? magnitude : power(magnitude, settings.pitch);
-    return std::min(std::max(followed, settings.lowest), kFastest);
+    const double magnitude = std::max(std::abs(speed), settings.lowest);
+    return std::min(settings.pitch == 1 ? magnitude : power(magnitude, settings.pitch), kFastest);
 }
 
 PassageBlock::PassageBlock(const Passage& passage, std::int64_t first_sample, std::size_t count)

@@ -11,8 +11,7 @@
 namespace carom::sound {
 
 /// How fast a sound plays while the film runs at `speed` (scene seconds per film second):
-/// |speed|^pitch, at least `lowest` and at most 2; the default follows the picture down to an
-/// eighth.
+/// max(|speed|, lowest)^pitch, and at most 2; the default follows the picture down to an eighth.
 [[nodiscard]] double playing_speed(double speed, const PassageSettings& settings);
 
 struct PassageBlock {
