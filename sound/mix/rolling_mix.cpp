@@ -18,7 +18,7 @@ constexpr std::size_t kHistory = 8192;   // samples, 58 m
 constexpr int kBlocksBefore = 2;         // read out before a passage, for the way to the listener
 
 // What delays both ears if the way takes no time, so that neither hears the future.
-constexpr double kHeadDelay = kHeadRadius / kSoundSpeed;  // s
+constexpr double kHeadDelay = kHeadRadius / kSpeedOfSound;  // s
 
 double film_time_of_sample(std::int64_t sample) {
     return static_cast<double>(sample) / kSampleRate;
@@ -163,7 +163,7 @@ class RollingMix::PassageRolling {
             factor_of(settings.gain + settings.mix[static_cast<std::size_t>(Group::rolling)]) *
             passage_.weight(film_time) * share_at(passage_, film_time);
         edge.ears = ears_of(settings.stereo, settings.width, listener, place);
-        const double way = settings.has_delay ? edge.distance / kSoundSpeed : kHeadDelay;
+        const double way = settings.has_delay ? edge.distance / kSpeedOfSound : kHeadDelay;
         const auto delay = [way](const Ear& ear) {
             constexpr double kMost = kHistory - 2 * kBlock;
             return std::clamp((way + ear.delay) * kSampleRate, 0.0, kMost);
