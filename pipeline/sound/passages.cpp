@@ -46,6 +46,22 @@ double half_width(const render::CameraState& camera, double aspect) {
     return angle_of(1, tangent(0.5 * camera.vertical_fov) * aspect);
 }
 
+/// The scene time at times of the film. At the ends of a stretch it is the same as in the stretches
+/// beside it, to the last bit: an impact there belongs to one of them.
+struct SceneTime {
+    SceneClock clock;
+    double offset;  // from the film's time to the rig's video time
+
+    double operator()(double film_time) const {
+        for (const SceneClock::End& end : {clock.from(), clock.to()}) {
+            if (film_time == end.video_time - offset) {
+                return end.scene_time;
+            }
+        }
+        return clock.scene_time(film_time + offset);
+    }
+};
+
 /// What a passage's functions need. It is copied into them.
 struct Camera {
     const CameraRig& rig;
@@ -123,8 +139,8 @@ std::vector<sound::Passage> passages_of(std::span<const CameraRig> rigs,
         const auto& own_place = rig.sound.listener;
         const auto& place = own_place ? own_place : settings.cameras.listener;
         for (const SceneClock& clock : scene_clocks(rig)) {
-            const double from = std::max({clock.from(), part.from, offset});
-            const double to = std::min({clock.to(), part.to, part.film_end + offset});
+            const double from = std::max({clock.from().video_time, part.from, offset});
+            const double to = std::min({clock.to().video_time, part.to, part.film_end + offset});
             if (!(from < to)) {
                 continue;
             }
@@ -135,7 +151,7 @@ std::vector<sound::Passage> passages_of(std::span<const CameraRig> rigs,
             passage.from = from - offset;
             passage.to = to - offset;
             passage.camera = rig.name;
-            passage.scene_time = [clock, offset](double t) { return clock.scene_time(t + offset); };
+            passage.scene_time = SceneTime{clock, offset};
             passage.speed = [clock, offset](double t) { return clock.speed(t + offset); };
             passage.listener = [camera](double t) { return camera.listener(t); };
             passage.weight = [=](double t) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "pipeline/camera/time_map.h"
 
@@ -61,44 +62,67 @@ double SceneClock::speed(double video_time) const {
     return change_.speed + change_.change * changed(x, change_.is_smooth);
 }
 
-std::vector<SceneClock> scene_clocks(const CameraRig& rig) {
-    std::vector<SceneClock> clocks;
-    const double start = rig.video_start.to_double();
-    const double end = rig.video_end.to_double();
-    const auto add = [&](double from, double to, const SceneClock::Change& change) {
-        const double first = std::max(from, start);
-        const double last = std::min(to, end);
-        if (first < last) {
-            clocks.emplace_back(first, last, change);
+namespace {
+
+/// Collects the stretches between `start` and `end` of the rig.
+class Stretches {
+  public:
+    Stretches(const CameraRig& rig, const SceneClock::End& start, const SceneClock::End& end)
+        : rig_(rig), start_(start), end_(end) {}
+
+    /// A change of speed that begins and ends at these times.
+    void add(const Rational& from, const Rational& to, const SceneClock::Change& change) {
+        const SceneClock::End first = end_at(rig_, from);
+        const SceneClock::End last = end_at(rig_, to);
+        if (const std::optional<double> turn = turning_point(change)) {
+            const SceneClock::End middle{*turn, SceneClock(first, last, change).scene_time(*turn)};
+            add(first, middle, change);
+            add(middle, last, change);
+        } else {
+            add(first, last, change);
         }
-    };
-    const std::vector<SpeedKey>& keys = rig.time_map.speeds;
-    if (keys.empty()) {
-        add(start, end, constant(rig, rig.video_start));
-        return clocks;
     }
-    add(start, keys.front().video_time.to_double(), constant(rig, rig.video_start));
+
+    static SceneClock::End end_at(const CameraRig& rig, const Rational& time) {
+        return {time.to_double(), scene_of(rig, time)};
+    }
+
+    std::vector<SceneClock> clocks;
+
+  private:
+    void add(SceneClock::End from, SceneClock::End to, const SceneClock::Change& change) {
+        from = from.video_time < start_.video_time ? start_ : from;
+        to = end_.video_time < to.video_time ? end_ : to;
+        if (from.video_time < to.video_time) {
+            clocks.emplace_back(from, to, change);
+        }
+    }
+
+    const CameraRig& rig_;
+    SceneClock::End start_;
+    SceneClock::End end_;
+};
+
+}  // namespace
+
+std::vector<SceneClock> scene_clocks(const CameraRig& rig) {
+    Stretches stretches(rig, Stretches::end_at(rig, rig.video_start),
+                        Stretches::end_at(rig, rig.video_end));
+    const std::vector<SpeedKey>& keys = rig.time_map.speeds;
+    const Rational first = keys.empty() ? rig.video_end : keys.front().video_time;
+    stretches.add(rig.video_start, first, constant(rig, rig.video_start));
     for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
         const double from = keys[i].video_time.to_double();
-        const double to = keys[i + 1].video_time.to_double();
         const double speed = keys[i].speed.to_double();
-        const SceneClock::Change change{from,
-                                        to - from,
-                                        scene_of(rig, keys[i].video_time),
-                                        speed,
-                                        keys[i + 1].speed.to_double() - speed,
-                                        rig.time_map.is_smooth};
-        const std::optional<double> turn = turning_point(change);
-        add(from, turn.value_or(to), change);
-        if (turn) {
-            add(*turn, to, change);
-        }
+        stretches.add(
+            keys[i].video_time, keys[i + 1].video_time,
+            {from, keys[i + 1].video_time.to_double() - from, scene_of(rig, keys[i].video_time),
+             speed, keys[i + 1].speed.to_double() - speed, rig.time_map.is_smooth});
     }
-    const double last = keys.back().video_time.to_double();
-    const SceneClock::Change after{
-        last, 1, scene_of(rig, keys.back().video_time), keys.back().speed.to_double(), 0, false};
-    add(last, end, after);
-    return clocks;
+    if (!keys.empty()) {
+        stretches.add(keys.back().video_time, rig.video_end, constant(rig, keys.back().video_time));
+    }
+    return std::move(stretches.clocks);
 }
 
 }  // namespace carom::pipeline

@@ -21,11 +21,17 @@ class SceneClock {
         bool is_smooth = false;
     };
 
-    SceneClock(double from, double to, const Change& change)
+    /// An end of the stretch.
+    struct End {
+        double video_time = 0;
+        double scene_time = 0;  // the double nearest to the exact one
+    };
+
+    SceneClock(const End& from, const End& to, const Change& change)
         : from_(from), to_(to), change_(change) {}
 
-    [[nodiscard]] double from() const { return from_; }
-    [[nodiscard]] double to() const { return to_; }
+    [[nodiscard]] const End& from() const { return from_; }
+    [[nodiscard]] const End& to() const { return to_; }
 
     /// As scene_time_at (time_map.h) within 1e-12 s; beyond the stretch it continues.
     [[nodiscard]] double scene_time(double video_time) const;
@@ -33,12 +39,13 @@ class SceneClock {
     [[nodiscard]] double speed(double video_time) const;
 
   private:
-    double from_ = 0;
-    double to_ = 0;
+    End from_;
+    End to_;
     Change change_;
 };
 
-/// The stretches of the rig's interval of video time, in order; none is empty.
+/// The stretches of the rig's interval of video time, in order; none is empty, and each begins
+/// where the one before ends.
 [[nodiscard]] std::vector<SceneClock> scene_clocks(const CameraRig& rig);
 
 }  // namespace carom::pipeline
