@@ -1,5 +1,6 @@
 #include <atomic>
 #include <filesystem>
+#include <span>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -7,6 +8,7 @@
 #include "core/error.h"
 #include "pipeline/job/film_job.h"
 #include "sim/bake.h"
+#include "sim/timeline/bake_file.h"
 #include "tests/pipeline/job/tiny_shot.h"
 #include "tests/pipeline/video/scratch_folder.h"
 
@@ -140,6 +142,40 @@ TEST(BakeJob, DamagedBake_IsReplaced) {
                                                           "shot is simulated again: ")));
         EXPECT_EQ(read_text(path), whole);
     }
+}
+
+/// The bake's bytes with an earlier version of the format in their header.
+std::string with_earlier_version(const std::string& bytes) {
+    for (std::size_t place = 8; place + 4 < 128; place += 4) {
+        std::string copy = bytes;
+        copy[place] = static_cast<char>(copy[place] - 1);
+        try {
+            (void)sim::decode_bake(std::as_bytes(std::span(copy)), "old");
+        } catch (const sim::OtherBakeVersion&) {
+            return copy;
+        } catch (const Error&) {
+            continue;
+        }
+    }
+    return {};
+}
+
+TEST(BakeJob, BakeOfAnotherVersion_IsReplacedWithoutAWarning) {
+    const ScratchFolder cache;
+    const Shot shot = make_shot();
+    const Baking first = run(shot, cache.path());
+    const std::string path = bake_path(shot, cache.path());
+    const std::string whole = read_text(path);
+    const std::string old = with_earlier_version(whole);
+    ASSERT_FALSE(old.empty());
+    write_text(path, old);
+    EXPECT_EQ(bake_without_store(shot, cache.path(), {}, {}).origin, BakeOrigin::outdated);
+    const Baking again = run(shot, cache.path());
+    EXPECT_EQ(again.origin, BakeOrigin::outdated);
+    EXPECT_EQ(again.bake, first.bake);
+    EXPECT_THAT(again.warnings, IsEmpty());
+    EXPECT_EQ(read_text(path), whole);
+    EXPECT_EQ(run(shot, cache.path()).origin, BakeOrigin::cached);
 }
 
 TEST(BakeJob, BitsFlippedInAHundredPlaces_NeverGiveAWrongTimeline) {
