@@ -39,15 +39,15 @@ void expect_sliding(const std::vector<LastingContact>& contacts, double weight) 
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const LastingContact& contact = contacts[i];
         EXPECT_NEAR(contact.from, i == 0 ? 0 : contacts[i - 1].to, 1e-12);
-        EXPECT_NEAR(contact.normal_force, weight, 0.01 * weight) << contact.from;
+        EXPECT_NEAR(contact.normal_force, weight, 0.001 * weight) << contact.from;
         const double middle = 0.5 * (contact.from + contact.to);
-        EXPECT_NEAR(contact.slip, 2 - deceleration * middle, 0.005) << contact.from;
+        EXPECT_NEAR(contact.slip, 2 - deceleration * middle, 5e-4) << contact.from;
         impulse += contact.normal_force * (contact.to - contact.from);
         path += contact.slip * (contact.to - contact.from);
     }
     EXPECT_NEAR(contacts.back().to, stop, 3e-3);
     EXPECT_NEAR(impulse, weight * stop, 0.01 * weight * stop);
-    EXPECT_NEAR(path, 2 * 2 / (2 * deceleration), 0.005);
+    EXPECT_NEAR(path, 2 * 2 / (2 * deceleration), 1e-4);
 }
 
 TEST(LastingContact_OfASlidingBox, HasItsWeightAndItsFallingSlip) {
