@@ -1,6 +1,5 @@
 #include <atomic>
 #include <filesystem>
-#include <span>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -8,9 +7,9 @@
 #include "core/error.h"
 #include "pipeline/job/film_job.h"
 #include "sim/bake.h"
-#include "sim/timeline/bake_file.h"
 #include "tests/pipeline/job/tiny_shot.h"
 #include "tests/pipeline/video/scratch_folder.h"
+#include "tests/sim/timeline/earlier_version.h"
 
 namespace carom::pipeline {
 namespace {
@@ -144,29 +143,13 @@ TEST(BakeJob, DamagedBake_IsReplaced) {
     }
 }
 
-/// The bake's bytes with an earlier version of the format in their header.
-std::string with_earlier_version(const std::string& bytes) {
-    for (std::size_t place = 8; place + 4 < 128; place += 4) {
-        std::string copy = bytes;
-        copy[place] = static_cast<char>(copy[place] - 1);
-        try {
-            (void)sim::decode_bake(std::as_bytes(std::span(copy)), "old");
-        } catch (const sim::OtherBakeVersion&) {
-            return copy;
-        } catch (const Error&) {
-            continue;
-        }
-    }
-    return {};
-}
-
 TEST(BakeJob, BakeOfAnotherVersion_IsReplacedWithoutAWarning) {
     const ScratchFolder cache;
     const Shot shot = make_shot();
     const Baking first = run(shot, cache.path());
     const std::string path = bake_path(shot, cache.path());
     const std::string whole = read_text(path);
-    const std::string old = with_earlier_version(whole);
+    const std::string old = sim::test::with_earlier_version(whole);
     ASSERT_FALSE(old.empty());
     write_text(path, old);
     EXPECT_EQ(bake_without_store(shot, cache.path(), {}, {}).origin, BakeOrigin::outdated);
