@@ -196,7 +196,8 @@ struct ExportCommand {
     InputOptions input;
     CacheOptions cache;
     std::string output;
-    std::string events;          // a second table; empty: none
+    std::string events;          // a table of events; empty: none
+    std::string contacts;        // a table of lasting contacts; empty: none
     std::optional<double> rate;  // Hz; empty: the keys of each track
 };
 void describe(ExportCommand& command, CommandDescription& description);
