@@ -16,7 +16,7 @@ using PageMessage = std::variant<Hello, TextChange, Save, Revert, Open, SaveAs, 
 using ServerMessage =
     std::variant<Welcome, Start, Exists, Folder, Imported, Parts, Additions, Files, TextChanged,
                  Saved, DiskChanged, Recovered, Failed, Problems, ShotState, SequenceState,
-                 SceneMeshes, Work, Deferred, FilmState, FilmFrame, Making, Made>;
+                 SoundState, SceneMeshes, Work, Deferred, FilmState, FilmFrame, Making, Made>;
 
 /// The heads of its binary messages.
 using BinaryHead = std::variant<TimelineHead, CamerasHead, PictureHead, FanHead>;

@@ -15,3 +15,4 @@
 #include "pipeline/studio/sequence_messages.h"
 #include "pipeline/studio/server_messages.h"
 #include "pipeline/studio/shot_messages.h"
+#include "pipeline/studio/sound_messages.h"

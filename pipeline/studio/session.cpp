@@ -61,6 +61,8 @@ void Session::State::start_workers() {
         FilmRun::Output{send, [this](bool running) { pictures_->set_film_running(running); }});
     documents_ = std::make_unique<Documents>(
         ProgramOptions{o.program, o.overrides, o.quality, o.output, o.cache_folder}, send);
+    sound_ = std::make_unique<LiveSound>(
+        [this](int opening, const SoundState& state) { messages_.send_newest(opening, state); });
     watch_ = std::make_unique<DiskWatch>([this] { return look_at_disk(); });
 }
 
@@ -103,6 +105,9 @@ std::optional<Download> Session::State::find(std::string_view path) {
     }
     if (const std::optional<Still> still = desk_->find_still(path)) {
         return Download{still->type, still->bytes, still->path};
+    }
+    if (auto piece = sound_->find(path)) {
+        return Download{"application/octet-stream", std::move(piece), {}};
     }
     constexpr std::string_view kScene = "/scene/";
     constexpr std::string_view kGlb = ".glb";

@@ -37,6 +37,7 @@ int Session::State::close_shot() {
     pictures_->cancel_all();
     fan_->cancel();
     films_->clear();
+    sound_->clear();
     show(nullptr, nullptr, 0);
     watch_->watch({});
     shot_.reset();
@@ -123,6 +124,7 @@ void Session::State::take_answer(int opening, const LiveAnswer& answer) {
     messages_.forget(SequenceState::kName);
     films_->set({});
     show(answer.shot, answer.timeline, answer.v);
+    sound_->set(opening, answer.v, [answer] { return heard_film(*answer.shot, *answer.timeline); });
 }
 
 void Session::State::take_sequence(int opening, SequenceAnswer answer) {
@@ -148,6 +150,7 @@ void Session::State::take_sequence(int opening, SequenceAnswer answer) {
         messages_.forget(of_shot);
     }
     show(nullptr, nullptr, 0);
+    sound_->set(opening, answer.v, [answer] { return heard_film(answer); });
     films_->set(std::move(answer));
 }
 

@@ -18,6 +18,7 @@
 #include "pipeline/studio/file_desk.h"
 #include "pipeline/studio/film_run.h"
 #include "pipeline/studio/live_shot.h"
+#include "pipeline/studio/live_sound.h"
 #include "pipeline/studio/newest_messages.h"
 #include "pipeline/studio/opened_shot.h"
 #include "pipeline/studio/outcome_fan.h"
@@ -116,6 +117,7 @@ class Session::State {
     std::unique_ptr<PictureView> pictures_;
     std::unique_ptr<SequencePictures> films_;  // with the mutex
     std::unique_ptr<Documents> documents_;
+    std::unique_ptr<LiveSound> sound_;
     std::unique_ptr<FilmRun> film_;    // it also calls the pictures
     std::unique_ptr<LiveShot> ended_;  // of the shot before
     std::unique_ptr<LiveShot> live_;   // ends before what it calls

@@ -507,6 +507,16 @@ export interface SequenceState {
     places: ValuePlace[];
 }
 
+export interface SoundState {
+    v: number;
+    reason: string;
+    address: string;
+    rate: number;
+    samples: number;
+    piece: number;
+    ready: number;
+}
+
 export interface SceneMeshes {
     v: number;
     hash: string;
@@ -582,6 +592,7 @@ export interface ToPage {
     problems: Problems;
     shot: ShotState;
     sequence: SequenceState;
+    sound: SoundState;
     scene: SceneMeshes;
     work: Work;
     deferred: Deferred;

@@ -4,7 +4,7 @@ import { batch } from '@preact/signals';
 import type { BinaryToPage, ToPage } from '../protocol';
 import { kBinaryTypes } from '../protocol';
 import {
-    cameraFrames, deferred, fan, files, meshes, picture, pictureAsked, problems, sequence, shot, start, textVersion, timeline, welcome, work,
+    cameraFrames, deferred, fan, files, meshes, picture, pictureAsked, problems, sequence, shot, soundState, start, textVersion, timeline, welcome, work,
     type CameraFrames,
 } from '../state/state';
 import { asFloat64, decodeBinary } from './decode';
@@ -84,6 +84,9 @@ const texts: Handlers<ToPage> = {
     scene: (message) => {
         meshes.value = message.hash;
     },
+    sound: (message) => {
+        soundState.value = message;
+    },
     work: (message) => {
         work.value = message;
     },
@@ -154,6 +157,7 @@ export function forgetVersions(): void {
     batch(() => {
         problems.value = null;
         sequence.value = null;
+        soundState.value = null;
         forgetShot();
     });
 }

@@ -32,6 +32,7 @@ export const kKeyBindings = [
     { command: 'loop', keys: ['l'], group: 'Time', about: 'Repeat the film' },
     { command: 'slower', keys: ['-'], group: 'Time', about: 'Play slower' },
     { command: 'faster', keys: ['+', '='], group: 'Time', about: 'Play faster' },
+    { command: 'mute', keys: ['shift+m'], group: 'Time', about: 'Sound on or off' },
     { command: 'fitStrip', keys: ['shift+f'], group: 'Time', about: 'Show all times on the strip' },
 
     { command: 'frameSelection', keys: ['f'], group: 'View', about: 'Frame the selection' },

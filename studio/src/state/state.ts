@@ -2,7 +2,7 @@
 /// the inspector read these and write through src/edit.
 import { computed, signal } from '@preact/signals';
 import type {
-    CamerasHead, Deferred, FanHead, KeyPath, OpenFile, PictureHead, Problems, SequenceState, ShotState, Start,
+    CamerasHead, Deferred, FanHead, KeyPath, OpenFile, PictureHead, Problems, SequenceState, ShotState, SoundState, Start,
     TimelineHead, Triple, Welcome, Work,
 } from '../protocol';
 
@@ -67,6 +67,8 @@ export const problems = signal<Problems | null>(null);
 export const picture = signal<Picture | null>(null);
 /// The hash of /scene/HASH.glb, the meshes of the newest version.
 export const meshes = signal<string | null>(null);
+/// What of the film's sound can be got from the server, or why there is none.
+export const soundState = signal<SoundState | null>(null);
 export const work = signal<Work | null>(null);
 /// The newest version that is not simulated, because it takes too long for every change.
 export const deferred = signal<Deferred | null>(null);

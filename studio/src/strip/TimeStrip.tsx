@@ -2,8 +2,11 @@ import { effect, signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { filmDuration, framesOfCameras } from '../motion/clock';
 import { shownTheme } from '../shell/theme';
+import { loadSound } from '../sound/loading';
+import { exposeSound, playSound } from '../sound/player';
+import { isSoundStale, soundData, soundPieces, toggleMute } from '../sound/sound_state';
 import { filmThumbnails } from '../state/film_thumbnails';
-import { bindingOf, keyName, runCommand, type Command } from '../state/keys';
+import { bindingOf, keyName, onCommand, runCommand, type Command } from '../state/keys';
 import { shownPart } from '../sequence/parts';
 import {
     filmTime, isSequence, isStale, openFilm, sceneTime, selection, sequence, shot, timeline,
@@ -42,7 +45,8 @@ function pictureOf(canvas: HTMLCanvasElement): StripPicture {
         curveScale: curveScale.value, curveCamera: camera ? shot.value?.cameras.indexOf(camera) ?? -1 : -1,
         selected: selectedCamera.value, selectedPath: selection.value?.join('/') ?? '',
         handles: shownHandles.value, activeHandle: activeHandle.value,
-        thumbnails: filmThumbnails.value, isStale: isStale.value,
+        thumbnails: filmThumbnails.value, sound: soundData.value, isSoundStale: isSoundStale.value,
+        isStale: isStale.value,
     };
 }
 
@@ -67,7 +71,7 @@ function keepDrawn(still: HTMLCanvasElement, moving: HTMLCanvasElement): () => v
     const endings = [
         effect(() => {
             void shownTheme.value;
-            void picturesCame.value;
+            void [picturesCame.value, soundPieces.value];
             const picture = pictureOf(still);
             const head = timeline.value?.head;
             const pen = sized(still);
@@ -133,11 +137,13 @@ export function TimeStrip() {
         });
         observer.observe(above);
         const endings = [
-            startPlayback(), fitOnNewShot(), keepDrawn(below, above),
+            startPlayback(), loadSound(), playSound(), fitOnNewShot(),
+            onCommand('mute', toggleMute), keepDrawn(below, above),
             watchPointer(above, (next) => { tip.value = next; }),
             followPlayHead(), () => observer.disconnect(),
         ];
         exposeStrip(above);
+        exposeSound();
         return () => endings.forEach((end) => end());
     }, []);
     return (

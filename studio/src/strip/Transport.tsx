@@ -4,6 +4,7 @@ import {
 } from 'lucide-preact';
 import { filmCamera, goToFilmTime } from '../motion/clock';
 import { runCommand, type Command } from '../state/keys';
+import { SoundTools } from '../sound/SoundTools';
 import { openMenu } from '../view/menu/menu_state';
 import { shownPart } from '../sequence/parts';
 import { filmTime, isSequence, playing, sceneTime, sequence, shot } from '../state/state';
@@ -123,6 +124,7 @@ export function Transport() {
                     <option key={choice} value={String(choice)}>{speedText(choice)}</option>
                 ))}
             </select>
+            <SoundTools />
             <Clocks />
             <Instants />
             <div class="spring" />

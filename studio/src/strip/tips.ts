@@ -1,7 +1,8 @@
 /// The texts beside the pointer.
 import type { FilmPart } from '../protocol';
 import { openFilm, sequence, shot } from '../state/state';
-import { timeAt } from './axis';
+import { soundData } from '../sound/sound_state';
+import { secondsPerPixel, timeAt } from './axis';
 import { fastestAt } from './ball_speeds';
 import { filmClock, sceneClock, speedText } from './clock_text';
 import { partAbout } from './draw/parts';
@@ -47,12 +48,22 @@ function partLines(part: FilmPart | undefined): string[] {
         ...part.file !== '' ? ['double-click to open the shot'] : []];
 }
 
+/// How loud the sound is under the pointer.
+function soundLines({ film }: Layout, x: number): string[] {
+    const time = timeAt(film, x);
+    const peak = soundData.peek()?.peak(time, time + secondsPerPixel(film)) ?? null;
+    return peak === null ? [] : [filmClock(time),
+        peak > 0 ? `sound: peak ${(20 * Math.log10(peak)).toFixed(1).replace('-', '−')} dB of full scale`
+            : 'sound: silence'];
+}
+
 /// The text for a place of the strip; null if there is nothing to say.
 export function tipOf(
     layout: Layout, { x, y }: { x: number; y: number }, handle: Handle | undefined,
 ): Tip | null {
     const lines = handle ? [`${handle.label}: ${handle.text}`,
         handle.remove ? 'drag to move it, Delete to remove it' : 'drag to move it']
+        : isIn(layout.sound, y) ? soundLines(layout, x)
         : sequence.peek() ? partLines(partUnder(layout, { x, y }))
         : isIn(layout.events, y) ? eventLines(layout, x)
             : isIn(layout.motion, y)

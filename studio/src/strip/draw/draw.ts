@@ -11,6 +11,7 @@ import { drawHandles } from './handles';
 import { drawEvents, drawMotion } from './motion';
 import { drawParts } from './parts';
 import type { Pen, StripPicture } from './picture';
+import { drawSound } from './sound';
 import { drawLabels, drawRuler } from './rulers';
 
 function inRow(pen: Pen, { film }: Layout, row: Row, draw: () => void): void {
@@ -39,6 +40,7 @@ export function drawStrip(
     inRow(pen, layout, sceneRuler, () => drawRuler(pen, picture, sceneRuler, layout.scene, true));
     pen.globalAlpha = picture.isStale ? 0.5 : 1;
     inRow(pen, layout, layout.frames, () => drawFrames(pen, picture, onPicture));
+    inRow(pen, layout, layout.sound, () => drawSound(pen, picture));
     if (picture.isSequence) {
         inRow(pen, layout, layout.clips, () => drawParts(pen, picture));
         pen.globalAlpha = 1;

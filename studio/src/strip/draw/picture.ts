@@ -1,6 +1,7 @@
 /// All that the strip shows, and how things are drawn on it.
 import type { CameraFramesOf } from '../../motion/camera_frames';
 import type { Film, SequenceState, ShotState, TimelineEvent } from '../../protocol';
+import type { SoundData } from '../../sound/sound_data';
 import type { BallSpeeds } from '../ball_speeds';
 import type { Colours } from '../colours';
 import type { CurvePoint, CurveScale } from '../curves';
@@ -30,6 +31,8 @@ export interface StripPicture {
     handles: readonly Handle[];
     activeHandle: string | null;
     thumbnails: ReadonlyMap<number, string>;
+    sound: SoundData | null;
+    isSoundStale: boolean; // of an older version than the motion
     isStale: boolean;
 }
 

@@ -40,6 +40,9 @@ export function drawLabels(pen: Pen, { layout, colours, curve, isSequence }: Str
     if (layout.frames.height > 0) {
         label('Frames', layout.frames);
     }
+    if (layout.sound.height > 0) {
+        label('Sound', layout.sound);
+    }
     if (isSequence) {
         label('Parts', laneOf(layout.clips, 0));
         return;
