@@ -9,7 +9,7 @@ export function SoundTools() {
     const isSilent = note !== '' || isMuted.value || volume.value === 0;
     const Icon = isSilent ? VolumeX : volume.value < 0.5 ? Volume1 : Volume2;
     return (
-        <>
+        <div class="sound-tools">
             <button type="button" class="loudspeaker" title={note || hintOf('mute')}
                 aria-label={note || 'Sound'} aria-pressed={note === '' && !isMuted.value}
                 aria-disabled={note !== ''} onClick={() => runCommand('mute')}>
@@ -21,6 +21,6 @@ export function SoundTools() {
                     volume.value = event.currentTarget.valueAsNumber;
                     isMuted.value = false;
                 }} />
-        </>
+        </div>
     );
 }

@@ -3,7 +3,7 @@
 import { effect, untracked } from '@preact/signals';
 import { filmDuration, goToFilmTime } from '../motion/clock';
 import { filmTime, playing } from '../state/state';
-import { speed } from '../strip/playback';
+import { headTime, speed } from '../strip/playback';
 import { contextTimeAt, DriftWatch, filmTimeAt, grainAt, partsBetween, type Anchor } from './schedule';
 import type { SoundData } from './sound_data';
 import { gain, soundData, soundPieces } from './sound_state';
@@ -118,12 +118,12 @@ function newRun(now: AudioContext, data: SoundData, anchor: Anchor): Run {
     return { data, anchor, output: node, sources: new Set(), until: 0 };
 }
 
-function beginRun(now: AudioContext, data: SoundData): void {
+function beginRun(now: AudioContext, data: SoundData, head: number): void {
     endRun();
     const rate = speed.peek();
     // On the grid of samples: at normal speed nothing is interpolated then.
     const at = Math.round((now.currentTime + kFade) * kRate) / kRate;
-    const film = filmTime.peek() + (at - now.currentTime + latency()) * rate;
+    const film = head + (at - now.currentTime + latency()) * rate;
     run = newRun(now, data, { film: Math.round(film * kRate) / kRate, context: at, speed: rate });
     run.until = run.anchor.film;
     fade(run.output, 1, at, kFade);
@@ -139,13 +139,14 @@ export function heardTime(): number | null {
 function follow(): void {
     const data = soundData.peek();
     const now = playing.peek() && data && !document.hidden ? readyContext() : null;
-    if (!now || !data) {
+    const head = headTime();
+    if (!now || !data || head === null) {
         endRun();
         return;
     }
-    const off = (heardTime() ?? 0) - filmTime.peek();
+    const off = (heardTime() ?? 0) - head;
     if (run?.data !== data || run.anchor.speed !== speed.peek() || drift.isOff(off)) {
-        beginRun(now, data);
+        beginRun(now, data, head);
     }
     if (run) {
         // A piece may come late: what of it has passed is left out.

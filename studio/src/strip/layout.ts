@@ -28,7 +28,6 @@ export const kLabels = 76;
 const kRight = 10;
 const kRuler = 20;
 const kFrames = 34;
-const kSound = 24;
 const kPartsSound = 36; // of a film of several shots
 
 /// The rows in a canvas of this size (px); film time is above, scene time below.
@@ -38,7 +37,8 @@ export function layoutOf(
     const left = kLabels;
     const inner = Math.max(40, width - kLabels - kRight);
     const frames = hasFrames && height > 170 ? kFrames : 0;
-    const sound = hasSound && height - frames > 150 ? kSound : 0;
+    const rows = height - 2 * kRuler - frames;
+    const sound = hasSound && rows > 110 ? Math.round(Math.min(48, Math.max(22, 0.16 * rows))) : 0;
     const free = Math.max(90, height - 2 * kRuler - frames - sound);
     const clips = Math.round(Math.min(30, Math.max(18, 0.17 * free)));
     const events = Math.round(Math.min(36, Math.max(16, 0.16 * free)));

@@ -12,6 +12,14 @@ export const speed = signal<number>(1);
 export const loops = signal(false);
 
 let startedAt = 0; // film time at which playing began
+let movedAt = 0; // ms of performance.now(), when the play head was last moved by playing; 0: not yet
+
+/// Where the play head is at this moment while playing, also between frames of the display; null
+/// before its first move.
+export function headTime(): number | null {
+    return movedAt === 0 ? null
+        : filmTime.peek() + (performance.now() - movedAt) / 1000 * speed.peek();
+}
 
 /// The film time after `elapsed` seconds, and whether the film has ended there.
 export function advanced(
@@ -32,6 +40,7 @@ function runClock(): () => void {
     let last = 0;
     const step = (now: number) => {
         const elapsed = last > 0 ? (now - last) / 1000 * speed.peek() : 0;
+        movedAt = last > 0 ? now : 0;
         last = now;
         const { time, ended } =
             advanced(filmTime.peek(), elapsed, filmDuration.peek(), loops.peek());
@@ -44,6 +53,7 @@ function runClock(): () => void {
     };
     return effect(() => {
         cancelAnimationFrame(request);
+        movedAt = 0;
         if (playing.value) {
             last = 0;
             request = requestAnimationFrame(step);

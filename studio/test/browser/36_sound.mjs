@@ -102,21 +102,42 @@ function listen(page) {
     });
 }
 
-/// The loudest sample of the last 0.68 s at the output, and where the play head was when it was
-/// heard.
+/// The loudest sample of the last 0.68 s at the output.
 function loudest(page) {
     return page.evaluate(() => {
+        const samples = new Float32Array(window.ear.fftSize);
+        window.ear.getFloatTimeDomainData(samples);
+        return samples.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+    });
+}
+
+/// How much later than by the play head the 0.1 s from a film time on are heard, s: where the output
+/// is most like the samples of the film. Waits until they have been played.
+function delayAtOutput(page, time) {
+    return page.evaluate(async (from) => {
         const { sound, state } = window.studio;
+        let stamp = 0;
+        while (state.filmTime.value <= from + 0.25) {
+            stamp = await new Promise(requestAnimationFrame);
+        }
         const samples = new Float32Array(window.ear.fftSize);
         window.ear.getFloatTimeDomainData(samples);
         const context = sound.context();
-        let at = 0;
-        samples.forEach((value, i) => {
-            at = Math.abs(value) > Math.abs(samples[at]) ? i : at;
-        });
-        const ago = (samples.length - at) / context.sampleRate - context.outputLatency;
-        return { peak: Math.abs(samples[at]), film: state.filmTime.value - ago };
-    });
+        const rate = context.sampleRate;
+        const now = state.filmTime.value + (performance.now() - stamp) / 1000;
+        const [left, right] = sound.data.value.channels(0, Math.round(from * rate), 0.1 * rate);
+        const film = left.map((value, i) => (value + right[i]) / 2);
+        const expected = Math.round(samples.length - (now - from + context.outputLatency) * rate);
+        let best = { likeness: -1, lag: 0 };
+        for (let lag = -0.1 * rate; lag <= 0.1 * rate; lag += 1) {
+            let likeness = 0;
+            for (let i = 0; i < film.length; i += 1) {
+                likeness += film[i] * (samples[expected + lag + i] ?? 0);
+            }
+            best = likeness > best.likeness ? { likeness, lag } : best;
+        }
+        return best.likeness > 0 ? best.lag / rate : null;
+    }, time);
 }
 
 async function inStep(page, impact) {
@@ -124,17 +145,14 @@ async function inStep(page, impact) {
     await play(page);
     await page.waitForFunction(() => window.studio.sound.heardTime() !== null);
     await listen(page);
-    const difference = await differenceWhilePlaying(page, 20);
-    await page.waitForFunction((time) => window.studio.state.filmTime.value > time, impact + 0.15);
-    const heard = await loudest(page);
-    equal(heard.peak > 0.05, true, `the peak at the output (${heard.peak})`);
-    // A clack needs some milliseconds to the listener.
-    equal(Math.abs(heard.film - impact) < kInStep + 0.01, true,
-        `the impact at ${impact} s is heard at ${heard.film} s`);
+    const delay = await delayAtOutput(page, impact - 0.02);
+    const difference = await differenceWhilePlaying(page, 15);
+    equal(delay !== null && Math.abs(delay) < kInStep, true,
+        `the impact at ${impact} s is heard ${delay} s late`);
     equal(difference < kInStep, true, `the sound is ${difference} s from the play head`);
     await pause(page);
     equal(await page.evaluate(() => window.studio.sound.isPlaying()), false, 'sound after a pause');
-    return difference;
+    return { difference, delay };
 }
 
 /// Slowly, across the film's end, and after a jump.
@@ -142,7 +160,7 @@ async function otherWays(page) {
     await page.getByLabel('Playback speed').selectOption({ index: 2 });
     await goTo(page, 1);
     await play(page);
-    const slow = await differenceWhilePlaying(page, 15);
+    const slow = await differenceWhilePlaying(page, 9);
     equal(slow < kInStep, true, `slowly, the sound is ${slow} s from the play head`);
     await pause(page);
     await page.getByLabel('Playback speed').selectOption({ index: 0 });
@@ -152,7 +170,7 @@ async function otherWays(page) {
     await play(page);
     await page.waitForFunction(() => window.studio.state.filmTime.value < 2
         && window.studio.sound.heardTime() < 2);
-    const repeated = await differenceWhilePlaying(page, 15);
+    const repeated = await differenceWhilePlaying(page, 9);
     equal(repeated < kInStep, true, `repeated, the sound is ${repeated} s from the play head`);
     const before = await page.evaluate(() => window.studio.sound.runs());
     await goTo(page, 5);
@@ -167,28 +185,32 @@ async function scrubbed(page, impact) {
     const silence = () => page.evaluate(() => new Promise((done) => { setTimeout(done, 900); }));
     await page.mouse.click(...await pixelOnStrip(page, 'filmRuler', 0.1, true));
     await silence();
-    equal((await loudest(page)).peak < 0.02, true, 'silence before the impact');
+    equal((await loudest(page)) < 1e-3, true, 'silence before the impact');
     await page.mouse.click(...await pixelOnStrip(page, 'filmRuler', impact, true));
     await page.evaluate(() => new Promise((done) => { setTimeout(done, 200); }));
-    equal((await loudest(page)).peak > 0.05, true, 'the impact under the play head is heard');
+    equal((await loudest(page)) > 0.015, true, 'the impact under the play head is heard');
     await silence();
-    equal((await loudest(page)).peak, 0, 'what is heard after it');
+    equal((await loudest(page)), 0, 'what is heard after it');
 }
 
-/// How many pixels of the strip's sound row differ from its background in the column of a time.
+/// How many pixels of the strip's sound row differ from its background at a time.
 function columnHeight(page, time) {
     return page.evaluate((t) => {
         const { layout } = window.studio.strip;
         const { film, sound } = layout.value;
         const x = Math.floor(film.left + ((t - film.from) / (film.to - film.from)) * film.width);
         const canvas = document.querySelector('.times canvas');
-        const { data } = canvas.getContext('2d').getImageData(x, sound.y, 1, sound.height);
-        const back = data.slice(0, 3).join();
-        let count = 0;
-        for (let i = 0; i < data.length; i += 4) {
-            count += data.slice(i, i + 3).join() !== back ? 1 : 0;
-        }
-        return count;
+        const heightAt = (column) => {
+            const { data } = canvas.getContext('2d').getImageData(column, sound.y, 1, sound.height);
+            const back = data.slice(0, 3).join();
+            let count = 0;
+            for (let i = 0; i < data.length; i += 4) {
+                count += data.slice(i, i + 3).join() !== back ? 1 : 0;
+            }
+            return count;
+        };
+        // A sound that needs some milliseconds may be in the next column.
+        return Math.max(heightAt(x), heightAt(x + 1));
     }, time);
 }
 
@@ -201,8 +223,9 @@ async function mutedAndRemembered(page, address) {
     await goTo(page, 0);
     await play(page);
     await page.waitForFunction(() => window.studio.state.filmTime.value > 1.2);
-    equal((await loudest(page)).peak, 0, 'the output while muted');
+    equal((await loudest(page)), 0, 'the output while muted');
     await pause(page);
+    await button.hover();
     await page.getByRole('slider', { name: 'Volume' }).fill('0.3');
     equal(await button.getAttribute('aria-pressed'), 'true', 'sound after the volume was changed');
     await button.click();
@@ -233,14 +256,14 @@ export async function check({ page, address }) {
     const { time } = await peakTime(page, impact + 0.05);
     equal(time > impact - 2e-3 && time < impact + 0.012, true,
         `the peak at ${time} s, the impact at ${impact} s`);
-    const [before, at] = [await columnHeight(page, impact - 0.15), await columnHeight(page, impact)];
-    equal(at > before + 6, true, `columns of ${before} and ${at} pixels`);
+    const [before, at] = [await columnHeight(page, 0.1), await columnHeight(page, impact)];
+    equal(at >= before + 6, true, `columns of ${before} and ${at} pixels`);
     await keepPictures(page, 'sound');
-    const difference = await inStep(page, impact);
+    const { difference, delay } = await inStep(page, impact);
     await otherWays(page);
     await scrubbed(page, impact);
     await mutedAndRemembered(page, address);
     await silentFilm(page);
-    return `the impact at ${impact.toFixed(3)} s is heard at ${time.toFixed(3)} s; play head and sound `
-        + `${(1000 * difference).toFixed(0)} ms apart`;
+    return `the impact at ${impact.toFixed(3)} s is heard at ${time.toFixed(3)} s; `
+        + `${(1000 * difference).toFixed(0)} ms from the play head, ${(1000 * delay).toFixed(0)} ms at the output`;
 }
