@@ -7,7 +7,8 @@
 namespace carom::sim {
 namespace {
 
-/// Counts up with every change to the simulation that can change a bake.
+/// Counts up with every change to the simulation that can change a bake, unless kSchemaVersion
+/// does: bakes of an older version are not read anyway.
 constexpr std::int64_t kSimulationRevision = 11;
 
 }  // namespace

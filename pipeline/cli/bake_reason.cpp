@@ -56,6 +56,9 @@ std::string BakeReason::text(pipeline::BakeOrigin origin) const {
     if (origin == pipeline::BakeOrigin::replaced) {
         return "simulated the shot again: the cached bake could not be used";
     }
+    if (origin == pipeline::BakeOrigin::outdated) {
+        return "simulated the shot again: another version of carom made its cached bake";
+    }
     if (origin == pipeline::BakeOrigin::cached) {
         return last_hash_ == hash_ ? "the physics is unchanged: using the cached bake"
                                    : "this physics was simulated before: using the cached bake";

@@ -47,6 +47,13 @@ Source read_source(const ExportCommand& command, bool shot_wanted, CommandContex
     return {std::move(input.shot), std::move(timeline)};
 }
 
+/// Throws InputError if two tables would be written to the same file.
+void check_different(const std::string& path, const std::string& other, const char* contents) {
+    if (!path.empty() && path == other) {
+        throw InputError("'" + path + "' cannot contain both " + contents + "; give two files");
+    }
+}
+
 std::string tracks_text(const Source& source, Format format, std::optional<double> rate) {
     const sim::Timeline& timeline = source.timeline;
     if (format == Format::csv) {
@@ -61,22 +68,23 @@ std::string tracks_text(const Source& source, Format format, std::optional<doubl
 }  // namespace
 
 void run(const ExportCommand& command, CommandContext& context) {
-    // With --events and without -o only the events are written.
-    const bool tracks_wanted = !command.output.empty() || command.events.empty();
+    // With --events or --contacts and without -o only those tables are written.
+    const bool tracks_wanted =
+        !command.output.empty() || (command.events.empty() && command.contacts.empty());
     const std::string path = output_or_default(command.output, command.input.path, ".csv");
     const Format format = tracks_wanted ? format_of(path) : Format::csv;
     if (tracks_wanted) {
-        if (path == command.events) {
-            throw InputError("'" + path +
-                             "' cannot contain both the tracks and the events; give two files");
-        }
+        check_different(path, command.events, "the tracks and the events");
+        check_different(path, command.contacts, "the tracks and the lasting contacts");
         if (command.rate && (format == Format::glb || format == Format::usda)) {
             throw InputError("'" + path +
                              "' has as many keys as it needs; --rate is only for .csv and .json");
         }
         check_output_folder(path);
     }
+    check_different(command.events, command.contacts, "the events and the lasting contacts");
     check_output_folder(command.events);
+    check_output_folder(command.contacts);
 
     const Source source = read_source(command, format != Format::csv, context);
     if (tracks_wanted) {
@@ -84,6 +92,9 @@ void run(const ExportCommand& command, CommandContext& context) {
     }
     if (!command.events.empty()) {
         write_text_output(command.events, pipeline::events_to_csv(source.timeline));
+    }
+    if (!command.contacts.empty()) {
+        write_text_output(command.contacts, pipeline::contacts_to_csv(source.timeline));
     }
 }
 

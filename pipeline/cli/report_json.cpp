@@ -54,7 +54,11 @@ std::string event_object(const pipeline::ReportedEvent& row) {
         members.add("normal", {event.normal.x, event.normal.y, event.normal.z})
             .add("normal_impulse", event.normal_impulse)
             .add("tangential_impulse", event.tangential_impulse);
-    } else if (event.vector != Vec3(0, 0, 0)) {
+    }
+    if (event.kind == sim::EventKind::strike) {
+        members.add("normal_impulse", event.normal_impulse);
+    }
+    if (event.vector != Vec3(0, 0, 0)) {
         members.add("vector", {event.vector.x, event.vector.y, event.vector.z});
     }
     return members.object();

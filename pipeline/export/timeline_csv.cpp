@@ -9,7 +9,8 @@ namespace {
 
 constexpr const char* kStateColumns = "object,time,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz";
 constexpr const char* kEventColumns =
-    "time,kind,a,b,x,y,z,nx,ny,nz,normal_impulse,tangential_impulse";
+    "time,kind,a,b,x,y,z,nx,ny,nz,normal_impulse,tangential_impulse,vector_x,vector_y,vector_z";
+constexpr const char* kContactColumns = "from,to,a,b,normal_force,slip";
 
 void add_row(CsvText& csv, const std::string& object, double time, const MotionState& state) {
     csv.add(object).add(time).add(state.position).add(state.orientation);
@@ -50,7 +51,16 @@ std::string events_to_csv(const sim::Timeline& timeline) {
     for (const sim::Event& event : timeline.events) {
         csv.add(event.time).add(sim::to_string(event.kind)).add(event.a).add(event.b);
         csv.add(event.place).add(event.normal);
-        csv.add(event.normal_impulse).add(event.tangential_impulse).end_row();
+        csv.add(event.normal_impulse).add(event.tangential_impulse).add(event.vector).end_row();
+    }
+    return csv.finish();
+}
+
+std::string contacts_to_csv(const sim::Timeline& timeline) {
+    CsvText csv(kContactColumns);
+    for (const sim::LastingContact& contact : timeline.lasting_contacts) {
+        csv.add(contact.from).add(contact.to).add(contact.a).add(contact.b);
+        csv.add(contact.normal_force).add(contact.slip).end_row();
     }
     return csv.finish();
 }

@@ -18,8 +18,14 @@ namespace carom::pipeline {
 /// 1e6 Hz and the table has at most ten million rows.
 [[nodiscard]] std::string samples_to_csv(const sim::Timeline& timeline, double rate);
 
-/// Columns time,kind,a,b,x,y,z,nx,ny,nz,normal_impulse,tangential_impulse, one row per event in
-/// order of time; values that do not apply to the kind of event are empty (b) or 0.
+/// Columns time,kind,a,b,x,y,z,nx,ny,nz,normal_impulse,tangential_impulse,vector_x,vector_y,
+/// vector_z, one row per event in order of time; values that do not apply to the kind of event are
+/// empty (b) or 0. The last three are the vector of a force event: newtons, newton metres, newton
+/// seconds or m/s, world axes.
 [[nodiscard]] std::string events_to_csv(const sim::Timeline& timeline);
+
+/// Columns from,to,a,b,normal_force,slip, one row per lasting contact in order of its beginning:
+/// seconds, newtons, m/s.
+[[nodiscard]] std::string contacts_to_csv(const sim::Timeline& timeline);
 
 }  // namespace carom::pipeline

@@ -201,6 +201,9 @@ std::string timeline_json(const Shot& shot, const sim::Timeline& timeline, const
         {"events", all(timeline.events, json_of<sim::Event>)},
         {"energy", all(timeline.energy, json_of<sim::EnergySample>)},
         {"cameras", all(scene.cameras, camera_json)}};
+    if (!timeline.lasting_contacts.empty()) {
+        document["lasting_contacts"] = all(timeline.lasting_contacts, json_of<sim::LastingContact>);
+    }
     if (!timeline.put_backs.empty()) {
         document["put_backs"] = all(timeline.put_backs, json_of<sim::PutBack>);
     }

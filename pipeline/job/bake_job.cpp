@@ -29,11 +29,17 @@ std::string bake_path(const std::string& cache_folder, const Hash128& physics_ha
 
 enum class Use { marked, not_marked };  // in the time of the file
 
-std::optional<sim::Bake> read_cached(const std::string& path, const Hash128& physics_hash, Use use,
-                                     const JobObserver& observer) {
+/// What the cache has of a shot.
+struct CachedBake {
+    std::optional<sim::Bake> bake;
+    BakeOrigin origin = BakeOrigin::simulated;  // of the bake, or of one that is made in its place
+};
+
+CachedBake read_cached(const std::string& path, const Hash128& physics_hash, Use use,
+                       const JobObserver& observer) {
     std::error_code ignored;
     if (!fs::exists(path, ignored)) {
-        return std::nullopt;
+        return {};
     }
     try {
         sim::Bake bake = sim::read_bake(path);
@@ -41,15 +47,17 @@ std::optional<sim::Bake> read_cached(const std::string& path, const Hash128& phy
             if (use == Use::marked) {
                 mark_used(path);
             }
-            return bake;
+            return {std::move(bake), BakeOrigin::cached};
         }
         warn(observer, "'" + path + "' is the bake of another shot; this shot is simulated again");
+    } catch (const sim::OtherBakeVersion&) {
+        return {std::nullopt, BakeOrigin::outdated};
     } catch (const Error& error) {
         warn(observer, std::string("the cached bake cannot be used, so the shot is simulated "
                                    "again: ") +
                            error.what());
     }
-    return std::nullopt;
+    return {std::nullopt, BakeOrigin::replaced};
 }
 
 void save(const sim::Bake& bake, const std::string& path) {
@@ -94,16 +102,16 @@ sim::Bake bake_shot(const Shot& shot, const WorkContext& context) {
 
 namespace {
 
-std::optional<sim::Bake> find_bake(const Shot& shot, const std::string& cache_folder, Use use,
-                                   const JobObserver& observer) {
+CachedBake find_bake(const Shot& shot, const std::string& cache_folder, Use use,
+                     const JobObserver& observer) {
     const Hash128 physics_hash = sim::physics_hash(shot.world);
-    std::optional<sim::Bake> cached =
+    CachedBake cached =
         read_cached(bake_path(cache_folder, physics_hash), physics_hash, use, observer);
-    if (cached) {
+    if (cached.bake) {
         // Shots that differ only in their look share a bake.
-        cached->shot_text = shot.resolved_text;
-        cached->assets = shot.assets;
-        add_keyed_motions(*cached, shot);
+        cached.bake->shot_text = shot.resolved_text;
+        cached.bake->assets = shot.assets;
+        add_keyed_motions(*cached.bake, shot);
     }
     return cached;
 }
@@ -146,32 +154,34 @@ std::optional<Claim> claim_bake(Claims& claims, const Hash128& physics_hash,
 
 std::optional<sim::Bake> find_cached_bake(const Shot& shot, const std::string& cache_folder,
                                           const JobObserver& observer) {
-    return find_bake(shot, cache_folder, Use::marked, observer);
+    return find_bake(shot, cache_folder, Use::marked, observer).bake;
 }
 
 BakedShot bake_without_store(const Shot& shot, const std::string& cache_folder,
                              const JobObserver& observer, const std::stop_token& stop) {
     const std::string folder = readable_cache_folder(cache_folder);
-    if (std::optional<sim::Bake> cached = find_bake(shot, folder, Use::not_marked, observer)) {
-        return {std::move(*cached), BakeOrigin::cached};
+    CachedBake cached = find_bake(shot, folder, Use::not_marked, observer);
+    if (cached.bake) {
+        return {std::move(*cached.bake), cached.origin};
     }
-    return {bake_shot(shot, context_of(observer, stop)), BakeOrigin::simulated};
+    return {bake_shot(shot, context_of(observer, stop)), cached.origin};
 }
 
 BakedShot bake_or_reuse(const Shot& shot, const std::string& cache_folder,
                         const JobObserver& observer, const std::stop_token& stop) {
     const Hash128 physics_hash = sim::physics_hash(shot.world);
-    std::error_code ignored;
-    const bool existed = fs::exists(bake_path(cache_folder, physics_hash), ignored);
-    if (std::optional<sim::Bake> cached = find_cached_bake(shot, cache_folder, observer)) {
-        return {std::move(*cached), BakeOrigin::cached};
+    CachedBake cached = find_bake(shot, cache_folder, Use::marked, observer);
+    if (cached.bake) {
+        return {std::move(*cached.bake), cached.origin};
     }
     const std::string path = bake_path(cache_folder, physics_hash);
     Claims claims(fs::path(path).parent_path().parent_path().string() + "/locks");
     const std::optional<Claim> claim = claim_bake(claims, physics_hash, path, stop);
-    if (!existed && fs::exists(path, ignored)) {  // made by another process meanwhile
-        if (std::optional<sim::Bake> cached = find_cached_bake(shot, cache_folder, observer)) {
-            return {std::move(*cached), BakeOrigin::cached};
+    std::error_code ignored;
+    if (cached.origin == BakeOrigin::simulated && fs::exists(path, ignored)) {
+        // Another process has made it meanwhile.
+        if (std::optional<sim::Bake> made = find_cached_bake(shot, cache_folder, observer)) {
+            return {std::move(*made), BakeOrigin::cached};
         }
     }
     sim::Bake bake = simulate(shot, context_of(observer, stop));
@@ -181,7 +191,7 @@ BakedShot bake_or_reuse(const Shot& shot, const std::string& cache_folder,
         warn(observer, std::string("the bake cannot be saved in the cache: ") + error.what());
     }
     add_keyed_motions(bake, shot);
-    return {std::move(bake), existed ? BakeOrigin::replaced : BakeOrigin::simulated};
+    return {std::move(bake), cached.origin};
 }
 
 }  // namespace carom::pipeline

@@ -85,6 +85,7 @@ enum class BakeOrigin {
     cached,     // by an earlier command
     simulated,  // now
     replaced,   // simulated now because the cached one cannot be used, which a warning reports
+    outdated,   // simulated now because another version of carom made the cached one
 };
 
 struct BakedShot {

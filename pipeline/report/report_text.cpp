@@ -88,15 +88,16 @@ std::string events_table(const ShotReport& report) {
                                 (any_cut ? "  deg" : "     ") + "     N s    x m    y m    z m");
     for (const ReportedEvent& row : report.events) {
         const sim::Event& event = row.event;
-        const bool is_impact = event.kind == sim::EventKind::impact;
+        const bool has_impulse =
+            event.kind == sim::EventKind::impact || event.kind == sim::EventKind::strike;
         text += without_trailing_blanks(
             fmt::format("{:9.5f} ", event.time) +
             in_columns(std::string(to_string(event.kind)), 9) + " " +
             in_columns(who_text(event), who) + " " + motion_text(row.a, is_jump(event.kind)) + " " +
             motion_text(row.b, is_jump(event.kind)) + " " +
             (row.cut ? fmt::format("{:5.1f}", *row.cut * kDegrees) : std::string(5, ' ')) + " " +
-            (is_impact ? fmt::format("{:7.4f}", event.normal_impulse) : std::string(7, ' ')) + " " +
-            place_text(event.place));
+            (has_impulse ? fmt::format("{:7.4f}", event.normal_impulse) : std::string(7, ' ')) +
+            " " + place_text(event.place));
     }
     return text;
 }

@@ -20,6 +20,8 @@ bool is_intact(const CacheEntry& entry) {
     }
     try {
         return sim::read_bake(entry.path).physics_hash == entry.key;
+    } catch (const sim::OtherBakeVersion&) {
+        return true;  // it is made again when it is needed
     } catch (const Error&) {
         return !std::filesystem::exists(entry.path);
     }

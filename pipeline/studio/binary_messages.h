@@ -22,7 +22,7 @@ struct TimelineEvent {
     std::string a{};
     std::string b{};
     Triple place{};
-    double impulse = 0;  // N s, of an impact
+    double impulse = 0;  // N s, of an impact or a strike
     std::string text{};  // a phrase for people: "cue hits one"
 };
 

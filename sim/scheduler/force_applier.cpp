@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "core/elementary.h"
+#include "core/length.h"
 #include "sim/stick/strike.h"
 
 namespace carom::sim {
@@ -155,8 +156,8 @@ void ForceApplier::strike_free(const Strike& strike, const Vec3& aim, double tim
     MotionState after = before;
     after.velocity += result.velocity;
     after.angular_velocity += result.angular_velocity;
-    recorder_.log_action(EventKind::strike, time, time, struck.name, before.position,
-                         result.velocity);
+    recorder_.log_strike(time, struck.name, before.position, result.velocity,
+                         struck.mass * length(result.velocity));
     set_state(body, time, before, after);
 }
 
@@ -167,8 +168,8 @@ void ForceApplier::strike_group(const Strike& strike, const Vec3& aim, double ti
     const PushResult push = push_balls(group, strike, aim, environment_.law.ball_ball);
     part_balls(group, push);
     const auto ball_of = [&](std::size_t i) -> const Ball& { return balls_[touching.indices[i]]; };
-    recorder_.log_action(EventKind::strike, time, time, ball_of(group.struck).name,
-                         before[group.struck].state.position, push.velocity);
+    recorder_.log_strike(time, ball_of(group.struck).name, before[group.struck].state.position,
+                         push.velocity, push.impulse);
     std::vector<std::uint32_t> lasting;
     for (std::size_t i = 0; i < group.contacts.size(); ++i) {
         const PushContact& contact = group.contacts[i];

@@ -1,5 +1,6 @@
 #include "sim/scheduler/impact_resolver.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/length.h"
@@ -9,6 +10,8 @@
 
 namespace carom::sim {
 namespace {
+
+const std::string kCushion = "cushion";
 
 /// Restitution and friction of two balls that collide.
 ContactNumbers pair_law(const StaticEnvironment& environment, const Ball& a, const Ball& b,
@@ -28,6 +31,21 @@ Vec2 nearest_on(const billiards::CushionFace& face, const Vec2& point) {
 Vec2 nearest_on(const billiards::CushionCorner& corner, const Vec2& point) {
     const Vec2 d = point - corner.centre;
     return corner.centre + d * (corner.radius / std::sqrt(d.dot(d)));
+}
+
+/// A ball with the means of its velocities before and after an impact.
+BallBody mean_body(const BallBody& after, const MotionState& before) {
+    BallBody mean = after;
+    mean.state.velocity = (before.velocity + after.state.velocity) * 0.5;
+    mean.state.angular_velocity = (before.angular_velocity + after.state.angular_velocity) * 0.5;
+    return mean;
+}
+
+/// What a ball hits, as a body without a radius: only the velocity of its surface counts.
+BallBody surface_moving_at(const Vec3& velocity) {
+    BallBody body;
+    body.state.velocity = velocity;
+    return body;
 }
 
 /// A ball in a pocket that touches more than the ball which strikes it. In closed form it could
@@ -76,6 +94,21 @@ void ImpactResolver::resolve(const PredictedEvent& event) {
     }
 }
 
+/// Fast impacts are events. Slow ones that follow each other are a lasting contact.
+void ImpactResolver::record(const Impact& impact) {
+    if (impact.approach > kLeastLoggedSpeed) {
+        return recorder_.log_impact(impact.time, impact.a, impact.b, impact.place, impact.normal,
+                                    impact.impulse);
+    }
+    const BallBody& a = impact.first;
+    const BallBody& b = impact.second;
+    const double radius = b.radius > 0 ? std::min(a.radius, b.radius) : a.radius;
+    recorder_.contacts().add(
+        impact.a, impact.b,
+        {impact.time, impact.time, impact.impulse.normal, length(contact_slip(a, b, impact.normal)),
+         length(a.state.angular_velocity - b.state.angular_velocity) * radius});
+}
+
 void ImpactResolver::resolve_ball_impact(const PredictedEvent& event) {
     Ball& a = balls_[event.first];
     Ball& b = balls_[event.second];
@@ -94,10 +127,8 @@ void ImpactResolver::resolve_ball_impact(const PredictedEvent& event) {
         body_a.state.velocity.z = 0;
         body_b.state.velocity.z = 0;
     }
-    if (approach > kLeastLoggedSpeed) {
-        recorder_.log_impact(event.time, a.name, b.name, before_a.position - normal * a.radius,
-                             normal, impulse);
-    }
+    record({event.time, approach, a.name, b.name, before_a.position - normal * a.radius, normal,
+            impulse, mean_body(body_a, before_a), mean_body(body_b, before_b)});
     const double separation = (body_a.state.velocity - body_b.state.velocity).dot(normal);
     const bool stays =
         stays_in_contact(a, separation, normal) || stays_in_contact(b, separation, normal);
@@ -156,12 +187,17 @@ void ImpactResolver::resolve_solid_impact(const PredictedEvent& event) {
     } else {
         result = balls_.solver().solve(ball_part, solid_part, impact);
     }
-    if (approach > kLeastLoggedSpeed) {
-        recorder_.log_impact(event.time, ball.name, *solid.name, contact.point, contact.normal,
-                             {result.normal_impulse, result.tangential_impulse});
-    }
     body.state.velocity = result.first.linear;
     body.state.angular_velocity = result.first.angular;
+    record({event.time,
+            approach,
+            ball.name,
+            *solid.name,
+            contact.point,
+            contact.normal,
+            {result.normal_impulse, result.tangential_impulse},
+            mean_body(body, before),
+            surface_moving_at(solid.velocity_at(contact.point))});
     const bool stays = separation(result.first.linear, result.second) < kLandingSpeed;
     stepped_.change_solid_velocity(event.second, event.time, result.second.linear,
                                    result.second.angular);
@@ -215,10 +251,8 @@ void ImpactResolver::bounce(const PredictedEvent& event, const SurfaceContact& c
     if (!environment_.law.hop && ball.ground != Ground::none && std::abs(contact.normal.z) < 1e-6) {
         body.state.velocity.z = 0;
     }
-    if (approach > kLeastLoggedSpeed) {
-        recorder_.log_impact(event.time, ball.name, info.name, contact.point, contact.normal,
-                             impulse);
-    }
+    record({event.time, approach, ball.name, info.name, contact.point, contact.normal, impulse,
+            mean_body(body, before), surface_moving_at({0, 0, 0})});
     const bool stays =
         stays_in_contact(ball, body.state.velocity.dot(contact.normal), contact.normal);
     balls_.change_state(event.first, event.time, before, body.state);
@@ -258,10 +292,12 @@ void ImpactResolver::resolve_cushion_impact(const PredictedEvent& event, const V
     const double separation = body.state.velocity.dot(inward);
     if (separation < kLeastSeparation) {
         body.state.velocity += inward * (kLeastSeparation - separation);
+        if (approach <= kLeastLoggedSpeed) {
+            impulse.normal += body.mass * (kLeastSeparation - separation);
+        }
     }
-    if (approach > kLeastLoggedSpeed) {
-        recorder_.log_impact(event.time, ball.name, "cushion", nose, normal, impulse);
-    }
+    record({event.time, approach, ball.name, kCushion, nose, normal, impulse,
+            mean_body(body, before), surface_moving_at({0, 0, 0})});
     balls_.change_state(event.first, event.time, before, body.state);
 }
 

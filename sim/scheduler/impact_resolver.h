@@ -33,6 +33,17 @@ class ImpactResolver {
     void bounce(const PredictedEvent& event, const SurfaceContact& contact,
                 const SurfaceInfo& info);
 
+    struct Impact {
+        double time = 0;
+        double approach = 0;  // m/s
+        const std::string& a;
+        const std::string& b;
+        Vec3 place, normal;  // as in Event
+        ImpulsePair impulse;
+        BallBody first, second;  // with the means of their velocities before and after it
+    };
+    void record(const Impact& impact);
+
     const StaticEnvironment& environment_;
     Balls& balls_;
     SteppedBodies& stepped_;

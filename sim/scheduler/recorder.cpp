@@ -93,6 +93,12 @@ void Recorder::log_action(EventKind kind, double time, double end_time, const st
     events_.push_back(std::move(event));
 }
 
+void Recorder::log_strike(double time, const std::string& ball, const Vec3& place,
+                          const Vec3& velocity, double impulse) {
+    log_action(EventKind::strike, time, time, ball, place, velocity);
+    events_.back().normal_impulse = impulse;
+}
+
 void Recorder::add_energy(const EnergySample& sample) {
     if (!energy_.empty() && energy_.back() == sample) {
         return;
@@ -122,6 +128,7 @@ Timeline Recorder::take_timeline(double end_time) {
     }
     keep_lasting_states(timeline.events);
     timeline.energy = std::move(energy_);
+    timeline.lasting_contacts = contacts_.take();
     timeline.put_backs = std::move(put_backs_);
     timeline.warnings = std::move(warnings_);
     return timeline;

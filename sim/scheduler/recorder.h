@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/impact/ball_impact.h"
+#include "sim/scheduler/contact_log.h"
 #include "sim/timeline/timeline.h"
 #include "sim/world.h"
 
@@ -36,9 +37,14 @@ class Recorder {
              const std::string& b = {});
     void log_action(EventKind kind, double time, double end_time, const std::string& a,
                     const Vec3& place, const Vec3& vector);
+    /// `place`: the ball's centre; `velocity`: what the stick gave it, m/s; `impulse`: of the tip
+    /// on the ball, N s.
+    void log_strike(double time, const std::string& ball, const Vec3& place, const Vec3& velocity,
+                    double impulse);
     /// Leaves a logged event out of the timeline: it turned out not to have happened.
     void retract(std::size_t event) { retracted_.insert(event); }
     void add_energy(const EnergySample& sample);
+    [[nodiscard]] ContactLog& contacts() { return contacts_; }
     void warn(Diagnostic warning);
 
     [[nodiscard]] const std::vector<Event>& events() const { return events_; }
@@ -64,6 +70,7 @@ class Recorder {
     std::vector<LastKey> last_keys_;
     std::vector<Event> events_;
     std::set<std::size_t> retracted_;
+    ContactLog contacts_;
     std::vector<EnergySample> energy_;
     std::vector<PutBack> put_backs_;
     std::vector<Diagnostic> warnings_;

@@ -33,6 +33,8 @@ class StepTrial {
     /// Indices of the moving bodies, and in the same order their motions during the step.
     [[nodiscard]] const std::vector<int>& moving() const { return moving_; }
     [[nodiscard]] const std::vector<ode::StepMotion>& motions() const { return motions_; }
+    /// Likewise their states at the midpoint, before the velocities change there.
+    [[nodiscard]] const std::vector<MotionState>& midpoints() const { return midpoint_states_; }
 
   private:
     void collect_moving();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/scheduler/step_loads.h"
+
 namespace carom::sim {
 namespace {
 
@@ -129,6 +131,7 @@ void SteppedBodies::commit(double end) {
     if (!trial_.shorten(end)) {
         return cancel_step(end);
     }
+    log_contacts();
     for (std::size_t slot = 0; slot < trial_.moving().size(); ++slot) {
         bodies_[static_cast<std::size_t>(trial_.moving()[slot])].state = trial_.motions()[slot].end;
     }
@@ -152,6 +155,17 @@ void SteppedBodies::cancel_step(double time) {
         } else {
             body.motion = {body.shape, time, body.state};
         }
+    }
+}
+
+void SteppedBodies::log_contacts() {
+    for (const PairLoad& pair : pair_loads(trial_, bodies_)) {
+        const auto first = static_cast<std::size_t>(pair.first);
+        recorder_.contacts().add(*bodies_[first].name,
+                                 pair.other < 0
+                                     ? finder_.info(pair.other).name
+                                     : *bodies_[static_cast<std::size_t>(pair.other)].name,
+                                 pair.load);
     }
 }
 

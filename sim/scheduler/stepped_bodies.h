@@ -65,6 +65,7 @@ class SteppedBodies {
     void adopt_balls(double time);
     void publish_trial_paths();
     void cancel_step(double time);
+    void log_contacts();
     void finish_solid_step(StepBody& body, double end);
     void finish_ball_step(StepBody& body, double end);
     [[nodiscard]] Ground ground_under(const StepBody& ball, bool& touches_other) const;

@@ -172,7 +172,7 @@ std::span<const std::byte> open_envelope(std::span<const std::byte> bytes) {
     }
     const fb::Head& head = *flatbuffers::GetRoot<fb::EnvelopeHead>(bytes.data())->head();
     if (head.schema_version() != kSchemaVersion) {
-        throw Error(fmt::format(
+        throw OtherBakeVersion(fmt::format(
             "has version {} of the format, but this carom reads version {}: bake the shot again",
             head.schema_version(), kSchemaVersion));
     }
@@ -254,6 +254,8 @@ Bake decode_bake(std::span<const std::byte> bytes, const std::string& origin) {
     std::span<const std::byte> content;
     try {
         content = open_envelope(bytes);
+    } catch (const OtherBakeVersion& error) {
+        throw OtherBakeVersion("'" + origin + "' " + error.what());
     } catch (const Error& error) {
         throw Error("'" + origin + "' " + error.what());
     }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "core/hash.h"
 #include "sim/timeline/timeline.h"
 
@@ -33,8 +34,16 @@ struct Bake {
 /// The file's bytes; the same bake gives the same bytes.
 [[nodiscard]] std::vector<std::byte> encode_bake(const Bake& bake);
 
+/// The bake was written in another version of the format, by an older or newer carom. It may be
+/// whole, but cannot be read.
+class OtherBakeVersion : public Error {
+  public:
+    using Error::Error;
+};
+
 /// Decodes the bytes of encode_bake. Rejects a truncated, damaged or foreign buffer with an Error
-/// that names `origin` and the problem; nothing in the buffer is trusted.
+/// that names `origin` and the problem (OtherBakeVersion if that is the version); nothing in the
+/// buffer is trusted.
 [[nodiscard]] Bake decode_bake(std::span<const std::byte> bytes, const std::string& origin);
 
 /// Writes to a temporary name beside `path`, flushes to disk and renames. Throws Error.

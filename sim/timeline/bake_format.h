@@ -13,7 +13,7 @@
 namespace carom::sim {
 
 /// Increased whenever an older reader would misunderstand or reject the file.
-inline constexpr std::uint32_t kSchemaVersion = 2;
+inline constexpr std::uint32_t kSchemaVersion = 3;
 
 // Limits of one file, which find_problem checks.
 inline constexpr std::size_t kMaxTracks = 65'536;

@@ -21,7 +21,8 @@ enum class EventKind {
     torque,     // force event: newton metres on a from `time` to `end_time`
     impulse,    // force event: newton seconds on a
     velocity,   // force event: a's velocity was set
-    strike,     // force event: the stick struck a; the vector is the velocity that it gave
+    strike,     // force event: the stick struck a; the vector is the velocity that it gave, the
+                // normal impulse that of its tip
     placed,     // a was put down at rest on the cloth, on spot b (empty: not on a spot)
     removed,    // a was taken off the table
 };
@@ -39,21 +40,22 @@ struct Event {
     Vec3 place{0, 0, 0};   // impact: the point of contact; placed: a's centre after it; otherwise
                            // a's centre
     Vec3 normal{0, 0, 0};  // impact: unit, from b towards a; otherwise zero
-    double normal_impulse = 0;      // N s, impact only
+    double normal_impulse = 0;      // N s, impact and strike
     double tangential_impulse = 0;  // N s, impact only
     Vec3 vector{0, 0, 0};  // force events: the force, torque, impulse or velocity, world axes
 
     bool operator==(const Event&) const = default;
 };
 
-/// A lasting contact of two objects. No simulation records these yet.
+/// A lasting contact of two objects that move against each other, or a part of one: its force and
+/// slip hardly change. docs/timeline.md says which contacts are recorded.
 struct LastingContact {
     std::string a;            // name of an object
     std::string b;            // the other object or surface, as in Event
     double from = 0;          // scene time, s
     double to = 0;            // s, not before `from`
     double normal_force = 0;  // N, mean over that time
-    double slip = 0;          // m/s, mean slip speed of the surfaces
+    double slip = 0;          // m/s, mean speed of the surfaces past each other while they touch
 
     bool operator==(const LastingContact&) const = default;
 };

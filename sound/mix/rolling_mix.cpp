@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -17,7 +18,7 @@ constexpr std::size_t kHistory = 8192;   // samples, 58 m
 constexpr int kBlocksBefore = 2;         // read out before a passage, for the way to the listener
 
 // What delays both ears if the way takes no time, so that neither hears the future.
-constexpr double kHeadDelay = kHeadRadius / kSoundSpeed;  // s
+constexpr double kHeadDelay = kHeadRadius / kSpeedOfSound;  // s
 
 double film_time_of_sample(std::int64_t sample) {
     return static_cast<double>(sample) / kSampleRate;
@@ -92,7 +93,7 @@ class RollingMix::PassageRolling {
         return sources;
     }
 
-    void add_block(std::int64_t block, ShotBus& bus) {
+    void add_block(std::int64_t block, const BusMaker& bus) {
         constexpr auto kSamples = static_cast<std::int64_t>(kBlock);
         if (!is_begun_) {
             is_begun_ = true;
@@ -104,22 +105,23 @@ class RollingMix::PassageRolling {
         left_.fill(0);
         right_.fill(0);
         room_.fill(0);
+        bool is_audible = false;
         for (SourceState& state : states_) {
             if (state.silent_for < kHistory) {
                 mix(state, block);
+                is_audible = true;
             } else {
                 state.has_edge = false;
             }
         }
+        if (!is_audible) {
+            return;
+        }
         const bool is_filtered = passage_.settings.stereo == Stereo::sphere;
-        bus.add({BusInput::To::left, false, is_filtered, 1, 0, 0}, left_);
-        bus.add({BusInput::To::right, false, is_filtered, 1, 0, 0}, right_);
-        bus.add({BusInput::To::room, false, false, 1, 0, 0}, room_);
-    }
-
-    [[nodiscard]] bool is_audible() const {
-        return std::ranges::any_of(
-            states_, [](const SourceState& state) { return state.silent_for < kHistory; });
+        ShotBus& made = bus();
+        made.add({BusInput::To::left, false, is_filtered, 1, 0, 0}, left_);
+        made.add({BusInput::To::right, false, is_filtered, 1, 0, 0}, right_);
+        made.add({BusInput::To::room, false, false, 1, 0, 0}, room_);
     }
 
   private:
@@ -127,11 +129,17 @@ class RollingMix::PassageRolling {
 
     /// The sources' pressures at 1 m.
     void read_out(std::int64_t block) {
-        const PassageBlock shown(passage_, block, kBlock);
+        const auto end = block + static_cast<std::int64_t>(kBlock);
+        const double from = passage_.scene_time(film_time_of_sample(block));
+        const double to = passage_.scene_time(film_time_of_sample(end));
+        std::optional<PassageBlock> shown;  // made only if something sounds
         for (SourceState& state : states_) {
             std::array<double, kBlock> pressure{};
-            if (state.source.sounds(shown.scene_time.front(), shown.scene_time.back())) {
-                state.source.add(shown, pressure);
+            if (state.source.sounds(from, to)) {
+                if (!shown) {
+                    shown.emplace(passage_, block, kBlock);
+                }
+                state.source.add(*shown, pressure);
                 state.silent_for = 0;
             } else {
                 state.silent_for = std::min(state.silent_for + kBlock, kHistory);
@@ -155,7 +163,7 @@ class RollingMix::PassageRolling {
             factor_of(settings.gain + settings.mix[static_cast<std::size_t>(Group::rolling)]) *
             passage_.weight(film_time) * share_at(passage_, film_time);
         edge.ears = ears_of(settings.stereo, settings.width, listener, place);
-        const double way = settings.has_delay ? edge.distance / kSoundSpeed : kHeadDelay;
+        const double way = settings.has_delay ? edge.distance / kSpeedOfSound : kHeadDelay;
         const auto delay = [way](const Ear& ear) {
             constexpr double kMost = kHistory - 2 * kBlock;
             return std::clamp((way + ear.delay) * kSampleRate, 0.0, kMost);
@@ -222,7 +230,7 @@ bool RollingMix::sounds(std::int64_t block) const {
                                          shot_->passages[next_passage_].from - kCrossing < end));
 }
 
-void RollingMix::add_block(std::int64_t block, ShotBus& bus) {
+void RollingMix::add_block(std::int64_t block, const BusMaker& bus) {
     const double begin = film_time_of_sample(block);
     const double end = film_time_of_sample(block + static_cast<std::int64_t>(kBlock));
     while (next_passage_ < shot_->passages.size() &&

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -29,8 +30,11 @@ class RollingMix {
     /// Whether a passage is shown in the block that begins with this sample.
     [[nodiscard]] bool sounds(std::int64_t block) const;
 
-    /// Adds a block; in order of time.
-    void add_block(std::int64_t block, ShotBus& bus);
+    /// Returns the bus, which it makes if there is none.
+    using BusMaker = std::function<ShotBus&()>;
+
+    /// Adds a block; in order of time. Asks for the bus only if something is heard.
+    void add_block(std::int64_t block, const BusMaker& bus);
 
   private:
     class PassageRolling;

@@ -29,7 +29,7 @@ void ShotMix::add_block(std::int64_t block, std::span<double> left, std::span<do
     }
     std::erase_if(voices_, [end](const Voice& voice) { return voice.last() <= end; });
     if (rolling_.sounds(block)) {
-        rolling_.add_block(block, bus());
+        rolling_.add_block(block, [this]() -> ShotBus& { return bus(); });
     }
     if (bus_) {
         bus_->take(left, right);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 #include "sim/timeline/hermite.h"
+#include "sound/rolling/rolling_level.h"
 
 namespace carom::sound {
 namespace {
@@ -38,21 +38,22 @@ class KeyInterval {
 };
 
 void add_interval(const KeyInterval& interval, double from, double to, double longest_piece,
-                  const BallStrengths& strengths, BallWays& ways) {
-    const double count = std::ceil((to - from) / longest_piece);
+                  BallWays& ways) {
+    const auto count = static_cast<int>(std::ceil((to - from) / longest_piece));
+    const double duration = (to - from) / count;
     BallSpeeds start = interval.at(from);
-    for (double i = 0; i < count; ++i) {
-        const double time = from + (to - from) * (i / count);
-        const double next = i + 1 == count ? to : from + (to - from) * ((i + 1) / count);
+    for (int i = 0; i < count; ++i) {
+        const double time = from + i * duration;
+        const double next = i + 1 == count ? to : from + (i + 1) * duration;
         if (!(next > time)) {
             continue;
         }
         const BallSpeeds middle = interval.at(time + (next - time) / 2);
         const BallSpeeds end = interval.at(next);
         ways.rolled.add(time, next - time, {start.rolled, middle.rolled, end.rolled},
-                        {strengths.rolled(start.rolled), strengths.rolled(end.rolled)});
+                        {rolling_pressure(start.rolled), rolling_pressure(end.rolled)});
         ways.slid.add(time, next - time, {start.slid, middle.slid, end.slid},
-                      {strengths.slid(start.slid), strengths.slid(end.slid)});
+                      {sliding_pressure(start.slid), sliding_pressure(end.slid)});
         start = end;
     }
 }
@@ -67,8 +68,7 @@ BallSpeeds ball_speeds(const Vec3& velocity, const Vec3& angular_velocity, doubl
             std::sqrt(slip_x * slip_x + slip_y * slip_y)};
 }
 
-BallWays ball_ways(const sim::Track& track, double radius, double from, double to,
-                   const BallStrengths& strengths) {
+BallWays ball_ways(const sim::Track& track, double radius, double from, double to) {
     BallWays ways;
     const std::span<const sim::Key> keys = track.keys();
     const double longest_piece = std::max(kLongestPiece, (to - from) / kMostPieces);
@@ -86,7 +86,7 @@ BallWays ball_ways(const sim::Track& track, double radius, double from, double t
             const double first = std::max(from, start.time);
             const double last = std::min(to, end.time);
             if (first < last) {
-                add_interval({start, end, radius}, first, last, longest_piece, strengths, ways);
+                add_interval({start, end, radius}, first, last, longest_piece, ways);
             }
         }
     }

@@ -14,6 +14,8 @@
 
 namespace carom::sound {
 
+struct RollingPlan;
+
 /// A source of lasting sound. Its pressure is a surface's texture (texture.h), read out along the
 /// way of the contact: a function of scene time, which therefore plays at any speed, backwards and
 /// from any instant. Where the picture stands still, so does the way, and the source is silent. As
@@ -27,6 +29,7 @@ namespace carom::sound {
 /// the scene, but not within more than a quarter of its duration.
 class RollingSource {
   public:
+    explicit RollingSource(RollingPlan plan);
     ~RollingSource();
     RollingSource(RollingSource&&) noexcept;
     RollingSource& operator=(RollingSource&&) noexcept;
@@ -61,16 +64,14 @@ class RollingSource {
 
   private:
     class Implementation;
-    explicit RollingSource(std::unique_ptr<Implementation> implementation);
-    friend std::vector<RollingSource> rolling_sources(const SoundShot& shot);
 
     std::unique_ptr<Implementation> implementation_;
 };
 
 /// All such sources of a shot: one for each ball that ever rolls or slides, in the order of the
 /// bodies, and then one for each pair of bodies with lasting contacts, in order of their first. The
-/// timeline must outlive them. Their memory is that of one ball's way between two rests each, and
-/// two numbers for each stretch.
+/// timeline must outlive them. Each one has the times of all its stretches in memory, and the way
+/// of one.
 [[nodiscard]] std::vector<RollingSource> rolling_sources(const SoundShot& shot);
 
 }  // namespace carom::sound

@@ -56,7 +56,7 @@ struct Ball {
 
     void end(double time) {
         if (since && time > *since) {
-            stretches->push_back({*since, time, 0, 0});
+            stretches->push_back({*since, time});
         }
         since.reset();
     }

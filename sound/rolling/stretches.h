@@ -13,8 +13,6 @@ namespace carom::sound {
 struct Stretch {
     double from = 0;
     double to = 0;
-    double force = 0;  // N, mean normal force; 0 for balls on cloth
-    double slip = 0;   // m/s, mean slip speed; 0 for balls on cloth
 
     bool operator==(const Stretch&) const = default;
 };

@@ -5,9 +5,16 @@
 #include "core/assert.h"
 
 namespace carom::sound {
+namespace {
+
+double between(const std::array<double, 2>& ends, double part) {
+    return ends[0] + part * (ends[1] - ends[0]);
+}
+
+}  // namespace
 
 void Way::add(double time, double duration, const std::array<double, 3>& speeds,
-              const std::array<double, 2>& strengths) {
+              const std::array<double, 2>& pressures) {
     CAROM_ASSERT(duration > 0);
     CAROM_ASSERT(pieces_.empty() || time >= pieces_.back().time);
     const double way = duration * (speeds[0] + 4 * speeds[1] + speeds[2]) / 6;
@@ -17,7 +24,7 @@ void Way::add(double time, double duration, const std::array<double, 3>& speeds,
                        duration,
                        length_,
                        {at_start, 3 * way - 2 * at_start - at_end, at_start + at_end - 2 * way},
-                       {{speeds[0], speeds[2]}, strengths}});
+                       {{speeds[0], speeds[2]}, pressures}});
     length_ += way;
 }
 
@@ -51,11 +58,11 @@ WayPoint Way::at(double time) {
 }
 
 double Way::speed(const WayPoint& point) const {
-    if (point.stands) {
-        return 0;
-    }
-    const auto& [first, last] = ends(point.piece).speeds;
-    return first + point.part * (last - first);
+    return point.stands ? 0 : between(ends(point.piece).speeds, point.part);
+}
+
+double Way::pressure(const WayPoint& point) const {
+    return point.stands ? 0 : between(ends(point.piece).pressures, point.part);
 }
 
 }  // namespace carom::sound

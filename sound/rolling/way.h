@@ -10,7 +10,7 @@ namespace carom::sound {
 /// What a way is at both ends of a piece; in between it is interpolated linearly.
 struct WayEnds {
     std::array<double, 2> speeds{};     // m/s
-    std::array<double, 2> strengths{};  // of the read-out at these speeds
+    std::array<double, 2> pressures{};  // Pa, root mean square at 1 m
 };
 
 struct WayPoint {
@@ -25,10 +25,10 @@ struct WayPoint {
 class Way {
   public:
     /// Adds a piece from `time` to `time` + `duration` (> 0), with the speeds (m/s, >= 0) at its
-    /// beginning, in its middle and at its end, and the strengths at both ends. It begins at the
+    /// beginning, in its middle and at its end, and the pressures at both ends. It begins at the
     /// end of the previous piece or later. Its length is that by Simpson's rule.
     void add(double time, double duration, const std::array<double, 3>& speeds,
-             const std::array<double, 2>& strengths);
+             const std::array<double, 2>& pressures);
 
     /// Before its beginning, in gaps and after its end the way stands. Times near the previous one
     /// are found fast.
@@ -37,8 +37,9 @@ class Way {
     /// The ends of a piece, whose index is less than the number of calls of add().
     [[nodiscard]] const WayEnds& ends(std::size_t piece) const { return pieces_[piece].ends; }
 
-    /// The speed at a point, m/s.
+    /// The speed at a point, m/s, and the pressure, Pa; 0 where the way stands.
     [[nodiscard]] double speed(const WayPoint& point) const;
+    [[nodiscard]] double pressure(const WayPoint& point) const;
 
     [[nodiscard]] double length() const { return length_; }
 

@@ -14,7 +14,7 @@ constexpr double kSpeakerAngle = kPi / 6;
 
 /// `theta`: between the direction of the sound and that of the ear, rad, in [0, pi].
 Ear sphere_ear(double theta) {
-    constexpr double kRadiusTime = kHeadRadius / kSoundSpeed;
+    constexpr double kRadiusTime = kHeadRadius / kSpeedOfSound;
     // 2 f / 2 w0: a unit of the bilinear transform's s in units of the corner.
     constexpr double kWarp = kSampleRate * kRadiusTime;
     const double alpha = 1.05 + 0.95 * cosine(1.2 * theta);

@@ -6,7 +6,6 @@
 
 namespace carom::sound {
 
-inline constexpr double kSoundSpeed = 343;     // m/s, in air of 20 degrees Celsius
 inline constexpr double kHeadRadius = 0.0875;  // m, of the rigid sphere that stands for the head
 
 /// What happens to a sound on its last way, from the centre of the head to one ear. The filter is

@@ -55,7 +55,8 @@ double decay(std::size_t samples, double reverberation) {
 }  // namespace
 
 Reverberation::Reverberation(const RoomSettings& room) {
-    if (room.kind != RoomSettings::Kind::box) {
+    constexpr double kShortest = 0.020;  // s
+    if (room.kind != RoomSettings::Kind::box || room.reverberation_low < kShortest) {
         return;
     }
     std::size_t first = 0;

@@ -18,7 +18,8 @@ namespace carom::sound {
 /// 1 / r_c in each channel, r_c = critical_distance(room). The channels are not correlated.
 class Reverberation {
   public:
-    /// For a room that is not a box this does nothing.
+    /// For a room that is not a box, or whose time is below 20 ms, shorter than every line, this
+    /// does nothing.
     explicit Reverberation(const RoomSettings& room);
 
     /// Adds the reverberation to both channels, which have the size of `source`: the sum of all

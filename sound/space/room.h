@@ -70,7 +70,7 @@ class Reflections {
 inline constexpr double kHighFrequency = 8000;  // Hz, at which rooms have their "high" times
 
 /// The distance (m) from a source at which the reverberation is as loud as its direct sound,
-/// 0.057 sqrt(V / T), for a source without direction (Kuttruff, "Room Acoustics", section 5.6).
+/// 0.057 sqrt(V / T), for a source without direction (H. Kuttruff, "Room Acoustics").
 /// Requires a box.
 [[nodiscard]] double critical_distance(const RoomSettings& room);
 

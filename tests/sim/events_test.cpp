@@ -162,6 +162,8 @@ TEST(Strike_TowardABall, HitsItAndIsLogged) {
     const Event* strike = find_event(result, EventKind::strike, "cue");
     ASSERT_NE(strike, nullptr);
     EXPECT_NEAR(strike->vector.length(), 1.73 * 2.5 / (1 + kMass / 0.567), 1e-12);
+    EXPECT_NEAR(strike->normal_impulse, kMass * strike->vector.length(), 1e-15);
+    EXPECT_EQ(strike->place, Vec3(-0.5, 0.2, kRadius));
     const Event* impact = find_event(result, EventKind::impact, "cue", "one");
     ASSERT_NE(impact, nullptr);
     const Vec3 line = Vec3(-0.8, 0.3, 0) / Vec3(-0.8, 0.3, 0).length();

@@ -57,6 +57,9 @@ TEST(FrozenPair_StruckStraight, MovesOnTogether) {
         EXPECT_LT(one.position.x - cue.position.x, 2 * kRadius + 1e-3) << t;
         EXPECT_NEAR(one.position.y, 0, 1e-12);
     }
+    const Event* strike = find_event(timeline, EventKind::strike, "cue");
+    ASSERT_NE(strike, nullptr);
+    EXPECT_NEAR(strike->normal_impulse, 2 * kMass * speed, 1e-9) << "the momentum of both";
     EXPECT_EQ(count_events(timeline, EventKind::impact), 1);
     EXPECT_EQ(count_events(timeline, EventKind::sliding), 2);
     EXPECT_EQ(count_events(timeline, EventKind::rolling), 2);

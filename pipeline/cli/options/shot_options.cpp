@@ -93,6 +93,12 @@ void describe(ExportCommand& command, CommandDescription& description) {
                 "Also write a table of events: impacts, changes of motion such as rolling, potted "
                 "balls and force events. Without -o only this table is written.")
         .offers(Offer::files);
+    description
+        .option("--contacts", &command.contacts, "FILE",
+                "Also write a table of lasting contacts, such as a box that slides on a floor: "
+                "both objects, beginning and end, mean force and slip. Without -o only this table "
+                "is written.")
+        .offers(Offer::files);
     add_cache(description, command.cache);
     description.examples = {{"carom export break.yaml -o break.glb", "The scene with its motion."},
                             {"carom export break.yaml --rate 240 -o tracks.csv --events events.csv",

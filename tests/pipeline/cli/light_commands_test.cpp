@@ -155,6 +155,21 @@ TEST_F(LightCommands, ExportOfEventsAlone_WritesNoTracks) {
     EXPECT_THAT(results(), ElementsAre("e.csv"));
 }
 
+TEST_F(LightCommands, ExportOfContactsAlone_WritesNoTracks) {
+    EXPECT_EQ(run({"export", "tiny.yaml", "--contacts", "c.csv"}).out, "c.csv\n");
+    EXPECT_THAT(text_of("c.csv"), StartsWith("from,to,a,b,normal_force,slip\n"));
+    EXPECT_THAT(results(), ElementsAre("c.csv"));
+}
+
+TEST_F(LightCommands, ExportOfTwoTablesToOneFile_IsAnError) {
+    const RunResult result =
+        run({"export", "tiny.yaml", "--events", "e.csv", "--contacts", "e.csv"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("'e.csv' cannot contain both the events and the lasting "
+                                      "contacts; give two files"));
+    EXPECT_THAT(results(), IsEmpty());
+}
+
 TEST_F(LightCommands, ExportFormat_IsSelectedByTheFileName) {
     const RunResult glb = run({"export", "tiny.yaml", "-o", "a.glb"});
     EXPECT_EQ(glb.exit_code, 0) << glb.err;
@@ -203,6 +218,9 @@ TEST_F(LightCommands, ReportAsJson_IsOneObject) {
     EXPECT_THAT(result.out, StartsWith("{\"start_time\":0,\"end_time\":0.6,"));
     EXPECT_THAT(result.out, HasSubstr("\"kind\":\"impact\",\"a\":\"cue\",\"b\":\"one\""));
     EXPECT_THAT(result.out, HasSubstr("\"a_spin_after\":["));
+    const std::string strike =
+        result.out.substr(result.out.find("\"strike\""), result.out.find("\"impact\""));
+    EXPECT_THAT(strike.substr(0, strike.find('\n')), HasSubstr("\"normal_impulse\":0."));
     EXPECT_THAT(result.out, HasSubstr("\"energy_over_time\":[\n{\"time\":0,\"kinetic\":0,"));
     EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '{'),
               std::count(result.out.begin(), result.out.end(), '}'));

@@ -99,11 +99,28 @@ TEST(EventsToCsv, EachEvent_IsOneRow) {
     potted.time = 2;
     potted.a = "one";
     potted.b = "corner, left";
-    timeline.events = {impact, potted};
+    sim::Event strike;
+    strike.kind = sim::EventKind::strike;
+    strike.a = "cue";
+    strike.normal_impulse = 0.5;
+    strike.vector = {2, -1, 0.25};
+    timeline.events = {strike, impact, potted};
     EXPECT_EQ(events_to_csv(timeline),
-              "time,kind,a,b,x,y,z,nx,ny,nz,normal_impulse,tangential_impulse\n"
-              "0.75,impact,cue,one,0.5,-0.25,0.028575,-1,0,0,1.5,0.0625\n"
-              "2,potted,one,\"corner, left\",0,0,0,0,0,0,0,0\n");
+              "time,kind,a,b,x,y,z,nx,ny,nz,normal_impulse,tangential_impulse,vector_x,vector_y,"
+              "vector_z\n"
+              "0,strike,cue,,0,0,0,0,0,0,0.5,0,2,-1,0.25\n"
+              "0.75,impact,cue,one,0.5,-0.25,0.028575,-1,0,0,1.5,0.0625,0,0,0\n"
+              "2,potted,one,\"corner, left\",0,0,0,0,0,0,0,0,0,0,0\n");
+}
+
+TEST(ContactsToCsv, EachContact_IsOneRow) {
+    sim::Timeline timeline;
+    timeline.lasting_contacts = {{"tile, left", "floor", 0.25, 0.5, 1.75, 0.125},
+                                 {"cue", "one", 0.375, 1, 2, 0}};
+    EXPECT_EQ(contacts_to_csv(timeline),
+              "from,to,a,b,normal_force,slip\n"
+              "0.25,0.5,\"tile, left\",floor,1.75,0.125\n"
+              "0.375,1,cue,one,2,0\n");
 }
 
 }  // namespace

@@ -63,6 +63,23 @@ TEST(TimelineJson, PutBacks_AreListed) {
                      .contains("put_backs"));
 }
 
+TEST(TimelineJson, LastingContacts_AreListed) {
+    sim::Timeline timeline = sample().timeline;
+    timeline.lasting_contacts.clear();
+    const Json without =
+        Json::parse(timeline_json(sample().shot, timeline, sample().scene, std::nullopt));
+    EXPECT_FALSE(without.contains("lasting_contacts"));
+    timeline.lasting_contacts = {{"tile", "floor", 0.25, 0.5, 1.75, 0.125}};
+    const Json document =
+        Json::parse(timeline_json(sample().shot, timeline, sample().scene, std::nullopt));
+    EXPECT_EQ(document["lasting_contacts"], Json::array({{{"a", "tile"},
+                                                          {"b", "floor"},
+                                                          {"from", 0.25},
+                                                          {"to", 0.5},
+                                                          {"normal_force", 1.75},
+                                                          {"slip", 0.125}}}));
+}
+
 TEST(TimelineJson, Rate_GivesEvenSamples) {
     const Json document = json(10);
     EXPECT_EQ(document["tracks"][0]["keys"].size(), 7U);

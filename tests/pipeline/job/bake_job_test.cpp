@@ -9,6 +9,7 @@
 #include "sim/bake.h"
 #include "tests/pipeline/job/tiny_shot.h"
 #include "tests/pipeline/video/scratch_folder.h"
+#include "tests/sim/timeline/earlier_version.h"
 
 namespace carom::pipeline {
 namespace {
@@ -140,6 +141,24 @@ TEST(BakeJob, DamagedBake_IsReplaced) {
                                                           "shot is simulated again: ")));
         EXPECT_EQ(read_text(path), whole);
     }
+}
+
+TEST(BakeJob, BakeOfAnotherVersion_IsReplacedWithoutAWarning) {
+    const ScratchFolder cache;
+    const Shot shot = make_shot();
+    const Baking first = run(shot, cache.path());
+    const std::string path = bake_path(shot, cache.path());
+    const std::string whole = read_text(path);
+    const std::string old = sim::test::with_earlier_version(whole);
+    ASSERT_FALSE(old.empty());
+    write_text(path, old);
+    EXPECT_EQ(bake_without_store(shot, cache.path(), {}, {}).origin, BakeOrigin::outdated);
+    const Baking again = run(shot, cache.path());
+    EXPECT_EQ(again.origin, BakeOrigin::outdated);
+    EXPECT_EQ(again.bake, first.bake);
+    EXPECT_THAT(again.warnings, IsEmpty());
+    EXPECT_EQ(read_text(path), whole);
+    EXPECT_EQ(run(shot, cache.path()).origin, BakeOrigin::cached);
 }
 
 TEST(BakeJob, BitsFlippedInAHundredPlaces_NeverGiveAWrongTimeline) {

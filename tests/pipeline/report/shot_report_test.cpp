@@ -61,6 +61,7 @@ sim::Timeline cut_shot() {
                        event(EventKind::impact, 1, "cue", "one"),
                        event(EventKind::impact, 1.5, "one", "cushion"),
                        event(EventKind::potted, 1.75, "one", "top left")};
+    timeline.events[0].normal_impulse = 0.34;
     timeline.events[1].normal = -line;
     timeline.events[1].normal_impulse = 0.25;
     timeline.energy = {{0, 0, 0}, {0, 4, 0}, {1, 4, 0}, {2, 3, 0}};
@@ -79,6 +80,12 @@ TEST(ShotReport, Impact_HasSpeedsAndCutAngle) {
     EXPECT_NEAR(*impact.cut, std::numbers::pi / 6, 1e-12);
     EXPECT_FALSE(report.events[2].b);
     EXPECT_FALSE(report.events[2].cut);
+}
+
+TEST(ShotReport, StrikeAndImpact_HaveTheirImpulses) {
+    const std::string text = report_text(report_of(cut_shot()));
+    EXPECT_THAT(text, HasSubstr("  0.3400  "));
+    EXPECT_THAT(text, HasSubstr("  0.2500  "));
 }
 
 TEST(ShotReport, Impact_HasTheSpinBeforeAndAfter) {

@@ -12,6 +12,7 @@
 #include "pipeline/store/pins.h"
 #include "sim/timeline/bake_file.h"
 #include "tests/pipeline/video/scratch_folder.h"
+#include "tests/sim/timeline/earlier_version.h"
 
 namespace carom::pipeline {
 namespace {
@@ -235,6 +236,15 @@ TEST(VerifyCache, DamagedFiles_AreListed) {
     std::stop_source stop;
     stop.request_stop();
     EXPECT_THROW((void)verify_cache(cache.path(), {}, stop.get_token()), Stopped);
+}
+
+TEST(VerifyCache, BakeOfAnotherVersion_IsNotDamaged) {
+    const Cache cache;
+    const std::string bake = cache.add_bake(1);
+    const std::string old = sim::test::with_earlier_version(read_text(bake));
+    ASSERT_FALSE(old.empty());
+    write_text(bake, old);
+    EXPECT_THAT(verify_cache(cache.path(), {}, {}).damaged, IsEmpty());
 }
 
 TEST(CacheSize, Texts_AreParsedAndFormatted) {

@@ -256,6 +256,32 @@ void check_values(const Timeline& timeline, std::vector<std::string>& faults) {
     }
 }
 
+/// Contacts of a pair do not overlap, and there are hardly more than fifty a second; those of
+/// bodies that touch and part in turns are shorter.
+void check_contacts(const Timeline& timeline, std::vector<std::string>& faults) {
+    std::map<std::pair<std::string, std::string>, std::pair<double, int>> pairs;
+    for (const LastingContact& contact : timeline.lasting_contacts) {
+        auto& [end, count] = pairs[{contact.a, contact.b}];
+        const bool is_good = contact.from >= end && contact.to > contact.from &&
+                             contact.to <= timeline.end_time + 1e-9 && contact.normal_force > 0 &&
+                             std::isfinite(contact.normal_force) && contact.slip >= 0 &&
+                             std::isfinite(contact.slip);
+        if (!is_good) {
+            faults.push_back(text("contact of '%s' and '%s' from %.6f to %.6f s, %g N, %g m/s",
+                                  contact.a.c_str(), contact.b.c_str(), contact.from, contact.to,
+                                  contact.normal_force, contact.slip));
+        }
+        end = contact.to;
+        ++count;
+    }
+    for (const auto& [names, contacts] : pairs) {
+        if (contacts.second > 10 + 250 * (timeline.end_time - timeline.start_time)) {
+            faults.push_back(text("%d contacts of '%s' and '%s'", contacts.second,
+                                  names.first.c_str(), names.second.c_str()));
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> find_faults(const WorldDescription& world, const Timeline& timeline) {
@@ -265,6 +291,7 @@ std::vector<std::string> find_faults(const WorldDescription& world, const Timeli
     check_places(world, timeline, faults);
     check_pairs(world, timeline, faults);
     check_energy(world, timeline, faults);
+    check_contacts(timeline, faults);
     return faults;
 }
 

@@ -90,10 +90,10 @@ TEST(BakeDamage, AnotherVersion_SaysWhatToDo) {
     std::size_t found = 0;
     for (std::size_t place = 8; place + 4 < 128; place += 4) {
         auto copy = bytes;
-        if (copy[place] == std::byte{2}) {
-            copy[place] = std::byte{1};
+        if (copy[place] == std::byte{3}) {
+            copy[place] = std::byte{2};
             if (refusal(copy) ==
-                "'shot.bake' has version 1 of the format, but this carom reads version 2: bake the "
+                "'shot.bake' has version 2 of the format, but this carom reads version 3: bake the "
                 "shot again") {
                 ++found;
             }

@@ -55,6 +55,36 @@ TEST(Heard, PeakTimes_AreWhereTheSamplesArePeaks) {
     }
 }
 
+TEST(Heard, PeakTime_OfAMirroredSound_IsBeforeItsInstant) {
+    SmallFilm film;
+    film.collide(0.5);
+    film.show(0, 1, 0, 1).settings.has_delay = false;
+    const HeardImpact forwards = heard(film.scene).at(0);
+    film.shot().passages.clear();
+    film.show(0, 1, 1, -1).settings.has_delay = false;
+    const HeardImpact backwards = heard(film.scene).at(0);
+    EXPECT_GT(forwards.peak_time, 0.5);
+    EXPECT_NEAR(backwards.peak_time, 1 - forwards.peak_time, 1e-9);
+}
+
+// Two steel balls of 4 mm touch for 14 us; their sound would reach far above half of the sample
+// rate.
+TEST(Heard, ContactTime_IsAtLeastThreeSamplesOfTheFilm) {
+    SmallFilm film;
+    for (SoundBody& body : film.shot().bodies) {
+        body.shape = BallShape{0.002};
+        body.mass = 2.6e-4;
+        body.material = {206e9, 0.29, 0.001, 0.9};
+    }
+    film.collide(0.5, 0.003);
+    film.show(0, 1, 0, 1, {0.05, -0.1, 0});
+    EXPECT_NEAR(heard(film.scene).at(0).contact_time, 3.0 / 48000, 1e-12);
+    film.shot().passages.clear();
+    film.show(0, 4, 0, 0.25, {0.05, -0.1, 0});
+    film.scene.frames = 4LL * kSampleRate;
+    EXPECT_NEAR(heard(film.scene).at(0).contact_time, 0.25 * 3.0 / 48000, 1e-12);
+}
+
 TEST(Heard, ImpactsBelowZeroDecibels_AreLeftOut) {
     SmallFilm film;
     film.collide(0.3, 1e-4);

@@ -210,6 +210,27 @@ TEST(Space, RollingBall_AcrossACut_GoesOn) {
     }
 }
 
+// The way to the listener delays rolling, too. Both delays have the same fraction of a sample.
+TEST(Space, RollingBall_IsHeardLateByTheWay) {
+    RollingFilm film(1);
+    const double head = 0.0875 / 343;  // s, the least delay
+    const double distance = 0.0875 + 343 * 128.0 / kSampleRate;
+    Passage& passage = film.show(0, 2, 0, 1);
+    passage.listener = [&film, distance](double t) {
+        Listener listener;
+        listener.position = film.timeline.find("two")->sample(t).position - Vec3(distance, 0, 0);
+        return listener;
+    };
+    const std::vector<double> late = samples_of(film.scene).left;
+    passage.settings.has_delay = false;
+    const std::vector<double> prompt = samples_of(film.scene).left;
+    ASSERT_LT(head * kSampleRate, 13);
+    const double peak = highest(late);
+    for (std::size_t n = 24'000; n < 72'000; ++n) {
+        ASSERT_NEAR(late[n], prompt[n - 128], 1e-6 * peak);
+    }
+}
+
 TEST(Space, RollingBall_NearerToTheListener_IsLouder) {
     RollingFilm film(1);
     film.show(0, 2, 0, 1, {-0.2, 0, 0.028575});

@@ -285,6 +285,27 @@ TEST(Scraping, Level_GrowsWithTheForceAndTheSlip) {
     EXPECT_EQ(scraping_source(4, 0.1).place(1), Vec3(1, 2, 3));
 }
 
+TEST(Scraping, PartsOfOneContact_DoNotFadeBetween) {
+    sim::Timeline timeline;
+    timeline.lasting_contacts = {{"box", "two", 0, 1, 1, 0.1},
+                                 {"box", "three", 0.5, 0.7, 1, 0.1},
+                                 {"box", "two", 1, 2, 1, 0.1},
+                                 {"box", "two", 3, 4, 1, 0.1}};
+    SoundBody body;
+    body.name = "box";
+    SoundShot shot;
+    shot.timeline = &timeline;
+    shot.bodies.push_back(body);
+    std::vector<RollingSource> sources = rolling_sources(shot);
+    ASSERT_EQ(sources.size(), 2U);
+    EXPECT_NEAR(sources[0].level(1) / scraping_pressure(0.1, 1), 1, 1e-12);
+    EXPECT_NEAR(sources[0].level(2.0025 - 0.005) / scraping_pressure(0.1, 1), 0.5, 1e-9);
+    EXPECT_EQ(sources[0].level(2.5), 0);
+    EXPECT_NEAR(sources[0].level(3.5) / scraping_pressure(0.1, 1), 1, 1e-12);
+    EXPECT_EQ(sources[1].level(0.71), 0);
+    EXPECT_GT(sources[1].level(0.6), 0);
+}
+
 TEST(Scraping, ContactsWithoutSlip_AreNoSources) {
     sim::Timeline timeline;
     timeline.lasting_contacts = {{"box", "two", 0, 1, 5, 0}, {"box", "two", 1, 2, 0, 1}};

@@ -6,15 +6,13 @@
 #include <gtest/gtest.h>
 
 #include "sound/rolling/ball_way.h"
+#include "sound/rolling/rolling_level.h"
+#include "sound/rolling/scraping_way.h"
 
 namespace carom::sound {
 namespace {
 
 constexpr double kRadius = 0.028575;  // m
-
-double identity(double speed) {
-    return speed;
-}
 
 sim::Key key(double time, double x, double velocity, double spin) {
     sim::Key key;
@@ -43,8 +41,8 @@ TEST(Way, ConstantAcceleration_IsExact) {
         EXPECT_NEAR(way.speed(point), speed(time), 1e-12);
         EXPECT_FALSE(point.stands);
         const WayEnds& ends = way.ends(point.piece);
-        EXPECT_EQ(ends.strengths[0], 2 * ends.speeds[0]);
-        EXPECT_EQ(ends.strengths[1], 2 * ends.speeds[1]);
+        EXPECT_EQ(ends.pressures[0], 2 * ends.speeds[0]);
+        EXPECT_EQ(ends.pressures[1], 2 * ends.speeds[1]);
     }
     EXPECT_NEAR(way.length(), 2.25, 1e-12);
 }
@@ -70,7 +68,7 @@ TEST(BallWay, RollingBall_SlipsNowhere) {
     keys[1].velocity_out = {-0.5, 0, 0};
     keys[1].angular_velocity_out = {0, -0.5 / kRadius, 0};
     const sim::Track track("ball", keys);
-    BallWays ways = ball_ways(track, kRadius, 0.5, 4, {identity, identity});
+    BallWays ways = ball_ways(track, kRadius, 0.5, 4);
     EXPECT_NEAR(ways.rolled.at(2).way, 1.5, 1e-12);
     EXPECT_NEAR(ways.rolled.at(3).way, 2, 1e-12);
     EXPECT_NEAR(speed_at(ways.rolled, 1.9999), 1, 1e-12);
@@ -87,20 +85,37 @@ TEST(BallWay, StruckBall_SlipsAsCoulombsFrictionHasIt) {
     const double end = 2 * v / (7 * a);
     const sim::Track track("ball", {key(0, 0, v, 0), key(end, v * end - a * end * end / 2,
                                                          v * 5 / 7, v * 5 / 7 / kRadius)});
-    BallWays ways = ball_ways(track, kRadius, 0, end, {identity, identity});
+    BallWays ways = ball_ways(track, kRadius, 0, end);
     for (const double part : {0.1, 0.33, 0.5, 0.9}) {
         const double t = part * end;
         EXPECT_NEAR(ways.rolled.at(t).way, v * t - a * t * t / 2, 1e-9);
         EXPECT_NEAR(ways.slid.at(t).way, v * t - 7.0 / 4 * a * t * t, 1e-9);
         EXPECT_NEAR(speed_at(ways.slid, t), v * (1 - part), 1e-9);
+        EXPECT_NEAR(ways.slid.pressure(ways.slid.at(t)) / sliding_pressure(v * (1 - part)), 1,
+                    0.01);
     }
 }
 
 TEST(BallWay, JumpOfTheTrack_IsNoWay) {
     std::vector<sim::Key> keys{key(0, 0, 0, 0), key(1, 0, 0, 0),
                                key(sim::time_after_jump(1), 5, 0, 0), key(2, 5, 0, 0)};
-    BallWays ways = ball_ways(sim::Track("ball", keys), kRadius, 0, 2, {identity, identity});
+    BallWays ways = ball_ways(sim::Track("ball", keys), kRadius, 0, 2);
     EXPECT_EQ(ways.rolled.length(), 0);
+}
+
+// One contact whose record is in three parts, of which the second is longer.
+TEST(ScrapingWay, Parts_JoinWithoutSteps) {
+    const std::vector<Scrape> scrapes{{1, 1.2, 4, 0.1}, {1.2, 1.8, 4, 0.2}, {1.8, 2, 16, 0.2}};
+    Way way = scraping_way(scrapes);
+    EXPECT_NEAR(speed_at(way, 1.05), 0.1, 1e-12);
+    EXPECT_NEAR(speed_at(way, 1.3), 0.15, 1e-12);  // between the middles at 1.1 and 1.5 s
+    EXPECT_NEAR(speed_at(way, 1.9), 0.2, 1e-12);
+    EXPECT_NEAR(way.pressure(way.at(1.5)), scraping_pressure(0.2, 4), 1e-12);
+    EXPECT_NEAR(way.pressure(way.at(1.7)), 1.5 * scraping_pressure(0.2, 4), 1e-12);
+    EXPECT_NEAR(way.pressure(way.at(1.95)), 2 * scraping_pressure(0.2, 4), 1e-12);
+    EXPECT_NEAR(way.length(), 0.1 * 0.1 + 0.15 * 0.4 + 0.2 * 0.5, 1e-12);
+    EXPECT_TRUE(way.at(2.01).stands);
+    EXPECT_EQ(scraping_way({}).length(), 0);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ TEST(SphereHead, Filter_HasTheAnalogueResponse) {
         EXPECT_NEAR(std::abs(response(ear, 0)), 1, 1e-12);
         EXPECT_NEAR(response(ear, kSampleRate / 2.0).real(), alpha, 1e-12);
         for (const double frequency : {200.0, 1248.0, 4000.0}) {
-            const std::complex<double> s(0, 2 * kPi * frequency * kHeadRadius / kSoundSpeed / 2);
+            const std::complex<double> s(0, 2 * kPi * frequency * kHeadRadius / kSpeedOfSound / 2);
             const double analogue = std::abs((1.0 + alpha * s) / (1.0 + s));
             EXPECT_NEAR(20 * std::log10(std::abs(response(ear, frequency)) / analogue), 0, 0.2)
                 << degrees << " degrees, " << frequency << " Hz";

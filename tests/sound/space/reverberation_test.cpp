@@ -168,8 +168,10 @@ TEST(Reverberation, BlockSize_ChangesNoBit) {
     }
 }
 
-TEST(Reverberation, NoBox_AddsNothing) {
-    for (const RoomSettings& room : {outdoors(), no_room()}) {
+TEST(Reverberation, NoBoxOrDeadRoom_AddsNothing) {
+    RoomSettings dead = club();
+    dead.reverberation_low = dead.reverberation_high = 0.001;
+    for (const RoomSettings& room : {outdoors(), no_room(), dead}) {
         const Channels channels = reverberated(room, noise(5000));
         EXPECT_EQ(channels.left, std::vector<double>(5000));
     }

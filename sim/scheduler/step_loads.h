@@ -1,0 +1,23 @@
+// How the pairs of bodies press against each other in a step of ODE.
+#pragma once
+
+#include <vector>
+
+#include "sim/scheduler/contact_log.h"
+#include "sim/scheduler/step_trial.h"
+
+namespace carom::sim {
+
+struct PairLoad {
+    int first = 0;
+    int other = kCloth;  // a body, or a part of the static environment as in BodyContact
+    ContactLoad load;
+};
+
+/// The loads of all pairs that press against each other in a trial step, in the order of its
+/// contacts. The points of contact of a pair are summed; their slips are weighted with their
+/// impulses. `bodies`: those of the trial.
+[[nodiscard]] std::vector<PairLoad> pair_loads(const StepTrial& trial,
+                                               const std::vector<StepBody>& bodies);
+
+}  // namespace carom::sim
