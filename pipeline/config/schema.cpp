@@ -56,7 +56,8 @@ std::string any_of(const std::vector<std::string>& alternatives) {
 /// number is allowed.
 std::string plain_number_schema(const TypeInfo& type) {
     if (!type.needed_unit.empty()) {
-        return type.range.contains(0) ? object({{"const", "0"}}) : std::string();
+        const bool takes_zero = type.range.contains(0) && !info(type.dimension).is_logarithmic;
+        return takes_zero ? object({{"const", "0"}}) : std::string();
     }
     Members number{{"type", json_string("number")}};
     if (type.range.low) {
@@ -86,6 +87,9 @@ Members unit_members(const TypeInfo& type) {
     Members members{{"x-unit", json_string(unit)}, {"x-units", json_string(dimension.units)}};
     if (!type.needed_unit.empty()) {
         members.emplace_back("x-needs-unit", "true");
+    }
+    if (dimension.is_logarithmic) {
+        members.emplace_back("x-zero-needs-unit", "true");
     }
     return members;
 }
