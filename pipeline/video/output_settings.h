@@ -11,6 +11,8 @@ namespace carom::pipeline {
 /// no conversion, for pictures that were computed in display values.
 enum class ViewTransform { srgb, filmic, agx, ocio, raw };
 enum class Codec { h264, hevc, av1, vp9, prores, ffv1 };
+/// Of the sound. none: the film has no sound.
+enum class AudioCodec { aac, opus, flac, pcm, none };
 
 /// Names from an OpenColorIO configuration; an empty name selects its default
 /// (render/film/ocio_view.h).
@@ -62,8 +64,10 @@ struct OutputSettings {
     GlowSettings glow;        // added to the linear film, before the view
     OverlaySettings overlay;  // drawn on the display picture, after the view
     std::optional<Hdr10Settings> hdr10;
-    std::string title;             // empty: the shot's name
-    std::optional<double> poster;  // video time (s) of the frame that stands for the film
+    std::optional<AudioCodec> audio;       // none: follows from the file (audio_codec_for)
+    std::optional<double> audio_bit_rate;  // bit/s; none: the codec's own (audio_codec_info.h)
+    std::string title;                     // empty: the shot's name
+    std::optional<double> poster;          // video time (s) of the frame that stands for the film
 };
 
 }  // namespace carom::pipeline
