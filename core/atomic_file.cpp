@@ -29,70 +29,6 @@ std::string folder_of(const std::string& path) {
     return slash == std::string::npos ? "." : path.substr(0, slash + 1);
 }
 
-/// A file with a unique temporary name; it is removed unless it was renamed to its final name.
-class TemporaryFile {
-  public:
-    explicit TemporaryFile(const std::string& path) : path_(path), target_(replaceable_file(path)) {
-        // Created exclusively, so that threads and processes never share a name. The permissions
-        // follow the user's mask, which mkstemp ignores.
-        for (int attempt = 0;; ++attempt) {
-            name_ = fmt::format("{}/.carom-{}-{}.part", folder_of(target_), ::getpid(), attempt);
-            descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-            if (descriptor_ >= 0) {
-                return;
-            }
-            if (errno != EEXIST || attempt == 10'000) {
-                fail(path_, errno);
-            }
-        }
-    }
-    ~TemporaryFile() {
-        if (descriptor_ >= 0) {
-            ::close(descriptor_);
-        }
-        if (!is_renamed_) {
-            ::unlink(name_.c_str());
-        }
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    TemporaryFile(TemporaryFile&&) = delete;
-    TemporaryFile& operator=(TemporaryFile&&) = delete;
-
-    void write(std::span<const std::byte> bytes) {
-        if (!write_all(descriptor_, bytes)) {
-            fail(path_, errno);
-        }
-    }
-
-    /// The final name of the file.
-    [[nodiscard]] const std::string& target() const { return target_; }
-
-    void finish() {
-        struct stat replaced {};
-        if (::stat(target_.c_str(), &replaced) == 0) {
-            static_cast<void>(::fchmod(descriptor_, replaced.st_mode & 0777U));
-        }
-        if (::fsync(descriptor_) != 0) {
-            fail(path_, errno);
-        }
-        if (::close(std::exchange(descriptor_, -1)) != 0) {
-            fail(path_, errno);
-        }
-        if (::rename(name_.c_str(), target_.c_str()) != 0) {
-            fail(path_, errno);
-        }
-        is_renamed_ = true;
-    }
-
-  private:
-    std::string path_;  // as given by the caller
-    std::string target_;
-    std::string name_;
-    int descriptor_ = -1;
-    bool is_renamed_ = false;
-};
-
 // Makes the new name survive a power failure. The file is complete in any case, so errors are
 // ignored.
 void flush_folder(const std::string& folder) {
@@ -106,14 +42,62 @@ void flush_folder(const std::string& folder) {
 
 }  // namespace
 
-void write_file_atomically(const std::string& path, std::span<const std::byte> bytes) {
+AtomicWriter::AtomicWriter(const std::string& path) : path_(path) {
     if (path.empty()) {
         throw Error("cannot write a file without a name");
     }
-    TemporaryFile file(path);
+    target_ = replaceable_file(path);
+    // Created exclusively, so that threads and processes never share a name. The permissions follow
+    // the user's mask, which mkstemp ignores.
+    for (int attempt = 0;; ++attempt) {
+        name_ = fmt::format("{}/.carom-{}-{}.part", folder_of(target_), ::getpid(), attempt);
+        descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor_ >= 0) {
+            return;
+        }
+        if (errno != EEXIST || attempt == 10'000) {
+            fail(path_, errno);
+        }
+    }
+}
+
+AtomicWriter::~AtomicWriter() {
+    if (descriptor_ >= 0) {
+        ::close(descriptor_);
+    }
+    if (!is_renamed_) {
+        ::unlink(name_.c_str());
+    }
+}
+
+void AtomicWriter::write(std::span<const std::byte> bytes) {
+    if (!write_all(descriptor_, bytes)) {
+        fail(path_, errno);
+    }
+}
+
+void AtomicWriter::finish() {
+    struct stat replaced {};
+    if (::stat(target_.c_str(), &replaced) == 0) {
+        static_cast<void>(::fchmod(descriptor_, replaced.st_mode & 0777U));
+    }
+    if (::fsync(descriptor_) != 0) {
+        fail(path_, errno);
+    }
+    if (::close(std::exchange(descriptor_, -1)) != 0) {
+        fail(path_, errno);
+    }
+    if (::rename(name_.c_str(), target_.c_str()) != 0) {
+        fail(path_, errno);
+    }
+    is_renamed_ = true;
+    flush_folder(folder_of(target_));
+}
+
+void write_file_atomically(const std::string& path, std::span<const std::byte> bytes) {
+    AtomicWriter file(path);
     file.write(bytes);
     file.finish();
-    flush_folder(folder_of(file.target()));
 }
 
 std::string replaceable_file(const std::string& path) {

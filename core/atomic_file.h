@@ -12,6 +12,32 @@ namespace carom {
 /// temporary file.
 void write_file_atomically(const std::string& path, std::span<const std::byte> bytes);
 
+/// The same for bytes that come in pieces. Without finish(), the destructor removes the temporary
+/// file.
+class AtomicWriter {
+  public:
+    /// Makes the temporary file. Throws Error as write_file_atomically does, as all functions do.
+    explicit AtomicWriter(const std::string& path);
+    ~AtomicWriter();
+    AtomicWriter(const AtomicWriter&) = delete;
+    AtomicWriter& operator=(const AtomicWriter&) = delete;
+    AtomicWriter(AtomicWriter&&) = delete;
+    AtomicWriter& operator=(AtomicWriter&&) = delete;
+
+    /// Appends bytes.
+    void write(std::span<const std::byte> bytes);
+
+    /// Flushes the file to disk and gives it its name. Nothing is written after that.
+    void finish();
+
+  private:
+    std::string path_;    // as given by the caller
+    std::string target_;  // the final name
+    std::string name_;    // the temporary one
+    int descriptor_ = -1;
+    bool is_renamed_ = false;
+};
+
 /// The final name of a file for `path`: the target of its links, which need not exist. Throws Error
 /// if that is a pipe, a device or a socket, which must not be replaced by a file, or if the links
 /// form a cycle.

@@ -19,9 +19,10 @@ inline constexpr int kSampleRate = 48000;  // Hz, of all sound
 
 /// What a solid is made of, for the duration of its contacts and for its own modes.
 struct Material {
-    double modulus = 5.84e9;  // Young's modulus, Pa, > 0
-    double poisson = 0.34;    // in [0, 0.5)
-    double loss = 0.02;       // loss factor, 1 / Q of its modes, > 0
+    double modulus = 5.84e9;    // Young's modulus, Pa, > 0
+    double poisson = 0.34;      // in [0, 0.5)
+    double loss = 0.02;         // loss factor, 1 / Q of its modes, > 0
+    double restitution = 0.95;  // of two bodies of it, [0, 1]: from an impulse to a speed
 
     bool operator==(const Material&) const = default;
 };
@@ -40,6 +41,7 @@ struct Structure {
     double contact = 1e-3;        // s, of a contact at `reference_speed`
     double contact_exponent = 0;  // of the contact time over the speed of approach
     double reference_speed = 1;   // m/s
+    double restitution = 0.5;     // [0, 1], from an impulse to a speed of approach
     std::vector<Mode> modes;
 
     bool operator==(const Structure&) const = default;

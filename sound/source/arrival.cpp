@@ -1,0 +1,127 @@
+#include "sound/source/arrival.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+#include "sound/source/mode_sound.h"
+#include "sound/source/sphere_sound.h"
+
+namespace carom::sound {
+namespace {
+
+constexpr double kMostModes = 100e3;  // Hz, nothing above is looked at for peaks
+
+SphereWave sphere_wave(const SphereSource& sphere, const Vec3& place, double contact_distance) {
+    const Vec3 way = place - sphere.centre;
+    const double speed = sphere.jump.length();
+    const double real_distance = way.length();
+    const double distance = std::max({real_distance, sphere.radius, kNearest});
+    const double cosine =
+        speed > 0 && real_distance > 0 ? way.dot(sphere.jump) / (speed * real_distance) : 0;
+    const SpherePole wave = sphere_pole(sphere.radius, distance, cosine);
+    return {(distance - sphere.radius - contact_distance) / kSpeedOfSound,
+            {wave.pole, (speed * sphere.factor) * wave.residue}};
+}
+
+struct Grid {
+    double first = 0;
+    double step = 0;
+    std::size_t count = 0;
+};
+
+/// The times among which the highest pressure is: from the first onset until half a period of the
+/// lowest mode after the force.
+Grid search_grid(const Arrival& arrival) {
+    double first = 0;
+    double last = 0;
+    double lowest = kMostModes;
+    double highest = 0;
+    const auto include = [&](const Partial& partial) {
+        const double frequency = partial.pole.im / (2 * std::numbers::pi);
+        lowest = std::min(lowest, frequency);
+        highest = std::max(highest, std::min(frequency, kMostModes));
+    };
+    for (const SphereWave& wave : arrival.spheres) {
+        first = std::min(first, wave.onset);
+        last = std::max(last, wave.onset);
+        include(wave.partial);
+    }
+    std::ranges::for_each(arrival.modes, include);
+    const double step = std::min(arrival.contact_time / 48, highest > 0 ? 1 / (16 * highest) : 1.0);
+    const double length = last - first + arrival.contact_time + 0.5 / lowest;
+    return {first, step, static_cast<std::size_t>(std::min(length / step, 1e5)) + 2};
+}
+
+}  // namespace
+
+std::vector<SphereWave> spheres_at(const Vec3& place, const ImpactSound& sound,
+                                   double contact_distance) {
+    std::vector<SphereWave> waves;
+    waves.reserve(sound.spheres.size());
+    for (const SphereSource& sphere : sound.spheres) {
+        waves.push_back(sphere_wave(sphere, place, contact_distance));
+    }
+    return waves;
+}
+
+Arrival arrival_at(const Vec3& place, const ImpactSound& sound) {
+    Arrival arrival;
+    arrival.distance = std::max((place - sound.place).length(), kNearest);
+    arrival.contact_time = sound.contact_time;
+    arrival.spheres = spheres_at(place, sound, arrival.distance);
+    for (const Mode& mode : sound.modes) {
+        arrival.modes.push_back(
+            {mode_pole(mode), (sound.impulse / arrival.distance) * mode_residue(mode)});
+    }
+    return arrival;
+}
+
+double pressure_at(const Arrival& arrival, double time) {
+    double pressure = 0;
+    const auto add = [&](const Partial& partial, double onset) {
+        const Complex response = pole_response_at(partial.pole, arrival.contact_time, time - onset);
+        pressure += 2 * (partial.residue * response).re;
+    };
+    for (const SphereWave& wave : arrival.spheres) {
+        add(wave.partial, wave.onset);
+    }
+    for (const Partial& mode : arrival.modes) {
+        add(mode, 0);
+    }
+    return pressure;
+}
+
+Peak find_peak(const Arrival& arrival) {
+    const Grid grid = search_grid(arrival);
+    std::vector<double> pressures(grid.count, 0.0);
+    // Nothing ends early: half a period of the lowest mode is shorter than any ring.
+    for (const SphereWave& wave : arrival.spheres) {
+        PulseTrain(arrival.contact_time, std::span(&wave.partial, 1), 0)
+            .add(grid.first - wave.onset, grid.step, pressures);
+    }
+    PulseTrain(arrival.contact_time, arrival.modes, 0).add(grid.first, grid.step, pressures);
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < pressures.size(); ++i) {
+        if (std::abs(pressures[i]) > std::abs(pressures[best])) {
+            best = i;
+        }
+    }
+    Peak peak{std::abs(pressures[best]), grid.first + static_cast<double>(best) * grid.step};
+    if (best > 0 && best + 1 < pressures.size()) {
+        const double sign = pressures[best] < 0 ? -1 : 1;
+        const double before = sign * pressures[best - 1];
+        const double after = sign * pressures[best + 1];
+        const double bend = before - 2 * peak.pressure + after;
+        if (bend < 0) {
+            const double shift = 0.5 * (before - after) / bend;
+            peak.pressure -= 0.25 * (before - after) * shift;
+            peak.time += shift * grid.step;
+        }
+    }
+    return peak;
+}
+
+}  // namespace carom::sound

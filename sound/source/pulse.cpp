@@ -1,0 +1,70 @@
+#include "sound/source/pulse.h"
+
+#include <numbers>
+
+namespace carom::sound {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+std::array<double, kPulseSines> normalised_coefficients() {
+    std::array<double, kPulseSines> b{1.65316, -0.21389, -0.03908, -0.01612, -0.00849};
+    double area = 0;
+    for (std::size_t i = 0; i < kPulseSines; ++i) {
+        area += b[i] * 2 / (pulse_harmonic(i) * kPi);
+    }
+    for (double& coefficient : b) {
+        coefficient /= area;
+    }
+    return b;
+}
+
+}  // namespace
+
+const std::array<double, kPulseSines>& pulse_coefficients() {
+    static const std::array<double, kPulseSines> coefficients = normalised_coefficients();
+    return coefficients;
+}
+
+double pulse_force(double time, double duration) {
+    if (time <= 0 || time >= duration) {
+        return 0;
+    }
+    double force = 0;
+    for (std::size_t i = 0; i < kPulseSines; ++i) {
+        force += pulse_coefficients()[i] * sine(pulse_harmonic(i) * kPi * time / duration);
+    }
+    return force / duration;
+}
+
+PoleResponse pole_response(Complex pole, double duration) {
+    PoleResponse response;
+    const Complex square = pole * pole;
+    for (std::size_t i = 0; i < kPulseSines; ++i) {
+        const double w = pulse_harmonic(i) * kPi / duration;
+        const Complex d =
+            Complex{pulse_coefficients()[i] / duration, 0} / (square + Complex{w * w, 0});
+        response.c[i] = w * d;
+        response.s[i] = pole * d;
+        response.a = response.a + response.c[i];
+    }
+    return response;
+}
+
+Complex pole_response_at(Complex pole, double duration, double time) {
+    if (time <= 0) {
+        return {};
+    }
+    const PoleResponse response = pole_response(pole, duration);
+    if (time > duration) {
+        return (exponential((time - duration) * pole) + exponential(time * pole)) * response.a;
+    }
+    Complex result = exponential(time * pole) * response.a;
+    for (std::size_t i = 0; i < kPulseSines; ++i) {
+        const SinCos angle = sin_cos(pulse_harmonic(i) * kPi * time / duration);
+        result = result - (angle.cos * response.c[i] + angle.sin * response.s[i]);
+    }
+    return result;
+}
+
+}  // namespace carom::sound

@@ -1,0 +1,127 @@
+#include "sound/source/pulse_train.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "core/elementary.h"
+
+namespace carom::sound {
+namespace {
+
+/// The part of a row of times first + i step that lies in (from, to].
+struct Stretch {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
+
+/// How many of the times are at most `limit`, for a positive step, or above it, for a negative one.
+/// The quotient only guesses: the times themselves decide.
+std::size_t count_before(double first, double step, std::size_t count, double limit) {
+    const auto is_before = [&](std::size_t i) {
+        const double time = first + static_cast<double>(i) * step;
+        return step > 0 ? time <= limit : time > limit;
+    };
+    const double guess = std::floor((limit - first) / step);
+    auto i = static_cast<std::size_t>(std::clamp(guess, 0.0, static_cast<double>(count)));
+    while (i > 0 && !is_before(i - 1)) {
+        --i;
+    }
+    while (i < count && is_before(i)) {
+        ++i;
+    }
+    return i;
+}
+
+Stretch stretch(double first, double step, std::size_t count, double from, double to) {
+    const std::size_t begin = count_before(first, step, count, step > 0 ? from : to);
+    const std::size_t end = count_before(first, step, count, step > 0 ? to : from);
+    return {begin, std::max(begin, end)};
+}
+
+/// Adds Re(amplitude e^{pole i step}) for i = 0, 1, 2 ... Four numbers are kept at a time, each of
+/// which advances by four steps, since one product would have to wait for the one before.
+void add_ring(Complex amplitude, Complex pole, double step, std::span<double> pressures) {
+    constexpr std::size_t kLanes = 4;
+    std::array<double, kLanes> re{};
+    std::array<double, kLanes> im{};
+    const Complex turn = exponential(step * pole);
+    Complex state = amplitude;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        re[lane] = state.re;
+        im[lane] = state.im;
+        state = state * turn;
+    }
+    const Complex turns = (turn * turn) * (turn * turn);
+    std::size_t i = 0;
+    for (; i + kLanes <= pressures.size(); i += kLanes) {
+        double* out = &pressures[i];
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            out[lane] += re[lane];
+            const double real = re[lane] * turns.re - im[lane] * turns.im;
+            im[lane] = re[lane] * turns.im + im[lane] * turns.re;
+            re[lane] = real;
+        }
+    }
+    for (std::size_t lane = 0; i < pressures.size(); ++i, ++lane) {
+        pressures[i] += re[lane];
+    }
+}
+
+}  // namespace
+
+PulseTrain::PulseTrain(double duration, std::span<const Partial> partials, double least)
+    : duration_(duration), end_(duration) {
+    for (const Partial& partial : partials) {
+        const PoleResponse response = pole_response(partial.pole, duration);
+        Ring ring;
+        ring.pole = partial.pole;
+        ring.during = 2 * (partial.residue * response.a);
+        ring.after = ring.during * (Complex{1, 0} + exponential(duration * partial.pole));
+        const double height = std::sqrt(squared_length(ring.after));
+        ring.end = duration;
+        if (height > least) {
+            ring.end += logarithm(height / least) / -partial.pole.re;
+        }
+        end_ = std::max(end_, ring.end);
+        rings_.push_back(ring);
+        for (std::size_t k = 0; k < kPulseSines; ++k) {
+            cosines_[k] += 2 * (partial.residue * response.c[k]).re;
+            sines_[k] += 2 * (partial.residue * response.s[k]).re;
+        }
+    }
+}
+
+void PulseTrain::add(double first, double step, std::span<double> pressures) const {
+    const Stretch during = stretch(first, step, pressures.size(), 0, duration_);
+    add_during(first + static_cast<double>(during.begin) * step, step,
+               pressures.subspan(during.begin, during.end - during.begin));
+    for (const Ring& ring : rings_) {
+        const Stretch after = stretch(first, step, pressures.size(), duration_, ring.end);
+        if (after.begin == after.end) {
+            continue;
+        }
+        const double time = first + static_cast<double>(after.begin) * step - duration_;
+        add_ring(ring.after * exponential(time * ring.pole), ring.pole, step,
+                 pressures.subspan(after.begin, after.end - after.begin));
+    }
+}
+
+void PulseTrain::add_during(double first, double step, std::span<double> pressures) const {
+    if (pressures.empty()) {
+        return;
+    }
+    for (const Ring& ring : rings_) {
+        add_ring(ring.during * exponential(first * ring.pole), ring.pole, step, pressures);
+    }
+    const double w = std::numbers::pi / duration_;
+    for (std::size_t k = 0; k < kPulseSines; ++k) {
+        // -(c cos + s sin) is the real part of -(c - i s) e^{i angle}.
+        const Complex frequency{0, pulse_harmonic(k) * w};
+        add_ring(Complex{-cosines_[k], sines_[k]} * exponential(first * frequency), frequency, step,
+                 pressures);
+    }
+}
+
+}  // namespace carom::sound

@@ -1,0 +1,97 @@
+// Sampled trains against the closed form of a single pole.
+#include "sound/source/pulse_train.h"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace carom::sound {
+namespace {
+
+constexpr double kStep = 1.0 / 48000;
+const std::vector<Partial> kPartials{{{-12000, 12000}, {0.3, -0.2}}, {{-60, 2700}, {-0.1, 0.4}}};
+
+double closed_form(double duration, double time) {
+    double sum = 0;
+    for (const Partial& partial : kPartials) {
+        sum += 2 * (partial.residue * pole_response_at(partial.pole, duration, time)).re;
+    }
+    return sum;
+}
+
+TEST(PulseTrain, Samples_AtAnyFractionOfASample_AreTheClosedForm) {
+    for (int sixteenth = 0; sixteenth < 16; ++sixteenth) {
+        const PulseTrain train(390e-6, kPartials, 1e-15);
+        std::vector<double> out(400, 0.0);
+        const double first = kStep * (sixteenth / 16.0 - 7);
+        train.add(first, kStep, out);
+        for (std::size_t i = 0; i < out.size(); ++i) {
+            const double time = first + kStep * static_cast<double>(i);
+            EXPECT_NEAR(out[i], closed_form(390e-6, time), 1e-12);
+            if (time <= 0) {
+                EXPECT_EQ(out[i], 0);
+            }
+        }
+    }
+}
+
+TEST(PulseTrain, Samples_InBlocks_AreThoseOfOneRow) {
+    const PulseTrain train(390e-6, kPartials, 1e-15);
+    std::vector<double> whole(1000, 0.0);
+    train.add(-1e-4, kStep, whole);
+    for (std::size_t begin = 0; begin < whole.size(); begin += 37) {
+        std::vector<double> block(std::min<std::size_t>(37, whole.size() - begin), 0.0);
+        train.add(-1e-4 + kStep * static_cast<double>(begin), kStep, block);
+        for (std::size_t i = 0; i < block.size(); ++i) {
+            EXPECT_NEAR(block[i], whole[begin + i], 1e-12);
+        }
+    }
+}
+
+TEST(PulseTrain, Samples_WithANegativeStep_AreTheMirrorImage) {
+    const PulseTrain train(390e-6, kPartials, 1e-6);
+    std::vector<double> forward(4000, 0.0);
+    std::vector<double> backward(4000, 0.0);
+    const double first = -5.3 * kStep;
+    train.add(first, kStep, forward);
+    train.add(first + 3999 * kStep, -kStep, backward);
+    for (std::size_t i = 0; i < forward.size(); ++i) {
+        EXPECT_NEAR(backward[backward.size() - 1 - i], forward[i], 1e-12);
+    }
+}
+
+TEST(PulseTrain, End_OfARing_IsWhereItHasFallenBelowTheLeast) {
+    const std::vector<Partial> one{{{-50, 3000}, {0.5, 0}}};
+    const PulseTrain train(1e-4, one, 1e-3);
+    std::vector<double> out(20000, 0.0);
+    train.add(0, kStep, out);
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        last = out[i] != 0 ? i : last;
+    }
+    EXPECT_NEAR(kStep * static_cast<double>(last), train.end(), 2 * kStep);
+    // The highest pressure is about 1, and falls to a thousandth in ln 1000 / 50 s.
+    EXPECT_NEAR(train.end(), std::log(1000) / 50, 1e-3);
+}
+
+TEST(PulseTrain, Energy_OfARing_IsItsIntegral) {
+    // 2 Re(r e^{pt}) has the energy |r|^2 / -Re p + Re(r^2 / -p) over all time.
+    const std::vector<Partial> one{{{-80, 3000}, {0.5, 0.2}}};
+    const double duration = 1e-6;  // an impulse
+    const PulseTrain train(duration, one, 1e-12);
+    std::vector<double> out(48000, 0.0);
+    train.add(0, kStep, out);
+    double energy = 0;
+    for (const double sample : out) {
+        energy += sample * sample * kStep;
+    }
+    const Complex r = one[0].residue;
+    const Complex p = one[0].pole;
+    const double exact = squared_length(r) / -p.re + ((r * r) / Complex{-p.re, -p.im}).re;
+    // Sums instead of integrals err by half of the first sample.
+    EXPECT_NEAR(energy, exact, 0.01 * exact);
+}
+
+}  // namespace
+}  // namespace carom::sound
