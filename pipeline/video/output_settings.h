@@ -39,6 +39,13 @@ struct Hdr10Settings {
     double white = 203;  // cd/m^2 of scene light 1, (0, peak]; ITU-R BT.2408's diffuse white
 };
 
+/// A file that is played under the film's sound, from the film's first frame on.
+struct MusicSettings {
+    std::string file;  // with sound in a format that libavformat reads
+    double gain = 0;   // dB, [-60, 20]
+    double fade = 0;   // s, over which it fades out at the end of the film, >= 0
+};
+
 /// What is printed in a corner of the picture.
 enum class OverlayItem { frame, scene_time, playback_speed };
 enum class Corner { top_left, top_right, bottom_left, bottom_right };
@@ -66,8 +73,9 @@ struct OutputSettings {
     std::optional<Hdr10Settings> hdr10;
     std::optional<AudioCodec> audio;       // none: follows from the file (audio_codec_for)
     std::optional<double> audio_bit_rate;  // bit/s; none: the codec's own (audio_codec_info.h)
-    std::string title;                     // empty: the shot's name
-    std::optional<double> poster;          // video time (s) of the frame that stands for the film
+    std::optional<MusicSettings> music;
+    std::string title;             // empty: the shot's name
+    std::optional<double> poster;  // video time (s) of the frame that stands for the film
 };
 
 }  // namespace carom::pipeline
