@@ -40,10 +40,12 @@ AVSampleFormat sample_format(AudioCodec codec) {
     return AV_SAMPLE_FMT_S32;
 }
 
-/// The upper 24 bits of 32, rounded to the nearest. There is no dither, so that silence is zero.
+/// The upper 24 bits of 32, rounded to the nearest, halves to even. There is no dither, so that
+/// silence is zero.
 std::int32_t as_24_bits(double sample) {
     constexpr double kFullScale = 1 << 23;
-    const double code = std::clamp(std::round(sample * kFullScale), -kFullScale, kFullScale - 1);
+    const double code =
+        std::clamp(std::nearbyint(sample * kFullScale), -kFullScale, kFullScale - 1);
     return static_cast<std::int32_t>(code) * 256;
 }
 

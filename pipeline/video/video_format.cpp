@@ -151,7 +151,7 @@ SettingProblem check_audio(const OutputSettings& output, const std::string& path
         std::string text =
             std::string(container->extension) + " files cannot hold " + to_string(codec) + " sound";
         if (codec == AudioCodec::aac && container->muxer == "matroska") {
-            text += " beside pictures, because its first picture would be shown 21 ms late";
+            text += ", with which their first picture would be shown 21 ms late";
         }
         return {{"audio", "codec"},
                 text + "; the codecs of sound and their file extensions are " +

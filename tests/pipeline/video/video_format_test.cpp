@@ -113,12 +113,19 @@ TEST(CheckVideoFormat, SoundThatTheFileCannotHold_ListsCodecsAndExtensions) {
     EXPECT_EQ(check_audio("a.webm", AudioCodec::aac),
               std::string(".webm files cannot hold aac sound") + kAllSound);
     EXPECT_EQ(check_audio("a.mkv", AudioCodec::aac),
-              std::string(".mkv files cannot hold aac sound beside pictures, because its first "
-                          "picture would be shown 21 ms late") +
+              std::string(".mkv files cannot hold aac sound, with which their first picture would "
+                          "be shown 21 ms late") +
                   kAllSound);
     EXPECT_EQ(check_audio("a.mov", AudioCodec::pcm, Codec::prores), "");
     EXPECT_EQ(check_audio("a.webm", AudioCodec::none), "");
     EXPECT_EQ(check_audio("a.##.png", AudioCodec::opus), "");
+}
+
+TEST(SoundPathOfSequence, IsTheNameWithoutTheNumber) {
+    EXPECT_EQ(sound_path_of_sequence("out/shot.####.exr"), "out/shot.wav");
+    EXPECT_EQ(sound_path_of_sequence("shot_##.png"), "shot.wav");
+    EXPECT_EQ(sound_path_of_sequence("shot.#.left.png"), "shot.left.wav");
+    EXPECT_EQ(sound_path_of_sequence("out.d/####.png"), "out.d/sound.wav");
 }
 
 TEST(CheckVideoFormat, AudioBitRate_HasALimit) {
