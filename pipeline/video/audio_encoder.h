@@ -27,8 +27,6 @@ class AudioEncoder {
                  Take take);
 
     [[nodiscard]] const AVCodecContext& context() const { return *context_; }
-    /// How many samples the encoder takes at once.
-    [[nodiscard]] std::size_t block() const { return block_; }
 
     /// Adds samples in units of full scale: lossless codecs round them to 24 bits. Both spans have
     /// the same size. Throws Error.
@@ -47,7 +45,7 @@ class AudioEncoder {
     AvPtr<AVCodecContext> context_;
     AvPtr<AVFrame> frame_;
     AvPtr<AVPacket> packet_;
-    std::size_t block_ = 0;
+    std::size_t block_ = 0;     // samples that the encoder takes at once
     std::size_t filled_ = 0;    // samples in frame_
     std::int64_t encoded_ = 0;  // samples before them
 };

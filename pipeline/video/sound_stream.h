@@ -32,8 +32,6 @@ class SoundStream {
 
     /// How many samples were added.
     [[nodiscard]] std::int64_t samples() const { return samples_; }
-    /// How many samples the encoder takes at once.
-    [[nodiscard]] std::int64_t block() const { return static_cast<std::int64_t>(encoder_.block()); }
 
     /// Writes what the encoder still has, to be called before the trailer is written. Throws Error.
     void finish();

@@ -152,9 +152,7 @@ void VideoWriter::State::add_sound(const OutputSettings& output,
 
 void VideoWriter::State::write_sound_before(std::int64_t picture) {
     if (sound && picture > 0) {
-        // In whole blocks, so that the last one, which may be shorter, is that of the end.
-        const std::int64_t samples = first_sample(picture, format.fps);
-        write_sound(*sound_source, *sound, samples - samples % sound->block());
+        write_sound(*sound_source, *sound, first_sample(picture, format.fps));
     }
 }
 
