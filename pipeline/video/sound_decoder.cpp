@@ -182,7 +182,8 @@ void SoundDecoder::State::take_frame() {
     const bool is_plain = rate == kSoundRate && channels <= kChannels;
     const int stored = channels == 1 ? kChannels : channels;  // one channel is heard on both sides
     std::vector<std::int32_t> interleaved;
-    interleaved.reserve(static_cast<std::size_t>(frame->nb_samples * stored));
+    interleaved.reserve(static_cast<std::size_t>(frame->nb_samples) *
+                        static_cast<std::size_t>(stored));
     for (int i = 0; i < frame->nb_samples; ++i) {
         for (int channel = 0; channel < stored; ++channel) {
             interleaved.push_back(

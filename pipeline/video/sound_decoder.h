@@ -18,6 +18,8 @@ class SoundDecoder : public SoundSource {
     /// Throws Error that names `path` if the file cannot be read or has no sound.
     explicit SoundDecoder(const std::string& path);
     ~SoundDecoder() override;
+    SoundDecoder(const SoundDecoder&) = delete;
+    SoundDecoder& operator=(const SoundDecoder&) = delete;
 
     /// As of SoundSource; throws Error if the file is damaged.
     std::size_t read(std::span<double> left, std::span<double> right) override;
