@@ -15,7 +15,8 @@
 
 namespace carom::sound {
 
-inline constexpr int kSampleRate = 48000;  // Hz, of all sound
+inline constexpr int kSampleRate = 48000;     // Hz, of all sound
+inline constexpr double kSpeedOfSound = 343;  // m/s, in air of 20 degrees Celsius
 
 /// What a solid is made of, for the duration of its contacts and for its own modes.
 struct Material {
@@ -98,8 +99,10 @@ struct PassageSettings {
 };
 
 /// A stretch of the film, shown by one camera, in which scene time never turns: it rises, falls or
-/// stands still. All times are of the film, s, in [from, to). Functions may be called for times a
-/// little outside of it, and depend on nothing but their argument.
+/// stands still. All times are of the film, s, in [from, to). Functions may be called for times up
+/// to 30 ms outside of it, and depend on nothing but their argument. Where one passage goes on at
+/// the scene time at which another ends, both give the same number there: an impact at that instant
+/// is then heard once.
 struct Passage {
     double from = 0;
     double to = 0;
@@ -115,7 +118,8 @@ struct Passage {
 struct RoomSettings {
     enum class Kind { none, box, outdoors };
     Kind kind = Kind::box;
-    Vec3 size{8, 6, 2.8};            // m
+    Vec3 size{8, 6, 2.8};            // m, along the axes
+    Vec3 floor_centre{0, 0, -0.8};   // m, the middle of the floor (or the ground outdoors)
     double reverberation_low = 0.6;  // s to -60 dB, at low frequencies
     double reverberation_high = 0.35;
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/vectors.h"
+#include "pipeline/camera/camera_sound.h"
 #include "pipeline/camera/rational.h"
 
 namespace carom::pipeline {
@@ -187,6 +188,7 @@ struct CameraRig {
     /// Empty: [video_start, video_end]. A rig that was retimed or cut keeps that of the rig from
     /// which it was made, so that its keys and its shake stay with its path.
     std::optional<FilmInterval> written{};
+    CameraSound sound{};
 };
 
 /// The clock that measures the exposure. video: the time map converts the exposure to scene time,

@@ -121,9 +121,8 @@ struct FarmCommand {
 void describe(FarmCommand& command, CommandDescription& description);
 void run(const FarmCommand& command, CommandContext& context);
 
-/// Films an existing shot at another speed. The strings are as typed.
-struct RetimeCommand {
-    RenderCommand render;
+/// How a film is filmed again. The strings are as typed.
+struct RetimeWords {
     std::string speed;  // "0.125", "1/8"
     std::string from;   // scene times
     std::string to;
@@ -131,6 +130,12 @@ struct RetimeCommand {
     std::string easing;  // of the ramp: "smooth", "linear"
     std::string rig;     // a camera's name
     bool reverse = false;
+};
+
+/// Films an existing shot at another speed.
+struct RetimeCommand {
+    RenderCommand render;
+    RetimeWords retime;
 };
 void describe(RetimeCommand& command, CommandDescription& description);
 void run(const RetimeCommand& command, CommandContext& context);
@@ -216,6 +221,22 @@ struct PlanCommand {
 };
 void describe(PlanCommand& command, CommandDescription& description);
 void run(const PlanCommand& command, CommandContext& context);
+
+/// Writes the sound of a film, without its pictures.
+struct SoundCommand {
+    InputOptions input;
+    CacheOptions cache;
+    RetimeWords retime;
+    std::string output;  // empty: the shot's name and .wav, unless other results are wanted
+    std::string stems;   // a folder for a file of each group; empty: none
+    std::string heard;   // a table; empty: none
+    bool report = false;
+};
+void describe(SoundCommand& command, CommandDescription& description);
+void run(const SoundCommand& command, CommandContext& context);
+/// The same for a file that is not a .wav: only carom-film has the encoders.
+void run_with_encoders(const SoundCommand& command, CommandContext& context);
+[[nodiscard]] bool needs_encoder(const SoundCommand& command);
 
 /// Writes a new shot from a template.
 struct NewCommand {
@@ -341,6 +362,8 @@ inline constexpr std::tuple kCommandTable{
                               "Film a shot again: slower, backwards, or a part of it."},
     CommandRow<MuxCommand>{"mux", Group::film, Program::film,
                            "Write a film from frames that are already rendered."},
+    CommandRow<SoundCommand>{"sound", Group::film, Program::carom,
+                             "Write the sound of a film, or a list of what is heard."},
     CommandRow<FarmCommand>{"farm", Group::film, Program::film,
                             "Render a film on a Slurm cluster, and follow it."},
     CommandRow<BakeCommand>{"bake", Group::keep, Program::carom,
@@ -369,6 +392,10 @@ constexpr CommandRow<T> kRowOf = std::get<CommandRow<T>>(kCommandTable);
 [[nodiscard]] inline Program program_of(const Command& command) {
     const auto* cache = std::get_if<CacheCommand>(&command);
     if (cache != nullptr && !cache->input.path.empty()) {
+        return Program::film;
+    }
+    const auto* sound = std::get_if<SoundCommand>(&command);
+    if (sound != nullptr && needs_encoder(*sound)) {
         return Program::film;
     }
     return std::visit([]<class T>(const T&) { return kRowOf<T>.program; }, command);

@@ -9,6 +9,7 @@
 #include "pipeline/camera/camera_rig.h"
 #include "pipeline/picture/annotation.h"
 #include "pipeline/shot/cue_stick.h"
+#include "pipeline/shot/sound_settings.h"
 #include "pipeline/video/output_settings.h"
 #include "render/scene/render_settings.h"
 #include "render/scene/scene_description.h"
@@ -35,6 +36,7 @@ struct Shot {
     FilmTiming timing;
     render::RenderSettings render;
     OutputSettings output;
+    SoundSettings sound;
     /// While the motion is not known, the values of moments are 0 s (resolve_moments in
     /// config/load_shot.h).
     std::vector<ShotMoment> moments;

@@ -94,55 +94,47 @@ Triple hue_of(const Vec3& colour) {
     return largest > 0 ? triple(colour / largest) : Triple{0, 0, 0};
 }
 
-/// The rotation from the world's axes to the light's.
-Turn orientation_of(const render::RectangleLight& light) {
-    const Vec3 u = light.edge_u.normalized();
-    const Vec3 v = light.normal.cross(u);
-    const Vec3& n = light.normal;
+/// The rotation from the world's axes to those of a light with two edges.
+Turn orientation_of(const Vec3& edge_u, const Vec3& normal) {
+    const Vec3 u = edge_u.normalized();
+    const Vec3 v = normal.cross(u);
+    const Vec3& n = normal;
     const Imath::M44d rows(u.x, u.y, u.z, 0, v.x, v.y, v.z, 0, n.x, n.y, n.z, 0, 0, 0, 0, 1);
     const Quat turn = Imath::extractQuat(rows).normalized();
     return {turn.r, turn.v.x, turn.v.y, turn.v.z};
 }
 
-struct FillLight {
-    SceneLight& message;
-
-    void operator()(const render::RectangleLight& light) const {
-        message.kind = "rectangle";
+/// What the page draws: whatever the description has of a light's usual parts. A kind for which the
+/// page has no figure is shown as a dot at its place.
+template <class Light>
+void fill(const Light& light, SceneLight& message) {
+    message.kind = Light::kKind;
+    if constexpr (requires { light.centre; }) {
         message.position = triple(light.centre);
+    } else if constexpr (requires { light.position; }) {
+        message.position = triple(light.position);
+    }
+    if constexpr (requires { light.normal; }) {
         message.facing = triple(light.normal);
-        message.orientation = orientation_of(light);
-        message.colour = hue_of(light.radiance);
-        message.size = {2 * light.edge_u.length(), 2 * light.edge_v.length()};
-    }
-    void operator()(const render::SphereLight& light) const {
-        message.kind = "sphere";
-        message.position = triple(light.centre);
-        message.colour = hue_of(light.radiance);
-        message.size = {light.radius};
-    }
-    void operator()(const render::EnvironmentLight& light) const {
-        message.kind = "environment";
-        message.colour = hue_of(light.radiance);
-    }
-    void operator()(const render::PointLight& light) const {
-        message.kind = "point";
-        message.position = triple(light.position);
-        message.colour = hue_of(light.intensity);
-    }
-    void operator()(const render::SpotLight& light) const {
-        message.kind = "spot";
-        message.position = triple(light.position);
+    } else if constexpr (requires { light.direction; }) {
         message.facing = triple(light.direction.normalized());
-        message.colour = hue_of(light.intensity);
-        message.size = {light.inner_angle, light.outer_angle};
     }
-    void operator()(const render::DirectionalLight& light) const {
-        message.kind = "directional";
-        message.facing = triple(light.direction.normalized());
+    if constexpr (requires { light.radiance; }) {
+        message.colour = hue_of(light.radiance);
+    } else if constexpr (requires { light.intensity; }) {
+        message.colour = hue_of(light.intensity);
+    } else {
         message.colour = hue_of(light.irradiance);
     }
-};
+    if constexpr (requires { light.edge_u; }) {
+        message.orientation = orientation_of(light.edge_u, light.normal);
+        message.size = {2 * light.edge_u.length(), 2 * light.edge_v.length()};
+    } else if constexpr (requires { light.radius; }) {
+        message.size = {light.radius};
+    } else if constexpr (requires { light.inner_angle; }) {
+        message.size = {light.inner_angle, light.outer_angle};
+    }
+}
 
 }  // namespace
 
@@ -152,7 +144,7 @@ std::vector<SceneLight> light_messages(const pipeline::Shot& shot) {
         SceneLight message;
         message.name = light.name;
         message.path = {"lights", light.name};
-        std::visit(FillLight{message}, light.light);
+        std::visit([&](const auto& described) { fill(described, message); }, light.light);
         messages.push_back(std::move(message));
     }
     return messages;

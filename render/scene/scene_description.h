@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -126,6 +127,7 @@ struct ObjectDescription {
 };
 
 // ---- lights ---------------------------------------------------------------------------------
+// `kKind` is the key that names the kind in shots.
 
 /// How the light of a lamp decreases with distance. `none` is for looks that physics does not
 /// allow: the irradiance that a lamp causes does not depend on the distance. A lamp with a surface
@@ -135,6 +137,7 @@ enum class Falloff { inverse_square, none };
 
 /// One-sided: radiates from the side of its normal, from which the camera and reflections see it.
 struct RectangleLight {
+    static constexpr std::string_view kKind = "rectangle";
     Vec3 centre{0, 0, 1};
     Vec3 edge_u{0.5, 0, 0};  // half edges, orthogonal; the light spans centre +- edge_u +- edge_v
     Vec3 edge_v{0, 0.5, 0};
@@ -144,6 +147,7 @@ struct RectangleLight {
 };
 
 struct SphereLight {
+    static constexpr std::string_view kKind = "sphere";
     Vec3 centre{0, 0, 1};
     double radius = 0.05;  // m, > 0
     Vec3 radiance{1, 1, 1};
@@ -160,6 +164,7 @@ struct Sky {
 /// Light from infinitely far away in all directions: constant, an equirectangular image (Z up, its
 /// centre column towards +x rotated by `rotation` about z) or a sky.
 struct EnvironmentLight {
+    static constexpr std::string_view kKind = "environment";
     Vec3 radiance{1, 1, 1};  // multiplies the image or sky
     std::string image;       // absolute path; empty: constant, or a sky
     double rotation = 0;     // rad, counter-clockwise seen from above
@@ -168,6 +173,7 @@ struct EnvironmentLight {
 
 /// Radiates from one point in all directions. It is invisible, also in reflections.
 struct PointLight {
+    static constexpr std::string_view kKind = "point";
     Vec3 position{0, 0, 1};
     Vec3 intensity{1, 1, 1};  // W/sr; W/m^2 without falloff
     Falloff falloff = Falloff::inverse_square;
@@ -176,6 +182,7 @@ struct PointLight {
 /// A point light within a cone: full intensity within the inner angle, none outside the outer one,
 /// and a smooth transition between.
 struct SpotLight {
+    static constexpr std::string_view kKind = "spot";
     Vec3 position{0, 0, 1};
     Vec3 direction{0, 0, -1};  // of the axis
     Vec3 intensity{1, 1, 1};   // W/sr; W/m^2 without falloff
@@ -186,6 +193,7 @@ struct SpotLight {
 
 /// Parallel light from infinitely far away. It is invisible.
 struct DirectionalLight {
+    static constexpr std::string_view kKind = "directional";
     Vec3 direction{0, 0, -1};  // in which the light travels
     Vec3 irradiance{1, 1, 1};  // of a surface that faces it, W/m^2
 };

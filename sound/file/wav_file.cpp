@@ -14,6 +14,8 @@ namespace {
 constexpr std::uint32_t kChannels = 2;
 constexpr std::uint32_t kSampleBytes = 3;
 constexpr std::uint32_t kFrameBytes = kChannels * kSampleBytes;
+constexpr std::uint32_t kBytesPerSecond = kSampleRate * kFrameBytes;
+constexpr std::uint32_t kSampleBits = 8 * kSampleBytes;
 constexpr std::uint32_t kFormatBytes = 16;
 constexpr std::uint32_t kLongSizesBytes = 28;
 constexpr std::uint32_t kSizeElsewhere = 0xFFFFFFFF;  // in the chunk ds64
@@ -37,9 +39,9 @@ void put_format(std::vector<std::byte>& bytes) {
     put(bytes, 1, 2);  // PCM
     put(bytes, kChannels, 2);
     put(bytes, kSampleRate, 4);
-    put(bytes, kSampleRate * kFrameBytes, 4);
+    put(bytes, kBytesPerSecond, 4);
     put(bytes, kFrameBytes, 2);
-    put(bytes, 8 * kSampleBytes, 2);
+    put(bytes, kSampleBits, 2);
 }
 
 }  // namespace

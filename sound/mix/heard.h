@@ -18,6 +18,7 @@ struct HeardImpact {
     double peak_time = 0;   // s, film time of the highest pressure, delay included
     double scene_time = 0;  // s
     std::size_t shot = 0;   // index in SoundScene::shots
+    std::size_t event = 0;  // index in its timeline's events
     sim::EventKind kind = sim::EventKind::impact;
     Group group = Group::balls;
     std::string a;

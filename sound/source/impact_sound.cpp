@@ -1,5 +1,6 @@
 #include "sound/source/impact_sound.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -85,9 +86,25 @@ const ImpactSounds::Entry* ImpactSounds::entry(std::string_view name) const {
     return found == entries_.end() ? nullptr : &found->second;
 }
 
-const SoundBody* ImpactSounds::find(std::string_view name) const {
-    const Entry* found = entry(name);
-    return found == nullptr ? nullptr : found->body;
+double ImpactSounds::longest_decay() const {
+    double longest = 0;
+    const auto include = [&longest](const std::vector<Mode>& modes) {
+        for (const Mode& mode : modes) {
+            longest = std::max(longest, -1 / mode_pole(mode).re);
+        }
+    };
+    const Structures& s = shot_.structures;
+    for (const Structure* structure :
+         {&s.cushion, &s.bed, &s.stick, &s.pocket, &s.wood, &s.box_on_cloth}) {
+        include(structure->modes);
+    }
+    for (const SoundBody& body : shot_.bodies) {
+        const auto* box = std::get_if<BoxShape>(&body.shape);
+        if (box != nullptr && !std::isinf(body.mass)) {
+            include(box_modes(box->size, body.mass, body.material, {1, 1, 1}));
+        }
+    }
+    return longest;
 }
 
 std::optional<ImpactSound> ImpactSounds::sound_of(const sim::Event& event) const {

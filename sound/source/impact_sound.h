@@ -43,8 +43,8 @@ class ImpactSounds {
     /// others ("rail", "floor", scenery) are wood.
     [[nodiscard]] std::optional<ImpactSound> sound_of(const sim::Event& event) const;
 
-    /// The body of that name, or nullptr.
-    [[nodiscard]] const SoundBody* find(std::string_view name) const;
+    /// The longest time in which any mode of the shot falls to 1/e, s.
+    [[nodiscard]] double longest_decay() const;
 
   private:
     struct Entry {

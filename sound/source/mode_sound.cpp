@@ -27,6 +27,7 @@ std::vector<Mode> bar_modes(double length, double thickness, double density,
     const double slope = thickness / length;
     const double wave_speed = std::sqrt(material.modulus / density);
     std::vector<Mode> modes;
+    modes.reserve(kShapes.size());
     for (const Shape& shape : kShapes) {
         modes.push_back({shape.slender * slope / length * wave_speed /
                              std::sqrt(1 + shape.timoshenko * slope * slope),

@@ -1,12 +1,12 @@
 // The sound of a rigid sphere whose velocity jumps: an accelerated dipole with its near field.
 #pragma once
 
+#include "sound/sound_scene.h"
 #include "sound/source/complex.h"
 
 namespace carom::sound {
 
-inline constexpr double kSpeedOfSound = 343;  // m/s, air at 20 degrees Celsius
-inline constexpr double kAirDensity = 1.204;  // kg/m^3, the same
+inline constexpr double kAirDensity = 1.204;  // kg/m^3, of air of 20 degrees Celsius
 
 /// The pressure per velocity as a filter of the acceleration,
 ///     H(s) = rho c (R/r) cos(angle) (s + kappa R/r) / ((s + kappa)^2 + kappa^2),   kappa = c/R

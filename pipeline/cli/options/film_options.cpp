@@ -15,28 +15,6 @@ constexpr const char* kRenderTier =
     "the same), sse4, ssse3 or scalar. The last bits of a frame depend on them. The default is the "
     "best that the machine has.";
 
-void add_retime_times(CommandDescription& description, RetimeCommand& retime) {
-    description.option("--speed", &retime.speed, "RATIO",
-                       "Seconds of the scene per second of film: 0.125 or 1/8. The default is the "
-                       "speed of the original film.");
-    description.option(
-        "--from", &retime.from, "TIME",
-        "Begin at this scene time, a number or a moment such as '{contact: [cue, one], before: "
-        "0.2s}'. Without --from and --to the whole film is shown.");
-    description.option("--to", &retime.to, "TIME", "End at this scene time, written like --from.");
-    description.flag("--reverse", retime.reverse, "Play backwards.");
-    description.option("--ramp", &retime.ramp, "T:V,...",
-                       "Change the speed during the film, as a list of film times and speeds: "
-                       "0s:1,1s:1/8,3s:1/8,4s:1. The last time is the length of the film.");
-    description
-        .option("--easing", &retime.easing, "NAME",
-                "How the speed changes between the times of the ramp: smooth (the default) or "
-                "linear.")
-        .one_of({"smooth", "linear"});
-    description.option("--rig", &retime.rig, "NAME", "Use only this camera of the shot.")
-        .offers(Offer::cameras);
-}
-
 }  // namespace
 
 void describe(RenderCommand& command, CommandDescription& description) {
@@ -71,7 +49,7 @@ void describe(RetimeCommand& command, CommandDescription& description) {
     RenderCommand& render = command.render;
     add_input(description, render.input);
     add_changes(description, render.input);
-    add_retime_times(description, command);
+    add_retime_words(description, command.retime);
     add_camera_file(description, render.input);
     add_output(description, render.output,
                "The film. The default is the shot's name and _retimed in the current folder.");
@@ -86,6 +64,39 @@ void describe(RetimeCommand& command, CommandDescription& description) {
         {"carom retime break.yaml --speed 1/8 --from 1.2s --to 2s -o slow.mp4",
          "A part of the shot, eight times slower."},
         {"carom retime break.bake --reverse -o back.mp4", "The whole shot backwards."}};
+}
+
+void describe(SoundCommand& command, CommandDescription& description) {
+    description.details = {
+        "The sound follows from the shot's motion and its cameras, in less time than it takes to "
+        "hear it; no frame is rendered. A .wav and a .flac file have all bits, with 24 a sample.",
+        "With --heard, --stems or --report, the file with the whole sound is only written if -o "
+        "names it."};
+    add_input(description, command.input);
+    add_changes(description, command.input);
+    add_retime_words(description, command.retime);
+    add_camera_file(description, command.input);
+    add_output(description, command.output,
+               "The sound: .wav, .flac, .m4a, .opus or .mka. The default is the shot's name and "
+               ".wav.");
+    description
+        .option("--stems", &command.stems, "FOLDER",
+                "Also write a file for each group of sounds: balls, cushions, cloth, stick, "
+                "pockets, objects, rolling. Their sum is the film's sound.")
+        .offers(Offer::files);
+    description
+        .option("--heard", &command.heard, "FILE",
+                "Also write a table (.csv) of every impact that is heard: when, what, from how far "
+                "and how loud.")
+        .offers(Offer::files);
+    description.flag("--report", command.report,
+                     "Print the loudness, the true peak and the ten loudest impacts.");
+    add_cache(description, command.cache);
+    description.examples = {
+        {"carom sound break.yaml -o break.wav", "The sound of the whole film."},
+        {"carom sound break.yaml --speed 1/8 --from '{strike: cue}' -o slow.flac",
+         "The same, eight times slower, from the strike on."},
+        {"carom sound break.yaml --heard heard.csv --report", "What is heard, and how loud."}};
 }
 
 void describe(FrameCommand& command, CommandDescription& description) {

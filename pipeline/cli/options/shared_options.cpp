@@ -99,4 +99,26 @@ void add_drawing(CommandDescription& description, DrawingOptions& drawing) {
         .between(100, 16000);
 }
 
+void add_retime_words(CommandDescription& description, RetimeWords& words) {
+    description.option("--speed", &words.speed, "RATIO",
+                       "Seconds of the scene per second of film: 0.125 or 1/8. The default is the "
+                       "speed of the original film.");
+    description.option(
+        "--from", &words.from, "TIME",
+        "Begin at this scene time, a number or a moment such as '{contact: [cue, one], before: "
+        "0.2s}'. Without --from and --to the whole film is shown.");
+    description.option("--to", &words.to, "TIME", "End at this scene time, written like --from.");
+    description.flag("--reverse", words.reverse, "Play backwards.");
+    description.option("--ramp", &words.ramp, "T:V,...",
+                       "Change the speed during the film, as a list of film times and speeds: "
+                       "0s:1,1s:1/8,3s:1/8,4s:1. The last time is the length of the film.");
+    description
+        .option("--easing", &words.easing, "NAME",
+                "How the speed changes between the times of the ramp: smooth (the default) or "
+                "linear.")
+        .one_of({"smooth", "linear"});
+    description.option("--rig", &words.rig, "NAME", "Use only this camera of the shot.")
+        .offers(Offer::cameras);
+}
+
 }  // namespace carom::cli

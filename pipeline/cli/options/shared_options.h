@@ -24,5 +24,7 @@ void add_tier(CommandDescription& description, std::string& tier, const std::str
 void add_threads(CommandDescription& description, int& threads);
 void add_output(CommandDescription& description, std::string& output, const char* help);
 void add_drawing(CommandDescription& description, DrawingOptions& drawing);
+/// --speed, --from, --to, --reverse, --ramp, --easing and --rig.
+void add_retime_words(CommandDescription& description, RetimeWords& words);
 
 }  // namespace carom::cli

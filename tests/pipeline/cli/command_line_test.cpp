@@ -91,15 +91,15 @@ TEST(CommandLine, Retime_TakesItsOptions) {
     EXPECT_EQ(command.render.input.camera_file, "c.yaml");
     EXPECT_EQ(command.render.output, "b.mp4");
     EXPECT_EQ(command.render.threads, 2);
-    EXPECT_EQ(command.speed, "1/8");
-    EXPECT_EQ(command.from, "1.2s");
-    EXPECT_EQ(command.to, "2 s");
-    EXPECT_TRUE(command.reverse);
-    EXPECT_EQ(command.rig, "slow");
+    EXPECT_EQ(command.retime.speed, "1/8");
+    EXPECT_EQ(command.retime.from, "1.2s");
+    EXPECT_EQ(command.retime.to, "2 s");
+    EXPECT_TRUE(command.retime.reverse);
+    EXPECT_EQ(command.retime.rig, "slow");
     const auto ramp =
         parsed<RetimeCommand>({"retime", "a.bake", "--ramp", "0s:1, 1s:1/8", "--easing", "linear"});
-    EXPECT_EQ(ramp.ramp, "0s:1, 1s:1/8");
-    EXPECT_EQ(ramp.easing, "linear");
+    EXPECT_EQ(ramp.retime.ramp, "0s:1, 1s:1/8");
+    EXPECT_EQ(ramp.retime.easing, "linear");
 }
 
 TEST(CommandLine, SetBeforeTheShot_DoesNotSwallowIt) {

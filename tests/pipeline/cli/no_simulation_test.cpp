@@ -85,14 +85,14 @@ TEST_F(NoSimulation, Retime_CallsNoOde) {
     for (const std::string input : {"shot.bake", "shot.yaml"}) {
         RetimeCommand command;
         command.render = render(input, input + ".mp4");
-        command.speed = "1/4";
-        command.from = "0.2s";
-        command.to = "0.3s";
+        command.retime.speed = "1/4";
+        command.retime.from = "0.2s";
+        command.retime.to = "0.3s";
         run(command, context_);
-        command.speed = command.from = command.to = "";
-        command.reverse = true;
+        command.retime.speed = command.retime.from = command.retime.to = "";
+        command.retime.reverse = true;
         run(command, context_);
-        command.ramp = "0s:1,0.2s:1/8";
+        command.retime.ramp = "0s:1,0.2s:1/8";
         run(command, context_);
     }
     expect_no_call();

@@ -156,7 +156,7 @@ TEST(NumberedEvents, BreakOfARack_IsOneEventAndTheLightestAreOmitted) {
     const Baked rack = example("nine_ball_break");
     const NumberedEvents all = number_events(rack.shot, rack.timeline, 1000);
     ASSERT_GT(all.events.size(), 10U);
-    EXPECT_THAT(all.events[1].text, ::testing::StartsWith("cue → one at 9.6 m/s, cut 0°, "));
+    EXPECT_THAT(all.events[1].text, ::testing::StartsWith("cue → one at 9.5 m/s, cut 0°, "));
     EXPECT_THAT(all.events[1].text, HasSubstr(" more in "));
     EXPECT_GT(all.events[2].time, all.events[1].time + 0.01);
     const NumberedEvents few = number_events(rack.shot, rack.timeline, 5);

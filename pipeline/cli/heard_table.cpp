@@ -1,0 +1,70 @@
+#include "pipeline/cli/heard_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "sound/level/decibels.h"
+
+namespace carom::cli {
+
+namespace {
+
+/// The level at the listener after the gain, dB.
+double level_of(const sound::HeardImpact& heard) {
+    return sound::level_of(heard.peak) + heard.gain;
+}
+
+std::string pair_text(const sound::HeardImpact& heard) {
+    return heard.b.empty() ? heard.a : heard.a + " - " + heard.b;
+}
+
+/// "-16.2", or "silence" for minus infinity.
+std::string level_text(double level, const char* unit) {
+    return std::isfinite(level) ? fmt::format("{:.1f} {}", level, unit) : "silence";
+}
+
+}  // namespace
+
+std::string heard_to_csv(std::span<const sound::HeardImpact> heard) {
+    std::string text =
+        "film_time,scene_time,kind,a,b,camera,speed,time_factor,distance,delay,impulse,"
+        "contact_time,peak_time,peak,gain\n";
+    for (const sound::HeardImpact& one : heard) {
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.4f}\n", one.film_time,
+                            one.scene_time, sim::to_string(one.kind), one.a, one.b, one.camera,
+                            one.speed, one.time_factor, one.distance, one.delay, one.impulse,
+                            one.contact_time, one.peak_time, one.peak, one.gain);
+    }
+    return text;
+}
+
+std::string sound_report(const sound::SoundLevels& levels, double full_scale,
+                         std::span<const sound::HeardImpact> heard) {
+    constexpr std::size_t kLines = 10;
+    std::string text =
+        fmt::format("loudness    {}\ntrue peak   {}\nfull scale  {:.3g} Pa ({:.1f} dB)\n",
+                    level_text(levels.loudness, "LUFS"), level_text(levels.true_peak, "dBTP"),
+                    full_scale, sound::level_of(full_scale));
+    if (levels.limited > 0) {
+        text += fmt::format("limited by  {:.1f} dB at most\n", levels.limited);
+    }
+    text += fmt::format("impacts     {}\n", heard.size());
+    std::vector<sound::HeardImpact> loudest(std::min(kLines, heard.size()));
+    std::ranges::partial_sort_copy(
+        heard, loudest, [](const auto& a, const auto& b) { return level_of(a) > level_of(b); });
+    if (!loudest.empty()) {
+        text += fmt::format("\n{:>9}  {:>9}  {:<30} {:<14} {:>6} {:>9} {:>8}\n", "film s",
+                            "scene s", "the loudest", "camera", "m", "Pa", "dB");
+    }
+    for (const sound::HeardImpact& one : loudest) {
+        text += fmt::format("{:9.4f}  {:9.4f}  {:<30} {:<14} {:6.2f} {:9.3g} {:8.1f}\n",
+                            one.film_time, one.scene_time, pair_text(one), one.camera, one.distance,
+                            one.peak, level_of(one));
+    }
+    return text;
+}
+
+}  // namespace carom::cli

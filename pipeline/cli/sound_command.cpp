@@ -1,0 +1,199 @@
+#include "pipeline/cli/sound_command.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "pipeline/camera/frame_plan.h"
+#include "pipeline/cli/bake_input.h"
+#include "pipeline/cli/heard_table.h"
+#include "pipeline/cli/job_observer.h"
+#include "pipeline/cli/output_file.h"
+#include "pipeline/cli/retime_words.h"
+#include "pipeline/cli/sequence_input.h"
+#include "pipeline/cli/shot_input.h"
+#include "pipeline/config/load_shot.h"
+#include "pipeline/sequence/load_sequence.h"
+#include "pipeline/sequence/sequence_scene.h"
+#include "pipeline/sound/film_scene.h"
+#include "sound/file/wav_file.h"
+
+namespace carom::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The sound of a film, and all that it refers to.
+struct FilmInput {
+    std::optional<ShotInput> shot;
+    std::optional<pipeline::Sequence> sequence;
+    std::map<std::size_t, sim::Bake> bakes;  // of a shot: number 0
+    sound::SoundScene scene;
+    bool is_silent = false;
+};
+
+void read_sequence(const SoundCommand& command, CommandContext& context, FilmInput& film) {
+    if (changes_film(command.retime)) {
+        throw InputError(
+            "a film of several shots cannot be filmed again at another speed; give "
+            "one of its shots");
+    }
+    film.sequence = read_sequence_input(command.input, context.console);
+    std::vector<pipeline::SequencePart>& parts = film.sequence->parts;
+    std::map<std::size_t, const sim::Timeline*> timelines;
+    film.is_silent = true;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (auto* part = std::get_if<pipeline::ShotPart>(&parts[i].content)) {
+            ShotInput input = input_of(*part);
+            film.bakes[i] = obtain_bake(input, InputOptions{part->path, {}, {}, {}, {}},
+                                        command.cache, context);
+            take_back(std::move(input), *part);
+            timelines[i] = &film.bakes[i].timeline;
+            film.is_silent = film.is_silent && part->shot.sound.is_silent;
+        }
+    }
+    film.scene = pipeline::sequence_scene(*film.sequence, timelines, 0, film.sequence->frames());
+}
+
+void read_shot(const SoundCommand& command, CommandContext& context, FilmInput& film) {
+    pipeline::RetimeOptions options = parse_retime(command.retime);
+    film.shot = read_shot_input(command.input, context.console);
+    film.bakes[0] = obtain_bake(*film.shot, command.input, command.cache, context);
+    if (changes_film(command.retime)) {
+        if (names_moments(command.retime)) {
+            film.shot->bake = film.bakes[0];
+        }
+        retime(command.retime, std::move(options), *film.shot);
+    }
+    const pipeline::Shot& shot = film.shot->shot;
+    film.is_silent = shot.sound.is_silent;
+    film.scene = pipeline::film_scene(shot, film.bakes[0].timeline, 0,
+                                      pipeline::frame_count(shot.cameras, shot.timing));
+}
+
+void read_film(const SoundCommand& command, CommandContext& context, FilmInput& film) {
+    if (pipeline::is_sequence_file(command.input.path)) {
+        read_sequence(command, context, film);
+    } else {
+        read_shot(command, context, film);
+    }
+    if (film.is_silent) {
+        throw InputError("'" + command.input.path + "' says 'sound: none', so its film is silent");
+    }
+}
+
+/// Passes all samples to the file, if there is one.
+void copy_all(sound::FilmSound& source, SoundFile* file, const WorkContext& work) {
+    std::array<double, 4096> left{};
+    std::array<double, 4096> right{};
+    while (const std::size_t count = source.read(left, right)) {
+        if (work.stop.stop_requested()) {
+            throw Stopped();
+        }
+        if (file != nullptr) {
+            file->write(std::span(left).first(count), std::span(right).first(count));
+        }
+        if (work.progress) {
+            work.progress(static_cast<double>(source.position()) /
+                          static_cast<double>(source.frames()));
+        }
+    }
+    if (file != nullptr) {
+        file->finish();
+    }
+}
+
+constexpr std::array<const char*, sound::kGroupCount> kGroupNames{
+    "balls", "cushions", "cloth", "stick", "pockets", "objects", "rolling"};
+
+/// Writes a file for each group.
+void write_stems(const SoundCommand& command, const sound::SoundScene& scene, double full_scale,
+                 const WorkContext& work, const SoundFileMaker& make) {
+    const std::string extension =
+        command.output.empty() ? ".wav" : fs::path(command.output).extension().string();
+    fs::create_directories(command.stems);
+    sound::SoundScene fixed = scene;
+    fixed.full_scale = full_scale;
+    fixed.loudness.reset();
+    for (std::size_t i = 0; i < sound::kGroupCount; ++i) {
+        sound::FilmSound stem(fixed, {static_cast<sound::Group>(i)}, work);
+        const std::string path = (fs::path(command.stems) / (kGroupNames[i] + extension)).string();
+        copy_all(stem, make(path, stem.frames()).get(), work);
+        print_path(path);
+    }
+}
+
+class WavSoundFile final : public SoundFile {
+  public:
+    WavSoundFile(const std::string& path, std::int64_t samples) : file_(path, samples) {}
+    void write(std::span<const double> left, std::span<const double> right) override {
+        file_.write(left, right);
+    }
+    void finish() override { file_.finish(); }
+
+  private:
+    sound::WavFile file_;
+};
+
+}  // namespace
+
+bool needs_encoder(const SoundCommand& command) {
+    const std::string extension = fs::path(command.output).extension().string();
+    return !command.output.empty() && extension != ".wav";
+}
+
+std::unique_ptr<SoundFile> make_wav_file(const std::string& path, std::int64_t samples) {
+    return std::make_unique<WavSoundFile>(path, samples);
+}
+
+void write_sound(const SoundCommand& command, CommandContext& context, const SoundFileMaker& make) {
+    const bool has_other_results =
+        !command.stems.empty() || !command.heard.empty() || command.report;
+    const std::string path = command.output.empty() && has_other_results
+                                 ? ""
+                                 : output_or_default(command.output, command.input.path, ".wav");
+    check_output_folder(path);
+    check_output_folder(command.heard);
+    FilmInput film;
+    read_film(command, context, film);
+    const pipeline::JobObserver observer = make_console_observer(context.console);
+    const auto stage = [&](const char* name) {
+        return WorkContext{[&observer, name](double done) { observer.on_progress(name, done); },
+                           context.stop};
+    };
+    if (!path.empty() || !command.stems.empty() || command.report) {
+        sound::FilmSound sound(film.scene, {}, stage("listen"));
+        if (!path.empty() || command.report) {
+            const auto file = path.empty() ? nullptr : make(path, sound.frames());
+            copy_all(sound, file.get(), stage("sound"));
+        }
+        context.console.end_progress();
+        if (!path.empty()) {
+            print_path(path);
+        }
+        if (!command.stems.empty()) {
+            write_stems(command, film.scene, sound.full_scale(), stage("stems"), make);
+        }
+        if (command.report) {
+            const auto heard = sound::heard(film.scene, stage("report"));
+            context.console.end_progress();
+            print_text(sound_report(sound.levels(), sound.full_scale(), heard));
+        }
+    }
+    if (!command.heard.empty()) {
+        const auto heard = sound::heard(film.scene, stage("heard"));
+        context.console.end_progress();
+        write_text_output(command.heard, heard_to_csv(heard));
+    }
+}
+
+void run(const SoundCommand& command, CommandContext& context) {
+    write_sound(command, context, make_wav_file);
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,98 @@
+#include "sound/mix/shot_bus.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "core/assert.h"
+#include "sound/space/room.h"
+
+namespace carom::sound {
+
+ShotBus::ShotBus(const RoomSettings& room, bool is_mono)
+    : is_mono_(is_mono), reverberation_(room), quiet_for_(kRing) {
+    second_half_.a1 = ears_of(Stereo::sphere, Width::real, {}, {0, 1, 0}).left.a1;
+    // All walls have the same filter (room.h).
+    const Reflections reflections = reflections_of(room, room.floor_centre, room.floor_centre);
+    const double pole = reflections.size() > 0 ? reflections[0].pole : 0;
+    walls_.b0 = 1 - pole;
+    walls_.a1 = -pole;
+}
+
+std::size_t ShotBus::index(const Key& key) {
+    return (key.is_right ? 1U : 0U) + (key.is_reflected ? 2U : 0U) + (key.is_filtered ? 4U : 0U);
+}
+
+void ShotBus::add(const BusInput& input, std::span<const double> samples) {
+    CAROM_ASSERT(samples.size() == kBlock + 1);
+    if (input.delay > kLongestDelay) {
+        return;
+    }
+    quiet_for_ = 0;
+    if (input.to == BusInput::To::room) {
+        for (std::size_t n = 0; n < kBlock; ++n) {
+            room_[n] += input.direct * samples[n + 1];
+        }
+        return;
+    }
+    const bool is_right = input.to == BusInput::To::right;
+    Line& line = lines_[index({is_right, input.is_reflected, input.is_filtered})];
+    if (line.ring.empty()) {
+        line.ring.assign(kRing, 0);
+    }
+    std::size_t place = (at_ + input.delay) % kRing;
+    for (std::size_t n = 0; n < kBlock; ++n) {
+        line.ring[place] += input.direct * samples[n + 1] + input.previous * samples[n];
+        place = place + 1 == kRing ? 0 : place + 1;
+    }
+}
+
+void ShotBus::take(Line& line, const Key& key, std::span<double> channel) {
+    if (line.ring.empty()) {
+        return;
+    }
+    static_assert(kRing % kBlock == 0, "a block does not reach over the ring's end");
+    for (std::size_t n = 0; n < kBlock; ++n) {
+        double sample = line.ring[at_ + n];
+        line.ring[at_ + n] = 0;
+        if (key.is_reflected) {
+            sample = line.walls.run(walls_, sample);
+        }
+        if (key.is_filtered) {
+            sample = line.ear.run(second_half_, sample);
+        }
+        channel[n] += sample;
+    }
+}
+
+void ShotBus::take(std::span<double> left, std::span<double> right) {
+    CAROM_ASSERT(left.size() == kBlock && right.size() == kBlock);
+    for (const bool is_filtered : {false, true}) {
+        for (const bool is_reflected : {false, true}) {
+            for (const bool is_right : {false, true}) {
+                const Key key{is_right, is_reflected, is_filtered};
+                take(lines_[index(key)], key, is_right ? right : left);
+            }
+        }
+    }
+    if (is_mono_) {
+        std::array<double, kBlock> first{};
+        std::array<double, kBlock> second{};
+        reverberation_.add(room_, first, second);
+        for (std::size_t n = 0; n < kBlock; ++n) {
+            const double both = (first[n] + second[n]) / std::numbers::sqrt2;
+            left[n] += both;
+            right[n] += both;
+        }
+    } else {
+        reverberation_.add(room_, left, right);
+    }
+    room_.fill(0);
+    at_ = (at_ + kBlock) % kRing;
+    quiet_for_ = std::min(quiet_for_ + kBlock, 2 * kRing);
+}
+
+bool ShotBus::is_silent() const {
+    return quiet_for_ > kRing && reverberation_.is_silent();
+}
+
+}  // namespace carom::sound

@@ -1,0 +1,263 @@
+// The samples of films against closed forms.
+#include "sound/mix/film_sound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stop_token>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "small_film.h"
+#include "sound/mix/heard.h"
+#include "sound/source/arrival.h"
+#include "sound/source/impact_sound.h"
+
+namespace carom::sound {
+namespace {
+
+TEST(FilmSound, Clack_AtAnyFractionOfASample_IsTheClosedForm) {
+    for (int sixteenth = 0; sixteenth < 16; ++sixteenth) {
+        SmallFilm film;
+        const double instant = (12'000 + sixteenth / 16.0) / kSampleRate;
+        film.collide(instant);
+        const Vec3 place(0.5, -0.8, 0.3);
+        film.show(0, 1, 0, 1, place);
+        const Samples samples = samples_of(film.scene);
+        const Arrival arrival =
+            arrival_at(place, *ImpactSounds(film.shot()).sound_of(film.timeline.events[0]));
+        const double delay = place.length() / 343;
+        const double peak = find_peak(arrival).pressure;
+        for (std::size_t n = 11'900; n < 12'400; ++n) {
+            const double time = static_cast<double>(n) / kSampleRate - instant - delay;
+            // Each ball ends at -60 dB.
+            ASSERT_NEAR(samples.left[n], pressure_at(arrival, time), 2.1e-3 * peak) << n;
+            if (time < 300e-6) {
+                ASSERT_NEAR(samples.left[n], pressure_at(arrival, time), 1e-11 * peak) << n;
+            }
+            ASSERT_EQ(samples.left[n], samples.right[n]);
+        }
+        EXPECT_EQ(highest(samples.left, 0, 11'990), 0);
+        EXPECT_EQ(highest(samples.left, 12'600), 0);
+    }
+}
+
+TEST(FilmSound, Length_IsThatOfTheScene) {
+    SmallFilm film;
+    film.show(0, 1, 0, 1);
+    for (const std::int64_t frames : {0LL, 1LL, 239LL, 240LL, 2002LL * 24}) {
+        film.scene.frames = frames;
+        EXPECT_EQ(samples_of(film.scene).left.size(), static_cast<std::size_t>(frames));
+    }
+}
+
+TEST(FilmSound, NothingHappens_AllSamplesAreZero) {
+    SmallFilm film;
+    film.shot().room.kind = RoomSettings::Kind::box;
+    film.show(0, 1, 0, 1).settings.stereo = Stereo::sphere;
+    film.scene.full_scale.reset();
+    FilmSound sound(film.scene);
+    EXPECT_EQ(sound.full_scale(), 0.2);
+    const Samples samples = samples_of(film.scene);
+    EXPECT_EQ(highest(samples.left), 0);
+    EXPECT_EQ(highest(samples.right), 0);
+}
+
+/// A film with everything: a room, both ears, cuts, slow motion, reverse, a moving ball.
+void fill(SmallFilm& film) {
+    sim::Key start;
+    start.position = {-0.5, 0.1, 0.028575};
+    start.velocity_in = start.velocity_out = {1, 0.2, 0};
+    start.angular_velocity_in = start.angular_velocity_out = {-7, 35, 0};
+    sim::Key end = start;
+    end.time = 1;
+    end.position = {0.5, 0.3, 0.028575};
+    film.timeline.tracks.emplace_back("two", std::vector{start, end});
+    film.shot().bodies.push_back({"two", BallShape{0.028575}, 0.1701, {}, {}});
+    sim::Event rolling;
+    rolling.kind = sim::EventKind::rolling;
+    rolling.a = "two";
+    film.timeline.events.push_back(rolling);
+    for (int i = 0; i < 12; ++i) {
+        film.collide(0.05 + 0.037 * i, 0.3 + 0.4 * i);
+        film.touch(0.06 + 0.041 * i, i % 2 == 0 ? "cushion" : "cloth", 0.05 * i + 0.01);
+    }
+    std::ranges::stable_sort(film.timeline.events, {}, &sim::Event::time);
+    film.shot().has_bed = true;
+    film.shot().room.kind = RoomSettings::Kind::box;
+    film.show(0, 0.3, 0, 1, {0.2, -1, 0.5});
+    film.show(0.3, 0.7, 0.3, 0.3, {-1, -0.4, 1});
+    film.show(0.7, 1, 0.42, -1, {1, 1, 1});
+    for (Passage& passage : film.shot().passages) {
+        passage.settings.stereo = Stereo::sphere;
+        passage.settings.ratio = 2;
+    }
+}
+
+TEST(FilmSound, BlocksOfAnySize_HaveTheSameBits) {
+    SmallFilm film;
+    fill(film);
+    const Samples whole = samples_of(film.scene, {}, 4096);
+    EXPECT_GT(highest(whole.left), 0.1);
+    EXPECT_NE(whole.left, whole.right);
+    for (const std::size_t block : {1, 64, 1000, 1024}) {
+        const Samples blocks = samples_of(film.scene, {}, block);
+        EXPECT_EQ(blocks.left, whole.left);
+        EXPECT_EQ(blocks.right, whole.right);
+    }
+}
+
+TEST(FilmSound, Groups_AsFilesOfTheirOwn_AddUpToTheFilm) {
+    SmallFilm film;
+    fill(film);
+    const Samples whole = samples_of(film.scene);
+    std::vector<double> sum(whole.left.size());
+    int heard_groups = 0;
+    for (std::size_t group = 0; group < kGroupCount; ++group) {
+        const Samples stem = samples_of(film.scene, {static_cast<Group>(group)});
+        heard_groups += highest(stem.left) > 0 ? 1 : 0;
+        for (std::size_t n = 0; n < sum.size(); ++n) {
+            sum[n] += stem.left[n];
+        }
+    }
+    EXPECT_EQ(heard_groups, 4);  // balls, cushions, cloth, rolling
+    for (std::size_t n = 0; n < sum.size(); ++n) {
+        ASSERT_NEAR(sum[n], whole.left[n], 1e-12);
+    }
+}
+
+TEST(FilmSound, AutomaticGain_PutsTheTruePeakAtMinusOne) {
+    SmallFilm film;
+    fill(film);
+    film.scene.full_scale.reset();
+    FilmSound sound(film.scene);
+    std::vector<double> left(48'000);
+    std::vector<double> right(48'000);
+    ASSERT_EQ(sound.read(left, right), left.size());
+    EXPECT_LE(sound.levels().true_peak, -1.0);
+    EXPECT_GT(sound.levels().true_peak, -1.02);
+    EXPECT_EQ(sound.levels().limited, 0);
+    // In whole hundredths of a decibel.
+    const double level = 20 * std::log10(sound.full_scale() / 20e-6) * 100;
+    EXPECT_NEAR(level, std::round(level), 1e-6);
+}
+
+TEST(FilmSound, AutomaticGain_OfAQuietFilm_StopsAt80Decibels) {
+    SmallFilm film;
+    film.collide(0.5, 0.05);
+    film.show(0, 1, 0, 1);
+    film.scene.full_scale.reset();
+    EXPECT_EQ(FilmSound(film.scene).full_scale(), 0.2);
+}
+
+TEST(FilmSound, Loudness_AskedFor_IsReachedBelowTheTruePeak) {
+    SmallFilm film;
+    fill(film);
+    film.scene.frames = 3LL * kSampleRate;
+    film.scene.loudness = -14;
+    FilmSound sound(film.scene);
+    std::vector<double> left(1024);
+    std::vector<double> right(1024);
+    std::size_t total = 0;
+    while (const std::size_t count = sound.read(left, right)) {
+        total += count;
+    }
+    EXPECT_EQ(total, 3UL * kSampleRate);
+    EXPECT_GT(sound.levels().limited, 0);
+    EXPECT_LE(sound.levels().true_peak, -0.99);
+    EXPECT_NEAR(sound.levels().loudness, -14, 2);
+    film.scene.loudness = -40;
+    FilmSound quiet(film.scene);
+    while (quiet.read(left, right) > 0) {
+    }
+    EXPECT_EQ(quiet.levels().limited, 0);
+    EXPECT_NEAR(quiet.levels().loudness, -40, 0.1);
+}
+
+TEST(FilmSound, Limiter_DoesNotMakeTheSoundLate) {
+    SmallFilm film;
+    film.collide(0.5);
+    film.show(0, 1, 0, 1);
+    const Samples plain = samples_of(film.scene);
+    film.scene.loudness = -60;
+    const Samples limited = samples_of(film.scene);
+    const auto peak_of = [](const std::vector<double>& samples) {
+        return std::ranges::max_element(samples, {}, [](double x) { return std::abs(x); }) -
+               samples.begin();
+    };
+    EXPECT_EQ(peak_of(limited.left), peak_of(plain.left));
+}
+
+TEST(FilmSound, End_FadesWithinFiveMilliseconds) {
+    SmallFilm film;
+    film.touch(0.45, "cushion", 0.3);
+    film.show(0, 1, 0, 1);
+    const Samples whole = samples_of(film.scene);
+    film.scene.frames = 24'000;
+    const Samples cut = samples_of(film.scene);
+    EXPECT_EQ(cut.left.back(), 0);
+    EXPECT_NEAR(cut.left[24'000 - 121], 0.5 * whole.left[24'000 - 121], 1e-12);
+    EXPECT_EQ(cut.left[24'000 - 241], whole.left[24'000 - 241]);
+}
+
+TEST(FilmSound, StopRequest_WhileTheGainIsFound_Throws) {
+    SmallFilm film;
+    film.show(0, 1, 0, 1);
+    film.scene.full_scale.reset();
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_THROW(FilmSound(film.scene, {}, {{}, stop.get_token()}), Stopped);
+}
+
+TEST(FilmSound, Progress_RisesToOne) {
+    SmallFilm film;
+    film.show(0, 1, 0, 1);
+    film.scene.full_scale.reset();
+    double last = 0;
+    const FilmSound sound(film.scene, {},
+                          {[&last](double part) {
+                               EXPECT_GE(part, last);
+                               last = part;
+                           },
+                           {}});
+    EXPECT_EQ(last, 1);
+}
+
+// Blows of any strength, order and place, shown by any map: what is heard is finite.
+TEST(FilmSound, RandomFilms_AreFinite) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (int run = 0; run < 30; ++run) {
+        SmallFilm film;
+        const char* surfaces[] = {"cushion", "cloth", "pocket", "rail", "floor"};
+        for (int i = 0; i < 60; ++i) {
+            if (unit(random) < 0.5) {
+                film.collide(unit(random), std::pow(10, 4 * unit(random) - 3));
+            } else {
+                film.touch(unit(random), surfaces[i % 5], std::pow(10, 4 * unit(random) - 4));
+            }
+        }
+        std::ranges::stable_sort(film.timeline.events, {}, &sim::Event::time);
+        film.shot().has_bed = true;
+        film.shot().room.kind = RoomSettings::Kind::box;
+        for (int i = 0; i < 4; ++i) {
+            const Vec3 place(unit(random) - 0.5, unit(random) - 0.5, unit(random) - 0.2);
+            Passage& passage =
+                film.show(0.25 * i, 0.25 * (i + 1), unit(random), 6 * unit(random) - 3, place);
+            passage.settings.stereo = static_cast<Stereo>(run % 3);
+            passage.settings.ratio = 1 + 3 * unit(random);
+            passage.settings.pitch = unit(random);
+            passage.settings.has_delay = run % 2 == 0;
+        }
+        const Samples samples = samples_of(film.scene);
+        for (std::size_t n = 0; n < samples.left.size(); ++n) {
+            ASSERT_TRUE(std::abs(samples.left[n]) < 1e4 && std::abs(samples.right[n]) < 1e4)
+                << run << " " << n;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace carom::sound
