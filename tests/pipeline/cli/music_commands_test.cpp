@@ -60,5 +60,26 @@ TEST_F(MusicCommands, SoundThatTheFileCannotHold_IsAnErrorBeforeAnythingIsRender
     EXPECT_EQ(stored_frames(), 0);
 }
 
+TEST_F(MusicCommands, SoundInFilesThatNeedAnEncoder_IsThatOfTheWavFile) {
+    ASSERT_EQ(run({"sound", "tiny.yaml", "-o", "a.wav"}).exit_code, 0);
+    const DecodedSound wav = decode_sound(path("a.wav"));
+    for (const auto& [name, codec] :
+         {std::pair{"a.flac", "flac"}, {"a.m4a", "aac"}, {"a.opus", "opus"}}) {
+        const RunResult result = run({"sound", "tiny.yaml", "-o", name});
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_EQ(result.out, std::string(name) + "\n");
+        const DecodedSound found = decode_sound(path(name));
+        EXPECT_EQ(found.codec, codec);
+        EXPECT_GE(found.samples(), wav.samples());
+        if (found.codec == "flac") {
+            EXPECT_TRUE(found.channel(false) == wav.channel(false));
+        }
+    }
+    const RunResult unknown = run({"sound", "tiny.yaml", "-o", "a.mp3"});
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_THAT(unknown.err, HasSubstr("'a.mp3' is not a known type of sound file; the file "
+                                       "extensions are .flac, .m4a, .opus, .mka, and .wav"));
+}
+
 }  // namespace
 }  // namespace carom::cli

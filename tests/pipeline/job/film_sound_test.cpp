@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/progress.h"
 #include "pipeline/job/film_job.h"
+#include "pipeline/job/shot_sound.h"
 #include "tests/pipeline/job/tiny_shot.h"
 #include "tests/pipeline/video/click_source.h"
 #include "tests/pipeline/video/decoded_sound.h"
@@ -244,6 +245,43 @@ TEST(FilmSoundJob, MissingMusic_FailsBeforeAnythingIsRendered) {
         EXPECT_THAT(error.what(), HasSubstr("none.flac': No such file or directory"));
     }
     EXPECT_THAT(job.renderer.rendered(), IsEmpty());
+}
+
+/// A ball that falls on the bed once.
+TEST(ShotSound, OfAFilm_IsThatOfItsFramesForAnyChunk) {
+    SoundJob job;
+    sim::Body ball;
+    ball.name = "cue";
+    ball.shape = sim::Sphere{0.03};
+    job.shot.world.bodies = {ball};
+    sim::Timeline timeline = tiny_timeline();
+    sim::Event event;
+    event.time = 0.2;
+    event.a = "cue";
+    event.b = "cloth";
+    event.normal = {0, 0, 1};
+    event.normal_impulse = 0.2;
+    event.place = {0.2, 0, 0};
+    timeline.events.push_back(event);
+    job.options.sound = shot_sound(job.shot, timeline, {});
+    const std::vector<double> whole = decode_sound(job.write("film.mkv")).channel(false);
+    ASSERT_EQ(whole.size(), 24000U);
+    const std::vector<double> part = decode_sound(job.write("part.mkv", "3-7")).channel(false);
+    EXPECT_TRUE(std::equal(part.begin(), part.end(), whole.begin() + 6000));
+    EXPECT_GT(*std::max_element(part.begin(), part.end()), 0.01);
+
+    job.shot.sound.is_silent = true;
+    EXPECT_FALSE(shot_sound(job.shot, timeline, {}));
+}
+
+TEST(ShotSound, StoppedWhileItIsMade_Throws) {
+    const Shot shot = carom::testing::tiny_shot();
+    const sim::Timeline timeline = tiny_timeline();
+    std::stop_source stop;
+    stop.request_stop();
+    const SoundMaker make = shot_sound(shot, timeline, stop.get_token());
+    std::vector<double> samples(10);
+    EXPECT_THROW((void)make()->read(samples, samples), Stopped);
 }
 
 TEST(SoundBytes, FollowTheCodecAndTheFrames) {
