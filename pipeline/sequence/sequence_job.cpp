@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "pipeline/job/film_sink.h"
+#include "pipeline/job/film_sound.h"
 #include "pipeline/job/frame_signal.h"
 #include "pipeline/job/job_metadata.h"
 #include "pipeline/job/stored_tier.h"
@@ -237,6 +238,7 @@ FilmJobOptions part_options(FilmJobOptions options, const std::vector<std::int64
     options.output.clear();
     options.chunk = {};
     options.sink = nullptr;
+    options.sound = nullptr;  // that of the whole film is written with its pictures
     options.frames = range_of(own);
     return options;
 }
@@ -266,7 +268,13 @@ FilmJobResult make_sequence(const Sequence& sequence, const SequenceBakes& bakes
         return make_parts(sequence, bakes, frames, options, observer, nullptr, stop);
     }
     const VideoFormat format{sequence.width, sequence.height, sequence.fps};
-    VideoWriter writer(options.output, format, sequence.output, metadata_of(sequence, options));
+    VideoWriter writer(
+        options.output, format, sequence.output, metadata_of(sequence, options),
+        sound_of_frames(options.sound, sequence.output, {sequence.frames(), sequence.fps}, frames));
+    const std::string note = silence_note(options.sound, sequence.output, options.output, frames);
+    if (!note.empty() && observer.on_warning) {
+        observer.on_warning(note);
+    }
     const std::optional<std::int64_t> poster = poster_frame(sequence, frames);
     SequenceMixer mixer(sequence, [&](std::int64_t frame, std::span<const std::uint16_t> rgb) {
         writer.write(rgb);
