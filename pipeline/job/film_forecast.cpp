@@ -13,6 +13,7 @@
 #include "pipeline/job/forecast_sizes.h"
 #include "pipeline/job/job_frames.h"
 #include "pipeline/job/memory_forecast.h"
+#include "pipeline/job/shot_sound.h"
 #include "pipeline/store/frame_store.h"
 #include "render/threads/thread_arena.h"
 
@@ -143,7 +144,7 @@ FilmForecast forecast_film(const Shot& shot, const sim::Bake& bake,
         add_sizes(source, plan, probe, options.output, forecast);
         if (forecast.film_bytes > 0) {
             forecast.film_bytes += static_cast<std::uint64_t>(sound_bytes(
-                options.sound, shot.output, options.output,
+                job_sound(options, shot, source.timeline(), stop), shot.output, options.output,
                 {frame_count(shot.cameras, shot.timing), shot.timing.fps}, plan.frames));
         }
     });

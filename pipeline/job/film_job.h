@@ -61,8 +61,8 @@ struct FilmJobOptions {
     /// The cache is only read, if it exists, and nothing is written to it: what is rendered goes to
     /// the output alone (unstored_film.h), and a job that was stopped starts anew.
     bool no_store = false;
-    /// Makes the sound of the whole film, also if the job writes only some of its frames; empty: it
-    /// has none but the music of its output settings (film_sound.h).
+    /// Makes the sound of the whole film, also if the job writes only some of its frames; empty:
+    /// the shot's own (shot_sound.h). The music of the output settings comes on top (film_sound.h).
     std::function<std::unique_ptr<SoundSource>()> sound{};
     /// Makes what receives the frames instead of the file `output`.
     std::function<std::unique_ptr<FilmSink>(const FilmSource&, const FilmPlan&)> sink{};

@@ -14,6 +14,7 @@
 #include "pipeline/job/frame_graphics.h"
 #include "pipeline/job/frame_signal.h"
 #include "pipeline/job/job_metadata.h"
+#include "pipeline/job/shot_sound.h"
 #include "pipeline/video/image_sequence.h"
 #include "pipeline/video/light_meter.h"
 #include "pipeline/video/pending_file.h"
@@ -189,22 +190,20 @@ std::unique_ptr<FilmSink> make_film_sink(const FilmSource& source, const FilmPla
 }
 
 std::unique_ptr<FilmSink> sink_of(const FilmJobOptions& options, const FilmSource& source,
-                                  const FilmPlan& plan) {
+                                  const FilmPlan& plan, ThreadSafeObserver& observer,
+                                  const std::stop_token& stop) {
     if (options.sink) {
         return options.sink(source, plan);
     }
-    return options.output.empty()
-               ? nullptr
-               : make_film_sink(source, plan, options.output, options.threads, options.sound);
-}
-
-void warn_of_silence(const FilmJobOptions& options, const FilmSource& source, const FilmPlan& plan,
-                     ThreadSafeObserver& observer) {
-    const std::string note =
-        silence_note(options.sound, source.shot().output, options.output, plan.frames);
+    if (options.output.empty()) {
+        return nullptr;
+    }
+    const SoundMaker sound = job_sound(options, source.shot(), source.timeline(), stop);
+    const std::string note = silence_note(sound, source.shot().output, options.output, plan.frames);
     if (!note.empty()) {
         observer.warning(note);
     }
+    return make_film_sink(source, plan, options.output, options.threads, sound);
 }
 
 }  // namespace carom::pipeline

@@ -45,12 +45,11 @@ class FilmSink {
                                                        const std::string& path, int threads,
                                                        const SoundMaker& sound = {});
 
-/// What receives the frames of a job; null if nothing does. Throws Error.
+/// What receives the frames of a job; null if nothing does. Warns if the film is silent although
+/// there is a sound (silence_note). `stop` ends the computation of the sound. Throws Error.
 [[nodiscard]] std::unique_ptr<FilmSink> sink_of(const FilmJobOptions& options,
-                                                const FilmSource& source, const FilmPlan& plan);
-
-/// Warns if a job's film is silent although there is a sound (silence_note).
-void warn_of_silence(const FilmJobOptions& options, const FilmSource& source, const FilmPlan& plan,
-                     ThreadSafeObserver& observer);
+                                                const FilmSource& source, const FilmPlan& plan,
+                                                ThreadSafeObserver& observer,
+                                                const std::stop_token& stop);
 
 }  // namespace carom::pipeline

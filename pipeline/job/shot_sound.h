@@ -4,6 +4,7 @@
 #include <functional>
 #include <stop_token>
 
+#include "pipeline/job/film_job.h"
 #include "pipeline/job/film_sound.h"
 #include "pipeline/shot/shot.h"
 #include "sim/timeline/timeline.h"
@@ -21,5 +22,9 @@ namespace carom::pipeline {
 /// `timeline` as in film_scene (pipeline/sound/film_scene.h).
 [[nodiscard]] SoundMaker shot_sound(const Shot& shot, const sim::Timeline& timeline,
                                     std::stop_token stop);
+
+/// The sound that a job's options ask for, else the shot's own.
+[[nodiscard]] SoundMaker job_sound(const FilmJobOptions& options, const Shot& shot,
+                                   const sim::Timeline& timeline, std::stop_token stop);
 
 }  // namespace carom::pipeline

@@ -42,33 +42,6 @@ ValueType<double> bit_rate() {
     return type;
 }
 
-/// "-6 dB", or a plain number of decibels.
-ValueType<double> decibels(double least, double most) {
-    ValueType<double> type;
-    type.info.kind = TypeInfo::Kind::text;
-    type.info.noun = fmt::format("a level from {} dB to {} dB", least, most);
-    type.show = [](double level) { return fmt::format("{} dB", level); };
-    type.read = [least, most, noun = type.info.noun](Reader& reader,
-                                                     const Node& node) -> std::optional<double> {
-        std::string text = node.is_scalar() ? node.text : std::string();
-        if (text.ends_with("dB")) {
-            text.resize(text.size() - 2);
-        }
-        while (text.ends_with(' ')) {
-            text.pop_back();
-        }
-        const auto number = parse_quantity(text);
-        const auto* quantity = std::get_if<Quantity>(&number);
-        if (quantity == nullptr || quantity->has_unit || quantity->value < least ||
-            quantity->value > most) {
-            reader.wrong_type(node, noun);
-            return std::nullopt;
-        }
-        return quantity->value;
-    };
-    return type;
-}
-
 const MapSpec<MusicSettings>& music_spec() {
     static const MapSpec<MusicSettings> spec = [] {
         MapSpec<MusicSettings> s("music", "A file that is played under the film's sound.");
@@ -76,7 +49,8 @@ const MapSpec<MusicSettings>& music_spec() {
               "a file with sound: .flac, .wav, .mp3, .m4a, .ogg and others; more than two channels "
               "are mixed to two")
             .required();
-        s.key("gain", &MusicSettings::gain, decibels(-60, 20), "how much louder it is made");
+        s.key("gain", &MusicSettings::gain, quantity(Dimension::level, between(-60, 20)),
+              "how much louder it is made");
         s.key("fade", &MusicSettings::fade, time(at_least(0)),
               "time over which it fades out at the end of the film");
         return s;
