@@ -27,6 +27,13 @@ async function hidePlaces(page) {
 export async function keep(page, name) {
     if (await page.evaluate(() => !window.studio.state.isStarting.value)) {
         await settle(page);
+        await page.waitForFunction(() => {
+            const { state, sound } = window.studio;
+            const told = state.soundState.value;
+            return state.hasErrors.value || state.isDeferred.value || (told
+                && told.v >= state.textVersion.value && (told.reason
+                || (told.ready === told.samples && sound.data.value?.address === told.address)));
+        });
     }
     // A frame is drawn after the answers have come.
     await page.evaluate(() => new Promise((done) =>
