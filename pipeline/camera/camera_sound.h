@@ -18,7 +18,7 @@ struct ListenerPlace {
 
 /// Values that are empty are those of the whole film.
 struct CameraSound {
-    std::optional<double> gain;    // dB
+    std::optional<double> gain;    // dB; minus infinity: the camera has no sound
     std::optional<double> pitch;   // exponent of the speed: 1 follows it, 0 keeps the pitch
     std::optional<double> lowest;  // the pitch goes no lower than at this speed, > 0
     std::optional<bool> mirrors_reverse;

@@ -30,6 +30,12 @@ namespace carom::pipeline {
 [[nodiscard]] std::vector<Problem> annotation_problems(const Shot& shot, const ShotSource* source,
                                                        const sim::Timeline& timeline);
 
+/// Warnings about sound: of a ball that moves over a listener who stays in one place, and of
+/// impacts that no camera shows although the listener is always there, so that one might expect to
+/// hear them. `source`: as above.
+[[nodiscard]] std::vector<Problem> sound_problems(const Shot& shot, const ShotSource* source,
+                                                  const sim::Timeline& timeline);
+
 /// Warnings about cameras that are inside a ball, that are focused on an object behind them, that
 /// do not show the object at which they aim or on which they are focused (view_check.h), or that
 /// look at the table through a lamp (lamp_check.h), and errors for frames without a valid view.

@@ -43,6 +43,7 @@ void check_motion(ShotInput& input, const CheckCommand& command, CommandContext&
     add(pipeline::cloth_problems(input.shot, input.source.get(), bake->timeline));
     if (!pipeline::has_open_moments(input.shot)) {
         add(pipeline::camera_problems(input.shot, input.source.get(), bake->timeline));
+        add(pipeline::sound_problems(input.shot, input.source.get(), bake->timeline));
     }
     add(pipeline::annotation_problems(input.shot, input.source.get(), bake->timeline));
 }

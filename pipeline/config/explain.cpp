@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "core/assert.h"
 #include "pipeline/config/emit_yaml.h"
 #include "pipeline/config/key_conditions.h"
 #include "pipeline/config/parse_yaml.h"
@@ -48,6 +49,13 @@ const MapInfo* map_of(const TypeInfo* type, const Node& node) {
         }
     }
     return found;
+}
+
+/// The map that a key without a value has: its type, or the only map among its alternatives.
+const MapInfo& absent_map(const TypeInfo& type) {
+    const MapInfo* map = map_of(&type, {});
+    CAROM_ASSERT(map != nullptr);
+    return *map;
 }
 
 /// The type of the elements of a list or of a map with the user's names; nullptr for other types.
@@ -200,7 +208,7 @@ class Explainer {
                 const std::size_t before = text_.size();
                 text_ += indent + emit_key(key.name) + ":\n";
                 const std::size_t header = text_.size();
-                write_defaults(*key.type.map, {}, indent + "  ");
+                write_defaults(absent_map(key.type), {}, indent + "  ");
                 if (text_.size() == header) {
                     text_.resize(before);
                 }

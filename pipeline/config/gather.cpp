@@ -270,8 +270,8 @@ std::optional<Node> Gatherer::read_preset(const std::string& name, const Place& 
 
 /// Removes the keys that a camera file must not have, and reports a problem for each.
 void keep_cameras_and_look(Node& tree, ProblemList& problems) {
-    static const std::vector<std::string> allowed{"cameras", "render", "output", "lights",
-                                                  "materials"};
+    static const std::vector<std::string> allowed{"cameras", "render", "output",
+                                                  "sound",   "lights", "materials"};
     std::erase_if(tree.entries, [&](const Entry& entry) {
         const bool is_wrong = std::find(allowed.begin(), allowed.end(), entry.key) == allowed.end();
         if (is_wrong) {

@@ -33,7 +33,8 @@ struct KeyInfo {
     std::string default_text;  // as a user would type it; empty: no default
     std::string description;
     bool is_required = false;
-    bool is_always_there = false;  // a map whose keys have defaults even if the map is missing
+    /// A map, perhaps among other alternatives, whose keys have defaults even if it is missing.
+    bool is_always_there = false;
     /// The key has a meaning only together with one of these; if empty, always. See MapInfo::kinds.
     std::vector<std::string> goes_with{};
     bool is_needed_there = false;  // the keys of `goes_with` require it

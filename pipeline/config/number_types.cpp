@@ -28,7 +28,8 @@ std::string show_integer(std::int64_t value) {
 /// "'direction' is an angle and needs a unit; write '30 deg'"
 void report_missing_unit(Reader& reader, const Node& node, const TypeInfo& type, double value) {
     constexpr double kTurn = 6.283185307179586;
-    constexpr double kDensest = 23;  // g/cm^3; osmium has 22.6
+    constexpr double kDensest = 23;      // g/cm^3; osmium has 22.6
+    constexpr double kStiffest = 1'200;  // GPa; diamond has 1050 to 1200
     const auto with = [&](const std::string& unit) { return quote(node.text + " " + unit); };
     std::string forms = with(type.needed_unit);
     if (type.dimension == Dimension::angle && std::abs(value) <= kTurn) {
@@ -39,6 +40,8 @@ void report_missing_unit(Reader& reader, const Node& node, const TypeInfo& type,
         forms += " or " + with("g/cm^3");
     } else if (type.dimension == Dimension::length && std::abs(value) < 1) {
         forms += " or " + with("m");
+    } else if (type.dimension == Dimension::pressure && value >= kStiffest) {
+        forms = with("Pa");
     }
     reader.error(node.place, reader.value_name() + " is " + info(type.dimension).name +
                                  " and needs a unit; write " + forms);
@@ -88,7 +91,8 @@ std::optional<Quantity> read_quantity(Reader& reader, const Node& node, const Ty
                                      given + " (" + quote(node.text) + ")");
         return std::nullopt;
     }
-    if (!value.has_unit && value.value != 0 && !type.needed_unit.empty()) {
+    const bool is_zero = value.value == 0 && !info(type.dimension).is_logarithmic;
+    if (!value.has_unit && !is_zero && !type.needed_unit.empty()) {
         report_missing_unit(reader, node, type, value.value);
         return std::nullopt;
     }
@@ -123,6 +127,12 @@ ValueType<double> quantity(Dimension dimension, Range range) {
 ValueType<double> lens_length(Range range) {
     TypeInfo type = quantity_info(Dimension::length, range);
     type.needed_unit = "mm";
+    return quantity_of(type);
+}
+
+ValueType<double> elastic_modulus(Range range) {
+    TypeInfo type = quantity_info(Dimension::pressure, range);
+    type.needed_unit = "GPa";
     return quantity_of(type);
 }
 

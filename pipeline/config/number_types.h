@@ -53,6 +53,8 @@ inline Range inside(double low, double high) {
 }
 /// A length of a camera's lens. It needs a unit, because photographers give it in millimetres.
 [[nodiscard]] ValueType<double> lens_length(Range range = {});
+/// A modulus of elasticity in Pa, which is displayed in gigapascals.
+[[nodiscard]] ValueType<double> elastic_modulus(Range range = {});
 [[nodiscard]] inline ValueType<double> angle(Range range = {}) {
     return quantity(Dimension::angle, range);
 }

@@ -115,6 +115,8 @@ void apply(Quantity& quantity, const Unit& unit, int exponent) {
     quantity.exponents.kilogram += exponent * unit.exponents.kilogram;
     quantity.exponents.second += exponent * unit.exponents.second;
     quantity.exponents.radian += exponent * unit.exponents.radian;
+    quantity.exponents.decibel += exponent * unit.exponents.decibel;
+    quantity.exponents.lufs += exponent * unit.exponents.lufs;
     for (int i = 0; i < std::abs(exponent); ++i) {
         quantity.value = exponent > 0 ? quantity.value * unit.value : quantity.value / unit.value;
         if (quantity.exact && unit.exact.numerator != 0) {

@@ -55,6 +55,9 @@ std::string dimension_pattern(Dimension dimension, bool needs_unit) {
         units = "(" + one_of_units(exponents) + kPowerOne + "|" + units + ")";
     }
     const std::string with_unit = number + R"(\s*)" + units;
+    if (info(dimension).is_logarithmic) {
+        return whole(with_unit);
+    }
     return whole(needs_unit ? "(" + with_unit + R"(|[+-]?0+(\.0*)?))"
                             : number + R"((\s*)" + units + ")?");
 }

@@ -25,8 +25,9 @@ shot without errors; a test loads them all.
 
 - *Units.* A number may have a unit: `57.15 mm`, `30 deg`, `1/48 s`, `20 km/h`, `6 oz`. Units can
   be multiplied and divided (`kg/m^3`, `N m`). A number without a unit is in SI units. Angles,
-  angular velocities, densities and the lengths of a camera's lens need a unit unless they are 0,
-  because readers would assume different units: the tables say "with unit".
+  angular velocities, densities, pressures and the lengths of a camera's lens need a unit unless
+  they are 0, because readers would assume different units: the tables say "with unit". Levels in
+  `dB` and `LUFS` always need it, because 0 dB changes nothing and a factor of 0 would be silence.
 - *Exact numbers.* Fractions and decimals of times and rates are kept exactly.
 - *Colours* are linear red, green and blue, or one number for grey, or `"#1a6b3c"` (sRGB-encoded).
 - *Ranges* are in brackets after the type. A round bracket excludes the end itself.

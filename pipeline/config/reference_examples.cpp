@@ -499,6 +499,59 @@ cameras:
   integrator: distributed
   distributed: {pixel_samples: 4, blur_samples: 8, lens_samples: 8, shadow_samples: 4}
 )"},
+        {"sound", R"(sound:
+  room: hall
+  pitch: keep
+  dynamics: natural
+  loudness: -23 LUFS
+  mix: {rolling: 6 dB}
+)"},
+        {"room", R"(sound:
+  room: {size: [12 m, 9 m, 3.5 m], reverberation: [0.9 s, 0.5 s]}
+)"},
+        {"listener", R"(sound:
+  listener: {at: [0, -1.6, 0.5], facing: [0, 1, -0.2]}
+)"},
+        {"mix", R"(sound:
+  mix: {cushions: 3 dB, rolling: -6 dB}
+)"},
+        {"full scale", R"(sound: {gain: {full_scale: 20 Pa}}
+)"},
+        {"sound material", R"(balls: {cue: {at: [-0.3, 0]}}
+objects:
+  block:
+    box: [40 mm, 120 mm, 40 mm]
+    at: [0.2, 0, 0.02]
+    physics: {density: 650 kg/m^3, material: oak}
+sound:
+  materials:
+    ball: {modulus: 9 GPa}
+    oak: {modulus: 12 GPa, poisson: 0.35, loss: 0.01}
+    tip: {contact: 0.8 ms}
+)"},
+        {"mode", R"(sound:
+  materials:
+    cushion:
+      contact: 5 ms
+      modes:
+        - {frequency: 140 Hz, q: 5, gain: 0.3}
+        - {frequency: 430 Hz, q: 8, gain: 0.45}
+)"},
+        {"camera sound", R"(cameras:
+  - video: [0 s, 1 s]
+    scene: [0 s, 1 s]
+    position: [0, -2, 1]
+    target: [0, 0, 0]
+    sound: {gain: -6 dB, pitch: keep}
+  - {video: [1 s, 2 s], scene: 1 s, position: [0, -2, 1], target: [0, 0, 0], sound: none}
+)"},
+        {"camera mix", R"(cameras:
+  - video: [0 s, 1 s]
+    scene: [0 s, 1 s]
+    position: [0, -2, 1]
+    target: [0, 0, 0]
+    sound: {mix: {rolling: 6 dB}}
+)"},
         {"output", R"(output: {codec: hevc, bits: 10, crf: 20, view: agx, exposure: 0.5}
 )"},
         {"ocio", R"(output:

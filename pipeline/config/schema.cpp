@@ -56,7 +56,8 @@ std::string any_of(const std::vector<std::string>& alternatives) {
 /// number is allowed.
 std::string plain_number_schema(const TypeInfo& type) {
     if (!type.needed_unit.empty()) {
-        return type.range.contains(0) ? object({{"const", "0"}}) : std::string();
+        const bool takes_zero = type.range.contains(0) && !info(type.dimension).is_logarithmic;
+        return takes_zero ? object({{"const", "0"}}) : std::string();
     }
     Members number{{"type", json_string("number")}};
     if (type.range.low) {

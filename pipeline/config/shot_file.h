@@ -14,6 +14,7 @@
 #include "pipeline/shot/ball_set.h"
 #include "pipeline/shot/cue_stick.h"
 #include "pipeline/shot/keyed_motion.h"
+#include "pipeline/shot/sound_settings.h"
 #include "pipeline/video/output_settings.h"
 #include "render/scene/render_settings.h"
 #include "render/scene/scene_description.h"
@@ -187,6 +188,7 @@ struct ShotFile {
     Place cameras_place;
     RenderSection render;
     OutputSettings output;
+    SoundSettings sound;
     std::vector<Annotation> annotations;
 };
 

@@ -14,6 +14,21 @@ std::string show(double value) {
     return is_inverse && decimal.size() > 8 ? fmt::format("1/{}", std::lround(inverse)) : decimal;
 }
 
+namespace {
+
+/// In the largest of the units of which it has at least one.
+std::string show_pressure(double value) {
+    for (const char* name : {"GPa", "MPa", "kPa"}) {
+        const double unit = find_unit(name)->value;
+        if (std::abs(value) >= unit) {
+            return show(value / unit) + " " + name;
+        }
+    }
+    return show(value) + " Pa";
+}
+
+}  // namespace
+
 std::string show(double value, Dimension dimension) {
     const DimensionInfo& known = info(dimension);
     if (dimension == Dimension::length && value != 0 && std::abs(value) < 0.01) {
@@ -21,6 +36,9 @@ std::string show(double value, Dimension dimension) {
     }
     if (dimension == Dimension::time && value != 0 && std::abs(value) < 1e-3) {
         return show(std::round(value * 1e12) / 1e9) + " ms";
+    }
+    if (dimension == Dimension::pressure) {
+        return show_pressure(value);
     }
     double shown = value / known.unit_value;
     if (dimension == Dimension::angle) {

@@ -18,11 +18,13 @@ constexpr const char* kDivided = R"(\s*/\s*)";
 constexpr const char* kAnyPower = R"((\^?[1-9]|\^-[1-9])?)";
 
 Exponents times(const Exponents& e, int power) {
-    return {e.metre * power, e.kilogram * power, e.second * power, e.radian * power};
+    return {e.metre * power,  e.kilogram * power, e.second * power,
+            e.radian * power, e.decibel * power,  e.lufs * power};
 }
 
 Exponents plus(const Exponents& a, const Exponents& b) {
-    return {a.metre + b.metre, a.kilogram + b.kilogram, a.second + b.second, a.radian + b.radian};
+    return {a.metre + b.metre,   a.kilogram + b.kilogram, a.second + b.second,
+            a.radian + b.radian, a.decibel + b.decibel,   a.lufs + b.lufs};
 }
 
 std::string group(const std::vector<std::string>& names) {

@@ -14,6 +14,9 @@ constexpr Exponents kAngle{0, 0, 0, 1};
 constexpr Exponents kForce{1, 1, -2, 0};
 constexpr Exponents kSpeed{1, 0, -1, 0};
 constexpr Exponents kFrequency{0, 0, -1, 0};
+constexpr Exponents kPressure{-1, 1, -2, 0};
+constexpr Exponents kLevel{0, 0, 0, 0, 1, 0};
+constexpr Exponents kLoudness{0, 0, 0, 0, 0, 1};
 
 // International yard and pound agreement, 1959: 1 yd = 0.9144 m, 1 lb = 0.45359237 kg.
 constexpr std::array kUnits{
@@ -46,6 +49,12 @@ constexpr std::array kUnits{
     Unit{"Hz", kFrequency, 1, {1, 1}},
     Unit{"kHz", kFrequency, 1000, {1000, 1}},
     Unit{"fps", kFrequency, 1, {1, 1}},
+    Unit{"Pa", kPressure, 1, {1, 1}},
+    Unit{"kPa", kPressure, 1e3, {1000, 1}},
+    Unit{"MPa", kPressure, 1e6, {1000000, 1}},
+    Unit{"GPa", kPressure, 1e9, {1000000000, 1}},
+    Unit{"dB", kLevel, 1, {1, 1}},
+    Unit{"LUFS", kLoudness, 1, {1, 1}},
 };
 
 const std::array kDimensions{
@@ -84,6 +93,11 @@ const std::array kDimensions{
     DimensionInfo{Dimension::impulse, {1, 1, -1, 0}, "an impulse", "impulses", "N s", "N s", 1},
     DimensionInfo{Dimension::frequency, kFrequency, "a frequency", "frequencies", "Hz, fps", "Hz",
                   1},
+    DimensionInfo{Dimension::pressure, kPressure, "a pressure", "pressures", "Pa, kPa, MPa, GPa",
+                  "Pa", 1, true},
+    DimensionInfo{Dimension::level, kLevel, "a level", "levels", "dB", "dB", 1, true, true},
+    DimensionInfo{Dimension::loudness, kLoudness, "a loudness", "loudnesses", "LUFS", "LUFS", 1,
+                  true, true},
 };
 
 }  // namespace

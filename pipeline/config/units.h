@@ -26,14 +26,20 @@ enum class Dimension {
     torque,
     impulse,
     frequency,
+    pressure,
+    level,     // a gain in decibels
+    loudness,  // of a film, in LUFS
 };
 
-/// Powers of metre, kilogram, second and radian.
+/// Powers of metre, kilogram, second and radian. Decibels and LUFS are logarithms of ratios. They
+/// are kinds of their own, because no other unit can be converted to them.
 struct Exponents {
     int metre = 0;
     int kilogram = 0;
     int second = 0;
     int radian = 0;
+    int decibel = 0;
+    int lufs = 0;
 
     bool operator==(const Exponents&) const = default;
 };
@@ -66,6 +72,8 @@ struct DimensionInfo {
     /// Whether a plain number (other than 0) is refused, because some readers would assume `unit`
     /// and others the SI unit or another common one.
     bool needs_unit = false;
+    /// Whether the values are logarithms. 0 dB is a factor of 1, so 0 needs its unit as well.
+    bool is_logarithmic = false;
 };
 
 [[nodiscard]] const DimensionInfo& info(Dimension dimension);

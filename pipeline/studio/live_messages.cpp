@@ -48,9 +48,9 @@ void LiveMessages::add_motion_problems(std::int64_t v, const pipeline::Shot& sho
         pipeline::simulation_problems(timeline, loaded.source.get());
     using Check = std::vector<pipeline::Problem> (*)(
         const pipeline::Shot&, const pipeline::ShotSource*, const sim::Timeline&);
-    for (const Check check :
-         {Check{pipeline::cloth_problems}, Check{pipeline::stick_problems},
-          Check{pipeline::annotation_problems}, Check{pipeline::camera_problems}}) {
+    for (const Check check : {Check{pipeline::cloth_problems}, Check{pipeline::stick_problems},
+                              Check{pipeline::annotation_problems},
+                              Check{pipeline::camera_problems}, Check{pipeline::sound_problems}}) {
         std::vector<pipeline::Problem> more = check(shot, loaded.source.get(), timeline);
         std::move(more.begin(), more.end(), std::back_inserter(found));
     }

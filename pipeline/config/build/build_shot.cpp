@@ -45,6 +45,7 @@ Shot build_shot(const ShotFile& file, const Node& root, const std::string& name,
     build_events(builder);
     build_film(builder);
     build_annotations(builder);
+    build_sound(builder);
     check_references(builder);
     check_placement(builder);
     check_world(builder);

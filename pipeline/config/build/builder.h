@@ -61,6 +61,7 @@ void apply_denoise(Builder& builder);  // what it asks of the render settings
 void check_output(Builder& builder);   // video format, overlay
 void check_poster(Builder& builder);   // after the cameras, which determine the film's duration
 void build_annotations(Builder& builder);
+void build_sound(Builder& builder);  // after the bodies and the cameras
 void check_references(Builder& builder);
 void check_placement(Builder& builder);            // overlaps, balls in cushions
 void warn_about_ball_positions(Builder& builder);  // far away or under the table

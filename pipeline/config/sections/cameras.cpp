@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "pipeline/config/sections/camera_aids.h"
+#include "pipeline/config/sections/camera_sound.h"
 #include "pipeline/config/sections/camera_values.h"
 #include "pipeline/config/sections/occurrences.h"
 #include "pipeline/config/sections/sections.h"
@@ -249,6 +250,8 @@ const MapSpec<CameraRig>& camera_spec() {
         s.key("up", &CameraRig::up, eased("up", vector3(Dimension::none)),
               "direction that is up in the picture; like fov");
         add_aids(s);
+        s.key("sound", &CameraRig::sound, camera_sound(),
+              "`none`, or what differs from the film's own `sound` while this camera films");
         s.check(check_camera);
         return s;
     }();

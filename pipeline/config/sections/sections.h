@@ -34,6 +34,9 @@ struct NotStored {};
 [[nodiscard]] const MapSpec<FilmSection>& film_spec();
 [[nodiscard]] const MapSpec<Annotation>& annotation_spec();
 
+/// `none`, for a silent film, or the keys of the section `sound`.
+[[nodiscard]] ValueType<SoundSettings> film_sound();
+
 /// Whether the cue stick of a strike is seen.
 [[nodiscard]] ValueType<bool> shown_or_hidden();
 

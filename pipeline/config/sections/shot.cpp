@@ -67,6 +67,9 @@ const MapSpec<ShotFile>& shot_spec() {
               "cameras, each with its interval of the film");
         s.map("render", &ShotFile::render, render_spec(), "how frames are computed");
         s.map("output", &ShotFile::output, output_spec(), "how the frames become a film");
+        s.key("sound", &ShotFile::sound, film_sound(),
+              "`none` for a silent film, or how its sound is computed")
+            .always_there();
         s.key("annotations", &ShotFile::annotations, numbered("annotation", annotation_spec()),
               "graphics on the finished frames: paths, arrows, angles, texts, a plan");
         s.set(

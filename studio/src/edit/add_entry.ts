@@ -11,7 +11,7 @@ import {
 const kSections = [
     'carom', 'include', 'quality', 'simulation', 'physics', 'conditions', 'ball_set', 'table',
     'rack', 'balls', 'objects', 'events', 'materials', 'lights', 'cameras', 'render', 'output',
-    'annotations',
+    'sound', 'annotations',
 ];
 /// Sections whose entries stand on lines of their own.
 const kLists = new Set(['events', 'cameras', 'annotations']);

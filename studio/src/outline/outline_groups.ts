@@ -20,9 +20,9 @@ export interface OutlineGroup {
 /// Sections of a shot that are one thing each.
 const kSettings: readonly { section: string; name: string }[] = [
     { section: 'render', name: 'Film and picture' }, { section: 'output', name: 'Output' },
-    { section: 'simulation', name: 'Simulation' }, { section: 'table', name: 'Table' },
-    { section: 'rack', name: 'Rack' }, { section: 'conditions', name: 'Conditions' },
-    { section: 'physics', name: 'Physics' },
+    { section: 'sound', name: 'Sound' }, { section: 'simulation', name: 'Simulation' },
+    { section: 'table', name: 'Table' }, { section: 'rack', name: 'Rack' },
+    { section: 'conditions', name: 'Conditions' }, { section: 'physics', name: 'Physics' },
 ];
 
 /// The groups of a shot, in the order in which one works: what moves, what happens, who looks.

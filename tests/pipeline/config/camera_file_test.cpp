@@ -90,8 +90,8 @@ TEST_F(CameraFile, ItsIncludes_AreRelativeToIt) {
 TEST_F(CameraFile, Physics_IsAnError) {
     EXPECT_EQ(
         problems_with(kOther + "physics: {gravity: 1.6}\n"),
-        "4: a camera file may contain only cameras, render, output, lights and materials, not "
-        "'physics'\n");
+        "4: a camera file may contain only cameras, render, output, sound, lights and materials, "
+        "not 'physics'\n");
     EXPECT_EQ(problems_with("render: {samples: 2}\n"),
               "1: a camera file needs the key 'cameras'\n");
     EXPECT_EQ(problems_with(kOther + "render: {sample: 2}\n"),

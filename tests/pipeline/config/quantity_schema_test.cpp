@@ -22,9 +22,10 @@ bool parser_takes(const std::string& text, const TypeInfo& type) {
     if (quantity == nullptr) {
         return false;
     }
-    const bool has_right_unit = quantity->has_unit
-                                    ? quantity->exponents == info(type.dimension).exponents
-                                    : type.needed_unit.empty() || quantity->value == 0;
+    const bool has_right_unit =
+        quantity->has_unit ? quantity->exponents == info(type.dimension).exponents
+                           : type.needed_unit.empty() ||
+                                 (quantity->value == 0 && !info(type.dimension).is_logarithmic);
     return has_right_unit && type.range.contains(quantity->value);
 }
 
@@ -55,7 +56,8 @@ const std::vector<std::string>& units() {
         " ms",  " h",    " deg",  " rad",    " turn",  " rpm",  " deg/s",  " rad s^-1",
         " m/s", " km/h", " mph",  " m s^-1", " m/s^2", " m/s2", " kg/m^3", " g/cm^3",
         " N",   " N m",  " N*m",  " N s",    " Hz",    " fps",  " s^-1",   " parsec",
-        " m^2", " kg/m", " m kg", "mm",      "deg",    " m^1",  " s/m",    " N/s"};
+        " m^2", " kg/m", " m kg", "mm",      "deg",    " m^1",  " s/m",    " N/s",
+        " Pa",  " kPa",  " GPa",  " N/m^2",  " dB",    " LUFS", " dB/s",   "dB"};
     return all;
 }
 
@@ -93,7 +95,7 @@ TEST_P(EveryDimension, Schema_RefusesOtherDimensions) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EveryDimension, testing::Range(0, 13));
+INSTANTIATE_TEST_SUITE_P(All, EveryDimension, testing::Range(0, 16));
 
 TEST(QuantitySchema, FractionsAndExponents_AreAcceptedWithAnyValue) {
     TypeInfo time = quantity_info(Dimension::time, between(0, 3600));

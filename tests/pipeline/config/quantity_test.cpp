@@ -70,7 +70,12 @@ INSTANTIATE_TEST_SUITE_P(
         UnitCase{"3 kg m/s^2", 3, Dimension::force}, UnitCase{"20 mN", 0.02, Dimension::force},
         UnitCase{"2 N m", 2, Dimension::torque}, UnitCase{"2 N*m", 2, Dimension::torque},
         UnitCase{"2 N s", 2, Dimension::impulse}, UnitCase{"24 Hz", 24, Dimension::frequency},
-        UnitCase{"24000/1001 fps", 24000.0 / 1001, Dimension::frequency}));
+        UnitCase{"24000/1001 fps", 24000.0 / 1001, Dimension::frequency},
+        UnitCase{"20Pa", 20, Dimension::pressure}, UnitCase{"2 kPa", 2000, Dimension::pressure},
+        UnitCase{"3 MPa", 3e6, Dimension::pressure},
+        UnitCase{"5.84 GPa", 5.84e9, Dimension::pressure},
+        UnitCase{"3 N/m^2", 3, Dimension::pressure}, UnitCase{"-6 dB", -6, Dimension::level},
+        UnitCase{"-16 LUFS", -16, Dimension::loudness}));
 
 TEST(ParseQuantity, DecimalWithUnit_IsCorrectlyRounded) {
     EXPECT_EQ(parsed("57.15 mm").value, 0.05715);
@@ -143,6 +148,11 @@ TEST(Show, Values_ReadBackAsThemselves) {
     EXPECT_EQ(show(3e-5, Dimension::length), "0.03 mm");
     EXPECT_EQ(show(0.7, Dimension::angle), "0.7 rad");
     EXPECT_EQ(show(1e6, Dimension::none), "1000000");
+    EXPECT_EQ(show(5.84e9, Dimension::pressure), "5.84 GPa");
+    EXPECT_EQ(show(0.2, Dimension::pressure), "0.2 Pa");
+    EXPECT_EQ(show(2e4, Dimension::pressure), "20 kPa");
+    EXPECT_EQ(show(-6, Dimension::level), "-6 dB");
+    EXPECT_EQ(show(-16, Dimension::loudness), "-16 LUFS");
 }
 
 TEST(LooksLikeNumber, Words_DoNot) {

@@ -177,6 +177,49 @@ void write_changing(Writer& out, const Eased<T>& value) {
     }
 }
 
+void write_camera_sound(Writer& out, const CameraSound& sound) {
+    out.line("camera sound", sound.gain, sound.pitch, sound.lowest, sound.mirrors_reverse,
+             sound.has_delay, sound.stereo, sound.width, sound.ratio);
+    if (sound.listener) {
+        out.line("listener", sound.listener->is_camera, sound.listener->at, sound.listener->facing);
+    }
+    for (const std::optional<double>& level : sound.mix) {
+        out.line(level);
+    }
+}
+
+/// The same with the values that hold for what is not given.
+CameraSound with_defaults(CameraSound sound) {
+    const sound::PassageSettings usual;
+    sound.pitch = sound.pitch.value_or(usual.pitch);
+    sound.lowest = sound.lowest.value_or(usual.lowest);
+    sound.mirrors_reverse = sound.mirrors_reverse.value_or(usual.mirrors_reverse);
+    sound.has_delay = sound.has_delay.value_or(usual.has_delay);
+    sound.stereo = sound.stereo.value_or(usual.stereo);
+    sound.width = sound.width.value_or(usual.width);
+    sound.ratio = sound.ratio.value_or(usual.ratio);
+    sound.listener = sound.listener.value_or(ListenerPlace{});
+    for (std::size_t i = 0; i < sound.mix.size(); ++i) {
+        sound.mix[i] = sound.mix[i].value_or(usual.mix[i]);
+    }
+    return sound;
+}
+
+void write_sound(Writer& out, const SoundSettings& sound) {
+    const sound::RoomSettings& room = sound.room;
+    out.line("sound", sound.is_silent, room.kind, room.size, room.floor_centre,
+             room.reverberation_low, room.reverberation_high, sound.bed_reflection,
+             sound.full_scale, sound.loudness);
+    write_camera_sound(out, with_defaults(sound.cameras));
+    for (const SoundMaterial& material : sound.materials) {
+        out.line("sound material", material.name, material.modulus, material.poisson, material.loss,
+                 material.contact);
+        for (const sound::Mode& mode : material.modes.value_or(std::vector<sound::Mode>())) {
+            out.line("mode", mode.frequency, mode.q, mode.gain);
+        }
+    }
+}
+
 void write_camera(Writer& out, const CameraRig& rig) {
     out.line("camera", rig.name, rig.video_start, rig.video_end, rig.fade, rig.time_map.scene_start,
              rig.time_map.scene_end, rig.time_map.is_smooth);
@@ -205,6 +248,7 @@ void write_camera(Writer& out, const CameraRig& rig) {
     if (rig.shake) {
         out.line("shake", rig.shake->strength, rig.shake->frequency, rig.shake->seed);
     }
+    write_camera_sound(out, rig.sound);
 }
 
 struct AnnotationWriter {
@@ -290,6 +334,7 @@ std::string shot_text(const Shot& shot) {
     out.line("output", static_cast<int>(o.codec.value_or(Codec{-1})), o.crf.value_or(-1),
              o.bit_rate.value_or(-1), o.bits.value_or(-1), hdr10.peak, hdr10.white,
              o.poster.value_or(-1), o.title);
+    write_sound(out, shot.sound);
     for (const Annotation& annotation : shot.annotations) {
         write_annotation(out, annotation);
     }

@@ -28,6 +28,9 @@ class ShotMaker {
         if (dice_.chance(0.7)) {
             shot_.add("output", output());
         }
+        if (dice_.chance(0.4)) {
+            shot_.add("sound", sound());
+        }
         std::rotate(
             shot_.entries.begin() + 1,
             shot_.entries.begin() + 1 + dice_.below(static_cast<int>(shot_.entries.size()) - 1),
@@ -88,6 +91,26 @@ class ShotMaker {
         }
         map.add("ball_ball", Yaml().add("restitution", number(0.8, 1)).add("friction", "0.06"));
         map.add("hop", dice_.pick({"true", "false"}));
+        return map;
+    }
+
+    Yaml sound() {
+        Yaml map;
+        map.add("room", dice_.pick({"none", "club", "hall", "outdoors"}));
+        map.add("pitch", dice_.pick({"follow", "keep", "0.5"}));
+        map.add("mix", Yaml().add("rolling", number(-20, 20) + " dB"));
+        if (dice_.chance(0.5)) {
+            map.add("loudness", number(-30, -10) + " LUFS");
+        } else {
+            map.add("gain", Yaml().add("full_scale", number(1, 20) + " Pa"));
+        }
+        if (dice_.chance(0.5)) {
+            map.add("listener",
+                    Yaml().add("at", point(1, 1, 0.5, 1)).add("facing", vector(0.1, 1)));
+        }
+        if (dice_.chance(0.5)) {
+            map.add("materials", Yaml().add("ball", Yaml().add("modulus", number(4, 10) + " GPa")));
+        }
         return map;
     }
 

@@ -1,0 +1,104 @@
+// Tests of the warnings about sound.
+#include <gtest/gtest.h>
+
+#include "pipeline/check/motion_check.h"
+
+namespace carom::pipeline {
+namespace {
+
+/// A ball that rolls along x from -1 m to 1 m in 2 s, impacts at 0.5 s and 1.5 s, a listener in one
+/// place, and a camera that shows the scene from 0 s to 2 s.
+struct Film {
+    Film() {
+        sim::Body ball;
+        ball.name = "cue";
+        ball.shape = sim::Sphere{0.03};
+        ball.pose.position = {-1, 0, 0.03};
+        shot.world.bodies = {ball};
+        CameraRig rig;
+        rig.name = "whole";
+        rig.video_end = Rational(2);
+        rig.time_map = {Rational(0), Rational(2)};
+        shot.cameras = {rig};
+        shot.sound.cameras.listener = ListenerPlace{false, {0, -1, 0.5}, {0, 1, 0}};
+        timeline.end_time = 2;
+        sim::Key start;
+        start.position = {-1, 0, 0.03};
+        start.velocity_in = start.velocity_out = {1, 0, 0};
+        sim::Key end = start;
+        end.time = 2;
+        end.position = {1, 0, 0.03};
+        timeline.tracks.emplace_back("cue", std::vector{start, end});
+        for (const double time : {0.5, 1.5}) {
+            sim::Event impact;
+            impact.time = time;
+            impact.a = "cue";
+            impact.b = "cushion";
+            timeline.events.push_back(impact);
+        }
+    }
+
+    /// The sentences of the warnings, a line each.
+    [[nodiscard]] std::string warnings() const {
+        std::string text;
+        for (const Problem& problem : sound_problems(shot, nullptr, timeline)) {
+            EXPECT_EQ(problem.severity, Severity::warning);
+            text += problem.message + "\n";
+        }
+        return text;
+    }
+
+    void show(const Rational& from, const Rational& to) { shot.cameras[0].time_map = {from, to}; }
+
+    Shot shot;
+    sim::Timeline timeline;
+};
+
+const std::string kNotHeard =
+    " not heard, because no camera shows that time: a film has the sound of what it shows, "
+    "wherever the listener is\n";
+
+TEST(SoundCheck, FilmThatShowsEverything_HasNoWarning) {
+    EXPECT_EQ(Film().warnings(), "");
+}
+
+TEST(SoundCheck, UnseenImpacts_AreCounted) {
+    Film film;
+    film.show(Rational(0), Rational(1));
+    EXPECT_EQ(film.warnings(), "the impact at 1.500 s of the scene is" + kNotHeard);
+    film.show(Rational(9, 10), Rational(6, 10));  // backwards
+    EXPECT_EQ(film.warnings(), "2 impacts from 0.500 s to 1.500 s of the scene are" + kNotHeard);
+    CameraRig other = film.shot.cameras[0];
+    other.time_map = {Rational(3, 2), Rational(1, 2)};
+    film.shot.cameras.push_back(other);
+    EXPECT_EQ(film.warnings(), "");
+}
+
+TEST(SoundCheck, ListenerWithTheCamera_NeedsNoImpacts) {
+    Film film;
+    film.show(Rational(0), Rational(1));
+    film.shot.sound.cameras.listener->is_camera = true;
+    EXPECT_EQ(film.warnings(), "");
+    film.shot.sound.cameras.listener.reset();
+    EXPECT_EQ(film.warnings(), "");
+}
+
+TEST(SoundCheck, BallThatRollsOverTheListener_IsNamedWithItsTime) {
+    Film film;
+    film.shot.sound.cameras.listener->at = {0.03, 0, 0.03};  // reached by the surface at 1 s
+    EXPECT_EQ(film.warnings(), "the listener is inside 'cue' at 1.004 s of the scene\n");
+    film.shot.sound.cameras.listener->at = {0.03, 0, 0.0601};  // just above it
+    EXPECT_EQ(film.warnings(), "");
+    film.shot.cameras[0].sound.listener = ListenerPlace{false, {0.5, 0, 0.03}, {0, 1, 0}};
+    EXPECT_EQ(film.warnings(), "the listener is inside 'cue' at 1.471 s of the scene\n");
+}
+
+TEST(SoundCheck, SilentFilm_HasNoWarning) {
+    Film film;
+    film.show(Rational(0), Rational(1));
+    film.shot.sound.is_silent = true;
+    EXPECT_EQ(film.warnings(), "");
+}
+
+}  // namespace
+}  // namespace carom::pipeline
