@@ -116,6 +116,8 @@ TEST_F(SoundBytes, StoredFramesAndBakes_HaveTheSameNamesWithAnySound) {
         EXPECT_THAT(render(sound), ::testing::HasSubstr("using the cached bake"));
         EXPECT_EQ(stored(), names);
     }
+    render({"render.seed=1"});  // what changes pictures does make other names
+    EXPECT_EQ(stored().size(), names.size() + 6);
 }
 
 }  // namespace
