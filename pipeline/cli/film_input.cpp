@@ -7,6 +7,7 @@
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/cli/helper_program.h"
 #include "pipeline/cli/output_file.h"
+#include "pipeline/video/sound_decoder.h"
 #include "pipeline/video/video_format.h"
 #include "pipeline/video/view_transform.h"
 
@@ -77,6 +78,26 @@ std::string film_path(const std::string& given, const InputOptions& input, const
     return output_or_default(given, input.path, pipeline::default_extension(shot.output));
 }
 
+namespace {
+
+/// Reports music that cannot be read at its place in the shot.
+void check_music(const ShotInput& input, Console& console) {
+    const pipeline::OutputSettings& output = input.shot.output;
+    if (!output.music || output.audio == pipeline::AudioCodec::none) {
+        return;
+    }
+    try {
+        const pipeline::SoundDecoder music(output.music->file);
+    } catch (const Error& error) {
+        report_problems({input.source->problem_at({"output", "music"}, pipeline::Severity::error,
+                                                  error.what())},
+                        console);
+        throw InputError("the film's music cannot be played");
+    }
+}
+
+}  // namespace
+
 void check_film(const ShotInput& input, const std::string& path, Console& console) {
     const Shot& shot = input.shot;
     const pipeline::VideoFormat format{shot.render.width, shot.render.height, shot.timing.fps};
@@ -91,6 +112,7 @@ void check_film(const ShotInput& input, const std::string& path, Console& consol
         throw InputError(problem);
     }
     check_output_folder(path);
+    check_music(input, console);
     static_cast<void>(pipeline::DisplayView(shot.output));  // may fail, so before rendering
 }
 

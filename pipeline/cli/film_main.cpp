@@ -1,6 +1,7 @@
 // The program libexec/carom/carom-film, which runs the commands that render. bin/carom executes it
 // with its own arguments.
 #include "pipeline/cli/command_line.h"
+#include "pipeline/cli/encoded_sound.h"
 #include "pipeline/cli/helper_program.h"
 #include "pipeline/cli/run_program.h"
 
@@ -34,6 +35,10 @@ int main(int argument_count, char** arguments) {
                            try {
                                if (const auto* cache = std::get_if<CacheCommand>(&command)) {
                                    return run_for_shot(*cache, context);
+                               }
+                               const auto* sound = std::get_if<SoundCommand>(&command);
+                               if (sound != nullptr && needs_encoder(*sound)) {
+                                   return write_encoded_sound(*sound, context);
                                }
                                run_here<Program::film>(command, context);
                            } catch (const NeedsProgram& needed) {

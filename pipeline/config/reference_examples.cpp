@@ -564,6 +564,8 @@ sound:
 )"},
         {"hdr10", R"(output: {hdr10: {peak: 1000, white: 203}}
 )"},
+        {"music", R"(output: {audio: opus, music: {file: piano.flac, gain: -12 dB, fade: 3 s}}
+)"},
         {"overlay", R"(output: {overlay: {show: [scene_time, playback_speed], corner: bottom_right}}
 )"},
         {"annotation", R"(balls: {cue: {at: [-0.6, 0]}, one: {at: [0.2, 0.05]}}

@@ -88,6 +88,9 @@ Members unit_members(const TypeInfo& type) {
     if (!type.needed_unit.empty()) {
         members.emplace_back("x-needs-unit", "true");
     }
+    if (dimension.is_logarithmic) {
+        members.emplace_back("x-zero-needs-unit", "true");
+    }
     return members;
 }
 

@@ -9,9 +9,11 @@
 #include "core/error.h"
 #include "pipeline/job/cpu_limit.h"
 #include "pipeline/job/film_probe.h"
+#include "pipeline/job/film_sound.h"
 #include "pipeline/job/forecast_sizes.h"
 #include "pipeline/job/job_frames.h"
 #include "pipeline/job/memory_forecast.h"
+#include "pipeline/job/shot_sound.h"
 #include "pipeline/store/frame_store.h"
 #include "render/threads/thread_arena.h"
 
@@ -140,6 +142,11 @@ FilmForecast forecast_film(const Shot& shot, const sim::Bake& bake,
         }
         add_times(probe, forecast);
         add_sizes(source, plan, probe, options.output, forecast);
+        if (forecast.film_bytes > 0) {
+            forecast.film_bytes += static_cast<std::uint64_t>(sound_bytes(
+                job_sound(options, shot, source.timeline(), stop), shot.output, options.output,
+                {frame_count(shot.cameras, shot.timing), shot.timing.fps}, plan.frames));
+        }
     });
     forecast.probe_seconds = process_cpu_seconds() - begin;
     return forecast;

@@ -127,7 +127,7 @@ FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOp
     room.require(stop);
 
     // Opened before anything is rendered, so that a film that cannot be written fails immediately.
-    const std::unique_ptr<FilmSink> sink = sink_of(options, source, plan);
+    const std::unique_ptr<FilmSink> sink = sink_of(options, source, plan, safe_observer, stop);
     std::stop_source job_stop;
     const std::stop_callback pass_on(stop, [&job_stop] { job_stop.request_stop(); });
     FrameQueue queue(plan.pictures.size());

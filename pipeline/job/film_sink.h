@@ -7,6 +7,8 @@
 
 #include "pipeline/job/film_job.h"
 #include "pipeline/job/film_plan.h"
+#include "pipeline/job/film_sound.h"
+#include "pipeline/job/thread_safe_observer.h"
 #include "render/film/film.h"
 
 namespace carom::pipeline {
@@ -34,14 +36,20 @@ class FilmSink {
 };
 
 /// The path decides whether it is a video or an image sequence (pipeline/video/image_sequence.h).
-/// The sink refers to its arguments. `threads` draw annotations; 0: one per processor. Throws
-/// Error.
+/// The sink refers to its arguments. `threads` draw annotations; 0: one per processor. `sound` as
+/// in FilmJobOptions: a video has that of its frames (sound_of_frames); beside an image sequence,
+/// whose files have the numbers of the whole film, lies the sound of the whole film
+/// (sound_path_of_sequence). Throws Error.
 [[nodiscard]] std::unique_ptr<FilmSink> make_film_sink(const FilmSource& source,
                                                        const FilmPlan& plan,
-                                                       const std::string& path, int threads);
+                                                       const std::string& path, int threads,
+                                                       const SoundMaker& sound = {});
 
-/// What receives the frames of a job; null if nothing does. Throws Error.
+/// What receives the frames of a job; null if nothing does. Warns if the film is silent although
+/// there is a sound (silence_note). `stop` ends the computation of the sound. Throws Error.
 [[nodiscard]] std::unique_ptr<FilmSink> sink_of(const FilmJobOptions& options,
-                                                const FilmSource& source, const FilmPlan& plan);
+                                                const FilmSource& source, const FilmPlan& plan,
+                                                ThreadSafeObserver& observer,
+                                                const std::stop_token& stop);
 
 }  // namespace carom::pipeline

@@ -10,9 +10,12 @@
 
 #include "core/error.h"
 #include "pipeline/job/film_sink.h"
+#include "pipeline/job/film_sound.h"
 #include "pipeline/job/frame_signal.h"
 #include "pipeline/job/job_metadata.h"
+#include "pipeline/job/shot_sound.h"
 #include "pipeline/job/stored_tier.h"
+#include "pipeline/sequence/sequence_scene.h"
 #include "pipeline/sequence/sequence_writer.h"
 #include "pipeline/video/picture_writer.h"
 #include "pipeline/video/video_writer.h"
@@ -237,6 +240,7 @@ FilmJobOptions part_options(FilmJobOptions options, const std::vector<std::int64
     options.output.clear();
     options.chunk = {};
     options.sink = nullptr;
+    options.sound = nullptr;  // that of the whole film is written with its pictures
     options.frames = range_of(own);
     return options;
 }
@@ -258,6 +262,25 @@ std::vector<std::int64_t> own_frames(const Sequence& sequence, std::size_t part,
     return own;
 }
 
+SoundMaker sequence_sound(const Sequence& sequence, const SequenceBakes& bakes,
+                          std::stop_token stop) {
+    const auto is_silent = [&](const auto& part) {
+        return std::get<ShotPart>(sequence.parts[part.first].content).shot.sound.is_silent;
+    };
+    if (std::ranges::all_of(bakes, is_silent)) {
+        return {};
+    }
+    return computed_sound(
+        [&sequence, &bakes] {
+            std::map<std::size_t, const sim::Timeline*> timelines;
+            for (const auto& [part, bake] : bakes) {
+                timelines[part] = &bake.timeline;
+            }
+            return sequence_scene(sequence, timelines, 0, sequence.frames());
+        },
+        std::move(stop));
+}
+
 FilmJobResult make_sequence(const Sequence& sequence, const SequenceBakes& bakes,
                             const FilmJobOptions& options, const JobObserver& observer,
                             const std::stop_token& stop) {
@@ -266,7 +289,14 @@ FilmJobResult make_sequence(const Sequence& sequence, const SequenceBakes& bakes
         return make_parts(sequence, bakes, frames, options, observer, nullptr, stop);
     }
     const VideoFormat format{sequence.width, sequence.height, sequence.fps};
-    VideoWriter writer(options.output, format, sequence.output, metadata_of(sequence, options));
+    const SoundMaker sound = options.sound ? options.sound : sequence_sound(sequence, bakes, stop);
+    VideoWriter writer(
+        options.output, format, sequence.output, metadata_of(sequence, options),
+        sound_of_frames(sound, sequence.output, {sequence.frames(), sequence.fps}, frames));
+    const std::string note = silence_note(sound, sequence.output, options.output, frames);
+    if (!note.empty() && observer.on_warning) {
+        observer.on_warning(note);
+    }
     const std::optional<std::int64_t> poster = poster_frame(sequence, frames);
     SequenceMixer mixer(sequence, [&](std::int64_t frame, std::span<const std::uint16_t> rgb) {
         writer.write(rgb);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pipeline/job/film_job.h"
+#include "pipeline/job/film_sound.h"
 #include "pipeline/job/film_status.h"
 #include "pipeline/sequence/sequence.h"
 #include "pipeline/sheet/contact_sheet.h"
@@ -26,6 +27,10 @@ using SequenceBakes = std::map<std::size_t, sim::Bake>;
 /// The job of a part that renders these frames of its shot's own film.
 [[nodiscard]] FilmJobOptions part_options(FilmJobOptions options,
                                           const std::vector<std::int64_t>& own);
+
+/// The sound of the whole film; empty if no part has any. Refers to both arguments.
+[[nodiscard]] SoundMaker sequence_sound(const Sequence& sequence, const SequenceBakes& bakes,
+                                        std::stop_token stop);
 
 /// As make_film, for the frames of all parts: one progress, one file. With an empty
 /// `options.output` the frames are only rendered and stored. Throws Error, Stopped.

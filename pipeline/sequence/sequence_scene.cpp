@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pipeline/sound/film_scene.h"
+#include "pipeline/video/sound_length.h"
 
 namespace carom::pipeline {
 
@@ -14,7 +15,7 @@ sound::SoundScene sequence_scene(const Sequence& sequence,
         return (Rational(frame) / sequence.fps).to_double();
     };
     sound::SoundScene scene;
-    scene.frames = sound_length(frames, sequence.fps);
+    scene.frames = first_sample(frames, sequence.fps);
     const std::vector<std::int64_t> starts = sequence.starts();
     for (const auto& [i, timeline] : timelines) {
         const SequencePart& part = sequence.parts[i];

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <variant>
 
-#include "pipeline/camera/wide_rational.h"
+#include "pipeline/video/sound_length.h"
 #include "sim/shape/mass_properties.h"
 #include "sim/shape/polyhedron.h"
 #include "sound/source/defaults.h"
@@ -94,12 +94,6 @@ sound::Structures structures_of(const sim::WorldDescription& world, const SoundS
 
 }  // namespace
 
-std::int64_t sound_length(std::int64_t frames, const Rational& fps) {
-    const WideRational exact = WideRational(Rational(frames)) *
-                               WideRational(Rational(sound::kSampleRate)) / WideRational(fps);
-    return (exact + WideRational(Rational(1, 2))).floor();
-}
-
 sound::SoundShot sound_shot(const Shot& shot, const sim::Timeline& timeline,
                             const ShownPart& part) {
     sound::SoundShot result;
@@ -127,7 +121,7 @@ sound::SoundScene film_scene(const Shot& shot, const sim::Timeline& timeline, st
     const auto time = [&](std::int64_t frame) { return (Rational(frame) / fps).to_double(); };
     sound::SoundScene scene;
     scene.shots.push_back(sound_shot(shot, timeline, ShownPart{time(first), time(first + frames)}));
-    scene.frames = sound_length(frames, fps);
+    scene.frames = first_sample(frames, fps);
     scene.full_scale = shot.sound.full_scale;
     scene.loudness = shot.sound.loudness;
     return scene;

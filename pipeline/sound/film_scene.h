@@ -10,10 +10,6 @@
 
 namespace carom::pipeline {
 
-/// The samples of a film of that many frames, of each channel: frames * kSampleRate / fps, rounded
-/// to the nearest number.
-[[nodiscard]] std::int64_t sound_length(std::int64_t frames, const Rational& fps);
-
 /// A part of the shot's film as a shot of a scene. A shot without sound has no passages. Refers to
 /// both arguments; `timeline` has the tracks of moved objects (add_keyed_motions), and moments have
 /// their times.

@@ -20,7 +20,7 @@
 namespace carom::studio {
 namespace {
 
-/// The files that the film would write.
+/// The files that the film would write, without the sound beside pictures (which it may not have).
 std::vector<std::string> files_of(const std::string& path,
                                   const std::vector<std::int64_t>& frames) {
     if (!pipeline::is_image_sequence(path)) {

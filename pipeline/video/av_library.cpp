@@ -33,12 +33,6 @@ void keep_message(void* object, int level, const char* format, std::va_list argu
     }
 }
 
-std::string av_text(int code) {
-    std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
-    av_strerror(code, text.data(), text.size());
-    return text.data();
-}
-
 }  // namespace
 
 void capture_av_log() {
@@ -47,11 +41,17 @@ void capture_av_log() {
     last_message().clear();
 }
 
+std::string av_error_text(int code) {
+    std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
+    av_strerror(code, text.data(), text.size());
+    return text.data();
+}
+
 int check_av(int code, const char* step, const std::string& path) {
     if (code >= 0) {
         return code;
     }
-    std::string text = "cannot write '" + path + "': " + step + " failed: " + av_text(code);
+    std::string text = "cannot write '" + path + "': " + step + " failed: " + av_error_text(code);
     if (!last_message().empty()) {
         text += " (" + last_message() + ")";
         last_message().clear();

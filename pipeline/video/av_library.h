@@ -32,6 +32,9 @@ using AvPtr = std::unique_ptr<T, AvDeleter>;
 /// nothing: the last message of each thread of level error or worse is kept for the next Error.
 void capture_av_log();
 
+/// What libav says about an error's code.
+[[nodiscard]] std::string av_error_text(int code);
+
 /// If `code` is a libav error, throws Error "cannot write 'PATH': STEP failed: TEXT", with the last
 /// message that libav logged on this thread, if any. Otherwise returns `code`.
 int check_av(int code, const char* step, const std::string& path);

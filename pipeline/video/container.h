@@ -14,9 +14,16 @@ struct Container {
     std::string_view extension;  // ".mp4"
     std::string_view muxer;      // the container's name in libavformat
     unsigned codecs = 0;         // one bit per codec
+    unsigned audio_codecs = 0;   // likewise, of the sound
+    AudioCodec audio{};          // the usual one
 
     [[nodiscard]] constexpr bool holds(Codec codec) const {
         return (codecs >> static_cast<unsigned>(codec) & 1U) != 0;
+    }
+    /// True for AudioCodec::none.
+    [[nodiscard]] constexpr bool holds(AudioCodec codec) const {
+        return codec == AudioCodec::none ||
+               (audio_codecs >> static_cast<unsigned>(codec) & 1U) != 0;
     }
 };
 
@@ -27,5 +34,8 @@ struct Container {
 
 /// "h264: .mp4, .mov, .mkv; ...; ffv1: .mkv"
 [[nodiscard]] std::string list_containers();
+
+/// "aac: .mp4, .mov; opus: ..."
+[[nodiscard]] std::string list_audio_containers();
 
 }  // namespace carom::pipeline

@@ -48,4 +48,14 @@ std::string path_in_sequence(const std::string& pattern, std::int64_t frame) {
     return (fs::path(pattern).parent_path() / name).string();
 }
 
+std::string sound_path_of_sequence(const std::string& pattern) {
+    const std::string stem = stem_of(pattern);
+    const std::size_t begin = stem.find('#');
+    const std::size_t end = std::min(stem.find_first_not_of('#', begin), stem.size());
+    std::string name = stem.substr(0, begin);
+    name.erase(name.find_last_not_of("._- ") + 1);
+    name += name.empty() ? "" : stem.substr(end);
+    return (fs::path(pattern).parent_path() / ((name.empty() ? "sound" : name) + ".wav")).string();
+}
+
 }  // namespace carom::pipeline

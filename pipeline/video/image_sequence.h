@@ -17,4 +17,9 @@ namespace carom::pipeline {
 /// group.
 [[nodiscard]] std::string path_in_sequence(const std::string& pattern, std::int64_t frame);
 
+/// The file beside the pictures that has their sound: the pattern without the group of '#' and the
+/// punctuation before it, with the extension .wav. "shot.wav" for "shot.####.exr", "sound.wav" for
+/// "####.png".
+[[nodiscard]] std::string sound_path_of_sequence(const std::string& pattern);
+
 }  // namespace carom::pipeline

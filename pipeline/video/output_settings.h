@@ -11,6 +11,8 @@ namespace carom::pipeline {
 /// no conversion, for pictures that were computed in display values.
 enum class ViewTransform { srgb, filmic, agx, ocio, raw };
 enum class Codec { h264, hevc, av1, vp9, prores, ffv1 };
+/// Of the sound. none: the film has no sound.
+enum class AudioCodec { aac, opus, flac, pcm, none };
 
 /// Names from an OpenColorIO configuration; an empty name selects its default
 /// (render/film/ocio_view.h).
@@ -35,6 +37,13 @@ struct DenoiseSettings {
 struct Hdr10Settings {
     double peak = 1000;  // cd/m^2 of the brightest white in the file, [400, 10000]
     double white = 203;  // cd/m^2 of scene light 1, (0, peak]; ITU-R BT.2408's diffuse white
+};
+
+/// A file that is played under the film's sound, from the film's first frame on.
+struct MusicSettings {
+    std::string file;  // with sound in a format that libavformat reads
+    double gain = 0;   // dB, [-60, 20]
+    double fade = 0;   // s, over which it fades out at the end of the film, >= 0
 };
 
 /// What is printed in a corner of the picture.
@@ -62,6 +71,9 @@ struct OutputSettings {
     GlowSettings glow;        // added to the linear film, before the view
     OverlaySettings overlay;  // drawn on the display picture, after the view
     std::optional<Hdr10Settings> hdr10;
+    std::optional<AudioCodec> audio;       // none: follows from the file (audio_codec_for)
+    std::optional<double> audio_bit_rate;  // bit/s; none: the codec's own (audio_codec_info.h)
+    std::optional<MusicSettings> music;
     std::string title;             // empty: the shot's name
     std::optional<double> poster;  // video time (s) of the frame that stands for the film
 };

@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "pipeline/video/audio_codec_info.h"
 #include "pipeline/video/codec_info.h"
 #include "pipeline/video/container.h"
 #include "pipeline/video/encoder_presets.h"
@@ -139,6 +140,29 @@ SettingProblem check_encoder(const OutputSettings& output) {
     return {};
 }
 
+/// Paths that are no video file are the concern of check_path.
+SettingProblem check_audio(const OutputSettings& output, const std::string& path) {
+    const Container* container = find_container(path);
+    const AudioCodec codec = audio_codec_for(output, path);
+    if (container == nullptr || codec == AudioCodec::none) {
+        return {};
+    }
+    if (!container->holds(codec)) {
+        std::string text =
+            std::string(container->extension) + " files cannot hold " + to_string(codec) + " sound";
+        if (codec == AudioCodec::aac && container->muxer == "matroska") {
+            text += ", with which their first picture would be shown 21 ms late";
+        }
+        return {{"audio", "codec"},
+                text + "; the codecs of sound and their file extensions are " +
+                    list_audio_containers()};
+    }
+    if (output.audio_bit_rate && !is_audio_bit_rate(*output.audio_bit_rate)) {
+        return {{"audio_bit_rate"}, "audio_bit_rate must be from 32 to 512 kbit/s"};
+    }
+    return {};
+}
+
 /// "shot.####.png" for "shot.png".
 std::string sequence_pattern(const std::string& path) {
     const std::filesystem::path given(path);
@@ -179,6 +203,9 @@ SettingProblem find_setting_problem(const OutputSettings& output, const std::str
     if (problem.sentence.empty()) {
         problem = check_bits(output, codec);
     }
+    if (problem.sentence.empty()) {
+        problem = check_audio(output, path);
+    }
     return problem.sentence.empty() ? check_encoder(output) : problem;
 }
 
@@ -199,7 +226,17 @@ std::string check_video_format(const VideoFormat& format, const OutputSettings& 
 }
 
 std::string default_extension(const OutputSettings& output) {
-    return std::string(info(codec_for(output, ".mp4")).extension);
+    const Codec codec = codec_for(output, ".mp4");
+    const std::string_view usual = info(codec).extension;
+    if (!output.audio || find_container("film" + std::string(usual))->holds(*output.audio)) {
+        return std::string(usual);
+    }
+    for (const Container& container : containers()) {
+        if (container.holds(codec) && container.holds(*output.audio)) {
+            return std::string(container.extension);
+        }
+    }
+    return std::string(usual);  // no file holds both, which find_setting_problem says
 }
 
 }  // namespace carom::pipeline

@@ -43,7 +43,8 @@ struct SettingProblem {
 [[nodiscard]] std::string check_film_size(const VideoFormat& format, const OutputSettings& output,
                                           const std::string& path);
 
-/// The default extension of a film with these settings, with its dot: ".mp4".
+/// The default extension of a film with these settings, with its dot: ".mp4". It is the codec's own
+/// unless the film's sound needs another one.
 [[nodiscard]] std::string default_extension(const OutputSettings& output);
 
 }  // namespace carom::pipeline

@@ -1,9 +1,6 @@
 #include "pipeline/video/video_writer.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <optional>
 #include <string_view>
 
@@ -13,55 +10,30 @@ extern "C" {
 
 #include "core/assert.h"
 #include "core/error.h"
+#include "pipeline/video/audio_codec_info.h"
 #include "pipeline/video/container.h"
 #include "pipeline/video/encoder.h"
 #include "pipeline/video/encoder_options.h"
 #include "pipeline/video/hdr_view.h"
+#include "pipeline/video/output_container.h"
 #include "pipeline/video/peak_limit.h"
 #include "pipeline/video/pending_file.h"
 #include "pipeline/video/poster.h"
+#include "pipeline/video/sound_length.h"
+#include "pipeline/video/sound_stream.h"
 
 namespace carom::pipeline {
-
-namespace {
-
-// Names for which both the MP4 and the Matroska muxer have tags.
-constexpr std::array<std::string_view, 7> kKnownTags{"title", "artist",      "album", "comment",
-                                                     "date",  "description", "genre"};
-
-/// Without "file:", libavformat would read "a:b.mp4" as protocol "a".
-std::string file_url(const std::string& path) {
-    return "file:" + path;
-}
-
-std::map<std::string, std::string> known_tags(const std::map<std::string, std::string>& metadata) {
-    std::map<std::string, std::string> tags;
-    std::string others;
-    for (const auto& [key, value] : metadata) {
-        if (std::find(kKnownTags.begin(), kKnownTags.end(), key) != kKnownTags.end()) {
-            tags[key] = value;
-        } else {
-            others.append(others.empty() ? "" : "; ").append(key).append("=").append(value);
-        }
-    }
-    if (!others.empty()) {
-        std::string& comment = tags["comment"];
-        comment += (comment.empty() ? "" : "; ") + others;
-    }
-    return tags;
-}
-
-}  // namespace
 
 // Members are destroyed from the last to the first: the container closes its file before the
 // pending file removes it.
 struct VideoWriter::State {
     State(const std::string& path, const VideoFormat& video_format, const OutputSettings& output,
-          const std::map<std::string, std::string>& metadata);
+          const std::map<std::string, std::string>& metadata, std::unique_ptr<SoundSource> source);
 
-    void open_container(const std::map<std::string, std::string>& metadata);
     void describe_stream();
-    void write_header();
+    void add_sound(const OutputSettings& output, std::unique_ptr<SoundSource> source);
+    /// Writes the sound that belongs before a picture which is decoded at that time, in frames.
+    void write_sound_before(std::int64_t picture);
     /// Sends a picture (or nullptr at the end) to the encoder and writes all packets that it
     /// returns.
     void encode(const AVFrame* picture);
@@ -77,6 +49,8 @@ struct VideoWriter::State {
     AvPtr<AVPacket> packet;
     AVStream* stream = nullptr;  // owned by the container, like the next one
     AVStream* poster = nullptr;  // nullptr: no poster
+    std::unique_ptr<SoundSource> sound_source;
+    std::optional<SoundStream> sound;  // empty: no sound
     std::optional<Hdr10Settings> hdr10;
     std::int64_t frames_written = 0;
     std::int64_t packets_written = 0;
@@ -84,18 +58,21 @@ struct VideoWriter::State {
 
 VideoWriter::State::State(const std::string& path, const VideoFormat& video_format,
                           const OutputSettings& output,
-                          const std::map<std::string, std::string>& metadata)
-    : format(video_format), file(path) {
-    open_container(metadata);
+                          const std::map<std::string, std::string>& metadata,
+                          std::unique_ptr<SoundSource> source)
+    : format(video_format),
+      file(path),
+      container(open_container(file, std::string(find_container(path)->muxer), metadata)) {
     encoder =
         open_encoder(format, output, (container->oformat->flags & AVFMT_GLOBALHEADER) != 0, path);
     hdr10 = output.hdr10;
     describe_stream();
+    add_sound(output, std::move(source));
     if (output.poster && std::string_view(container->oformat->name) == "mp4") {
         poster = check_allocated(avformat_new_stream(container.get(), nullptr), path);
         describe_poster(*poster, format.width, format.height);
     }
-    write_header();
+    write_header(*container, path);
 
     frame.reset(check_allocated(av_frame_alloc(), path));
     packet.reset(check_allocated(av_packet_alloc(), path));
@@ -109,21 +86,7 @@ VideoWriter::State::State(const std::string& path, const VideoFormat& video_form
     check_av(av_frame_get_buffer(frame.get(), 0), "allocating a frame", path);
 }
 
-void VideoWriter::State::open_container(const std::map<std::string, std::string>& metadata) {
-    const std::string muxer(find_container(path())->muxer);
-    const std::string url = file_url(file.temporary_path());
-    AVFormatContext* opened = nullptr;
-    check_av(avformat_alloc_output_context2(&opened, nullptr, muxer.c_str(), url.c_str()),
-             "opening the container", path());
-    container.reset(opened);
-    container->flags |= AVFMT_FLAG_BITEXACT;  // no dates, versions or random identifiers
-    for (const auto& [key, value] : known_tags(metadata)) {
-        check_av(av_dict_set(&container->metadata, key.c_str(), value.c_str(), 0),
-                 "writing metadata", path());
-    }
-    check_av(avio_open2(&container->pb, url.c_str(), AVIO_FLAG_WRITE, nullptr, nullptr),
-             "opening the file", path());
-}
+namespace {
 
 template <class T>
 T& side_data(AVStream& stream, AVPacketSideDataType type, std::size_t size,
@@ -158,6 +121,8 @@ void describe_hdr10(AVStream& stream, const Hdr10Settings& settings, const Light
     light.MaxFALL = static_cast<unsigned>(levels.brightest_mean);
 }
 
+}  // namespace
+
 void VideoWriter::State::describe_stream() {
     stream = check_allocated(avformat_new_stream(container.get(), nullptr), path());
     stream->time_base = encoder->time_base;
@@ -176,15 +141,19 @@ void VideoWriter::State::describe_stream() {
     }
 }
 
-void VideoWriter::State::write_header() {
-    AVDictionary* options = nullptr;
-    const std::string_view muxer = container->oformat->name;
-    if (muxer == "mp4" || muxer == "mov") {
-        av_dict_set(&options, "movflags", "+faststart+write_colr", 0);
+void VideoWriter::State::add_sound(const OutputSettings& output,
+                                   std::unique_ptr<SoundSource> source) {
+    const AudioCodec codec = audio_codec_for(output, path());
+    if (source != nullptr && codec != AudioCodec::none) {
+        sound_source = std::move(source);
+        sound.emplace(*container, codec, audio_bit_rate_of(output, codec), path());
     }
-    const int code = avformat_write_header(container.get(), &options);
-    av_dict_free(&options);
-    check_av(code, "writing the header", path());
+}
+
+void VideoWriter::State::write_sound_before(std::int64_t picture) {
+    if (sound && picture > 0) {
+        write_sound(*sound_source, *sound, first_sample(picture, format.fps));
+    }
 }
 
 void VideoWriter::State::encode(const AVFrame* picture) {
@@ -196,31 +165,34 @@ void VideoWriter::State::encode(const AVFrame* picture) {
         }
         check_av(code, "encoding", path());
         set_decoding_time(*packet, *encoder, packets_written++);
+        write_sound_before(packet->dts);
         packet->stream_index = stream->index;
         packet->duration = 1;  // one frame, in the encoder's time base
         av_packet_rescale_ts(packet.get(), encoder->time_base, stream->time_base);
-        // Nothing has to be interleaved, because a poster has no time.
+        // The sound is interleaved here, and a poster has no time.
         check_av(av_write_frame(container.get(), packet.get()), "writing", path());
     }
 }
 
 void VideoWriter::State::close() {
     encode(nullptr);
-    check_av(av_write_trailer(container.get()), "writing the trailer", path());
-    check_av(container->pb->error, "writing", path());
-    check_av(avio_closep(&container->pb), "closing", path());
-    file.commit();
+    if (sound) {
+        write_sound(*sound_source, *sound, first_sample(frames_written, format.fps));
+        sound->finish();
+    }
+    close_container(*container, file);
 }
 
 VideoWriter::VideoWriter(const std::string& path, const VideoFormat& format,
                          const OutputSettings& output,
-                         const std::map<std::string, std::string>& metadata) {
+                         const std::map<std::string, std::string>& metadata,
+                         std::unique_ptr<SoundSource> sound) {
     const std::string problem = check_video_format(format, output, path);
     if (!problem.empty()) {
         throw Error(problem);
     }
     capture_av_log();
-    state_ = std::make_unique<State>(path, format, output, metadata);
+    state_ = std::make_unique<State>(path, format, output, metadata, std::move(sound));
 }
 
 VideoWriter::~VideoWriter() = default;

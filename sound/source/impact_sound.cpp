@@ -123,7 +123,7 @@ std::optional<ImpactSound> ImpactSounds::sound_of(const sim::Event& event) const
     return b == nullptr ? of_surface(event, *a) : of_bodies(event, *a, *b);
 }
 
-/// The log has the velocity that the stick gave instead of its impulse.
+/// The place of a strike is the ball's centre. A log that was made by hand may lack the impulse.
 std::optional<ImpactSound> ImpactSounds::of_strike(const sim::Event& event) const {
     const Entry* struck = entry(event.a);
     const double speed = event.vector.length();
@@ -134,7 +134,7 @@ std::optional<ImpactSound> ImpactSounds::of_strike(const sim::Event& event) cons
     ImpactSound sound;
     sound.group = Group::stick;
     sound.place = event.place - event.vector * (radius / speed);
-    sound.impulse = struck->body->mass * speed;
+    sound.impulse = event.normal_impulse > 0 ? event.normal_impulse : struck->body->mass * speed;
     sound.contact_time =
         structure_contact_time(shot_.structures.stick, struck->body->mass, sound.impulse);
     add_sphere(event.place, radius, event.vector, sound);

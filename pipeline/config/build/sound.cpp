@@ -97,12 +97,8 @@ void check_listener(Builder& builder, const CameraSound& sound, const Path& path
 }  // namespace
 
 void build_sound(Builder& builder) {
-    SoundSettings& sound = builder.shot.sound = builder.file.sound;
-    const sim::WorldDescription& world = builder.shot.world;
-    if (world.floor_height) {
-        sound.room.floor_centre.z = *world.floor_height;
-    }
-    const std::set<std::string> solids = materials_of(world);
+    const SoundSettings& sound = builder.shot.sound = builder.file.sound;
+    const std::set<std::string> solids = materials_of(builder.shot.world);
     for (const SoundMaterial& material : sound.materials) {
         check_material(builder, material, solids);
     }

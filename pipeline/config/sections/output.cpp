@@ -1,7 +1,10 @@
 // The keys of the section `output`.
+#include <fmt/core.h>
+
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/text.h"
 #include "pipeline/config/value_types.h"
+#include "pipeline/video/audio_codec_info.h"
 #include "pipeline/video/codec_info.h"
 #include "pipeline/video/encoder_presets.h"
 
@@ -37,6 +40,32 @@ ValueType<double> bit_rate() {
         return factor * quantity->value;
     };
     return type;
+}
+
+const MapSpec<MusicSettings>& music_spec() {
+    static const MapSpec<MusicSettings> spec = [] {
+        MapSpec<MusicSettings> s("music", "A file that is played under the film's sound.");
+        s.key("file", &MusicSettings::file, file(),
+              "a file with sound: .flac, .wav, .mp3, .m4a, .ogg and others; more than two channels "
+              "are mixed to two")
+            .required();
+        s.key("gain", &MusicSettings::gain, quantity(Dimension::level, between(-60, 20)),
+              "how much louder it is made");
+        s.key("fade", &MusicSettings::fade, time(at_least(0)),
+              "time over which it fades out at the end of the film");
+        return s;
+    }();
+    return spec;
+}
+
+/// The name of a file alone, or a map.
+ValueType<MusicSettings> music() {
+    const auto name = convert<MusicSettings>(file(), [](std::string path) {
+        MusicSettings settings;
+        settings.file = std::move(path);
+        return settings;
+    });
+    return any_of<MusicSettings>({{is_scalar, name}, {is_map, record(music_spec())}});
 }
 
 const MapSpec<Hdr10Settings>& hdr10_spec() {
@@ -166,6 +195,21 @@ const MapSpec<OutputSettings>& output_spec() {
         s.key("bits", &OutputSettings::bits, integer(8, 10),
               "bits per channel, 8 or 10. The default is 8, or 10 with `hdr10`. prores always has "
               "10, ffv1 16");
+        std::vector<std::pair<std::string, AudioCodec>> audio_names;
+        for (const AudioCodecInfo& codec : audio_codecs()) {
+            audio_names.emplace_back(codec.name, codec.codec);
+        }
+        audio_names.emplace_back("none", AudioCodec::none);
+        s.key("audio", &OutputSettings::audio, choice<AudioCodec>(audio_names),
+              "codec of the sound; `none` writes a silent film. The default depends on the file: "
+              "aac in .mp4 and .mov (pcm with prores), flac in .mkv, opus in .webm. Picture "
+              "sequences have their sound in a .wav file beside them, unless this is `none`");
+        s.key("audio_bit_rate", &OutputSettings::audio_bit_rate, bit_rate(),
+              "bit rate of both channels of the sound together, from 32 to 512 kbit/s. The default "
+              "is 256 kbit/s for aac and 192 kbit/s for opus; flac and pcm are lossless");
+        s.key("music", &OutputSettings::music, music(),
+              "a file that is played under the film's sound, from the first frame on: its name, or "
+              "a map with gain and fade");
         std::vector<std::pair<std::string, std::string>> presets;
         presets.reserve(kEncoderPresets.size());
         for (const EncoderPreset& preset : kEncoderPresets) {

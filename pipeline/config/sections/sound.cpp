@@ -37,7 +37,7 @@ void check_reverberation(Reader& reader, const Node& node, RoomSettings& room) {
 const MapSpec<RoomSettings>& room_spec() {
     static const MapSpec<RoomSettings> spec = [] {
         MapSpec<RoomSettings> s("room",
-                                "A room like a box, with the middle of its floor below the origin.",
+                                "A room like a box. The middle of its floor is below the origin.",
                                 sound::club());
         s.key("size", &RoomSettings::size, vector3(Dimension::length, between(1, kLargestRoom)),
               "length along x, width along y and height");

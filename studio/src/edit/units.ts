@@ -11,6 +11,8 @@ const kUnits: Readonly<Record<string, number>> = {
     mph: 0.44704,
     N: 1, mN: 0.001, kN: 1000,
     Hz: 1, kHz: 1000, fps: 1,
+    Pa: 1, kPa: 1e3, MPa: 1e6, GPa: 1e9,
+    dB: 1, LUFS: 1, // logarithms, which have no SI unit
 };
 
 const kNamedUnit = /^\s*([A-Za-z]+)(\^?(-?)([1-9]))?/;

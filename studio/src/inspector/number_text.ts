@@ -47,8 +47,8 @@ export function typed(text: string, before: string, type: NumberType | undefined
         return plain;
     }
     const unit = parseQuantity(before)?.unit ?? '';
-    return unit !== '' ? `${plain}${unit}` : type?.needsUnit && Number(plain) !== 0
-        ? `${plain} ${type.unit}` : plain;
+    const needsUnit = type?.needsUnit && (Number(plain) !== 0 || type.zeroNeedsUnit);
+    return unit !== '' ? `${plain}${unit}` : needsUnit ? `${plain} ${type.unit}` : plain;
 }
 
 /// How much of its range a number fills, from 0 to 1; null without a range.

@@ -25,6 +25,7 @@ export interface SchemaNode {
     'x-unit'?: string;
     'x-units'?: string;
     'x-needs-unit'?: boolean;
+    'x-zero-needs-unit'?: boolean;
     'x-range'?: string;
     'x-name-of'?: string;
     'x-keys-of'?: string;
@@ -58,6 +59,8 @@ export interface NumberType {
     unit: string;
     units: string[];
     needsUnit: boolean;
+    /// Whether 0 needs its unit, too: 0 dB.
+    zeroNeedsUnit: boolean;
     /// In SI units, as far as plain numbers are allowed.
     low: number | null;
     high: number | null;
@@ -79,15 +82,16 @@ function numberOf(node: SchemaNode, isInteger: boolean): NumberType {
         node.maximum !== undefined ? `at most ${node.maximum}` : '',
         node.exclusiveMaximum !== undefined ? `less than ${node.exclusiveMaximum}` : '',
     ].filter((word) => word !== '');
-    return { kind: 'number', isInteger, unit: '', units: [], needsUnit: false, low, high,
-        range: words.join(' and ') };
+    return { kind: 'number', isInteger, unit: '', units: [], needsUnit: false,
+        zeroNeedsUnit: false, low, high, range: words.join(' and ') };
 }
 
 /// The number that a text with a unit stands for.
 function quantityOf(node: SchemaNode, range: string): NumberType {
     return { kind: 'number', isInteger: false, unit: node['x-unit'] ?? '',
         units: (node['x-units'] ?? '').split(', ').filter((unit) => unit !== ''),
-        needsUnit: node['x-needs-unit'] ?? false, low: null, high: null, range };
+        needsUnit: node['x-needs-unit'] ?? false, zeroNeedsUnit: node['x-zero-needs-unit'] ?? false,
+        low: null, high: null, range };
 }
 
 /// Whether a pattern is that of a number, not of a word such as a colour.
@@ -140,7 +144,8 @@ function merge(a: NumberType, b: NumberType): NumberType {
     return {
         kind: 'number', isInteger: a.isInteger || b.isInteger,
         unit: a.unit || b.unit, units: a.units.length > 0 ? a.units : b.units,
-        needsUnit: a.needsUnit || b.needsUnit, low: a.low ?? b.low, high: a.high ?? b.high,
+        needsUnit: a.needsUnit || b.needsUnit, zeroNeedsUnit: a.zeroNeedsUnit || b.zeroNeedsUnit,
+        low: a.low ?? b.low, high: a.high ?? b.high,
         range: [a.range, b.range].sort((x, y) => y.length - x.length)[0] ?? '',
     };
 }

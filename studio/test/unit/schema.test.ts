@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { neededUnit } from '../../src/edit/schema_unit';
 import { keyAt, keysAt, typesAt } from '../../src/schema/keys';
+import { numberType, typed } from '../../src/inspector/number_text';
 import type { Schema } from '../../src/schema/value_types';
 
 const schema = JSON.parse(
@@ -19,7 +20,7 @@ test('TypesAt_Values_SayTheirUnitRangeAndNames', () => {
         ['deg', true, 'more than 0 deg and less than 180 deg']);
     assert.deepEqual(types.map(({ kind }) => kind), ['number', 'list', 'map', 'map']);
     assert.deepEqual(at('simulation.duration'), [{ kind: 'number', isInteger: false, unit: 's',
-        units: ['s', 'ms', 'min'], needsUnit: false, low: 0, high: 3600,
+        units: ['s', 'ms', 'min'], needsUnit: false, zeroNeedsUnit: false, low: 0, high: 3600,
         range: 'more than 0 s and at most 3600 s' }]);
     assert.ok(at('events.0.strike.toward').some((type) =>
         type.kind === 'name' && type.of === 'a ball, object or spot'));
@@ -62,4 +63,21 @@ test('NeededUnit_NewNumbers_AreOfTheSchema', () => {
     for (const [path, expected] of cases) {
         assert.equal(unit(path), expected, path);
     }
+});
+
+test('Typed_Level_GetsItsUnitEvenIfItIsZero', () => {
+    const level = numberType(at('sound.mix.balls'));
+    assert.deepEqual([level?.unit, level?.needsUnit, level?.zeroNeedsUnit], ['dB', true, true]);
+    assert.deepEqual([typed('0', '', level), typed('-6', '', level), typed('-6', '3 dB', level)],
+        ['0 dB', '-6 dB', '-6 dB']);
+    assert.equal(typed('0', '', numberType(at('cameras.0.fov'))), '0');
+    assert.equal(typed('9', '', numberType(at('sound.materials.ball.modulus'))), '9 GPa');
+});
+
+test('KeysAt_SoundOfACamera_HasNoRoom', () => {
+    const names = (path: string[]) => keysAt(schema, path, []).map(({ name }) => name);
+    assert.ok(names(['sound']).includes('room'));
+    assert.ok(names(['cameras', '0', 'sound']).includes('gain'));
+    assert.ok(!names(['cameras', '0', 'sound']).includes('room'));
+    assert.deepEqual(at('sound').map(({ kind }) => kind), ['choice', 'map']);
 });

@@ -11,6 +11,7 @@ namespace {
 using carom::testing::EndToEnd;
 using carom::testing::RunResult;
 using carom::testing::write_text;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
@@ -105,6 +106,26 @@ carom: 's.yaml' has no errors, but 1 warning
     const RunResult frame = run({"frame", "s.yaml", "--frame", "5", "--set", "render.samples=1"});
     EXPECT_EQ(frame.exit_code, 0);
     EXPECT_THAT(frame.err, HasSubstr("s.yaml:13:5: warning: camera 'seat' is focused on 'one'"));
+}
+
+TEST_F(CheckCommandRun, SoundThatIsNotHeard_IsAWarning) {
+    write_text(path("s.yaml"), R"(carom: 1
+simulation: {duration: 1 s}
+table: {kind: cloth}
+balls:
+  cue: {at: [0, 0], velocity: [2, 0, 0]}
+  one: {at: [0.5, 0]}
+sound:
+  listener: {at: [0, -1, 0.8]}
+cameras:
+  - {name: seat, video: [0 s, 0.1 s], scene: [0 s, 0.1 s], position: [0, -1, 0.8], target: [0, 0.5, 0]}
+)");
+    EXPECT_THAT(messages(),
+                AllOf(HasSubstr("s.yaml:8:3: warning: the impact at 0.2"),
+                      HasSubstr(" s of the scene is not heard, because no camera shows that time: "
+                                "a film has the sound of what it shows, wherever the listener is\n"
+                                "    8 |   listener: {at: [0, -1, 0.8]}\n"),
+                      HasSubstr("has no errors, but 1 warning")));
 }
 
 TEST_F(CheckCommandRun, BallThatLeavesTheDrawnCloth_IsAWarning) {

@@ -172,7 +172,8 @@ TEST(ExplainedDefaults, OfExamples_AreAccepted) {
 
 TEST(ExplainedDefaults, OfReferenceExamples_AreAccepted) {
     const carom::testing::ScratchFolder folder;
-    std::ofstream(folder.path("logo.png"));  // of the example with a picture
+    std::ofstream(folder.path("logo.png"));    // of the example with a picture
+    std::ofstream(folder.path("piano.flac"));  // and the one with music
     for (const auto& [section, yaml] : config::reference_examples()) {
         if (yaml.starts_with("film:")) {  // no shot
             continue;

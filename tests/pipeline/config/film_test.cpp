@@ -325,6 +325,12 @@ TEST(Output, OtherKindsOfFilms_AreRead) {
     EXPECT_EQ(o.poster, 0.5);
     EXPECT_EQ(o.title, "The break");
     EXPECT_EQ(load_sections("output: {bit_rate: 500kbit/s}\n").output.bit_rate, 5e5);
+    const OutputSettings sound =
+        load_sections("output: {audio: opus, audio_bit_rate: 96 kbit/s}\n").output;
+    EXPECT_EQ(sound.audio, AudioCodec::opus);
+    EXPECT_EQ(sound.audio_bit_rate, 96e3);
+    EXPECT_EQ(load_sections("output: {audio: none}\n").output.audio, AudioCodec::none);
+    EXPECT_EQ(load_sections("output: {crf: 20}\n").output.audio, std::nullopt);
     EXPECT_EQ(load_sections("output: {bit_rate: 8e6}\n").output.bit_rate, 8e6);
     EXPECT_FALSE(load_sections("output: {exposure: 1}\n").output.codec.has_value());
 }

@@ -157,7 +157,8 @@ TEST(Reference, EverySection_HasAnExample) {
 
 TEST(Reference, Examples_AreValidShotsThatUseTheirSection) {
     const carom::testing::ScratchFolder folder;
-    std::ofstream(folder.path("logo.png"));  // for the example with a picture
+    std::ofstream(folder.path("logo.png"));    // for the example with a picture
+    std::ofstream(folder.path("piano.flac"));  // and the one with music
     for (const auto& [section, yaml] : config::reference_examples()) {
         SCOPED_TRACE(section);
         const bool has_camera = yaml.find("cameras:") != std::string::npos;

@@ -331,9 +331,11 @@ std::string shot_text(const Shot& shot) {
     const OutputSettings& o = shot.output;
     out.line("output", o.preset, o.threads, o.view, o.exposure);
     const Hdr10Settings hdr10 = o.hdr10.value_or(Hdr10Settings{0, 0});
+    const MusicSettings music = o.music.value_or(MusicSettings{"", 0, -1});
     out.line("output", static_cast<int>(o.codec.value_or(Codec{-1})), o.crf.value_or(-1),
              o.bit_rate.value_or(-1), o.bits.value_or(-1), hdr10.peak, hdr10.white,
-             o.poster.value_or(-1), o.title);
+             o.poster.value_or(-1), o.title, static_cast<int>(o.audio.value_or(AudioCodec{-1})),
+             o.audio_bit_rate.value_or(-1), music.file, music.gain, music.fade);
     write_sound(out, shot.sound);
     for (const Annotation& annotation : shot.annotations) {
         write_annotation(out, annotation);

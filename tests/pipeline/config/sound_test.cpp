@@ -127,12 +127,6 @@ TEST(Sound, RoomNames_AreThoseOfTheLibrary) {
     EXPECT_EQ(read_sound("{room: {size: [8, 6, 2.8]}}").room, sound::club());
 }
 
-TEST(Sound, Room_StandsOnTheFloor) {
-    const Shot shot = load_sections("table: {kind: pool}\nsound: {room: outdoors}\n");
-    ASSERT_TRUE(shot.world.floor_height);
-    EXPECT_EQ(shot.sound.room.floor_centre, Vec3(0, 0, *shot.world.floor_height));
-}
-
 TEST(Sound, None_IsSilent) {
     EXPECT_TRUE(read_sound("none").is_silent);
     const double gain = read_camera_sound("none").gain.value();

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "pipeline/video/sound_length.h"
 #include "sound/mix/heard.h"
 #include "sound/source/defaults.h"
 #include "tests/pipeline/camera/rig_fixture.h"
@@ -12,12 +13,12 @@ namespace carom::pipeline {
 namespace {
 
 TEST(SoundLength, IsTheNearestNumberOfSamples) {
-    EXPECT_EQ(sound_length(240, 24), 480000);
-    EXPECT_EQ(sound_length(1, {24000, 1001}), 2002);
-    EXPECT_EQ(sound_length(1, {30000, 1001}), 1602);  // 1601.6
-    EXPECT_EQ(sound_length(5, {30000, 1001}), 8008);
-    EXPECT_EQ(sound_length(0, 24), 0);
-    EXPECT_EQ(sound_length(3600LL * 60, 60), 172800000);
+    EXPECT_EQ(first_sample(240, 24), 480000);
+    EXPECT_EQ(first_sample(1, {24000, 1001}), 2002);
+    EXPECT_EQ(first_sample(1, {30000, 1001}), 1602);  // 1601.6
+    EXPECT_EQ(first_sample(5, {30000, 1001}), 8008);
+    EXPECT_EQ(first_sample(0, 24), 0);
+    EXPECT_EQ(first_sample(3600LL * 60, 60), 172800000);
 }
 
 /// A ball on a table, a tile, and one camera for two seconds.

@@ -123,11 +123,13 @@ DecodedVideo decode_video(const std::string& path) {
     const Ptr<AVFormatContext> container(opened);
     require(avformat_find_stream_info(container.get(), nullptr) >= 0, "no stream information");
     DecodedVideo video;
-    require(container->nb_streams == 1 || container->nb_streams == 2, "not one stream");
-    if (container->nb_streams == 2) {
-        const AVStream& poster = *container->streams[1];
-        require((poster.disposition & AV_DISPOSITION_ATTACHED_PIC) != 0, "a second stream");
-        const AVPacket& jpeg = poster.attached_pic;
+    for (unsigned i = 1; i < container->nb_streams; ++i) {
+        const AVStream& other = *container->streams[i];
+        if (other.codecpar->codec_type == AVMEDIA_TYPE_AUDIO) {
+            continue;  // decoded_sound.h reads it
+        }
+        require((other.disposition & AV_DISPOSITION_ATTACHED_PIC) != 0, "a second stream");
+        const AVPacket& jpeg = other.attached_pic;
         video.poster.assign(jpeg.data, jpeg.data + jpeg.size);
     }
     const AVStream& stream = *container->streams[0];

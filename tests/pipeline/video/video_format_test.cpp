@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/video/audio_codec_info.h"
 #include "pipeline/video/codec_info.h"
 #include "pipeline/video/image_sequence.h"
 
@@ -92,6 +93,83 @@ TEST(CheckVideoFormat, CodecNotNamed_FollowsTheExtension) {
     hdr.hdr10.emplace();
     EXPECT_EQ(codec_for(hdr, "a.mp4"), Codec::hevc);
     EXPECT_EQ(default_extension({}), ".mp4");
+}
+
+constexpr const char* kAllSound =
+    "; the codecs of sound and their file extensions are aac: .mp4, .mov; opus: .mkv, .webm; flac: "
+    ".mkv; pcm: .mov, .mkv";
+
+std::string check_audio(const std::string& path, std::optional<AudioCodec> audio,
+                        std::optional<Codec> codec = {}) {
+    OutputSettings output;
+    output.audio = audio;
+    output.codec = codec;
+    return check_video_format({640, 360, Rational(24)}, output, path);
+}
+
+TEST(CheckVideoFormat, SoundThatTheFileCannotHold_ListsCodecsAndExtensions) {
+    EXPECT_EQ(check_audio("a.mp4", AudioCodec::flac),
+              std::string(".mp4 files cannot hold flac sound") + kAllSound);
+    EXPECT_EQ(check_audio("a.webm", AudioCodec::aac),
+              std::string(".webm files cannot hold aac sound") + kAllSound);
+    EXPECT_EQ(check_audio("a.mkv", AudioCodec::aac),
+              std::string(".mkv files cannot hold aac sound, with which their first picture would "
+                          "be shown 21 ms late") +
+                  kAllSound);
+    EXPECT_EQ(check_audio("a.mov", AudioCodec::pcm, Codec::prores), "");
+    EXPECT_EQ(check_audio("a.webm", AudioCodec::none), "");
+    EXPECT_EQ(check_audio("a.##.png", AudioCodec::opus), "");
+}
+
+TEST(SoundPathOfSequence, IsTheNameWithoutTheNumber) {
+    EXPECT_EQ(sound_path_of_sequence("out/shot.####.exr"), "out/shot.wav");
+    EXPECT_EQ(sound_path_of_sequence("shot_##.png"), "shot.wav");
+    EXPECT_EQ(sound_path_of_sequence("shot.#.left.png"), "shot.left.wav");
+    EXPECT_EQ(sound_path_of_sequence("out.d/####.png"), "out.d/sound.wav");
+}
+
+TEST(CheckVideoFormat, AudioBitRate_HasALimit) {
+    OutputSettings output;
+    output.audio_bit_rate = 31e3;
+    EXPECT_EQ(check_video_format({640, 360}, output, "a.mp4"),
+              "audio_bit_rate must be from 32 to 512 kbit/s");
+    EXPECT_EQ(find_setting_problem(output, "a.mp4").keys,
+              std::vector<std::string>{"audio_bit_rate"});
+    output.audio_bit_rate = 512e3;
+    EXPECT_EQ(check_video_format({640, 360}, output, "a.mp4"), "");
+}
+
+TEST(CheckVideoFormat, AudioCodecNotNamed_FollowsTheFile) {
+    EXPECT_EQ(audio_codec_for({}, "a.mp4"), AudioCodec::aac);
+    EXPECT_EQ(audio_codec_for({}, "a.mov"), AudioCodec::aac);
+    EXPECT_EQ(audio_codec_for({}, "a.mkv"), AudioCodec::flac);
+    EXPECT_EQ(audio_codec_for({}, "a.webm"), AudioCodec::opus);
+    EXPECT_EQ(audio_codec_for({}, "a.##.png"), AudioCodec::none);
+    OutputSettings output;
+    output.codec = Codec::prores;
+    EXPECT_EQ(audio_codec_for(output, "a.mov"), AudioCodec::pcm);
+    EXPECT_EQ(audio_codec_for(output, "a.mkv"), AudioCodec::flac);
+    EXPECT_EQ(audio_bit_rate_of({}, AudioCodec::aac), 256e3);
+    EXPECT_EQ(audio_bit_rate_of({}, AudioCodec::opus), 192e3);
+    output.audio_bit_rate = 64e3;
+    EXPECT_EQ(audio_bit_rate_of(output, AudioCodec::aac), 64e3);
+    EXPECT_EQ(audio_bit_rate_of(output, AudioCodec::flac), 0);
+}
+
+TEST(CheckVideoFormat, DefaultExtension_HoldsTheSound) {
+    const auto extension = [](std::optional<AudioCodec> audio, std::optional<Codec> codec = {}) {
+        OutputSettings output;
+        output.audio = audio;
+        output.codec = codec;
+        return default_extension(output);
+    };
+    EXPECT_EQ(extension(AudioCodec::aac), ".mp4");
+    EXPECT_EQ(extension(AudioCodec::flac), ".mkv");
+    EXPECT_EQ(extension(AudioCodec::pcm), ".mov");
+    EXPECT_EQ(extension(AudioCodec::aac, Codec::vp9), ".mp4");
+    EXPECT_EQ(extension(AudioCodec::opus, Codec::vp9), ".webm");
+    EXPECT_EQ(extension(AudioCodec::none, Codec::ffv1), ".mkv");
+    EXPECT_EQ(extension(AudioCodec::aac, Codec::ffv1), ".mkv") << "refused by the check";
 }
 
 TEST(CheckVideoFormat, SettingsThatExcludeEachOther_AreNamed) {

@@ -1,18 +1,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/resource.h>
 
 #include "core/error.h"
 #include "pipeline/video/video_writer.h"
+#include "tests/pipeline/video/click_source.h"
 #include "tests/pipeline/video/decoded_video.h"
+#include "tests/pipeline/video/file_size_limit.h"
 #include "tests/pipeline/video/scratch_folder.h"
 #include "tests/pipeline/video/test_film.h"
 
 namespace carom::pipeline {
 namespace {
 
+using carom::testing::ClickSource;
 using carom::testing::decode_video;
+using carom::testing::FileSizeLimit;
 using carom::testing::Film;
 using carom::testing::moving_disc;
 using carom::testing::read_text;
@@ -63,24 +65,6 @@ TEST(VideoWriter, MissingFolder_IsReported) {
     }
 }
 
-/// Limits the size of the files of this process, to simulate a disk that is nearly full.
-class FileSizeLimit {
-  public:
-    explicit FileSizeLimit(rlim_t bytes) {
-        ::signal(SIGXFSZ, SIG_IGN);
-        ::getrlimit(RLIMIT_FSIZE, &before_);
-        rlimit limit = before_;
-        limit.rlim_cur = bytes;
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FileSizeLimit() { ::setrlimit(RLIMIT_FSIZE, &before_); }
-    FileSizeLimit(const FileSizeLimit&) = delete;
-    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
-  private:
-    rlimit before_{};
-};
-
 TEST(VideoWriter, FullDisk_IsAnErrorThatLeavesNoFile) {
     // The limits fall in the header, in the pictures, and in the phase that moves the index to the
     // front.
@@ -104,6 +88,40 @@ TEST(VideoWriter, FullDisk_IsAnErrorThatLeavesNoFile) {
         EXPECT_THAT(message, HasSubstr("cannot write '" + path + "'")) << bytes << " of " << whole;
         EXPECT_THAT(message, HasSubstr("File too large")) << bytes << " of " << whole;
         EXPECT_THAT(folder.names(), IsEmpty());
+    }
+}
+
+TEST(VideoWriter, FullDiskWithSound_IsAnErrorThatLeavesNoFile) {
+    for (const char* name : {"film.mp4", "film.mkv"}) {
+        const auto write = [&](const std::string& path) {
+            VideoWriter writer(path, {64, 64}, {}, {},
+                               std::make_unique<ClickSource>(std::vector{0.1, 0.5}));
+            for (int i = 0; i < 30; ++i) {
+                writer.write(moving_disc(64, 64, i));
+            }
+            writer.finish();
+        };
+        std::size_t whole = 0;
+        {
+            const ScratchFolder folder;
+            write(folder.path(name));
+            whole = read_text(folder.path(name)).size();
+        }
+        for (const std::size_t bytes : {whole / 3, whole / 2, whole - 600, whole - 1}) {
+            const ScratchFolder folder;
+            std::string message;
+            {
+                const FileSizeLimit limit(bytes);
+                try {
+                    write(folder.path(name));
+                } catch (const Error& error) {
+                    message = error.what();
+                }
+            }
+            EXPECT_THAT(message, HasSubstr("cannot write '" + folder.path(name) + "'")) << bytes;
+            EXPECT_THAT(message, HasSubstr("File too large")) << bytes;
+            EXPECT_THAT(folder.names(), IsEmpty());
+        }
     }
 }
 
