@@ -83,7 +83,7 @@ JsonMembers& JsonMembers::add(std::string_view name, double value) {
     return add_raw(name, number(value));
 }
 
-JsonMembers& JsonMembers::add(std::string_view name, std::initializer_list<double> values) {
+JsonMembers& JsonMembers::add(std::string_view name, std::span<const double> values) {
     std::string list;
     for (const double value : values) {
         list += (list.empty() ? "[" : ",") + number(value);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -28,7 +29,10 @@ class JsonMembers {
     JsonMembers& add(std::string_view name, double value);
 
     /// Writes a list: [1,2.5]
-    JsonMembers& add(std::string_view name, std::initializer_list<double> values);
+    JsonMembers& add(std::string_view name, std::span<const double> values);
+    JsonMembers& add(std::string_view name, std::initializer_list<double> values) {
+        return add(name, std::span(values.begin(), values.size()));
+    }
 
     JsonMembers& add(const JsonMembers& others);
 

@@ -34,7 +34,8 @@ void add_motion(JsonMembers& members, const std::string& which,
     }
 }
 
-std::string event_object(const pipeline::ReportedEvent& row) {
+/// `heard_at` is nullptr if it is not known when the event is heard.
+std::string event_object(const pipeline::ReportedEvent& row, const std::vector<double>* heard_at) {
     const sim::Event& event = row.event;
     JsonMembers members;
     members.add("time", event.time).add("kind", to_string(event.kind)).add("a", event.a);
@@ -60,6 +61,11 @@ std::string event_object(const pipeline::ReportedEvent& row) {
     }
     if (event.vector != Vec3(0, 0, 0)) {
         members.add("vector", {event.vector.x, event.vector.y, event.vector.z});
+    }
+    const bool may_sound =
+        event.kind == sim::EventKind::impact || event.kind == sim::EventKind::strike;
+    if (heard_at != nullptr && may_sound) {
+        members.add("heard_at", *heard_at);
     }
     return members.object();
 }
@@ -135,12 +141,17 @@ std::string array_of(const std::vector<Item>& items, Write write) {
 
 }  // namespace
 
-std::string report_json(const pipeline::ShotReport& report) {
+std::string report_json(const pipeline::ShotReport& report,
+                        const std::vector<std::vector<double>>& heard_at) {
+    std::vector<std::string> events;
+    for (std::size_t i = 0; i < report.events.size(); ++i) {
+        events.push_back(event_object(report.events[i], heard_at.empty() ? nullptr : &heard_at[i]));
+    }
     const JsonMembers numbers = JsonMembers()
                                     .add("start_time", report.start_time)
                                     .add("end_time", report.end_time)
                                     .add("largest_energy_rise", report.largest_energy_rise);
-    return "{" + numbers.text() + ",\n\"events\":" + array_of(report.events, event_object) +
+    return "{" + numbers.text() + ",\n\"events\":" + array(events) +
            ",\n\"objects\":" + array_of(report.objects, object_object) +
            ",\n\"moments\":" + array_of(report.moments, moment_object) +
            ",\n\"energy\":" + array_of(report.energy, energy_object) +

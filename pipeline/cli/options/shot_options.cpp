@@ -112,7 +112,9 @@ void describe(ReportCommand& command, CommandDescription& description) {
     add_input(description, command.input);
     add_changes(description, command.input);
     add_output(description, command.output, "Write to this file instead of standard output.");
-    description.flag("--json", command.json, "Print one JSON object, with all digits.");
+    description.flag("--json", command.json,
+                     "Print one JSON object, with all digits, and the times in the film at which "
+                     "impacts are heard.");
     description
         .option("--plot", &command.plot, "FILE",
                 "Draw the speeds and the energy over time, as .svg or .png. Without -o and --json "

@@ -222,6 +222,20 @@ TEST_F(LightCommands, ReportAsJson_IsOneObject) {
         result.out.substr(result.out.find("\"strike\""), result.out.find("\"impact\""));
     EXPECT_THAT(strike.substr(0, strike.find('\n')), HasSubstr("\"normal_impulse\":0."));
     EXPECT_THAT(result.out, HasSubstr("\"energy_over_time\":[\n{\"time\":0,\"kinetic\":0,"));
+    // The film shows scene time as it is, so an impact is heard when it happens.
+    const std::size_t impact = result.out.find("\"impact\"");
+    EXPECT_THAT(strike.substr(0, strike.find('\n')), HasSubstr("\"heard_at\":[0.1]"));
+    EXPECT_THAT(result.out.substr(impact, result.out.find('\n', impact) - impact),
+                ::testing::ContainsRegex("\"heard_at\":.0\\.[0-9]+.}"));
+    // Twice as slow it is heard twice as late, and in a silent film never.
+    const auto with = [this](const std::string& setting) {
+        return run({"report", "tiny.yaml", "--json", "--set", setting}).out;
+    };
+    EXPECT_THAT(with("cameras[0].scene=[0 s, 0.3 s]"), HasSubstr("\"heard_at\":[0.2]"));
+    EXPECT_THAT(with("cameras[0].scene=[0.3 s, 0.6 s]"), HasSubstr("\"heard_at\":[]"));
+    EXPECT_THAT(with("sound=none"), Not(HasSubstr("\"heard_at\":[0")));
+    ASSERT_EQ(run({"bake", "tiny.yaml"}).exit_code, 0);
+    EXPECT_EQ(run({"report", "tiny.bake", "--json"}).out, result.out);
     EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '{'),
               std::count(result.out.begin(), result.out.end(), '}'));
 }

@@ -7,6 +7,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -82,13 +83,15 @@ std::string RunningProgram::err_so_far() const {
 
 RunResult RunningProgram::wait() {
     int status = 0;
-    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+    rusage usage{};
+    while (::wait4(process_, &status, 0, &usage) < 0 && errno == EINTR) {
     }
     process_ = -1;
     RunResult result;
     result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     result.out = read_text(out_path_);
     result.err = read_text(err_path_);
+    result.peak_memory = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
     return result;
 }
 

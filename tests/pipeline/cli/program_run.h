@@ -1,6 +1,7 @@
 // Runs bin/carom of the build tree like a user.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -18,6 +19,8 @@ struct RunResult {
     int exit_code = -1;  // 128 + n if signal n ended it
     std::string out;
     std::string err;
+    std::size_t peak_memory =
+        0;  // bytes: the most that was resident, here or in the test's process
 };
 
 /// A running bin/carom (or another program of the build tree). Its stdout and stderr are files, so
