@@ -89,8 +89,8 @@ export async function check({ page }) {
     const lines = before.split('\n');
     const strike = lines.findIndex((line) => line.includes('toward'));
     const line = lines[strike];
-    await page.evaluate((text) => window.studio.edit.type(text.indexOf('one, speed'),
-        text.indexOf('one, speed') + 'one'.length, ''), before);
+    await page.evaluate((text) => window.studio.edit.type(text.indexOf('one, elevation'),
+        text.indexOf('one, elevation') + 'one'.length, ''), before);
     await cursorAfter(page, strike + 1, line.indexOf('toward: ') + 'toward: '.length);
     const balls = await offered(page, 'n');
     equal(balls.includes('nine'), true, `balls after toward: (${balls})`);

@@ -24,7 +24,8 @@ function table(page) {
     });
 }
 
-/// Draws, and returns the colour of a place of the scene.
+/// Draws, and returns the reddest colour within two pixels of a place of the scene: the cue stick may
+/// lie over a part of a mark.
 function colourAt(page, place) {
     return page.evaluate((at) => {
         const { context, drawing, camera } = window.studio.view;
@@ -33,10 +34,12 @@ function colourAt(page, place) {
         renderer.render(drawing.scene, camera);
         const [x, y] = context.toScreen(at);
         const ratio = renderer.getPixelRatio();
-        const pixel = new Uint8Array(4);
-        gl.readPixels(Math.round(x * ratio), Math.round((context.canvas.clientHeight - y) * ratio), 1, 1,
-            gl.RGBA, gl.UNSIGNED_BYTE, pixel);
-        return [...pixel.slice(0, 3)];
+        const pixels = new Uint8Array(4 * 25);
+        gl.readPixels(Math.round(x * ratio) - 2, Math.round((context.canvas.clientHeight - y) * ratio) - 2,
+            5, 5, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+        const colours = Array.from({ length: 25 }, (_, i) => [...pixels.slice(4 * i, 4 * i + 3)]);
+        const redness = ([red, green, blue]) => red - Math.max(green, blue);
+        return colours.reduce((best, one) => (redness(one) > redness(best) ? one : best));
     }, place);
 }
 

@@ -45,7 +45,7 @@ TEST_F(CodecCommands, Sequence_IsOnePicturePerFrame) {
     const RunResult result = run({"render", "tiny.yaml", "-o", "f.####.exr", "--frames", "1-5x2"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.out, "f.####.exr\n");
-    EXPECT_THAT(results(), ElementsAre("f.0001.exr", "f.0003.exr", "f.0005.exr"));
+    EXPECT_THAT(results(), ElementsAre("f.0001.exr", "f.0003.exr", "f.0005.exr", "f.wav"));
 }
 
 TEST_F(CodecCommands, SequenceInAVideoFormat_IsRejectedBeforeTheWork) {

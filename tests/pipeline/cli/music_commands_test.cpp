@@ -23,8 +23,8 @@ TEST_F(MusicCommands, FilmOfAFilm_HasItsMusic) {
         "\x80\xbb\0\0\1\0\x08\0data\xc0\x12\0\0",
         44);
     write_text(path("music.wav"), header + std::string(4800, '\xc0'));
-    const RunResult made = run({"render", "tiny.yaml", "-o", "a.mkv", "--set",
-                                "output.music={file: music.wav, gain: -20 dB}"});
+    const RunResult made = run({"render", "tiny.yaml", "-o", "a.mkv", "--set", "sound=none",
+                                "--set", "output.music={file: music.wav, gain: -20 dB}"});
     ASSERT_EQ(made.exit_code, 0) << made.err;
     const DecodedSound found = decode_sound(path("a.mkv"));
     EXPECT_EQ(found.codec, "flac");
@@ -33,8 +33,8 @@ TEST_F(MusicCommands, FilmOfAFilm_HasItsMusic) {
     EXPECT_NEAR(left[1000], 0.05, 1e-6);
     EXPECT_EQ(left[4800], 0);
     // The film itself can be the music of another container.
-    const RunResult again = run(
-        {"render", "tiny.yaml", "-o", "b.mov", "--set", "output={music: a.mkv, codec: prores}"});
+    const RunResult again = run({"render", "tiny.yaml", "-o", "b.mov", "--set", "sound=none",
+                                 "--set", "output={music: a.mkv, codec: prores}"});
     ASSERT_EQ(again.exit_code, 0) << again.err;
     EXPECT_TRUE(decode_sound(path("b.mov")).channel(false) == left);
 }

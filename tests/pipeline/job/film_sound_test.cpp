@@ -128,6 +128,7 @@ TEST(FilmSoundJob, AudioNone_GivesTheBytesOfAFilmWithoutSound) {
     job.shot.output.audio = {};
     const std::string with_sound = read_text(job.write("b.mkv"));
     job.options.sound = nullptr;
+    job.shot.sound.is_silent = true;
     EXPECT_TRUE(read_text(job.write("c.mkv")) == unwanted);
     EXPECT_FALSE(with_sound == unwanted);
     EXPECT_EQ(job.made, 1);
