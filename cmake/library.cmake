@@ -83,7 +83,7 @@ function(carom_archive name)
       set(installed ${PROJECT_BINARY_DIR}/include/${header})
     endif()
     add_custom_command(OUTPUT ${installed} DEPENDS ${source} VERBATIM
-      COMMAND sed -E "s,^#include \"(core|sim|render|pipeline)/,#include \"carom/\\1/," ${source} > ${installed})
+      COMMAND sed -E "s,^#include \"(core|sim|sound|render|pipeline)/,#include \"carom/\\1/," ${source} > ${installed})
     cmake_path(GET installed PARENT_PATH folder)
     file(MAKE_DIRECTORY ${folder})
     list(APPEND headers ${installed})
