@@ -34,8 +34,11 @@ struct FilmInput {
     std::optional<pipeline::Sequence> sequence;
     std::map<std::size_t, sim::Bake> bakes;  // of a shot: number 0
     sound::SoundScene scene;
-    bool is_silent = false;
 };
+
+[[noreturn]] void refuse_silence(const SoundCommand& command) {
+    throw InputError("'" + command.input.path + "' says 'sound: none', so its film is silent");
+}
 
 void read_sequence(const SoundCommand& command, CommandContext& context, FilmInput& film) {
     if (changes_film(command.retime)) {
@@ -46,7 +49,13 @@ void read_sequence(const SoundCommand& command, CommandContext& context, FilmInp
     film.sequence = read_sequence_input(command.input, context.console);
     std::vector<pipeline::SequencePart>& parts = film.sequence->parts;
     std::map<std::size_t, const sim::Timeline*> timelines;
-    film.is_silent = true;
+    const auto is_silent = [](const pipeline::SequencePart& part) {
+        const auto* shot = std::get_if<pipeline::ShotPart>(&part.content);
+        return shot == nullptr || shot->shot.sound.is_silent;
+    };
+    if (std::ranges::all_of(parts, is_silent)) {
+        refuse_silence(command);
+    }
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (auto* part = std::get_if<pipeline::ShotPart>(&parts[i].content)) {
             ShotInput input = input_of(*part);
@@ -54,7 +63,6 @@ void read_sequence(const SoundCommand& command, CommandContext& context, FilmInp
                                         command.cache, context);
             take_back(std::move(input), *part);
             timelines[i] = &film.bakes[i].timeline;
-            film.is_silent = film.is_silent && part->shot.sound.is_silent;
         }
     }
     film.scene = pipeline::sequence_scene(*film.sequence, timelines, 0, film.sequence->frames());
@@ -63,6 +71,9 @@ void read_sequence(const SoundCommand& command, CommandContext& context, FilmInp
 void read_shot(const SoundCommand& command, CommandContext& context, FilmInput& film) {
     pipeline::RetimeOptions options = parse_retime(command.retime);
     film.shot = read_shot_input(command.input, context.console);
+    if (film.shot->shot.sound.is_silent) {
+        refuse_silence(command);
+    }
     film.bakes[0] = obtain_bake(*film.shot, command.input, command.cache, context);
     if (changes_film(command.retime)) {
         if (names_moments(command.retime)) {
@@ -71,7 +82,6 @@ void read_shot(const SoundCommand& command, CommandContext& context, FilmInput& 
         retime(command.retime, std::move(options), *film.shot);
     }
     const pipeline::Shot& shot = film.shot->shot;
-    film.is_silent = shot.sound.is_silent;
     film.scene = pipeline::film_scene(shot, film.bakes[0].timeline, 0,
                                       pipeline::frame_count(shot.cameras, shot.timing));
 }
@@ -81,9 +91,6 @@ void read_film(const SoundCommand& command, CommandContext& context, FilmInput& 
         read_sequence(command, context, film);
     } else {
         read_shot(command, context, film);
-    }
-    if (film.is_silent) {
-        throw InputError("'" + command.input.path + "' says 'sound: none', so its film is silent");
     }
 }
 

@@ -19,8 +19,6 @@ namespace carom::studio {
 
 namespace {
 
-constexpr std::string_view kFolder = "/sound/";
-
 void append_sample(std::string& bytes, double value) {
     const auto number =
         static_cast<std::uint16_t>(std::lround(std::clamp(value, -1.0, 1.0) * 32767));
@@ -101,7 +99,7 @@ class LiveSound::Worker {
 
   private:
     static std::string address_of(int number) {
-        return std::string(kFolder) + std::to_string(number) + "/";
+        return std::string(LiveSound::kFolder) + std::to_string(number) + "/";
     }
 
     void run(const std::stop_token& end) {

@@ -39,6 +39,9 @@ class LiveSound {
     LiveSound(LiveSound&&) = delete;
     LiveSound& operator=(LiveSound&&) = delete;
 
+    /// Where the pieces are: "/sound/3/0.pcm".
+    static constexpr std::string_view kFolder = "/sound/";
+
     /// The film of version `v` of the texts. Work on the one before is stopped; its pieces can be
     /// got until the first one of this film is there.
     void set(int opening, std::int64_t v, Make make);

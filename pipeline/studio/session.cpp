@@ -106,8 +106,12 @@ std::optional<Download> Session::State::find(std::string_view path) {
     if (const std::optional<Still> still = desk_->find_still(path)) {
         return Download{still->type, still->bytes, still->path};
     }
-    if (auto piece = sound_->find(path)) {
-        return Download{"application/octet-stream", std::move(piece), {}};
+    if (path.starts_with(LiveSound::kFolder)) {
+        // A newer film may have taken its place while the page asked: that is no error of the page.
+        auto piece = sound_->find(path);
+        return Download{"application/octet-stream",
+                        piece ? std::move(piece) : std::make_shared<const std::string>(),
+                        {}};
     }
     constexpr std::string_view kScene = "/scene/";
     constexpr std::string_view kGlb = ".glb";

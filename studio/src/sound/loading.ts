@@ -35,8 +35,10 @@ async function load(): Promise<void> {
             }
             const answer = await fetch(`${data.address}${index}.pcm`).catch(() => null);
             if (answer?.ok) {
-                const bytes = await answer.arrayBuffer();
-                data.add(index, new Int16Array(bytes));
+                const bytes = await answer.arrayBuffer(); // none of a film that is gone
+                if (bytes.byteLength > 0) {
+                    data.add(index, new Int16Array(bytes));
+                }
             }
             if (data === wanted && !data.has(index)) {
                 wanted = null;

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "tests/pipeline/cli/sound_fixture.h"
+#include "tests/pipeline/video/decoded_sound.h"
 
 namespace carom::cli {
 namespace {
@@ -81,6 +82,49 @@ TEST_F(SoundBytes, OtherRoutinesOfTheCLibrary_AreAlike) {
     ASSERT_EQ(run_carom(joined(break_sound, {"other.wav"}), other).exit_code, 0);
     EXPECT_GT(text_of("usual.wav").size(), 1'000'000U);
     EXPECT_TRUE(text_of("usual.wav") == text_of("other.wav"));
+}
+
+/// The codec that the film's sound has, "none" without a stream.
+std::string sound_codec(const std::string& film) {
+    const carom::testing::DecodedSound sound = carom::testing::decode_sound(film);
+    return sound.has_sound ? sound.codec : "none";
+}
+
+TEST_F(SoundBytes, Films_AreTheSameInOneGoInChunksAndMuxed) {
+    const auto render = [this](const std::vector<std::string>& words) {
+        std::vector<std::string> command{"render", "tiny.yaml", "-q"};
+        command.insert(command.end(), words.begin(), words.end());
+        const RunResult result = run(command);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+    };
+    render({"-o", "one.mp4", "--threads", "1"});
+    const std::string bytes = text_of("one.mp4");
+    EXPECT_EQ(sound_codec(path("one.mp4")), "aac");
+    render({"-o", "more.mp4", "--threads", "16", "--cache", path("other")});
+    EXPECT_TRUE(text_of("more.mp4") == bytes);
+    for (const char* chunk : {"1/2", "2/2"}) {
+        render({"--chunk", chunk, "--cache", path("third")});
+    }
+    const RunResult muxed =
+        run({"mux", "tiny.yaml", "-q", "-o", "muxed.mp4", "--cache", path("third")});
+    ASSERT_EQ(muxed.exit_code, 0) << muxed.err;
+    EXPECT_TRUE(text_of("muxed.mp4") == bytes);
+}
+
+TEST_F(SoundBytes, SoundNone_IsAFilmWithoutASoundStream) {
+    ASSERT_EQ(run({"render", "tiny.yaml", "-q", "-o", "a.mkv"}).exit_code, 0);
+    EXPECT_EQ(sound_codec(path("a.mkv")), "flac");
+    ASSERT_EQ(run({"render", "tiny.yaml", "-q", "-o", "b.mkv", "--set", "sound=none"}).exit_code,
+              0);
+    EXPECT_EQ(sound_codec(path("b.mkv")), "none");
+    ASSERT_EQ(
+        run({"render", "tiny.yaml", "-q", "-o", "c.mkv", "--set", "output.audio=none"}).exit_code,
+        0);
+    EXPECT_EQ(sound_codec(path("c.mkv")), "none");
+    EXPECT_TRUE(text_of("b.mkv") == text_of("c.mkv"));
+    const RunResult silent = run({"sound", "tiny.yaml", "-o", "x.wav", "--set", "sound=none"});
+    EXPECT_EQ(silent.exit_code, 2);
+    EXPECT_EQ(silent.err, "carom: error: 'tiny.yaml' says 'sound: none', so its film is silent\n");
 }
 
 TEST_F(SoundBytes, StoredFramesAndBakes_HaveTheSameNamesWithAnySound) {
