@@ -50,7 +50,10 @@ SoundMaker shot_sound(const Shot& shot, const sim::Timeline& timeline, std::stop
 
 SoundMaker job_sound(const FilmJobOptions& options, const Shot& shot, const sim::Timeline& timeline,
                      std::stop_token stop) {
-    return options.sound ? options.sound : shot_sound(shot, timeline, std::move(stop));
+    if (options.sound) {
+        return options.sound;
+    }
+    return shot_sound(shot, timeline, std::move(stop));
 }
 
 }  // namespace carom::pipeline

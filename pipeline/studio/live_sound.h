@@ -20,7 +20,7 @@ struct LiveSoundOptions {
     std::chrono::milliseconds rest{250};
     /// The longest film, because all pieces are kept in memory: 0.2 MB for each second.
     double most_seconds = 600;
-    std::int64_t piece = 5 * sound::kSampleRate;  // samples of each channel
+    std::int64_t piece = std::int64_t{5} * sound::kSampleRate;  // samples of each channel
 };
 
 /// All functions may be called from any thread, and return without waiting for work.

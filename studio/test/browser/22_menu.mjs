@@ -55,6 +55,8 @@ export async function check({ page }) {
     const before = await textOf(page);
     await page.locator(kScene).focus();
     await page.keyboard.press('1');
+    // From above the lamp is not shown, so that a click does not meet it.
+    await page.waitForFunction(() => !window.studio.view.context.meshNode('lamp_shade').visible);
     const open = async () => {
         await page.mouse.click(...await placeOf(page, 'nine'), { button: 'right' });
         await page.getByRole('menu').waitFor();
