@@ -10,6 +10,7 @@
 #include "pipeline/plan/report_plot.h"
 #include "pipeline/report/report_of_shot.h"
 #include "pipeline/report/report_text.h"
+#include "pipeline/sound/film_levels.h"
 #include "pipeline/sound/film_scene.h"
 #include "sound/mix/heard.h"
 
@@ -56,8 +57,9 @@ void run(const ReportCommand& command, CommandContext& context) {
     }
     if (!command.plot.empty()) {
         write_drawing({command.plot, command.drawing.width},
-                      pipeline::report_plot_svg(input.shot, timeline,
-                                                page_of(command.drawing.page, command.plot)));
+                      pipeline::report_plot_svg(
+                          input.shot, timeline, page_of(command.drawing.page, command.plot),
+                          pipeline::film_levels(input.shot, timeline, {{}, context.stop})));
     }
 }
 

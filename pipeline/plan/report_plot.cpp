@@ -15,6 +15,8 @@ namespace {
 constexpr double kTop = 24;          // of the upper panel, mm
 constexpr double kSpeedHeight = 92;  // of the panels
 constexpr double kEnergyHeight = 44;
+constexpr double kSoundHeight = 30;
+constexpr double kQuietest = -80;  // dB of full scale, at the bottom
 constexpr double kBetween = 12;
 constexpr double kNearestLines = 6.5;  // distance of a panel's grid lines
 constexpr double kTolerance = 0.02;    // of curves
@@ -23,11 +25,12 @@ constexpr double kStill = 1e-3;        // m/s
 /// A panel of the plot, with values increasing upwards.
 struct Panel {
     double top = 0, height = 1;  // mm
-    double highest = 1;          // value at the top; 0 is at the bottom
+    double highest = 1;          // value at the top
     bool is_square_root = false;
+    double lowest = 0;  // value at the bottom; 0 on a square-root scale
 
     [[nodiscard]] double at(double value) const {
-        const double fraction = std::clamp(value / highest, 0.0, 1.0);
+        const double fraction = std::clamp((value - lowest) / (highest - lowest), 0.0, 1.0);
         return top + height * (1 - (is_square_root ? std::sqrt(fraction) : fraction));
     }
     [[nodiscard]] double bottom() const { return top + height; }
@@ -37,10 +40,11 @@ struct Panel {
 std::vector<double> grid_of(const Panel& panel) {
     std::vector<double> values;
     if (!panel.is_square_root) {
-        const double step = round_number(panel.highest * kNearestLines / panel.height);
-        const int lines = static_cast<int>(panel.highest * (1 + 1e-9) / step);
+        const double range = panel.highest - panel.lowest;
+        const double step = round_number(range * kNearestLines / panel.height);
+        const int lines = static_cast<int>(range * (1 + 1e-9) / step);
         for (int i = 1; i <= lines; ++i) {
-            values.push_back(i * step);
+            values.push_back(panel.lowest + i * step);
         }
         return values;
     }
@@ -71,7 +75,7 @@ void draw_panel(SvgText& svg, const Panel& panel, const TimeAxis& axis, const st
               {"y", svg_number(panel.top - 3)}});
     std::string lines;
     std::vector<double> values = grid_of(panel);
-    values.push_back(0);
+    values.push_back(panel.lowest);
     for (const double value : values) {
         const double y = panel.at(value);
         lines += (lines.empty() ? "" : " ") + svg_path({{kAxisLeft, y}, {kAxisRight, y}}, false);
@@ -286,9 +290,33 @@ void draw_energy(PlanDrawing& plan, const TimeAxis& axis, double top) {
     plan.svg.close();
 }
 
+/// How loud the film is, over its own time. Returns the y below its axis.
+double draw_sound(SvgText& svg, const FilmLevels& sound, double top) {
+    const TimeAxis axis{0, sound.length};
+    const Panel panel{top, kSoundHeight, 0, false, kQuietest};
+    std::vector<Vec2> curve;
+    for (std::size_t i = 0; i < sound.decibels.size(); ++i) {
+        const double y = panel.at(std::max(sound.decibels[i], kQuietest));
+        const double from = FilmLevels::kInterval * static_cast<double>(i);
+        curve.emplace_back(axis.at(from), y);
+        curve.emplace_back(axis.at(std::min(from + FilmLevels::kInterval, sound.length)), y);
+    }
+    std::vector<Vec2> area = curve;
+    area.insert(area.begin(), {area.front().x, panel.bottom()});
+    area.emplace_back(area.back().x, panel.bottom());
+    svg.open("g", {{"id", "sound"}});
+    draw_panel(svg, panel, axis, "sound, dB of full scale", "over the time of the film");
+    svg.leaf("path", {{"class", "area"}, {"d", svg_path(area, true)}});
+    svg.leaf("path", {{"class", "kinetic"}, {"d", svg_path(curve, false)}});
+    draw_time_axis(svg, axis, panel.bottom() + 2, "film");
+    svg.close();
+    return panel.bottom() + 6;
+}
+
 }  // namespace
 
-std::string report_plot_svg(const Shot& shot, const sim::Timeline& timeline, PlanPage page) {
+std::string report_plot_svg(const Shot& shot, const sim::Timeline& timeline, PlanPage page,
+                            const FilmLevels& sound) {
     PlanDrawing plan{shot,
                      timeline,
                      {},
@@ -299,7 +327,9 @@ std::string report_plot_svg(const Shot& shot, const sim::Timeline& timeline, Pla
                      LabelPlacer({}),
                      SvgText(SvgText::Kind::fragment)};
     plan.svg.text("text", shot.name, {{"class", "title"}, {"x", svg_number(kMargin)}, {"y", "13"}});
-    plan.svg.text("text", "speed and energy over scene time",
+    plan.svg.text("text",
+                  sound.decibels.empty() ? "speed and energy over scene time"
+                                         : "speed and energy over scene time, sound over film time",
                   {{"class", "end faint"}, {"x", svg_number(kPageWidth - kMargin)}, {"y", "13"}});
     const TimeAxis axis{timeline.start_time, timeline.end_time};
     const std::vector<ColourRamp> ramps = ramps_of(plan);
@@ -309,6 +339,9 @@ std::string report_plot_svg(const Shot& shot, const sim::Timeline& timeline, Pla
     y += kEnergyHeight + 2;
     y = draw_event_marks(plan.svg, axis, plan.events.events, y);
     draw_time_axis(plan.svg, axis, y, "scene");
+    if (!sound.decibels.empty()) {
+        y = draw_sound(plan.svg, sound, y + kBetween + 3);
+    }
     y = draw_names(plan, ramps, y + 6) + 4;
     y = draw_event_list(plan, y) + 6;
     return svg_page(plan.svg.finish(), shot.name + ": speed and energy", page, y);

@@ -10,6 +10,7 @@
 #include "pipeline/plan/report_plot.h"
 #include "pipeline/report/report_of_shot.h"
 #include "pipeline/report/report_text.h"
+#include "pipeline/sound/film_levels.h"
 #include "pipeline/video/picture_kind.h"
 
 namespace carom::studio {
@@ -79,7 +80,8 @@ std::string draw_document(const DocumentKind& kind, const pipeline::Shot& shot,
         return pipeline::plan_svg(shot, timeline);
     }
     if (kind.what == "plot") {
-        return pipeline::report_plot_svg(shot, timeline);
+        return pipeline::report_plot_svg(shot, timeline, pipeline::PlanPage::automatic,
+                                         pipeline::film_levels(shot, timeline));
     }
     return pipeline::report_text(pipeline::report_of_shot(shot, timeline));
 }

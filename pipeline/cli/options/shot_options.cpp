@@ -117,8 +117,8 @@ void describe(ReportCommand& command, CommandDescription& description) {
                      "impacts are heard.");
     description
         .option("--plot", &command.plot, "FILE",
-                "Draw the speeds and the energy over time, as .svg or .png. Without -o and --json "
-                "only the drawing is written.")
+                "Draw the speeds and the energy over time, and how loud the film is, as .svg or "
+                ".png. Without -o and --json only the drawing is written.")
         .offers(Offer::files);
     add_drawing(description, command.drawing);
     add_cache(description, command.cache);

@@ -1,6 +1,7 @@
 // Tests of complete drawings of baked shots.
 #include "pipeline/plan/plan_svg.h"
 
+#include <limits>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -92,6 +93,19 @@ TEST(ReportPlot, MasseShot_HasACurveForEachMovingBall) {
     EXPECT_THAT(svg, HasSubstr("class=\"kinetic\""));
     EXPECT_THAT(svg, Not(HasSubstr("prefers-color-scheme")));
     EXPECT_EQ(svg, report_plot_svg(masse.shot, masse.timeline, PlanPage::dark));
+}
+
+TEST(ReportPlot, Sound_IsAPanelOverTheFilmsTime) {
+    const Baked masse = example("masse");
+    FilmLevels sound;
+    sound.length = 0.12;
+    sound.decibels = {-std::numeric_limits<double>::infinity(), -36, 0};
+    const std::string svg = report_plot_svg(masse.shot, masse.timeline, PlanPage::dark, sound);
+    expect_well_formed(svg);
+    EXPECT_THAT(svg, HasSubstr(">sound, dB of full scale<"));
+    EXPECT_THAT(svg, HasSubstr(">-80<"));
+    EXPECT_THAT(report_plot_svg(masse.shot, masse.timeline, PlanPage::dark),
+                Not(HasSubstr(">sound, dB of full scale<")));
 }
 
 TEST(ReportPlot, EmptyTimeline_GivesAValidDocument) {

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "pipeline/sound/film_levels.h"
 #include "pipeline/video/sound_length.h"
 #include "sound/mix/heard.h"
 #include "sound/source/defaults.h"
@@ -105,6 +106,30 @@ TEST(FilmScene, AnImpact_IsHeardWhenTheFilmShowsIt) {
     ASSERT_EQ(part.size(), 1U);
     EXPECT_NEAR(part[0].film_time, 0.5, 1e-12);
     EXPECT_TRUE(sound::heard(film_scene(shot, timeline, 0, 37)).empty());
+}
+
+TEST(FilmLevels, AnImpact_IsLoudWhereTheFilmShowsIt) {
+    Shot shot = small_shot();
+    shot.sound.room.kind = sound::RoomSettings::Kind::none;
+    sim::Timeline timeline;
+    timeline.end_time = 2;
+    sim::Event impact;
+    impact.time = 1.52;
+    impact.a = "cue";
+    impact.b = "cushion";
+    impact.normal = {-1, 0, 0};
+    impact.place = {0.03, 0, 0.03};
+    impact.normal_impulse = 1;
+    timeline.events.push_back(impact);
+    const FilmLevels levels = film_levels(shot, timeline);
+    EXPECT_EQ(levels.length, 2);
+    ASSERT_EQ(levels.decibels.size(), 40U);
+    EXPECT_TRUE(std::isinf(levels.decibels[29]));
+    EXPECT_GT(levels.decibels[30], -30);
+    EXPECT_LT(levels.decibels[30], 0);
+    EXPECT_LT(levels.decibels[31], levels.decibels[30]);
+    shot.sound.is_silent = true;
+    EXPECT_TRUE(film_levels(shot, timeline).decibels.empty());
 }
 
 TEST(FilmScene, SilentShot_HasNoPassages) {
