@@ -27,12 +27,17 @@ export async function check({ page, path, folder, carom }) {
     await page.getByText('it never rises between force events').waitFor();
     await tab('Speeds and energy');
     await page.waitForFunction(() => document.querySelector('img.plot')?.naturalWidth > 0);
+    const plot = await page.locator('img.plot').getAttribute('src');
     // Looking at the contact sheet saves nothing and renders nothing.
     await page.evaluate(() => window.studio.edit.applyChanges(
         [{ path: ['render', 'size'], value: [320, 180] }, { path: ['render', 'samples'], value: 4 }],
         'Make it smaller'));
     await page.evaluate(() => window.studio.idle());
-    await page.getByText('Stop').waitFor({ state: 'detached' }); // the speeds of the newer motion
+    await page.waitForFunction((old) => { // the speeds of the newer motion
+        const shown = document.querySelector('img.plot');
+        return shown !== null && shown.getAttribute('src') !== old;
+    }, plot);
+    await page.getByText('Stop').waitFor({ state: 'detached' });
     const saved = readFileSync(path, 'utf8');
     await tab('Contact sheet');
     await page.getByText('have to be rendered').waitFor();
