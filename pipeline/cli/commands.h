@@ -235,8 +235,7 @@ struct SoundCommand {
 };
 void describe(SoundCommand& command, CommandDescription& description);
 void run(const SoundCommand& command, CommandContext& context);
-/// The same for a file that is not a .wav: only carom-film has the encoders.
-void run_with_encoders(const SoundCommand& command, CommandContext& context);
+/// Whether the file is not a .wav: only carom-film has the encoders.
 [[nodiscard]] bool needs_encoder(const SoundCommand& command);
 
 /// Writes a new shot from a template.

@@ -21,6 +21,7 @@
 #include "pipeline/sequence/sequence_scene.h"
 #include "pipeline/sound/film_scene.h"
 #include "sound/file/wav_file.h"
+#include "sound/group_names.h"
 
 namespace carom::cli {
 
@@ -115,9 +116,6 @@ void copy_all(sound::FilmSound& source, SoundFile* file, const WorkContext& work
     }
 }
 
-constexpr std::array<const char*, sound::kGroupCount> kGroupNames{
-    "balls", "cushions", "cloth", "stick", "pockets", "objects", "rolling"};
-
 /// Writes a file for each group.
 void write_stems(const SoundCommand& command, const sound::SoundScene& scene, double full_scale,
                  const WorkContext& work, const SoundFileMaker& make) {
@@ -129,7 +127,8 @@ void write_stems(const SoundCommand& command, const sound::SoundScene& scene, do
     fixed.loudness.reset();
     for (std::size_t i = 0; i < sound::kGroupCount; ++i) {
         sound::FilmSound stem(fixed, {static_cast<sound::Group>(i)}, work);
-        const std::string path = (fs::path(command.stems) / (kGroupNames[i] + extension)).string();
+        const std::string path =
+            (fs::path(command.stems) / (std::string(sound::kGroupNames[i]) + extension)).string();
         copy_all(stem, make(path, stem.frames()).get(), work);
         print_path(path);
     }

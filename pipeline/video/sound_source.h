@@ -7,9 +7,11 @@
 #include <cstdint>
 #include <span>
 
+#include "sound/sound_scene.h"
+
 namespace carom::pipeline {
 
-inline constexpr int kSoundRate = 48000;  // samples of each channel per second, of all sound
+inline constexpr int kSoundRate = sound::kSampleRate;  // samples of each channel per second
 
 /// The number of samples that callers read at once, where nothing else decides.
 inline constexpr std::size_t kSoundBlock = 1024;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "pipeline/config/value_types.h"
+#include "sound/group_names.h"
 
 namespace carom::pipeline::config {
 
@@ -15,21 +16,15 @@ constexpr double kFarthest = 1e6;  // m
 constexpr double kQuietest = -120;
 constexpr double kLoudest = 60;  // dB
 
-struct GroupKey {
-    const char* name;
-    const char* description;
-};
-
-/// In the order of sound::Group.
-constexpr std::array<GroupKey, sound::kGroupCount> kGroups{{
-    {"balls", "balls that touch balls"},
-    {"cushions", "balls that touch cushions"},
-    {"cloth", "what falls on the bed of the table"},
-    {"stick", "strikes"},
-    {"pockets", "balls that touch pockets"},
-    {"objects", "all other contacts"},
-    {"rolling", "balls that roll or slide on the cloth"},
-}};
+/// What the groups are, in the order of sound::kGroupNames.
+constexpr std::array<std::string_view, sound::kGroupCount> kGroups{
+    "balls that touch balls",
+    "balls that touch cushions",
+    "what falls on the bed of the table",
+    "strikes",
+    "balls that touch pockets",
+    "all other contacts",
+    "balls that roll or slide on the cloth"};
 
 ValueType<double> gain() {
     return quantity(Dimension::level, between(kQuietest, kLoudest));
@@ -86,8 +81,8 @@ MapSpec<CameraSound> make_mix_spec(const char* name, const char* description, bo
     MapSpec<CameraSound> s(name, description);
     for (std::size_t i = 0; i < kGroups.size(); ++i) {
         s.set(
-            kGroups[i].name, gain(),
-            [i](CameraSound& sound, double level) { sound.mix[i] = level; }, kGroups[i].description,
+            sound::kGroupNames[i], gain(),
+            [i](CameraSound& sound, double level) { sound.mix[i] = level; }, kGroups[i],
             has_defaults ? gain().show(sound::PassageSettings{}.mix[i]) : "");
     }
     return s;
