@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/progress.h"
 #include "pipeline/config/problem.h"
 #include "pipeline/config/shot_source.h"
 #include "pipeline/shot/shot.h"
@@ -35,6 +36,13 @@ namespace carom::pipeline {
 /// hear them. `source`: as above.
 [[nodiscard]] std::vector<Problem> sound_problems(const Shot& shot, const ShotSource* source,
                                                   const sim::Timeline& timeline);
+
+/// A warning if the shot asks for a loudness for which the limiter turns the loudest sounds down by
+/// more than 12 dB. Mixes the film's whole sound three times, 0.2 CPU s for each 10 s of film.
+/// `source`: as above. Throws Stopped.
+[[nodiscard]] std::vector<Problem> loudness_problems(const Shot& shot, const ShotSource* source,
+                                                     const sim::Timeline& timeline,
+                                                     const WorkContext& context = {});
 
 /// Warnings about cameras that are inside a ball, that are focused on an object behind them, that
 /// do not show the object at which they aim or on which they are focused (view_check.h), or that

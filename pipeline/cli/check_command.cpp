@@ -44,6 +44,9 @@ void check_motion(ShotInput& input, const CheckCommand& command, CommandContext&
     if (!pipeline::has_open_moments(input.shot)) {
         add(pipeline::camera_problems(input.shot, input.source.get(), bake->timeline));
         add(pipeline::sound_problems(input.shot, input.source.get(), bake->timeline));
+        WorkContext mixing;
+        mixing.stop = context.stop;
+        add(pipeline::loudness_problems(input.shot, input.source.get(), bake->timeline, mixing));
     }
     add(pipeline::annotation_problems(input.shot, input.source.get(), bake->timeline));
 }

@@ -1,4 +1,7 @@
 // Tests of the warnings about sound.
+#include <regex>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "pipeline/check/motion_check.h"
@@ -91,6 +94,43 @@ TEST(SoundCheck, BallThatRollsOverTheListener_IsNamedWithItsTime) {
     EXPECT_EQ(film.warnings(), "");
     film.shot.cameras[0].sound.listener = ListenerPlace{false, {0.5, 0, 0.03}, {0, 1, 0}};
     EXPECT_EQ(film.warnings(), "the listener is inside 'cue' at 1.471 s of the scene\n");
+}
+
+/// The sentences of the warnings about a loudness, a line each.
+std::string loudness_warnings(Film& film, double loudness) {
+    film.shot.sound.loudness = loudness;
+    std::string text;
+    for (const Problem& problem : loudness_problems(film.shot, nullptr, film.timeline)) {
+        EXPECT_EQ(problem.severity, Severity::warning);
+        text += problem.message + "\n";
+    }
+    return text;
+}
+
+TEST(SoundCheck, LoudnessThatTakesMuchLimiting_IsReportedWithOneThatDoesNot) {
+    Film film;
+    sim::Body other = film.shot.world.bodies[0];
+    other.name = "one";
+    film.shot.world.bodies.push_back(other);
+    film.shot.cameras[0].position = BezierPath{{{{0, -2, 1}, "", 0}}};
+    film.shot.cameras[0].target = BezierPath{{{{0, 0, 0}, "", 0}}};
+    for (sim::Event& impact : film.timeline.events) {
+        impact.b = "one";
+        impact.normal = {0, -1, 0};
+        impact.normal_impulse = 0.3;
+    }
+    const std::string warning = loudness_warnings(film, -10);
+    EXPECT_TRUE(std::regex_match(
+        warning, std::regex("for -10 LUFS the loudest sounds are turned down by [0-9]+\\.[0-9] dB; "
+                            "with more than 12 dB they sound dull, which -[0-9]+ LUFS would "
+                            "avoid\n")))
+        << warning;
+    const double avoids = std::stod(warning.substr(warning.rfind("which ") + 6));
+    EXPECT_LT(avoids, -10);
+    EXPECT_EQ(loudness_warnings(film, avoids), "");
+    EXPECT_NE(loudness_warnings(film, avoids + 2), "");
+    film.shot.sound.is_silent = true;
+    EXPECT_EQ(loudness_warnings(film, -10), "");
 }
 
 TEST(SoundCheck, SilentFilm_HasNoWarning) {
