@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "sound/mix/film_sound.h"
+#include "sound/sound_scene.h"
 
 namespace carom::studio {
 
@@ -26,24 +26,35 @@ void append_sample(std::string& bytes, double value) {
     bytes.push_back(static_cast<char>(number >> 8U));
 }
 
-/// The next samples, at most `count`, as 16-bit numbers of both channels by turns.
-std::string next_piece(sound::FilmSound& source, std::size_t count, const std::stop_token& stop) {
+/// The next `count` samples, as 16-bit numbers of both channels by turns: silence after the end of
+/// the source, which may be a film's music alone.
+std::string next_piece(pipeline::SoundSource& source, std::size_t count,
+                       const std::stop_token& stop) {
     constexpr std::size_t kBlock = 4096;
     std::vector<double> left(kBlock);
     std::vector<double> right(kBlock);
     std::string bytes;
+    bool has_ended = false;
     while (count > 0) {
         if (stop.stop_requested()) {
             throw Stopped();
         }
         const std::size_t wanted = std::min(count, kBlock);
-        const std::size_t got =
-            source.read(std::span(left).first(wanted), std::span(right).first(wanted));
+        std::size_t got = 0;
+        if (!has_ended) {
+            got = source.read(std::span(left).first(wanted), std::span(right).first(wanted));
+            has_ended = got == 0;
+        }
+        if (has_ended) {
+            left.assign(kBlock, 0);
+            right.assign(kBlock, 0);
+            got = wanted;
+        }
         for (std::size_t i = 0; i < got; ++i) {
             append_sample(bytes, left[i]);
             append_sample(bytes, right[i]);
         }
-        count = got < wanted ? 0 : count - got;
+        count -= got;
     }
     return bytes;
 }
@@ -136,7 +147,7 @@ class LiveSound::Worker {
 
     void compute(const Film& film) {
         const HeardFilm heard = film.make();
-        const double seconds = static_cast<double>(heard.scene.frames) / sound::kSampleRate;
+        const double seconds = static_cast<double>(heard.samples) / sound::kSampleRate;
         if (!heard.reason.empty()) {
             return tell_reason(film, heard.reason);
         }
@@ -145,16 +156,17 @@ class LiveSound::Worker {
                                "the film is longer than the studio plays; 'carom sound' writes its "
                                "sound to a file");
         }
-        sound::FilmSound source(heard.scene, {}, WorkContext{.stop = film.stop});
+        const std::unique_ptr<pipeline::SoundSource> source = heard.make(film.stop);
         SoundState state{.v = film.v,
                          .rate = static_cast<int>(sound::kSampleRate),
-                         .samples = source.frames(),
+                         .samples = heard.samples,
                          .piece = options_.piece};
         while (state.ready < state.samples) {
+            const std::int64_t count = std::min(options_.piece, state.samples - state.ready);
             const auto bytes = std::make_shared<const std::string>(
-                next_piece(source, static_cast<std::size_t>(options_.piece), film.stop));
+                next_piece(*source, static_cast<std::size_t>(count), film.stop));
             state.address = add(film, bytes, state.ready == 0);
-            state.ready = source.position();
+            state.ready += count;
             send_(film.opening, state);
         }
     }

@@ -1,6 +1,7 @@
 // The sound of the film that is open: its pieces, and what replaces them.
 #include "pipeline/studio/live_sound.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <condition_variable>
@@ -9,6 +10,7 @@
 #include <fstream>
 #include <limits>
 #include <mutex>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -19,7 +21,9 @@
 #include <unistd.h>
 
 #include "pipeline/config/load_shot.h"
+#include "pipeline/sound/film_scene.h"
 #include "sim/bake.h"
+#include "sound/file/wav_file.h"
 #include "sound/mix/film_sound.h"
 
 namespace carom::studio {
@@ -121,7 +125,7 @@ TEST_F(LiveSoundTest, Pieces_AreTheSamplesOfTheFilm) {
     EXPECT_EQ(states_.front().ready, 10'001);
     EXPECT_EQ(states_.front().address, state.address);
 
-    sound::FilmSound source(heard_film(*film.shot, *film.timeline).scene);
+    sound::FilmSound source(pipeline::film_scene(*film.shot, *film.timeline, 0, 24));
     std::vector<double> left(48'000);
     std::vector<double> right(48'000);
     ASSERT_EQ(source.read(left, right), left.size());
@@ -176,7 +180,7 @@ TEST_F(LiveSoundTest, WorkOnAnOldFilm_IsStopped) {
     // A film of hours would keep the thread for minutes.
     sound_->set(1, 1, [film] {
         HeardFilm all = heard_film(*film.shot, *film.timeline);
-        all.scene.frames = std::int64_t{48'000} * 3'600 * 100;
+        all.samples = std::int64_t{48'000} * 3'600 * 100;
         return all;
     });
     sound_->set(1, 2, heard(film));
@@ -197,6 +201,53 @@ TEST_F(LiveSoundTest, FilmWithoutSound_HasAReason) {
     EXPECT_EQ(last_of(3).reason, "a reason");
 }
 
+/// Reads a sound to its end; returns its length.
+std::size_t read_all(pipeline::SoundSource& source, std::span<double> left,
+                     std::span<double> right) {
+    std::size_t count = 0;
+    while (const std::size_t got = source.read(left.subspan(count), right.subspan(count))) {
+        count += got;
+    }
+    return count;
+}
+
+/// A .wav file of half a second with the number 0.25 in both channels, and its path.
+std::string constant_music() {
+    const std::string path = (std::filesystem::temp_directory_path() /
+                              ("carom_live_music_" + std::to_string(getpid()) + ".wav"))
+                                 .string();
+    sound::WavFile writer(path, 24'000);
+    const std::vector<double> channel(24'000, 0.25);
+    writer.write(channel, channel);
+    writer.finish();
+    return path;
+}
+
+TEST_F(LiveSoundTest, Music_IsHeardUnderTheSoundOrAlone) {
+    const std::string file = constant_music();
+    start();
+    const std::string music = "output: {music: {file: " + file + "}}\n";
+    sound_->set(1, 1, heard(bake(kShot + "sound: none\n" + music)));
+    const SoundState alone = last_of(1);
+    EXPECT_EQ(alone.reason, "");
+    EXPECT_EQ(alone.samples, 48'000);
+    std::vector<std::int16_t> got = numbers(alone);
+    ASSERT_EQ(got.size(), 96'000U);
+    EXPECT_NEAR(got[20'000], 0.25 * 32767, 1);
+    EXPECT_EQ(got[2 * 24'000], 0) << "after the music's end";
+    sound_->set(1, 2, heard(bake(kShot + music)));
+    got = numbers(last_of(2));
+    EXPECT_NEAR(got[100], 0.25 * 32767, 1) << "before the impact";
+    const auto loudest = std::ranges::max(got);
+    EXPECT_GT(loudest, 0.4 * 32767);
+    sound_->set(1, 3, heard(bake(kShot + "output: {music: " + file + ", audio: none}\n")));
+    EXPECT_THAT(last_of(3).reason, HasSubstr("audio: none"));
+    const Baked film = bake(kShot + music);
+    std::filesystem::remove(file);
+    sound_->set(1, 4, heard(film));
+    EXPECT_THAT(last_of(4).reason, HasSubstr(file));
+}
+
 TEST(HeardFilm, OfSeveralShots_NeedsTheMotionOfAll) {
     const Baked film = bake(kShot);
     SequenceAnswer answer;
@@ -214,8 +265,16 @@ TEST(HeardFilm, OfSeveralShots_NeedsTheMotionOfAll) {
     answer.timelines = {film.timeline, film.timeline};
     const HeardFilm both = heard_film(answer);
     EXPECT_EQ(both.reason, "");
-    EXPECT_EQ(both.scene.shots.size(), 2U);
-    EXPECT_EQ(both.scene.frames, 96'000);
+    EXPECT_EQ(both.samples, 96'000);
+    std::vector<double> left(100'000);
+    std::vector<double> right(left.size());
+    EXPECT_EQ(read_all(*both.make({}), left, right), 96'000U);
+    const auto loudest_of = [&](std::size_t first) {
+        return *std::max_element(left.begin() + static_cast<std::ptrdiff_t>(first),
+                                 left.begin() + static_cast<std::ptrdiff_t>(first) + 48'000);
+    };
+    EXPECT_GT(loudest_of(0), 0.2);
+    EXPECT_NEAR(loudest_of(48'000), loudest_of(0), 0.05);
     answer.timelines[1] = nullptr;
     EXPECT_THAT(heard_film(answer).reason, HasSubstr("long to simulate"));
 }
