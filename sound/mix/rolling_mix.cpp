@@ -135,7 +135,7 @@ class RollingMix::PassageRolling {
         std::optional<PassageBlock> shown;  // made only if something sounds
         for (SourceState& state : states_) {
             std::array<double, kBlock> pressure{};
-            if (state.source.sounds(from, to)) {
+            if (from != to && state.source.sounds(from, to)) {  // nothing rolls in a still picture
                 if (!shown) {
                     shown.emplace(passage_, block, kBlock);
                 }

@@ -7,6 +7,18 @@
 #include "sound/space/room.h"
 
 namespace carom::sound {
+namespace {
+
+/// `samples` begins with the one before those that are added. `sums` overlaps nothing of it, which
+/// lets the compiler use vectors.
+void add_filtered(const BusInput& input, const double* samples, std::span<double> sums) {
+    double* __restrict sum = sums.data();
+    for (std::size_t n = 0; n < sums.size(); ++n) {
+        sum[n] += input.direct * samples[n + 1] + input.previous * samples[n];
+    }
+}
+
+}  // namespace
 
 ShotBus::ShotBus(const RoomSettings& room, bool is_mono)
     : is_mono_(is_mono), reverberation_(room), quiet_for_(kRing) {
@@ -39,11 +51,11 @@ void ShotBus::add(const BusInput& input, std::span<const double> samples) {
     if (line.ring.empty()) {
         line.ring.assign(kRing, 0);
     }
-    std::size_t place = (at_ + input.delay) % kRing;
-    for (std::size_t n = 0; n < kBlock; ++n) {
-        line.ring[place] += input.direct * samples[n + 1] + input.previous * samples[n];
-        place = place + 1 == kRing ? 0 : place + 1;
-    }
+    const std::size_t place = (at_ + input.delay) % kRing;
+    const std::size_t before_end = std::min(kBlock, kRing - place);
+    const std::span<double> ring(line.ring);
+    add_filtered(input, samples.data(), ring.subspan(place, before_end));
+    add_filtered(input, samples.data() + before_end, ring.first(kBlock - before_end));
 }
 
 void ShotBus::take(Line& line, const Key& key, std::span<double> channel) {

@@ -40,10 +40,10 @@ Stretch stretch(double first, double step, std::size_t count, double from, doubl
     return {begin, std::max(begin, end)};
 }
 
-/// Adds Re(amplitude e^{pole i step}) for i = 0, 1, 2 ... Four numbers are kept at a time, each of
-/// which advances by four steps, since one product would have to wait for the one before.
+/// Adds Re(amplitude e^{pole i step}) for i = 0, 1, 2 ... Eight numbers are kept at a time, each of
+/// which advances by eight steps, since one product would have to wait for the one before.
 void add_ring(Complex amplitude, Complex pole, double step, std::span<double> pressures) {
-    constexpr std::size_t kLanes = 4;
+    constexpr std::size_t kLanes = 8;
     std::array<double, kLanes> re{};
     std::array<double, kLanes> im{};
     const Complex turn = exponential(step * pole);
@@ -53,7 +53,9 @@ void add_ring(Complex amplitude, Complex pole, double step, std::span<double> pr
         im[lane] = state.im;
         state = state * turn;
     }
-    const Complex turns = (turn * turn) * (turn * turn);
+    const Complex two_turns = turn * turn;
+    const Complex four_turns = two_turns * two_turns;
+    const Complex turns = four_turns * four_turns;
     std::size_t i = 0;
     for (; i + kLanes <= pressures.size(); i += kLanes) {
         double* out = &pressures[i];
