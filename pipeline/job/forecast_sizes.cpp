@@ -241,7 +241,7 @@ bool has_sequences(const Shot& shot, const std::string& output) {
         return false;
     }
     const Codec codec = codec_for(shot.output, output);
-    return codec != Codec::prores && codec != Codec::ffv1;
+    return !info(codec).is_intra_only;
 }
 
 double usual_store_bytes_per_pixel(const Shot& shot) {

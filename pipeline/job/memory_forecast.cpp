@@ -69,6 +69,8 @@ double encoder_bytes_per_pixel(Codec codec, const OutputSettings& output) {
         case Codec::ffv1:
             return 145;
         case Codec::prores:
+        case Codec::mjpeg:
+        case Codec::uncompressed:
             return 20;
     }
     return 0;

@@ -16,13 +16,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kMediaTypes{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kMediaTypes{{
     {".svg", "image/svg+xml"},
     {".png", "image/png"},
     {".mp4", "video/mp4"},
     {".mov", "video/quicktime"},
     {".mkv", "video/x-matroska"},
     {".webm", "video/webm"},
+    {".avi", "video/x-msvideo"},
 }};
 
 std::vector<std::string> config_folders() {

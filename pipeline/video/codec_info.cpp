@@ -16,8 +16,29 @@ constexpr std::array kCodecs{
     CodecInfo{Codec::hevc, "hevc", ".mp4", "libx265", 8, true, 20, 51, true, true, true},
     CodecInfo{Codec::av1, "av1", ".mp4", "libaom-av1", 8, true, 24, 63, true, true, true},
     CodecInfo{Codec::vp9, "vp9", ".webm", "libvpx-vp9", 8, true, 24, 63, true, true, true},
-    CodecInfo{Codec::prores, "prores", ".mov", "prores_ks", 10, false, 0, 0, true, false, false},
-    CodecInfo{Codec::ffv1, "ffv1", ".mkv", "ffv1", 16, false, 0, 0, false, false, false},
+    CodecInfo{.codec = Codec::prores,
+              .name = "prores",
+              .extension = ".mov",
+              .encoder = "prores_ks",
+              .bits = 10,
+              .halves_width = true,
+              .is_intra_only = true},
+    CodecInfo{.codec = Codec::ffv1,
+              .name = "ffv1",
+              .extension = ".mkv",
+              .encoder = "ffv1",
+              .bits = 16,
+              .is_intra_only = true},
+    CodecInfo{.codec = Codec::mjpeg,
+              .name = "mjpeg",
+              .extension = ".avi",
+              .encoder = "mjpeg",
+              .is_intra_only = true},
+    CodecInfo{.codec = Codec::uncompressed,
+              .name = "uncompressed",
+              .extension = ".avi",
+              .encoder = "rawvideo",
+              .is_intra_only = true},
 };
 
 }  // namespace
@@ -44,7 +65,7 @@ Codec codec_for(const OutputSettings& output, const std::string& path) {
         return Codec::hevc;
     }
     const Container* container = find_container(path);
-    return container != nullptr && !container->holds(Codec::h264) ? Codec::vp9 : Codec::h264;
+    return container != nullptr ? container->video : Codec::h264;
 }
 
 int bits_of(const OutputSettings& output, Codec codec) {

@@ -21,6 +21,7 @@ struct CodecInfo {
     bool halves_width = false;
     bool halves_height = false;  // both: of the colour planes
     bool has_levels = false;     // whose maximum is 35.6 million pixels per picture
+    bool is_intra_only = false;  // every picture is coded by itself
 };
 
 [[nodiscard]] std::span<const CodecInfo> codecs();
@@ -30,7 +31,7 @@ struct CodecInfo {
 [[nodiscard]] std::string to_string(Codec codec);
 
 /// The codec that the settings name. If they name none: hevc for hdr10, otherwise the usual codec
-/// of the path's extension, which is vp9 for .webm and h264 for all others.
+/// of the path's extension (container.h), which is h264 for most.
 [[nodiscard]] Codec codec_for(const OutputSettings& output, const std::string& path);
 
 /// Bits per channel of a film in this codec.

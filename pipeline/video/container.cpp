@@ -23,15 +23,19 @@ constexpr unsigned bits(std::initializer_list<T> codecs) {
 // would move all times: the first picture would be shown 21 ms late. (Measured with libavformat
 // 59.27; Opus states these samples in the stream itself.)
 constexpr std::array kContainers{
-    Container{".mp4", "mp4", bits({Codec::h264, Codec::hevc, Codec::av1, Codec::vp9}),
+    Container{".mp4", "mp4", bits({Codec::h264, Codec::hevc, Codec::av1, Codec::vp9}), Codec::h264,
               bits({AudioCodec::aac}), AudioCodec::aac},
-    Container{".mov", "mov", bits({Codec::h264, Codec::hevc, Codec::prores}),
+    Container{".mov", "mov", bits({Codec::h264, Codec::hevc, Codec::prores}), Codec::h264,
               bits({AudioCodec::aac, AudioCodec::pcm}), AudioCodec::aac},
     Container{".mkv", "matroska",
               bits({Codec::h264, Codec::hevc, Codec::av1, Codec::vp9, Codec::prores, Codec::ffv1}),
-              bits({AudioCodec::opus, AudioCodec::flac, AudioCodec::pcm}), AudioCodec::flac},
-    Container{".webm", "webm", bits({Codec::vp9, Codec::av1}), bits({AudioCodec::opus}),
+              Codec::h264, bits({AudioCodec::opus, AudioCodec::flac, AudioCodec::pcm}),
+              AudioCodec::flac},
+    Container{".webm", "webm", bits({Codec::vp9, Codec::av1}), Codec::vp9, bits({AudioCodec::opus}),
               AudioCodec::opus},
+    // The times of pictures that are not in order (H.264 and its like) cannot be stated in AVI.
+    Container{".avi", "avi", bits({Codec::mjpeg, Codec::uncompressed}), Codec::mjpeg,
+              bits({AudioCodec::pcm}), AudioCodec::pcm},
 };
 
 /// "NAME: .mp4, .mov; NAME: .mkv", for what codec_info.h or audio_codec_info.h lists.

@@ -14,6 +14,7 @@ struct Container {
     std::string_view extension;  // ".mp4"
     std::string_view muxer;      // the container's name in libavformat
     unsigned codecs = 0;         // one bit per codec
+    Codec video{};               // the usual one
     unsigned audio_codecs = 0;   // likewise, of the sound
     AudioCodec audio{};          // the usual one
 
@@ -32,7 +33,7 @@ struct Container {
 /// The container that the path's extension names (in any case), or nullptr.
 [[nodiscard]] const Container* find_container(const std::string& path);
 
-/// "h264: .mp4, .mov, .mkv; ...; ffv1: .mkv"
+/// "h264: .mp4, .mov, .mkv; ...; uncompressed: .avi"
 [[nodiscard]] std::string list_containers();
 
 /// "aac: .mp4, .mov; opus: ..."

@@ -70,6 +70,12 @@ void fill_frame(AVFrame& frame, std::span<const std::uint16_t> rgb) {
             convert_to_yuv10(rgb, frame.width, frame.height, coding,
                              yuv_planes<std::uint16_t>(frame));
             return;
+        case AV_PIX_FMT_YUVJ444P:
+            convert_to_jpeg_yuv(rgb, frame.width, frame.height, yuv_planes<std::uint8_t>(frame));
+            return;
+        case AV_PIX_FMT_BGR24:
+            convert_to_bgr24(rgb, frame.width, frame.height, plane<std::uint8_t>(frame, 0));
+            return;
         default:
             CAROM_ASSERT(frame.format == AV_PIX_FMT_GBRP16);
             split_channels(rgb, frame.width, frame.height, plane<std::uint16_t>(frame, 2),

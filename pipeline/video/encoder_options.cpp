@@ -141,6 +141,29 @@ void set_ffv1(AVCodecContext& context, const std::string& path) {
     set_option(context, "slicecrc", "1", path);
 }
 
+/// JPEG's colour: that of ITU-R BT.601 in full range (ITU-T T.871), at every pixel. Quantisers of
+/// 2, the finest of the encoder's scale but one, give a PSNR of about 47 dB.
+void set_mjpeg(AVCodecContext& context) {
+    constexpr int kQuantiser = 2;
+    context.pix_fmt = AV_PIX_FMT_YUVJ444P;
+    context.color_trc = AVCOL_TRC_IEC61966_2_1;
+    context.colorspace = AVCOL_SPC_BT470BG;
+    context.color_range = AVCOL_RANGE_JPEG;
+    context.chroma_sample_location = AVCHROMA_LOC_UNSPECIFIED;
+    context.gop_size = 1;
+    context.flags |= AV_CODEC_FLAG_QSCALE;
+    context.global_quality = kQuantiser * FF_QP2LAMBDA;
+    context.thread_type = FF_THREAD_FRAME;  // slices would put other bytes into the file
+}
+
+void set_uncompressed(AVCodecContext& context) {
+    context.pix_fmt = AV_PIX_FMT_BGR24;
+    context.color_trc = AVCOL_TRC_IEC61966_2_1;
+    context.colorspace = AVCOL_SPC_RGB;
+    context.color_range = AVCOL_RANGE_JPEG;
+    context.chroma_sample_location = AVCHROMA_LOC_UNSPECIFIED;
+}
+
 }  // namespace
 
 void set_encoder_options(AVCodecContext& context, Codec codec, const VideoFormat& format,
@@ -168,6 +191,12 @@ void set_encoder_options(AVCodecContext& context, Codec codec, const VideoFormat
             break;
         case Codec::ffv1:
             set_ffv1(context, path);
+            break;
+        case Codec::mjpeg:
+            set_mjpeg(context);
+            break;
+        case Codec::uncompressed:
+            set_uncompressed(context);
             break;
     }
 }

@@ -10,7 +10,7 @@ namespace carom::pipeline {
 /// ocio: the view of the OpenColorIO configuration that the environment variable OCIO names; raw:
 /// no conversion, for pictures that were computed in display values.
 enum class ViewTransform { srgb, filmic, agx, ocio, raw };
-enum class Codec { h264, hevc, av1, vp9, prores, ffv1 };
+enum class Codec { h264, hevc, av1, vp9, prores, ffv1, mjpeg, uncompressed };
 /// Of the sound. none: the film has no sound.
 enum class AudioCodec { aac, opus, flac, pcm, none };
 

@@ -20,9 +20,14 @@ struct Bt2020 {  // BT.2020-2, table 4, non-constant luminance
     static constexpr std::int64_t kRed = 2627, kGreen = 6780, kBlue = 593;
     static constexpr std::int64_t kBlueDifference = 18814, kRedDifference = 14746;
 };
+struct Bt601 {  // ITU-T T.871, 7
+    static constexpr std::int64_t kRed = 2990, kGreen = 5870, kBlue = 1140;
+    static constexpr std::int64_t kBlueDifference = 17720, kRedDifference = 14020;
+};
 constexpr std::int64_t kLumaSum = 10000;
 static_assert(Bt709::kRed + Bt709::kGreen + Bt709::kBlue == kLumaSum);
 static_assert(Bt2020::kRed + Bt2020::kGreen + Bt2020::kBlue == kLumaSum);
+static_assert(Bt601::kRed + Bt601::kGreen + Bt601::kBlue == kLumaSum);
 
 constexpr std::int64_t kWhite = 65535;  // of the input
 
@@ -112,6 +117,16 @@ void convert(std::span<const std::uint16_t> rgb, int width, int height, bool hal
     }
 }
 
+constexpr std::int64_t kFullRange = 255;
+
+/// 255 D + 128 for a difference of `numerator` / (`divisor` kWhite); the largest is 255.5.
+template <std::int64_t divisor>
+std::uint8_t full_range_difference(std::int64_t numerator, std::uint32_t threshold) {
+    const auto code =
+        quantised<std::int64_t, divisor * kWhite>(128, kFullRange * numerator, threshold);
+    return static_cast<std::uint8_t>(std::min(code, kFullRange));
+}
+
 }  // namespace
 
 void convert_to_yuv420(std::span<const std::uint16_t> rgb, int width, int height,
@@ -125,6 +140,42 @@ void convert_to_yuv10(std::span<const std::uint16_t> rgb, int width, int height,
         convert<Bt2020>(rgb, width, height, coding.halve_height, planes);
     } else {
         convert<Bt709>(rgb, width, height, coding.halve_height, planes);
+    }
+}
+
+void convert_to_jpeg_yuv(std::span<const std::uint16_t> rgb, int width, int height,
+                         const YuvPlanes<std::uint8_t>& planes) {
+    const std::uint16_t* pixel = rgb.data();
+    for (int y = 0; y < height; ++y) {
+        std::uint8_t* luma = planes.luma.data + y * planes.luma.stride;
+        std::uint8_t* blue = planes.blue_difference.data + y * planes.blue_difference.stride;
+        std::uint8_t* red = planes.red_difference.data + y * planes.red_difference.stride;
+        for (int x = 0; x < width; ++x, pixel += 3) {
+            const std::int64_t sum = luma_sum<Bt601>(pixel[0], pixel[1], pixel[2]);
+            const std::uint32_t threshold =
+                dither_threshold(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
+            luma[x] = quantised<std::uint8_t, kLumaDivisor>(0, kFullRange * sum, threshold);
+            blue[x] =
+                full_range_difference<Bt601::kBlueDifference>(kLumaSum * pixel[2] - sum, threshold);
+            red[x] =
+                full_range_difference<Bt601::kRedDifference>(kLumaSum * pixel[0] - sum, threshold);
+        }
+    }
+}
+
+void convert_to_bgr24(std::span<const std::uint16_t> rgb, int width, int height,
+                      PlaneView<std::uint8_t> pixels) {
+    const std::uint16_t* source = rgb.data();
+    for (int y = 0; y < height; ++y) {
+        std::uint8_t* written = pixels.data + y * pixels.stride;
+        for (int x = 0; x < width; ++x, source += 3, written += 3) {
+            const std::uint32_t threshold =
+                dither_threshold(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
+            for (int c = 0; c < 3; ++c) {
+                written[2 - c] =
+                    quantised<std::uint8_t, kWhite>(0, kFullRange * source[c], threshold);
+            }
+        }
     }
 }
 

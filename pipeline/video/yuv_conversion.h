@@ -38,6 +38,15 @@ struct YuvCoding {
 void convert_to_yuv10(std::span<const std::uint16_t> rgb, int width, int height, YuvCoding coding,
                       const YuvPlanes<std::uint16_t>& planes);
 
+/// Converts to 8-bit Y'CbCr of JPEG: BT.601's matrix in full range (ITU-T T.871, 7), with colour at
+/// every pixel. Dithered as above.
+void convert_to_jpeg_yuv(std::span<const std::uint16_t> rgb, int width, int height,
+                         const YuvPlanes<std::uint8_t>& planes);
+
+/// Converts to 8 bits a channel: blue, green and red of each pixel. Dithered as above.
+void convert_to_bgr24(std::span<const std::uint16_t> rgb, int width, int height,
+                      PlaneView<std::uint8_t> pixels);
+
 /// Copies the three channels, unchanged, into one plane each.
 void split_channels(std::span<const std::uint16_t> rgb, int width, int height,
                     PlaneView<std::uint16_t> red, PlaneView<std::uint16_t> green,

@@ -6,7 +6,8 @@ namespace carom::cli {
 namespace {
 
 constexpr const char* kFilmFile =
-    "The film (.mp4, .mov, .mkv, .webm) or pictures (shot.####.exr). The default is the shot's "
+    "The film (.mp4, .mov, .mkv, .webm, .avi) or pictures (shot.####.exr). The default is the "
+    "shot's "
     "name in the current folder.";
 
 constexpr const char* kRenderTier =

@@ -185,7 +185,7 @@ const MapSpec<OutputSettings>& output_spec() {
         }
         s.key("codec", &OutputSettings::codec, choice<Codec>(names),
               "codec of the video. The default depends on the file's extension: vp9 for .webm, "
-              "h264 for others (hevc with `hdr10`)");
+              "mjpeg for .avi, h264 for others (hevc with `hdr10`)");
         s.key("crf", &OutputSettings::crf, number(between(0, 63)),
               "constant rate factor: a lower value gives better quality and a larger file. Up to "
               "51 for h264 (default 18, which looks lossless) and hevc (default 20), up to 63 for "
@@ -194,16 +194,17 @@ const MapSpec<OutputSettings>& output_spec() {
               "mean bit rate, instead of a crf: 8 Mbit/s, 500 kbit/s, 8e6");
         s.key("bits", &OutputSettings::bits, integer(8, 10),
               "bits per channel, 8 or 10. The default is 8, or 10 with `hdr10`. prores always has "
-              "10, ffv1 16");
+              "10, ffv1 16, mjpeg and uncompressed 8");
         std::vector<std::pair<std::string, AudioCodec>> audio_names;
         for (const AudioCodecInfo& codec : audio_codecs()) {
             audio_names.emplace_back(codec.name, codec.codec);
         }
         audio_names.emplace_back("none", AudioCodec::none);
-        s.key("audio", &OutputSettings::audio, choice<AudioCodec>(audio_names),
-              "codec of the sound; `none` writes a silent film. The default depends on the file: "
-              "aac in .mp4 and .mov (pcm with prores), flac in .mkv, opus in .webm. Picture "
-              "sequences have their sound in a .wav file beside them, unless this is `none`");
+        s.key(
+            "audio", &OutputSettings::audio, choice<AudioCodec>(audio_names),
+            "codec of the sound; `none` writes a silent film. The default depends on the file: "
+            "aac in .mp4 and .mov (pcm with prores), flac in .mkv, opus in .webm, pcm in .avi. "
+            "Picture sequences have their sound in a .wav file beside them, unless this is `none`");
         s.key("audio_bit_rate", &OutputSettings::audio_bit_rate, bit_rate(),
               "bit rate of both channels of the sound together, from 32 to 512 kbit/s. The default "
               "is 256 kbit/s for aac and 192 kbit/s for opus; flac and pcm are lossless");

@@ -72,7 +72,7 @@ function Choices() {
                     <span>File</span>
                     <input type="text" value={choice.output.value}
                         placeholder={`${defaultName()}.mp4`} spellcheck={false} autocomplete="off"
-                        title="Its ending chooses the format: .mp4, .mov, .mkv, .webm, or pictures as name_####.png"
+                        title="Its ending chooses the format: .mp4, .mov, .mkv, .webm, .avi, or pictures as name_####.png"
                         onInput={(event) => { choice.output.value = event.currentTarget.value; }} />
                 </label>
                 <label>

@@ -32,6 +32,21 @@ TEST_F(CodecCommands, OtherCodecs_RenderNothingAgain) {
     EXPECT_EQ(video.frames.size(), 6U);
 }
 
+TEST_F(CodecCommands, Avi_HoldsJpegsOrPlainPicturesAndSound) {
+    const RunResult jpegs = run({"render", "tiny.yaml", "-o", "a.avi"});
+    EXPECT_EQ(jpegs.exit_code, 0) << jpegs.err;
+    EXPECT_EQ(decode_video(path("a.avi")).codec, "mjpeg");
+    EXPECT_EQ(decode_video(path("a.avi")).frames.size(), 6U);
+    const RunResult plain =
+        run({"mux", "tiny.yaml", "-o", "b.avi", "--set", "output.codec=uncompressed"});
+    EXPECT_EQ(plain.exit_code, 0) << plain.err;
+    EXPECT_EQ(decode_video(path("b.avi")).codec, "rawvideo");
+    const RunResult wrong =
+        run({"render", "tiny.yaml", "-o", "c.avi", "--set", "output.codec=h264"});
+    EXPECT_EQ(wrong.exit_code, 2);
+    EXPECT_THAT(wrong.err, HasSubstr(".avi files cannot hold h264"));
+}
+
 TEST_F(CodecCommands, Title_IsInTheMetadataWithShotAndVersions) {
     ASSERT_EQ(
         run({"render", "tiny.yaml", "-o", "a.mp4", "--set", "output.title=A break"}).exit_code, 0);

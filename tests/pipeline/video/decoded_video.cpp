@@ -60,8 +60,10 @@ std::vector<std::uint16_t> to_rgb(const AVFrame& frame) {
         frame.height, AV_PIX_FMT_RGB48LE, SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT,
         nullptr, nullptr, nullptr));
     require(scaler != nullptr, "no scaler");
-    const int* matrix = sws_getCoefficients(
-        frame.colorspace == AVCOL_SPC_BT2020_NCL ? SWS_CS_BT2020 : SWS_CS_ITU709);
+    const int* matrix =
+        sws_getCoefficients(frame.colorspace == AVCOL_SPC_BT2020_NCL ? SWS_CS_BT2020
+                            : frame.colorspace == AVCOL_SPC_BT470BG  ? SWS_CS_ITU601
+                                                                     : SWS_CS_ITU709);
     sws_setColorspaceDetails(scaler.get(), matrix, frame.color_range == AVCOL_RANGE_JPEG ? 1 : 0,
                              matrix, 1, 0, 1 << 16, 1 << 16);
     std::vector<std::uint16_t> rgb(static_cast<std::size_t>(frame.width) *

@@ -121,13 +121,15 @@ INSTANTIATE_TEST_SUITE_P(
                           Kind{"film.mkv", Codec::h264, AudioCodec::flac, "flac"},
                           Kind{"film.mkv", Codec::hevc, AudioCodec::opus, "opus"},
                           Kind{"film.mkv", Codec::ffv1, AudioCodec::pcm, "pcm_s24le"},
-                          Kind{"film.webm", Codec::vp9, AudioCodec::opus, "opus"}),
+                          Kind{"film.webm", Codec::vp9, AudioCodec::opus, "opus"},
+                          Kind{"film.avi", Codec::mjpeg, AudioCodec::pcm, "pcm_s24le"}),
         ::testing::Values(Rational(24), Rational(25), Rational(30000, 1001), Rational(60))));
 
 TEST(FilmSound, LosslessCodecs_KeepEverySampleRoundedTo24Bits) {
     for (const auto& [name, codec] : {std::pair{"film.mkv", AudioCodec::flac},
                                       {"film.mkv", AudioCodec::pcm},
-                                      {"film.mov", AudioCodec::pcm}}) {
+                                      {"film.mov", AudioCodec::pcm},
+                                      {"film.avi", AudioCodec::pcm}}) {
         const ScratchFolder folder;
         SoundFilm film;
         film.name = name;

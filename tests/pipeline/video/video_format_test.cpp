@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kAll =
     "h264: .mp4, .mov, .mkv; hevc: .mp4, .mov, .mkv; av1: .mp4, .mkv, .webm; "
-    "vp9: .mp4, .mkv, .webm; prores: .mov, .mkv; ffv1: .mkv";
+    "vp9: .mp4, .mkv, .webm; prores: .mov, .mkv; ffv1: .mkv; mjpeg: .avi; uncompressed: .avi";
 
 std::string check(int width, int height, const std::string& path, Codec codec = Codec::h264) {
     OutputSettings output;
@@ -45,8 +45,8 @@ TEST(CheckVideoFormat, TooSmallOrLarge_NamesTheLimits) {
 
 TEST(CheckVideoFormat, UnknownExtension_ListsCodecsAndExtensions) {
     EXPECT_EQ(
-        check(640, 360, "break.avi"),
-        std::string("'break.avi' is not a known type of video file; the codecs and their file "
+        check(640, 360, "break.wmv"),
+        std::string("'break.wmv' is not a known type of video file; the codecs and their file "
                     "extensions are ") +
             kAll);
     EXPECT_EQ(
@@ -89,6 +89,7 @@ TEST(CheckVideoFormat, CodecNotNamed_FollowsTheExtension) {
     EXPECT_EQ(check_video_format({640, 360}, {}, "a.webm"), "");
     EXPECT_EQ(codec_for({}, "a.webm"), Codec::vp9);
     EXPECT_EQ(codec_for({}, "a.mkv"), Codec::h264);
+    EXPECT_EQ(codec_for({}, "a.avi"), Codec::mjpeg);
     OutputSettings hdr;
     hdr.hdr10.emplace();
     EXPECT_EQ(codec_for(hdr, "a.mp4"), Codec::hevc);
@@ -97,7 +98,7 @@ TEST(CheckVideoFormat, CodecNotNamed_FollowsTheExtension) {
 
 constexpr const char* kAllSound =
     "; the codecs of sound and their file extensions are aac: .mp4, .mov; opus: .mkv, .webm; flac: "
-    ".mkv; pcm: .mov, .mkv";
+    ".mkv; pcm: .mov, .mkv, .avi";
 
 std::string check_audio(const std::string& path, std::optional<AudioCodec> audio,
                         std::optional<Codec> codec = {}) {
@@ -144,6 +145,7 @@ TEST(CheckVideoFormat, AudioCodecNotNamed_FollowsTheFile) {
     EXPECT_EQ(audio_codec_for({}, "a.mov"), AudioCodec::aac);
     EXPECT_EQ(audio_codec_for({}, "a.mkv"), AudioCodec::flac);
     EXPECT_EQ(audio_codec_for({}, "a.webm"), AudioCodec::opus);
+    EXPECT_EQ(audio_codec_for({}, "a.avi"), AudioCodec::pcm);
     EXPECT_EQ(audio_codec_for({}, "a.##.png"), AudioCodec::none);
     OutputSettings output;
     output.codec = Codec::prores;

@@ -89,6 +89,45 @@ TEST(YuvConversion, TenBits_AreWithinOneCodeOfTheClosedFormOfBothMatrices) {
     }
 }
 
+/// The formulas of ITU-T T.871, 7, in double precision; the largest code is 255.
+std::array<double, 3> jpeg_form(const std::array<std::uint16_t, 3>& c) {
+    const double r = c[0] / 65535.0;
+    const double g = c[1] / 65535.0;
+    const double b = c[2] / 65535.0;
+    const double y = 0.299 * r + 0.587 * g + 0.114 * b;
+    return {255 * y, std::min(255.0, 255 * (b - y) / 1.772 + 128),
+            std::min(255.0, 255 * (r - y) / 1.402 + 128)};
+}
+
+TEST(YuvConversion, Jpeg_IsWithinOneCodeOfTheClosedForm) {
+    const std::vector<std::array<std::uint16_t, 3>> colours{
+        {65535, 0, 0},     {0, 65535, 0},        {0, 0, 65535},         {65535, 65535, 0},
+        {0, 65535, 65535}, {65535, 0, 65535},    {12345, 54321, 33333}, {1, 2, 3},
+        {0, 0, 0},         {65535, 65535, 65535}};
+    for (const auto& colour : colours) {
+        std::vector<std::uint8_t> y(21), cb(21), cr(21);
+        convert_to_jpeg_yuv(filled(7, 3, colour), 7, 3,
+                            {{y.data(), 7}, {cb.data(), 7}, {cr.data(), 7}});
+        const auto exact = jpeg_form(colour);
+        expect_all_within_1(y, exact[0]);
+        expect_all_within_1(cb, exact[1]);
+        expect_all_within_1(cr, exact[2]);
+    }
+}
+
+TEST(YuvConversion, Bgr24_HasBlueFirstAndLeavesTheRestOfARow) {
+    std::vector<std::uint8_t> pixels(2 * 16, 7);
+    convert_to_bgr24(filled(5, 2, {65535, 0, 257}), 5, 2, {pixels.data(), 16});
+    for (std::size_t row = 0; row < 32; row += 16) {
+        for (std::size_t x = 0; x < 15; x += 3) {
+            EXPECT_EQ(pixels[row + x], 1);
+            EXPECT_EQ(pixels[row + x + 1], 0);
+            EXPECT_EQ(pixels[row + x + 2], 255);
+        }
+        EXPECT_EQ(pixels[row + 15], 7);
+    }
+}
+
 TEST(YuvConversion, BlackAndWhite_AreTheEndsOfTheLimitedRange) {
     for (const std::uint8_t code : convert(filled(16, 16, {0, 0, 0}), 16, 16).y) {
         ASSERT_EQ(code, 16);
