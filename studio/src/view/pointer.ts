@@ -4,6 +4,7 @@ import { kBodyPriority, type Drag, type ViewPart } from './parts';
 
 const kLongPress = 500; // ms, of a finger that stays where it is
 const kStill = 8; // CSS pixels, that such a finger may move
+const kLate = 50; // ms, by which a timer of a busy page is late
 
 /// Gives presses, drags and hovering to the parts, before all other listeners of the canvas. A press
 /// that no part wants is left to them. A finger that stays where it is ends the drag that it began:
@@ -30,11 +31,21 @@ export function arbitratePointer(
     const watchFinger = (event: PointerEvent) => {
         const isFirst = finger === null && event.pointerType === 'touch' && event.isPrimary;
         forgetFinger();
-        finger = isFirst ? { at: event, timer: window.setTimeout(() => {
+        finger = isFirst ? { at: event, timer: waitFor(event, kLongPress) } : null;
+    };
+    /// A page that was busy may have heard of the finger, but not yet that it was lifted: it waits
+    /// again.
+    const waitFor = (event: PointerEvent, wait: number) => {
+        const due = performance.now() + wait;
+        return window.setTimeout(() => {
+            if (finger && performance.now() > due + kLate) {
+                finger.timer = waitFor(event, 2 * kLate);
+                return;
+            }
             finger = null;
             finish((one) => one.cancel());
             longPress(event);
-        }, kLongPress) } : null;
+        }, wait);
     };
     const forgetFinger = () => {
         window.clearTimeout(finger?.timer);
