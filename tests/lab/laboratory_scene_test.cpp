@@ -102,7 +102,7 @@ TEST(LaboratoryScene, UnknownName_IsRefusedWithAListOfNames) {
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(),
                      "unknown scene 'sphere_cub'; use one of sphere_cube, cylinder_axes, "
-                     "cylinder_walls, full_view, stadium, smooth_mesh");
+                     "cylinder_walls, full_view, partial_view, stadium, smooth_mesh");
     }
 }
 

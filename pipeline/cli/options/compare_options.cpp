@@ -13,10 +13,10 @@ void add_frame_choice(CommandDescription& description, CompareCommand& command) 
     description
         .option("--scene", &command.scene, "NAME",
                 "Measure a scene of the laboratory instead of a shot: sphere_cube, cylinder_axes, "
-                "cylinder_walls, full_view, stadium or smooth_mesh.")
+                "cylinder_walls, full_view, partial_view, stadium or smooth_mesh.")
         .excludes({"SHOT|BAKE"})
-        .one_of({"sphere_cube", "cylinder_axes", "cylinder_walls", "full_view", "stadium",
-                 "smooth_mesh"});
+        .one_of({"sphere_cube", "cylinder_axes", "cylinder_walls", "full_view",
+                 "partial_view", "stadium", "smooth_mesh"});
     description.option("--accelerators", &command.accelerators, "NAMES",
                        "The structures to measure: all (the default), or a list such as "
                        "brute_force,kdtree,rtree.");
