@@ -19,11 +19,11 @@ constexpr double kBottom = kTop + kHeight;
 constexpr double kNumbers = 9;  // space for the numbers, left of a panel
 constexpr double kBetween = 6;
 
-// The number of colours that everyone can tell apart; further lines are dashed.
+// The number of colours that everyone can tell apart; further lines are dashed, then dotted.
 constexpr std::size_t kColours = 6;
 
 std::string dashes_of(std::size_t index) {
-    return index < kColours ? "none" : "1.6 0.9";
+    return index < kColours ? "none" : (index < 2 * kColours ? "1.6 0.9" : "0.4 0.8");
 }
 
 /// The vertical axis: between powers of ten, or from 0 to a round number.

@@ -115,6 +115,7 @@ Growth made_up() {
         brute.bytes = 100 * shapes;
         brute.seconds_per_ray = {1e-8 * static_cast<double>(shapes), 2e-8, 5e-8};
         brute.seconds_per_ray_of_batch = 3e-8;
+        brute.seconds_per_shadow_ray_of_batch = 4e-8;
         brute.is_counted = true;
         brute.tests.of[0] = {10, 10 * shapes, 0, 0};
         GrowthPoint library = brute;
@@ -152,6 +153,10 @@ ns per shadow ray  brute_force  embree
 ns per ray of 64  brute_force  embree
 10                       30.0    30.0
 1000                     30.0    30.0
+
+ns per shadow ray of 64  brute_force  embree
+10                              40.0    40.0
+1000                            40.0    40.0
 
 build ms  brute_force  embree
 10               1.00    1.00

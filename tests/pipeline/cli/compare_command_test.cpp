@@ -65,17 +65,17 @@ TEST_F(CompareCommand, FrameOfAShot_IsMeasuredByAllStructures) {
     EXPECT_EQ(json["what"], "frame 2");
     EXPECT_EQ(json["whole"], 1);
     EXPECT_EQ(json["primary_rays"], 16 * 16 * 4);
-    ASSERT_EQ(json["structures"].size(), 13u);
+    ASSERT_EQ(json["structures"].size(), 23u);
     const auto& brute = json["structures"][0];
     EXPECT_EQ(brute["structure"], "brute_force");
     EXPECT_EQ(brute["primary_objects"], json["shapes"].get<int>() * 16 * 16 * 4);
-    EXPECT_FALSE(json["structures"][12].contains("primary_objects"));
+    EXPECT_FALSE(json["structures"][22].contains("primary_objects"));
     const std::string csv = text_of("t.csv");
     EXPECT_THAT(csv, StartsWith("scene,structure,shadow_query,build_seconds,bytes,cpu_seconds,"
                                 "computed,counted,primary_rays,primary_objects,"));
     expect_well_formed(csv);
     EXPECT_EQ(brute["shadow_query"], "any");
-    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 14);
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 24);
     EXPECT_THAT(csv, HasSubstr("\ntiny,embree,any,"));
     EXPECT_THAT(text_of("t.svg"), HasSubstr("wide_bvh"));
     EXPECT_EQ(stored_frames(), 0);  // comparing stores no pictures
@@ -110,14 +110,15 @@ TEST_F(CompareCommand, WrongUsage_IsRejectedWithASentence) {
         EXPECT_EQ(result.out, "");
         return result.err;
     };
-    EXPECT_EQ(
-        message({}),
-        "carom: error: there is nothing to compare structures on: give a shot, --scene NAME or "
-        "--growth NAME\n");
+    EXPECT_EQ(message({}),
+              "carom: error: there is nothing to compare structures on: give a shot, --scene NAME, "
+              "--growth NAME or --motion N\n");
     EXPECT_EQ(message({"--scene", "stadium", "--accelerators", "kdtree,quadtree"}),
-              "carom: error: unknown structure 'quadtree'; use one of hybrid, embree, "
-              "brute_force, grid, octree, kdtree, kdtree_median, bsp, rtree, rtree_hilbert, "
-              "kay_kajiya, bvh, wide_bvh, or all\n");
+              "carom: error: unknown structure 'quadtree'; use one of hybrid, embree, brute_force, "
+              "single_boxes, grid, octree, octree_queue, octree_loose, octree_enclosing, "
+              "octree_overlapping, octree_cut, kdtree, kdtree_median, bsp, rtree, rtree_hilbert, "
+              "rtree_cyclic, kay_kajiya, box_volumes, sphere_volumes, oriented_box_volumes, bvh, "
+              "wide_bvh, or all\n");
     EXPECT_EQ(message({"--scene", "stadium", "--frame", "3"}),
               "carom: error: --set, --quality and --frame can be used only with a shot\n");
     EXPECT_EQ(message({"--scene", "stadium", "--size", "8x8"}),
