@@ -28,7 +28,9 @@ LaneLimit::~LaneLimit() {
 }
 
 bool LaneLimit::machine_has(int lanes) {
-    return (hwy::SupportedTargets() & target_of(lanes)) != 0;
+    // Asked once, because Highway forgets a limit when it is asked for the processor's targets.
+    static const std::int64_t targets = hwy::SupportedTargets();
+    return (targets & target_of(lanes)) != 0;
 }
 
 }  // namespace carom::pipeline

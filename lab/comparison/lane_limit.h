@@ -14,7 +14,7 @@ class LaneLimit {
     LaneLimit(const LaneLimit&) = delete;
     LaneLimit& operator=(const LaneLimit&) = delete;
 
-    /// Whether this machine's processor has vectors of so many numbers.
+    /// Whether this machine's processor has vectors of so many numbers, whatever the limit.
     [[nodiscard]] static bool machine_has(int lanes);
 };
 

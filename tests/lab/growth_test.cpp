@@ -7,7 +7,9 @@
 
 #include "lab/comparison/growth_rays.h"
 #include "lab/comparison/growth_text.h"
+#include "lab/comparison/lane_limit.h"
 #include "lab/comparison/line_chart.h"
+#include "render/acceleration/batch_kernels.h"
 #include "render/frame_scene/frame_scene.h"
 #include "render/frame_scene/static_geometry.h"
 #include "tests/lab/small_scene.h"
@@ -64,6 +66,42 @@ TEST(Growth, OfAMesh_CountsItsTriangles) {
             EXPECT_GT(seconds, 0);
         }
     }
+}
+
+// The limit of the vectors decides which kernels are taken, and nothing else.
+TEST(Growth, WithLimitedVectors_TakesTheSameTests) {
+    ASSERT_TRUE(LaneLimit::machine_has(4));
+    EXPECT_FALSE(LaneLimit::machine_has(5));
+    GrowthOptions options;
+    options.structures = structures_from_text("bvh,wide_bvh");
+    options.largest = 32;
+    options.enough_seconds = 0;
+    options.lanes = {4};
+    if (LaneLimit::machine_has(8)) {
+        options.lanes.push_back(8);
+    }
+    const Growth growth = measure_growth(options, [](std::string_view, double) {}, {});
+    ASSERT_EQ(growth.structures.size(), 2 * options.lanes.size());
+    EXPECT_EQ(growth.structures[0], "bvh, 4 lanes");
+    EXPECT_NE(growth.point("wide_bvh, 4 lanes", 32), nullptr);
+    for (const GrowthPoint& point : growth.points) {
+        const std::string first = point.name.substr(0, point.name.find(',')) + ", 4 lanes";
+        const render::KindCounts expected = growth.point(first, point.shapes)->tests.total();
+        EXPECT_EQ(point.tests.total().objects, expected.objects) << point.name;
+        EXPECT_EQ(point.tests.total().boxes, expected.boxes) << point.name;
+        EXPECT_GT(point.seconds_per_shadow_ray_of_batch, 0);
+    }
+}
+
+TEST(LaneLimit, ChoosesOtherKernelsAndGivesThemBack) {
+    const auto* const usual = &render::best_batch_kernels();
+    const bool is_wider = LaneLimit::machine_has(8);
+    {
+        const LaneLimit limit(4);
+        EXPECT_EQ(LaneLimit::machine_has(8), is_wider);
+        EXPECT_EQ(&render::best_batch_kernels() != usual, is_wider);
+    }
+    EXPECT_EQ(&render::best_batch_kernels(), usual);
 }
 
 TEST(GrowthRays, AreOfAllKindsAndTheSameEveryTime) {

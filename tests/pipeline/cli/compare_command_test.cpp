@@ -102,6 +102,52 @@ TEST_F(CompareCommand, Growth_IsMeasuredInEveryForm) {
     EXPECT_THAT(text_of("g.svg"), HasSubstr("<title>embree</title>"));
 }
 
+TEST_F(CompareCommand, Sizes_AreMeasuredInEveryForm) {
+    const RunResult result =
+        run({"compare", "--scene", "sphere_cube", "--size", "16x16", "--node-capacity", "8,2",
+             "--json", "--csv", "s.csv", "--plot", "s.svg", "-o", "s.json"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, "s.json\ns.csv\ns.svg\n");
+    const auto json = nlohmann::json::parse(text_of("s.json"));
+    EXPECT_EQ(json["scene"], "sphere_cube");
+    EXPECT_EQ(json["varied"], "node_capacity");
+    ASSERT_EQ(json["points"].size(), 6u);
+    EXPECT_EQ(json["points"][0]["node_capacity"], 2);
+    EXPECT_EQ(json["points"][5]["structure"], "rtree_cyclic");
+    EXPECT_THAT(text_of("s.csv"), StartsWith("scene,node_capacity,structure,shadow_query,"));
+    EXPECT_THAT(text_of("s.csv"), HasSubstr("\nsphere_cube,8,rtree_hilbert,any,"));
+    expect_well_formed(text_of("s.csv"));
+    EXPECT_THAT(text_of("s.svg"), HasSubstr("<title>rtree</title>"));
+    const RunResult grid =
+        run({"compare", "tiny.yaml", "--size", "16x16", "--grid-density", "0.5,4", "--quiet"});
+    EXPECT_EQ(grid.exit_code, 0) << grid.err;
+    EXPECT_THAT(grid.out, HasSubstr("the first column: cells per shape\n"));
+}
+
+TEST_F(CompareCommand, Motion_IsMeasuredInEveryForm) {
+    const RunResult result =
+        run({"compare", "--motion", "20", "--intervals", "1,2", "--accelerators", "bvh,wide_bvh",
+             "--json", "--csv", "m.csv", "--plot", "m.svg", "-o", "m.json"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const auto json = nlohmann::json::parse(text_of("m.json"));
+    EXPECT_EQ(json["balls"], 20);
+    EXPECT_EQ(json["whole"], 1);
+    ASSERT_EQ(json["points"].size(), 2u + 9 * 4);
+    EXPECT_EQ(json["points"][3]["intervals"], 2);
+    EXPECT_GT(json["points"][3]["primary_boxes"], 0);
+    EXPECT_THAT(text_of("m.csv"), StartsWith("balls,structure,intervals,shutter,shapes,"));
+    EXPECT_THAT(text_of("m.csv"), HasSubstr("\n20,wide_bvh,2,0.25,"));
+    expect_well_formed(text_of("m.csv"));
+    EXPECT_THAT(text_of("m.svg"), HasSubstr("<title>wide_bvh, 2 intervals</title>"));
+}
+
+TEST_F(CompareCommand, Lanes_AreColumnsOfGrowth) {
+    const RunResult result = run({"compare", "--growth", "mesh", "--largest", "10", "--lanes", "4",
+                                  "--accelerators", "hybrid", "--quiet"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("ns per shadow ray of 64  hybrid, 4 lanes\n"));
+}
+
 TEST_F(CompareCommand, WrongUsage_IsRejectedWithASentence) {
     const auto message = [&](std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), "compare");
@@ -134,6 +180,29 @@ TEST_F(CompareCommand, WrongUsage_IsRejectedWithASentence) {
     EXPECT_EQ(message({"--growth", "mesh", "--scene", "stadium"}),
               "carom: error: --scene excludes --growth\n"
               "See 'carom compare --help'.\n");
+    EXPECT_EQ(
+        message({"--scene", "stadium", "--leaf-capacity", "0,2"}),
+        "carom: error: --leaf-capacity '0,2' is not a list of whole numbers from 1 to 1024\n");
+    EXPECT_EQ(message({"--scene", "stadium", "--leaf-capacity", "2,"}),
+              "carom: error: --leaf-capacity '2,' is not a list of whole numbers from 1 to 1024\n");
+    EXPECT_EQ(
+        message({"--scene", "stadium", "--node-capacity", "2.5"}),
+        "carom: error: --node-capacity '2.5' is not a list of whole numbers from 2 to 1024\n");
+    EXPECT_EQ(message({"--scene", "stadium", "--grid-density", "4,4"}),
+              "carom: error: --grid-density names 4 twice\n");
+    EXPECT_EQ(message({"--scene", "stadium", "--grid-density", "4", "--accelerators", "bvh"}),
+              "carom: error: the structure 'bvh' has no grid_density\n");
+    EXPECT_EQ(message({"--scene", "stadium", "--leaf-capacity", "4", "--shadow-rays", "both"}),
+              "carom: error: --shadow-rays both cannot be used with a list of leaf_capacity\n");
+    EXPECT_THAT(message({"--scene", "stadium", "--leaf-capacity", "4", "--grid-density", "4"}),
+                HasSubstr("excludes"));
+    EXPECT_EQ(message({"--growth", "mesh", "--lanes", "6"}),
+              "carom: error: --lanes '6' names others than 4, 8 and 16\n");
+    EXPECT_THAT(message({"--scene", "stadium", "--lanes", "4"}), HasSubstr("requires --growth"));
+    EXPECT_THAT(message({"--scene", "stadium", "--motion", "100"}), HasSubstr("excludes"));
+    EXPECT_THAT(message({"--motion", "5"}), HasSubstr("--motion"));
+    EXPECT_EQ(message({"--motion", "20", "--intervals", "0"}),
+              "carom: error: --intervals '0' is not a list of whole numbers from 1 to 1000\n");
     EXPECT_EQ(message({"--scene", "stadium", "--largest", "100"}),
               "carom: error: --largest requires --growth\n"
               "See 'carom compare --help'.\n");
