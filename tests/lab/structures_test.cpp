@@ -329,17 +329,18 @@ TEST(LaboratoryOfOctrees, ShapeInSeveralLeaves_IsTestedOnce) {
     }
 }
 
-// A leaf's box is fitted to the pieces inside it; the cube itself is not.
-TEST(LaboratoryOfOctrees, PiecesAreSmallerThanTheirCubes) {
+// A rod along x is in two parts, each of which has a sphere in its corner. A ray across its one end
+// enters only the box of the piece there; the other part reaches as far as its whole cube does.
+TEST(LaboratoryOfOctrees, Pieces_EndAtTheirCubes) {
     RandomScene scene = corners_and_middle();
-    for (std::uint32_t i = 9; i < 30; ++i) {
-        scene.shapes.add_sphere(sphere_at(V3f(0.1f * static_cast<float>(i), 0, 0), 0.2f, i));
-    }
-    Ray past = down_at(1.5f);
-    past.origin.y = 1.5f;
-    past.origin.z = 10;
-    EXPECT_LT(counts_of(AccelerationKind::octree_cut, scene, past).nodes,
-              counts_of(AccelerationKind::octree_overlapping, scene, past).nodes);
+    test::add_aligned_box(scene.shapes, V3f(-3, 1.1f, 1.1f), V3f(3, 1.2f, 1.2f), 9);
+    Ray across = down_at(-2);
+    across.origin.y = 1.15f;
+    across.origin.z = 10;
+    EXPECT_EQ(counts_of(AccelerationKind::octree_cut, scene, across).nodes, 2u);
+    const KindCounts whole = counts_of(AccelerationKind::octree_overlapping, scene, across);
+    EXPECT_EQ(whole.nodes, 2u);
+    EXPECT_EQ(whole.objects, 1u);
 }
 
 TEST(LaboratoryOfOctrees, OneQueueForAllLevels_TestsNoMoreShapes) {
@@ -371,6 +372,25 @@ TEST(LaboratoryOfRTrees, CyclicSort_TakesMoreTestsThanTiles) {
         ASSERT_EQ(cyclic->any_hit(ray), tiles->any_hit(ray));
     }
     EXPECT_GT(5 * cyclic->counts().total().boxes, 6 * tiles->counts().total().boxes);
+}
+
+// Sixty-four spheres in a square: sorted by x, four share a node if they are in one half of a
+// column; sorted by y, four nodes are a quarter of the square. A ray along a column enters two
+// quarters.
+TEST(LaboratoryOfRTrees, CyclicSort_TakesTheAxesInTurn) {
+    RandomScene scene;
+    for (std::uint32_t i = 0; i < 64; ++i) {
+        const V3f centre(static_cast<float>(i / 8), static_cast<float>(i % 8), 0);
+        scene.shapes.add_sphere(sphere_at(centre, 0.3f, i));
+    }
+    Ray along;
+    along.kind = RayKind::primary;
+    along.origin = V3f(2.2f, -3, 0.29f);  // inside the boxes, past the spheres
+    along.direction = V3f(0, 1, 0);
+    const KindCounts counts = counts_of(AccelerationKind::r_tree_cyclic, scene, along);
+    EXPECT_EQ(counts.nodes, 1u + 2 + 2);
+    EXPECT_EQ(counts.boxes, 4u + 8 + 8);
+    EXPECT_EQ(counts.objects, 8u);
 }
 
 /// A long cylinder along the diagonal of x and y.
