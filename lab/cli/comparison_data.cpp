@@ -165,13 +165,13 @@ std::string comparison_csv(const Comparison& comparison) {
 
 std::string sizes_json(const pipeline::SizeCurve& curve) {
     JsonMembers members = scene_members(curve.comparisons.front());
-    members.add("varied", name_of(curve.size)).add("whole", curve.is_whole ? 1 : 0);
+    members.add("varied", pipeline::name_of(curve.size)).add("whole", curve.is_whole ? 1 : 0);
     add_rays(members, curve.comparisons.front());
     std::string rows;
     for (std::size_t i = 0; i < curve.comparisons.size(); ++i) {
         for (const ComparedStructure& row : curve.comparisons[i].rows) {
             JsonMembers with_size;
-            with_size.add(name_of(curve.size), curve.values[i]).add(row_members(row));
+            with_size.add(pipeline::name_of(curve.size), curve.values[i]).add(row_members(row));
             rows += (rows.empty() ? "\n" : ",\n") + with_size.object();
         }
     }
@@ -180,7 +180,7 @@ std::string sizes_json(const pipeline::SizeCurve& curve) {
 
 std::string sizes_csv(const pipeline::SizeCurve& curve) {
     pipeline::CsvText csv(
-        csv_header(std::string("scene,") + name_of(curve.size) + "," + kRowColumns));
+        csv_header(std::string("scene,") + pipeline::name_of(curve.size) + "," + kRowColumns));
     for (std::size_t i = 0; i < curve.comparisons.size(); ++i) {
         const Comparison& comparison = curve.comparisons[i];
         for (const ComparedStructure& row : comparison.rows) {
@@ -247,7 +247,11 @@ std::string motion_csv(const pipeline::Motion& motion) {
             .add(static_cast<double>(point.bytes))
             .add(point.seconds_per_ray);
         const double rays = motion.break_even(point);
-        std::isfinite(rays) ? csv.add(rays) : csv.add("");
+        if (std::isfinite(rays)) {
+            csv.add(rays);
+        } else {
+            csv.add("");
+        }
         add_tests(csv, point.tests, point.is_counted ? &point.tests : nullptr);
         csv.end_row();
     }
