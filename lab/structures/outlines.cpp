@@ -41,7 +41,7 @@ Outline outline_of(const BlockList<Shape>& list, std::uint32_t index) {
 }
 
 Outline outline_of(const Primitives& primitives, const Primitive& shape) {
-    const Imath::Box3f box = swept_box(shape);
+    const Imath::Box3f box = swept_box(primitives, shape);
     Outline result = outline_of(box);
     if (shape.shape == kLaneShape<StaticSphere>) {
         result.form = Form::ball;  // in the cube around it

@@ -449,6 +449,33 @@ TEST(LaboratoryOfVolumes, Trees_HaveTheSameNodes) {
     EXPECT_EQ(nodes(AccelerationKind::slabs, 56), boxes);
 }
 
+// A ball that goes right and back again has two legs. While it is on one of them, the line of the
+// other leads away from it; a box around that line would be entered beyond the ball's way.
+TEST(LaboratoryOfMotion, LegOfAPath_IsBoundedOnlyDuringItsTime) {
+    RandomScene scene;
+    for (const bool is_back : {false, true}) {
+        SphereSegment leg;
+        leg.path.c[0] = V3f(is_back ? 10.f : 0.f, 0, 0);
+        leg.path.c[1] = V3f(is_back ? -20.f : 20.f, 0, 0);
+        leg.path.start = is_back ? 0.5f : 0.f;
+        leg.start = is_back ? 0.5f : -kInfinity;
+        leg.end = is_back ? kInfinity : 0.5f;
+        leg.radius = 0.5f;
+        scene.shapes.add_sphere(leg);
+    }
+    Ray hitting = down_at(9);
+    hitting.time = 0.45f;
+    Ray beyond = down_at(15);
+    for (const AccelerationKind kind : {AccelerationKind::bvh, AccelerationKind::slabs}) {
+        const auto structure = make(scene, kind, {.counts = true});
+        Hit hit;
+        ASSERT_TRUE(structure->closest_hit(hitting, hit));
+        const std::uint64_t before = structure->counts().total().objects;
+        ASSERT_FALSE(structure->closest_hit(beyond, hit));
+        EXPECT_EQ(structure->counts().total().objects, before);
+    }
+}
+
 TEST(LaboratorySizes, LeafCapacity_DecidesWhenShapesAreNotDivided) {
     const RandomScene scene = row_of_spheres(8);
     const KindCounts pairs = counts_of(AccelerationKind::kd_tree_median, scene, down_at(5));
