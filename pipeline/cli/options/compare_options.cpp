@@ -134,7 +134,7 @@ void describe(CompareCommand& command, CommandDescription& description) {
          "How much shadow rays save if they end at any hit."},
         {"carom compare --growth mesh --accelerators bvh,wide_bvh,embree",
          "How the cost grows with the size of a mesh."},
-        {"carom compare --scene cylinder_axes --leaf-capacity 1,2,4,8,16 --plot leaves.svg",
+        {"carom compare --scene cylinder_axes --leaf-capacity 1,2,4,8 --plot leaves.svg",
          "How many shapes should share a leaf."},
         {"carom compare --growth balls --accelerators wide_bvh --lanes 4,8",
          "What wider vectors gain."},
