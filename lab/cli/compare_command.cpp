@@ -200,8 +200,8 @@ LaboratoryScene scene_of(const CompareCommand& command, CommandContext& context)
 void run_sizes(const CompareCommand& command, const SizeList& list, CommandContext& context) {
     pipeline::ComparisonOptions options = options_of(command);
     if (options.shadow_rays.size() > 1) {
-        throw InputError(fmt::format("--shadow-rays both cannot be used with a list of {}",
-                                     pipeline::name_of(list.size)));
+        throw InputError(fmt::format("--shadow-rays both cannot be used together with a {}",
+                                     pipeline::words_of(list.size)));
     }
     options.structures =
         checked([&] { return pipeline::structures_with_size(command.accelerators, list.size); });

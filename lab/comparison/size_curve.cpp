@@ -47,9 +47,16 @@ std::vector<AccelerationKind> structures_with_size(const std::string& text, Vari
     }
     const auto wrong = std::ranges::find_if(kinds, is_without);
     if (wrong != kinds.end()) {
-        throw Error("the structure '" + std::string(name_of(*wrong)) + "' has no " + name_of(size));
+        throw Error("the structure '" + std::string(name_of(*wrong)) + "' does not depend on the " +
+                    words_of(size));
     }
     return kinds;
+}
+
+std::string words_of(VariedSize size) {
+    std::string words = name_of(size);
+    std::ranges::replace(words, '_', ' ');
+    return words;
 }
 
 const char* name_of(VariedSize size) {

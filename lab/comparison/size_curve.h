@@ -33,5 +33,7 @@ struct SizeCurve {
 
 /// "leaf_capacity"
 [[nodiscard]] const char* name_of(render::VariedSize size);
+/// "leaf capacity"
+[[nodiscard]] std::string words_of(render::VariedSize size);
 
 }  // namespace carom::pipeline

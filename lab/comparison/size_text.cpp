@@ -12,7 +12,7 @@ namespace {
 using render::KindCounts;
 using render::VariedSize;
 
-const char* words_of(VariedSize size) {
+const char* unit_of(VariedSize size) {
     switch (size) {
         case VariedSize::leaf_capacity:
             return "shapes to a leaf";
@@ -73,7 +73,7 @@ std::string size_text(const SizeCurve& curve) {
     std::string text = fmt::format(
         "{}: {}\n{}x{}, {} shapes, {} rays; the first column: {}\n", first.name, first.what,
         first.width, first.height, large_number(static_cast<double>(first.shapes)),
-        large_number(static_cast<double>(first.rays.total().rays)), words_of(curve.size));
+        large_number(static_cast<double>(first.rays.total().rays)), unit_of(curve.size));
     const Curves curves = curves_of(curve);
     const auto add = [&](const char* title, Quantity quantity) {
         text += table_of(curves, title, value_of(curve, curves, quantity));
@@ -90,9 +90,9 @@ std::string size_plot_svg(const SizeCurve& curve, PlanPage page) {
     const Curves curves = curves_of(curve);
     const Comparison& first = curve.comparisons.front();
     LineChart chart;
-    chart.title = fmt::format("{}: {}", first.name, words_of(curve.size));
+    chart.title = fmt::format("{}: {}", first.name, unit_of(curve.size));
     chart.explanation = fmt::format("{}, {} x {} pixels", first.what, first.width, first.height);
-    chart.across = words_of(curve.size);
+    chart.across = unit_of(curve.size);
     chart.names = curves.names;
     chart.panels = {
         panel_of(curves, "object tests per ray", true, value_of(curve, curves, objects)),

@@ -54,9 +54,9 @@ TEST(SizeCurve, Structures_AreThoseThatDependOnTheSize) {
                 ElementsAre(AccelerationKind::grid));
     EXPECT_EQ(structures_with_size("all", VariedSize::leaf_capacity).size(), 10u);
     EXPECT_EQ(message_of("bvh,rtree", VariedSize::leaf_capacity),
-              "the structure 'rtree' has no leaf_capacity");
+              "the structure 'rtree' does not depend on the leaf capacity");
     EXPECT_EQ(message_of("bvh", VariedSize::grid_density),
-              "the structure 'bvh' has no grid_density");
+              "the structure 'bvh' does not depend on the grid density");
 }
 
 TEST(SizeCurve, Stopped_KeepsWhatWasMeasured) {

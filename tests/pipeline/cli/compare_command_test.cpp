@@ -191,9 +191,9 @@ TEST_F(CompareCommand, WrongUsage_IsRejectedWithASentence) {
     EXPECT_EQ(message({"--scene", "stadium", "--grid-density", "4,4"}),
               "carom: error: --grid-density names 4 twice\n");
     EXPECT_EQ(message({"--scene", "stadium", "--grid-density", "4", "--accelerators", "bvh"}),
-              "carom: error: the structure 'bvh' has no grid_density\n");
+              "carom: error: the structure 'bvh' does not depend on the grid density\n");
     EXPECT_EQ(message({"--scene", "stadium", "--leaf-capacity", "4", "--shadow-rays", "both"}),
-              "carom: error: --shadow-rays both cannot be used with a list of leaf_capacity\n");
+              "carom: error: --shadow-rays both cannot be used together with a leaf capacity\n");
     EXPECT_THAT(message({"--scene", "stadium", "--leaf-capacity", "4", "--grid-density", "4"}),
                 HasSubstr("excludes"));
     EXPECT_EQ(message({"--growth", "mesh", "--lanes", "6"}),
