@@ -42,11 +42,17 @@ double nanoseconds_with_building(const MotionPoint& point) {
     return 1e9 * point.seconds_with_building(kRaysPerFrame);
 }
 
+/// First all structures for the whole shutter, then those for the same number of intervals.
 Curves curves_of(const Motion& motion) {
-    Curves curves{{}, motion.shutters};
+    std::vector<const MotionPoint*> points;
     for (const MotionPoint& point : motion.points) {
-        if (std::ranges::find(curves.names, point.name()) == curves.names.end()) {
-            curves.names.push_back(point.name());
+        points.push_back(&point);
+    }
+    std::ranges::stable_sort(points, {}, &MotionPoint::intervals);
+    Curves curves{{}, motion.shutters};
+    for (const MotionPoint* point : points) {
+        if (std::ranges::find(curves.names, point->name()) == curves.names.end()) {
+            curves.names.push_back(point->name());
         }
     }
     return curves;

@@ -214,5 +214,15 @@ TEST(GrowthPlot, HasALineForEachStructure) {
     }
 }
 
+TEST(LineChart, LongLegend_MovesThePanelsDown) {
+    LineChart chart;
+    chart.names = {"a", "b"};
+    chart.panels = {{"panel", true, {{"a", {{1, 1}, {10, 2}}}}}};
+    EXPECT_THAT(line_chart_svg(chart, PlanPage::automatic), HasSubstr("translate(0 0)"));
+    chart.names.insert(chart.names.end(), 40, "a structure with many intervals");
+    EXPECT_THAT(line_chart_svg(chart, PlanPage::automatic),
+                ::testing::Not(HasSubstr("translate(0 0)")));
+}
+
 }  // namespace
 }  // namespace carom::pipeline
