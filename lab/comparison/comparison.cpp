@@ -93,7 +93,7 @@ class ComparisonRun {
     void count_rays() {
         AccelerationKind kind = AccelerationKind::kd_tree;
         for (const AccelerationKind asked : options_.structures) {
-            if (asked != AccelerationKind::brute_force && FrameMeter::can_count(asked)) {
+            if (!is_linear(asked) && FrameMeter::can_count(asked)) {
                 kind = asked;
                 break;
             }
@@ -116,8 +116,8 @@ class ComparisonRun {
         row.name = name_of(kind);
         row.shadow_rays = shadow_rays;
         row.is_counted = FrameMeter::can_count(kind);
-        if (kind == AccelerationKind::brute_force && all_tests > options_.most_tests) {
-            compute(row, all_tests);
+        if (is_linear(kind) && all_tests > options_.most_tests) {
+            compute(kind, row, all_tests);
             return row;
         }
         const MeasuredFrame timed = least_time(kind, shadow_rays, scene_.settings);
@@ -132,28 +132,30 @@ class ComparisonRun {
         return row;
     }
 
-    // Closest-hit rays test every shape. How early shadow rays find a hit, and the time of a test,
-    // are measured in a part of the picture.
-    void compute(ComparedStructure& row, double all_tests) {
+    // Every ray of a kind takes as many tests in the whole picture as in a part of it: those for
+    // the nearest hit are as many as the shapes.
+    void compute(AccelerationKind kind, ComparedStructure& row, double all_tests) {
         constexpr double kPart = 0.25;  // of the tests that are allowed
         const RenderSettings part =
             scaled_down(scene_.settings, kPart * options_.most_tests / all_tests);
-        const AccelerationKind kind = AccelerationKind::brute_force;
         const TestCounts counts = count(kind, row.shadow_rays, part);
         const MeasuredFrame timed = least_time(kind, row.shadow_rays, part);
         for (std::size_t i = 0; i < counts.of.size(); ++i) {
+            const KindCounts& some = counts.of[i];
             const std::uint64_t rays = result_.rays.of[i].rays;
-            const bool is_early = i == static_cast<std::size_t>(RayKind::shadow) &&
-                                  row.shadow_rays == ShadowRays::any && counts.of[i].rays > 0;
-            const double tests = is_early ? static_cast<double>(counts.of[i].objects) /
-                                                static_cast<double>(counts.of[i].rays)
-                                          : static_cast<double>(result_.shapes);
-            row.tests.of[i].rays = rays;
-            row.tests.of[i].objects =
-                static_cast<std::uint64_t>(std::llround(static_cast<double>(rays) * tests));
+            const auto of_all = [&](std::uint64_t tests) {
+                const double each =
+                    some.rays > 0 ? static_cast<double>(tests) / static_cast<double>(some.rays)
+                                  : static_cast<double>(result_.shapes);
+                return static_cast<std::uint64_t>(std::llround(static_cast<double>(rays) * each));
+            };
+            row.tests.of[i] = {rays, of_all(some.objects), of_all(some.boxes), 0};
         }
-        row.cpu_seconds = timed.cpu_seconds * static_cast<double>(row.tests.total().objects) /
-                          static_cast<double>(counts.total().objects);
+        const KindCounts total = row.tests.total();
+        const KindCounts measured = counts.total();
+        row.bytes = timed.cost.bytes;
+        row.cpu_seconds = timed.cpu_seconds * static_cast<double>(total.objects + total.boxes) /
+                          static_cast<double>(measured.objects + measured.boxes);
         row.is_computed = true;
     }
 
@@ -190,8 +192,8 @@ class ComparisonRun {
                                       progress_(name_of(kind), reported_);
                                   },
                                   stop_};
-        const MeasuredFrame result =
-            meter_.measure(settings, kind, {counts, shadow_rays == ShadowRays::any}, context);
+        const MeasuredFrame result = meter_.measure(
+            settings, kind, {counts, shadow_rays == ShadowRays::any, options_.sizes}, context);
         done_ += settings.width == 1 ? 0 : 1;
         return result;
     }
@@ -221,6 +223,10 @@ const ComparedStructure* Comparison::brute_force_row(const ComparedStructure& ro
 Comparison compare_structures(const LaboratoryScene& scene, const ComparisonOptions& options,
                               const ComparisonProgress& progress, const std::stop_token& stop) {
     return ComparisonRun(scene, options, progress, stop).run();
+}
+
+bool is_linear(AccelerationKind kind) {
+    return kind == AccelerationKind::brute_force || kind == AccelerationKind::single_boxes;
 }
 
 std::string_view name_of(AccelerationKind kind) {

@@ -11,6 +11,7 @@
 
 #include "lab/comparison/laboratory_scene.h"
 #include "render/acceleration/structure_cost.h"
+#include "render/acceleration/structure_options.h"
 
 namespace carom::pipeline {
 
@@ -24,9 +25,10 @@ struct ComparisonOptions {
     std::vector<render::AccelerationKind> structures;  // at least one, in the order of the rows
     std::vector<ShadowRays> shadow_rays{ShadowRays::any};
     int threads = 0;  // 0: one per processor
-    /// Upper bound on the tests of brute force; beyond it they are computed from the number of rays
-    /// and a part of the picture.
+    /// Upper bound on the tests of structures without an order; beyond it they are computed from
+    /// the number of rays and a part of the picture.
     double most_tests = 1e9;
+    render::StructureSizes sizes;
     /// Quick frames are repeated until this much CPU time was spent, s; 0: no repetition.
     double enough_seconds = 1;
 };
@@ -66,6 +68,9 @@ using ComparisonProgress = std::function<void(std::string_view structure, double
                                             const ComparisonOptions& options,
                                             const ComparisonProgress& progress,
                                             const std::stop_token& stop);
+
+/// Whether a ray's tests are as many as the shapes.
+[[nodiscard]] bool is_linear(render::AccelerationKind kind);
 
 /// "kdtree"
 [[nodiscard]] std::string_view name_of(render::AccelerationKind kind);

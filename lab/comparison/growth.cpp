@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "core/cpu_time.h"
-#include "core/error.h"
 #include "lab/comparison/frame_meter.h"
 #include "lab/comparison/growth_rays.h"
-#include "lab/structures/make_structure.h"
+#include "lab/comparison/lane_limit.h"
+#include "lab/comparison/structure_timing.h"
 #include "render/acceleration/flush_denormals.h"
-#include "render/frame_scene/frame_scene.h"
-#include "render/frame_scene/static_geometry.h"
 
 namespace carom::pipeline {
 
@@ -20,31 +18,16 @@ using render::AccelerationKind;
 using render::FrameScene;
 using render::Ray;
 using render::StaticGeometry;
-using RaysByKind = std::array<std::vector<Ray>, 3>;
 
 constexpr std::size_t kRays = 20'000;
 
-void check_stop(const std::stop_token& stop) {
-    if (stop.stop_requested()) {
-        throw Stopped();
-    }
-}
-
-StaticGeometry geometry_of(const LaboratoryScene& scene, AccelerationKind kind) {
-    render::RenderSettings settings = scene.settings;
-    settings.acceleration = kind;
-    return {scene.scene, settings, render::make_structure};
-}
-
 /// The number of rays that hit something.
 std::size_t trace(const render::AccelerationStructure& structure, std::span<const Ray> rays) {
-    std::size_t hits = 0;
+    std::size_t count = 0;
     for (const Ray& ray : rays) {
-        render::Hit hit;
-        const bool any = ray.kind == render::RayKind::shadow;
-        hits += (any ? structure.any_hit(ray) : structure.closest_hit(ray, hit)) ? 1 : 0;
+        count += hits(structure, ray) ? 1 : 0;
     }
-    return hits;
+    return count;
 }
 
 /// Batches of closest-hit queries, as in the product.
@@ -55,6 +38,15 @@ void trace(const render::AccelerationStructure& structure, const std::vector<Ray
     }
 }
 
+/// Batches of occlusion tests.
+void trace_shadows(const render::AccelerationStructure& structure,
+                   const std::vector<RayArrays>& arrays) {
+    for (const RayArrays& rays : arrays) {
+        RayArrays::Numbers t_max = rays.t_max();
+        structure.test_occlusion(rays.batch(), t_max.data());
+    }
+}
+
 std::vector<RayArrays> arrays_of(std::span<const Ray> rays) {
     std::vector<RayArrays> arrays;
     for (std::size_t first = 0; first < rays.size(); first += kBatchRays) {
@@ -62,24 +54,6 @@ std::vector<RayArrays> arrays_of(std::span<const Ray> rays) {
             rays.subspan(first, std::min<std::size_t>(kBatchRays, rays.size() - first)));
     }
     return arrays;
-}
-
-/// CPU time of `work`, the least of several runs, because other load on the machine only slows it
-/// down.
-template <class Work>
-double least_seconds(const Work& work, double enough, const std::stop_token& stop) {
-    constexpr int kMost = 12;
-    double least = 1e300;
-    double all = 0;
-    for (int i = 0; i < kMost && (i < 2 || all < enough); ++i) {
-        check_stop(stop);
-        const double start = process_cpu_seconds();
-        work();
-        const double seconds = process_cpu_seconds() - start;
-        all += seconds;
-        least = std::min(least, seconds);
-    }
-    return least;
 }
 
 /// A scene at its own time.
@@ -103,14 +77,16 @@ void time_rays(const render::AccelerationStructure& structure, const RaysByKind&
     const std::vector<RayArrays> arrays = arrays_of(both);
     const auto in_batches = [&] { trace(structure, arrays); };
     point.seconds_per_ray_of_batch = per_ray(least_seconds(in_batches, enough, stop), both.size());
+    const std::vector<RayArrays> shadow_arrays = arrays_of(rays[2]);
+    const auto shadows_in_batches = [&] { trace_shadows(structure, shadow_arrays); };
+    point.seconds_per_shadow_ray_of_batch =
+        per_ray(least_seconds(shadows_in_batches, enough, stop), rays[2].size());
 }
 
-GrowthPoint point_of(AccelerationKind kind, const LaboratoryScene& scene, std::size_t shapes,
-                     const RaysByKind& rays, double enough, const std::stop_token& stop) {
+GrowthPoint point_of(AccelerationKind kind, const LaboratoryScene& scene, const RaysByKind& rays,
+                     double enough, const std::stop_token& stop) {
     const render::FlushDenormals flush;
     GrowthPoint point;
-    point.name = name_of(kind);
-    point.shapes = shapes;
     const StaticGeometry geometry = geometry_of(scene, kind);
     {
         const FrameScene frame = frame_of(geometry, scene);
@@ -128,17 +104,6 @@ GrowthPoint point_of(AccelerationKind kind, const LaboratoryScene& scene, std::s
         point.tests = counting.cost().counts;
     }
     return point;
-}
-
-/// Every `every`th ray: few enough for brute force, and enough for means.
-RaysByKind thinned(const RaysByKind& rays, std::size_t every) {
-    RaysByKind some;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        for (std::size_t k = 0; k < rays[i].size(); k += every) {
-            some[i].push_back(rays[i][k]);
-        }
-    }
-    return some;
 }
 
 std::vector<std::size_t> wanted_sizes(std::size_t largest) {
@@ -170,6 +135,30 @@ std::size_t shapes_of(const LaboratoryScene& scene) {
     return mesh != nullptr ? mesh->triangles.size() : scene.scene.objects.size();
 }
 
+/// A structure and the size of its vectors; 0: the processor's.
+struct Variant {
+    AccelerationKind kind = AccelerationKind::bvh;
+    int lanes = 0;
+
+    [[nodiscard]] std::string name() const {
+        const std::string text(name_of(kind));
+        return lanes == 0 ? text : text + ", " + std::to_string(lanes) + " lanes";
+    }
+};
+
+std::vector<Variant> variants_of(const GrowthOptions& options) {
+    std::vector<Variant> variants;
+    for (const AccelerationKind kind : options.structures) {
+        for (const int lanes : options.lanes) {
+            variants.push_back({kind, lanes});
+        }
+        if (options.lanes.empty()) {
+            variants.push_back({kind, 0});
+        }
+    }
+    return variants;
+}
+
 void measure_size(std::size_t size, const GrowthOptions& options, const std::stop_token& stop,
                   const std::function<void(std::string_view)>& tell, Growth& growth) {
     const LaboratoryScene scene = scene_of(options.scene, size);
@@ -183,16 +172,22 @@ void measure_size(std::size_t size, const GrowthOptions& options, const std::sto
     const double tests = 3.0 * static_cast<double>(kRays) * static_cast<double>(shapes);
     const auto every =
         static_cast<std::size_t>(std::ceil(std::max(1.0, 20 * tests / options.most_tests)));
-    for (const AccelerationKind kind : options.structures) {
+    for (const Variant& variant : variants_of(options)) {
         check_stop(stop);
-        tell(name_of(kind));
-        const bool is_brute = kind == AccelerationKind::brute_force;
-        if (is_brute && every > kRays / 100) {
+        tell(name_of(variant.kind));
+        const bool is_slow = is_linear(variant.kind);
+        if (is_slow && every > kRays / 100) {
             continue;
         }
-        growth.points.push_back(point_of(kind, scene, shapes,
-                                         is_brute ? thinned(rays, every) : rays,
-                                         options.enough_seconds, stop));
+        std::optional<LaneLimit> limit;
+        if (variant.lanes > 0) {
+            limit.emplace(variant.lanes);
+        }
+        GrowthPoint point = point_of(variant.kind, scene, is_slow ? thinned(rays, every) : rays,
+                                     options.enough_seconds, stop);
+        point.name = variant.name();
+        point.shapes = shapes;
+        growth.points.push_back(std::move(point));
     }
 }
 
@@ -219,8 +214,8 @@ Growth measure_growth(const GrowthOptions& options, const ComparisonProgress& pr
                       const std::stop_token& stop) {
     Growth growth;
     growth.scene = options.scene;
-    for (const AccelerationKind kind : options.structures) {
-        growth.structures.emplace_back(name_of(kind));
+    for (const Variant& variant : variants_of(options)) {
+        growth.structures.push_back(variant.name());
     }
     const std::vector<std::size_t> sizes = wanted_sizes(options.largest);
     try {
@@ -229,7 +224,7 @@ Growth measure_growth(const GrowthOptions& options, const ComparisonProgress& pr
             measure_size(
                 size, options, stop,
                 [&](std::string_view structure) {
-                    const auto all = static_cast<double>(sizes.size() * options.structures.size());
+                    const auto all = static_cast<double>(sizes.size() * growth.structures.size());
                     progress(structure, std::min(1.0, done / all));
                     done += 1;
                 },

@@ -20,19 +20,24 @@ enum class GrowingScene {
 struct GrowthOptions {
     GrowingScene scene = GrowingScene::spheres;
     std::vector<render::AccelerationKind> structures;
+    /// Numbers in a vector, which the machine has (LaneLimit): each structure is measured with each
+    /// of them. Empty: only with the processor's.
+    std::vector<int> lanes;
     std::size_t largest = 1'000'000;
     double most_tests = 1e9;       // brute force is left out beyond this number
     double enough_seconds = 0.15;  // CPU time spent on the rays of each kind, at least
 };
 
-/// One structure for one scene. Arrays are by kind of ray, in the order of render::RayKind.
+/// One structure, with one size of vectors, for one scene. Arrays are by kind of ray, in the order
+/// of render::RayKind.
 struct GrowthPoint {
-    std::string name;
+    std::string name;  // "bvh" or, of several sizes, "bvh, 8 lanes"
     std::size_t shapes = 0;
     double build_seconds = 0;  // CPU time
     std::size_t bytes = 0;
     std::array<double, 3> seconds_per_ray{};  // CPU time of intersection alone
     double seconds_per_ray_of_batch = 0;      // in batches of kBatchRays closest-hit queries
+    double seconds_per_shadow_ray_of_batch = 0;
     bool is_counted = false;
     render::TestCounts tests;
 };

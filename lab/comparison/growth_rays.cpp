@@ -52,6 +52,33 @@ sim::Track bouncing_track(const std::string& name, const Vec3& place, const Vec3
     return {name, {first, impact, last}};
 }
 
+/// Along lines of random directions and lengths, for a second.
+sim::Track restless_track(const std::string& name, const Vec3& place, Numbers& numbers) {
+    const auto velocity = [&] { return Vec3(numbers.direction()) * (2 * numbers.next()); };
+    std::vector<sim::Key> keys;
+    sim::Key key;
+    key.position = place;
+    key.velocity_in = key.velocity_out = velocity();
+    keys.push_back(key);
+    while (key.time < 1) {
+        const double leg = std::min(0.05 + 0.1 * numbers.next(), 1 - key.time);
+        key.time = leg > 0.999 - key.time ? 1 : key.time + leg;
+        key.position += key.velocity_out * (key.time - keys.back().time);
+        key.velocity_in = key.velocity_out;
+        key.velocity_out = velocity();
+        keys.push_back(key);
+    }
+    keys.back().velocity_out = keys.back().velocity_in;
+    return {name, std::move(keys)};
+}
+
+/// Lets the object follow a track that begins where it is.
+void set_track(LaboratoryScene& scene, render::ObjectDescription& object, sim::Track track) {
+    scene.tracks.push_back(std::move(track));
+    object.track = object.name;
+    object.world_from_object = Mat44();
+}
+
 constexpr float kStep = 1e-4f;  // offset from a hit, m
 
 /// Towards squares across the cloud; neighbours follow each other, as in the tiles of a picture.
@@ -108,10 +135,20 @@ LaboratoryScene ball_cloud(std::size_t balls) {
     for (std::size_t i = 1; i < balls; i += 2) {
         render::ObjectDescription& ball = scene.scene.objects[i];
         const Vec3 before = velocity();
-        scene.tracks.push_back(
+        set_track(
+            scene, ball,
             bouncing_track(ball.name, ball.world_from_object.translation(), before, velocity()));
-        ball.track = ball.name;
-        ball.world_from_object = Mat44();
+    }
+    return scene;
+}
+
+LaboratoryScene restless_balls(std::size_t balls) {
+    LaboratoryScene scene = sphere_cloud(balls);
+    Numbers numbers(~balls);
+    for (std::size_t i = 1; i < balls; i += 2) {
+        render::ObjectDescription& ball = scene.scene.objects[i];
+        set_track(scene, ball,
+                  restless_track(ball.name, ball.world_from_object.translation(), numbers));
     }
     return scene;
 }
@@ -162,6 +199,7 @@ RayArrays::RayArrays(std::span<const Ray> rays) : count_(static_cast<int>(rays.s
             numbers_[3 + axis][i] = rays[i].direction[static_cast<int>(axis)];
         }
         numbers_[6][i] = rays[i].time;
+        numbers_[7][i] = rays[i].t_max;
     }
 }
 

@@ -18,6 +18,10 @@ namespace carom::pipeline {
 /// About `balls` balls. A moving one has two segments in a structure: n balls are 1.5 n shapes.
 [[nodiscard]] LaboratoryScene ball_cloud(std::size_t balls);
 
+/// `balls` balls, of which every other one moves for a second at up to 2 m/s, with an impact about
+/// every 0.1 s.
+[[nodiscard]] LaboratoryScene restless_balls(std::size_t balls);
+
 /// By render::RayKind: about `count` rays from a camera, one onwards from each of their hits, and
 /// one from there to a light, at random times. `structure` finds the hits.
 [[nodiscard]] std::array<std::vector<render::Ray>, 3> growth_rays(
@@ -29,14 +33,17 @@ inline constexpr int kBatchRays = 64;
 /// Rays as a structure of arrays.
 class RayArrays {
   public:
+    static constexpr int kRoom = kBatchRays + 16;  // RayBatch
+    using Numbers = std::array<float, kRoom>;
+
     /// At most kBatchRays rays.
     explicit RayArrays(std::span<const render::Ray> rays);
     [[nodiscard]] render::RayBatch batch() const;
+    [[nodiscard]] const Numbers& t_max() const { return numbers_[7]; }
 
   private:
-    static constexpr int kRoom = kBatchRays + 16;  // RayBatch
     int count_ = 0;
-    std::array<std::array<float, kRoom>, 7> numbers_{};  // origin, direction, time
+    std::array<Numbers, 8> numbers_{};  // origin, direction, time, t_max
 };
 
 }  // namespace carom::pipeline

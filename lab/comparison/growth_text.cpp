@@ -6,8 +6,7 @@
 
 #include <fmt/core.h>
 
-#include "lab/comparison/line_chart.h"
-#include "lab/comparison/text_table.h"
+#include "lab/comparison/curves.h"
 
 namespace carom::pipeline {
 
@@ -63,49 +62,32 @@ std::optional<double> nanoseconds_per_ray(const GrowthPoint& point) {
            3;
 }
 
-std::string table_of(const Growth& growth, const std::string& title, const Quantity& quantity) {
-    std::vector<std::string> names;
-    for (const std::string& name : growth.structures) {
-        const auto has_it = [&](const GrowthPoint& point) {
-            return point.name == name && quantity(point).has_value();
-        };
-        if (std::ranges::any_of(growth.points, has_it)) {
-            names.push_back(name);
-        }
-    }
-    if (names.empty()) {
-        return "";
-    }
-    std::vector<std::string> header{title};
-    header.insert(header.end(), names.begin(), names.end());
-    TextTable table(std::move(header));
+Curves curves_of(const Growth& growth) {
+    Curves curves{growth.structures, {}};
     for (const std::size_t shapes : growth.sizes()) {
-        std::vector<std::string> row{fmt::format("{}", shapes)};
-        for (const std::string& name : names) {
-            const GrowthPoint* point = growth.point(name, shapes);
-            const auto value = point != nullptr ? quantity(*point) : std::nullopt;
-            row.push_back(value ? short_number(*value) : "-");
-        }
-        table.add(std::move(row));
+        curves.across.push_back(static_cast<double>(shapes));
     }
-    return "\n" + table.text();
+    return curves;
+}
+
+CurveValue value_of(const Growth& growth, const Quantity& quantity) {
+    return [&growth, quantity, sizes = growth.sizes()](std::size_t curve, std::size_t place) {
+        const GrowthPoint* point = growth.point(growth.structures[curve], sizes[place]);
+        return point != nullptr ? quantity(*point) : std::nullopt;
+    };
+}
+
+std::string table_of(const Growth& growth, const std::string& title, const Quantity& quantity) {
+    return table_of(curves_of(growth), title, value_of(growth, quantity));
 }
 
 LinePanel panel_of(const Growth& growth, const std::string& title, bool is_logarithmic,
                    const Quantity& quantity, const std::vector<std::string>& left_out = {}) {
-    LinePanel panel{title, is_logarithmic, {}};
-    for (const std::string& name : growth.structures) {
-        ChartLine line{name, {}};
-        for (const GrowthPoint& point : growth.points) {
-            const auto value = point.name == name ? quantity(point) : std::nullopt;
-            if (value && *value > 0) {
-                line.points.emplace_back(static_cast<double>(point.shapes), *value);
-            }
-        }
-        if (!line.points.empty() && std::ranges::find(left_out, name) == left_out.end()) {
-            panel.lines.push_back(std::move(line));
-        }
-    }
+    LinePanel panel =
+        panel_of(curves_of(growth), title, is_logarithmic, value_of(growth, quantity));
+    std::erase_if(panel.lines, [&](const ChartLine& line) {
+        return std::ranges::find(left_out, line.name) != left_out.end();
+    });
     return panel;
 }
 
@@ -132,6 +114,9 @@ std::string growth_text(const Growth& growth) {
     text += table_of(growth, "ns per shadow ray", nanoseconds(2));
     text += table_of(growth, "ns per ray of 64",
                      [](const GrowthPoint& point) { return 1e9 * point.seconds_per_ray_of_batch; });
+    text += table_of(growth, "ns per shadow ray of 64", [](const GrowthPoint& point) {
+        return 1e9 * point.seconds_per_shadow_ray_of_batch;
+    });
     text += table_of(growth, "build ms",
                      [](const GrowthPoint& point) { return 1e3 * point.build_seconds; });
     text += table_of(growth, "memory MB", [](const GrowthPoint& point) {

@@ -14,13 +14,14 @@ struct Generator {
     LaboratoryScene (*make)();
 };
 
-constexpr std::array<Generator, 6> kGenerators{
+constexpr std::array<Generator, 7> kGenerators{
     {{{"sphere_cube", "3375 spheres in a cube, 2 point lights"}, sphere_cube},
      {{"cylinder_axes", "1313 cylinders along thirteen axes, 2 point lights, mirrored once"},
       cylinder_axes},
      {{"cylinder_walls", "7500 cylinders in three walls, 2 point lights, mirrored once"},
       cylinder_walls},
      {{"full_view", "one sphere that fills the view, 1 point light"}, full_view},
+     {{"partial_view", "one cylinder across a part of the view, 1 point light"}, partial_view},
      {{"stadium", "a mesh of 2000 triangles in a stadium of 481 boxes, 2 point lights"}, stadium},
      {{"smooth_mesh", "a smooth mesh of 100 000 triangles on a floor, 2 point lights"},
       smooth_mesh}}};

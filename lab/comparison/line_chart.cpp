@@ -19,11 +19,11 @@ constexpr double kBottom = kTop + kHeight;
 constexpr double kNumbers = 9;  // space for the numbers, left of a panel
 constexpr double kBetween = 6;
 
-// The number of colours that everyone can tell apart; further lines are dashed.
+// The number of colours that everyone can tell apart; further lines are dashed, then dotted.
 constexpr std::size_t kColours = 6;
 
 std::string dashes_of(std::size_t index) {
-    return index < kColours ? "none" : "1.6 0.9";
+    return index < kColours ? "none" : (index < 2 * kColours ? "1.6 0.9" : "0.4 0.8");
 }
 
 /// The vertical axis: between powers of ten, or from 0 to a round number.
@@ -123,14 +123,17 @@ void draw_panel(SvgText& svg, const LineChart& chart, const LinePanel& panel, do
     draw_lines(svg, chart, panel, across, upwards);
 }
 
-void draw_legend(SvgText& svg, const LineChart& chart) {
+/// Returns how much further down the panels must be than after a legend of two lines, mm.
+double draw_legend(SvgText& svg, const LineChart& chart) {
+    constexpr double kFirst = 21.5;
+    constexpr double kLine = 4;
     double x = kMargin;
-    double y = 21.5;
+    double y = kFirst;
     for (std::size_t i = 0; i < chart.names.size(); ++i) {
         const double width = 9 + text_width(chart.names[i], 2.6);
         if (x + width > kPageWidth - kMargin) {
             x = kMargin;
-            y += 4;
+            y += kLine;
         }
         svg.leaf("path", {{"class", "path curve"},
                           {"stroke", rig_colour(i % kColours)},
@@ -139,6 +142,7 @@ void draw_legend(SvgText& svg, const LineChart& chart) {
         svg.text("text", chart.names[i], {{"x", svg_number(x + 6)}, {"y", svg_number(y + 0.9)}});
         x += width + 2;
     }
+    return std::max(0.0, y - kFirst - kLine);
 }
 
 }  // namespace
@@ -148,14 +152,16 @@ std::string line_chart_svg(const LineChart& chart, PlanPage page) {
     svg.text("text", chart.title, {{"class", "title"}, {"x", svg_number(kMargin)}, {"y", "11"}});
     svg.text("text", chart.explanation,
              {{"class", "faint"}, {"x", svg_number(kMargin)}, {"y", "16.5"}});
-    draw_legend(svg, chart);
+    const double lower = draw_legend(svg, chart);
+    svg.open("g", {{"transform", "translate(0 " + svg_number(lower) + ")"}});
     const auto panels = static_cast<double>(chart.panels.size());
     const double width = (kPageWidth - 2 * kMargin - kBetween * (panels - 1)) / panels;
     for (std::size_t i = 0; i < chart.panels.size(); ++i) {
         const double left = kMargin + (width + kBetween) * static_cast<double>(i);
         draw_panel(svg, chart, chart.panels[i], left + kNumbers, left + width);
     }
-    return svg_page(svg.finish(), chart.title, page, kBottom + 14);
+    svg.close();
+    return svg_page(svg.finish(), chart.title, page, kBottom + 14 + lower);
 }
 
 }  // namespace carom::pipeline

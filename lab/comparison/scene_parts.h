@@ -39,6 +39,7 @@ void set_camera(LaboratoryScene& scene, const Vec3& place, const Vec3& target, d
 [[nodiscard]] LaboratoryScene cylinder_axes();
 [[nodiscard]] LaboratoryScene cylinder_walls();
 [[nodiscard]] LaboratoryScene full_view();
+[[nodiscard]] LaboratoryScene partial_view();
 [[nodiscard]] LaboratoryScene stadium();
 [[nodiscard]] LaboratoryScene smooth_mesh();
 

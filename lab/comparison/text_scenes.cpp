@@ -106,4 +106,15 @@ LaboratoryScene full_view() {
     return scene;
 }
 
+// The cylinder lies along a diagonal of the view: its box covers nearly all of the view, the
+// cylinder itself about a half.
+LaboratoryScene partial_view() {
+    LaboratoryScene scene = empty_scene("partial_view", {640, 360, 5, 0});
+    add_surface(scene, "red", {0.75, 0.16, 0.12});
+    add_object(scene, render::CylinderShape{1.2, 6.52}, turned_to({16, 0, 9}, {0, 0, 0}), "red");
+    add_point_light(scene, {-6, -12, 9}, 500);
+    set_camera(scene, {0, -9, 0}, {0, 0, 0}, 0.5);
+    return scene;
+}
+
 }  // namespace carom::pipeline

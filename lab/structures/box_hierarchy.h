@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <queue>
+#include <utility>
 #include <vector>
 
 #include <Imath/ImathBox.h>
@@ -13,7 +15,7 @@
 namespace carom::render {
 
 /// The entries of a node are nodes or shapes, each with its box. A ray visits the entries whose
-/// boxes it enters, the nearest first. Every shape is in the hierarchy once.
+/// boxes it enters, those of a node nearest first.
 class BoxHierarchy {
   public:
     struct Entry {
@@ -47,11 +49,11 @@ class BoxHierarchy {
         if (nodes_.empty()) {
             return;
         }
-        std::vector<StackEntry> stack;
+        std::vector<Waiting> stack;
         stack.reserve(kReserve);
-        stack.push_back({0, static_cast<std::uint32_t>(nodes_.size() - 1), false});
+        stack.push_back(root());
         while (!stack.empty()) {
-            const StackEntry next = stack.back();
+            const Waiting next = stack.back();
             stack.pop_back();
             if (next.enter > query.t_max()) {
                 continue;
@@ -66,31 +68,66 @@ class BoxHierarchy {
         }
     }
 
+    /// The same, where the entries of all nodes wait in one queue, from which the nearest is taken.
+    template <class Query>
+    void search_by_queue(Query& query) const {
+        if (nodes_.empty()) {
+            return;
+        }
+        std::vector<Waiting> storage;
+        storage.reserve(kReserve);
+        std::priority_queue<Waiting> queue({}, std::move(storage));
+        queue.push(root());
+        while (!queue.empty() && queue.top().enter <= query.t_max()) {
+            const Waiting next = queue.top();
+            queue.pop();
+            if (next.is_shape) {
+                if (query.test(next.index)) {
+                    return;
+                }
+                continue;
+            }
+            each_entered(nodes_[next.index], query,
+                         [&](const Waiting& entered) { queue.push(entered); });
+        }
+    }
+
   private:
     struct Node {
         std::uint32_t first = 0, count = 0;  // entries
     };
-    struct StackEntry {
+    struct Waiting {
         float enter;
         std::uint32_t index;
         bool is_shape;
+        // The queue's top is the nearest.
+        bool operator<(const Waiting& other) const { return enter > other.enter; }
     };
     static constexpr std::size_t kReserve = 64;
 
-    // Pushes the node's entries, the farthest first.
-    template <class Query>
-    void enter_node(const Node& node, Query& query, std::vector<StackEntry>& stack) const {
+    [[nodiscard]] Waiting root() const {
+        return {0, static_cast<std::uint32_t>(nodes_.size() - 1), false};
+    }
+
+    /// Calls `work` with each entry of the node whose box the ray enters.
+    template <class Query, class Work>
+    void each_entered(const Node& node, Query& query, const Work& work) const {
         query.note_node();
-        const std::size_t before = stack.size();
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
             const Entry& entry = entries_[i];
             float enter = 0;
             if (query.enters(entry.box, enter)) {
-                stack.push_back({enter, entry.index, entry.is_shape});
+                work(Waiting{enter, entry.index, entry.is_shape});
             }
         }
-        std::sort(stack.begin() + static_cast<std::ptrdiff_t>(before), stack.end(),
-                  [](const StackEntry& a, const StackEntry& b) { return a.enter > b.enter; });
+    }
+
+    // Pushes the node's entries, the farthest first.
+    template <class Query>
+    void enter_node(const Node& node, Query& query, std::vector<Waiting>& stack) const {
+        const std::size_t before = stack.size();
+        each_entered(node, query, [&](const Waiting& entered) { stack.push_back(entered); });
+        std::sort(stack.begin() + static_cast<std::ptrdiff_t>(before), stack.end());
     }
 
     std::vector<Node> nodes_;

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <optional>
 
-#include "lab/structures/extents.h"
+#include "lab/structures/outlines.h"
 
 namespace carom::render {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 using Tree = PlanesTree<BspTree::kNormals>;
 using Members = std::vector<std::uint32_t>;
 
-constexpr std::size_t kFew = 2;
+constexpr int kFew = 2;
 constexpr double kImbalance = 0.25;  // weight of the imbalance between sides, in copies of shapes
 constexpr double kMostCopies = 0.5;  // of the members
 
@@ -36,11 +36,15 @@ Tree::Normals directions() {
 
 class Builder {
   public:
-    Builder(const Primitives& primitives, const Tree::Normals& normals, Tree& tree)
-        : tree_(tree), extents_(BspTree::kNormals) {
+    Builder(const Primitives& primitives, const StructureSizes& sizes, const Tree::Normals& normals,
+            Tree& tree)
+        : tree_(tree),
+          few_(static_cast<std::size_t>(sizes.leaf_capacity > 0 ? sizes.leaf_capacity : kFew)),
+          extents_(BspTree::kNormals) {
+        const Outlines outlines(primitives);
         for (std::size_t k = 0; k < BspTree::kNormals; ++k) {
-            for (const Primitive& shape : primitives.bounded()) {
-                extents_[k].push_back(extent_along(primitives, shape, normals[k]));
+            for (std::uint32_t shape = 0; shape < outlines.size(); ++shape) {
+                extents_[k].push_back(outlines.extent(shape, normals[k]));
             }
         }
         Members all(primitives.bounded().size());
@@ -97,7 +101,7 @@ class Builder {
 
     std::uint32_t build(const Members& members, int depth) {
         const auto cut =
-            members.size() <= kFew || depth >= deepest_ ? std::nullopt : best_cut(members);
+            members.size() <= few_ || depth >= deepest_ ? std::nullopt : best_cut(members);
         if (!cut) {
             return tree_.add_leaf(members);
         }
@@ -123,19 +127,20 @@ class Builder {
     }
 
     Tree& tree_;
+    std::size_t few_;
     std::vector<std::vector<Extent>> extents_;  // by normal, then by shape
     int deepest_ = 0;
 };
 
 }  // namespace
 
-BspTree::BspTree(const Primitives& primitives) : tree_(directions()) {
+BspTree::BspTree(const Primitives& primitives, const StructureSizes& sizes) : tree_(directions()) {
     tree_.boxes = swept_boxes(primitives);
     for (const Imath::Box3f& box : tree_.boxes) {
         tree_.bounds.extendBy(box);
     }
     if (!tree_.boxes.empty()) {
-        Builder(primitives, directions(), tree_);
+        Builder(primitives, sizes, directions(), tree_);
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lab/structures/planes_tree.h"
+#include "render/acceleration/structure_options.h"
 
 namespace carom::render {
 
@@ -13,7 +14,7 @@ class BspTree {
   public:
     static constexpr std::size_t kNormals = 13;
 
-    explicit BspTree(const Primitives& primitives);
+    BspTree(const Primitives& primitives, const StructureSizes& sizes);
 
     template <class Query>
     void search(Query& query) const {

@@ -12,7 +12,7 @@ using Tree = PlanesTree<3>;
 using Members = std::vector<std::uint32_t>;
 
 constexpr std::size_t kPlaces = 32;
-constexpr std::size_t kFew = 2;      // nodes with so few shapes are not split
+constexpr int kFew = 2;              // nodes with so few shapes are not split
 constexpr float kPlaneCost = 0.3f;   // of a node, in tests of a shape and its box
 constexpr float kEmptyBonus = 0.8f;  // of the cost, for cutting off empty space
 constexpr double kMostCopies =
@@ -25,6 +25,7 @@ struct Plane {
 
 struct Builder {
     Tree& tree;
+    std::size_t few = 0;
     int deepest = 0;
 
     [[nodiscard]] std::optional<Plane> best_plane(const Members& members, const Box& region) const;
@@ -78,7 +79,7 @@ std::optional<Plane> Builder::best_plane(const Members& members, const Box& regi
 }
 
 std::uint32_t Builder::build(const Members& members, const Box& region, int depth) {
-    if (members.size() <= kFew || depth >= deepest) {
+    if (members.size() <= few || depth >= deepest) {
         return tree.add_leaf(members);
     }
     const auto plane = best_plane(members, region);
@@ -117,7 +118,8 @@ std::uint32_t Builder::build(const Members& members, const Box& region, int dept
 
 }  // namespace
 
-KdTree::KdTree(const Primitives& primitives) : tree_({V3f(1, 0, 0), V3f(0, 1, 0), V3f(0, 0, 1)}) {
+KdTree::KdTree(const Primitives& primitives, const StructureSizes& sizes)
+    : tree_({V3f(1, 0, 0), V3f(0, 1, 0), V3f(0, 0, 1)}) {
     tree_.boxes = swept_boxes(primitives);
     Members all(tree_.boxes.size());
     std::iota(all.begin(), all.end(), 0u);
@@ -127,7 +129,9 @@ KdTree::KdTree(const Primitives& primitives) : tree_({V3f(1, 0, 0), V3f(0, 1, 0)
     if (!all.empty()) {
         // The depth found by Havran 2000, "Heuristic ray shooting algorithms", section 4.5.
         const double levels = std::log2(static_cast<double>(all.size()));
-        Builder{tree_, 8 + static_cast<int>(1.3 * levels)}.build(all, tree_.bounds, 0);
+        const int few = sizes.leaf_capacity > 0 ? sizes.leaf_capacity : kFew;
+        Builder{tree_, static_cast<std::size_t>(few), 8 + static_cast<int>(1.3 * levels)}.build(
+            all, tree_.bounds, 0);
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lab/structures/planes_tree.h"
+#include "render/acceleration/structure_options.h"
 
 namespace carom::render {
 
@@ -10,7 +11,7 @@ namespace carom::render {
 /// places per axis.
 class KdTree {
   public:
-    explicit KdTree(const Primitives& primitives);
+    KdTree(const Primitives& primitives, const StructureSizes& sizes);
 
     template <class Query>
     void search(Query& query) const {

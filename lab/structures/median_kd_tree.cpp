@@ -11,13 +11,17 @@ using Box = Imath::Box3f;
 
 /// Shapes per leaf. With two, the numbers of tests come closest to the published ones
 /// (docs/developers/laboratory.md).
-constexpr std::size_t kLeafCapacity = 2;
+constexpr int kLeafCapacity = 2;
 
 }  // namespace
 
 class MedianKdTree::Builder {
   public:
-    Builder(const std::vector<Box>& boxes, MedianKdTree& tree) : boxes_(boxes), tree_(tree) {
+    Builder(const std::vector<Box>& boxes, const StructureSizes& sizes, MedianKdTree& tree)
+        : boxes_(boxes),
+          few_(static_cast<std::size_t>(sizes.leaf_capacity > 0 ? sizes.leaf_capacity
+                                                                : kLeafCapacity)),
+          tree_(tree) {
         std::vector<std::uint32_t> all(boxes.size());
         std::iota(all.begin(), all.end(), 0u);
         Box region;
@@ -35,7 +39,7 @@ class MedianKdTree::Builder {
   private:
     /// The entry of a leaf, or of a node above two halves.
     BoxHierarchy::Entry entry(std::span<std::uint32_t> shapes, const Box& region) {
-        if (shapes.size() <= kLeafCapacity) {
+        if (shapes.size() <= few_) {
             return leaf(shapes);
         }
         const auto axis = static_cast<int>(region.majorAxis());
@@ -68,12 +72,13 @@ class MedianKdTree::Builder {
     }
 
     const std::vector<Box>& boxes_;
+    std::size_t few_;
     MedianKdTree& tree_;
 };
 
-MedianKdTree::MedianKdTree(const Primitives& primitives) {
+MedianKdTree::MedianKdTree(const Primitives& primitives, const StructureSizes& sizes) {
     const std::vector<Box> boxes = swept_boxes(primitives);
-    Builder(boxes, *this);
+    Builder(boxes, sizes, *this);
 }
 
 }  // namespace carom::render

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "lab/structures/box_hierarchy.h"
+#include "render/acceleration/structure_options.h"
 
 namespace carom::render {
 
@@ -14,7 +15,7 @@ namespace carom::render {
 /// leaf's box.
 class MedianKdTree {
   public:
-    explicit MedianKdTree(const Primitives& primitives);
+    MedianKdTree(const Primitives& primitives, const StructureSizes& sizes);
 
     template <class Query>
     void search(Query& query) const {

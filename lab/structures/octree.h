@@ -1,18 +1,88 @@
-// An octree.
+// Octrees: cubes divided into eight.
 #pragma once
 
+#include <cstdint>
+
 #include "lab/structures/box_hierarchy.h"
+#include "lab/structures/mailbox.h"
+#include "render/acceleration/structure_options.h"
 
 namespace carom::render {
 
-/// Each cube is divided into eight (Glassner 1984, "Space subdivision for fast ray tracing"). A
-/// shape belongs to the cube that contains its centre, and the box of each cube is fitted to its
-/// shapes: so every shape is tested once, none is lost at a border, and boxes are smaller than
-/// those of a loose octree, whose cubes are all twice as wide. A cube with few shapes is not
-/// divided.
+/// Where a shape is stored in an octree (Glassner 1984, "Space subdivision for fast ray tracing").
+enum class Placement {
+    /// In the leaf that contains its centre. The box of each cube is fitted to its shapes: so every
+    /// shape is tested once, none is lost at a border, and boxes are smaller than those of a loose
+    /// octree.
+    centre,
+    /// In the cube that contains its centre and whose edge is at least as long as the shape's box.
+    /// A ray enters cubes that are twice as wide, so that they contain their shapes (Ulrich 2000,
+    /// "Loose octrees", Game Programming Gems).
+    loose,
+    /// In the smallest cube that contains it whole; a shape across the middle of a cube stays
+    /// there.
+    enclosing,
+    /// In every leaf that its box overlaps, tested once as far as a mailbox remembers. A ray enters
+    /// the cubes themselves.
+    overlapping,
+    /// The same, where a leaf holds only the piece of the shape inside it: boxes are fitted to the
+    /// pieces.
+    cut
+};
+
+/// Whether a shape may be in several leaves.
+[[nodiscard]] constexpr bool has_copies(Placement placement) {
+    return placement == Placement::overlapping || placement == Placement::cut;
+}
+
+/// A cube with few shapes is not divided.
+template <Placement placement>
 class Octree : public BoxHierarchy {
   public:
-    explicit Octree(const Primitives& primitives);
+    Octree(const Primitives& primitives, const StructureSizes& sizes);
+
+    template <class Query>
+    void search(Query& query) const {
+        if constexpr (has_copies(placement)) {
+            OnceQuery<Query> once{query, {}};
+            BoxHierarchy::search(once);
+        } else {
+            BoxHierarchy::search(query);
+        }
+    }
+
+  private:
+    /// Leaves out shapes that were tested before.
+    template <class Query>
+    struct OnceQuery {
+        Query& query;
+        Mailbox mailbox;
+
+        [[nodiscard]] float t_max() const { return query.t_max(); }
+        void note_node() { query.note_node(); }
+        [[nodiscard]] bool enters(const Imath::Box3f& box, float& enter) {
+            return query.enters(box, enter);
+        }
+        bool test(std::uint32_t shape) { return !mailbox.knows(shape) && query.test(shape); }
+    };
+};
+
+extern template class Octree<Placement::centre>;
+extern template class Octree<Placement::loose>;
+extern template class Octree<Placement::enclosing>;
+extern template class Octree<Placement::overlapping>;
+extern template class Octree<Placement::cut>;
+
+/// An octree by centres whose cubes wait in one queue for all levels, from which the nearest is
+/// taken (Kay and Kajiya 1986, "Ray tracing complex scenes", section 4).
+class QueuedOctree : public Octree<Placement::centre> {
+  public:
+    using Octree::Octree;
+
+    template <class Query>
+    void search(Query& query) const {
+        search_by_queue(query);
+    }
 };
 
 }  // namespace carom::render

@@ -11,7 +11,7 @@
 
 namespace carom::render {
 
-/// `Index(const Primitives&)` orders the bounded primitives and has
+/// `Index(const Primitives&, const StructureSizes&)` orders the bounded primitives and has
 ///   template <class Query> void search(Query& query) const,
 /// which passes every primitive whose box the ray enters before its t_max to `query`, until a test
 /// ends the search, and `std::size_t bytes() const`.
@@ -19,7 +19,9 @@ template <class Index>
 class PrimitiveStructure final : public MeasuredStructure {
   public:
     PrimitiveStructure(Primitives primitives, const StructureOptions& options)
-        : primitives_(std::move(primitives)), options_(options), index_(primitives_) {}
+        : primitives_(std::move(primitives)),
+          options_(options),
+          index_(primitives_, options.sizes) {}
 
     [[nodiscard]] bool closest_hit(const Ray& ray, Hit& hit) const override {
         const Hit best = find(ray, ray.kind, false);

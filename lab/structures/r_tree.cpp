@@ -9,7 +9,7 @@ namespace {
 using Entry = BoxHierarchy::Entry;
 using Iterator = std::vector<Entry>::iterator;
 
-constexpr std::size_t kCapacity = 4;
+constexpr int kCapacity = 4;
 
 void sort_by(Iterator begin, Iterator end, int axis) {
     std::sort(begin, end, [axis](const Entry& a, const Entry& b) {
@@ -20,19 +20,19 @@ void sort_by(Iterator begin, Iterator end, int axis) {
 }
 
 // Each slice holds a whole number of nodes, so that only the very last node is not full.
-void tile(Iterator begin, Iterator end, int axis) {
+void tile(Iterator begin, Iterator end, std::size_t capacity, int axis) {
     sort_by(begin, end, axis);
     if (axis == 2) {
         return;
     }
     const auto count = static_cast<std::size_t>(end - begin);
-    const double nodes = std::ceil(static_cast<double>(count) / kCapacity);
+    const double nodes = std::ceil(static_cast<double>(count) / static_cast<double>(capacity));
     const double slices = std::ceil(std::pow(nodes, 1.0 / (3 - axis)));
-    const auto step = static_cast<std::size_t>(std::ceil(nodes / slices)) * kCapacity;
+    const auto step = static_cast<std::size_t>(std::ceil(nodes / slices)) * capacity;
     for (std::size_t first = 0; first < count; first += step) {
         const std::size_t last = std::min(count, first + step);
         tile(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last),
-             axis + 1);
+             capacity, axis + 1);
     }
 }
 
@@ -96,26 +96,33 @@ void sort_along_curve(std::vector<Entry>& entries) {
     }
 }
 
+template <Packing packing>
+void sort_level(std::vector<Entry>& level, std::size_t capacity, int number) {
+    if constexpr (packing == Packing::sort_tile_recursive) {
+        tile(level.begin(), level.end(), capacity, 0);
+    } else if constexpr (packing == Packing::cyclic) {
+        sort_by(level.begin(), level.end(), number % 3);
+    } else if (number == 0) {
+        sort_along_curve(level);  // nodes keep the order of their contents
+    }
+}
+
 }  // namespace
 
 template <Packing packing>
-RTree<packing>::RTree(const Primitives& primitives) {
+RTree<packing>::RTree(const Primitives& primitives, const StructureSizes& sizes) {
+    const auto capacity =
+        static_cast<std::size_t>(sizes.node_capacity > 0 ? sizes.node_capacity : kCapacity);
     std::vector<Entry> level;
     const std::vector<Imath::Box3f> boxes = swept_boxes(primitives);
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
         level.push_back({boxes[i], i, true});
     }
-    bool is_first = true;
-    while (level.size() > 1 || (is_first && !level.empty())) {
-        if (packing == Packing::sort_tile_recursive) {
-            tile(level.begin(), level.end(), 0);
-        } else if (is_first) {
-            sort_along_curve(level);  // nodes keep the order of their contents
-        }
-        is_first = false;
+    for (int number = 0; level.size() > 1 || (number == 0 && !level.empty()); ++number) {
+        sort_level<packing>(level, capacity, number);
         std::vector<Entry> above;
-        for (std::size_t first = 0; first < level.size(); first += kCapacity) {
-            const std::size_t last = std::min(level.size(), first + kCapacity);
+        for (std::size_t first = 0; first < level.size(); first += capacity) {
+            const std::size_t last = std::min(level.size(), first + capacity);
             const std::vector<Entry> entries(level.begin() + static_cast<std::ptrdiff_t>(first),
                                              level.begin() + static_cast<std::ptrdiff_t>(last));
             above.push_back(this->entry_of(this->add_node(entries)));
@@ -125,6 +132,7 @@ RTree<packing>::RTree(const Primitives& primitives) {
 }
 
 template class RTree<Packing::sort_tile_recursive>;
+template class RTree<Packing::cyclic>;
 template class RTree<Packing::hilbert>;
 
 }  // namespace carom::render

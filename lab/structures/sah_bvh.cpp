@@ -14,12 +14,13 @@ constexpr int kDeepest = 48;  // for the heuristic; deeper nodes are halved
 
 class Builder {
   public:
-    Builder(const std::vector<Box>& boxes, BoxHierarchy& result)
-        : boxes_(boxes), result_(result), order_(boxes.size()) {
+    Builder(const std::vector<Box>& boxes, const StructureSizes& sizes, BoxHierarchy& result)
+        : boxes_(boxes),
+          result_(result),
+          few_(static_cast<std::size_t>(std::max(1, sizes.leaf_capacity))),
+          order_(boxes.size()) {
         std::iota(order_.begin(), order_.end(), 0u);
-        if (order_.size() == 1) {
-            result_.add_node({{boxes[0], 0, true}});
-        } else if (order_.size() > 1) {
+        if (!order_.empty()) {
             build(order_, 0);
         }
     }
@@ -91,8 +92,15 @@ class Builder {
         return result_.entry_of(build(shapes, depth));
     }
 
-    // For two or more shapes; sorts `shapes` into two parts.
+    // Sorts `shapes` into two parts if they are not few.
     std::uint32_t build(std::span<std::uint32_t> shapes, int depth) {
+        if (shapes.size() <= few_) {
+            std::vector<BoxHierarchy::Entry> entries;
+            for (const std::uint32_t shape : shapes) {
+                entries.push_back({boxes_[shape], shape, true});
+            }
+            return result_.add_node(entries);
+        }
         Box centres;
         for (const std::uint32_t shape : shapes) {
             centres.extendBy(boxes_[shape].center());
@@ -114,14 +122,15 @@ class Builder {
 
     const std::vector<Box>& boxes_;
     BoxHierarchy& result_;
+    std::size_t few_;
     std::vector<std::uint32_t> order_;
 };
 
 }  // namespace
 
-SahBvh::SahBvh(const Primitives& primitives) {
+SahBvh::SahBvh(const Primitives& primitives, const StructureSizes& sizes) {
     const std::vector<Box> boxes = swept_boxes(primitives);
-    Builder(boxes, *this);
+    Builder(boxes, sizes, *this);
 }
 
 }  // namespace carom::render

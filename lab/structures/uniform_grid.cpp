@@ -8,7 +8,7 @@ constexpr double kMostPerAxis = 512;
 
 }  // namespace
 
-UniformGrid::UniformGrid(const Primitives& primitives) {
+UniformGrid::UniformGrid(const Primitives& primitives, const StructureSizes& sizes) {
     const std::vector<Imath::Box3f> boxes = swept_boxes(primitives);
     for (const Imath::Box3f& box : boxes) {
         bounds_.extendBy(box);
@@ -18,7 +18,8 @@ UniformGrid::UniformGrid(const Primitives& primitives) {
     }
     const Vec3 size(bounds_.size());
     const double volume = std::max(size.x * size.y * size.z, 1e-30);
-    const double edge = std::cbrt(volume / (kCellsPerShape * static_cast<double>(boxes.size())));
+    const double density = sizes.grid_density > 0 ? sizes.grid_density : kCellsPerShape;
+    const double edge = std::cbrt(volume / (density * static_cast<double>(boxes.size())));
     std::size_t cells = 1;
     for (int axis = 0; axis < 3; ++axis) {
         const auto k = static_cast<std::size_t>(axis);

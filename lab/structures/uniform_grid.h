@@ -9,15 +9,17 @@
 
 #include "lab/structures/boxes.h"
 #include "lab/structures/mailbox.h"
+#include "render/acceleration/structure_options.h"
 
 namespace carom::render {
 
 /// A ray visits cell after cell (Fujimoto, Tanaka and Iwata 1986, "ARTS: accelerated ray-tracing
-/// system"; Amanatides and Woo 1987). There are about four cells per shape. A shape is in every
-/// cell that its box overlaps and is tested once, as far as the mailbox remembers.
+/// system"; Amanatides and Woo 1987). There are about four cells per shape if no other number is
+/// asked for. A shape is in every cell that its box overlaps and is tested once, as far as the
+/// mailbox remembers.
 class UniformGrid {
   public:
-    explicit UniformGrid(const Primitives& primitives);
+    UniformGrid(const Primitives& primitives, const StructureSizes& sizes);
 
     template <class Query>
     void search(Query& query) const;

@@ -301,11 +301,17 @@ void run(const CompletionCommand& command, CommandContext& context);
 struct CompareCommand {
     InputOptions input;  // path empty: `scene`
     CacheOptions cache;
-    std::string scene;                  // a scene of the laboratory
-    std::string triangles;              // comma-separated kernels; empty: compare structures
-    int rounds = 5;                     // for `triangles`
-    std::string growth;                 // instead of one frame: "spheres", "mesh"
-    std::int64_t largest = 1'000'000;   // number of shapes for `growth`
+    std::string scene;                   // a scene of the laboratory
+    std::string triangles;               // comma-separated kernels; empty: compare structures
+    int rounds = 5;                      // for `triangles`
+    std::string growth;                  // instead of one frame: "spheres", "mesh"
+    std::int64_t largest = 1'000'000;    // number of shapes for `growth`
+    std::string lanes;                   // comma-separated, for `growth`; empty: the processor's
+    std::optional<std::int64_t> motion;  // instead of one frame: this number of balls
+    std::string intervals;               // of the shutter, comma-separated, for `motion`
+    std::string leaf_capacity;           // comma-separated numbers; empty: the structures' own
+    std::string node_capacity;
+    std::string grid_density;
     std::string accelerators = "all";   // comma-separated names
     std::string shadow_rays = "any";    // or "closest", "both"
     std::optional<std::int64_t> frame;  // of a shot

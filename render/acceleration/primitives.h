@@ -48,10 +48,8 @@ class Primitives {
 
     /// The corners of a mesh triangle.
     [[nodiscard]] std::array<V3f, 3> corners(const Primitive& triangle) const;
-    /// The block of a static sphere.
-    [[nodiscard]] const StaticSphereBlock& sphere_block(const Primitive& sphere) const {
-        return blocks_.of<StaticSphere>().blocks[sphere.index / kBlockLanes];
-    }
+    /// The lists to which Primitive::index refers, except for moving shapes and meshes.
+    [[nodiscard]] const AnalyticBlocks& blocks() const { return blocks_; }
 
   private:
     template <class Shape>

@@ -29,9 +29,6 @@ V3f derivative(const PathPiece& path, float time) {
 /// to the shutter's ends would magnify rounding.
 constexpr float kShortest = 1e-3f;
 
-/// Exceeds the margins that intersect.h adds to a unit shape.
-constexpr double kUnitWidening = 1.00005;
-
 MovingBounds static_bounds(const Box& box) {
     return {widened(box), widened(box)};
 }
@@ -102,8 +99,7 @@ MovingBounds bounds_of(const MovingShape& shape) {
     return static_bounds(shape.bounds);
 }
 
-/// The corners of the unit shape's box, mapped to world space.
-MovingBounds bounds_of(const Affine& unit_from_world, const V3f& half_size) {
+Mat44 world_from_unit(const Affine& unit_from_world) {
     Mat44 map;
     for (int row = 0; row < 3; ++row) {
         for (int axis = 0; axis < 3; ++axis) {
@@ -111,11 +107,16 @@ MovingBounds bounds_of(const Affine& unit_from_world, const V3f& half_size) {
         }
         map[3][row] = static_cast<double>(unit_from_world.translation[row]);
     }
-    const Mat44 world_from_unit = map.inverse();
+    return map.inverse();
+}
+
+/// The corners of the unit shape's box, mapped to world space.
+MovingBounds bounds_of(const Affine& unit_from_world, const V3f& half_size) {
+    const Mat44 map = world_from_unit(unit_from_world);
     Box box;
     for (int corner = 0; corner < 8; ++corner) {
         const Vec3 side((corner & 1) ? 1 : -1, (corner & 2) ? 1 : -1, (corner & 4) ? 1 : -1);
-        box.extendBy(V3f((kUnitWidening * side * Vec3(half_size)) * world_from_unit));
+        box.extendBy(V3f((kUnitWidening * side * Vec3(half_size)) * map));
     }
     return static_bounds(box);
 }

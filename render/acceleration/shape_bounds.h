@@ -33,6 +33,10 @@ struct MovingBounds {
 [[nodiscard]] MovingBounds bounds_of(const SphereSegment& sphere);
 [[nodiscard]] MovingBounds bounds_of(const StaticSphereBlock& block, int lane);
 [[nodiscard]] MovingBounds bounds_of(const AlignedBoxBlock& block, int lane);
+/// The inverse map, in double.
+[[nodiscard]] Mat44 world_from_unit(const Affine& unit_from_world);
+/// Exceeds the margins that intersect.h adds to a unit shape.
+inline constexpr double kUnitWidening = 1.00005;
 /// Of a unit shape that fits in a box of this half size.
 [[nodiscard]] MovingBounds bounds_of(const Affine& unit_from_world, const V3f& half_size);
 /// Of a triangle with these corners.

@@ -1,11 +1,19 @@
-// Options of a structure's queries.
+// Options of a structure and its queries.
 #pragma once
 
 namespace carom::render {
 
+/// Sizes that some structures of the laboratory leave open; 0: the structure's own.
+struct StructureSizes {
+    int leaf_capacity = 0;    // the most shapes that are not divided any further
+    int node_capacity = 0;    // the most children of a node
+    double grid_density = 0;  // cells per shape
+};
+
 struct StructureOptions {
     bool counts = false;           // tests are counted
     bool shadow_rays_stop = true;  // at the first hit; otherwise they find the nearest one
+    StructureSizes sizes{};
 };
 
 }  // namespace carom::render

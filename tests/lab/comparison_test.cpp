@@ -79,9 +79,12 @@ TEST(Comparison, PathsOfLight_HaveAllKindsOfRays) {
 
 TEST(Comparison, All_AreThereFromTheYardstickOn) {
     const Comparison result = compared(small_scene("full_view"), options_of("all"));
-    EXPECT_THAT(names_of(result), ElementsAre("brute_force", "grid", "octree", "kdtree",
-                                              "kdtree_median", "bsp", "rtree", "rtree_hilbert",
-                                              "kay_kajiya", "bvh", "wide_bvh", "hybrid", "embree"));
+    EXPECT_THAT(names_of(result),
+                ElementsAre("brute_force", "single_boxes", "grid", "octree", "octree_queue",
+                            "octree_loose", "octree_enclosing", "octree_overlapping", "octree_cut",
+                            "kdtree", "kdtree_median", "bsp", "rtree", "rtree_hilbert",
+                            "rtree_cyclic", "kay_kajiya", "box_volumes", "sphere_volumes",
+                            "oriented_box_volumes", "bvh", "wide_bvh", "hybrid", "embree"));
     EXPECT_TRUE(result.is_whole);
     for (const ComparedStructure& row : result.rows) {
         EXPECT_GT(row.cpu_seconds, 0) << row.name;
@@ -115,6 +118,24 @@ TEST(Comparison, BruteForceThatWouldTakeTooLong_IsComputed) {
                 0.2 * early);
 }
 
+TEST(Comparison, SingleBoxesThatWouldTakeTooLong_AreComputed) {
+    ComparisonOptions options = options_of("single_boxes,bvh");
+    const LaboratoryScene scene = small_scene("sphere_cube", 48, 36);
+    const Comparison run = compared(scene, options);
+    options.most_tests = 4e6;
+    const Comparison computed = compared(scene, options);
+    EXPECT_FALSE(run.rows[0].is_computed);
+    EXPECT_TRUE(computed.rows[0].is_computed);
+    EXPECT_FALSE(computed.rows[1].is_computed);
+    const KindCounts& all = run.rows[0].tests[RayKind::primary];
+    const KindCounts& estimate = computed.rows[0].tests[RayKind::primary];
+    EXPECT_EQ(all.boxes, 3375 * all.rays);
+    EXPECT_EQ(estimate.boxes, all.boxes);
+    EXPECT_NEAR(static_cast<double>(estimate.objects), static_cast<double>(all.objects),
+                0.2 * static_cast<double>(all.objects));
+    EXPECT_EQ(computed.rows[0].bytes, run.rows[0].bytes);
+}
+
 TEST(Comparison, Stopped_KeepsTheRowsThatAreThere) {
     std::stop_source stop;
     const auto progress = [&](std::string_view doing, double) {
@@ -142,15 +163,14 @@ TEST(Comparison, Progress_NeverDecreasesAndEndsAtOne) {
 }
 
 TEST(Comparison, WrongStructureNames_AreReported) {
-    EXPECT_EQ(message_of("kdtree,kd_tree"),
-              "unknown structure 'kd_tree'; use one of hybrid, embree, brute_force, grid, "
-              "octree, kdtree, kdtree_median, bsp, rtree, rtree_hilbert, kay_kajiya, bvh, "
-              "wide_bvh, or all");
+    const std::string all =
+        "use one of hybrid, embree, brute_force, single_boxes, grid, octree, octree_queue, "
+        "octree_loose, octree_enclosing, octree_overlapping, octree_cut, kdtree, kdtree_median, "
+        "bsp, rtree, rtree_hilbert, rtree_cyclic, kay_kajiya, box_volumes, sphere_volumes, "
+        "oriented_box_volumes, bvh, wide_bvh, or all";
+    EXPECT_EQ(message_of("kdtree,kd_tree"), "unknown structure 'kd_tree'; " + all);
     EXPECT_EQ(message_of("bvh,grid,bvh"), "the structure 'bvh' is named twice");
-    EXPECT_EQ(
-        message_of(""),
-        "no structure is given; use one of hybrid, embree, brute_force, grid, octree, kdtree, "
-        "kdtree_median, bsp, rtree, rtree_hilbert, kay_kajiya, bvh, wide_bvh, or all");
+    EXPECT_EQ(message_of(""), "no structure is given; " + all);
 }
 
 }  // namespace

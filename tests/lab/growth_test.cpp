@@ -7,7 +7,9 @@
 
 #include "lab/comparison/growth_rays.h"
 #include "lab/comparison/growth_text.h"
+#include "lab/comparison/lane_limit.h"
 #include "lab/comparison/line_chart.h"
+#include "render/acceleration/batch_kernels.h"
 #include "render/frame_scene/frame_scene.h"
 #include "render/frame_scene/static_geometry.h"
 #include "tests/lab/small_scene.h"
@@ -66,6 +68,42 @@ TEST(Growth, OfAMesh_CountsItsTriangles) {
     }
 }
 
+// The limit of the vectors decides which kernels are taken, and nothing else.
+TEST(Growth, WithLimitedVectors_TakesTheSameTests) {
+    ASSERT_TRUE(LaneLimit::machine_has(4));
+    EXPECT_FALSE(LaneLimit::machine_has(5));
+    GrowthOptions options;
+    options.structures = structures_from_text("bvh,wide_bvh");
+    options.largest = 32;
+    options.enough_seconds = 0;
+    options.lanes = {4};
+    if (LaneLimit::machine_has(8)) {
+        options.lanes.push_back(8);
+    }
+    const Growth growth = measure_growth(options, [](std::string_view, double) {}, {});
+    ASSERT_EQ(growth.structures.size(), 2 * options.lanes.size());
+    EXPECT_EQ(growth.structures[0], "bvh, 4 lanes");
+    EXPECT_NE(growth.point("wide_bvh, 4 lanes", 32), nullptr);
+    for (const GrowthPoint& point : growth.points) {
+        const std::string first = point.name.substr(0, point.name.find(',')) + ", 4 lanes";
+        const render::KindCounts expected = growth.point(first, point.shapes)->tests.total();
+        EXPECT_EQ(point.tests.total().objects, expected.objects) << point.name;
+        EXPECT_EQ(point.tests.total().boxes, expected.boxes) << point.name;
+        EXPECT_GT(point.seconds_per_shadow_ray_of_batch, 0);
+    }
+}
+
+TEST(LaneLimit, ChoosesOtherKernelsAndGivesThemBack) {
+    const auto* const usual = &render::best_batch_kernels();
+    const bool is_wider = LaneLimit::machine_has(8);
+    {
+        const LaneLimit limit(4);
+        EXPECT_EQ(LaneLimit::machine_has(8), is_wider);
+        EXPECT_EQ(&render::best_batch_kernels() != usual, is_wider);
+    }
+    EXPECT_EQ(&render::best_batch_kernels(), usual);
+}
+
 TEST(GrowthRays, AreOfAllKindsAndTheSameEveryTime) {
     const LaboratoryScene scene = sphere_cloud(100);
     render::RenderSettings settings = scene.settings;
@@ -115,6 +153,7 @@ Growth made_up() {
         brute.bytes = 100 * shapes;
         brute.seconds_per_ray = {1e-8 * static_cast<double>(shapes), 2e-8, 5e-8};
         brute.seconds_per_ray_of_batch = 3e-8;
+        brute.seconds_per_shadow_ray_of_batch = 4e-8;
         brute.is_counted = true;
         brute.tests.of[0] = {10, 10 * shapes, 0, 0};
         GrowthPoint library = brute;
@@ -153,6 +192,10 @@ ns per ray of 64  brute_force  embree
 10                       30.0    30.0
 1000                     30.0    30.0
 
+ns per shadow ray of 64  brute_force  embree
+10                              40.0    40.0
+1000                            40.0    40.0
+
 build ms  brute_force  embree
 10               1.00    1.00
 1000             1.00    1.00
@@ -169,6 +212,16 @@ TEST(GrowthPlot, HasALineForEachStructure) {
                              "<title>embree</title>", "ns per ray", ">10k<"}) {
         EXPECT_THAT(svg, HasSubstr(text));
     }
+}
+
+TEST(LineChart, LongLegend_MovesThePanelsDown) {
+    LineChart chart;
+    chart.names = {"a", "b"};
+    chart.panels = {{"panel", true, {{"a", {{1, 1}, {10, 2}}}}}};
+    EXPECT_THAT(line_chart_svg(chart, PlanPage::automatic), HasSubstr("translate(0 0)"));
+    chart.names.insert(chart.names.end(), 40, "a structure with many intervals");
+    EXPECT_THAT(line_chart_svg(chart, PlanPage::automatic),
+                ::testing::Not(HasSubstr("translate(0 0)")));
 }
 
 }  // namespace

@@ -13,10 +13,10 @@ void add_frame_choice(CommandDescription& description, CompareCommand& command) 
     description
         .option("--scene", &command.scene, "NAME",
                 "Measure a scene of the laboratory instead of a shot: sphere_cube, cylinder_axes, "
-                "cylinder_walls, full_view, stadium or smooth_mesh.")
+                "cylinder_walls, full_view, partial_view, stadium or smooth_mesh.")
         .excludes({"SHOT|BAKE"})
-        .one_of({"sphere_cube", "cylinder_axes", "cylinder_walls", "full_view", "stadium",
-                 "smooth_mesh"});
+        .one_of({"sphere_cube", "cylinder_axes", "cylinder_walls", "full_view", "partial_view",
+                 "stadium", "smooth_mesh"});
     description.option("--accelerators", &command.accelerators, "NAMES",
                        "The structures to measure: all (the default), or a list such as "
                        "brute_force,kdtree,rtree.");
@@ -46,11 +46,26 @@ void add_output_files(CommandDescription& description, CompareCommand& command) 
     add_drawing(description, command.drawing);
 }
 
+/// Adds the options about one frame that vary a structure.
+void add_sizes(CommandDescription& description, CompareCommand& command) {
+    description
+        .option("--leaf-capacity", &command.leaf_capacity, "N,...",
+                "Build the octrees, kd-trees, bsp and bvh so that N shapes are not divided any "
+                "further, for each N of the list.")
+        .excludes({"--node-capacity", "--grid-density"});
+    description
+        .option("--node-capacity", &command.node_capacity, "N,...",
+                "Build the R-trees with N children per node, for each N of the list.")
+        .excludes({"--grid-density"});
+    description.option("--grid-density", &command.grid_density, "X,...",
+                       "Build the grid with X cells per shape, for each X of the list.");
+}
+
 /// Adds the options for other measurements, which exclude the options about a frame.
 void add_other_measurements(CommandDescription& description, CompareCommand& command) {
-    const std::vector<std::string> about_a_frame{"SHOT|BAKE", "--scene",  "--shadow-rays",
-                                                 "--frame",   "--size",   "--set",
-                                                 "--quality", "--threads"};
+    const std::vector<std::string> about_a_frame{
+        "SHOT|BAKE", "--scene",   "--shadow-rays",   "--frame",         "--size",        "--set",
+        "--quality", "--threads", "--leaf-capacity", "--node-capacity", "--grid-density"};
     description
         .option("--growth", &command.growth, "NAME",
                 "Measure how the cost of a ray grows with the number of shapes: spheres, the "
@@ -62,8 +77,26 @@ void add_other_measurements(CommandDescription& description, CompareCommand& com
                 "The largest number of shapes for --growth (default 1000000).")
         .needs("--growth")
         .between(10, 10'000'000);
+    description
+        .option("--lanes", &command.lanes, "N,...",
+                "Measure --growth with vectors of N numbers each, for each N of the list: 4 "
+                "(SSE4), 8 (AVX2) or 16 (AVX-512). The default is what the processor has.")
+        .needs("--growth");
+    std::vector<std::string> not_in_motion = about_a_frame;
+    not_in_motion.emplace_back("--growth");
+    description
+        .option("--motion", &command.motion, "N",
+                "Measure N balls, half of which move, while the shutter is open for 0 to 1 s: one "
+                "structure for the whole time against structures for parts of it.")
+        .between(10, 1'000'000)
+        .excludes(not_in_motion);
+    description
+        .option("--intervals", &command.intervals, "N,...",
+                "Divide the shutter for --motion into N parts, for each N of the list (default "
+                "1,4,16).")
+        .needs("--motion");
     std::vector<std::string> excluded = about_a_frame;
-    excluded.insert(excluded.end(), {"--accelerators", "--growth"});
+    excluded.insert(excluded.end(), {"--accelerators", "--growth", "--motion"});
     description
         .option("--triangles", &command.triangles, "NAMES",
                 "Measure ray-triangle kernels instead: all, or a list such as wald,badouel.")
@@ -90,6 +123,7 @@ void describe(CompareCommand& command, CommandDescription& description) {
     add_changes(description, command.input);
     add_output_files(description, command);
     add_threads(description, command.threads);
+    add_sizes(description, command);
     add_other_measurements(description, command);
     add_cache(description, command.cache);
     description.examples = {
@@ -100,6 +134,12 @@ void describe(CompareCommand& command, CommandDescription& description) {
          "How much shadow rays save if they end at any hit."},
         {"carom compare --growth mesh --accelerators bvh,wide_bvh,embree",
          "How the cost grows with the size of a mesh."},
+        {"carom compare --scene cylinder_axes --leaf-capacity 1,2,4,8 --plot leaves.svg",
+         "How many shapes should share a leaf."},
+        {"carom compare --growth balls --accelerators wide_bvh --lanes 4,8",
+         "What wider vectors gain."},
+        {"carom compare --motion 1000 --accelerators bvh,wide_bvh --plot motion.svg",
+         "From which shutter on it pays to build several structures per frame."},
         {"carom compare --triangles all --csv kernels.csv", "All triangle kernels, as a table."}};
 }
 

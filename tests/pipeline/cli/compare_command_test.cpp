@@ -65,17 +65,17 @@ TEST_F(CompareCommand, FrameOfAShot_IsMeasuredByAllStructures) {
     EXPECT_EQ(json["what"], "frame 2");
     EXPECT_EQ(json["whole"], 1);
     EXPECT_EQ(json["primary_rays"], 16 * 16 * 4);
-    ASSERT_EQ(json["structures"].size(), 13u);
+    ASSERT_EQ(json["structures"].size(), 23u);
     const auto& brute = json["structures"][0];
     EXPECT_EQ(brute["structure"], "brute_force");
     EXPECT_EQ(brute["primary_objects"], json["shapes"].get<int>() * 16 * 16 * 4);
-    EXPECT_FALSE(json["structures"][12].contains("primary_objects"));
+    EXPECT_FALSE(json["structures"][22].contains("primary_objects"));
     const std::string csv = text_of("t.csv");
     EXPECT_THAT(csv, StartsWith("scene,structure,shadow_query,build_seconds,bytes,cpu_seconds,"
                                 "computed,counted,primary_rays,primary_objects,"));
     expect_well_formed(csv);
     EXPECT_EQ(brute["shadow_query"], "any");
-    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 14);
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 24);
     EXPECT_THAT(csv, HasSubstr("\ntiny,embree,any,"));
     EXPECT_THAT(text_of("t.svg"), HasSubstr("wide_bvh"));
     EXPECT_EQ(stored_frames(), 0);  // comparing stores no pictures
@@ -102,6 +102,52 @@ TEST_F(CompareCommand, Growth_IsMeasuredInEveryForm) {
     EXPECT_THAT(text_of("g.svg"), HasSubstr("<title>embree</title>"));
 }
 
+TEST_F(CompareCommand, Sizes_AreMeasuredInEveryForm) {
+    const RunResult result =
+        run({"compare", "--scene", "sphere_cube", "--size", "16x16", "--node-capacity", "8,2",
+             "--json", "--csv", "s.csv", "--plot", "s.svg", "-o", "s.json"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, "s.json\ns.csv\ns.svg\n");
+    const auto json = nlohmann::json::parse(text_of("s.json"));
+    EXPECT_EQ(json["scene"], "sphere_cube");
+    EXPECT_EQ(json["varied"], "node_capacity");
+    ASSERT_EQ(json["points"].size(), 6u);
+    EXPECT_EQ(json["points"][0]["node_capacity"], 2);
+    EXPECT_EQ(json["points"][5]["structure"], "rtree_cyclic");
+    EXPECT_THAT(text_of("s.csv"), StartsWith("scene,node_capacity,structure,shadow_query,"));
+    EXPECT_THAT(text_of("s.csv"), HasSubstr("\nsphere_cube,8,rtree_hilbert,any,"));
+    expect_well_formed(text_of("s.csv"));
+    EXPECT_THAT(text_of("s.svg"), HasSubstr("<title>rtree</title>"));
+    const RunResult grid =
+        run({"compare", "tiny.yaml", "--size", "16x16", "--grid-density", "0.5,4", "--quiet"});
+    EXPECT_EQ(grid.exit_code, 0) << grid.err;
+    EXPECT_THAT(grid.out, HasSubstr("the first column: cells per shape\n"));
+}
+
+TEST_F(CompareCommand, Motion_IsMeasuredInEveryForm) {
+    const RunResult result =
+        run({"compare", "--motion", "20", "--intervals", "1,2", "--accelerators", "bvh,wide_bvh",
+             "--json", "--csv", "m.csv", "--plot", "m.svg", "-o", "m.json"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const auto json = nlohmann::json::parse(text_of("m.json"));
+    EXPECT_EQ(json["balls"], 20);
+    EXPECT_EQ(json["whole"], 1);
+    ASSERT_EQ(json["points"].size(), 2u + 9 * 4);
+    EXPECT_EQ(json["points"][3]["intervals"], 2);
+    EXPECT_GT(json["points"][3]["primary_boxes"], 0);
+    EXPECT_THAT(text_of("m.csv"), StartsWith("balls,structure,intervals,shutter,shapes,"));
+    EXPECT_THAT(text_of("m.csv"), HasSubstr("\n20,wide_bvh,2,0.25,"));
+    expect_well_formed(text_of("m.csv"));
+    EXPECT_THAT(text_of("m.svg"), HasSubstr("<title>wide_bvh, 2 intervals</title>"));
+}
+
+TEST_F(CompareCommand, Lanes_AreColumnsOfGrowth) {
+    const RunResult result = run({"compare", "--growth", "mesh", "--largest", "10", "--lanes", "4",
+                                  "--accelerators", "hybrid", "--quiet"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("ns per shadow ray of 64  hybrid, 4 lanes\n"));
+}
+
 TEST_F(CompareCommand, WrongUsage_IsRejectedWithASentence) {
     const auto message = [&](std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), "compare");
@@ -110,14 +156,15 @@ TEST_F(CompareCommand, WrongUsage_IsRejectedWithASentence) {
         EXPECT_EQ(result.out, "");
         return result.err;
     };
-    EXPECT_EQ(
-        message({}),
-        "carom: error: there is nothing to compare structures on: give a shot, --scene NAME or "
-        "--growth NAME\n");
+    EXPECT_EQ(message({}),
+              "carom: error: there is nothing to compare structures on: give a shot, --scene NAME, "
+              "--growth NAME or --motion N\n");
     EXPECT_EQ(message({"--scene", "stadium", "--accelerators", "kdtree,quadtree"}),
-              "carom: error: unknown structure 'quadtree'; use one of hybrid, embree, "
-              "brute_force, grid, octree, kdtree, kdtree_median, bsp, rtree, rtree_hilbert, "
-              "kay_kajiya, bvh, wide_bvh, or all\n");
+              "carom: error: unknown structure 'quadtree'; use one of hybrid, embree, brute_force, "
+              "single_boxes, grid, octree, octree_queue, octree_loose, octree_enclosing, "
+              "octree_overlapping, octree_cut, kdtree, kdtree_median, bsp, rtree, rtree_hilbert, "
+              "rtree_cyclic, kay_kajiya, box_volumes, sphere_volumes, oriented_box_volumes, bvh, "
+              "wide_bvh, or all\n");
     EXPECT_EQ(message({"--scene", "stadium", "--frame", "3"}),
               "carom: error: --set, --quality and --frame can be used only with a shot\n");
     EXPECT_EQ(message({"--scene", "stadium", "--size", "8x8"}),
@@ -133,6 +180,29 @@ TEST_F(CompareCommand, WrongUsage_IsRejectedWithASentence) {
     EXPECT_EQ(message({"--growth", "mesh", "--scene", "stadium"}),
               "carom: error: --scene excludes --growth\n"
               "See 'carom compare --help'.\n");
+    EXPECT_EQ(
+        message({"--scene", "stadium", "--leaf-capacity", "0,2"}),
+        "carom: error: --leaf-capacity '0,2' is not a list of whole numbers from 1 to 1024\n");
+    EXPECT_EQ(message({"--scene", "stadium", "--leaf-capacity", "2,"}),
+              "carom: error: --leaf-capacity '2,' is not a list of whole numbers from 1 to 1024\n");
+    EXPECT_EQ(
+        message({"--scene", "stadium", "--node-capacity", "2.5"}),
+        "carom: error: --node-capacity '2.5' is not a list of whole numbers from 2 to 1024\n");
+    EXPECT_EQ(message({"--scene", "stadium", "--grid-density", "4,4"}),
+              "carom: error: --grid-density names 4 twice\n");
+    EXPECT_EQ(message({"--scene", "stadium", "--grid-density", "4", "--accelerators", "bvh"}),
+              "carom: error: the structure 'bvh' does not depend on the grid density\n");
+    EXPECT_EQ(message({"--scene", "stadium", "--leaf-capacity", "4", "--shadow-rays", "both"}),
+              "carom: error: --shadow-rays both cannot be used together with a leaf capacity\n");
+    EXPECT_THAT(message({"--scene", "stadium", "--leaf-capacity", "4", "--grid-density", "4"}),
+                HasSubstr("excludes"));
+    EXPECT_EQ(message({"--growth", "mesh", "--lanes", "6"}),
+              "carom: error: --lanes '6' names others than 4, 8 and 16\n");
+    EXPECT_THAT(message({"--scene", "stadium", "--lanes", "4"}), HasSubstr("requires --growth"));
+    EXPECT_THAT(message({"--scene", "stadium", "--motion", "100"}), HasSubstr("excludes"));
+    EXPECT_THAT(message({"--motion", "5"}), HasSubstr("--motion"));
+    EXPECT_EQ(message({"--motion", "20", "--intervals", "0"}),
+              "carom: error: --intervals '0' is not a list of whole numbers from 1 to 1000\n");
     EXPECT_EQ(message({"--scene", "stadium", "--largest", "100"}),
               "carom: error: --largest requires --growth\n"
               "See 'carom compare --help'.\n");

@@ -1,0 +1,63 @@
+// Parts of measurements in which structures answer given rays.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <stop_token>
+#include <vector>
+
+#include "core/cpu_time.h"
+#include "core/error.h"
+#include "lab/comparison/laboratory_scene.h"
+#include "render/acceleration/structure_options.h"
+#include "render/frame_scene/frame_scene.h"
+#include "render/frame_scene/static_geometry.h"
+#include "render/geometry/ray.h"
+
+namespace carom::pipeline {
+
+/// By render::RayKind.
+using RaysByKind = std::array<std::vector<render::Ray>, 3>;
+
+/// Throws Stopped.
+inline void check_stop(const std::stop_token& stop) {
+    if (stop.stop_requested()) {
+        throw Stopped();
+    }
+}
+
+/// The scene's static part for one kind of structure.
+[[nodiscard]] render::StaticGeometry geometry_of(const LaboratoryScene& scene,
+                                                 render::AccelerationKind kind);
+
+/// Whether the ray hits something: a shadow ray ends at any hit.
+[[nodiscard]] inline bool hits(const render::AccelerationStructure& structure,
+                               const render::Ray& ray) {
+    render::Hit hit;
+    return ray.kind == render::RayKind::shadow ? structure.any_hit(ray)
+                                               : structure.closest_hit(ray, hit);
+}
+
+/// Every `every`th ray.
+[[nodiscard]] RaysByKind thinned(const RaysByKind& rays, std::size_t every);
+
+/// CPU time of `work`, the least of several runs, because other load on the machine only slows it
+/// down. `enough`: s.
+template <class Work>
+double least_seconds(const Work& work, double enough, const std::stop_token& stop) {
+    constexpr int kMost = 12;
+    double least = 1e300;
+    double all = 0;
+    for (int i = 0; i < kMost && (i < 2 || all < enough); ++i) {
+        check_stop(stop);
+        const double start = process_cpu_seconds();
+        work();
+        const double seconds = process_cpu_seconds() - start;
+        all += seconds;
+        least = std::min(least, seconds);
+    }
+    return least;
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,17 @@
+// Sizes of structures that can be varied.
+#pragma once
+
+#include "render/acceleration/structure_options.h"
+#include "render/scene/render_settings.h"
+
+namespace carom::render {
+
+enum class VariedSize { leaf_capacity, node_capacity, grid_density };
+
+/// Whether the structure depends on this size.
+[[nodiscard]] bool depends_on(AccelerationKind kind, VariedSize size);
+
+/// All other sizes are the structures' own.
+[[nodiscard]] StructureSizes with_size(VariedSize size, double value);
+
+}  // namespace carom::render
