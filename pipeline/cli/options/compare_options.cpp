@@ -69,8 +69,16 @@ void add_other_measurements(CommandDescription& description, CompareCommand& com
                 "Measure ray-triangle kernels instead: all, or a list such as wald,badouel.")
         .excludes(excluded);
     description
+        .option("--techniques", &command.techniques, "NAMES",
+                "Also measure the kernels with these techniques: all, or a list such as "
+                "arrays,structures (layouts in memory), newton (an estimated reciprocal with a "
+                "Newton step), sign_bits (integer tests), axis_from_table, axis_by_versions, "
+                "axis_by_order or axis_fixed (choices of the projection axis).")
+        .needs("--triangles");
+    description
         .option("--rounds", &command.rounds, "N",
-                "How often each kernel is timed (default 5; a round of all kernels takes 6 s).")
+                "How often each kernel is timed (default 5; a round of all kernels takes 10 s, of "
+                "all techniques a minute).")
         .needs("--triangles")
         .between(1, 1000);
 }
@@ -100,7 +108,9 @@ void describe(CompareCommand& command, CommandDescription& description) {
          "How much shadow rays save if they end at any hit."},
         {"carom compare --growth mesh --accelerators bvh,wide_bvh,embree",
          "How the cost grows with the size of a mesh."},
-        {"carom compare --triangles all --csv kernels.csv", "All triangle kernels, as a table."}};
+        {"carom compare --triangles all --csv kernels.csv", "All triangle kernels, as a table."},
+        {"carom compare --triangles wald --techniques all",
+         "All ways to choose the axis of Wald's."}};
 }
 
 }  // namespace carom::cli
