@@ -26,6 +26,9 @@ MeasureOptions options_of(const CompareCommand& command) {
     } catch (const Error& error) {
         throw InputError(error.what());
     }
+    if (command.compilers == "both") {
+        options.libraries.push_back(render::triangle::other_kernels());
+    }
     return options;
 }
 

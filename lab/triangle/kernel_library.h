@@ -16,4 +16,8 @@ struct KernelLibrary {
 /// The kernels of this program.
 [[nodiscard]] KernelLibrary own_kernels();
 
+/// The kernels of the module carom-other-kernels.so, which another compiler has built. Throws Error
+/// with the reason if it cannot be loaded.
+[[nodiscard]] KernelLibrary other_kernels();
+
 }  // namespace carom::render::triangle

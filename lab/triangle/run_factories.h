@@ -22,4 +22,16 @@ namespace carom::render::triangle {
 [[nodiscard]] std::unique_ptr<KernelRun> make_triangles_technique(const Variant& variant,
                                                                   const TestSet& set);
 
+/// By the factory to which the variant belongs; empty if it does not exist.
+[[nodiscard]] inline std::unique_ptr<KernelRun> make_run_of_any(const Variant& variant,
+                                                                const TestSet& set) {
+    for (const auto make : {make_single_run, make_rays_run, make_triangles_run, make_rays_technique,
+                            make_triangles_technique}) {
+        if (std::unique_ptr<KernelRun> run = make(variant, set)) {
+            return run;
+        }
+    }
+    return nullptr;
+}
+
 }  // namespace carom::render::triangle

@@ -1,8 +1,10 @@
 // Tests of what is measured, not of the speed.
 #include "lab/triangle/measure.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "lab/triangle/memory.h"
 
 namespace carom::render::triangle {
@@ -102,6 +104,37 @@ TEST(MeasureKernels, Libraries_SideBySide) {
     }
     ASSERT_EQ(measured.errors.size(), 2u * 2 * 2);
     EXPECT_EQ(measured.errors[0].distance, measured.errors[1].distance);
+}
+
+/// The second compiler's kernels are a target of their own, so that tests do not need it. Where they
+/// are built, they compute the same bits.
+TEST(OtherKernels, SameBitsOrASentence) {
+    KernelLibrary other;
+    try {
+        other = other_kernels();
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(),
+                    ::testing::StartsWith("the kernels of a second compiler cannot be loaded: "));
+        EXPECT_THAT(error.what(), ::testing::HasSubstr("carom-other-kernels"));
+        return;
+    }
+    EXPECT_NE(other.compiler, own_kernels().compiler);
+    const TestSet set = make_random_set(20, 9);
+    for_each_variant([&](const Variant& variant) {
+        const auto own = make_run(variant, set);
+        const auto others = other.make_run(variant, set);
+        ASSERT_NE(others, nullptr);
+        own->run();
+        others->run();
+        const auto hits = own->hits();
+        const auto other_hits = others->hits();
+        for (std::size_t i = 0; i < hits.size(); ++i) {
+            ASSERT_EQ(hits[i].triangle, other_hits[i].triangle) << name(variant.form.kernel);
+            ASSERT_EQ(hits[i].t, other_hits[i].t) << name(variant.form.kernel);
+            ASSERT_EQ(hits[i].u, other_hits[i].u) << name(variant.form.kernel);
+            ASSERT_EQ(hits[i].v, other_hits[i].v) << name(variant.form.kernel);
+        }
+    });
 }
 
 TEST(Memory, Records_AsTheirTypesAre) {

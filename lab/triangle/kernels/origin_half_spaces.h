@@ -2,7 +2,9 @@
 /// inner side of all three. That is the sign of the ray's Plücker product with the edge: for the
 /// corners p and q relative to the origin, d.(p x q) = d.((p + q) x (q - p)) / 2. Of two triangles
 /// with a common edge, one has q - p where the other has p - q, so that the two products are
-/// exactly opposite and no ray passes between the triangles, whatever is rounded.
+/// exactly opposite and no ray passes between the triangles, whatever is rounded. (Plücker
+/// products: Jones 2000, "Intersecting a ray and a triangle with Plücker coordinates", Ray Tracing
+/// News 13(1).)
 struct OriginHalfSpaces {
     template <class L>
     struct Record {

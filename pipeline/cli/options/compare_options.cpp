@@ -76,6 +76,13 @@ void add_other_measurements(CommandDescription& description, CompareCommand& com
                 "axis_by_order or axis_fixed (choices of the projection axis).")
         .needs("--triangles");
     description
+        .option("--compilers", &command.compilers, "NAME",
+                "Measure the kernels as carom's compiler built them (own, the default), or both "
+                "these and those of a second compiler (both), which are the target "
+                "carom-other-kernels of the build.")
+        .needs("--triangles")
+        .one_of({"own", "both"});
+    description
         .option("--rounds", &command.rounds, "N",
                 "How often each kernel is timed (default 5; a round of all kernels takes 10 s, of "
                 "all techniques a minute).")
