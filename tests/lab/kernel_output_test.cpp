@@ -111,7 +111,8 @@ TEST(KernelText, Interrupted_MissingRatesAreDashes) {
 /// Layouts at half the speed with random rays, a quarter where every ray hits, a tenth from memory.
 TEST(KernelText, Techniques_RelativeToThePlainVariant) {
     KernelMeasurements measured = two_kernels();
-    for (std::size_t i = 0; i < measured.rates.size(); ++i) {
+    const std::size_t count = measured.rates.size();
+    for (std::size_t i = 0; i < count; ++i) {
         VariantRates rates = measured.rates[i];
         rates.variant.technique = Technique::structures;
         if (exists(rates.variant)) {
@@ -126,9 +127,9 @@ TEST(KernelText, Techniques_RelativeToThePlainVariant) {
     EXPECT_THAT(
         text,
         HasSubstr(
-            "\narray of structures, times as fast  one              4 rays              8 rays"
+            "\narray of structures, times as fast   one              4 rays              8 rays"
             "         4 triangles         8 triangles\n"
-            "Wald, record, early                  -  0.50 / 0.25 / 0.10  0.50 / 0.25 / 0.10"));
+            "Wald, record, early                    -  0.50 / 0.25 / 0.10  0.50 / 0.25 / 0.10"));
     EXPECT_EQ(text.find("structure of arrays"), std::string::npos);
     EXPECT_EQ(techniques_against_plain(measured).size(), 2u * 4);
     // The other tables are as before.

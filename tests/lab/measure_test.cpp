@@ -106,8 +106,8 @@ TEST(MeasureKernels, Libraries_SideBySide) {
     EXPECT_EQ(measured.errors[0].distance, measured.errors[1].distance);
 }
 
-/// The second compiler's kernels are a target of their own, so that tests do not need it. Where they
-/// are built, they compute the same bits.
+/// The second compiler's kernels are a target of their own, so that tests do not need it. Where
+/// they are built, they compute the same bits.
 TEST(OtherKernels, SameBitsOrASentence) {
     KernelLibrary other;
     try {
