@@ -83,9 +83,10 @@ void add_other_measurements(CommandDescription& description, CompareCommand& com
         .needs("--triangles")
         .one_of({"own", "both"});
     description
-        .option("--rounds", &command.rounds, "N",
-                "How often each kernel is timed (default 5; a round of all kernels takes 10 s, with "
-                "all techniques 35 s).")
+        .option(
+            "--rounds", &command.rounds, "N",
+            "How often each kernel is timed (default 5; a round of all kernels takes 10 s, with "
+            "all techniques 35 s).")
         .needs("--triangles")
         .between(1, 1000);
 }
