@@ -187,10 +187,10 @@ TEST_F(CompareCommand, Triangles_AreMeasuredInEveryForm) {
     ASSERT_EQ(json["planes_against_wald"].size(), 2u * 5 * 2);
     EXPECT_GT(json["planes_against_wald"][0]["random_ratio"], 0);
     const std::string csv = text_of("t.csv");
-    EXPECT_THAT(
-        csv, StartsWith("kernel,input,division,precision,packing,technique,compiler,random_rate,"
-                        "worst_rate,streamed_rate,distance_error,weight_error,edge_slips,"
-                        "other_hits\nwald,record,early,float,single,plain,"));
+    EXPECT_THAT(csv,
+                StartsWith("kernel,input,division,precision,packing,technique,compiler,random_rate,"
+                           "worst_rate,streamed_rate,distance_error,weight_error,edge_slips,"
+                           "other_hits\nwald,record,early,float,single,plain,"));
     expect_well_formed(csv);
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 40);
     EXPECT_THAT(text_of("t.png"), StartsWith("\x89PNG"));
@@ -200,12 +200,10 @@ TEST_F(CompareCommand, Triangles_PrintsTables) {
     const RunResult result = run({"compare", "--triangles", "keidy", "--rounds", "1", "--quiet"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.err, "");
-    EXPECT_THAT(
-        result.out,
-        StartsWith("Millions of tests per second of CPU time, one round, "));
-    for (const char* text : {"\nrandom rays, float ", "\nKeidy, corners, early ",
-                             "\nKeidy, with normal, deferred ", "\nevery ray hits, double ",
-                             "\nMean relative errors ", "\nBytes per triangle"}) {
+    EXPECT_THAT(result.out, StartsWith("Millions of tests per second of CPU time, one round, "));
+    for (const char* text :
+         {"\nrandom rays, float ", "\nKeidy, corners, early ", "\nKeidy, with normal, deferred ",
+          "\nevery ray hits, double ", "\nMean relative errors ", "\nBytes per triangle"}) {
         EXPECT_THAT(result.out, HasSubstr(text));
     }
     EXPECT_THAT(result.out, ::testing::Not(HasSubstr("relative to the plain variant")));
