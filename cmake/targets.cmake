@@ -1,3 +1,6 @@
+# The same source gives the same bits from g++ and clang, at -O0 and -O2.
+set(carom_number_options -ffp-contract=off -fno-math-errno -fno-trapping-math)
+
 # Compile options of all targets. Each links them PRIVATE, because programs that link carom choose their own warnings.
 add_library(carom_compile_options INTERFACE)
 target_compile_features(carom_compile_options INTERFACE cxx_std_20)
@@ -10,8 +13,7 @@ target_compile_options(carom_compile_options INTERFACE
   # recognise the header as a system header.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds> $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
   $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread>
-  # The same source gives the same bits from g++ and clang, at -O0 and -O2.
-  -ffp-contract=off -fno-math-errno -fno-trapping-math)
+  ${carom_number_options})
 option(CAROM_ASSERTIONS "cheap assertions in the program (CAROM_ASSERT)" OFF)
 option(CAROM_VALIDATION "expensive assertions in the program (CAROM_VALIDATE)" OFF)
 target_compile_definitions(carom_compile_options INTERFACE

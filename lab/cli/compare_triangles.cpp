@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "lab/cli/kernel_data.h"
+#include "lab/comparison/kernel_names.h"
 #include "lab/comparison/kernel_plot.h"
 #include "lab/comparison/kernel_text.h"
 #include "pipeline/cli/drawing_output.h"
@@ -21,8 +22,12 @@ MeasureOptions options_of(const CompareCommand& command) {
     options.rounds = command.rounds;
     try {
         options.kernels = pipeline::kernels_from_text(command.triangles);
+        options.techniques = pipeline::techniques_from_text(command.techniques);
     } catch (const Error& error) {
         throw InputError(error.what());
+    }
+    if (command.compilers == "both") {
+        options.libraries.push_back(render::triangle::other_kernels());
     }
     return options;
 }
@@ -46,8 +51,10 @@ KernelMeasurements measure(const MeasureOptions& options, CommandContext& contex
 }
 
 void write(const CompareCommand& command, const KernelMeasurements& measured) {
-    write_text_output(command.output.empty() ? "-" : command.output,
-                      command.json ? kernels_json(measured) : pipeline::kernels_text(measured));
+    write_text_output(
+        command.output.empty() ? "-" : command.output,
+        command.json ? kernels_json(measured)
+                     : pipeline::kernels_text(measured) + "\n" + pipeline::kernel_memory_text());
     if (!command.csv.empty()) {
         write_text_output(command.csv, kernels_csv(measured));
     }

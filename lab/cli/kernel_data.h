@@ -8,7 +8,8 @@
 namespace carom::cli {
 
 /// One object: "whole", "rounds", "kernels" with one variant each, its rates (the best of all
-/// rounds) and errors, and "planes_against_wald".
+/// rounds) and errors, "planes_against_wald", "techniques_against_plain",
+/// "second_against_first_compiler", and "memory" with one input each.
 [[nodiscard]] std::string kernels_json(const render::triangle::KernelMeasurements& measured);
 
 /// A header line, then one row per variant.

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "lab/comparison/bar_chart.h"
-#include "lab/comparison/kernel_text.h"
+#include "lab/comparison/kernel_names.h"
 
 namespace carom::pipeline {
 
@@ -22,7 +22,7 @@ double rate_of(const KernelMeasurements& measured, const Variant& variant, bool 
     for (const VariantRates& rates : measured.rates) {
         Variant other = rates.variant;
         other.form.division = variant.form.division;
-        if (other == variant) {
+        if (other == variant && rates.library == 0) {
             best = std::max(best, best_rate(is_random ? rates.random : rates.worst));
         }
     }
@@ -39,7 +39,7 @@ std::string kernels_plot_svg(const KernelMeasurements& measured, PlanPage page) 
     for (const Packing packing : kPackings) {
         chart.series.emplace_back(title_of(packing));
     }
-    for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
+    for (const Precision precision : kPrecisions) {
         for (const bool is_random : {true, false}) {
             BarPanel panel;
             panel.is_linear = true;

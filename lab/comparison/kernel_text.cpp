@@ -1,12 +1,13 @@
 #include "lab/comparison/kernel_text.h"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/core.h>
 
-#include "core/error.h"
+#include "lab/comparison/kernel_names.h"
+#include "lab/comparison/kernel_ratios.h"
 #include "lab/comparison/text_table.h"
+#include "lab/triangle/memory.h"
 
 namespace carom::pipeline {
 
@@ -14,14 +15,7 @@ namespace {
 
 using namespace render::triangle;
 
-constexpr std::array kPrecisions = {Precision::single_precision, Precision::double_precision};
-
 enum class Rays { random, worst };
-
-std::string name_of(const Form& form) {
-    return std::string(title(form.kernel)) + ", " + title_of(form.input) + ", " +
-           std::string(name(form.division));
-}
 
 std::vector<std::string> header(const std::string& first) {
     std::vector<std::string> cells{first};
@@ -31,8 +25,11 @@ std::vector<std::string> header(const std::string& first) {
     return cells;
 }
 
+/// Of the first library.
 const VariantRates* find(const KernelMeasurements& measured, const Variant& variant) {
-    const auto at = std::ranges::find(measured.rates, variant, &VariantRates::variant);
+    const auto at = std::ranges::find_if(measured.rates, [&](const VariantRates& rates) {
+        return rates.variant == variant && rates.library == 0;
+    });
     return at == measured.rates.end() ? nullptr : &*at;
 }
 
@@ -41,7 +38,7 @@ std::string rates_table(const KernelMeasurements& measured, Rays rays, Precision
                            std::string(name(precision))));
     int known = 0;
     for (const Form& form : all_forms()) {
-        std::vector<std::string> cells{name_of(form)};
+        std::vector<std::string> cells{title_of(form)};
         bool is_row = false;
         for (const Packing packing : kPackings) {
             const VariantRates* rates = find(measured, {form, packing, precision});
@@ -70,7 +67,7 @@ std::string rates_tables(const KernelMeasurements& measured) {
     std::string text =
         "Millions of tests per second of CPU time, " +
         (rounds > 1 ? fmt::format("the best of {} rounds", rounds) : std::string("one round")) +
-        "\n\n";
+        ", " + measured.compilers.front() + "\n\n";
     for (const Precision precision : kPrecisions) {
         for (const Rays rays : {Rays::random, Rays::worst}) {
             text += rates_table(measured, rays, precision);
@@ -87,32 +84,46 @@ std::string percent_text(double fraction) {
     return fmt::format("{:.1f} %", 100 * fraction);
 }
 
-std::string errors_table(const KernelMeasurements& measured) {
-    TextTable table({"", "t, float", "u v, float", "slip", "t, double", "u v, double", "slip"});
-    for (const Form& form : all_forms()) {
-        std::vector<std::string> cells{name_of(form)};
-        for (const FormErrors& errors : measured.errors) {
-            if (errors.form == form) {
-                cells.push_back(error_text(errors.distance));
-                cells.push_back(error_text(errors.weights));
-                cells.push_back(percent_text(errors.slipped));
-            }
-        }
-        if (cells.size() > 1) {
-            table.add(std::move(cells));
+void add_errors(TextTable& table, const KernelMeasurements& measured, const Form& form,
+                Technique technique) {
+    std::string name_text = title_of(form);
+    if (technique != Technique::plain) {
+        name_text += ", " + std::string(name(technique));
+    }
+    std::vector<std::string> cells{std::move(name_text)};
+    for (const FormErrors& errors : measured.errors) {
+        if (errors.form == form && errors.technique == technique && errors.library == 0) {
+            cells.push_back(error_text(errors.distance));
+            cells.push_back(error_text(errors.weights));
+            cells.push_back(percent_text(errors.slipped));
+            cells.push_back(std::to_string(errors.others));
         }
     }
+    if (cells.size() > 1) {
+        table.add(std::move(cells));
+    }
+}
+
+std::string errors_table(const KernelMeasurements& measured) {
+    TextTable table({"", "t, float", "u v, float", "slip", "other", "t, double", "u v, double",
+                     "slip", "other"});
+    for (const Form& form : all_forms()) {
+        for (const Technique technique : kTechniques) {
+            add_errors(table, measured, form, technique);
+        }
+    }
+    const std::int64_t rays = measured.errors.empty() ? 0 : measured.errors.front().rays;
     return "Mean relative errors of the distance t and the weights u and v; rays aimed at an edge "
            "of two\n"
-           "triangles that slip between them\n\n" +
-           table.text();
+           "triangles that slip between them; of " +
+           std::to_string(rays) + " random rays, those with another hit\n\n" + table.text();
 }
 
 std::string ratio_text(double ratio) {
     return fmt::format("{:.2f}", ratio);
 }
 
-std::string ratios_table(const KernelMeasurements& measured) {
+std::string planes_table(const KernelMeasurements& measured) {
     const std::vector<KernelRatio> ratios = planes_against_wald(measured);
     if (ratios.empty()) {
         return {};
@@ -120,7 +131,7 @@ std::string ratios_table(const KernelMeasurements& measured) {
     TextTable table(header("perpendicular planes, times as fast as Wald"));
     for (const Precision precision : kPrecisions) {
         for (const Rays rays : {Rays::random, Rays::worst}) {
-            for (const Division division : {Division::early, Division::deferred}) {
+            for (const Division division : kDivisions) {
                 std::vector<std::string> cells{
                     (rays == Rays::random ? "random rays, " : "every ray hits, ") +
                     std::string(name(precision)) + ", " + std::string(name(division))};
@@ -138,90 +149,88 @@ std::string ratios_table(const KernelMeasurements& measured) {
     return "\n" + table.text();
 }
 
-std::string names_text() {
-    std::string names;
-    for (int i = 0; i < kKernelCount; ++i) {
-        names += std::string(name(static_cast<KernelName>(i))) + ", ";
+/// Of random rays / where every ray hits / from memory, if that was measured.
+std::string cell_of(const KernelRatio& ratio) {
+    std::string text = ratio_text(ratio.random) + " / " + ratio_text(ratio.worst);
+    if (ratio.streamed > 0) {
+        text += " / " + ratio_text(ratio.streamed);
     }
-    return names + "or all";
+    return text;
+}
+
+/// The ratios with this technique and precision, a form in each row.
+std::string ratios_table(const std::vector<KernelRatio>& ratios, const std::string& title,
+                         Technique technique, Precision precision) {
+    TextTable table(header(title));
+    bool is_empty = true;
+    for (const Form& form : all_forms()) {
+        std::vector<std::string> cells{title_of(form)};
+        bool is_row = false;
+        for (const Packing packing : kPackings) {
+            const auto at = std::ranges::find(ratios, Variant{form, packing, precision, technique},
+                                              &KernelRatio::variant);
+            is_row = is_row || at != ratios.end();
+            cells.push_back(at == ratios.end() ? "-" : cell_of(*at));
+        }
+        if (is_row) {
+            table.add(std::move(cells));
+            is_empty = false;
+        }
+    }
+    return is_empty ? std::string() : "\n" + table.text();
+}
+
+std::string techniques_tables(const KernelMeasurements& measured) {
+    const std::vector<KernelRatio> ratios = techniques_against_plain(measured);
+    std::string text;
+    for (const Technique technique : kTechniques) {
+        text += ratios_table(ratios, std::string(title_of(technique)) + ", times as fast",
+                             technique, Precision::single_precision);
+    }
+    if (text.empty()) {
+        return text;
+    }
+    return "\nSpeed relative to the plain variant: random rays / every ray hits / more than the "
+           "caches hold\n" +
+           text;
+}
+
+std::string compilers_tables(const KernelMeasurements& measured) {
+    const std::vector<KernelRatio> ratios = second_against_first_compiler(measured);
+    if (ratios.empty()) {
+        return {};
+    }
+    std::string text = "\n" + measured.compilers[1] + " relative to " + measured.compilers[0] +
+                       ": random rays / every ray hits\n";
+    for (const Precision precision : kPrecisions) {
+        text += ratios_table(ratios, std::string(name(precision)) + ", times as fast",
+                             Technique::plain, precision);
+    }
+    return text;
 }
 
 }  // namespace
 
-std::vector<KernelName> kernels_from_text(const std::string& text) {
-    std::vector<KernelName> kernels;
-    if (text == "all") {
-        for (int i = 0; i < kKernelCount; ++i) {
-            kernels.push_back(static_cast<KernelName>(i));
-        }
-        return kernels;
-    }
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        const std::string name = text.substr(begin, end - begin);
-        const auto kernel = find_kernel(name);
-        if (!kernel) {
-            throw Error("unknown kernel '" + name + "'; use one of " + names_text());
-        }
-        if (std::ranges::find(kernels, *kernel) != kernels.end()) {
-            throw Error("the kernel '" + name + "' is named twice");
-        }
-        kernels.push_back(*kernel);
-        begin = end + 1;
-    }
-    return kernels;
-}
-
 std::string kernels_text(const KernelMeasurements& measured) {
-    std::string text = rates_tables(measured) + errors_table(measured) + ratios_table(measured);
+    std::string text = rates_tables(measured) + errors_table(measured) + planes_table(measured) +
+                       techniques_tables(measured) + compilers_tables(measured);
     if (!measured.is_whole) {
         text += "\ninterrupted: rounds or kernels are missing\n";
     }
     return text;
 }
 
-std::vector<KernelRatio> planes_against_wald(const KernelMeasurements& measured) {
-    std::vector<KernelRatio> ratios;
-    for (const VariantRates& planes : measured.rates) {
-        Variant variant = planes.variant;
-        if (variant.form.kernel != KernelName::perpendicular_planes) {
-            continue;
-        }
-        variant.form.kernel = KernelName::wald;
-        if (const VariantRates* wald = find(measured, variant)) {
-            ratios.push_back({planes.variant, middle_ratio(planes.random, wald->random),
-                              middle_ratio(planes.worst, wald->worst)});
-        }
+std::string kernel_memory_text() {
+    TextTable table({"", "numbers", "float", "one axis", "in a block", "double"});
+    for (const InputMemory& memory : memory_of_inputs()) {
+        table.add({std::string(title(memory.kernel)) + ", " + title_of(memory.input),
+                   std::to_string(memory.numbers) + (memory.has_axis ? " and axis" : ""),
+                   std::to_string(memory.bytes_float), std::to_string(memory.bytes_one_axis),
+                   std::to_string(memory.bytes_in_block), std::to_string(memory.bytes_double)});
     }
-    return ratios;
-}
-
-const char* title_of(Input input) {
-    switch (input) {
-        case Input::corners:
-            return "corners";
-        case Input::corners_and_normal:
-            return "with normal";
-        case Input::record:
-            return "record";
-    }
-    return "";
-}
-
-const char* title_of(Packing packing) {
-    switch (packing) {
-        case Packing::single:
-            return "one";
-        case Packing::four_rays:
-            return "4 rays";
-        case Packing::eight_rays:
-            return "8 rays";
-        case Packing::four_triangles:
-            return "4 triangles";
-        case Packing::eight_triangles:
-            return "8 triangles";
-    }
-    return "";
+    return "Bytes per triangle: with the indices of three axes, with one; in a block of several "
+           "triangles\n\n" +
+           table.text();
 }
 
 }  // namespace carom::pipeline

@@ -36,8 +36,8 @@ class KernelRun {
     [[nodiscard]] virtual std::vector<NearestHit> hits() const = 0;
 };
 
-/// The run has its own copies of the rays, and of the triangles in the input's form. The form must
-/// be one of all_forms().
+/// The run has its own copies of the rays, and of the triangles in the input's form. Empty for a
+/// variant that does not exist (variants.h).
 [[nodiscard]] std::unique_ptr<KernelRun> make_run(const Variant& variant, const TestSet& set);
 
 /// The reference for all kernels: Möller and Trumbore's kernel in double precision; for double

@@ -1,4 +1,4 @@
-// The seven kernels in vector lanes: several rays against one triangle, or one ray against several
+// The kernels in vector lanes: several rays against one triangle, or one ray against several
 // triangles. Included once per instruction set, after <hwy/highway.h>.
 #if defined(CAROM_TRIANGLE_KERNELS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CAROM_TRIANGLE_KERNELS_INL_H
@@ -7,10 +7,16 @@
 #define CAROM_TRIANGLE_KERNELS_INL_H
 #endif
 
+#include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <tuple>
+#include <utility>
 
+#include "lab/triangle/estimated_inverse.h"
 #include "lab/triangle/scalar_lanes.h"
+#include "lab/triangle/test_set.h"
+#include "lab/triangle/variants.h"
 #include "render/lanes/vector_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,21 +28,23 @@ template <class D>
 using VectorLanes = render::HWY_NAMESPACE::VectorLanes<D>;
 
 /// A ray in every lane and one triangle in all: the axis is a single number.
-template <class D>
-struct RaysInLanes : VectorLanes<D> {
-    using typename VectorLanes<D>::Value;
-    using Axis = AxisOrder;
-
-    static HWY_INLINE Value along(const Value (&x)[3], const Axis& axis) { return x[axis.w]; }
-    static HWY_INLINE Value after(const Value (&x)[3], const Axis& axis) { return x[axis.u]; }
-    static HWY_INLINE Value before(const Value (&x)[3], const Axis& axis) { return x[axis.v]; }
+template <class D, class Choice = StoredAxes>
+struct RaysInLanes : VectorLanes<D>, Choice {
+    template <class Other>
+    using With = RaysInLanes<D, Other>;
 };
 
-/// A triangle in every lane and one ray in all: every lane has its own axis.
+/// A triangle in every lane and one ray in all: every lane has its own axis, unless the axis is
+/// fixed.
+template <class D, class Choice = StoredAxes>
+struct TrianglesInLanes : VectorLanes<D>, Choice {};
+
 template <class D>
-struct TrianglesInLanes : VectorLanes<D> {
+struct TrianglesInLanes<D, StoredAxes> : VectorLanes<D> {
     using typename VectorLanes<D>::Value;
     using typename VectorLanes<D>::Mask;
+    template <class Other>
+    using With = TrianglesInLanes<D, Other>;
     struct Axis {
         Mask is_x;
         Mask is_y;
@@ -72,7 +80,21 @@ struct TrianglesInLanes : VectorLanes<D> {
 
 #define CAROM_KERNEL HWY_INLINE
 
+template <class V>
+CAROM_KERNEL V estimated_inverse(V x) {
+#if HWY_TARGET == HWY_SCALAR
+    return hn::Set(hn::DFromV<V>(), triangle::estimated_inverse(hn::GetLane(x)));
+#else
+    return hn::ApproximateReciprocal(x);
+#endif
+}
+
+// The order of these matters.
+// clang-format off
 #include "lab/triangle/kernels/all.h"
+#include "lab/triangle/kernels/inputs.h"
+#include "lab/triangle/kernels/techniques.h"
+// clang-format on
 
 #undef CAROM_KERNEL
 

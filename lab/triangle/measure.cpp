@@ -11,11 +11,13 @@ namespace carom::render::triangle {
 
 namespace {
 
-constexpr std::array kPrecisions = {Precision::single_precision, Precision::double_precision};
+bool contains(const auto& list, const auto& item) {
+    return std::ranges::find(list, item) != list.end();
+}
 
 /// Millions of tests per second: the better of two runs after one that warms the caches.
-double rate_of(const Variant& variant, const TestSet& set) {
-    const auto run = make_run(variant, set);
+double rate_of(const KernelLibrary& library, const Variant& variant, const TestSet& set) {
+    const auto run = library.make_run(variant, set);
     run->run();
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 2; ++i) {
@@ -26,21 +28,22 @@ double rate_of(const Variant& variant, const TestSet& set) {
     return 1e-6 * static_cast<double>(set.test_count()) / std::max(least, 1e-9);
 }
 
-double slipped_fraction(const Form& form, Precision precision, const TestSet& edges) {
-    const auto run = make_run({form, Packing::single, precision}, edges);
+std::vector<NearestHit> hits_of(const KernelLibrary& library, const FormErrors& of,
+                                const TestSet& set) {
+    const auto run = library.make_run({of.form, Packing::single, of.precision, of.technique}, set);
     run->run();
-    const std::vector<NearestHit> hits = run->hits();
+    return run->hits();
+}
+
+double slipped_fraction(const std::vector<NearestHit>& hits) {
     const auto missed =
         std::ranges::count_if(hits, [](const NearestHit& hit) { return hit.triangle < 0; });
     return static_cast<double>(missed) / static_cast<double>(hits.size());
 }
 
-FormErrors errors_of(const Form& form, Precision precision, const TestSet& set,
-                     const std::vector<NearestHit>& reference) {
-    FormErrors errors{form, precision};
-    const auto run = make_run({form, Packing::single, precision}, set);
-    run->run();
-    const std::vector<NearestHit> hits = run->hits();
+void set_errors(FormErrors& errors, const std::vector<NearestHit>& hits,
+                const std::vector<NearestHit>& reference) {
+    errors.rays = static_cast<std::int64_t>(hits.size());
     for (std::size_t i = 0; i < hits.size(); ++i) {
         const NearestHit& expected = reference[i];
         if (hits[i].triangle != expected.triangle) {
@@ -55,7 +58,6 @@ FormErrors errors_of(const Form& form, Precision precision, const TestSet& set,
     const double count = static_cast<double>(std::max<std::int64_t>(errors.hits, 1));
     errors.distance /= count;
     errors.weights /= count;
-    return errors;
 }
 
 /// Steps of about the same duration.
@@ -86,34 +88,97 @@ class Steps {
     const WorkContext& context_;
 };
 
-bool measure_errors(const std::vector<Form>& forms, const MeasureOptions& options, Steps& steps,
-                    KernelMeasurements& result) {
+/// What is to be measured, without results.
+KernelMeasurements planned(const MeasureOptions& options) {
+    KernelMeasurements plan;
+    for (const KernelLibrary& library : options.libraries) {
+        plan.compilers.push_back(library.compiler);
+    }
+    for_each_variant([&](const Variant& variant) {
+        if (!contains(options.kernels, variant.form.kernel) ||
+            (variant.technique != Technique::plain &&
+             !contains(options.techniques, variant.technique))) {
+            return;
+        }
+        for (std::size_t library = 0; library < options.libraries.size(); ++library) {
+            plan.rates.push_back({variant, library, {}, {}, {}});
+            if (variant.packing == Packing::single &&
+                (variant.technique == Technique::plain || changes_numbers(variant.technique))) {
+                plan.errors.push_back(
+                    {variant.form, variant.precision, variant.technique, library});
+            }
+        }
+    });
+    return plan;
+}
+
+bool measure_errors(const MeasureOptions& options, Steps& steps, std::vector<FormErrors>& results) {
     const TestSet set = make_random_set(options.error_groups, options.seed);
     const TestSet edges = make_edge_set(64 * options.error_groups, options.seed);
-    for (const Precision precision : kPrecisions) {
-        const std::vector<NearestHit> reference = reference_hits(precision, set);
-        for (const Form& form : forms) {
-            if (!steps.next()) {
-                return false;
-            }
-            FormErrors errors = errors_of(form, precision, set, reference);
-            errors.slipped = slipped_fraction(form, precision, edges);
-            result.errors.push_back(errors);
+    const std::array references = {reference_hits(Precision::single_precision, set),
+                                   reference_hits(Precision::double_precision, set)};
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        if (!steps.next()) {
+            results.resize(i);
+            return false;
         }
+        FormErrors& errors = results[i];
+        const KernelLibrary& library = options.libraries[errors.library];
+        set_errors(errors, hits_of(library, errors, set),
+                   references[static_cast<std::size_t>(errors.precision)]);
+        errors.slipped = slipped_fraction(hits_of(library, errors, edges));
     }
     return true;
 }
 
-bool measure_rates(const MeasureOptions& options, Steps& steps, KernelMeasurements& result) {
-    const TestSet random = make_random_set(options.groups, options.seed + 1);
-    const TestSet worst = make_worst_set(options.groups, options.seed + 2);
+/// The sets of a measurement; those that exceed the caches only if layouts are measured.
+class TimedSets {
+  public:
+    explicit TimedSets(const MeasureOptions& options)
+        : random_(make_random_set(options.groups, options.seed + 1)),
+          worst_(make_worst_set(options.groups, options.seed + 2)),
+          has_streamed_(contains(options.techniques, Technique::arrays) ||
+                        contains(options.techniques, Technique::structures)) {
+        if (has_streamed_) {
+            triangles_ = make_streamed_set(8, options.streamed, options.seed + 3);
+            rays_ = make_streamed_set(options.streamed, 8, options.seed + 4);
+        }
+    }
+
+    void measure(const KernelLibrary& library, VariantRates& rates) const {
+        const Variant& variant = rates.variant;
+        rates.random.push_back(rate_of(library, variant, random_));
+        rates.worst.push_back(rate_of(library, variant, worst_));
+        if (has_streamed_ && has_layouts(variant)) {
+            const bool is_of_rays =
+                variant.packing == Packing::four_rays || variant.packing == Packing::eight_rays;
+            rates.streamed.push_back(rate_of(library, variant, is_of_rays ? rays_ : triangles_));
+        }
+    }
+
+  private:
+    static bool has_layouts(Variant variant) {
+        const bool is_layout = variant.technique == Technique::plain ||
+                               variant.technique == Technique::arrays ||
+                               variant.technique == Technique::structures;
+        variant.technique = Technique::arrays;
+        return is_layout && exists(variant);
+    }
+
+    TestSet random_, worst_;
+    bool has_streamed_;
+    TestSet triangles_, rays_;
+};
+
+bool measure_rates(const MeasureOptions& options, Steps& steps,
+                   std::vector<VariantRates>& results) {
+    const TimedSets sets(options);
     for (int round = 0; round < options.rounds; ++round) {
-        for (VariantRates& rates : result.rates) {
+        for (VariantRates& rates : results) {
             if (!steps.next()) {
                 return false;
             }
-            rates.random.push_back(rate_of(rates.variant, random));
-            rates.worst.push_back(rate_of(rates.variant, worst));
+            sets.measure(options.libraries[rates.library], rates);
         }
     }
     return true;
@@ -122,23 +187,11 @@ bool measure_rates(const MeasureOptions& options, Steps& steps, KernelMeasuremen
 }  // namespace
 
 KernelMeasurements measure_kernels(const MeasureOptions& options, const WorkContext& context) {
-    std::vector<Form> forms;
-    KernelMeasurements result;
-    for (const Form& form : all_forms()) {
-        if (std::ranges::find(options.kernels, form.kernel) == options.kernels.end()) {
-            continue;
-        }
-        forms.push_back(form);
-        for (const Precision precision : kPrecisions) {
-            for (const Packing packing : kPackings) {
-                result.rates.push_back({{form, packing, precision}, {}, {}});
-            }
-        }
-    }
-    Steps steps(2 * forms.size() + static_cast<unsigned>(options.rounds) * result.rates.size(),
+    KernelMeasurements result = planned(options);
+    Steps steps(result.errors.size() + static_cast<unsigned>(options.rounds) * result.rates.size(),
                 context);
-    result.is_whole =
-        measure_errors(forms, options, steps, result) && measure_rates(options, steps, result);
+    result.is_whole = measure_errors(options, steps, result.errors) &&
+                      measure_rates(options, steps, result.rates);
     std::erase_if(result.rates, [](const VariantRates& rates) { return rates.worst.empty(); });
     if (result.is_whole) {
         steps.finish();

@@ -43,11 +43,7 @@ constexpr double kBundleRadius = 0.05;  // of the rays' two ends
 constexpr double kSteepest = 3;         // tangent of the angle between bundle and normal
 constexpr double kSpacing = 0.4;        // > 2 * kBundleRadius * kSteepest: no two triangles overlap
 
-}  // namespace
-
-TestSet make_random_set(int groups, std::uint64_t seed) {
-    TestSet set;
-    Random random(seed);
+void add_random_groups(TestSet& set, int groups, Random& random) {
     for (int i = 0; i < groups * set.triangles_in_group; ++i) {
         const V3f a(random.in_cube());
         const V3f b(random.in_cube());
@@ -57,6 +53,23 @@ TestSet make_random_set(int groups, std::uint64_t seed) {
         set.origins.emplace_back(random.in_cube());
         set.directions.emplace_back(random.direction());
     }
+}
+
+}  // namespace
+
+TestSet make_random_set(int groups, std::uint64_t seed) {
+    TestSet set;
+    Random random(seed);
+    add_random_groups(set, groups, random);
+    return set;
+}
+
+TestSet make_streamed_set(int rays, int triangles, std::uint64_t seed) {
+    TestSet set;
+    set.rays_in_group = rays;
+    set.triangles_in_group = triangles;
+    Random random(seed);
+    add_random_groups(set, 1, random);
     return set;
 }
 

@@ -34,6 +34,10 @@ struct TestSet {
 /// hierarchy. Most tests end early, and half of the planes lie behind the ray.
 [[nodiscard]] TestSet make_random_set(int groups, std::uint64_t seed);
 
+/// One group of such rays and triangles; both are multiples of eight. With a million of either,
+/// they exceed the caches.
+[[nodiscard]] TestSet make_streamed_set(int rays, int triangles, std::uint64_t seed);
+
 /// Every ray hits every triangle of its group, each nearer than all before, from all directions: no
 /// test can end early, and each finds a hit to keep.
 [[nodiscard]] TestSet make_worst_set(int groups, std::uint64_t seed);

@@ -1,49 +1,31 @@
 #include "lab/triangle/variant.h"
 
+#include <algorithm>
+#include <vector>
+
+#include "lab/triangle/variants.h"
+
 namespace carom::render::triangle {
 
-namespace {
-
-constexpr std::string_view kNames[kKernelCount] = {
-    "moller_trumbore", "kensler_shirley",     "shevtsov", "badouel", "wald",
-    "keidy",           "perpendicular_planes"};
-constexpr std::string_view kTitles[kKernelCount] = {
-    "Möller–Trumbore", "Kensler–Shirley",     "Shevtsov–Soupikov–Kapustin", "Badouel", "Wald",
-    "Keidy",           "perpendicular planes"};
-
-std::vector<Form> make_forms() {
-    using enum KernelName;
-    using enum Input;
-    std::vector<Form> forms;
-    const auto add = [&](KernelName kernel, std::initializer_list<Input> inputs) {
-        for (const Input input : inputs) {
-            forms.push_back({kernel, input, Division::early});
-            forms.push_back({kernel, input, Division::deferred});
-        }
-    };
-    add(moller_trumbore, {corners, record});
-    add(kensler_shirley, {corners, corners_and_normal, record});
-    add(shevtsov, {record});
-    add(badouel, {corners_and_normal, record});
-    add(wald, {record});
-    add(keidy, {corners, corners_and_normal});
-    add(perpendicular_planes, {record});
-    return forms;
-}
-
-}  // namespace
-
 std::span<const Form> all_forms() {
-    static const std::vector<Form> kForms = make_forms();
+    static const std::vector<Form> kForms = [] {
+        std::vector<Form> forms;
+        for_each_variant([&](const Variant& variant) {
+            if (forms.empty() || forms.back() != variant.form) {
+                forms.push_back(variant.form);
+            }
+        });
+        return forms;
+    }();
     return kForms;
 }
 
 std::string_view title(KernelName kernel) {
-    return kTitles[static_cast<int>(kernel)];
+    return facts(kernel).title;
 }
 
 std::string_view name(KernelName kernel) {
-    return kNames[static_cast<int>(kernel)];
+    return facts(kernel).name;
 }
 
 std::string_view name(Input input) {
@@ -82,13 +64,39 @@ std::string_view name(Precision precision) {
     return precision == Precision::single_precision ? "float" : "double";
 }
 
-std::optional<KernelName> find_kernel(std::string_view name) {
-    for (int i = 0; i < kKernelCount; ++i) {
-        if (kNames[i] == name) {
-            return static_cast<KernelName>(i);
-        }
+std::string_view name(Technique technique) {
+    switch (technique) {
+        case Technique::plain:
+            return "plain";
+        case Technique::arrays:
+            return "arrays";
+        case Technique::structures:
+            return "structures";
+        case Technique::newton:
+            return "newton";
+        case Technique::sign_bits:
+            return "sign_bits";
+        case Technique::axis_from_table:
+            return "axis_from_table";
+        case Technique::axis_by_versions:
+            return "axis_by_versions";
+        case Technique::axis_by_order:
+            return "axis_by_order";
+        case Technique::axis_fixed:
+            return "axis_fixed";
     }
-    return std::nullopt;
+    return {};
+}
+
+std::optional<KernelName> find_kernel(std::string_view name) {
+    const auto found = std::ranges::find(kKernels, name, &KernelFacts::name);
+    return found == kKernels.end() ? std::nullopt : std::optional(found->kernel);
+}
+
+std::optional<Technique> find_technique(std::string_view text) {
+    const auto found =
+        std::ranges::find(kTechniques, text, [](Technique technique) { return name(technique); });
+    return found == kTechniques.end() ? std::nullopt : std::optional(*found);
 }
 
 }  // namespace carom::render::triangle

@@ -303,6 +303,8 @@ struct CompareCommand {
     CacheOptions cache;
     std::string scene;                   // a scene of the laboratory
     std::string triangles;               // comma-separated kernels; empty: compare structures
+    std::string techniques;              // for `triangles`, comma-separated
+    std::string compilers = "own";       // for `triangles`: or "both"
     int rounds = 5;                      // for `triangles`
     std::string growth;                  // instead of one frame: "spheres", "mesh"
     std::int64_t largest = 1'000'000;    // number of shapes for `growth`

@@ -51,6 +51,7 @@ struct ScalarLanes {
     static Int larger_int(Int a, Int b) { return a > b ? a : b; }
     static Int product(Int a, std::int32_t b) { return a * b; }
     static Value root(Value x) { return std::sqrt(x); }
+    static Value inverse(Value x) { return 1 / x; }
     static Value rounded_down(Value x) { return std::floor(x); }
 
     /// Rounds towards 0; |x| < 2^31.

@@ -62,6 +62,7 @@ struct VectorLanes {
     static HWY_INLINE Int larger_int(Int a, Int b) { return hn::Max(a, b); }
     static HWY_INLINE Int product(Int a, std::int32_t b) { return hn::Mul(a, all_int(b)); }
     static HWY_INLINE Value root(Value x) { return hn::Sqrt(x); }
+    static HWY_INLINE Value inverse(Value x) { return hn::Div(all(1), x); }
     static HWY_INLINE Value rounded_down(Value x) { return hn::Floor(x); }
 
     static HWY_INLINE Int to_int(Value x) { return hn::ConvertTo(IntTag(), x); }

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "lab/comparison/kernel_names.h"
 #include "lab/comparison/kernel_plot.h"
+#include "lab/comparison/kernel_ratios.h"
 #include "lab/comparison/kernel_text.h"
 
 namespace carom::pipeline {
@@ -19,22 +21,26 @@ using ::testing::HasSubstr;
 KernelMeasurements two_kernels() {
     KernelMeasurements measured;
     measured.is_whole = true;
+    measured.compilers = {"g++ 12.2.0"};
     for (const Form& form : all_forms()) {
         const bool is_wald = form.kernel == KernelName::wald;
         if (!is_wald && form.kernel != KernelName::perpendicular_planes) {
             continue;
         }
-        for (const Precision precision :
-             {Precision::single_precision, Precision::double_precision}) {
+        for (const Precision precision : kPrecisions) {
             const bool is_float = precision == Precision::single_precision;
-            measured.errors.push_back({form, precision, is_float ? 1.25e-6 : 2e-15,
-                                       is_float ? 2.5e-6 : 3e-15, is_float ? 0.125 : 0, 100, 0});
+            measured.errors.push_back({form, precision, Technique::plain, 0,
+                                       is_float ? 1.25e-6 : 2e-15, is_float ? 2.5e-6 : 3e-15,
+                                       is_float ? 0.125 : 0, 100, is_float ? 3 : 0, 200});
             for (const Packing packing : kPackings) {
                 const double scale = (is_float ? 1 : 0.5) * (1 + static_cast<int>(packing));
                 const double random = scale * (is_wald ? 100 : 120);
                 const double worst = scale * (is_wald ? 50 : 40);
-                measured.rates.push_back(
-                    {{form, packing, precision}, {0.9 * random, random}, {0.9 * worst, worst}});
+                measured.rates.push_back({{form, packing, precision},
+                                          0,
+                                          {0.9 * random, random},
+                                          {0.9 * worst, worst},
+                                          {}});
             }
         }
     }
@@ -43,7 +49,7 @@ KernelMeasurements two_kernels() {
 
 TEST(KernelText, WholeOutput) {
     EXPECT_EQ(kernels_text(two_kernels()),
-              R"(Millions of tests per second of CPU time, the best of 2 rounds
+              R"(Millions of tests per second of CPU time, the best of 2 rounds, g++ 12.2.0
 
 random rays, float                      one  4 rays  8 rays  4 triangles  8 triangles
 Wald, record, early                     100     200     300          400          500
@@ -70,13 +76,13 @@ perpendicular planes, record, early     20.0    40.0    60.0         80.0       
 perpendicular planes, record, deferred  20.0    40.0    60.0         80.0          100
 
 Mean relative errors of the distance t and the weights u and v; rays aimed at an edge of two
-triangles that slip between them
+triangles that slip between them; of 200 random rays, those with another hit
 
-                                        t, float  u v, float    slip  t, double  u v, double   slip
-Wald, record, early                     1.25e-06    2.50e-06  12.5 %   2.00e-15     3.00e-15  0.0 %
-Wald, record, deferred                  1.25e-06    2.50e-06  12.5 %   2.00e-15     3.00e-15  0.0 %
-perpendicular planes, record, early     1.25e-06    2.50e-06  12.5 %   2.00e-15     3.00e-15  0.0 %
-perpendicular planes, record, deferred  1.25e-06    2.50e-06  12.5 %   2.00e-15     3.00e-15  0.0 %
+                                        t, float  u v, float    slip  other  t, double  u v, double   slip  other
+Wald, record, early                     1.25e-06    2.50e-06  12.5 %      3   2.00e-15     3.00e-15  0.0 %      0
+Wald, record, deferred                  1.25e-06    2.50e-06  12.5 %      3   2.00e-15     3.00e-15  0.0 %      0
+perpendicular planes, record, early     1.25e-06    2.50e-06  12.5 %      3   2.00e-15     3.00e-15  0.0 %      0
+perpendicular planes, record, deferred  1.25e-06    2.50e-06  12.5 %      3   2.00e-15     3.00e-15  0.0 %      0
 
 perpendicular planes, times as fast as Wald   one  4 rays  8 rays  4 triangles  8 triangles
 random rays, float, early                    1.20    1.20    1.20         1.20         1.20
@@ -100,6 +106,59 @@ TEST(KernelText, Interrupted_MissingRatesAreDashes) {
     EXPECT_EQ(text.find("rays, double"), std::string::npos);
     EXPECT_EQ(text.find("times as fast"), std::string::npos);
     EXPECT_THAT(text, ::testing::EndsWith("\ninterrupted: rounds or kernels are missing\n"));
+}
+
+/// Layouts at half the speed with random rays, a quarter where every ray hits, a tenth from memory.
+TEST(KernelText, Techniques_RelativeToThePlainVariant) {
+    KernelMeasurements measured = two_kernels();
+    const std::size_t count = measured.rates.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        VariantRates rates = measured.rates[i];
+        rates.variant.technique = Technique::structures;
+        if (exists(rates.variant)) {
+            rates.random = {0.5 * rates.random[0], 0.5 * rates.random[1]};
+            rates.worst = {0.25 * rates.worst[0], 0.25 * rates.worst[1]};
+            measured.rates[i].streamed = {10, 20};
+            rates.streamed = {1, 2};
+            measured.rates.push_back(rates);
+        }
+    }
+    const std::string text = kernels_text(measured);
+    EXPECT_THAT(
+        text,
+        HasSubstr(
+            "\narray of structures, times as fast   one              4 rays              8 rays"
+            "         4 triangles         8 triangles\n"
+            "Wald, record, early                    -  0.50 / 0.25 / 0.10  0.50 / 0.25 / 0.10"));
+    EXPECT_EQ(text.find("structure of arrays"), std::string::npos);
+    EXPECT_EQ(techniques_against_plain(measured).size(), 2u * 4);
+    // The other tables are as before.
+    EXPECT_THAT(text, ::testing::StartsWith(kernels_text(two_kernels())));
+}
+
+TEST(KernelText, SecondCompiler_RelativeToTheFirst) {
+    KernelMeasurements measured = two_kernels();
+    measured.compilers.emplace_back("clang++ 14.0.6");
+    const std::size_t count = measured.rates.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        VariantRates rates = measured.rates[i];
+        rates.library = 1;
+        rates.random = {2 * rates.random[0], 2 * rates.random[1]};
+        measured.rates.push_back(rates);
+    }
+    const std::string text = kernels_text(measured);
+    EXPECT_THAT(text, HasSubstr("\nclang++ 14.0.6 relative to g++ 12.2.0: random rays / every ray "
+                                "hits\n\nfloat, times as fast"));
+    EXPECT_THAT(text, HasSubstr("\nWald, record, early                     2.00 / 1.00  "));
+    EXPECT_THAT(text, HasSubstr("\ndouble, times as fast"));
+    EXPECT_THAT(text, ::testing::StartsWith(kernels_text(two_kernels())));
+}
+
+TEST(KernelText, Memory_ARowForEachInput) {
+    const std::string text = kernel_memory_text();
+    EXPECT_THAT(text, HasSubstr("\nWald, record                             9 and axis     48"
+                                "        40          40      88\n"));
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3 + 20);
 }
 
 TEST(KernelPlot, HasABarForEveryPacking) {
@@ -130,9 +189,18 @@ TEST(KernelNames, ListOfNames) {
     };
     EXPECT_EQ(complaint("wald,,keidy"),
               "unknown kernel ''; use one of moller_trumbore, kensler_shirley, shevtsov, "
-              "badouel, wald, keidy, perpendicular_planes, or all");
+              "badouel, wald, keidy, perpendicular_planes, angle_sum, half_spaces, "
+              "origin_half_spaces, signed_areas, or all");
     EXPECT_THAT(complaint("woop"), HasSubstr("unknown kernel 'woop'; "));
     EXPECT_EQ(complaint("wald,wald"), "the kernel 'wald' is named twice");
+}
+
+TEST(TechniqueNames, ListOfNames) {
+    EXPECT_TRUE(techniques_from_text("").empty());
+    EXPECT_EQ(techniques_from_text("all").size(), kTechniques.size() - 1);
+    EXPECT_EQ(techniques_from_text("newton,arrays"),
+              (std::vector{Technique::newton, Technique::arrays}));
+    EXPECT_THROW((void)techniques_from_text("plain"), Error);
 }
 
 }  // namespace

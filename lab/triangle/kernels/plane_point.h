@@ -30,7 +30,7 @@ CAROM_KERNEL HitIn<L> hit_in_plane(const RayIn<L>& ray, const PlanePoint<kDivisi
                                    typename L::Mask valid) {
     const auto whole = plane.below.times(area);
     if constexpr (kDivision == Division::early) {
-        const auto inverse = L::all(1) / area;
+        const auto inverse = L::inverse(area);
         const auto weight_b = u * inverse;
         const auto weight_c = v * inverse;
         const auto one = L::all(1);
@@ -42,7 +42,7 @@ CAROM_KERNEL HitIn<L> hit_in_plane(const RayIn<L>& ray, const PlanePoint<kDivisi
         if (L::none(valid)) {
             return missed<L>();
         }
-        const auto inverse = L::all(1) / whole;
+        const auto inverse = L::inverse(whole);
         const auto distance = plane.t * area * inverse;
         const auto is_there =
             L::both(L::is_less(ray.t_min, distance), L::is_less(distance, ray.t_max));

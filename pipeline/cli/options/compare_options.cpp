@@ -102,8 +102,24 @@ void add_other_measurements(CommandDescription& description, CompareCommand& com
                 "Measure ray-triangle kernels instead: all, or a list such as wald,badouel.")
         .excludes(excluded);
     description
-        .option("--rounds", &command.rounds, "N",
-                "How often each kernel is timed (default 5; a round of all kernels takes 6 s).")
+        .option("--techniques", &command.techniques, "NAMES",
+                "Also measure the kernels with these techniques: all, or a list such as "
+                "arrays,structures (layouts in memory), newton (an estimated reciprocal with a "
+                "Newton step), sign_bits (integer tests), axis_from_table, axis_by_versions, "
+                "axis_by_order or axis_fixed (choices of the projection axis).")
+        .needs("--triangles");
+    description
+        .option("--compilers", &command.compilers, "NAME",
+                "Measure the kernels as carom's compiler built them (own, the default), or both "
+                "these and those of a second compiler (both), which are the target "
+                "carom-other-kernels of the build.")
+        .needs("--triangles")
+        .one_of({"own", "both"});
+    description
+        .option(
+            "--rounds", &command.rounds, "N",
+            "How often each kernel is timed (default 5; a round of all kernels takes 10 s, with "
+            "all techniques 35 s).")
         .needs("--triangles")
         .between(1, 1000);
 }
@@ -140,7 +156,9 @@ void describe(CompareCommand& command, CommandDescription& description) {
          "What wider vectors gain."},
         {"carom compare --motion 1000 --accelerators bvh,wide_bvh --plot motion.svg",
          "From which shutter on it pays to build several structures per frame."},
-        {"carom compare --triangles all --csv kernels.csv", "All triangle kernels, as a table."}};
+        {"carom compare --triangles all --csv kernels.csv", "All triangle kernels, as a table."},
+        {"carom compare --triangles wald --techniques all",
+         "All ways to choose the axis of Wald's."}};
 }
 
 }  // namespace carom::cli

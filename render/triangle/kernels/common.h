@@ -97,7 +97,7 @@ class Denominator {
 
   public:
     CAROM_KERNEL explicit Denominator(V value)
-        : value_(kDivision == Division::early ? L::all(1) / value : value),
+        : value_(kDivision == Division::early ? L::inverse(value) : value),
           whole_(kDivision == Division::early ? L::all(1) : L::size(value)) {}
 
     [[nodiscard]] CAROM_KERNEL V quotient(V numerator) const {
@@ -129,12 +129,18 @@ CAROM_KERNEL typename L::Mask is_within(const RayIn<L>& ray, const Denominator<k
     return L::both(L::is_less(below.times(ray.t_min), t), L::is_less(t, below.times(ray.t_max)));
 }
 
+/// The laboratory has lane types with tests of their own.
 template <class L>
+concept ComparesNumbers = !requires {
+    L::kTestsSignBits;
+};
+
+template <ComparesNumbers L>
 CAROM_KERNEL typename L::Mask is_weight(typename L::Value u, typename L::Value whole) {
     return L::both(L::is_at_most(L::all(0), u), L::is_at_most(u, whole));
 }
 /// v, where u is already a weight.
-template <class L>
+template <ComparesNumbers L>
 CAROM_KERNEL typename L::Mask is_second_weight(typename L::Value u, typename L::Value v,
                                                typename L::Value whole) {
     return L::both(L::is_at_most(L::all(0), v), L::is_at_most(u + v, whole));
@@ -152,7 +158,7 @@ CAROM_KERNEL HitIn<L> make_hit(const RayIn<L>& ray, const Denominator<kDivision,
         if (L::none(valid)) {
             return missed<L>();
         }
-        const auto inverse = L::all(1) / below.whole();
+        const auto inverse = L::inverse(below.whole());
         const auto distance = t * inverse;
         const auto is_there =
             L::both(L::is_less(ray.t_min, distance), L::is_less(distance, ray.t_max));

@@ -249,6 +249,7 @@ TEST_F(CompareCommand, Triangles_AreMeasuredInEveryForm) {
     EXPECT_EQ(first["division"], "early");
     EXPECT_EQ(first["precision"], "float");
     EXPECT_EQ(first["packing"], "single");
+    EXPECT_EQ(first["technique"], "plain");
     for (const char* number :
          {"random_rate", "worst_rate", "distance_error", "weight_error", "edge_slips"}) {
         EXPECT_GT(first[number], 0) << number;
@@ -256,9 +257,10 @@ TEST_F(CompareCommand, Triangles_AreMeasuredInEveryForm) {
     ASSERT_EQ(json["planes_against_wald"].size(), 2u * 5 * 2);
     EXPECT_GT(json["planes_against_wald"][0]["random_ratio"], 0);
     const std::string csv = text_of("t.csv");
-    EXPECT_THAT(
-        csv, StartsWith("kernel,input,division,precision,packing,random_rate,worst_rate,"
-                        "distance_error,weight_error,edge_slips\nwald,record,early,float,single,"));
+    EXPECT_THAT(csv,
+                StartsWith("kernel,input,division,precision,packing,technique,compiler,random_rate,"
+                           "worst_rate,streamed_rate,distance_error,weight_error,edge_slips,"
+                           "other_hits\nwald,record,early,float,single,plain,"));
     expect_well_formed(csv);
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 40);
     EXPECT_THAT(text_of("t.png"), StartsWith("\x89PNG"));
@@ -268,11 +270,22 @@ TEST_F(CompareCommand, Triangles_PrintsTables) {
     const RunResult result = run({"compare", "--triangles", "keidy", "--rounds", "1", "--quiet"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.err, "");
-    EXPECT_THAT(
-        result.out,
-        StartsWith("Millions of tests per second of CPU time, one round\n\nrandom rays, float "));
-    for (const char* text : {"\nKeidy, corners, early ", "\nKeidy, with normal, deferred ",
-                             "\nevery ray hits, double ", "\nMean relative errors "}) {
+    EXPECT_THAT(result.out, StartsWith("Millions of tests per second of CPU time, one round, "));
+    for (const char* text :
+         {"\nrandom rays, float ", "\nKeidy, corners, early ", "\nKeidy, with normal, deferred ",
+          "\nevery ray hits, double ", "\nMean relative errors ", "\nBytes per triangle"}) {
+        EXPECT_THAT(result.out, HasSubstr(text));
+    }
+    EXPECT_THAT(result.out, ::testing::Not(HasSubstr("relative to the plain variant")));
+}
+
+TEST_F(CompareCommand, Techniques_AreMeasuredAgainstThePlainVariant) {
+    const RunResult result = run({"compare", "--triangles", "wald", "--techniques",
+                                  "axis_fixed,newton", "--rounds", "1", "--quiet"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    for (const char* text :
+         {"\nSpeed relative to the plain variant", "\nestimated reciprocal and a Newton step, ",
+          "\nthe same axis for all triangles, ", "\nWald, record, early, axis_fixed  "}) {
         EXPECT_THAT(result.out, HasSubstr(text));
     }
 }
@@ -288,6 +301,9 @@ TEST_F(CompareCommand, WrongUsageOfTriangles_IsRejectedWithASentence) {
     EXPECT_THAT(message({"--triangles", "woop"}), HasSubstr("unknown kernel 'woop'; use one of "));
     EXPECT_THAT(message({"--triangles", "all", "--scene", "stadium"}), HasSubstr("excludes"));
     EXPECT_THAT(message({"--triangles", "all", "tiny.yaml"}), HasSubstr("excludes"));
+    EXPECT_THAT(message({"--triangles", "all", "--techniques", "axis"}),
+                HasSubstr("unknown technique 'axis'; use one of arrays, structures, "));
+    EXPECT_THAT(message({"--techniques", "newton"}), HasSubstr("requires"));
     EXPECT_THAT(message({"--rounds", "3"}), HasSubstr("requires"));
     EXPECT_THAT(message({"--triangles", "all", "--rounds", "0"}), HasSubstr("--rounds"));
 }

@@ -1,0 +1,159 @@
+// Several rays against one triangle after another. Included once per instruction set, after
+// <hwy/highway.h>.
+#if defined(CAROM_TRIANGLE_RAYS_RUN_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CAROM_TRIANGLE_RAYS_RUN_INL_H
+#undef CAROM_TRIANGLE_RAYS_RUN_INL_H
+#else
+#define CAROM_TRIANGLE_RAYS_RUN_INL_H
+#endif
+
+#include <vector>
+
+#include "lab/triangle/make_variant.h"
+#include "lab/triangle/number_loads-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace carom::render::triangle::HWY_NAMESPACE {
+
+template <class L, class From, class To, std::size_t... kIndices>
+HWY_INLINE void broadcast_numbers(From from, To to, std::index_sequence<kIndices...>) {
+    ((std::get<kIndices>(to) = L::all(std::get<kIndices>(from))), ...);
+}
+
+/// The record of one triangle in all lanes.
+template <class L, class To, class From>
+HWY_INLINE To broadcast(const From& record) {
+    To result;
+    broadcast_numbers<L>(From::numbers(record), To::numbers(result), NumberIndices<From>());
+    if constexpr (From::kHasAxis) {
+        result.axis = record.axis;
+    }
+    return result;
+}
+
+template <Variant kVariant>
+class RaysRun final : public KernelRun {
+    static constexpr Form kForm = kVariant.form;
+    static constexpr Technique kTechnique = kVariant.technique;
+    static constexpr int kCount = kVariant.packing == Packing::four_rays ? 4 : 8;
+    using T = std::conditional_t<kVariant.precision == Precision::single_precision, float, double>;
+    using Kernel = KernelOf<kForm.kernel>;
+    using D = hn::CappedTag<T, kCount>;
+    using L = LanesOf<kTechnique, RaysInLanes<D>>;
+    using V = hn::Vec<D>;
+    using One = ScalarLanes<T, AxisChoiceOf<kTechnique>>;
+    using Triangle = StoredTriangle<kTechnique, InputOf<Kernel, kForm.input, One>>;
+    using Ray = TestedRay<kTechnique, L>;
+    static constexpr int kLanes = static_cast<int>(hn::MaxLanes(D()));
+    static constexpr int kVectors = kCount / kLanes;
+
+  public:
+    explicit RaysRun(const TestSet& set)
+        : rays_in_group_(set.rays_in_group),
+          triangles_in_group_(set.triangles_in_group),
+          rays_(table_of_rays<T, kCount, kTechnique>(set)) {
+        for (const TriangleCorners& triangle : set.triangles) {
+            triangles_.push_back(stored_triangle<Kernel, kForm.input, kTechnique, One>(triangle));
+        }
+        for (std::vector<T>* numbers : {&t_, &u_, &v_, &triangle_}) {
+            numbers->resize(set.origins.size());
+        }
+    }
+
+    void run() override {
+        const std::size_t groups = triangles_.size() / static_cast<unsigned>(triangles_in_group_);
+        for (std::size_t group = 0; group < groups; ++group) {
+            const Triangle* triangles =
+                &triangles_[group * static_cast<unsigned>(triangles_in_group_)];
+            for (int i = 0; i < rays_in_group_; i += kCount) {
+                intersect_all(
+                    group * static_cast<unsigned>(rays_in_group_) + static_cast<unsigned>(i),
+                    triangles);
+            }
+        }
+    }
+
+    [[nodiscard]] Packing packing() const override { return kVariant.packing; }
+
+    [[nodiscard]] std::vector<NearestHit> hits() const override {
+        std::vector<NearestHit> hits;
+        for (std::size_t i = 0; i < t_.size(); ++i) {
+            hits.push_back({static_cast<double>(t_[i]), static_cast<double>(u_[i]),
+                            static_cast<double>(v_[i]), static_cast<std::int64_t>(triangle_[i])});
+        }
+        return hits;
+    }
+
+  private:
+    HWY_INLINE Ray load_ray(std::size_t item) const {
+        const D d;
+        RayIn<L> ray;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            ray.origin.at[axis] = load<D>(rays_, item, axis);
+            ray.direction.at[axis] = load<D>(rays_, item, axis + 3);
+        }
+        ray.t_min = hn::Zero(d);
+        ray.t_max = hn::Set(d, T(kInfinity));
+        return Ray(ray);
+    }
+
+    template <std::size_t... kIndices>
+    HWY_INLINE std::array<Ray, sizeof...(kIndices)> load_rays(
+        std::size_t first, std::index_sequence<kIndices...>) const {
+        return {load_ray(first + kIndices * kLanes)...};
+    }
+
+    void intersect_all(std::size_t first, const Triangle* triangles) {
+        const D d;
+        auto rays = load_rays(first, std::make_index_sequence<kVectors>());
+        V u[kVectors];
+        V v[kVectors];
+        V triangle[kVectors];
+        for (int k = 0; k < kVectors; ++k) {
+            u[k] = hn::Zero(d);
+            v[k] = hn::Zero(d);
+            triangle[k] = hn::Set(d, T(-1));
+        }
+        for (int i = 0; i < triangles_in_group_; ++i) {
+            const auto record = broadcast<L, typename Kernel::template Record<L>>(
+                record_of<Kernel, One>(triangles[i].input));
+            for (int k = 0; k < kVectors; ++k) {
+                Ray& ray = rays[static_cast<std::size_t>(k)];
+                const auto hit =
+                    ray.template test<Kernel, kForm.division>(record, triangles[i].first);
+                if (!L::none(hit.valid)) {
+                    ray.set_t_max(hn::IfThenElse(hit.valid, hit.t, ray.t_max()));
+                    u[k] = hn::IfThenElse(hit.valid, hit.u, u[k]);
+                    v[k] = hn::IfThenElse(hit.valid, hit.v, v[k]);
+                    triangle[k] =
+                        hn::IfThenElse(hit.valid, hn::Set(d, static_cast<T>(i)), triangle[k]);
+                }
+            }
+        }
+        for (int k = 0; k < kVectors; ++k) {
+            const std::size_t to = first + static_cast<unsigned>(k * kLanes);
+            hn::StoreU(rays[static_cast<std::size_t>(k)].t_max(), d, &t_[to]);
+            hn::StoreU(u[k], d, &u_[to]);
+            hn::StoreU(v[k], d, &v_[to]);
+            hn::StoreU(triangle[k], d, &triangle_[to]);
+        }
+    }
+
+    int rays_in_group_;
+    int triangles_in_group_;
+    NumberTable<T, 6, kCount, kTechnique> rays_;
+    std::vector<Triangle> triangles_;
+    std::vector<T> t_, u_, v_, triangle_;
+};
+
+template <Variant kVariant>
+struct MakeRaysRun {
+    static std::unique_ptr<KernelRun> make(const TestSet& set) {
+        return std::make_unique<RaysRun<kVariant>>(set);
+    }
+};
+
+}  // namespace carom::render::triangle::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // once per instruction set

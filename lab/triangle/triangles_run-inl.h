@@ -1,0 +1,155 @@
+// One ray after another against several triangles. Included once per instruction set, after
+// <hwy/highway.h>.
+#if defined(CAROM_TRIANGLE_TRIANGLES_RUN_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CAROM_TRIANGLE_TRIANGLES_RUN_INL_H
+#undef CAROM_TRIANGLE_TRIANGLES_RUN_INL_H
+#else
+#define CAROM_TRIANGLE_TRIANGLES_RUN_INL_H
+#endif
+
+#include <bit>
+#include <vector>
+
+#include "lab/triangle/make_variant.h"
+#include "lab/triangle/number_loads-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace carom::render::triangle::HWY_NAMESPACE {
+
+template <class Numbers, class Table, std::size_t... kIndices>
+void store_numbers(Numbers numbers, Table& table, std::size_t item,
+                   std::index_sequence<kIndices...>) {
+    ((*table.place(item, kIndices) = std::get<kIndices>(numbers)), ...);
+}
+
+template <class D, class Numbers, class Table, std::size_t... kIndices>
+HWY_INLINE void load_numbers(Numbers numbers, const Table& table, std::size_t item,
+                             std::index_sequence<kIndices...>) {
+    ((std::get<kIndices>(numbers) = load<D>(table, item, kIndices)), ...);
+}
+
+template <Variant kVariant>
+class TrianglesRun final : public KernelRun {
+    static constexpr Form kForm = kVariant.form;
+    static constexpr Technique kTechnique = kVariant.technique;
+    static constexpr int kCount = kVariant.packing == Packing::four_triangles ? 4 : 8;
+    using T = std::conditional_t<kVariant.precision == Precision::single_precision, float, double>;
+    using Kernel = KernelOf<kForm.kernel>;
+    using D = hn::CappedTag<T, kCount>;
+    using L = LanesOf<kTechnique, TrianglesInLanes<D>>;
+    using One = ScalarLanes<T, AxisChoiceOf<kTechnique>>;
+    using Single = InputOf<Kernel, kForm.input, One>;
+    using Several = InputOf<Kernel, kForm.input, L>;
+    using Indices = NumberIndices<Single>;
+    static constexpr bool kStoresAxis = Single::kHasAxis && kTechnique != Technique::axis_fixed;
+    static constexpr std::size_t kAxis = Indices::size();  // behind the numbers
+    using Table = NumberTable<T, Indices::size() + (kStoresAxis ? 1 : 0), kCount, kTechnique>;
+    static constexpr int kLanes = static_cast<int>(hn::MaxLanes(D()));
+
+  public:
+    explicit TrianglesRun(const TestSet& set)
+        : rays_in_group_(set.rays_in_group),
+          triangles_in_group_(set.triangles_in_group),
+          rays_(table_of_rays<T, 1, Technique::structures>(set)),
+          triangles_(set.triangles.size()),
+          hits_(set.origins.size()) {
+        for (std::size_t i = 0; i < set.triangles.size(); ++i) {
+            const Single triangle = make_input<Kernel, kForm.input, One>(set.triangles[i]);
+            store_numbers(Single::numbers(triangle), triangles_, i, Indices());
+            if constexpr (kStoresAxis) {
+                *triangles_.place(i, kAxis) = static_cast<T>(triangle.axis.w);
+            }
+        }
+    }
+
+    void run() override {
+        for (std::size_t ray = 0; ray < hits_.size(); ++ray) {
+            const std::size_t group = ray / static_cast<unsigned>(rays_in_group_);
+            hits_[ray] = nearest(ray, group * static_cast<unsigned>(triangles_in_group_));
+        }
+    }
+
+    [[nodiscard]] Packing packing() const override { return kVariant.packing; }
+
+    [[nodiscard]] std::vector<NearestHit> hits() const override {
+        std::vector<NearestHit> hits;
+        for (const Best& best : hits_) {
+            hits.push_back({static_cast<double>(best.t), static_cast<double>(best.u),
+                            static_cast<double>(best.v), best.triangle});
+        }
+        return hits;
+    }
+
+  private:
+    struct Best {
+        T t = T(kInfinity);
+        T u = 0, v = 0;
+        std::int32_t triangle = -1;
+    };
+
+    Best nearest(std::size_t ray_index, std::size_t first_triangle) const {
+        const D d;
+        RayIn<L> ray;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            ray.origin.at[axis] = hn::Set(d, *rays_.place(ray_index, axis));
+            ray.direction.at[axis] = hn::Set(d, *rays_.place(ray_index, axis + 3));
+        }
+        ray.t_min = hn::Zero(d);
+        ray.t_max = hn::Set(d, T(kInfinity));
+        Best best;
+        for (int i = 0; i < triangles_in_group_; i += kLanes) {
+            const auto hit = Kernel::template intersect<kForm.division>(
+                ray, record_of<Kernel, L>(load_triangles(first_triangle + unsigned(i))));
+            if (!L::none(hit.valid)) {
+                keep_nearest(hit, i, best);
+                ray.t_max = hn::Set(d, best.t);
+            }
+        }
+        return best;
+    }
+
+    HWY_INLINE Several load_triangles(std::size_t item) const {
+        Several triangles;
+        load_numbers<D>(Several::numbers(triangles), triangles_, item, Indices());
+        if constexpr (kStoresAxis) {
+            triangles.axis = L::axis_of(load<D>(triangles_, item, kAxis));
+        }
+        return triangles;
+    }
+
+    static HWY_INLINE void keep_nearest(const HitIn<L>& hit, int first, Best& best) {
+        const D d;
+        alignas(64) T t[kLanes];
+        alignas(64) T u[kLanes];
+        alignas(64) T v[kLanes];
+        std::uint8_t bits[8] = {};
+        hn::StoreMaskBits(d, hit.valid, bits);
+        hn::Store(hit.t, d, t);
+        hn::Store(hit.u, d, u);
+        hn::Store(hit.v, d, v);
+        for (unsigned left = bits[0]; left != 0; left &= left - 1) {
+            const int k = std::countr_zero(left);
+            if (t[k] < best.t) {
+                best = {t[k], u[k], v[k], first + k};
+            }
+        }
+    }
+
+    int rays_in_group_;
+    int triangles_in_group_;
+    NumberTable<T, 6, 1, Technique::structures> rays_;
+    Table triangles_;
+    std::vector<Best> hits_;
+};
+
+template <Variant kVariant>
+struct MakeTrianglesRun {
+    static std::unique_ptr<KernelRun> make(const TestSet& set) {
+        return std::make_unique<TrianglesRun<kVariant>>(set);
+    }
+};
+
+}  // namespace carom::render::triangle::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // once per instruction set
