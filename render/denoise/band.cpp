@@ -19,6 +19,7 @@ constexpr int kLevel = 8;      // whose squared differences set the level of the
 constexpr int kNearLevel = 2;  // whose squared differences bound it from below
 constexpr int kShape = 1;      // over which the known variance is smoothed
 constexpr int kError = 5;      // over which errors are compared
+constexpr int kShift = 3;      // over which shifts are compared with the noise
 constexpr int kMask = 2;       // over which the choice is smoothed
 
 // Errors of DenoisedPicture, of 0.2 and 0.4 %.
@@ -103,7 +104,8 @@ BandPlanes make_planes(const DenoiseInput& input, const RowRange& rows) {
         make(planes.prediction[half], planes.predicted, width);
         make(planes.checked[half], planes.predicted, width);
     }
-    for (Plane* plane : {&planes.noisy_error, &planes.filtered_error, &planes.squared_excess}) {
+    for (Plane* plane : {&planes.noisy_error, &planes.filtered_error, &planes.squared_excess,
+                         &planes.shift, &planes.squared_shift}) {
         *plane = Plane(planes.predicted, width);
     }
     for (Plane* plane : {&planes.mean_noisy_error, &planes.mean_filtered_error, &planes.mask}) {
@@ -231,6 +233,7 @@ void Band::estimate_errors(int y) {
     }
     row.noisy = planes_.noisy_error.row(y);
     row.filtered = planes_.filtered_error.row(y);
+    row.shift = planes_.shift.row(y);
     row.chunks = planes_.chunks;
     kernels_.estimate_errors(row);
     float* squared = planes_.squared_excess.row(y);
@@ -238,9 +241,11 @@ void Band::estimate_errors(int y) {
         const float excess = row.filtered[x] - row.noisy[x];
         squared[x] = excess * excess;
     }
-    planes_.squared_excess.extend(y);
-    planes_.noisy_error.extend(y);
-    planes_.filtered_error.extend(y);
+    kernels_.square(row.shift, planes_.squared_shift.row(y), planes_.chunks);
+    for (Plane* plane : {&planes_.noisy_error, &planes_.filtered_error, &planes_.squared_excess,
+                         &planes_.shift, &planes_.squared_shift}) {
+        plane->extend(y);
+    }
 }
 
 namespace {
@@ -250,6 +255,24 @@ float need_of(float noisy_error) {
     return std::clamp((noisy_error - kInvisible) / (kVisible - kInvisible), 0.0F, 1.0F);
 }
 
+/// Whether a mean over a square of this radius is above 0 by more than chance explains.
+/// `squared`: the mean of the squares.
+bool is_significant(float mean, float squared, int radius, float standard_errors) {
+    const auto pixels = static_cast<float>((2 * radius + 1) * (2 * radius + 1));
+    const float chance = squared - mean * mean;
+    return mean > 0 && mean * mean * pixels > standard_errors * standard_errors * chance;
+}
+
+/// Whether the filter has moved the pixels around farther than their noise explains. If it has
+/// found the right colours, it has taken off just the noise of the mean of the halves, whose
+/// expected square is that of half of their difference. `excess`: of the squared shift over it.
+bool is_shifted(float excess, float squared_excess, float noise) {
+    constexpr float kMost = 1.5F;
+    constexpr float kStandardErrors = 3;
+    return excess > kMost * noise &&
+           is_significant(excess, squared_excess, kShift, kStandardErrors);
+}
+
 }  // namespace
 
 /// The noisy picture stays where its error is lower by more than chance explains: twice the
@@ -257,23 +280,27 @@ float need_of(float noisy_error) {
 /// difference can be large. It also stays where its noise cannot be seen, because there the filter
 /// could only do harm.
 void Band::compare_errors(int y) {
-    constexpr float kPixels = (2 * kError + 1) * (2 * kError + 1);
     constexpr float kStandardErrors = 2;
     float* noisy = planes_.mean_noisy_error.row(y);
     float* filtered = planes_.mean_filtered_error.row(y);
     box_mean(planes_.noisy_error, y, kError, noisy);
     box_mean(planes_.filtered_error, y, kError, filtered);
-    std::vector<float> squared(static_cast<std::size_t>(planes_.chunks) * kChunk);
+    std::array<std::vector<float>, 5> means;
+    for (std::vector<float>& mean : means) {
+        mean.resize(static_cast<std::size_t>(planes_.chunks) * kChunk);
+    }
+    auto& [squared, near_noisy, noise, shift, squared_shift] = means;
     box_mean(planes_.squared_excess, y, kError, squared.data());
-    std::vector<float> near_noisy(squared.size());
     box_mean(planes_.noisy_error, y, kMask, near_noisy.data());
+    box_mean(planes_.noisy_error, y, kShift, noise.data());
+    box_mean(planes_.shift, y, kShift, shift.data());
+    box_mean(planes_.squared_shift, y, kShift, squared_shift.data());
     float* mask = planes_.mask.row(y);
-    for (int x = 0; x < planes_.width; ++x) {
-        const float excess = filtered[x] - noisy[x];
-        const float chance = squared[static_cast<std::size_t>(x)] - excess * excess;
+    for (std::size_t x = 0; x < static_cast<std::size_t>(planes_.width); ++x) {
         const bool is_worse =
-            excess > 0 && excess * excess * kPixels > kStandardErrors * kStandardErrors * chance;
-        mask[x] = is_worse ? 0.0F : need_of(near_noisy[static_cast<std::size_t>(x)]);
+            is_significant(filtered[x] - noisy[x], squared[x], kError, kStandardErrors) ||
+            is_shifted(shift[x], squared_shift[x], noise[x]);
+        mask[x] = is_worse ? 0.0F : need_of(near_noisy[x]);
     }
     planes_.mask.extend(y);
 }

@@ -34,6 +34,7 @@ struct BandPlanes {
     std::array<ColourPlane, kHalves> prediction;        // from A and from B
     std::array<ColourPlane, kHalves> checked;           // the same, knowing nothing of B and A
     Plane noisy_error, filtered_error, squared_excess;  // of pixels
+    Plane shift, squared_shift;  // by the filter, without the noise that explains it
     Plane mean_noisy_error, mean_filtered_error, mask;
 };
 

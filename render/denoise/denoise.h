@@ -9,7 +9,7 @@
 namespace carom::render {
 
 /// Incremented whenever denoised pixels change for the same inputs.
-inline constexpr int kDenoiserRevision = 3;
+inline constexpr int kDenoiserRevision = 4;
 
 /// Numbers of a picture, row by row from the top left, of which every `step`th belongs to this
 /// plane. Borrowed.
@@ -67,7 +67,8 @@ struct DenoisedPicture {
 /// colours of half A, weighted by the likeness of patches in half B (non-local means), and the
 /// other way round. It is fitted against the features of the half's own samples and evaluated at
 /// the exact ones, so that what lens, shutter and pixel filter did to these samples is taken out: a
-/// control variate. Where the estimated error of the noisy picture is lower, that one stays.
+/// control variate. Where the estimated error of the noisy picture is lower, or the filter moved
+/// colours farther than their noise explains, that one stays.
 ///
 /// Rows are shared by the threads of the caller's arena. The bits depend neither on threads nor on
 /// the processor. Besides the result it takes about 12 kB of memory for each column of a picture,

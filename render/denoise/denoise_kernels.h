@@ -72,6 +72,7 @@ struct ErrorRow {
     const float* checked_b[3];  // and of A
     float* noisy;               // result: the relative squared error of the halves' mean
     float* filtered;            // result: that of the predictions' mean
+    float* shift;  // result: the relative squared difference of both means, minus `noisy`
     int chunks = 0;
 };
 

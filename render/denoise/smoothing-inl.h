@@ -63,6 +63,7 @@ inline HWY_ATTR void estimate_errors(const ErrorRow& row) {
     for (int x = 0; x < row.chunks * kChunk; x += lane_count()) {
         F noisy = all(0.f);
         F filtered = all(0.f);
+        F shift = all(0.f);
         for (int c = 0; c < 3; ++c) {
             const F mean = load(row.mean[c] + x);
             const F difference = load(row.difference[c] + x);  // (A - B) / 2
@@ -76,11 +77,14 @@ inline HWY_ATTR void estimate_errors(const ErrorRow& row) {
             const F between = product(half, minus(a, b));
             const F both = product(half, sum(product(a_to_b, a_to_b), product(b_to_a, b_to_a)));
             const F error = minus(minus(both, sum(variance, variance)), product(between, between));
+            const F moved = minus(r, mean);
+            shift = sum(shift, product(product(moved, moved), scale));
             noisy = sum(noisy, product(variance, scale));
             filtered = sum(filtered, product(error, scale));
         }
         store(noisy, row.noisy + x);
         store(filtered, row.filtered + x);
+        store(minus(shift, noisy), row.shift + x);
     }
 }
 

@@ -166,7 +166,7 @@ TEST_F(FilmCommands, OddSize_IsRejectedOnlyByFormatsWithoutIt) {
 }
 
 TEST_F(FilmCommands, ImpossibleOutput_IsRejectedBeforeTheWork) {
-    const RunResult extension = run({"render", "tiny.yaml", "-o", "film.avi"});
+    const RunResult extension = run({"render", "tiny.yaml", "-o", "film.wmv"});
     EXPECT_EQ(extension.exit_code, 2);
     EXPECT_THAT(extension.err, HasSubstr("h264: .mp4, .mov, .mkv"));
     const RunResult folder = run({"render", "tiny.yaml", "-o", "none/film.mp4"});
