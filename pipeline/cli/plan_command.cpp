@@ -5,6 +5,7 @@
 #include "pipeline/cli/sequence_input.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/plan/plan_svg.h"
+#include "pipeline/sound/film_levels.h"
 
 namespace carom::cli {
 
@@ -17,8 +18,11 @@ void run(const PlanCommand& command, CommandContext& context) {
     ShotInput input = read_shot_input(command.input, context.console);
     const sim::Timeline timeline =
         obtain_bake(input, command.input, command.cache, context).timeline;
-    write_drawing({path, command.drawing.width},
-                  pipeline::plan_svg(input.shot, timeline, {page_of(command.drawing.page, path)}));
+    write_drawing(
+        {path, command.drawing.width},
+        pipeline::plan_svg(input.shot, timeline,
+                           {page_of(command.drawing.page, path),
+                            pipeline::film_levels(input.shot, timeline, {{}, context.stop})}));
 }
 
 }  // namespace carom::cli

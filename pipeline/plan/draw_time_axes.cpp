@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "pipeline/camera/time_map.h"
+#include "pipeline/plan/loudness_curve.h"
 #include "pipeline/plan/plan_drawing.h"
 #include "pipeline/plan/quantity_text.h"
 #include "pipeline/plan/time_axis.h"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double kBar = 4.4;
 constexpr double kText = 2.4;
+constexpr double kLoudness = 7;  // height of full scale
 
 std::string fraction_text(double speed) {
     const double size = std::abs(speed);
@@ -64,12 +66,32 @@ void draw_bar_text(SvgText& svg, const std::string& text, double from, double to
               {"style", "font-size:2.4px"}});
 }
 
-void draw_film(PlanDrawing& plan, double y) {
+TimeAxis film_axis(const PlanDrawing& plan) {
     TimeAxis axis;
     for (const PlanRig& rig : plan.rigs) {
         axis.to = &rig == &plan.rigs.front() ? rig.rig->video_end.to_double()
                                              : std::max(axis.to, rig.rig->video_end.to_double());
     }
+    return axis;
+}
+
+/// How loud the film is, above the bars of its cameras.
+void draw_loudness(PlanDrawing& plan, double y) {
+    const double bottom = y + kLoudness;
+    const std::vector<Vec2> curve = loudness_curve(plan.sound, film_axis(plan), y, bottom);
+    plan.svg.open("g", {{"id", "loudness"}});
+    plan.svg.text("text", "sound",
+                  {{"class", "small"}, {"x", svg_number(kMargin)}, {"y", svg_number(bottom)}});
+    plan.svg.leaf("path", {{"class", "area"}, {"d", svg_path(area_below(curve, bottom), true)}});
+    plan.svg.leaf("path", {{"class", "line"},
+                           {"fill", "none"},
+                           {"stroke-width", "0.15"},
+                           {"d", svg_path(curve, false)}});
+    plan.svg.close();
+}
+
+void draw_film(PlanDrawing& plan, double y) {
+    const TimeAxis axis = film_axis(plan);
     for (std::size_t i = 0; i < plan.rigs.size(); ++i) {
         const PlanRig& rig = plan.rigs[i];
         const double from = axis.at(rig.rig->video_start.to_double());
@@ -110,6 +132,10 @@ void draw_shown(PlanDrawing& plan, const TimeAxis& axis, const PlanRig& rig, dou
 double draw_time_axes(PlanDrawing& plan, double y) {
     plan.svg.open("g", {{"id", "times"}});
     if (!plan.rigs.empty()) {
+        if (!plan.sound.decibels.empty()) {
+            draw_loudness(plan, y);
+            y += kLoudness + 0.8;
+        }
         draw_film(plan, y);
         y += 11.5;
     }

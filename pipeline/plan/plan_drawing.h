@@ -14,6 +14,7 @@
 #include "pipeline/plan/sheet.h"
 #include "pipeline/plan/svg_text.h"
 #include "pipeline/shot/shot.h"
+#include "pipeline/sound/film_levels.h"
 #include "render/camera/camera_state.h"
 #include "sim/billiards/layout.h"
 #include "sim/timeline/timeline.h"
@@ -56,6 +57,7 @@ struct PlanDrawing {
     Sheet sheet;
     LabelPlacer labels;
     SvgText svg;
+    FilmLevels sound{};  // of the film; empty: not drawn
 };
 
 /// The objects of all tracks, in order.

@@ -181,6 +181,7 @@ std::string plan_svg(const Shot& shot, const sim::Timeline& timeline, const Plan
         }
     }
     plan.events = number_events(shot, timeline, kMostNumbers);
+    plan.sound = options.sound;
     const Extent extent = extent_of(plan);
     plan.sheet = make_sheet(extent.low, extent.high, {kPageWidth - 2 * kMargin, kHighest});
     const Vec2 size = plan.sheet.size();

@@ -5,17 +5,19 @@
 
 #include "pipeline/plan/plan_colours.h"
 #include "pipeline/shot/shot.h"
+#include "pipeline/sound/film_levels.h"
 #include "sim/timeline/timeline.h"
 
 namespace carom::pipeline {
 
 struct PlanOptions {
     PlanPage page = PlanPage::automatic;
+    FilmLevels sound{};  // is drawn over the film's time unless it is empty
 };
 
 /// An SVG document, 297 mm wide and as high as necessary: the table to scale with balls, paths,
-/// numbered events, sticks and cameras; time axes; a legend; the list of events. Invalid cameras
-/// are left out.
+/// numbered events, sticks and cameras; time axes with the film's loudness; a legend; the list of
+/// events. Invalid cameras are left out.
 [[nodiscard]] std::string plan_svg(const Shot& shot, const sim::Timeline& timeline,
                                    const PlanOptions& options = {});
 

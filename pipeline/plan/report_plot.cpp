@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "pipeline/plan/colour_ramp.h"
+#include "pipeline/plan/loudness_curve.h"
 #include "pipeline/plan/plan_drawing.h"
 #include "pipeline/plan/quantity_text.h"
 #include "pipeline/plan/simplify_line.h"
@@ -16,7 +17,6 @@ constexpr double kTop = 24;          // of the upper panel, mm
 constexpr double kSpeedHeight = 92;  // of the panels
 constexpr double kEnergyHeight = 44;
 constexpr double kSoundHeight = 30;
-constexpr double kQuietest = -80;  // dB of full scale, at the bottom
 constexpr double kBetween = 12;
 constexpr double kNearestLines = 6.5;  // distance of a panel's grid lines
 constexpr double kTolerance = 0.02;    // of curves
@@ -294,19 +294,10 @@ void draw_energy(PlanDrawing& plan, const TimeAxis& axis, double top) {
 double draw_sound(SvgText& svg, const FilmLevels& sound, double top) {
     const TimeAxis axis{0, sound.length};
     const Panel panel{top, kSoundHeight, 0, false, kQuietest};
-    std::vector<Vec2> curve;
-    for (std::size_t i = 0; i < sound.decibels.size(); ++i) {
-        const double y = panel.at(std::max(sound.decibels[i], kQuietest));
-        const double from = FilmLevels::kInterval * static_cast<double>(i);
-        curve.emplace_back(axis.at(from), y);
-        curve.emplace_back(axis.at(std::min(from + FilmLevels::kInterval, sound.length)), y);
-    }
-    std::vector<Vec2> area = curve;
-    area.insert(area.begin(), {area.front().x, panel.bottom()});
-    area.emplace_back(area.back().x, panel.bottom());
+    const std::vector<Vec2> curve = loudness_curve(sound, axis, panel.top, panel.bottom());
     svg.open("g", {{"id", "sound"}});
     draw_panel(svg, panel, axis, "sound, dB of full scale", "over the time of the film");
-    svg.leaf("path", {{"class", "area"}, {"d", svg_path(area, true)}});
+    svg.leaf("path", {{"class", "area"}, {"d", svg_path(area_below(curve, panel.bottom()), true)}});
     svg.leaf("path", {{"class", "kinetic"}, {"d", svg_path(curve, false)}});
     draw_time_axis(svg, axis, panel.bottom() + 2, "film");
     svg.close();

@@ -77,7 +77,8 @@ std::vector<std::string> document_words(const DocumentKind& kind, const Document
 std::string draw_document(const DocumentKind& kind, const pipeline::Shot& shot,
                           const sim::Timeline& timeline) {
     if (kind.what == "plan") {
-        return pipeline::plan_svg(shot, timeline);
+        return pipeline::plan_svg(
+            shot, timeline, {pipeline::PlanPage::automatic, pipeline::film_levels(shot, timeline)});
     }
     if (kind.what == "plot") {
         return pipeline::report_plot_svg(shot, timeline, pipeline::PlanPage::automatic,

@@ -8,6 +8,7 @@
 
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/config/load_shot.h"
+#include "pipeline/plan/loudness_curve.h"
 #include "pipeline/plan/numbered_events.h"
 #include "pipeline/plan/report_plot.h"
 #include "sim/bake.h"
@@ -71,6 +72,31 @@ TEST(PlanSvg, MasseShot_HasEventsPathsAndCameras) {
     EXPECT_THAT(svg, HasSubstr(">seat: 0.25 s to 1.75 s, 1×<"));
     EXPECT_THAT(svg, HasSubstr(">curve: 0.49 s to 1.09 s, 1/5×<"));
     EXPECT_EQ(svg, plan_svg(masse.shot, masse.timeline));
+}
+
+TEST(PlanSvg, Loudness_IsDrawnAboveTheFilmsCameras) {
+    const Baked masse = example("masse");
+    FilmLevels sound;
+    sound.length = 0.1;
+    sound.decibels = {-40, -std::numeric_limits<double>::infinity()};
+    const std::string svg = plan_svg(masse.shot, masse.timeline, {PlanPage::light, sound});
+    expect_well_formed(svg);
+    EXPECT_THAT(svg, HasSubstr(">sound<"));
+    EXPECT_THAT(plan_svg(masse.shot, masse.timeline), Not(HasSubstr("id=\"loudness\"")));
+}
+
+TEST(LoudnessCurve, Levels_AreLinearBetweenFullScaleAndTheQuietest) {
+    FilmLevels sound;
+    sound.length = 0.08;
+    sound.decibels = {-20, -200};
+    const TimeAxis axis{0, 0.08};
+    const std::vector<Vec2> curve = loudness_curve(sound, axis, 10, 18);
+    ASSERT_EQ(curve.size(), 4U);
+    EXPECT_EQ(curve[0], Vec2(kAxisLeft, 12));
+    EXPECT_EQ(curve[1], Vec2(axis.at(0.05), 12));
+    EXPECT_EQ(curve[3], Vec2(kAxisRight, 18));
+    EXPECT_EQ(area_below(curve, 18).front(), Vec2(kAxisLeft, 18));
+    EXPECT_TRUE(area_below({}, 18).empty());
 }
 
 TEST(PlanSvg, Scenery_IsDrawn) {
