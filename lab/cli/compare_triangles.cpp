@@ -51,10 +51,8 @@ KernelMeasurements measure(const MeasureOptions& options, CommandContext& contex
 }
 
 void write(const CompareCommand& command, const KernelMeasurements& measured) {
-    write_text_output(
-        command.output.empty() ? "-" : command.output,
-        command.json ? kernels_json(measured)
-                     : pipeline::kernels_text(measured) + "\n" + pipeline::kernel_memory_text());
+    write_text_output(command.output.empty() ? "-" : command.output,
+                      command.json ? kernels_json(measured) : pipeline::kernels_text(measured));
     if (!command.csv.empty()) {
         write_text_output(command.csv, kernels_csv(measured));
     }

@@ -209,28 +209,35 @@ std::string compilers_tables(const KernelMeasurements& measured) {
     return text;
 }
 
-}  // namespace
-
-std::string kernels_text(const KernelMeasurements& measured) {
-    std::string text = rates_tables(measured) + errors_table(measured) + planes_table(measured) +
-                       techniques_tables(measured) + compilers_tables(measured);
-    if (!measured.is_whole) {
-        text += "\ninterrupted: rounds or kernels are missing\n";
-    }
-    return text;
-}
-
-std::string kernel_memory_text() {
+/// The memory of a triangle in each input of the measured kernels.
+std::string memory_table(const KernelMeasurements& measured) {
     TextTable table({"", "numbers", "float", "one axis", "in a block", "double"});
     for (const InputMemory& memory : memory_of_inputs()) {
+        if (std::ranges::none_of(measured.errors, [&](const FormErrors& errors) {
+                return errors.form.kernel == memory.kernel;
+            })) {
+            continue;
+        }
         table.add({std::string(title(memory.kernel)) + ", " + title_of(memory.input),
                    std::to_string(memory.numbers) + (memory.has_axis ? " and axis" : ""),
                    std::to_string(memory.bytes_float), std::to_string(memory.bytes_one_axis),
                    std::to_string(memory.bytes_in_block), std::to_string(memory.bytes_double)});
     }
-    return "Bytes per triangle: with the indices of three axes, with one; in a block of several "
+    return "\nBytes per triangle: with the indices of three axes, with one; in a block of several "
            "triangles\n\n" +
            table.text();
+}
+
+}  // namespace
+
+std::string kernels_text(const KernelMeasurements& measured) {
+    std::string text = rates_tables(measured) + errors_table(measured) + planes_table(measured) +
+                       memory_table(measured) + techniques_tables(measured) +
+                       compilers_tables(measured);
+    if (!measured.is_whole) {
+        text += "\ninterrupted: rounds or kernels are missing\n";
+    }
+    return text;
 }
 
 }  // namespace carom::pipeline

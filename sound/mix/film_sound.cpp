@@ -12,7 +12,7 @@
 #include "sound/level/limiter.h"
 #include "sound/level/loudness.h"
 #include "sound/level/true_peak.h"
-#include "sound/mix/film_mix.h"
+#include "sound/mix/film_blocks.h"
 
 namespace carom::sound {
 namespace {
@@ -23,11 +23,11 @@ constexpr double kEndFade = 240;         // samples, 5 ms
 
 using Block = std::array<double, kBlock>;
 
-/// Mixes the whole film, Pa, and hands each block to `sink`.
+/// Hands all blocks of the film to `sink`.
 template <class Sink>
-void mix_all(const SoundScene& scene, const FilmSoundOptions& options, const WorkContext& context,
+void mix_all(const SoundScene& scene, FilmBlocks& blocks, const WorkContext& context,
              const Sink& sink) {
-    FilmMix mix(scene, options.only);
+    blocks.rewind();
     constexpr auto kSamples = static_cast<std::int64_t>(kBlock);
     for (std::int64_t frame = 0; frame < scene.frames; frame += kSamples) {
         if (context.stop.stop_requested()) {
@@ -35,7 +35,7 @@ void mix_all(const SoundScene& scene, const FilmSoundOptions& options, const Wor
         }
         Block left{};
         Block right{};
-        mix.add_block(left, right);
+        blocks.next(left, right);
         const auto count = static_cast<std::size_t>(std::min(scene.frames - frame, kSamples));
         sink(std::span(left).first(count), std::span(right).first(count));
         if (context.progress) {
@@ -53,11 +53,11 @@ double rounded_pressure(double level) {
     return pressure_of(std::ceil(level * 100) / 100);
 }
 
-double full_scale_for_peak(const SoundScene& scene, const FilmSoundOptions& options,
+double full_scale_for_peak(const SoundScene& scene, FilmBlocks& blocks,
                            const WorkContext& context) {
     TruePeakMeter left_meter;
     TruePeakMeter right_meter;
-    mix_all(scene, options, context, [&](std::span<double> left, std::span<double> right) {
+    mix_all(scene, blocks, context, [&](std::span<double> left, std::span<double> right) {
         left_meter.add(left);
         right_meter.add(right);
     });
@@ -68,7 +68,7 @@ double full_scale_for_peak(const SoundScene& scene, const FilmSoundOptions& opti
 
 /// The meter leaves out what is below -70 LUFS, so its result depends on the full scale that it
 /// measures with. The second measurement uses what the first has found.
-double full_scale_for_loudness(const SoundScene& scene, const FilmSoundOptions& options,
+double full_scale_for_loudness(const SoundScene& scene, FilmBlocks& blocks,
                                const WorkContext& context) {
     double full_scale = kLeastFullScale;
     for (int pass = 0; pass < 2; ++pass) {
@@ -77,7 +77,7 @@ double full_scale_for_loudness(const SoundScene& scene, const FilmSoundOptions& 
         if (context.progress) {
             part.progress = [&context, pass](double done) { context.progress((pass + done) / 2); };
         }
-        mix_all(scene, options, part, [&](std::span<double> left, std::span<double> right) {
+        mix_all(scene, blocks, part, [&](std::span<double> left, std::span<double> right) {
             for (const std::span<double> channel : {left, right}) {
                 std::ranges::transform(channel, channel.begin(),
                                        [full_scale](double x) { return x / full_scale; });
@@ -92,12 +92,11 @@ double full_scale_for_loudness(const SoundScene& scene, const FilmSoundOptions& 
     return full_scale;
 }
 
-double full_scale_of(const SoundScene& scene, const FilmSoundOptions& options,
-                     const WorkContext& context) {
+double full_scale_of(const SoundScene& scene, FilmBlocks& blocks, const WorkContext& context) {
     if (scene.loudness) {
-        return full_scale_for_loudness(scene, options, context);
+        return full_scale_for_loudness(scene, blocks, context);
     }
-    return scene.full_scale ? *scene.full_scale : full_scale_for_peak(scene, options, context);
+    return scene.full_scale ? *scene.full_scale : full_scale_for_peak(scene, blocks, context);
 }
 
 }  // namespace
@@ -106,14 +105,15 @@ class FilmSound::Implementation {
   public:
     Implementation(SoundScene scene, const FilmSoundOptions& options, const WorkContext& context)
         : scene_(std::move(scene)),
-          full_scale_(full_scale_of(scene_, options, context)),
-          mix_(scene_, options.only) {
+          blocks_(scene_, options.only),
+          full_scale_(full_scale_of(scene_, blocks_, context)) {
+        blocks_.rewind();
         if (scene_.loudness) {
             limiter_.emplace(factor_of(kHighestTruePeak));
             to_skip_ = Limiter::kDelay;
         }
     }
-    // The mix refers to the scene.
+    // The blocks refer to the scene.
     Implementation(const Implementation&) = delete;
     Implementation& operator=(const Implementation&) = delete;
     Implementation(Implementation&&) = delete;
@@ -158,9 +158,7 @@ class FilmSound::Implementation {
     }
 
     void make_block() {
-        left_.fill(0);
-        right_.fill(0);
-        mix_.add_block(left_, right_);
+        blocks_.next(left_, right_);
         for (std::size_t n = 0; n < kBlock; ++n) {
             left_[n] /= full_scale_;
             right_[n] /= full_scale_;
@@ -174,8 +172,8 @@ class FilmSound::Implementation {
     }
 
     SoundScene scene_;
+    FilmBlocks blocks_;
     double full_scale_;
-    FilmMix mix_;
     std::optional<Limiter> limiter_;
     LoudnessMeter meter_;
     Block left_{}, right_{};  // samples that are ready
