@@ -7,6 +7,18 @@ function edit(page, value) {
         [{ path: ['balls', 'cue', 'at'], value: to, precision: 1e-4 }], 'Move cue').ok, value);
 }
 
+/// Drags the cue ball by 16 cm in eight frames.
+function drag(page) {
+    return page.evaluate(async () => {
+        const gesture = window.studio.edit.beginGesture();
+        for (let i = 1; i <= 8; ++i) {
+            gesture.update([{ path: ['balls', 'cue', 'at'], value: [-0.3 + i / 50, 0.12], precision: 1e-4 }]);
+            await new Promise((resolve) => requestAnimationFrame(resolve));
+        }
+        gesture.commit('Move cue');
+    });
+}
+
 /// Waits until all pages have that text, and nothing is under way.
 async function agree(pages, text, what) {
     for (const page of pages) {
@@ -47,19 +59,19 @@ export async function check({ page, browser, address }) {
     await other.page.evaluate(() => window.studio.edit.travel(true));
     await agree(pages, moved(-0.3), 'undo of that in the second window');
 
-    // A drag in one window is one step in the other.
-    const steps = await page.evaluate(() => window.studio.edit.steps());
-    await other.page.evaluate(async () => {
-        const gesture = window.studio.edit.beginGesture();
-        for (let i = 1; i <= 8; ++i) {
-            gesture.update([{ path: ['balls', 'cue', 'at'], value: [-0.3 + i / 50, 0.12], precision: 1e-4 }]);
-            await new Promise((resolve) => requestAnimationFrame(resolve));
-        }
-        gesture.commit('Move cue');
-    });
-    await agree(pages, moved(-0.14), 'a drag in the second window');
-    equal(await page.evaluate(() => window.studio.edit.steps()) - steps <= 1, true,
-        'steps of the drag in the first window');
+    // A drag in one window is one step in the other, unless a busy processor lets more than a second
+    // pass between its changes.
+    let steps = 0;
+    for (let i = 0; i < 4 && steps !== 1; i += 1) {
+        await edit(other.page, [-0.3, 0.12]);
+        await agree(pages, moved(-0.3), 'the place before a drag');
+        await page.evaluate(() => new Promise((done) => { setTimeout(done, 1200); }));
+        const stepsBefore = await page.evaluate(() => window.studio.edit.steps());
+        await drag(other.page);
+        await agree(pages, moved(-0.14), 'a drag in the second window');
+        steps = await page.evaluate(() => window.studio.edit.steps()) - stepsBefore;
+    }
+    equal(steps, 1, 'steps of the drag in the first window');
     await page.evaluate(() => {
         while (window.studio.edit.travel(true)) { /* all */ }
     });
