@@ -48,7 +48,7 @@ export class Areas {
 
     constructor(uniforms: SharedUniforms) {
         this.mesh = new Mesh(new BufferGeometry(), new ShaderMaterial({
-            vertexShader: kVertexShader, fragmentShader: kFragmentShader, uniforms,
+            vertexShader: kVertexShader, fragmentShader: kFragmentShader, uniforms: { ...uniforms },
             transparent: true, depthWrite: false, side: DoubleSide, forceSinglePass: true,
         }));
         this.mesh.frustumCulled = false;

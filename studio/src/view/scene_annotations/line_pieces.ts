@@ -55,8 +55,11 @@ export function withoutHead(
     }
     const [from, to] = [places[last - 1] ?? tip, places[last] ?? tip];
     const [fromTip, here] = [distance(from, tip), distance(to, tip)];
-    const share = Math.max(0, (fromTip - head) / Math.max(fromTip - here, 1e-9));
-    const base = mix(points[last - 1] ?? end, points[last] ?? end, Math.min(share, 1));
+    const share = Math.min(Math.max(0, (fromTip - head) / Math.max(fromTip - here, 1e-9)), 1);
+    // The point of the line near the base gives the direction.
+    const behind = mix(points[last - 1] ?? end, points[last] ?? end, share);
+    const away = distance([from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])], tip);
+    const base = mix(end, behind, away > 0 ? head / away : 1);
     return { points: [...points.slice(0, last), mix(base, end, kIntoHead)], base };
 }
 

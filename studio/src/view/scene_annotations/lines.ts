@@ -159,7 +159,7 @@ export class Lines {
 
     constructor(uniforms: SharedUniforms) {
         this.mesh = new Mesh(geometryFor(this.numbers), new ShaderMaterial({
-            vertexShader: kVertexShader, fragmentShader: kFragmentShader, uniforms,
+            vertexShader: kVertexShader, fragmentShader: kFragmentShader, uniforms: { ...uniforms },
             transparent: true, depthWrite: false,
         }));
         this.mesh.frustumCulled = false;

@@ -44,6 +44,18 @@ export const makeSceneAnnotations: MakePart = (context) => {
     const colours = viewColours();
     const questions = new NewestQuestion<Question>((q, question) =>
         send('see_annotations', { q, ...question }));
+    let wanted: Question | null = null;
+    let isToAsk = false;
+    /// Once for all that changes together: time, and the camera that follows it.
+    const askSoon = () => {
+        if (!isToAsk) {
+            isToAsk = true;
+            queueMicrotask(() => {
+                isToAsk = false;
+                questions.ask(wanted);
+            });
+        }
+    };
     const height = computed(() => { // of the picture, CSS pixels
         void context.moved.value;
         return context.box().height;
@@ -59,10 +71,10 @@ export const makeSceneAnnotations: MakePart = (context) => {
                 questions.forget();
             }
             const isWanted = showAnnotations.value && !isTraced.value;
-            const question = isWanted ? questionNow(context) : null;
-            questions.ask(question);
-            group.visible = question !== null;
-            if (!question) {
+            wanted = isWanted ? questionNow(context) : null;
+            askSoon();
+            group.visible = wanted !== null;
+            if (!wanted) {
                 sceneAnnotations.value = null; // another time may be shown next
             }
         }),
