@@ -31,8 +31,8 @@ function fontOf(name: string, size: number): string {
 
 /// The size of its picture, for a film's picture of that height; both in pixels.
 export function sizeOfText({ letters, margin }: AnnotationLabel, height: number): [number, number] {
-    return [Math.ceil((letters[0] + 2 * margin[0]) * height),
-        Math.ceil((letters[1] + 2 * margin[1]) * height)];
+    const whole = (share: number) => Math.ceil(share * height - 1e-6);
+    return [whole(letters[0] + 2 * margin[0]), whole(letters[1] + 2 * margin[1])];
 }
 
 function drawBox(
