@@ -8,7 +8,7 @@ export const kPlaces = `
 uniform vec2 size; // of the canvas, pixels
 uniform float height; // of the picture, pixels
 const float kNear = 0.02; // m
-const float kNearer = 3e-4; // of the distance, or of a metre
+const float kNearer = 5e-5; // of the distance, or of a metre
 
 bool hasPerspective() {
     return projectionMatrix[3][3] == 0.0;
