@@ -187,13 +187,14 @@ test('ShownShapes_ReadTheirNumbersAndEncodeColours', () => {
     const { areas, lines, texts } = shownShapes({ head: { q: 1, v: 1, shapes: [
         shape({ first: 4, points: 2 }), shape({ kind: 'area', first: 8, annotation: 1 }),
         shape({ kind: 'text', first: 8, annotation: 2, label }),
-    ] }, numbers }, 0, '#00ff00');
-    const [only] = lines;
+    ] }, numbers }, 0);
+    const [halo, only] = lines;
     assert.deepEqual([only?.points, only?.strengths], [[[1, 2, 3], [4, 5, 6]], [0.25, 0.5]]);
     assert.ok(Math.abs((only?.colour[2] ?? 0) - 0.735) < 0.001, 'sRGB of 0.5');
-    assert.deepEqual(only?.edge.map(Math.round), [0, 1, 0], 'the chosen one');
+    assert.deepEqual([lines.length, halo?.points, (halo?.width ?? 0) > 0.015], [2, only?.points, true],
+        'the chosen one');
     assert.deepEqual([areas[0]?.corners, areas[0]?.opacity], [[[4, 5, 6]], 0.5]);
     assert.deepEqual([texts[0]?.at, texts[0]?.colour, texts[0]?.edge], [[4, 5, 6], 'rgb(255 0 188)', null]);
     assert.deepEqual(sizeOfText(label, 100), [22, 15]);
-    assert.deepEqual(shownShapes(null, -1, '#fff'), { areas: [], lines: [], texts: [] });
+    assert.deepEqual(shownShapes(null, -1), { areas: [], lines: [], texts: [] });
 });

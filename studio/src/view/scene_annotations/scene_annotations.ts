@@ -10,7 +10,6 @@ import { forTests } from '../gizmos/sketch';
 import { kDrawingPriority, type MakePart } from '../parts';
 import { isPictureOld } from '../picture/asking';
 import { shownPicture } from '../picture/picture_state';
-import { viewColours } from '../theme_colours';
 import { Areas } from './areas';
 import { linePieces } from './line_pieces';
 import { Lines } from './lines';
@@ -41,7 +40,6 @@ export const makeSceneAnnotations: MakePart = (context) => {
     lines.mesh.renderOrder = kOrder + 1;
     group.add(areas.mesh, lines.mesh);
     context.scene.add(group);
-    const colours = viewColours();
     const questions = new NewestQuestion<Question>((q, question) =>
         send('see_annotations', { q, ...question }));
     let wanted: Question | null = null;
@@ -96,7 +94,7 @@ export const makeSceneAnnotations: MakePart = (context) => {
             uniforms.size.value.set(Math.floor(width * ratio), Math.floor(high * ratio));
         }),
         effect(() => {
-            const shown = shownShapes(sceneAnnotations.value, chosen.value, colours.value.accent);
+            const shown = shownShapes(sceneAnnotations.value, chosen.value);
             uniforms.height.value = height.value * context.pixelRatio();
             areas.update(shown.areas);
             lines.update(linePieces(shown.lines, context.toScreen, height.value));

@@ -2,11 +2,14 @@
 import { Color } from 'three';
 import { kAnnotationsNumbersPerPoint, type AnnotationShape, type Triple } from '../../protocol';
 import type { SceneAnnotations } from '../../state/state';
+import { kColours } from '../gizmos/figure';
 import type { ShownArea } from './areas';
 import type { ShownLine } from './line_pieces';
 import type { PlacedText } from './texts';
 
 const kDarkEdge: Triple = [13 / 255, 16 / 255, 19 / 255]; // sRGB (pipeline/picture/colours.cpp)
+
+const kHalo = 0.008; // by which a line that stands out is broader, picture heights
 
 export interface ShownShapes {
     areas: ShownArea[];
@@ -33,12 +36,12 @@ function pointsOf(shape: AnnotationShape, numbers: Float64Array) {
     };
 }
 
-/// `chosen`: the index of the annotation that stands out, by edges of the colour `accent` (of CSS).
-export function shownShapes(
-    answer: SceneAnnotations | null, chosen: number, accent: string,
-): ShownShapes {
+/// `chosen`: the index of the annotation that stands out, by broad lines below all others.
+export function shownShapes(answer: SceneAnnotations | null, chosen: number): ShownShapes {
     const shown: ShownShapes = { areas: [], lines: [], texts: [] };
-    const bright = new Color(accent).convertLinearToSRGB().toArray() as Triple;
+    const halos: ShownLine[] = [];
+    const bright = new Color(kColours.accent);
+    const accent = bright.clone().convertLinearToSRGB().toArray() as Triple;
     for (const shape of answer?.head.shapes ?? []) {
         const { points, strengths } = pointsOf(shape, answer?.numbers ?? new Float64Array());
         const isChosen = shape.annotation === chosen;
@@ -48,17 +51,22 @@ export function shownShapes(
                 corners: points, colour: encoded(shape.colour), opacity: shape.opacity,
             });
         } else if (shape.kind === 'line') {
-            shown.lines.push({
-                points, strengths, colour: encoded(shape.colour), edge: isChosen ? bright : kDarkEdge,
+            const line = {
+                points, strengths, colour: encoded(shape.colour), edge: kDarkEdge,
                 width: shape.width, isClosed: shape.is_closed,
                 hasRoundEnds: shape.has_round_ends, hasHead: shape.has_head,
-            });
+            };
+            shown.lines.push(line);
+            if (isChosen) {
+                halos.push({ ...line, colour: accent, edge: accent, width: line.width + kHalo,
+                    hasHead: false });
+            }
         } else if (shape.label && first) {
             shown.texts.push({
                 at: first, label: shape.label, colour: css(shape.colour), opacity: shape.opacity,
-                boxColour: css(shape.label.box_colour), edge: isChosen ? accent : null,
+                boxColour: css(shape.label.box_colour), edge: isChosen ? bright.getStyle() : null,
             });
         }
     }
-    return shown;
+    return { ...shown, lines: [...halos, ...shown.lines] };
 }
