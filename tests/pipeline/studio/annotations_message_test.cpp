@@ -169,7 +169,8 @@ TEST(AnnotationsMessage, WholeMessage_IsTheSameAfterARoundTrip) {
     const auto payload = std::as_bytes(std::span(message.numbers));
     const std::string bytes = pack(message.head, payload);
     EXPECT_EQ(bytes.substr(8, bytes.size() - 8 - payload.size()),
-              R"({"t":"annotations","q":7,"v":3,"shapes":[{"annotation":0,"kind":"area","first":0,"points":3,)"
+              R"({"t":"annotations","q":7,"v":3,"shapes":[)"
+              R"({"annotation":0,"kind":"area","first":0,"points":3,)"
               R"("colour":[0.25,0.5,1],"opacity":0.3,"width":0,"is_closed":false,)"
               R"("has_round_ends":true,"has_head":false},)"
               R"({"annotation":0,"kind":"line","first":12,"points":3,)"
