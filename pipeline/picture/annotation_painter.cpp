@@ -4,12 +4,12 @@
 #include <optional>
 #include <utility>
 
-#include "pipeline/picture/build_shapes.h"
 #include "pipeline/picture/canvas.h"
 #include "pipeline/picture/obstacles.h"
 #include "pipeline/picture/picture_items.h"
 #include "pipeline/picture/placed_shapes.h"
 #include "pipeline/picture/scene_layer.h"
+#include "pipeline/picture/shown_annotations.h"
 
 namespace carom::pipeline {
 namespace {
@@ -25,34 +25,10 @@ double middle_of(const PlannedFrame& frame) {
 
 }  // namespace
 
-double opacity_at(const Annotation& annotation, double scene_time, double video_time) {
-    const auto since = [&](const AnnotationTime& time) {
-        return (time.is_moment || is_in_scene(annotation) ? scene_time : video_time) - time.seconds;
-    };
-    const double shown = annotation.from ? since(*annotation.from) : 0;
-    const double left = annotation.to ? -since(*annotation.to) : 0;
-    if (shown < 0 || left < 0) {
-        return 0;
-    }
-    double opacity = annotation.opacity;
-    if (annotation.fade > 0 && annotation.from) {
-        opacity *= std::min(1.0, shown / annotation.fade);
-    }
-    if (annotation.fade > 0 && annotation.to) {
-        opacity *= std::min(1.0, left / annotation.fade);
-    }
-    return opacity;
-}
-
 class AnnotationPainter::Painter {
   public:
     Painter(const Shot& shot, const sim::Timeline& timeline)
-        : shot_(shot), timeline_(timeline), items_(shot, timeline, fonts_) {
-        paths_ = static_cast<std::size_t>(
-            std::ranges::count_if(shot.annotations, [](const Annotation& annotation) {
-                return std::holds_alternative<PathAnnotation>(annotation.kind);
-            }));
-    }
+        : shot_(shot), timeline_(timeline), items_(shot, timeline, fonts_) {}
 
     void prepare() {
         for (const Annotation& annotation : shot_.annotations) {
@@ -91,24 +67,10 @@ class AnnotationPainter::Painter {
         const double time = middle_of(frame);
         const Pinhole view(frame, width_, height_);
         std::optional<Obstacles> obstacles;
-        SceneMoment moment{shot_, timeline_, view, moment_of(frame), time, 0, paths_};
-        for (const Annotation& annotation : shot_.annotations) {
-            const bool is_path = std::holds_alternative<PathAnnotation>(annotation.kind);
-            const double opacity =
-                is_in_scene(annotation)
-                    ? frame.weight * opacity_at(annotation, time, frame.video_time)
-                    : 0;
-            if (opacity > 0) {
-                SceneShapes shown = shapes_of(annotation, moment);
-                if (annotation.lit > 0) {  // the rest is in the scene
-                    std::erase_if(shown, [](const SceneShape& shape) {
-                        return !std::holds_alternative<SceneText>(shape);
-                    });
-                }
-                const std::vector<PlacedShape> shapes = placed_shapes(shown, view, fonts_);
-                draw_shapes(shapes, view, opacity, time, obstacles);
-            }
-            moment.path_index += is_path ? 1 : 0;
+        for (const ShownAnnotation& shown :
+             shown_annotations(shot_, timeline_, view, moment_of(frame), time)) {
+            const std::vector<PlacedShape> shapes = placed_shapes(shown.shapes, view, fonts_);
+            draw_shapes(shapes, view, frame.weight * shown.opacity, time, obstacles);
         }
     }
 
@@ -155,7 +117,6 @@ class AnnotationPainter::Painter {
     const sim::Timeline& timeline_;
     Fonts fonts_;
     PictureItems items_;
-    std::size_t paths_ = 0;
     std::optional<render::StaticGeometry> geometry_;
     std::optional<Canvas> canvas_;  // of the frame that is being drawn
     int width_ = 0, height_ = 0;

@@ -47,8 +47,4 @@ class AnnotationPainter {
     std::unique_ptr<Painter> painter_;
 };
 
-/// The opacity of an annotation at a scene time and a video time (s), [0, 1]: 0 before `from` and
-/// after `to`, and growing and falling linearly during `fade`.
-[[nodiscard]] double opacity_at(const Annotation& annotation, double scene_time, double video_time);
-
 }  // namespace carom::pipeline

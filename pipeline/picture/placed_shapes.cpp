@@ -5,7 +5,7 @@
 #include <optional>
 #include <type_traits>
 
-#include "pipeline/picture/dashes.h"
+#include "pipeline/picture/line_dashes.h"
 
 namespace carom::pipeline {
 namespace {
@@ -14,9 +14,6 @@ constexpr double kEdge = 0.0026;    // of lines, picture heights
 constexpr double kLeastEdge = 0.7;  // pixels
 constexpr double kHead = 4.2;       // length of an arrowhead, widths of its line
 constexpr double kMostHead = 0.5;   // of the line's length
-constexpr double kDotOfDots = 1.5;  // diameter of a dotted line's dots, widths of the line
-constexpr double kGap = 0.03;       // the smallest gap between dashes, m
-constexpr double kLeastGap = 2.5;   // in widths of the line
 
 /// The parts of a line that are in front of the camera.
 std::vector<StrongLine> cut_in_front(const StrongLine& line, const Pinhole& view) {
@@ -99,29 +96,14 @@ class Placer {
     }
 
     void place(const SceneLine& line) {
-        StrongLine points;
-        for (std::size_t i = 0; i < line.points.size(); ++i) {
-            points.push_back({line.points[i], line.strengths.empty() ? 1 : line.strengths[i]});
-        }
-        if (points.size() < 2) {
-            return;
-        }
-        PlacedLine look = plain_line(line.colour, line.width);
-        const bool is_solid = line.dash == Dash::solid;
-        if (line.is_closed && !is_solid) {
-            points.push_back(points.front());
-        }
-        const double scale = line.dash_size * dash_scale(line, look);
-        for (const StrongLine& dash : cut_into_dashes(points, line.dash, scale)) {
-            for (const StrongLine& part : cut_in_front(dash, view_)) {
-                const bool is_whole = part.size() == points.size();
-                look.is_closed = line.is_closed && is_solid && is_whole;
-                look.is_round = is_solid;
-                look.head = 0;
-                const Vec3 beyond = part.back().at - points.back().at;
-                if (line.has_head && beyond.length() == 0) {
-                    look.head = kHead * look.width;
-                }
+        for (const LineDash& dash : dashes_of(line, view_)) {
+            PlacedLine look = plain_line(line.colour, line.width);
+            look.width *= dash.thickness;
+            look.is_round = dash.has_round_ends;
+            for (const StrongLine& part : cut_in_front(dash.points, view_)) {
+                const Vec3 beyond = part.back().at - dash.points.back().at;
+                look.is_closed = dash.is_closed && part.size() == dash.points.size();
+                look.head = dash.has_head && beyond.length() == 0 ? kHead * look.width : 0;
                 add(part, look);
             }
         }
@@ -169,30 +151,7 @@ class Placer {
             line.points.push_back({at.place, at.inverse_depth, point.strength});
         }
         line.head = std::min(line.head, kMostHead * length);
-        if (points.size() == 1 && !line.is_round) {  // of a dotted line
-            line.width *= kDotOfDots;
-        }
-        line.is_round = line.is_round || points.size() == 1;
         result.emplace_back(std::move(line));
-    }
-
-    /// Dashes grow by powers of 2 if the gaps between them were too small to be seen at the farther
-    /// end, and shrink if the camera is near.
-    [[nodiscard]] double dash_scale(const SceneLine& line, const PlacedLine& look) const {
-        constexpr double kSmallest = 0.25;
-        constexpr double kLargest = 64;
-        double depth = Pinhole::kNearest;
-        for (const Vec3& end : line.reach.empty()
-                                   ? std::vector{line.points.front(), line.points.back()}
-                                   : line.reach) {
-            depth = std::max(depth, view_.depth(end));
-        }
-        const double gap = kGap * line.dash_size / view_.pixel_size(depth);  // pixels
-        double scale = kSmallest;
-        while (scale < kLargest && scale * gap < kLeastGap * look.width) {
-            scale *= 2;
-        }
-        return scale;
     }
 
     const Pinhole& view_;

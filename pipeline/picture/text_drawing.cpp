@@ -18,13 +18,13 @@ constexpr double kMargin = 0.035;  // from the picture's edges, picture heights
 DrawnText::DrawnText(const Font& font, const std::string& text, const TextLook& look)
     : letters_(font.lay_out(text, look.line_height, look.align)), look_(look) {}
 
-Vec2 DrawnText::padding() const {
+Vec2 DrawnText::margin() const {
     return look_.box.opacity > 0 ? look_.line_height * Vec2(kSide, kTop)
                                  : look_.line_height * Vec2(kEdge);
 }
 
 Vec2 DrawnText::size() const {
-    return letters_.size() + 2.0 * padding();
+    return letters_.size() + 2.0 * margin();
 }
 
 void DrawnText::draw(cairo_t* context, const Vec2& corner) const {
@@ -36,7 +36,7 @@ void DrawnText::draw(cairo_t* context, const Vec2& corner) const {
         set_colour(context, look_.box.colour, look_.box.opacity);
         cairo_fill(context);
     }
-    letters_.add_outlines(context, corner + padding());
+    letters_.add_outlines(context, corner + margin());
     if (!has_box) {
         set_colour(context, casing_colour(), 0.85);
         cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);

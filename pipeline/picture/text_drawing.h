@@ -22,11 +22,11 @@ class DrawnText {
     DrawnText(const Font& font, const std::string& text, const TextLook& look);
 
     [[nodiscard]] Vec2 size() const;  // pixels
+    /// Between the letters and the box or the outer side of their edges, pixels.
+    [[nodiscard]] Vec2 margin() const;
     void draw(cairo_t* context, const Vec2& corner) const;
 
   private:
-    [[nodiscard]] Vec2 padding() const;
-
     LaidText letters_;
     TextLook look_;
 };

@@ -45,6 +45,32 @@ constexpr auto fields_of(Describes<FanHead>) {
                            field("outcomes", &FanHead::outcomes));
 }
 
+constexpr auto fields_of(Describes<AnnotationLabel>) {
+    return fields<AnnotationLabel>(
+        field("text", &AnnotationLabel::text), field("font", &AnnotationLabel::font),
+        field("line_height", &AnnotationLabel::line_height),
+        field("letters", &AnnotationLabel::letters), field("margin", &AnnotationLabel::margin),
+        field("offset", &AnnotationLabel::offset), field("is_above", &AnnotationLabel::is_above),
+        field("nearer", &AnnotationLabel::nearer),
+        field("box_colour", &AnnotationLabel::box_colour),
+        field("box_opacity", &AnnotationLabel::box_opacity));
+}
+
+constexpr auto fields_of(Describes<AnnotationShape>) {
+    return fields<AnnotationShape>(
+        field("annotation", &AnnotationShape::annotation), field("kind", &AnnotationShape::kind),
+        field("first", &AnnotationShape::first), field("points", &AnnotationShape::points),
+        field("colour", &AnnotationShape::colour), field("opacity", &AnnotationShape::opacity),
+        field("width", &AnnotationShape::width), field("is_closed", &AnnotationShape::is_closed),
+        field("has_round_ends", &AnnotationShape::has_round_ends),
+        field("has_head", &AnnotationShape::has_head), field("label", &AnnotationShape::label));
+}
+
+constexpr auto fields_of(Describes<AnnotationsHead>) {
+    return fields<AnnotationsHead>(field("q", &AnnotationsHead::q), field("v", &AnnotationsHead::v),
+                                   field("shapes", &AnnotationsHead::shapes));
+}
+
 constexpr auto fields_of(Describes<CamerasHead>) {
     return fields<CamerasHead>(field("v", &CamerasHead::v),
                                field("entries", &CamerasHead::entries));

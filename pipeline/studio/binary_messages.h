@@ -1,7 +1,9 @@
 // The heads of the binary messages of the server. messages.h says how they are sent.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -88,6 +90,47 @@ struct FanHead {
     int finished = 0;  // of them
     std::vector<FanTrack> tracks{};
     std::vector<FanOutcome> outcomes{};  // sorted by their earliest time
+};
+
+/// A text in the scene. Lengths are in heights of the picture unless told otherwise.
+struct AnnotationLabel {
+    std::string text{};
+    std::string font{};  // "sans_bold", "serif" ...; empty: that of a file
+    double line_height = 0;
+    std::array<double, 2> letters{};  // width of the longest line, height of all lines
+    std::array<double, 2> margin{};   // around the letters: of the box, or of their dark edges
+    std::array<double, 2> offset{};   // of its centre from its place, to the right and up
+    bool is_above = false;            // its lower edge is there instead of its centre
+    double nearer = 0;                // m by which it is nearer than its place, for what hides it
+    Triple box_colour{};              // linear
+    double box_opacity = 0;           // 0: no box
+};
+
+/// A line, an area or a text of an annotation. Widths are in heights of the picture.
+struct AnnotationShape {
+    int annotation = 0;       // its index in ShotState
+    std::string kind{};       // "line", "area", "text"
+    std::int64_t first = 0;   // index of the first of its numbers in the payload
+    std::int64_t points = 0;  // of a line with one: a dot
+    Triple colour{};          // linear
+    double opacity = 1;
+    double width = 0;  // of a line, without its dark edge
+    bool is_closed = false;
+    bool has_round_ends = true;
+    bool has_head = false;  // an arrowhead at its last point
+    std::optional<AnnotationLabel> label{};
+};
+
+/// Binary, type 5. Payload: 64-bit floats, kNumbersPerPoint for each point: position; opacity. A
+/// shape is drawn over those before it. Dashes are lines of their own. What is a thing of the scene
+/// (`lit`) has only its texts here.
+struct AnnotationsHead {
+    static constexpr const char* kName = "annotations";
+    static constexpr std::uint32_t kType = 5;
+    static constexpr int kNumbersPerPoint = 4;
+    std::int64_t q = 0;
+    std::int64_t v = 0;  // of the texts that they belong to
+    std::vector<AnnotationShape> shapes{};
 };
 
 /// Binary, type 3. Payload: RGBA, 8 bits each, row by row from the top left. Each question gets

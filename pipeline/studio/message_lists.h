@@ -8,9 +8,10 @@
 namespace carom::studio {
 
 /// What a page may send.
-using PageMessage = std::variant<Hello, TextChange, Save, Revert, Open, SaveAs, ListFolder, Offer,
-                                 Forget, Import, ReadParts, AddParts, Fan, Unfan, Dragging, Recover,
-                                 Simulate, See, Unsee, StartFilm, StopFilm, Make, StopMaking>;
+using PageMessage =
+    std::variant<Hello, TextChange, Save, Revert, Open, SaveAs, ListFolder, Offer, Forget, Import,
+                 ReadParts, AddParts, Fan, Unfan, Dragging, Recover, Simulate, See, Unsee,
+                 SeeAnnotations, StartFilm, StopFilm, Make, StopMaking>;
 
 /// The texts that the server may send.
 using ServerMessage =
@@ -19,6 +20,6 @@ using ServerMessage =
                  SoundState, SceneMeshes, Work, Deferred, FilmState, FilmFrame, Making, Made>;
 
 /// The heads of its binary messages.
-using BinaryHead = std::variant<TimelineHead, CamerasHead, PictureHead, FanHead>;
+using BinaryHead = std::variant<TimelineHead, CamerasHead, PictureHead, FanHead, AnnotationsHead>;
 
 }  // namespace carom::studio

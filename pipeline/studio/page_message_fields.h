@@ -102,6 +102,14 @@ constexpr auto fields_of(Describes<Unsee>) {
     return fields<Unsee>();
 }
 
+constexpr auto fields_of(Describes<SeeAnnotations>) {
+    return fields<SeeAnnotations>(field("q", &SeeAnnotations::q), field("v", &SeeAnnotations::v),
+                                  field("view", &SeeAnnotations::view),
+                                  field("frame", &SeeAnnotations::frame),
+                                  field("video_time", &SeeAnnotations::video_time),
+                                  field("playback_speed", &SeeAnnotations::playback_speed));
+}
+
 constexpr auto fields_of(Describes<StartFilm>) {
     return fields<StartFilm>(field("output", &StartFilm::output),
                              field("quality", &StartFilm::quality),

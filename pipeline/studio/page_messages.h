@@ -173,6 +173,18 @@ struct Unsee {
     static constexpr const char* kName = "unsee";
 };
 
+/// Asks for the annotations in the scene as they are at a time, seen from a place. The answer is an
+/// AnnotationsHead. The newest question is the only one.
+struct SeeAnnotations {
+    static constexpr const char* kName = "see_annotations";
+    std::int64_t q = 0;      // number of the question; larger than any before
+    std::int64_t v = 0;      // version of the motion that the page shows
+    FreeView view;           // with the scene time; its focus and its lens mean nothing
+    std::int64_t frame = 0;  // the number that texts show
+    double video_time = 0;
+    double playback_speed = 1;  // scene seconds per second of film
+};
+
 /// Starts to make a film of the shot's files as they are on disk: the page saves first. The answers
 /// are FilmStates and FilmFrames. Frames that are in the cache are used again, so that the same
 /// request resumes a film that was stopped. If a file of the output's name exists, the answer is

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "pipeline/studio/view_frame.h"
 
 namespace carom::studio {
 namespace {
@@ -18,24 +19,12 @@ constexpr int kFirstPixels = 36000;  // of the first, small picture: at most abo
 constexpr int kMostPixels = 2 * 1920 * 1080;
 constexpr int kMostSide = 16384;  // pixels
 
-Vec3 vector_of(const Triple& t) {
-    return {t[0], t[1], t[2]};
-}
-
 /// The exposure is that of the film at speed 1, around the time.
 pipeline::PlannedFrame planned(const FreeView& view, const pipeline::Shutter& shutter) {
     const double half = 0.5 * shutter.exposure.to_double();
-    pipeline::PlannedFrame frame;
-    frame.scene_time = view.scene_time;
-    frame.scene_open = view.scene_time - half;
-    frame.scene_close = view.scene_time + half;
-    frame.camera_open.position = vector_of(view.position);
-    frame.camera_open.target = vector_of(view.target);
-    frame.camera_open.up = vector_of(view.up);
-    frame.camera_open.vertical_fov = view.fov;
-    frame.camera_open.focus_distance = view.focus;
-    frame.camera_open.lens_radius = view.lens_radius;
-    frame.camera_close = frame.camera_open;
+    pipeline::PlannedFrame frame = frame_of(view);
+    frame.scene_open -= half;
+    frame.scene_close += half;
     return frame;
 }
 

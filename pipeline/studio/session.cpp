@@ -55,6 +55,11 @@ void Session::State::start_workers() {
             messages_.send(0, head, std::as_bytes(std::span(numbers)));
         },
         [this](const ServerMessage& message) { messages_.send(0, message); });
+    annotations_ = std::make_unique<SceneAnnotations>(
+        [this](PageId page, const AnnotationsHead& head, const std::vector<double>& numbers) {
+            messages_.send(page, head, std::as_bytes(std::span(numbers)));
+        },
+        send);
     desk_ = std::make_unique<FileDesk>(o.state_folder, send);
     film_ = std::make_unique<FilmRun>(
         ProgramOptions{o.program, o.overrides, o.quality, o.output, o.cache_folder},
@@ -84,6 +89,7 @@ void Session::State::closed(PageId page) {
     const std::lock_guard lock(mutex_);
     pages_.erase(page);
     films_->cancel(page);
+    annotations_->cancel(page);
     documents_->closed(page);
     set_dragging(page, false);
 }

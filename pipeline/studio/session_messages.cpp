@@ -229,6 +229,10 @@ void Session::State::receive(PageId page, const Unsee& /*message*/) {
     films_->cancel(page);
 }
 
+void Session::State::receive(PageId page, const SeeAnnotations& question) {
+    annotations_->ask(page, question);
+}
+
 void Session::State::receive(PageId page, const StartFilm& request) {
     film_->start(page, request, require_shot().files().shot(), root());
 }

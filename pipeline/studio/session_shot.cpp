@@ -45,12 +45,13 @@ int Session::State::close_shot() {
     return opening_;
 }
 
-/// What pictures, documents and the fan show.
+/// What pictures, documents, the fan and the annotations show.
 void Session::State::show(const std::shared_ptr<const pipeline::Shot>& shot,
                           const std::shared_ptr<const sim::Timeline>& timeline, std::int64_t v) {
     pictures_->set_shot(shot, timeline, v);
     documents_->set_shot(shot, timeline, v);
     fan_->set_shot(shot, timeline, v);
+    annotations_->set_shot(shot, timeline, v);
 }
 
 /// The live shot gets the newest texts. Pictures wait until those are answered.

@@ -23,6 +23,7 @@
 #include "pipeline/studio/opened_shot.h"
 #include "pipeline/studio/outcome_fan.h"
 #include "pipeline/studio/picture_view.h"
+#include "pipeline/studio/scene_annotations.h"
 #include "pipeline/studio/scene_meshes.h"
 #include "pipeline/studio/sequence_pictures.h"
 #include "pipeline/studio/session.h"
@@ -67,6 +68,7 @@ class Session::State {
     void receive(PageId page, const Simulate& message);
     void receive(PageId page, const See& question);
     void receive(PageId page, const Unsee& message);
+    void receive(PageId page, const SeeAnnotations& question);
     void receive(PageId page, const StartFilm& request);
     void receive(PageId page, const StopFilm& message);
     void receive(PageId page, const Make& request);
@@ -114,6 +116,7 @@ class Session::State {
     // They send messages from threads of their own.
     std::unique_ptr<FileDesk> desk_;
     std::unique_ptr<OutcomeFan> fan_;
+    std::unique_ptr<SceneAnnotations> annotations_;
     std::unique_ptr<PictureView> pictures_;
     std::unique_ptr<SequencePictures> films_;  // with the mutex
     std::unique_ptr<Documents> documents_;

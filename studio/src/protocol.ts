@@ -122,6 +122,15 @@ export interface See {
 export interface Unsee {
 }
 
+export interface SeeAnnotations {
+    q: number;
+    v: number;
+    view: FreeView;
+    frame: number;
+    video_time: number;
+    playback_speed: number;
+}
+
 export interface StartFilm {
     output: string;
     quality: string;
@@ -167,6 +176,7 @@ export interface ToServer {
     simulate: Simulate;
     see: See;
     unsee: Unsee;
+    see_annotations: SeeAnnotations;
     film: StartFilm;
     stop_film: StopFilm;
     make: Make;
@@ -680,12 +690,48 @@ export interface FanHead {
 export const kFanType = 4;
 export const kFanNumbersPerPoint = 4;
 
+export interface AnnotationLabel {
+    text: string;
+    font: string;
+    line_height: number;
+    letters: [number, number];
+    margin: [number, number];
+    offset: [number, number];
+    is_above: boolean;
+    nearer: number;
+    box_colour: Triple;
+    box_opacity: number;
+}
+
+export interface AnnotationShape {
+    annotation: number;
+    kind: string;
+    first: number;
+    points: number;
+    colour: Triple;
+    opacity: number;
+    width: number;
+    is_closed: boolean;
+    has_round_ends: boolean;
+    has_head: boolean;
+    label?: AnnotationLabel;
+}
+
+export interface AnnotationsHead {
+    q: number;
+    v: number;
+    shapes: AnnotationShape[];
+}
+export const kAnnotationsType = 5;
+export const kAnnotationsNumbersPerPoint = 4;
+
 /// The heads of the binary messages.
 export interface BinaryToPage {
     timeline: TimelineHead;
     cameras: CamerasHead;
     picture: PictureHead;
     fan: FanHead;
+    annotations: AnnotationsHead;
 }
 
 /// The names of the binary messages by their type.
@@ -694,4 +740,5 @@ export const kBinaryTypes: Record<number, keyof BinaryToPage> = {
     [kCamerasType]: 'cameras',
     [kPictureType]: 'picture',
     [kFanType]: 'fan',
+    [kAnnotationsType]: 'annotations',
 };

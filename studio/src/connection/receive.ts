@@ -4,7 +4,7 @@ import { batch } from '@preact/signals';
 import type { BinaryToPage, ToPage } from '../protocol';
 import { kBinaryTypes } from '../protocol';
 import {
-    cameraFrames, deferred, fan, files, meshes, picture, pictureAsked, problems, sequence, shot, soundState, start, textVersion, timeline, welcome, work,
+    cameraFrames, deferred, fan, files, meshes, picture, pictureAsked, problems, sceneAnnotations, sequence, shot, soundState, start, textVersion, timeline, welcome, work,
     type CameraFrames,
 } from '../state/state';
 import { asFloat64, decodeBinary } from './decode';
@@ -120,6 +120,9 @@ const binaries: Handlers<BinaryToPage> = {
     fan: (head, payload) => {
         fan.value = { head, numbers: asFloat64(payload) };
     },
+    annotations: (head, payload) => {
+        sceneAnnotations.value = { head, numbers: asFloat64(payload) };
+    },
     picture: (head, payload) => {
         picture.value = { head, pixels: new Uint8ClampedArray(payload) };
     },
@@ -168,6 +171,7 @@ function forgetShot(): void {
     timeline.value = null;
     cameraFrames.value = null;
     fan.value = null;
+    sceneAnnotations.value = null;
     work.value = null;
     deferred.value = null;
     pictureAsked.value = false;

@@ -2,7 +2,7 @@
 /// the inspector read these and write through src/edit.
 import { computed, signal } from '@preact/signals';
 import type {
-    CamerasHead, Deferred, FanHead, KeyPath, OpenFile, PictureHead, Problems, SequenceState, ShotState, SoundState, Start,
+    AnnotationsHead, CamerasHead, Deferred, FanHead, KeyPath, OpenFile, PictureHead, Problems, SequenceState, ShotState, SoundState, Start,
     TimelineHead, Triple, Welcome, Work,
 } from '../protocol';
 
@@ -21,6 +21,12 @@ export interface CameraFrames {
 /// The finished runs of a shot with small disturbances: kFanNumbersPerPoint numbers for each point.
 export interface OutcomeFan {
     head: FanHead;
+    numbers: Float64Array;
+}
+
+/// The annotations in the scene at a time: kAnnotationsNumbersPerPoint numbers for each point.
+export interface SceneAnnotations {
+    head: AnnotationsHead;
     numbers: Float64Array;
 }
 
@@ -62,6 +68,8 @@ export const openFilm = computed(() => sequence.value?.film ?? shot.value?.film 
 /// The answer to the newest question how sure the outcome is; of an older version once the texts
 /// changed.
 export const fan = signal<OutcomeFan | null>(null);
+/// The answer to the newest question what annotations in the scene look like.
+export const sceneAnnotations = signal<SceneAnnotations | null>(null);
 export const problems = signal<Problems | null>(null);
 /// The newest round of the picture that was asked for.
 export const picture = signal<Picture | null>(null);

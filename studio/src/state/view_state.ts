@@ -10,6 +10,7 @@ export const isWireframe = signal(false);
 export const showCameras = signal(true);
 export const showLights = signal(true);
 export const showTrails = signal(true);
+export const showAnnotations = signal(true);
 /// Null: in all views but that from above, where lamps would hide the table.
 export const lampsChosen = signal<boolean | null>(null);
 

@@ -14,6 +14,7 @@ import { makeStrike } from './gizmos/strike';
 import { makeLights } from './light_gizmos/light_part';
 import type { MakePart } from './parts';
 import { makeTracedPicture } from './picture/traced_picture';
+import { makeSceneAnnotations } from './scene_annotations/scene_annotations';
 import { makeTrails } from './trails';
 
 export const kAllParts: readonly MakePart[] = [
@@ -21,6 +22,7 @@ export const kAllParts: readonly MakePart[] = [
     makeTrails,
     makeOutlines,
     makeAnnotations,
+    makeSceneAnnotations,
     makeCameras,
     makeLights,
     makeBallDrag,

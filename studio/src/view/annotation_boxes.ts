@@ -19,6 +19,13 @@ export function isDrawnAt(
     return (!from || isPast(from, filmTime, sceneTime)) && (!to || !isPast(to, filmTime, sceneTime));
 }
 
+const kOnPicture = new Set(['text', 'title', 'tip', 'plan', 'image']);
+
+/// Whether it has a place in the scene, not on the picture.
+export function isInScene({ kind }: Pick<ShotAnnotation, 'kind'>): boolean {
+    return !kOnPicture.has(kind);
+}
+
 /// Those that have a box.
 export function onPicture(all: readonly ShotAnnotation[]): PictureAnnotation[] {
     return all.flatMap((one) => one.box ? [{ ...one, box: one.box }] : []);

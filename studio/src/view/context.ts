@@ -22,6 +22,7 @@ export function makeContext(
         toScreen: (point) => toScreen(point, cameras),
         metresPerPixel: (point) => metresPerPixel(point, cameras),
         size: () => cameras.size,
+        pixelRatio: () => drawing.renderer.getPixelRatio(),
         box: () => cameras.box(),
         meshNode: (name) => meshes.node(name) ?? null,
         objectAt: (pixel) => pick(

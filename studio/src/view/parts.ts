@@ -37,6 +37,8 @@ export interface ViewContext {
     metresPerPixel(point: Triple): number;
     /// Of the canvas, CSS pixels.
     size(): { width: number; height: number };
+    /// Pixels of the canvas along a CSS pixel.
+    pixelRatio(): number;
     /// The film's rectangle in CSS pixels of the canvas; the whole canvas in the free view.
     box(): Rectangle;
     /// The meshes of an object of the shot; null until they are loaded.

@@ -39,7 +39,7 @@ function disc(): DataTexture {
 /// Two drawing calls for any number of paths.
 class Trails {
     readonly lines = new LineSegments(new BufferGeometry(), new LineBasicMaterial({
-        vertexColors: true, transparent: true,
+        vertexColors: true, transparent: true, depthWrite: false,
     }));
     readonly dots = new Points(new BufferGeometry(), new PointsMaterial({
         vertexColors: true, transparent: true, size: 4.5, sizeAttenuation: false, map: disc(),

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "pipeline/picture/shown_annotations.h"
 #include "render/threads/thread_arena.h"
 #include "tests/pipeline/picture/drawn_scene.h"
 

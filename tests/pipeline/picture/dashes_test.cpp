@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/picture/line_dashes.h"
+#include "tests/pipeline/picture/drawn_scene.h"
+
 namespace carom::pipeline {
 namespace {
 
@@ -52,6 +55,65 @@ TEST(Dashes, OfALine_DoNotChangeWhereItGrows) {
             EXPECT_EQ(before[i][k].at, after[i][k].at);
         }
     }
+}
+
+/// 1 m long, across the view at that distance.
+SceneLine line_at(double distance, Dash dash) {
+    SceneLine line;
+    line.points = {{-0.5, distance - 1, 0}, {0.5, distance - 1, 0}};
+    line.dash = dash;
+    return line;
+}
+
+std::vector<LineDash> seen_dashes(const SceneLine& line) {
+    return dashes_of(line, Pinhole(carom::testing::frame_at(0), 160, 120));
+}
+
+TEST(LineDashes, FarAway_AreLonger) {
+    const double near = length_of(seen_dashes(line_at(1, Dash::dashed)).front().points);
+    const double far = length_of(seen_dashes(line_at(8, Dash::dashed)).front().points);
+    EXPECT_GE(far, 4 * near);
+}
+
+TEST(LineDashes, OfADottedLine_AreThickRoundDots) {
+    for (const LineDash& dash : seen_dashes(line_at(1, Dash::dotted))) {
+        EXPECT_EQ(dash.points.size(), 1U);
+        EXPECT_EQ(dash.thickness, 1.5);
+        EXPECT_TRUE(dash.has_round_ends);
+    }
+}
+
+TEST(LineDashes, Head_IsAtTheEndOfTheLine) {
+    SceneLine line = line_at(1, Dash::dash_dot);
+    line.has_head = true;
+    for (const LineDash& dash : seen_dashes(line)) {
+        EXPECT_EQ(dash.has_head, dash.points.back().at == line.points.back());
+    }
+    line.dash = Dash::solid;
+    ASSERT_EQ(seen_dashes(line).size(), 1U);
+    EXPECT_TRUE(seen_dashes(line).front().has_head);
+}
+
+TEST(LineDashes, OfAClosedLine_ReachItsStart) {
+    SceneLine line = line_at(1, Dash::solid);
+    line.points.emplace_back(0, 0, 0.5);
+    line.is_closed = true;
+    ASSERT_EQ(seen_dashes(line).size(), 1U);
+    EXPECT_TRUE(seen_dashes(line).front().is_closed);
+    line.dash = Dash::dashed;
+    double most = 0;
+    for (const LineDash& dash : seen_dashes(line)) {
+        EXPECT_FALSE(dash.is_closed);
+        const Vec3 middle = 0.5 * (line.points.back() + line.points.front());
+        most = std::max(most, (dash.points.front().at - middle).length() < 0.3 ? 1.0 : 0.0);
+    }
+    EXPECT_EQ(most, 1) << "a dash on the side that closes it";
+}
+
+TEST(LineDashes, OfAPoint_AreNone) {
+    SceneLine line = line_at(1, Dash::solid);
+    line.points.resize(1);
+    EXPECT_TRUE(seen_dashes(line).empty());
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ export function fanLines(
 
 export const makeFan: MakePart = ({ scene, ask }) => {
     const lines = new LineSegments(new BufferGeometry(), new LineBasicMaterial({
-        vertexColors: true, transparent: true, opacity: 0.3,
+        vertexColors: true, transparent: true, opacity: 0.3, depthWrite: false,
     }));
     lines.frustumCulled = false;
     scene.add(lines);

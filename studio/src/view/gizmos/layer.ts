@@ -1,7 +1,7 @@
 /// Draws many figures with one draw call for each kind of thing in them.
 import {
-    Color, ConeGeometry, DynamicDrawUsage, Group, InstancedMesh, Matrix4, MeshBasicMaterial,
-    MeshLambertMaterial, Quaternion, SphereGeometry, Vector3,
+    Color, ConeGeometry, DynamicDrawUsage, InstancedMesh, Matrix4, MeshBasicMaterial,
+    MeshLambertMaterial, Object3D, Quaternion, SphereGeometry, Vector3,
 } from 'three';
 import type { BufferGeometry, Material } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
@@ -16,7 +16,7 @@ const kAbove = 10; // drawn after everything else of the scene
 
 /// Some figures by their names.
 export class Layer {
-    readonly group = new Group();
+    readonly group = new Object3D(); // drawn in the order of what is in it
     readonly figures = new Map<string, Figure>();
     draws = 0; // so far, for tests
     private readonly strong = makeLines(2.2, 1);

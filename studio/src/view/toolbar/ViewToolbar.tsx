@@ -6,8 +6,8 @@ import {
 import { runCommand } from '../../state/keys';
 import { kTheFilm, lookThrough, shot } from '../../state/state';
 import {
-    isCameraLocked, isWireframe, lampsChosen, showCameras, showLamps, showLights, showTrails,
-    viewKind,
+    isCameraLocked, isWireframe, lampsChosen, showAnnotations, showCameras, showLamps, showLights,
+    showTrails, viewKind,
 } from '../../state/view_state';
 import { ToolButtons } from '../gizmos/ToolButtons';
 import { menu, openMenu } from '../menu/menu_state';
@@ -41,6 +41,7 @@ function showMenu(x: number, y: number): void {
         { label: 'Cameras', shown: showCameras },
         { label: 'Lights', shown: showLights },
         { label: 'Paths of the balls', shown: showTrails },
+        { label: 'Annotations in the scene', shown: showAnnotations },
     ];
     openMenu({
         title: 'Show', x, y,

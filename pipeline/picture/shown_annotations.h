@@ -1,0 +1,29 @@
+// The annotations in the scene that are shown at a time.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "pipeline/picture/build_shapes.h"
+
+namespace carom::pipeline {
+
+struct ShownAnnotation {
+    std::size_t index = 0;  // in the shot
+    double opacity = 1;
+    SceneShapes shapes;  // of one that is lit only texts, because the rest is an object
+};
+
+/// Those with an opacity above 0, in the order of the shot. `scene_time`: in the middle of the
+/// exposure, s. Throws Error.
+[[nodiscard]] std::vector<ShownAnnotation> shown_annotations(const Shot& shot,
+                                                             const sim::Timeline& timeline,
+                                                             const Pinhole& view,
+                                                             const FrameMoment& values,
+                                                             double scene_time);
+
+/// The opacity of an annotation at a scene time and a video time (s), [0, 1]: 0 before `from` and
+/// after `to`, and growing and falling linearly during `fade`.
+[[nodiscard]] double opacity_at(const Annotation& annotation, double scene_time, double video_time);
+
+}  // namespace carom::pipeline
