@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "pipeline/check/motion_check.h"
+#include "pipeline/check/placed_problem.h"
 #include "pipeline/picture/contact.h"
 
 namespace carom::pipeline {
@@ -27,13 +28,8 @@ class AnnotationChecker {
 
   private:
     void warn(const char* kind, const char* key, const std::string& message) {
-        Problem problem;
-        problem.severity = Severity::warning;
-        problem.message = message;
-        problems.push_back(source_ != nullptr
-                               ? source_->problem_at({"annotations", index_, kind, key},
-                                                     Severity::warning, message)
-                               : problem);
+        problems.push_back(placed_problem(source_, {"annotations", index_, kind, key},
+                                          Severity::warning, message));
     }
 
     void require_contact(const char* kind, const char* key, const std::string& object,

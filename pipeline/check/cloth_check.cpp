@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "pipeline/check/motion_check.h"
+#include "pipeline/check/placed_problem.h"
 
 namespace carom::pipeline {
 
@@ -48,13 +49,7 @@ Problem make_warning(const std::string& ball, double time,
         "'{}' leaves the drawn cloth at {:.3f} s: only a square of {:g} m is drawn, and the ball "
         "continues outside it",
         ball, time, cloth.length);
-    if (source != nullptr) {
-        return source->problem_at({"balls", ball}, Severity::warning, message);
-    }
-    Problem problem;
-    problem.severity = Severity::warning;
-    problem.message = message;
-    return problem;
+    return placed_problem(source, {"balls", ball}, Severity::warning, message);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "core/text.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/check/motion_check.h"
+#include "pipeline/check/placed_problem.h"
 #include "pipeline/sound/film_scene.h"
 #include "sound/mix/film_sound.h"
 
@@ -46,12 +47,7 @@ std::vector<Problem> loudness_problems(const Shot& shot, const ShotSource* sourc
         "for {} LUFS the loudest sounds are turned down by {:.1f} dB; with more than {} dB they "
         "sound dull, which {} LUFS would avoid",
         decimal_text(*shot.sound.loudness, 2), limited, kMostLimited, better);
-    Problem problem;
-    problem.severity = Severity::warning;
-    problem.message = message;
-    return {source != nullptr
-                ? source->problem_at({"sound", "loudness"}, Severity::warning, message)
-                : problem};
+    return {placed_problem(source, {"sound", "loudness"}, Severity::warning, message)};
 }
 
 }  // namespace carom::pipeline

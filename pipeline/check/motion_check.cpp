@@ -13,6 +13,7 @@
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/camera/rig_state.h"
 #include "pipeline/check/lamp_check.h"
+#include "pipeline/check/placed_problem.h"
 #include "pipeline/check/view_check.h"
 
 namespace carom::pipeline {
@@ -22,17 +23,6 @@ namespace {
 constexpr std::int64_t kMaxCheckedFrames = 2000;
 constexpr std::int64_t kLampFrames = 50;  // of the film, in which lamps are looked for
 constexpr double kHiddenShare = 0.1;      // of the cloth, from which on a lamp is reported
-
-Problem problem_at(const ShotSource* source, const std::vector<std::string>& path,
-                   Severity severity, std::string message) {
-    if (source != nullptr) {
-        return source->problem_at(path, severity, std::move(message));
-    }
-    Problem problem;
-    problem.severity = severity;
-    problem.message = std::move(message);
-    return problem;
-}
 
 /// The first and the last frame of a camera with a problem.
 struct FrameRange {
@@ -115,7 +105,7 @@ class CameraChecker {
         const auto add_problem = [&](const char* key, Severity severity,
                                      const std::string& message) {
             problems.push_back(
-                problem_at(source, {"cameras", number, key}, severity, camera + message));
+                placed_problem(source, {"cameras", number, key}, severity, camera + message));
         };
         for (const auto& [reason, frames] : invalid_) {
             add_problem("name", Severity::error,
@@ -197,9 +187,7 @@ bool is_active(const CameraRig& rig, const WideRational& time) {
 std::vector<Problem> simulation_problems(const sim::Timeline& timeline, const ShotSource* source) {
     std::vector<Problem> problems;
     for (const Diagnostic& warning : timeline.warnings) {
-        problems.push_back(source != nullptr
-                               ? source->problem_of(warning)
-                               : problem_at(nullptr, {}, warning.severity, warning.sentence));
+        problems.push_back(placed_problem(source, warning));
     }
     return problems;
 }
@@ -211,9 +199,7 @@ std::vector<Problem> stick_problems(const Shot& shot, const ShotSource* source,
         return problems;
     }
     for (const Diagnostic& warning : stick_problems(shot.stick, shot.world, timeline)) {
-        problems.push_back(source != nullptr
-                               ? source->problem_of(warning)
-                               : problem_at(nullptr, {}, warning.severity, warning.sentence));
+        problems.push_back(placed_problem(source, warning));
     }
     return problems;
 }

@@ -11,6 +11,7 @@
 
 #include "pipeline/camera/time_map.h"
 #include "pipeline/check/motion_check.h"
+#include "pipeline/check/placed_problem.h"
 
 namespace carom::pipeline {
 
@@ -54,11 +55,7 @@ class SoundChecker {
 
   private:
     void warn(const std::vector<std::string>& path, const std::string& message) {
-        Problem problem;
-        problem.severity = Severity::warning;
-        problem.message = message;
-        problems.push_back(
-            source_ != nullptr ? source_->problem_at(path, Severity::warning, message) : problem);
+        problems.push_back(placed_problem(source_, path, Severity::warning, message));
     }
 
     void check_listener(const CameraSound& sound, const std::vector<std::string>& path) {
