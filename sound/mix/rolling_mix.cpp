@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "core/vector_clones.h"
 #include "sound/level/decibels.h"
 #include "sound/space/head.h"
 
@@ -70,6 +71,30 @@ double between(double begin, double end, double part) {
     return begin + (end - begin) * part;
 }
 
+using BlockSamples = std::array<double, kBlock + 1>;  // the first is before the block
+
+/// The first half of the ear's filter on samples between those of the history.
+CAROM_VECTOR_CLONES void add_ear(std::span<const double> history, std::int64_t block,
+                                 const Ear& begin, const Ear& end, double begin_delay,
+                                 double end_delay, double begin_gain, double end_gain,
+                                 BlockSamples& samples) {
+    for (std::size_t n = 0; n < kBlock; ++n) {
+        const double part = static_cast<double>(n) / kBlock;
+        const double delay = between(begin_delay, end_delay, part);
+        const double whole = std::ceil(delay);
+        const double later = whole - delay;  // of a sample, in [0, 1)
+        const std::int64_t at =
+            block + static_cast<std::int64_t>(n) - static_cast<std::int64_t>(whole);
+        const double here = history[place_in_history(at)];
+        const double now =
+            later > 0 ? between(here, history[place_in_history(at + 1)], later) : here;
+        const double before = between(history[place_in_history(at - 1)], here, later);
+        samples[n + 1] +=
+            between(begin_gain, end_gain, part) *
+            (between(begin.b0, end.b0, part) * now + between(begin.b1, end.b1, part) * before);
+    }
+}
+
 }  // namespace
 
 /// One passage with sources of its own.
@@ -125,8 +150,6 @@ class RollingMix::PassageRolling {
     }
 
   private:
-    using Samples = std::array<double, kBlock + 1>;  // the first is before the block
-
     /// The sources' pressures at 1 m.
     void read_out(std::int64_t block) {
         const auto end = block + static_cast<std::int64_t>(kBlock);
@@ -192,31 +215,10 @@ class RollingMix::PassageRolling {
         }
     }
 
-    /// The first half of the ear's filter on samples between those of the history.
-    static void add_ear(std::span<const double> history, std::int64_t block, const Ear& begin,
-                        const Ear& end, double begin_delay, double end_delay, double begin_gain,
-                        double end_gain, Samples& samples) {
-        for (std::size_t n = 0; n < kBlock; ++n) {
-            const double part = static_cast<double>(n) / kBlock;
-            const double delay = between(begin_delay, end_delay, part);
-            const double whole = std::ceil(delay);
-            const double later = whole - delay;  // of a sample, in [0, 1)
-            const std::int64_t at =
-                block + static_cast<std::int64_t>(n) - static_cast<std::int64_t>(whole);
-            const double here = history[place_in_history(at)];
-            const double now =
-                later > 0 ? between(here, history[place_in_history(at + 1)], later) : here;
-            const double before = between(history[place_in_history(at - 1)], here, later);
-            samples[n + 1] +=
-                between(begin_gain, end_gain, part) *
-                (between(begin.b0, end.b0, part) * now + between(begin.b1, end.b1, part) * before);
-        }
-    }
-
     const Passage& passage_;
     std::vector<SourceState> states_;
     bool is_begun_ = false;
-    Samples left_{}, right_{}, room_{};
+    BlockSamples left_{}, right_{}, room_{};
 };
 
 RollingMix::RollingMix(const SoundShot& shot, bool is_on) : shot_(&shot), is_on_(is_on) {}

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/assert.h"
+#include "core/vector_clones.h"
 #include "sound/space/room.h"
 
 namespace carom::sound {
@@ -11,7 +12,8 @@ namespace {
 
 /// `samples` begins with the one before those that are added. `sums` overlaps nothing of it, which
 /// lets the compiler use vectors.
-void add_filtered(const BusInput& input, const double* samples, std::span<double> sums) {
+CAROM_VECTOR_CLONES void add_filtered(const BusInput& input, const double* samples,
+                                      std::span<double> sums) {
     double* __restrict sum = sums.data();
     for (std::size_t n = 0; n < sums.size(); ++n) {
         sum[n] += input.direct * samples[n + 1] + input.previous * samples[n];

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/splitmix.h"
+#include "core/vector_clones.h"
 #include "sound/sound_scene.h"
 
 namespace carom::sound {
@@ -70,7 +71,8 @@ double TextureReader::strength(double speed) const {
 }
 
 // Written for vectors: no branches in the loops, and a sum in pairs.
-double TextureReader::at(double way, const Weights& first, const Weights& last, double part) {
+CAROM_VECTOR_CLONES double TextureReader::at(double way, const Weights& first, const Weights& last,
+                                             double part) {
     Weights place{};
     int outside = 0;
     for (std::size_t i = 0; i < place.size(); ++i) {

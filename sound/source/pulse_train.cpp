@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/elementary.h"
+#include "core/vector_clones.h"
 
 namespace carom::sound {
 namespace {
@@ -42,7 +43,8 @@ Stretch stretch(double first, double step, std::size_t count, double from, doubl
 
 /// Adds Re(amplitude e^{pole i step}) for i = 0, 1, 2 ... Eight numbers are kept at a time, each of
 /// which advances by eight steps, since one product would have to wait for the one before.
-void add_ring(Complex amplitude, Complex pole, double step, std::span<double> pressures) {
+CAROM_VECTOR_CLONES void add_ring(Complex amplitude, Complex pole, double step,
+                                  std::span<double> pressures) {
     constexpr std::size_t kLanes = 8;
     std::array<double, kLanes> re{};
     std::array<double, kLanes> im{};
