@@ -13,6 +13,8 @@
 #include "bench/gain_blocks.h"
 #include "bench/gain_references.h"
 #include "core/cpu_time.h"
+#include "pipeline/store/frame_store.h"
+#include "render/film/image_file.h"
 #include "render/frame/denoiser_planes.h"
 #include "render/threads/thread_arena.h"
 
@@ -27,7 +29,6 @@ struct Options {
     std::vector<int> compared{2, 4, 8, 16, 32, 64, 128};  // noisy
     std::vector<double> noise;                            // targets of adaptive sampling
     int seeds = 4;
-    double storing = 0.06 / (640 * 360);  // CPU s for a pixel's channels
     bool lists_blocks = false;
 };
 
@@ -45,6 +46,7 @@ struct Denoised {
     double estimated = 0;  // error, by the denoiser itself
     double rendering = 0;  // CPU s
     double filtering = 0;
+    double storing = 0;
 };
 
 template <class Work>
@@ -67,6 +69,7 @@ Cost noisy_cost(const GainFrame& frame, int samples, const Reference& reference,
 
 Denoised denoise(const GainFrame& frame, int samples, const Reference& reference,
                  const Options& options) {
+    const pipeline::FrameStore store(options.folder + "/stored");
     Denoised result;
     const double pixels = options.size.width * options.size.height;
     for (int seed = 0; seed < options.seeds; ++seed) {
@@ -77,6 +80,9 @@ Denoised denoise(const GainFrame& frame, int samples, const Reference& reference
                             }) /
                             options.seeds;
         result.filtering += cpu_of([&] { clean = render::denoised(noisy); }) / options.seeds;
+        const render::Film stored =
+            render::as_stored(noisy, {});  // as all frames are, noisy or not
+        result.storing += cpu_of([&] { store.write_noisy({}, stored); }) / options.seeds;
         for (const float error : render::error_after_denoising(noisy)) {
             result.estimated += static_cast<double>(error) / (pixels * options.seeds);
         }
@@ -86,7 +92,7 @@ Denoised denoise(const GainFrame& frame, int samples, const Reference& reference
         result.cost.error += error_of(result.clean.back(), reference) / options.seeds;
     }
     result.cost.samples = samples;
-    result.cost.seconds = result.rendering + result.filtering + options.storing * pixels;
+    result.cost.seconds = result.rendering + result.filtering + result.storing;
     return result;
 }
 
@@ -166,11 +172,11 @@ void measure(const std::string& name, const Options& options, Products& products
         products.gain[i] *= gain;
         products.least[i] = std::min(products.least[i], gain);
         std::printf(
-            "  %4d denoised: %6.3f CPU s (%.3f rendering, %.3f filtering), error %.3e from "
-            "%.3e (%.2f), estimated %.3e; at equal time %.2f\n",
+            "  %4d denoised: %6.3f CPU s (%.3f rendering, %.3f filtering, %.3f storing), "
+            "error %.3e from %.3e (%.2f), estimated %.3e; at equal time %.2f\n",
             options.samples[i], result.cost.seconds, result.rendering, result.filtering,
-            result.cost.error, result.noisy_error, result.noisy_error / result.cost.error,
-            result.estimated, gain);
+            result.storing, result.cost.error, result.noisy_error,
+            result.noisy_error / result.cost.error, result.estimated, gain);
         if (options.seeds > 1) {
             print(compare_blocks(result.noisy, result.clean, reference, options.size.width),
                   options.lists_blocks);

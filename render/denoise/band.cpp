@@ -21,6 +21,7 @@ constexpr int kShape = 1;      // over which the known variance is smoothed
 constexpr int kError = 5;      // over which errors are compared
 constexpr int kShift = 3;      // over which shifts are compared with the noise
 constexpr int kMask = 2;       // over which the choice is smoothed
+constexpr int kLimit = 1;      // whose squared differences limit what filtering changes
 
 // Errors of DenoisedPicture, of 0.2 and 0.4 %.
 constexpr float kInvisible = 4e-6F;
@@ -95,6 +96,8 @@ BandPlanes make_planes(const DenoiseInput& input, const RowRange& rows) {
         make(*plane, planes.known, width);
     }
     make(planes.variance, planes.weighed, width);
+    planes.bandwidth2 = Plane(planes.weighed, width);
+    planes.ridge = Plane(planes.weighed, width);
     planes.shape = input.variance.first != nullptr ? Plane(planes.known, width) : Plane();
     const std::size_t features = input.features.size();
     planes.exact = feature_planes(features, planes.predicted, width);
@@ -211,6 +214,8 @@ void Band::estimate_variance(int y) {
         box_mean(planes_.shape, y, kShape, shape.data());
         box_mean(planes_.shape, y, kLevel, large_shape.data());
     }
+    NoiseRow noise{};
+    std::array<std::vector<float>, kChannels> means;
     for (int c = 0; c < kChannels; ++c) {
         box_mean(planes_.squares[c], y, kLevel, level.data());
         box_mean(planes_.squares[c], y, kNearLevel, near_level.data());
@@ -218,7 +223,17 @@ void Band::estimate_variance(int y) {
                                 has_shape() ? shape.data() : nullptr, large_shape.data(),
                                 planes_.variance[c].row(y), planes_.chunks});
         planes_.variance[c].extend(y);
+        means[c].resize(size);
+        box_mean(planes_.mean[c], y, kNearLevel, means[c].data());
+        noise.mean[c] = means[c].data();
+        noise.variance[c] = planes_.variance[c].row(y);
     }
+    noise.bandwidth2 = planes_.bandwidth2.row(y);
+    noise.ridge = planes_.ridge.row(y);
+    noise.chunks = planes_.chunks;
+    kernels_.judge_noise(noise);
+    planes_.bandwidth2.extend(y);
+    planes_.ridge.extend(y);
 }
 
 void Band::estimate_errors(int y) {
@@ -308,24 +323,26 @@ void Band::compare_errors(int y) {
 void Band::write(int y, DenoisedPicture& result) const {
     std::vector<float> share(static_cast<std::size_t>(planes_.chunks) * kChunk);
     box_mean(planes_.mask, y, kMask, share.data());
+    std::vector<float> near_squared(share.size());
+    std::vector<float> filtered(share.size());
     const auto width = static_cast<std::size_t>(planes_.width);
     const std::size_t first = static_cast<std::size_t>(y) * width;
     for (std::size_t c = 0; c < kChannels; ++c) {
-        const float* from_a = planes_.prediction[0][c].row(y);
-        const float* from_b = planes_.prediction[1][c].row(y);
         const float* mean = planes_.mean[c].row(y);
+        box_mean(planes_.squares[c], y, kLimit, near_squared.data());
+        kernels_.limit({planes_.prediction[0][c].row(y), planes_.prediction[1][c].row(y), mean,
+                        planes_.squares[c].row(y), near_squared.data(), filtered.data(),
+                        planes_.chunks});
         float* written = &result.rgb[3 * first + c];
         for (std::size_t x = 0; x < width; ++x) {
-            const float filtered = 0.5F * (from_a[x] + from_b[x]);
-            written[3 * x] =
-                std::max(0.0F, filtered) * share[x] + std::max(0.0F, mean[x]) * (1 - share[x]);
+            written[3 * x] = filtered[x] * share[x] + std::max(0.0F, mean[x]) * (1 - share[x]);
         }
     }
     const float* noisy = planes_.mean_noisy_error.row(y);
     const float* estimate = planes_.mean_filtered_error.row(y);
     for (std::size_t x = 0; x < width; ++x) {
-        const float filtered = std::max(estimate[x], kLeastLeft * noisy[x]);
-        result.error[first + x] = filtered * share[x] + noisy[x] * (1 - share[x]);
+        const float left = std::max(estimate[x], kLeastLeft * noisy[x]);
+        result.error[first + x] = left * share[x] + noisy[x] * (1 - share[x]);
     }
 }
 

@@ -26,6 +26,7 @@ struct BandPlanes {
 
     ColourPlane mean, difference, squares;              // squares of the differences
     std::array<ColourPlane, kHalves> half;              // A and B
+    Plane bandwidth2, ridge;                            // NoiseRow
     ColourPlane variance;                               // of a half
     Plane shape;                                        // the known variance
     std::vector<Plane> exact;                           // features

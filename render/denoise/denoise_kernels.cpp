@@ -16,10 +16,11 @@ namespace carom::render::HWY_NAMESPACE {
 
 inline const DenoiseKernels& denoise_kernels_of_target() {
     static constexpr DenoiseKernels kKernels = {
-        square,         box_mean,
-        join_variance,  measure_distances,
-        weigh,          {regress<0>, regress<3>, regress<6>, regress<9>},
-        estimate_errors};
+        square,          box_mean,
+        join_variance,   judge_noise,
+        is_constant,     measure_distances,
+        weigh,           {regress<0>, regress<3>, regress<6>, regress<9>},
+        estimate_errors, limit};
     return kKernels;
 }
 

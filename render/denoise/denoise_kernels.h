@@ -9,12 +9,11 @@
 
 namespace carom::render {
 
-// Radii and bandwidth were chosen on four frames of billiards and dominoes at 480x270, with two
-// halves of 16 samples each: windows of 7x7 pixels with patches of 3x3 were better and ten times
-// cheaper than the 19x19 and 7x7 of the paper.
+// Radii were chosen on four frames of billiards and dominoes at 480x270, with two halves of 16
+// samples each: windows of 7x7 pixels with patches of 3x3 were better and ten times cheaper than
+// the 19x19 and 7x7 of the paper.
 inline constexpr int kWindow = 3;  // radius, pixels
 inline constexpr int kPatch = 1;   // radius, pixels
-inline constexpr float kBandwidth = 1.4f;
 inline constexpr int kWindowSide = 2 * kWindow + 1;
 inline constexpr int kNeighbours = kWindowSide * kWindowSide;
 inline constexpr int kMostRegressors = 9;
@@ -25,6 +24,7 @@ struct DistanceRow {
     const float* other_colour[3];
     const float* variance[3];
     const float* other_variance[3];
+    const float* bandwidth2;
     float* distance;  // result
     int chunks = 0;
 };
@@ -46,8 +46,9 @@ struct RegressionChunk {
     const float* other_feature[kMostRegressors];  // of the other half's samples
     const float* exact[kMostRegressors];          // where the prediction is evaluated
     const float* share;                           // of the samples in the exact features
-    const float* weight;                          // kChunk numbers for each neighbour
-    const std::ptrdiff_t* neighbours;             // offsets from a pixel to its neighbours
+    const float* ridge;
+    const float* weight;               // kChunk numbers for each neighbour
+    const std::ptrdiff_t* neighbours;  // offsets from a pixel to its neighbours
     int neighbour_count = 0;
     float* result[3];
     float* checked[3];  // the same, evaluated where nothing is known of the other half
@@ -86,15 +87,39 @@ struct VarianceRow {
     int chunks = 0;
 };
 
+/// What the weights and the regression need to know of the noise of a row of pixels.
+struct NoiseRow {
+    const float* mean[3];      // of both halves, over a small square
+    const float* variance[3];  // of one half
+    float* bandwidth2;         // result
+    float* ridge;              // result
+    int chunks = 0;
+};
+
+/// A channel of filtered pixels in a row.
+struct LimitRow {
+    const float* from_a;  // predicted from half A
+    const float* from_b;
+    const float* mean;          // of the halves
+    const float* squared;       // half of the difference between them
+    const float* near_squared;  // its mean over a small square
+    float* limited;             // result: at least 0
+    int chunks = 0;
+};
+
 struct DenoiseKernels {
     void (*square)(const float* values, float* squares, int chunks);
     void (*box_mean)(const BoxRow& row);
     void (*join_variance)(const VarianceRow& row);
+    void (*judge_noise)(const NoiseRow& row);
+    /// Whether a chunk and its neighbours in the row have one value.
+    bool (*is_constant)(const float* first_neighbour);
     void (*measure_distances)(const DistanceRow& row);
     void (*weigh)(const WeightRow& row);
     /// By the number of features in threes.
     void (*regress[kMostRegressors / 3 + 1])(const RegressionChunk& chunk);
     void (*estimate_errors)(const ErrorRow& row);
+    void (*limit)(const LimitRow& row);
 };
 
 /// The kernels of the best instruction set of this processor.

@@ -123,7 +123,7 @@ HWY_INLINE void sum_all(const RegressionChunk& chunk, int lane, NormalSums<kFeat
 /// as a lamp's light, has one in proportion, so that rounding leaves every pivot positive.
 template <int kFeatures>
 HWY_INLINE void solve(const RegressionChunk& chunk, int lane, NormalSums<kFeatures>& sums) {
-    constexpr float kRidge = 1e-5f;
+    const F ridge = load(chunk.ridge + lane);
     constexpr float kLeastPivot = 1e-6f;
     const F weight = sums.matrix(0, 0);
     F result[3];
@@ -154,7 +154,7 @@ HWY_INLINE void solve(const RegressionChunk& chunk, int lane, NormalSums<kFeatur
         for (int c = 0; c < 3; ++c) {
             sums.right(i, c) = minus(sums.right(i, c), product(mean, sums.right(0, c)));
         }
-        sums.matrix(i, i) = sum(sums.matrix(i, i), product(all(kRidge), size));
+        sums.matrix(i, i) = sum(sums.matrix(i, i), product(ridge, size));
         least[i] = product(all(kLeastPivot), size);
     }
     for (int i = 1; i <= kFeatures; ++i) {
@@ -181,6 +181,17 @@ HWY_INLINE void solve(const RegressionChunk& chunk, int lane, NormalSums<kFeatur
         store(result[c], chunk.result[c] + lane);
         store(checked[c], chunk.checked[c] + lane);
     }
+}
+
+inline HWY_ATTR bool is_constant(const float* first_neighbour) {
+    constexpr int kCount = kChunk + 2 * kWindow;
+    const F value = all(*first_neighbour);
+    const auto differs = [&](int at) HWY_ATTR { return hn::Ne(load(first_neighbour + at), value); };
+    auto any = differs(kCount - lane_count());
+    for (int at = 0; at < kCount - lane_count(); at += lane_count()) {
+        any = hn::Or(any, differs(at));
+    }
+    return hn::AllFalse(FloatTag(), any);
 }
 
 template <int kFeatures>

@@ -52,6 +52,27 @@ inline HWY_ATTR void join_variance(const VarianceRow& row) {
     }
 }
 
+/// With the relative noise s of the mean of both halves, the squared bandwidth of the weights is
+/// 4.2 / (1 + 24 s). The noisier the colours, the more a neighbour may differ by chance, and the
+/// larger are the edges of shadows that would be blurred; but 49 neighbours take off no more noise
+/// than before. The ridge grows from 1e-5 to 1e-4, because features are noisier, too. Chosen on the
+/// frames of docs/denoising.md with 2 to 32 samples.
+inline HWY_ATTR void judge_noise(const NoiseRow& row) {
+    const F one = all(1.f);
+    for (int x = 0; x < row.chunks * kChunk; x += lane_count()) {
+        F relative = all(0.f);  // variance of a half: twice that of the mean
+        for (int c = 0; c < 3; ++c) {
+            const F r = load(row.mean[c] + x);
+            relative =
+                sum(relative, quotient(load(row.variance[c] + x), sum(product(r, r), all(0.01f))));
+        }
+        const F noise = hn::Sqrt(product(relative, all(1.f / 6)));
+        store(quotient(all(4.2f), sum(one, product(all(24.f), noise))), row.bandwidth2 + x);
+        store(sum(all(1e-5f), product(all(9e-5f), hn::Min(one, product(all(5.f), noise)))),
+              row.ridge + x);
+    }
+}
+
 /// The error of the mean of the predictions a and b from the halves A and B is
 ///   ((a - B)^2 + (b - A)^2) / 2 - (A - B)^2 / 2 - (a - b)^2 / 4
 /// in the mean over many pixels, because the noise of a half is independent of the other half; that
@@ -85,6 +106,22 @@ inline HWY_ATTR void estimate_errors(const ErrorRow& row) {
         store(noisy, row.noisy + x);
         store(filtered, row.filtered + x);
         store(minus(shift, noisy), row.shift + x);
+    }
+}
+
+/// The mean of the predictions, moved back towards the noisy colour to within 2 + 100 s standard
+/// deviations of its noise s, relative as in estimate_errors. A pixel of little noise at the edge
+/// of much gets colours from beyond the edge; where the noise is large, the predictions are better
+/// than any such limit.
+inline HWY_ATTR void limit(const LimitRow& row) {
+    for (int x = 0; x < row.chunks * kChunk; x += lane_count()) {
+        const F mean = load(row.mean + x);
+        const F variance = hn::Max(load(row.squared + x), load(row.near_squared + x));
+        const F noise = hn::Sqrt(quotient(variance, sum(product(mean, mean), all(0.01f))));
+        const F most = product(sum(all(2.f), product(all(100.f), noise)), hn::Sqrt(variance));
+        const F filtered = product(all(0.5f), sum(load(row.from_a + x), load(row.from_b + x)));
+        const F limited = hn::Clamp(filtered, minus(mean, most), sum(mean, most));
+        store(hn::Max(all(0.f), limited), row.limited + x);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "render/denoise/tile_regression.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <memory>
 
@@ -88,42 +89,51 @@ class HalfTile {
             row.variance[c] = planes_.variance[c].row(own) + x;
             row.other_variance[c] = planes_.variance[c].row(other) + x + dx;
         }
+        row.bandwidth2 = planes_.bandwidth2.row(own) + x;
         row.distance = distance_row(y);
         row.chunks = tile_.chunks + 1;
         kernels_.measure_distances(row);
     }
 
-    /// Whether a feature has different values around the chunk's pixels.
-    [[nodiscard]] bool varies(const Plane& feature, int x) const {
+    /// By row of the tile, a bit for each three features.
+    using Varying = std::array<unsigned, DenoiseTile::kHeight>;
+
+    /// Sets the bit in the rows around whose pixels of the chunk the feature has different values.
+    void add_varying(const Plane& feature, int x, unsigned bit, Varying& varying) const {
         const RowRange rows = tile_.rows.widened(kWindow, planes_.height);
-        const float value = feature.row(rows.first)[x - kWindow];
+        std::array<int, DenoiseTile::kHeight + 2 * kWindow> equal{};  // rows that end with this one
+        float value = 0;
         for (int y = rows.first; y < rows.end; ++y) {
             const float* row = feature.row(y) + x;
-            if (!std::all_of(row - kWindow, row + kChunk + kWindow,
-                             [&](float other) { return other == value; })) {
-                return true;
+            const auto i = static_cast<std::size_t>(y - rows.first);
+            if (kernels_.is_constant(row - kWindow)) {
+                equal[i] = 1 + (i > 0 && row[0] == value ? equal[i - 1] : 0);
+            }
+            value = row[0];
+        }
+        for (int y = tile_.rows.first; y < tile_.rows.end; ++y) {
+            const NeighbourRows window(y, planes_.height);
+            if (equal[static_cast<std::size_t>(y + window.last - rows.first)] <
+                window.last - window.first + 1) {
+                varying[static_cast<std::size_t>(y - tile_.rows.first)] |= bit;
             }
         }
-        return false;
     }
 
     /// The features that vary, in threes as they are; the others explain nothing, and leaving them
     /// out changes no bit.
-    [[nodiscard]] std::vector<std::size_t> varying_features(int x) const {
-        std::vector<std::size_t> result;
+    [[nodiscard]] Varying varying_features(int x) const {
+        Varying varying{};
         const std::vector<Plane>& features = planes_.features[half_];
-        for (std::size_t f = 0; f < features.size(); f += 3) {
-            if (varies(features[f], x) || varies(features[f + 1], x) ||
-                varies(features[f + 2], x)) {
-                result.insert(result.end(), {f, f + 1, f + 2});
-            }
+        for (std::size_t f = 0; f < features.size(); ++f) {
+            add_varying(features[f], x, 1U << f / 3, varying);
         }
-        return result;
+        return varying;
     }
 
     void predict_chunk(int number) {
         const int x = tile_.x + number * kChunk;
-        const std::vector<std::size_t> features = varying_features(x);
+        const Varying varying = varying_features(x);
         for (int y = tile_.rows.first; y < tile_.rows.end; ++y) {
             const NeighbourRows neighbours(y, planes_.height);
             const std::vector<std::ptrdiff_t> offsets = offsets_of(neighbours);
@@ -133,16 +143,21 @@ class HalfTile {
                 chunk.result[c] = planes_.prediction[half_][c].row(y) + x;
                 chunk.checked[c] = planes_.checked[half_][c].row(y) + x;
             }
-            for (std::size_t i = 0; i < features.size(); ++i) {
-                chunk.feature[i] = planes_.features[half_][features[i]].row(y) + x;
-                chunk.other_feature[i] = planes_.features[1 - half_][features[i]].row(y) + x;
-                chunk.exact[i] = planes_.exact[features[i]].row(y) + x;
+            std::size_t count = 0;
+            for (std::size_t f = 0; f < planes_.exact.size(); ++f) {
+                if ((varying[static_cast<std::size_t>(y - tile_.rows.first)] >> f / 3 & 1) != 0) {
+                    chunk.feature[count] = planes_.features[half_][f].row(y) + x;
+                    chunk.other_feature[count] = planes_.features[1 - half_][f].row(y) + x;
+                    chunk.exact[count] = planes_.exact[f].row(y) + x;
+                    ++count;
+                }
             }
             chunk.share = planes_.share.row(y) + x;
+            chunk.ridge = planes_.ridge.row(y) + x;
             chunk.weight = weights_of(y, number);
             chunk.neighbours = offsets.data();
             chunk.neighbour_count = neighbours.count();
-            kernels_.regress[features.size() / 3](chunk);
+            kernels_.regress[count / 3](chunk);
         }
     }
 

@@ -12,18 +12,22 @@ namespace carom::render::HWY_NAMESPACE {
 /// and Zwicker 2012, "Adaptive rendering with non-local means filtering", equation 4).
 inline HWY_ATTR void measure_distances(const DistanceRow& row) {
     constexpr float kLeastVariance = 1e-10f;
-    const F bandwidth2 = all(kBandwidth * kBandwidth);
     for (int x = 0; x < row.chunks * kChunk; x += lane_count()) {
-        F total = all(0.f);
+        const F bandwidth2 = load(row.bandwidth2 + x);
+        F excess[3];
+        F scale[3];
         for (int c = 0; c < 3; ++c) {
             const F difference = minus(load(row.colour[c] + x), load(row.other_colour[c] + x));
             const F v = load(row.variance[c] + x);
             const F other = load(row.other_variance[c] + x);
-            const F excess = minus(product(difference, difference), sum(v, hn::Min(other, v)));
-            const F scale = sum(all(kLeastVariance), product(bandwidth2, sum(v, other)));
-            total = sum(total, quotient(excess, scale));
+            excess[c] = minus(product(difference, difference), sum(v, hn::Min(other, v)));
+            scale[c] = sum(all(kLeastVariance), product(bandwidth2, sum(v, other)));
         }
-        store(total, row.distance + x);
+        // With one division; the scales' product is at least 1e-30 and at most 1e31.
+        const F both = product(scale[0], scale[1]);
+        const F of_both = sum(product(excess[0], scale[1]), product(excess[1], scale[0]));
+        const F total = sum(product(of_both, scale[2]), product(excess[2], both));
+        store(quotient(total, product(both, scale[2])), row.distance + x);
     }
 }
 
