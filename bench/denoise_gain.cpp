@@ -2,6 +2,7 @@
 // against the references in the folder (denoise_references). It renders each frame without and with
 // the denoiser, on one thread, and prints CPU seconds, errors and the gain at equal CPU time; the
 // blocks that denoising made worse; and how much films flicker.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -32,10 +33,13 @@ struct Options {
     bool lists_blocks = false;
 };
 
-/// CPU seconds and the error of a way to make a picture, means over seeds.
+constexpr double kNever = 1e9;  // s
+
+/// Of a way to make a picture: CPU seconds, the least of all seeds, since other work on the machine
+/// only adds to them, and the error, the mean over seeds.
 struct Cost {
     int samples = 0;
-    double seconds = 0;
+    double seconds = kNever;
     double error = 0;
 };
 
@@ -43,10 +47,10 @@ struct Denoised {
     std::vector<Picture> noisy, clean;  // by seed
     Cost cost;
     double noisy_error = 0;
-    double estimated = 0;  // error, by the denoiser itself
-    double rendering = 0;  // CPU s
-    double filtering = 0;
-    double storing = 0;
+    double estimated = 0;       // error, by the denoiser itself
+    double rendering = kNever;  // CPU s
+    double filtering = kNever;
+    double storing = kNever;
 };
 
 template <class Work>
@@ -56,12 +60,19 @@ double cpu_of(const Work& work) {
     return process_cpu_seconds() - begin;
 }
 
+/// Does the work; `least` becomes its CPU seconds if they are fewer.
+template <class Work>
+void shorten(double& least, const Work& work) {
+    least = std::min(least, cpu_of(work));
+}
+
 Cost noisy_cost(const GainFrame& frame, int samples, const Reference& reference,
                 const Options& options) {
-    Cost cost{samples};
+    Cost cost;
+    cost.samples = samples;
     for (int seed = 0; seed < options.seeds; ++seed) {
         render::Film film;
-        cost.seconds += cpu_of([&] { film = frame.render({samples}, seed); }) / options.seeds;
+        shorten(cost.seconds, [&] { film = frame.render({samples}, seed); });
         cost.error += error_of(colours_of(film), reference) / options.seeds;
     }
     return cost;
@@ -75,14 +86,11 @@ Denoised denoise(const GainFrame& frame, int samples, const Reference& reference
     for (int seed = 0; seed < options.seeds; ++seed) {
         render::Film noisy;
         render::Film clean;
-        result.rendering += cpu_of([&] {
-                                noisy = frame.render({samples, 0, true}, seed);
-                            }) /
-                            options.seeds;
-        result.filtering += cpu_of([&] { clean = render::denoised(noisy); }) / options.seeds;
+        shorten(result.rendering, [&] { noisy = frame.render({samples, 0, true}, seed); });
+        shorten(result.filtering, [&] { clean = render::denoised(noisy); });
         const render::Film stored =
             render::as_stored(noisy, {});  // as all frames are, noisy or not
-        result.storing += cpu_of([&] { store.write_noisy({}, stored); }) / options.seeds;
+        shorten(result.storing, [&] { store.write_noisy({}, stored); });
         for (const float error : render::error_after_denoising(noisy)) {
             result.estimated += static_cast<double>(error) / (pixels * options.seeds);
         }
