@@ -24,8 +24,8 @@ struct DistanceRow {
     const float* other_colour[3];
     const float* variance[3];
     const float* other_variance[3];
-    const float* bandwidth2;
-    float* distance;  // result
+    const float* bandwidth2;  // of the weights, squared (NoiseRow)
+    float* distance;          // result
     int chunks = 0;
 };
 
@@ -46,9 +46,9 @@ struct RegressionChunk {
     const float* other_feature[kMostRegressors];  // of the other half's samples
     const float* exact[kMostRegressors];          // where the prediction is evaluated
     const float* share;                           // of the samples in the exact features
-    const float* ridge;
-    const float* weight;               // kChunk numbers for each neighbour
-    const std::ptrdiff_t* neighbours;  // offsets from a pixel to its neighbours
+    const float* ridge;                           // of the fit (NoiseRow)
+    const float* weight;                          // kChunk numbers for each neighbour
+    const std::ptrdiff_t* neighbours;             // offsets from a pixel to its neighbours
     int neighbour_count = 0;
     float* result[3];
     float* checked[3];  // the same, evaluated where nothing is known of the other half
