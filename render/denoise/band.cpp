@@ -17,6 +17,7 @@ namespace {
 // Radii of squares in pixels, chosen with those of denoise_kernels.h.
 constexpr int kLevel = 8;      // whose squared differences set the level of the variance
 constexpr int kNearLevel = 2;  // whose squared differences bound it from below
+constexpr int kMostLevel = 1;  // whose squared differences bound it from above
 constexpr int kShape = 1;      // over which the known variance is smoothed
 constexpr int kError = 5;      // over which errors are compared
 constexpr int kShift = 3;      // over which shifts are compared with the noise
@@ -68,6 +69,14 @@ void add_and_subtract(const float* a, const float* b, int width, float* sum, flo
     }
 }
 
+/// Sets the pixels to 0 in which the samples saw something else of a feature.
+void keep_plain(const std::vector<float>& error, const std::vector<float>& difference,
+                std::vector<float>& plain) {
+    for (std::size_t x = 0; x < plain.size(); ++x) {
+        plain[x] = error[x] == 0 && difference[x] == 0 ? plain[x] : 0.0F;
+    }
+}
+
 void make(ColourPlane& planes, const RowRange& rows, int width) {
     for (Plane& plane : planes) {
         plane = Plane(rows, width);
@@ -102,6 +111,8 @@ BandPlanes make_planes(const DenoiseInput& input, const RowRange& rows) {
     const std::size_t features = input.features.size();
     planes.exact = feature_planes(features, planes.predicted, width);
     planes.share = Plane(planes.predicted, width);
+    planes.plain = Plane(planes.predicted, width);
+    make(planes.plain_squares, planes.predicted, width);
     for (std::size_t half = 0; half < kHalves; ++half) {
         planes.features[half] = feature_planes(features, planes.weighed, width);
         make(planes.prediction[half], planes.predicted, width);
@@ -166,6 +177,7 @@ void Band::copy_features(int y) {
     std::vector<float> mean(static_cast<std::size_t>(width));
     std::vector<float> error(mean.size());
     std::vector<float> difference(mean.size());
+    std::vector<float> plain(mean.size(), 1.0F);
     for (std::size_t f = 0; f < input_.features.size(); ++f) {
         read_row(input_.features[f].exact, y, width, mean.data());
         if (is_predicted) {
@@ -174,6 +186,7 @@ void Band::copy_features(int y) {
         }
         read_row(input_.features[f].error, y, width, error.data());
         read_row(input_.features[f].difference, y, width, difference.data());
+        keep_plain(error, difference, plain);
         std::transform(mean.begin(), mean.end(), error.begin(), mean.begin(), std::plus<>());
         add_and_subtract(mean.data(), difference.data(), width, planes_.features[0][f].row(y),
                          planes_.features[1][f].row(y));
@@ -189,6 +202,14 @@ void Band::copy_features(int y) {
                            [](float s) { return std::clamp(s, 0.0F, 1.0F); });
         }
         planes_.share.extend(y);
+        std::copy(plain.begin(), plain.end(), planes_.plain.row(y));
+        planes_.plain.extend(y);
+        for (int c = 0; c < kChannels; ++c) {
+            float* squares = planes_.plain_squares[c].row(y);
+            std::transform(plain.begin(), plain.end(), planes_.squares[c].row(y), squares,
+                           std::multiplies<>());
+            planes_.plain_squares[c].extend(y);
+        }
     }
 }
 
@@ -210,6 +231,7 @@ void Band::estimate_variance(int y) {
     std::vector<float> large_shape(size);
     std::vector<float> level(size);
     std::vector<float> near_level(size);
+    std::vector<float> most_level(size);
     if (has_shape()) {
         box_mean(planes_.shape, y, kShape, shape.data());
         box_mean(planes_.shape, y, kLevel, large_shape.data());
@@ -219,7 +241,8 @@ void Band::estimate_variance(int y) {
     for (int c = 0; c < kChannels; ++c) {
         box_mean(planes_.squares[c], y, kLevel, level.data());
         box_mean(planes_.squares[c], y, kNearLevel, near_level.data());
-        kernels_.join_variance({level.data(), near_level.data(),
+        box_mean(planes_.squares[c], y, kMostLevel, most_level.data());
+        kernels_.join_variance({level.data(), near_level.data(), most_level.data(),
                                 has_shape() ? shape.data() : nullptr, large_shape.data(),
                                 planes_.variance[c].row(y), planes_.chunks});
         planes_.variance[c].extend(y);
@@ -324,15 +347,19 @@ void Band::write(int y, DenoisedPicture& result) const {
     std::vector<float> share(static_cast<std::size_t>(planes_.chunks) * kChunk);
     box_mean(planes_.mask, y, kMask, share.data());
     std::vector<float> near_squared(share.size());
+    std::vector<float> plain_share(share.size());
+    std::vector<float> plain_squared(share.size());
+    box_mean(planes_.plain, y, kLimit, plain_share.data());
     std::vector<float> filtered(share.size());
     const auto width = static_cast<std::size_t>(planes_.width);
     const std::size_t first = static_cast<std::size_t>(y) * width;
     for (std::size_t c = 0; c < kChannels; ++c) {
         const float* mean = planes_.mean[c].row(y);
         box_mean(planes_.squares[c], y, kLimit, near_squared.data());
+        box_mean(planes_.plain_squares[c], y, kLimit, plain_squared.data());
         kernels_.limit({planes_.prediction[0][c].row(y), planes_.prediction[1][c].row(y), mean,
-                        planes_.squares[c].row(y), near_squared.data(), filtered.data(),
-                        planes_.chunks});
+                        planes_.squares[c].row(y), near_squared.data(), planes_.plain.row(y),
+                        plain_share.data(), plain_squared.data(), filtered.data(), planes_.chunks});
         float* written = &result.rgb[3 * first + c];
         for (std::size_t x = 0; x < width; ++x) {
             written[3 * x] = filtered[x] * share[x] + std::max(0.0F, mean[x]) * (1 - share[x]);

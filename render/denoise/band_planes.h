@@ -24,14 +24,18 @@ struct BandPlanes {
     RowRange weighed;    // with those that predictions look at
     RowRange known;      // with those that the variance is estimated from
 
-    ColourPlane mean, difference, squares;              // squares of the differences
-    std::array<ColourPlane, kHalves> half;              // A and B
-    Plane bandwidth2, ridge;                            // NoiseRow
-    ColourPlane variance;                               // of a half
-    Plane shape;                                        // the known variance
-    std::vector<Plane> exact;                           // features
-    std::array<std::vector<Plane>, kHalves> features;   // of the halves' samples
-    Plane share;                                        // of the samples in the exact features
+    ColourPlane mean, difference, squares;             // squares of the differences
+    std::array<ColourPlane, kHalves> half;             // A and B
+    Plane bandwidth2, ridge;                           // NoiseRow
+    ColourPlane variance;                              // of a half
+    Plane shape;                                       // the known variance
+    std::vector<Plane> exact;                          // features
+    std::array<std::vector<Plane>, kHalves> features;  // of the halves' samples
+    Plane share;                                       // of the samples in the exact features
+    /// 1 where all samples and camera rays saw the same, so that no feature has an error or a
+    /// difference; else 0. And `squares` times that.
+    Plane plain;
+    ColourPlane plain_squares;
     std::array<ColourPlane, kHalves> prediction;        // from A and from B
     std::array<ColourPlane, kHalves> checked;           // the same, knowing nothing of B and A
     Plane noisy_error, filtered_error, squared_excess;  // of pixels

@@ -9,7 +9,7 @@
 namespace carom::render {
 
 /// Incremented whenever denoised pixels change for the same inputs.
-inline constexpr int kDenoiserRevision = 5;
+inline constexpr int kDenoiserRevision = 6;
 
 /// Numbers of a picture, row by row from the top left, of which every `step`th belongs to this
 /// plane. Borrowed.

@@ -81,6 +81,7 @@ struct ErrorRow {
 struct VarianceRow {
     const float* level;        // mean of squared differences over a large square
     const float* near_level;   // over a small square
+    const float* most_level;   // over a smaller one
     const float* shape;        // of the known variance over a small square, or null
     const float* large_shape;  // over a large square
     float* variance;           // result, of one half
@@ -100,10 +101,13 @@ struct NoiseRow {
 struct LimitRow {
     const float* from_a;  // predicted from half A
     const float* from_b;
-    const float* mean;          // of the halves
-    const float* squared;       // half of the difference between them
-    const float* near_squared;  // its mean over a small square
-    float* limited;             // result: at least 0
+    const float* mean;           // of the halves
+    const float* squared;        // half of the difference between them
+    const float* near_squared;   // its mean over a small square
+    const float* plain;          // 1 where all samples and rays saw the same, else 0
+    const float* plain_share;    // its mean over the small square
+    const float* plain_squared;  // the mean of `squared` times `plain`
+    float* limited;              // result: at least 0
     int chunks = 0;
 };
 

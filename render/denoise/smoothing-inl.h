@@ -36,7 +36,9 @@ inline HWY_ATTR void box_mean(const BoxRow& row) {
 
 /// The squared differences say how large the variance is, but one of them says little of its pixel;
 /// the known variance says where it is large, but it is wrong by a factor. A half has twice the
-/// variance of the mean, which is the mean of (A - B)^2 / 4.
+/// variance of the mean, which is the mean of (A - B)^2 / 4. At edges the known variance is much
+/// larger than that of well-spread samples, and the weights would blur what is fine; therefore the
+/// variance is at most 1.5 times the squared differences nearby.
 inline HWY_ATTR void join_variance(const VarianceRow& row) {
     constexpr float kLeast = 1e-20f;
     for (int x = 0; x < row.chunks * kChunk; x += lane_count()) {
@@ -48,6 +50,7 @@ inline HWY_ATTR void join_variance(const VarianceRow& row) {
                 product(variance, quotient(sum(shape, all(kLeast)), sum(large, all(kLeast))));
         }
         variance = hn::Max(variance, product(all(0.5f), load(row.near_level + x)));
+        variance = hn::Min(variance, product(all(1.5f), load(row.most_level + x)));
         store(sum(variance, variance), row.variance + x);
     }
 }
@@ -112,11 +115,16 @@ inline HWY_ATTR void estimate_errors(const ErrorRow& row) {
 /// The mean of the predictions, moved back towards the noisy colour to within 2 + 100 s standard
 /// deviations of its noise s, relative as in estimate_errors. A pixel of little noise at the edge
 /// of much gets colours from beyond the edge; where the noise is large, the predictions are better
-/// than any such limit.
+/// than any such limit. The noise is that of the pixel or of those around it, whichever is more;
+/// around a plain pixel, only plain ones count.
 inline HWY_ATTR void limit(const LimitRow& row) {
     for (int x = 0; x < row.chunks * kChunk; x += lane_count()) {
         const F mean = load(row.mean + x);
-        const F variance = hn::Max(load(row.squared + x), load(row.near_squared + x));
+        const F of_plain =
+            quotient(load(row.plain_squared + x), hn::Max(load(row.plain_share + x), all(1.f / 9)));
+        const auto is_plain = hn::Gt(load(row.plain + x), all(0.f));
+        const F nearby = hn::IfThenElse(is_plain, of_plain, load(row.near_squared + x));
+        const F variance = hn::Max(load(row.squared + x), nearby);
         const F noise = hn::Sqrt(quotient(variance, sum(product(mean, mean), all(0.01f))));
         const F most = product(sum(all(2.f), product(all(100.f), noise)), hn::Sqrt(variance));
         const F filtered = product(all(0.5f), sum(load(row.from_a + x), load(row.from_b + x)));

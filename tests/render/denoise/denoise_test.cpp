@@ -219,47 +219,130 @@ TEST(Denoise, EstimatedErrorOfFeaturesThatContainSamples_IsRight) {
     EXPECT_LT(mean_of_error(denoise(picture.input())), 0.5 * error);
 }
 
-// A texture with little noise, which can just be seen, beside squares with much, which are smaller
-// than the one over which the level of the variance is measured.
-TEST(Denoise, KnownVariance_KeepsWhatIsBesideNoise) {
-    NoisyPicture picture(160, 120);
-    const auto deviation = [](int x, int y) { return (x / 16 + y / 16) % 2 == 0 ? 0.3f : 0.01f; };
-    Noise noise(9);
-    for (int c = 0; c < 3; ++c) {
-        picture.set_colour(
-            c, [](int x, int y) { return 0.5f + 0.05f * static_cast<float>((x + y) % 2); });
-    }
-    std::vector<float> variance;
-    for (int y = 0; y < picture.height; ++y) {
-        for (int x = 0; x < picture.width; ++x) {
-            variance.push_back(5 * deviation(x, y) * deviation(x, y));
-            for (int c = 0; c < 3; ++c) {
-                const float a = noise(deviation(x, y));
-                const float b = noise(deviation(x, y));
-                picture.mean[c][picture.index(x, y)] += (a + b) / 2;
-                picture.difference[c][picture.index(x, y)] += (a - b) / 2;
+/// Squares of much noise among squares of little, and the variance, wrong by a factor.
+class NoisySquares {
+  public:
+    /// `size`: of the squares, pixels. `contrast`: of a texture that no feature knows.
+    NoisySquares(int size, float contrast) : size_(size) {
+        for (int c = 0; c < 3; ++c) {
+            picture_.set_colour(
+                c, [&](int x, int y) { return 0.5f + contrast * static_cast<float>((x + y) % 2); });
+        }
+        Noise noise(9);
+        for (int y = 0; y < picture_.height; ++y) {
+            for (int x = 0; x < picture_.width; ++x) {
+                const float deviation = is_noisy(x, y) ? 0.3f : 0.01f;
+                variance_.push_back(5 * deviation * deviation);
+                for (int c = 0; c < 3; ++c) {
+                    const float a = noise(deviation);
+                    const float b = noise(deviation);
+                    picture_.mean[c][picture_.index(x, y)] += (a + b) / 2;
+                    picture_.difference[c][picture_.index(x, y)] += (a - b) / 2;
+                }
             }
         }
     }
-    const auto error_of_texture = [&] {
-        const DenoisedPicture result = denoise(picture.input());
+
+    /// The sum of squared errors after denoising, in the noisy squares or in the others.
+    [[nodiscard]] double error(bool in_noisy, bool knows_variance) {
+        picture_.variance = knows_variance ? variance_ : std::vector<float>();
+        const DenoisedPicture result = denoise(picture_.input());
         double sum = 0;
-        for (int y = 0; y < picture.height; ++y) {
-            for (int x = 0; x < picture.width; ++x) {
-                const std::size_t i = picture.index(x, y);
-                const auto d = static_cast<double>(result.rgb[3 * i] - picture.truth[0][i]);
-                sum += deviation(x, y) < 0.1f ? d * d : 0;
+        for (int y = 0; y < picture_.height; ++y) {
+            for (int x = 0; x < picture_.width; ++x) {
+                const std::size_t i = picture_.index(x, y);
+                const auto d = static_cast<double>(result.rgb[3 * i] - picture_.truth[0][i]);
+                sum += is_noisy(x, y) == in_noisy ? d * d : 0;
             }
         }
         return sum;
+    }
+
+  private:
+    [[nodiscard]] bool is_noisy(int x, int y) const { return (x / size_ + y / size_) % 2 == 0; }
+
+    NoisyPicture picture_{160, 120};
+    std::vector<float> variance_;
+    int size_;
+};
+
+// The squares are smaller than the one over which the level of the variance is measured.
+TEST(Denoise, TextureBesideNoise_IsKept) {
+    NoisySquares squares(16, 0.05f);
+    // The texture's own squares add up to 6.
+    EXPECT_LT(squares.error(false, false), 2.8);
+    EXPECT_LT(squares.error(false, true), 2.8);
+}
+
+// Without it, the noise of small squares is taken to be what it is over larger ones.
+TEST(Denoise, KnownVariance_HelpsWhereNoiseIsUneven) {
+    NoisySquares squares(8, 0);
+    EXPECT_LT(squares.error(true, true), 0.75 * squares.error(true, false));
+}
+
+/// The mean squared error of the first channel in some rows.
+double error_in_rows(const NoisyPicture& picture, const DenoisedPicture& result, int first,
+                     int end) {
+    double sum = 0;
+    for (std::size_t i = picture.index(0, first); i < picture.index(0, end); ++i) {
+        const auto d = static_cast<double>(result.rgb[3 * i] - picture.truth[0][i]);
+        sum += d * d;
+    }
+    return sum / static_cast<double>(picture.index(0, end - first));
+}
+
+/// Adds noise to both halves of all colours in some rows.
+void add_noise_in_rows(NoisyPicture& picture, Noise& noise, float deviation, int first, int end) {
+    for (std::size_t i = picture.index(0, first); i < picture.index(0, end); ++i) {
+        for (int c = 0; c < 3; ++c) {
+            const float a = noise(deviation);
+            const float b = noise(deviation);
+            picture.mean[c][i] += (a + b) / 2;
+            picture.difference[c][i] += (a - b) / 2;
+        }
+    }
+}
+
+// The samples of pixels on an edge differ much, but they are spread so well that the halves hardly
+// do. Noise that seems to be larger than it is would blur the edge.
+TEST(Denoise, KnownVarianceThatIsTooLargeOnAnEdge_BlursNothing) {
+    constexpr int kEdge = 32;
+    NoisyPicture picture(96, 64);
+    for (int c = 0; c < 3; ++c) {
+        picture.set_colour(c, [](int, int y) { return y < kEdge ? 0.3f : 0.5f; });
+    }
+    Noise noise(22);
+    add_noise_in_rows(picture, noise, 0.05f, 0, picture.height);
+    for (int y = 0; y < picture.height; ++y) {
+        picture.variance.insert(picture.variance.end(), static_cast<std::size_t>(picture.width),
+                                y == kEdge - 1 || y == kEdge ? 0.01f : 0.001f);
+    }
+    // The noisy picture's is 1.25e-3; without a limit of the variance it would be 3.6e-3.
+    EXPECT_LT(error_in_rows(picture, denoise(picture.input()), kEdge - 1, kEdge + 1), 2e-3);
+}
+
+// Dark rows of little noise beside rows of much, whose pixels lie on an edge: the samples' features
+// differ from the exact ones there. The noise of these says nothing of the dark pixels.
+TEST(Denoise, NoiseOnAnEdge_DoesNotMovePixelsBesideIt) {
+    constexpr int kEdge = 32;
+    NoisyPicture picture(96, 64);
+    for (int c = 0; c < 3; ++c) {
+        picture.set_colour(c, [](int, int y) {
+            return y < kEdge ? 0.001f : 0.05f + 0.05f * static_cast<float>(y - kEdge);
+        });
+    }
+    Noise noise(23);
+    add_noise_in_rows(picture, noise, 1e-4f, 0, kEdge);
+    add_noise_in_rows(picture, noise, 0.1f, kEdge, kEdge + 3);
+    const auto error_beside_edge = [&] {
+        return error_in_rows(picture, denoise(picture.input()), kEdge - 1, kEdge);
     };
-    const double without = error_of_texture();
-    picture.variance = variance;
-    const double with = error_of_texture();
-    // The texture's own squares add up to 6. Without the known variance the limit of what a pixel
-    // may be moved by keeps a part of it, too.
-    EXPECT_LT(with, 2.8);
-    EXPECT_LT(with, 0.86 * without);
+    const double unknown = error_beside_edge();
+    for (std::size_t i = picture.index(0, kEdge); i < picture.index(0, kEdge + 3); ++i) {
+        picture.feature_difference[0][i] = noise(0.01f);
+    }
+    EXPECT_LT(error_beside_edge(), 1e-7);  // a shift of three standard deviations
+    EXPECT_GT(unknown, 1e-6);
 }
 
 // The exact feature of one pixel is wrong, as where all rays missed what its samples saw. The fit
