@@ -38,7 +38,7 @@ inline HWY_ATTR void box_mean(const BoxRow& row) {
 /// the known variance says where it is large, but it is wrong by a factor. A half has twice the
 /// variance of the mean, which is the mean of (A - B)^2 / 4. At edges the known variance is much
 /// larger than that of well-spread samples, and the weights would blur what is fine; therefore the
-/// variance is at most 1.5 times the squared differences nearby.
+/// variance is at most the squared differences nearby.
 inline HWY_ATTR void join_variance(const VarianceRow& row) {
     constexpr float kLeast = 1e-20f;
     for (int x = 0; x < row.chunks * kChunk; x += lane_count()) {
@@ -50,13 +50,13 @@ inline HWY_ATTR void join_variance(const VarianceRow& row) {
                 product(variance, quotient(sum(shape, all(kLeast)), sum(large, all(kLeast))));
         }
         variance = hn::Max(variance, product(all(0.5f), load(row.near_level + x)));
-        variance = hn::Min(variance, product(all(1.5f), load(row.most_level + x)));
+        variance = hn::Min(variance, load(row.most_level + x));
         store(sum(variance, variance), row.variance + x);
     }
 }
 
 /// With the relative noise s of the mean of both halves, the squared bandwidth of the weights is
-/// 4.2 / (1 + 24 s). The noisier the colours, the more a neighbour may differ by chance, and the
+/// 3.8 / (1 + 24 s). The noisier the colours, the more a neighbour may differ by chance, and the
 /// larger are the edges of shadows that would be blurred; but 49 neighbours take off no more noise
 /// than before. The ridge grows from 1e-5 to 1e-4, because features are noisier, too. Chosen on the
 /// frames of docs/denoising.md with 2 to 32 samples.
@@ -70,7 +70,7 @@ inline HWY_ATTR void judge_noise(const NoiseRow& row) {
                 sum(relative, quotient(load(row.variance[c] + x), sum(product(r, r), all(0.01f))));
         }
         const F noise = hn::Sqrt(product(relative, all(1.f / 6)));
-        store(quotient(all(4.2f), sum(one, product(all(24.f), noise))), row.bandwidth2 + x);
+        store(quotient(all(3.8f), sum(one, product(all(24.f), noise))), row.bandwidth2 + x);
         store(sum(all(1e-5f), product(all(9e-5f), hn::Min(one, product(all(5.f), noise)))),
               row.ridge + x);
     }

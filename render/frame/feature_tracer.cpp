@@ -13,6 +13,8 @@ namespace {
 constexpr std::array<int, 3> kRounds{4, 16, 64};
 constexpr int kLastOfFewSamples = 32;  // instead of 64, for less than kFewSamples
 constexpr int kFewSamples = 8;
+constexpr int kLastOfManySamples = 128;  // from kManySamples on
+constexpr int kManySamples = 32;
 
 /// A pixel gets the rays of a round if a feature's range among its samples and rays is larger than
 /// this. Features are of the order of 1; lights count in proportion, and normals a quarter, because
@@ -20,7 +22,7 @@ constexpr int kFewSamples = 8;
 constexpr std::array<float, 3> kDifferent{1.0F / 64, 1.0F / 32, 1.0F / 8};
 /// With fewer samples the ranges count less, in proportion: what few samples leave of the noise is
 /// more than what few rays add.
-constexpr int kManySamples = 11;
+constexpr int kEnoughSamples = 11;
 constexpr float kWeightOfNormal = 0.25F;
 
 /// Before the first round a pixel counts as seeing what pixels within this distance see, because
@@ -157,12 +159,15 @@ FeatureTracer::FeatureTracer(const Integrator& integrator, WorkspacePool& worksp
       pixel_spread_(pixel_spread),
       seed_(seed ^ kOwnNumbers) {
     const float scale =
-        std::max(1.0F, static_cast<float>(kManySamples) / static_cast<float>(samples));
+        std::max(1.0F, static_cast<float>(kEnoughSamples) / static_cast<float>(samples));
     for (std::size_t round = 0; round < kRounds.size(); ++round) {
         rounds_[round] = {kRounds[round], scale * kDifferent[round]};
     }
     if (samples < kFewSamples) {
         rounds_.back().rays = kLastOfFewSamples;
+    }
+    if (samples >= kManySamples) {
+        rounds_.back().rays = kLastOfManySamples;
     }
 }
 

@@ -33,8 +33,9 @@ struct FeaturePixel {
 };
 
 /// Traces rays for pixels whose halves of samples saw different things there or within two pixels:
-/// 4, then 16 if these saw different things too, and 64 (32 for less than 8 samples) if very
-/// different ones. Lights count that were seen within two pixels. Immutable; any thread may call.
+/// 4, then 16 if these saw different things too, and 64 (32 for less than 8 samples,
+/// 128 from 32 samples on) if very different ones. Lights count that were seen within two pixels.
+/// Immutable; any thread may call.
 class FeatureTracer {
   public:
     /// The most pixels on a side of what is traced at once.
