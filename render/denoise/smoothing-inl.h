@@ -116,14 +116,17 @@ inline HWY_ATTR void estimate_errors(const ErrorRow& row) {
 /// deviations of its noise s, relative as in estimate_errors. A pixel of little noise at the edge
 /// of much gets colours from beyond the edge; where the noise is large, the predictions are better
 /// than any such limit. The noise is that of the pixel or of those around it, whichever is more;
-/// around a plain pixel, only plain ones count.
+/// around a plain pixel, only plain ones count, if they are most: those of a few may agree by
+/// chance.
 inline HWY_ATTR void limit(const LimitRow& row) {
+    constexpr float kMost = 0.6f;
     for (int x = 0; x < row.chunks * kChunk; x += lane_count()) {
         const F mean = load(row.mean + x);
-        const F of_plain =
-            quotient(load(row.plain_squared + x), hn::Max(load(row.plain_share + x), all(1.f / 9)));
-        const auto is_plain = hn::Gt(load(row.plain + x), all(0.f));
-        const F nearby = hn::IfThenElse(is_plain, of_plain, load(row.near_squared + x));
+        const F share = load(row.plain_share + x);
+        const F of_plain = quotient(load(row.plain_squared + x), hn::Max(share, all(kMost)));
+        const auto counts =
+            hn::And(hn::Gt(load(row.plain + x), all(0.f)), hn::Gt(share, all(kMost)));
+        const F nearby = hn::IfThenElse(counts, of_plain, load(row.near_squared + x));
         const F variance = hn::Max(load(row.squared + x), nearby);
         const F noise = hn::Sqrt(quotient(variance, sum(product(mean, mean), all(0.01f))));
         const F most = product(sum(all(2.f), product(all(100.f), noise)), hn::Sqrt(variance));
