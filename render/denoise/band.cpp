@@ -186,7 +186,9 @@ void Band::copy_features(int y) {
         }
         read_row(input_.features[f].error, y, width, error.data());
         read_row(input_.features[f].difference, y, width, difference.data());
-        keep_plain(error, difference, plain);
+        if (is_predicted) {
+            keep_plain(error, difference, plain);
+        }
         std::transform(mean.begin(), mean.end(), error.begin(), mean.begin(), std::plus<>());
         add_and_subtract(mean.data(), difference.data(), width, planes_.features[0][f].row(y),
                          planes_.features[1][f].row(y));

@@ -229,16 +229,10 @@ class NoisySquares {
                 c, [&](int x, int y) { return 0.5f + contrast * static_cast<float>((x + y) % 2); });
         }
         Noise noise(9);
+        picture_.add_noise(noise, [&](int x, int y) { return deviation(x, y); });
         for (int y = 0; y < picture_.height; ++y) {
             for (int x = 0; x < picture_.width; ++x) {
-                const float deviation = is_noisy(x, y) ? 0.3f : 0.01f;
-                variance_.push_back(5 * deviation * deviation);
-                for (int c = 0; c < 3; ++c) {
-                    const float a = noise(deviation);
-                    const float b = noise(deviation);
-                    picture_.mean[c][picture_.index(x, y)] += (a + b) / 2;
-                    picture_.difference[c][picture_.index(x, y)] += (a - b) / 2;
-                }
+                variance_.push_back(5 * deviation(x, y) * deviation(x, y));
             }
         }
     }
@@ -260,6 +254,7 @@ class NoisySquares {
 
   private:
     [[nodiscard]] bool is_noisy(int x, int y) const { return (x / size_ + y / size_) % 2 == 0; }
+    [[nodiscard]] float deviation(int x, int y) const { return is_noisy(x, y) ? 0.3f : 0.01f; }
 
     NoisyPicture picture_{160, 120};
     std::vector<float> variance_;
@@ -291,18 +286,6 @@ double error_in_rows(const NoisyPicture& picture, const DenoisedPicture& result,
     return sum / static_cast<double>(picture.index(0, end - first));
 }
 
-/// Adds noise to both halves of all colours in some rows.
-void add_noise_in_rows(NoisyPicture& picture, Noise& noise, float deviation, int first, int end) {
-    for (std::size_t i = picture.index(0, first); i < picture.index(0, end); ++i) {
-        for (int c = 0; c < 3; ++c) {
-            const float a = noise(deviation);
-            const float b = noise(deviation);
-            picture.mean[c][i] += (a + b) / 2;
-            picture.difference[c][i] += (a - b) / 2;
-        }
-    }
-}
-
 // The samples of pixels on an edge differ much, but they are spread so well that the halves hardly
 // do. Noise that seems to be larger than it is would blur the edge.
 TEST(Denoise, KnownVarianceThatIsTooLargeOnAnEdge_BlursNothing) {
@@ -312,7 +295,7 @@ TEST(Denoise, KnownVarianceThatIsTooLargeOnAnEdge_BlursNothing) {
         picture.set_colour(c, [](int, int y) { return y < kEdge ? 0.3f : 0.5f; });
     }
     Noise noise(22);
-    add_noise_in_rows(picture, noise, 0.05f, 0, picture.height);
+    picture.add_noise(noise, 0.05f);
     for (int y = 0; y < picture.height; ++y) {
         picture.variance.insert(picture.variance.end(), static_cast<std::size_t>(picture.width),
                                 y == kEdge - 1 || y == kEdge ? 0.01f : 0.001f);
@@ -332,8 +315,8 @@ TEST(Denoise, NoiseOnAnEdge_DoesNotMovePixelsBesideIt) {
         });
     }
     Noise noise(23);
-    add_noise_in_rows(picture, noise, 1e-4f, 0, kEdge);
-    add_noise_in_rows(picture, noise, 0.1f, kEdge, kEdge + 3);
+    picture.add_noise(noise,
+                      [](int, int y) { return y < kEdge ? 1e-4f : (y < kEdge + 3 ? 0.1f : 0.0f); });
     const auto error_beside_edge = [&] {
         return error_in_rows(picture, denoise(picture.input()), kEdge - 1, kEdge);
     };

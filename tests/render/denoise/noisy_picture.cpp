@@ -40,10 +40,15 @@ void NoisyPicture::set_feature(int feature, const Value& value) {
 }
 
 void NoisyPicture::add_noise(Noise& noise, float deviation) {
-    for_each_pixel([&](int, int, std::size_t i) {
+    add_noise(noise, [&](int, int) { return deviation; });
+}
+
+void NoisyPicture::add_noise(Noise& noise, const Value& deviation) {
+    for_each_pixel([&](int x, int y, std::size_t i) {
+        const float here = deviation(x, y);
         for (int c = 0; c < 3; ++c) {
-            const float a = noise(deviation);
-            const float b = noise(deviation);
+            const float a = noise(here);
+            const float b = noise(here);
             mean[c][i] += (a + b) / 2;
             difference[c][i] += (a - b) / 2;
         }

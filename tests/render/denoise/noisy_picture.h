@@ -51,6 +51,8 @@ class NoisyPicture {
     void set_feature(int feature, const Value& value);
     /// Adds independent noise to both halves of all colours.
     void add_noise(Noise& noise, float deviation);
+    /// The same with a deviation for each pixel.
+    void add_noise(Noise& noise, const Value& deviation);
     /// Adds noise to a feature of both halves, and `slope` times that noise to all colours.
     void add_feature_noise(Noise& noise, int feature, float deviation, float slope);
 
