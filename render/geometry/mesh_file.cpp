@@ -2,6 +2,8 @@
 
 #include <fstream>
 #include <ios>
+#include <string_view>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -58,10 +60,33 @@ std::string read_mesh_text(const std::string& path) {
     return text;
 }
 
+MeshReading read_mesh_file(const std::string& path) {
+    MeshReading reading;
+    try {
+        reading.mesh = is_ply(path) ? read_ply(path) : read_obj(path);
+        check_numbers(reading.mesh, path);
+    } catch (const Error& error) {
+        reading.mesh = {};
+        const std::string_view what = error.what();
+        reading.problems.push_back({0, std::string(what.substr(path.size() + 4))});
+    }
+    return reading;
+}
+
 MeshShape read_mesh(const std::string& path) {
-    MeshShape mesh = is_ply(path) ? read_ply(path) : read_obj(path);
-    check_numbers(mesh, path);
-    return mesh;
+    MeshReading reading = read_mesh_file(path);
+    if (!reading.problems.empty()) {
+        throw Error(text_of(path, reading.problems.front()));
+    }
+    return std::move(reading.mesh);
+}
+
+std::string text_of(const std::string& path, const MeshRemark& remark) {
+    std::string text = "'" + path + "': ";
+    if (remark.line > 0) {
+        text += fmt::format("line {}: ", remark.line);
+    }
+    return text + remark.sentence;
 }
 
 }  // namespace carom::render
