@@ -84,7 +84,7 @@ constexpr auto fields_of(Describes<Saved>) {
 
 constexpr auto fields_of(Describes<DiskChanged>) {
     return fields<DiskChanged>(field("file", &DiskChanged::file), field("text", &DiskChanged::text),
-                               field("hash", &DiskChanged::hash),
+                               field("hash", &DiskChanged::hash), field("gone", &DiskChanged::gone),
                                field("refused", &DiskChanged::refused));
 }
 

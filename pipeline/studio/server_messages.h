@@ -133,8 +133,9 @@ struct Saved {
 struct DiskChanged {
     static constexpr const char* kName = "disk_changed";
     std::string file{};
-    std::string text{};  // the new one on disk
-    std::string hash{};
+    std::string text{};    // the new one on disk
+    std::string hash{};    // empty: there is none that can be read
+    std::string gone{};    // what became of it then: "was deleted", "is a folder"
     bool refused = false;  // a Save
 };
 

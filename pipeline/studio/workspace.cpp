@@ -6,6 +6,8 @@
 #include <system_error>
 #include <utility>
 
+#include <sys/stat.h>
+
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "pipeline/config/parse_yaml.h"
@@ -31,12 +33,41 @@ Workspace::Workspace(const std::string& shot, const std::string& root)
 }
 
 Workspace::DiskFile Workspace::read(const std::string& path) {
-    std::string text;
-    if (!pipeline::config::read_text_file(path, pipeline::config::YamlLimits{}.bytes, text)) {
-        return {};
+    DiskFile file;
+    if (!pipeline::config::read_text_file(path, pipeline::config::YamlLimits{}.bytes, file.text)) {
+        return {{}, {}, std::move(file.text)};
     }
-    std::string hash = hash_of(text);
-    return {std::move(text), std::move(hash)};
+    file.hash = hash_of(file.text);
+    note_node(path, file);
+    return file;
+}
+
+void Workspace::note_node(const std::string& path, DiskFile& file) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) == 0) {
+        file.device = status.st_dev;
+        file.node = status.st_ino;
+    }
+}
+
+DiskChanged Workspace::gone(const std::string& file, const DiskFile& before, const DiskFile& now) {
+    constexpr int kMostEntries = 10'000;
+    std::error_code code;
+    std::string fate = now.problem;
+    if (fs::symlink_status(file, code).type() == fs::file_type::not_found) {
+        fate = "was deleted";
+        int count = 0;
+        for (fs::directory_iterator entry(fs::path(file).parent_path(), code), end;
+             !code && entry != end && count < kMostEntries; entry.increment(code), ++count) {
+            struct stat status {};
+            if (before.node != 0 && ::lstat(entry->path().c_str(), &status) == 0 &&
+                status.st_ino == before.node && status.st_dev == before.device) {
+                fate = "was renamed to " + quote(entry->path().filename().string());
+                break;
+            }
+        }
+    }
+    return {file, "", "", fate, false};
 }
 
 bool Workspace::set_files(const std::vector<pipeline::ReadFile>& files) {
@@ -132,16 +163,20 @@ std::variant<Saved, DiskChanged> Workspace::save(const Save& request) {
     }
     const DiskFile disk = read(request.file);
     if (disk.hash != request.base_hash && !request.force) {
-        disk_[request.file] = disk;
-        return DiskChanged{request.file, disk.text, disk.hash, true};
+        const DiskFile before = std::exchange(disk_[request.file], disk);
+        DiskChanged answer = disk.hash.empty() ? gone(request.file, before, disk)
+                                               : DiskChanged{request.file, disk.text, disk.hash};
+        answer.refused = true;
+        return answer;
     }
     write_file_atomically(request.file, std::as_bytes(std::span(request.text)));
-    disk_[request.file] = {request.text, hash_of(request.text)};
+    DiskFile& written = disk_[request.file] = {request.text, hash_of(request.text)};
+    note_node(request.file, written);
     const auto open = texts_->find(request.file);
     if (open != texts_->end() && open->second == request.text) {
         change_text(request.file, std::nullopt);
     }
-    return Saved{request.file, disk_[request.file].hash};
+    return Saved{request.file, written.hash};
 }
 
 bool Workspace::replace(Assets& stamps, Assets now) {
@@ -215,6 +250,7 @@ void Workspace::take_from_disk(const std::string& file, DiskChanges& changes) {
     DiskFile now = read(file);
     DiskFile& known = disk_[file];
     if (now.hash == known.hash) {
+        known = std::move(now);  // which may be another file with the same text
         missing_.erase(file);
         return;
     }
@@ -227,8 +263,8 @@ void Workspace::take_from_disk(const std::string& file, DiskChanges& changes) {
         if (open == texts_->end()) {
             change_text(file, known.text);
         }
-        known = {};
-        changes.conflicting.push_back({file, "", "", false});
+        changes.conflicting.push_back(gone(file, known, now));
+        known = std::move(now);
         return;
     }
     missing_.erase(file);
@@ -239,7 +275,7 @@ void Workspace::take_from_disk(const std::string& file, DiskChanges& changes) {
         change_text(file, std::nullopt);
         changes.reloaded = true;
     } else {
-        changes.conflicting.push_back({file, known.text, known.hash, false});
+        changes.conflicting.push_back({file, known.text, known.hash});
     }
 }
 

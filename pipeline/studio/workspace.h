@@ -85,7 +85,10 @@ class Workspace {
   private:
     struct DiskFile {
         std::string text;
-        std::string hash;  // empty: it does not exist
+        std::string hash;          // empty: it cannot be read
+        std::string problem;       // why it cannot, as the end of a sentence
+        std::uint64_t device = 0;  // that it is on
+        std::uint64_t node = 0;    // its number there, which it keeps when it gets another name
     };
 
     /// What tells whether a file that is not a text changed.
@@ -100,7 +103,10 @@ class Workspace {
     [[nodiscard]] static DiskFile read(const std::string& path);
     [[nodiscard]] static bool replace(Assets& stamps, Assets now);
     [[nodiscard]] static Stamp stamp_of(const std::string& path);
+    static void note_node(const std::string& path, DiskFile& file);
     void take_from_disk(const std::string& file, DiskChanges& changes);
+    [[nodiscard]] static DiskChanged gone(const std::string& file, const DiskFile& before,
+                                          const DiskFile& now);
     void require_writable(const std::string& file) const;
     [[nodiscard]] bool is_known(const std::string& file) const;
     [[nodiscard]] std::int64_t next_version(std::int64_t v);

@@ -283,6 +283,7 @@ export interface DiskChanged {
     file: string;
     text: string;
     hash: string;
+    gone: string;
     refused: boolean;
 }
 

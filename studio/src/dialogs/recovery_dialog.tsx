@@ -33,7 +33,9 @@ function Recovery({ files }: { files: readonly RecoveredText[] }) {
     if (!one) {
         return null;
     }
-    const isNewer = one.hash !== one.base_hash;
+    const since = one.hash === one.base_hash ? ''
+        : one.hash === '' ? ' The file was deleted since.'
+            : ' The file on disk was written by another program since.';
     return (
         <div class="recovery fills">
             <p>
@@ -41,7 +43,7 @@ function Recovery({ files }: { files: readonly RecoveredText[] }) {
                     ? <>Changes of <strong>{nameOf(one.file)}</strong> were not saved.</>
                     : <>Changes of {files.length} files were not saved.</>}
                 {' '}At the right is the text as you left it.
-                {isNewer ? ' The file on disk was written by another program since.' : ''}
+                {since}
             </p>
             {files.length > 1 ? <Files files={files} /> : null}
             <MergePanel key={one.file} left={bufferOf(one.file)?.savedText ?? ''} right={one.text}

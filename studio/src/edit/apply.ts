@@ -11,10 +11,11 @@ import { EditError, PlaceError } from './edit_error';
 import type { Change, Choice, EditResult, SourceFile, Value } from './edit_types';
 import { withEdits } from './file_edits';
 import { originOf } from './origin';
-import { planSet, planTakeList, Undecided } from './plan';
-import { replaceKey } from './plan_replace';
+import { planTakeList, Undecided } from './plan';
+import { setAlone } from './plan_replace';
 import { question } from './question';
-import { unitFor } from './schema_unit';
+import { checkScenePath } from './scene_paths';
+import { rivalsFor, unitFor } from './schema_facts';
 import { difference } from './text_edit';
 import { writeValue } from './write_value';
 
@@ -99,17 +100,13 @@ function isFinite(value: Value): boolean {
 export function changed(
     files: SourceFile[], changes: readonly Change[], { aliases }: Decisions,
 ): SourceFile[] {
-    return changes.reduce((all, { path, value, precision, insteadOf, intoInclude }) => {
+    return changes.reduce((all, { path, value, precision, intoInclude }) => {
         checkOption(path);
         if (!isFinite(value)) {
             throw new EditError(`'${path.join('.')}' would not be a finite number`);
         }
         const decisions = { aliases: aliases ?? kNoAnswers, intoInclude: intoInclude ?? false };
-        const style = { unit: unitFor(path), precision };
-        if (insteadOf !== undefined) {
-            return replaceKey(all, path, insteadOf, value, style, decisions);
-        }
-        return withEdits(all, planSet(all, path, value, style, decisions));
+        return setAlone(all, path, rivalsFor, value, { unit: unitFor(path), precision }, decisions);
     }, files);
 }
 
@@ -152,10 +149,13 @@ function byHand({ path, value, precision }: Change): string {
     }
 }
 
-/// Makes all changes as one undo step.
-export function applyChanges(changes: Change[], label: string): EditResult {
+/// Makes all changes as one undo step. `isOfScene` as for a gesture: their paths come from the scene
+/// that is shown.
+export function applyChanges(changes: Change[], label: string, isOfScene = false): EditResult {
     const path = changes[0]?.path ?? [];
     const text = changes.map(byHand).join('\n');
-    return applyPlan((files, decisions) => changed(files, changes, decisions), label,
-        { text, path });
+    return applyPlan((files, decisions) => {
+        changes.filter(() => isOfScene).forEach((one) => checkScenePath(one.path, files));
+        return changed(files, changes, decisions);
+    }, label, { text, path });
 }

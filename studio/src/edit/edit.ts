@@ -6,27 +6,35 @@ import { applyPlan, checkOption } from './apply';
 import type { EditResult } from './edit_types';
 import { withEdits } from './file_edits';
 import { planEntry, planInsert, planRemove } from './plan';
+import { checkScenePath } from './scene_paths';
 
 export type { Change, Choice, EditResult, Gesture, Origin, Value } from './edit_types';
 export { applyChanges } from './apply';
 export { beginGesture, cancelGesture } from './gesture';
 export { originOf, sourceOf, type Source } from './origin';
 
-/// Takes a key with its value, or an item of a list, out of the text.
-export function removeValue(path: KeyPath, label: string): EditResult {
+/// Takes a key with its value, or an item of a list, out of the text. `isOfScene` as for applyChanges.
+export function removeValue(path: KeyPath, label: string, isOfScene = false): EditResult {
     return applyPlan((files, decisions) => {
         checkOption(path);
+        if (isOfScene) {
+            checkScenePath(path, files);
+        }
         return withEdits(files, planRemove(files, path, decisions));
     }, label, { text: '', path });
 }
 
-/// Adds an item, written as YAML with an indent of 0, to a list before the item `index`.
+/// Adds an item, written as YAML with an indent of 0, to a list before the item `index`. `isOfScene`
+/// as for applyChanges.
 export function insertItem(
-    listPath: KeyPath, index: number, yaml: string, label: string,
+    listPath: KeyPath, index: number, yaml: string, label: string, isOfScene = false,
 ): EditResult {
-    return applyPlan((files, decisions) =>
-        withEdits(files, planInsert(files, listPath, index, yaml, decisions)), label,
-    { text: `- ${indentRest(yaml, '  ')}`, path: listPath });
+    return applyPlan((files, decisions) => {
+        if (isOfScene) {
+            checkScenePath([...listPath, String(index)], files);
+        }
+        return withEdits(files, planInsert(files, listPath, index, yaml, decisions));
+    }, label, { text: `- ${indentRest(yaml, '  ')}`, path: listPath });
 }
 
 /// Adds an entry, its value written as YAML with an indent of 0, to a map.

@@ -14,8 +14,6 @@ export interface Change {
     value: Value;
     /// The step that the view resolves, in SI units: a number is not written finer than this.
     precision?: number;
-    /// A sibling key that this one replaces: `direction` is written in the place of `toward`.
-    insteadOf?: string;
     /// A value of an included file is changed there if it can be written, not laid over in the shot.
     intoInclude?: boolean;
 }

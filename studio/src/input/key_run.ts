@@ -9,6 +9,9 @@ interface Run {
     id: string;
     label: string;
     gesture: Gesture;
+    /// Of the first press: all changes are made to the text before it, so that what a later press
+    /// knows of the server's answers must not count.
+    changes(value: unknown): Change[];
     /// Where the last press led.
     value: unknown;
     written: string;
@@ -45,7 +48,7 @@ function stopListening(): void {
 }
 
 /// Whether presses of this are going on.
-export function isKeyRun(id: string): boolean {
+function isKeyRun(id: string): boolean {
     return run?.id === id && dragging.peek();
 }
 
@@ -53,23 +56,29 @@ export interface KeyStep<T> {
     /// Tells what is moved; another one begins a step of undo of its own.
     id: string;
     label: string;
+    /// Whether its paths come from the scene, as those of beginGesture.
+    isOfScene?: boolean;
     /// Where the first press starts. Later ones start where the one before led, so that no press is
     /// lost while the server has not answered.
     start: T;
     next(value: T): T;
+    /// What is written in the text before the run; only that of the first press is called.
     changes(value: T): Change[];
 }
 
 /// Makes one press.
-export function keyStep<T>({ id, label, start, next, changes }: KeyStep<T>): void {
+export function keyStep<T>(
+    { id, label, isOfScene, start, next, changes }: KeyStep<T>,
+): void {
     // Another edit may have ended its gesture.
     if (!run || !isKeyRun(id)) {
         endKeyRun();
-        run = { id, label, gesture: beginGesture(), value: start, written: '', timer: 0 };
+        run = { id, label, gesture: beginGesture(isOfScene), changes: changes as Run['changes'],
+            value: start, written: '', timer: 0 };
         listen();
     }
     const value = next(run.value as T);
-    const list = changes(value);
+    const list = run.changes(value);
     const written = JSON.stringify(list);
     // A press against a limit changes nothing, so that the first one back counts.
     if (written !== run.written) {

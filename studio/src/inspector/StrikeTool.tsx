@@ -22,7 +22,7 @@ function dragOn(event: PointerEvent, label: string, changes: (x: number, y: numb
         return;
     }
     const disc = event.currentTarget as Element;
-    const gesture = beginGesture();
+    const gesture = beginGesture(true);
     const follow = (at: PointerEvent) => { gesture.update(changes(...pointIn(disc, at))); };
     follow(event);
     dragFrom(event, {
@@ -44,9 +44,7 @@ function tipChanges(path: KeyPath, x: number, y: number): Change[] {
 }
 
 function directionChanges(event: ShotEvent, angle: number): Change[] {
-    const path = [...event.path, 'strike', 'direction'];
-    const change = { path, value: angle, precision: 0.1 * kDegree };
-    return event.toward === '' ? [change] : [{ ...change, insteadOf: 'toward' }];
+    return [{ path: [...event.path, 'strike', 'direction'], value: angle, precision: 0.1 * kDegree }];
 }
 
 /// Where the text puts the tip; the server's answer may be older.
@@ -75,7 +73,8 @@ function TipDisc({ event }: { event: ShotEvent }) {
             const step = key.shiftKey ? 0.1 : kStep;
             key.preventDefault();
             keyStep<readonly [number, number]>({
-                id: `${event.path.join('/')} tip`, label: 'Move tip', start: tipInText(event),
+                id: `${event.path.join('/')} tip`, label: 'Move tip', isOfScene: true,
+                start: tipInText(event),
                 next: ([right, up]) => [right + arrow[0] * step, up + arrow[1] * step],
                 changes: ([right, up]) => tipChanges(event.path, right, up),
             });
@@ -109,7 +108,7 @@ function Dial({ event }: { event: ShotEvent }) {
             const step = key.shiftKey ? 5 : key.altKey ? 0.1 : 1;
             key.preventDefault();
             keyStep({
-                id: `${event.path.join('/')} direction`, label: 'Turn the aim',
+                id: `${event.path.join('/')} direction`, label: 'Turn the aim', isOfScene: true,
                 start: directionInText(event), next: (from) => from + turn * step * kDegree,
                 changes: (next) => directionChanges(event, next),
             });

@@ -120,7 +120,7 @@ export function deleteSelected(): void {
             text: `'${what.join('.')}' is not in the text: it comes from a rack or a preset.` };
         return;
     }
-    const result = removeValue(what, `Delete ${what[what.length - 1]}`);
+    const result = removeValue(what, `Delete ${what[what.length - 1]}`, true);
     if (result.ok) {
         selection.value = isPoint ? thing : null;
     }

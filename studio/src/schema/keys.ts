@@ -100,6 +100,14 @@ export function keysAt(schema: Schema, path: KeyPath, present: readonly string[]
     return [...found.values()];
 }
 
+/// The keys that contradict the one that a path ends with: beside `direction`, there is no `toward`.
+export function rivalsOf(schema: Schema, path: KeyPath): string[] {
+    const name = path[path.length - 1] ?? '';
+    const pairs = mapsOf(typesAt(schema, path.slice(0, -1)), [name]).flatMap(exclusions);
+    return [...new Set(pairs.filter((pair) => pair.includes(name)).flat())]
+        .filter((key) => key !== name);
+}
+
 /// What the schema says about the key that a path ends with; null for names and items of lists.
 export function keyAt(schema: Schema, path: KeyPath): KeyInfo | null {
     const name = path[path.length - 1] ?? '';

@@ -2,7 +2,9 @@
 import { useEffect } from 'preact/hooks';
 import { onCommand } from '../state/keys';
 import { openDocuments } from '../documents/documents_state';
-import { panel } from '../state/state';
+import { notice, panel, selection } from '../state/state';
+import { setUnfolding } from '../text/show';
+import { showPath } from '../text/show_path';
 import { outlineArea, textArea, toggle } from './layout';
 import { switchTheme } from './theme';
 
@@ -26,8 +28,18 @@ function goToArea(direction: 1 | -1): void {
     }
 }
 
+/// The keys that follow go to the text.
+function showSelectionInText(): void {
+    const path = selection.peek();
+    if (!path || !showPath(path)) {
+        notice.value = path ? notice.peek()
+            : { kind: 'info', text: 'Nothing is selected that the text could show.' };
+    }
+}
+
 export function useShellCommands(): void {
     useEffect(() => {
+        setUnfolding(() => textArea.size.peek() === 0 && toggle(textArea));
         const endings = [
             onCommand('palette', () => { panel.value = panel.value === 'palette' ? null : 'palette'; }),
             onCommand('film', () => { panel.value = panel.value === 'film' ? null : 'film'; }),
@@ -38,6 +50,7 @@ export function useShellCommands(): void {
             onCommand('export', () => openDocuments('export')),
             onCommand('toggleOutline', () => toggle(outlineArea)),
             onCommand('toggleText', () => toggle(textArea)),
+            onCommand('showInText', showSelectionInText),
             onCommand('switchTheme', switchTheme),
             onCommand('nextArea', () => goToArea(1)),
             onCommand('previousArea', () => goToArea(-1)),

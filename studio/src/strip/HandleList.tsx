@@ -1,7 +1,7 @@
 /// The strip's handles for the keyboard and screen readers: sliders that are not seen, in the order
 /// of the canvas. One of them is reached by Tab; Page Up and Page Down go from one to the next.
 import { signal } from '@preact/signals';
-import { isKeyRun, keyStep } from '../input/key_run';
+import { keyStep } from '../input/key_run';
 import { selection } from '../state/state';
 import { activeHandle, shownHandles } from './handles/all_handles';
 import type { Handle } from './handles/handle';
@@ -12,20 +12,14 @@ const kArrows: Record<string, readonly [number, number]> = {
     ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1],
 };
 
-/// The handle as it was at the first press of a run of keys: what it writes follows from the text
-/// before the run.
-let held: Handle | null = null;
-
 /// Moves a handle by steps of time and value.
 function nudge(handle: Handle, [time, value]: readonly [number, number]): void {
-    const id = `strip ${handle.id}`;
-    const first = held && held.id === handle.id && isKeyRun(id) ? held : handle;
-    held = first;
     keyStep({
-        id, label: `Move ${handle.label}`, start: [first.time, first.value ?? 0] as const,
+        id: `strip ${handle.id}`, label: `Move ${handle.label}`, isOfScene: true,
+        start: [handle.time, handle.value ?? 0] as const,
         next: ([seconds, height]) =>
-            [seconds + time * first.step.time, height + value * first.step.value] as const,
-        changes: ([seconds, height]) => first.change(seconds, height),
+            [seconds + time * handle.step.time, height + value * handle.step.value] as const,
+        changes: ([seconds, height]) => handle.change(seconds, height),
     });
 }
 

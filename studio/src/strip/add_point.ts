@@ -32,6 +32,7 @@ export function addPointAt(layout: Layout, { x, y }: { x: number; y: number }): 
     }
     if (key && source?.kind === 'scalar') {
         applyChanges([{ path: [...camera.path, key],
-            value: { yaml: `[${source.text}, ${source.text}]` } }], `Let ${key} change over time`);
+            value: { yaml: `[${source.text}, ${source.text}]` } }], `Let ${key} change over time`,
+        true);
     }
 }

@@ -130,7 +130,7 @@ export function watchPointer(
         heldScale.value = curveScale.peek();
         activeHandle.value = handle.id;
         const drag = dragOf(handle, at, curveRow(layout.curve, curveScale.peek()));
-        held = { kind: 'handle', handle, gesture: beginGesture(), drag };
+        held = { kind: 'handle', handle, gesture: beginGesture(true), drag };
     };
     const onDown = (event: PointerEvent) => {
         const at = placeOf(event);

@@ -17,7 +17,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { openMerge } from '../dialogs/merge_dialog';
 import { problems } from '../state/state';
 import {
-    activeFile, afterTransaction, attachView, buffers, isChanged, setChangeListener, type Buffer,
+    activeFile, afterTransaction, attachView, bufferOf, buffers, isChanged, setChangeListener, type Buffer,
 } from './buffers';
 import { completion } from './complete/source';
 import { conflictOf } from './disk_conflicts';
@@ -31,7 +31,7 @@ import { indentGuides } from './indent_guides';
 import { pageNonce } from './nonce';
 import { marksIn, marksOf } from './problem_marks';
 import { ProblemList } from './ProblemList';
-import { saveAll } from './saving';
+import { saveAll, writeAgain } from './saving';
 import { scrub } from './scrub';
 import { findPanel } from './search_panel';
 import { sendSoon } from './sending';
@@ -164,14 +164,20 @@ function Tabs() {
     );
 }
 
-/// Says that another program changed the shown file, until the user has merged both texts.
+/// Says that another program changed the shown file, or took it away, until the user has merged both
+/// texts or written the file again.
 function ConflictBar() {
     const conflict = conflictOf(activeFile.value);
+    const isWritable = bufferOf(activeFile.value)?.writable ?? false;
     return conflict ? (
         <div class="conflict" role="alert">
             <TriangleAlert size={14} aria-hidden="true" />
-            <span>Another program changed this file.</span>
-            <button onClick={() => openMerge(conflict, null)}>Compare</button>
+            <span>{conflict.gone === '' ? 'Another program changed this file.'
+                : `This file ${conflict.gone}.`}</span>
+            {conflict.gone === ''
+                ? <button onClick={() => openMerge(conflict, null)}>Compare</button>
+                : isWritable
+                    ? <button onClick={() => writeAgain(conflict.file)}>Write it again</button> : null}
         </div>
     ) : null;
 }

@@ -5,7 +5,7 @@ import { Transaction, type ChangeSpec, type EditorState } from '@codemirror/stat
 import type { EditorView } from '@codemirror/view';
 import { signal } from '@preact/signals';
 import { difference } from '../edit/text_edit';
-import { endDrag, makeWay } from './live_drag';
+import { changeUnder, endDrag } from './live_drag';
 import { joinsLast } from './states';
 import { addStep, isLastStep, moveStep } from './steps';
 
@@ -13,7 +13,7 @@ export interface Buffer {
     file: string;
     name: string;
     writable: boolean;
-    /// Of the file on disk, when it was last read or saved.
+    /// Of the file on disk, when it was last read or saved; empty: there is none.
     hash: string;
     savedText: string;
     state: EditorState;
@@ -48,8 +48,9 @@ export function textOf(buffer: Buffer): string {
     return buffer.state.sliceDoc();
 }
 
+/// Whether the text is not on disk as it stands in the page.
 export function isChanged(buffer: Buffer): boolean {
-    return textOf(buffer) !== buffer.savedText;
+    return buffer.hash === '' || textOf(buffer) !== buffer.savedText;
 }
 
 function remember(file: string): void {
@@ -113,7 +114,7 @@ export function restore(file: string, state: EditorState): void {
     onChange(file);
 }
 
-type FileChange = { file: string; changes: ChangeSpec };
+export type FileChange = { file: string; changes: ChangeSpec };
 
 /// With `isOneWithLast`, the step is one with the last one if that is recent and of the same kind.
 function writeStep(changes: readonly FileChange[], label: string, isOneWithLast = false): void {
@@ -176,13 +177,14 @@ export function setDisk(file: string, text: string, hash: string): void {
 }
 
 /// Gives a file another text, as one step of undo, or as one with the last one if that was a recent
-/// one of the same kind. `text` has the line breaks of the file.
+/// one of the same kind. `text` has the line breaks of the file. A drag in progress goes on.
 export function setText(file: string, text: string, label: string, isOneWithLast = false): void {
-    makeWay(file);
-    const buffer = bufferOf(file);
-    const change = buffer && difference(buffer.state.doc.toString(),
-        buffer.state.lineBreak === '\r\n' ? text.replace(/\r\n/g, '\n') : text);
-    if (change) {
-        writeStep([{ file, changes: change }], label, isOneWithLast);
-    }
+    changeUnder(file, () => {
+        const buffer = bufferOf(file);
+        const change = buffer && difference(buffer.state.doc.toString(),
+            buffer.state.lineBreak === '\r\n' ? text.replace(/\r\n/g, '\n') : text);
+        if (change) {
+            writeStep([{ file, changes: change }], label, isOneWithLast);
+        }
+    });
 }

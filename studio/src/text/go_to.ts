@@ -2,31 +2,23 @@
 /// and by F12.
 import { EditorView, keymap } from '@codemirror/view';
 import { currentFiles } from '../edit/current_files';
-import { includedFile, locate } from '../edit/layers';
-import { itemStart } from '../edit/yaml_tree';
+import { includedFile } from '../edit/layers';
 import { typesAt } from '../schema/keys';
 import { schema } from '../schema/schema';
 import { activeFile } from './buffers';
 import { hoveredAt } from './hover';
 import { showRange } from './show';
+import { placeOf } from './show_path';
 
 const kSections = ['balls', 'objects', 'materials', 'lights'];
 
 /// Shows the entry of that name; whether there is one.
 function showEntry(name: string): boolean {
-    const files = currentFiles();
-    for (const section of kSections) {
-        const found = locate(files, [section, name]);
-        const step = found?.way.steps[found.way.steps.length - 1];
-        if (found && step) {
-            const at = step.pair ? itemStart(step.pair) : itemStart(step.node);
-            const before = found.tree.text.slice(0, at).split('\n');
-            const column = [...before[before.length - 1] ?? ''].length + 1;
-            showRange({ file: found.file.file, line: before.length, column, length: name.length });
-            return true;
-        }
+    const place = kSections.map((section) => placeOf([section, name])).find((one) => one !== null);
+    if (place) {
+        showRange(place);
     }
-    return false;
+    return place !== undefined;
 }
 
 /// Goes to what the word at an offset means; whether it means something.

@@ -11,9 +11,9 @@ export class OutsideTyping {
         return this.before.has(file);
     }
 
-    /// The text of a file without what was typed here.
-    docBefore(file: string): Text | undefined {
-        return (this.before.get(file) ?? bufferOf(file)?.state)?.doc;
+    /// A file without what was typed here.
+    stateBefore(file: string): EditorState | undefined {
+        return this.before.get(file) ?? bufferOf(file)?.state;
     }
 
     type(file: string, changes: ChangeSpec): void {
@@ -32,11 +32,17 @@ export class OutsideTyping {
 
     /// Restores the files, except those that something else changed, too.
     takeBack(): void {
-        for (const [file, state] of this.before) {
-            if (this.isOwn(file)) {
-                restore(file, state);
-            }
+        [...this.before.keys()].forEach((file) => this.takeBackIn(file));
+    }
+
+    /// Restores one file, as if nothing had been typed into it.
+    takeBackIn(file: string): void {
+        const state = this.before.get(file);
+        if (state && this.isOwn(file)) {
+            restore(file, state);
         }
+        this.before.delete(file);
+        this.typed.delete(file);
     }
 
     private isOwn(file: string): boolean {

@@ -3,8 +3,9 @@ import { onMessage } from '../connection/receive';
 import { send } from '../connection/socket';
 import { files, notice } from '../state/state';
 import { bufferOf, buffers, isChanged, textOf } from './buffers';
+import { openGone } from '../dialogs/gone_dialog';
 import { openMerge } from '../dialogs/merge_dialog';
-import { conflictOf, forgetConflict, noteDisk } from './disk_conflicts';
+import { conflictOf, forgetConflict, noteDisk, noteReturn, type Conflict } from './disk_conflicts';
 import { endDrag } from './live_drag';
 import { sendSoon } from './sending';
 import { takeFiles } from './take_files';
@@ -19,11 +20,24 @@ export function saveAll(onFailure: () => void = () => undefined): void {
     for (const { file } of buffers.value.filter((one) => one.writable && isChanged(one))) {
         const conflict = conflictOf(file);
         if (conflict) {
-            openMerge(conflict, (one) => saveFile(one, onFailure), onFailure);
+            askAbout(conflict, (one) => saveFile(one, onFailure), onFailure);
         } else {
             saveFile(file, onFailure);
         }
     }
+}
+
+/// Asks what to save where the file on disk is another one, or none.
+function askAbout(
+    conflict: Conflict, save: (file: string) => void, onDismiss?: () => void,
+): void {
+    (conflict.gone === '' ? openMerge : openGone)(conflict, save, onDismiss);
+}
+
+/// Writes a file that was taken away again, as it stands in the page.
+export function writeAgain(file: string): void {
+    endDrag(true);
+    saveFile(file);
 }
 
 function saveFile(file: string, onFailure: () => void = () => undefined): void {
@@ -44,7 +58,10 @@ function saveFile(file: string, onFailure: () => void = () => undefined): void {
 /// Takes over what the server says about files; to be called once.
 export function watchFiles(): void {
     files.subscribe((list) => {
-        takeFiles(list).forEach(sendSoon);
+        const kept = takeFiles(list);
+        list.filter(({ file }) => !kept.includes(file))
+            .forEach(({ file, hash }) => noteReturn(file, hash));
+        kept.forEach(sendSoon);
     });
     onMessage('saved', ({ file, hash }) => {
         const buffer = bufferOf(file);
@@ -57,9 +74,9 @@ export function watchFiles(): void {
             notice.value = { kind: 'info', text: `${buffer.name} is saved.` };
         }
     });
-    onMessage('disk_changed', ({ file, text, hash, refused }) => {
-        if (noteDisk({ file, text, hash }) && refused) {
-            openMerge({ file, text, hash }, saveFile);
+    onMessage('disk_changed', ({ refused, ...conflict }) => {
+        if (noteDisk(conflict) && refused) {
+            askAbout(conflict, saveFile);
         }
     });
     onMessage('failed', ({ message }) => {

@@ -3,10 +3,11 @@
 import type { EditorState, Extension } from '@codemirror/state';
 import { EditorView, keymap } from '@codemirror/view';
 import { parseQuantity, writeLike } from '../edit/quantity';
+import { applyEdits } from '../edit/text_edit';
 import { activeFile, typeStep } from './buffers';
+import { DragTyping } from './drag_typing';
 import { hoveredAt } from './hover';
 import { startDrag, stopDrag, type LiveDrag } from './live_drag';
-import { OutsideTyping } from './outside_typing';
 
 interface NumberInText {
     from: number;
@@ -44,18 +45,18 @@ export function stepped(text: string, steps: number): string {
 /// A drag of a number: it is typed outside of the history, and once as a step at the end.
 function drag(start: MouseEvent, number: NumberInText): void {
     const file = activeFile.value;
-    const typing = new OutsideTyping();
-    let shown = number.text;
+    const typing = new DragTyping();
+    const end = number.from + number.text.length;
     const move = (event: MouseEvent) => {
         const steps = Math.round((event.clientX - start.clientX) / kPixels);
         const text = stepped(number.text, steps * (event.shiftKey ? 10 : 1));
         if (!typing.isAlone) {
             live.end(false);  // the number may be elsewhere now
-        } else if (text !== shown) {
-            typing.type(file,
-                { from: number.from, to: number.from + shown.length, insert: text });
-            shown = text;
+            return;
         }
+        const edit = { from: number.from, to: end, insert: text };
+        typing.show(typing.origin.map((one) =>
+            one.file === file ? { ...one, text: applyEdits(one.text, [edit]) } : one));
     };
     const up = () => live.end(true);
     const press = (event: KeyboardEvent) => {
@@ -66,7 +67,9 @@ function drag(start: MouseEvent, number: NumberInText): void {
         }
     };
     const live: LiveDrag = {
-        hasTyped: (one) => one === file,
+        hasTyped: (one) => typing.hasTyped(one),
+        stateBefore: (one) => typing.stateBefore(one),
+        rebase: (one, change) => typing.rebase(one, change),
         end: (isKept) => {
             if (!stopDrag(live)) {
                 return;
@@ -75,12 +78,9 @@ function drag(start: MouseEvent, number: NumberInText): void {
             removeEventListener('mouseup', up);
             removeEventListener('keydown', press, true);
             document.body.classList.remove('scrubbing');
-            const isWhole = typing.isAlone;
-            typing.takeBack();
-            if (isKept && isWhole && shown !== number.text) {
-                const to = number.from + number.text.length;
-                typeStep([{ file, changes: { from: number.from, to, insert: shown } }],
-                    `Change ${number.name}`);
+            const step = typing.finish();
+            if (isKept) {
+                typeStep(step, `Change ${number.name}`);
             }
         },
     };

@@ -3,11 +3,14 @@
 import { onMessage } from '../connection/receive';
 import { send } from '../connection/socket';
 import type { Text } from '@codemirror/state';
-import { mergeLines } from '../edit/merge_lines';
+import { mergeWords } from '../edit/merge_lines';
 import type { TextChanged } from '../protocol';
 import { connection, deferred, problems, textUnderWay, textVersion } from '../state/state';
 import { bufferOf, setText, textOf, type Buffer } from './buffers';
-import { makeWay } from './live_drag';
+import { ancestorOf, forgetRecent, noteRecent } from './recent_texts';
+import { stateWithoutDrag } from './live_drag';
+import { forgetNoted, noteTexts } from './shown_texts';
+import { tellOfConflict } from './drag_typing';
 
 /// What is known of the server's text of a file.
 interface Known {
@@ -43,8 +46,10 @@ function sendNext(): void {
         const text = textOf(buffer);
         if (send('text', { v, file: buffer.file, text })) {
             known.set(buffer.file, { text, sentAs: v, taken: null });
+            noteRecent(buffer.file, text);
             asked = v;
             textVersion.value = v;
+            noteTexts();
         } else {
             waiting.add(buffer.file);
         }
@@ -70,30 +75,52 @@ function answered(): void {
     sendNext();
 }
 
+/// The text that another window sent with what this page changed and that window did not know of. If
+/// both changed the same, what is not sent yet counts, else what came last.
+function withOwnChanges(buffer: Buffer, text: string, isNewer: boolean): string {
+    const base = ancestorOf(buffer.file, text);
+    const own = stateWithoutDrag(buffer.file)?.sliceDoc() ?? textOf(buffer);
+    if (base === null || (base === text && !isNewer)) {
+        return text;
+    }
+    const merged = mergeWords(base, own, text);
+    if (merged.conflicts > 0 && !isNewer) {
+        tellOfConflict();
+        return text;
+    }
+    return merged.text;
+}
+
 /// Takes the text that another window sent, as a step of undo; a drag of it is as one step. What
-/// was typed here and not sent yet is merged with it.
+/// was changed here meanwhile is merged with it, and a drag goes on.
 function takeText({ v, file, text }: TextChanged): void {
     const last = known.get(file);
     if (last && (v <= last.sentAs || text === last.text)) {
         return;  // the server had this page's own text later, or tells it
     }
-    makeWay(file);
     const buffer = bufferOf(file);
     if (!buffer) {
         return;
     }
-    const own = textOf(buffer);
-    const isNewer = last !== undefined && waiting.has(file);
-    setText(file, isNewer ? mergeLines(last.text, own, text).text : text,
-        'Change in another window', true);
+    const isNewer = waiting.has(file) && stateWithoutDrag(file) === undefined;
+    if (textOf(buffer) !== text) {
+        setText(file, withOwnChanges(buffer, text, isNewer), 'Change in another window', true);
+    }
+    noteRecent(file, text);
     const taken = textOf(buffer) === text ? buffer.state.doc : null;
     known.set(file, { text, sentAs: last?.sentAs ?? 0, taken });
+    if (!taken) {
+        sendSoon(file);
+    }
+    noteTexts();
 }
 
 /// Forgets what the server has: a new connection or another shot begins with versions of its own.
 function forget(): void {
     asked = 0;
     known.clear();
+    forgetRecent();
+    forgetNoted();
     textUnderWay.value = waiting.size > 0;
 }
 
@@ -119,8 +146,12 @@ export function watchAnswers(): void {
     onMessage('files', ({ files }) => {
         for (const { file, text } of files) {
             known.set(file, { sentAs: 0, ...known.get(file), text, taken: null });
+            noteRecent(file, text);
         }
-        queueMicrotask(sendNext);  // what waited for a connection
+        queueMicrotask(() => {
+            noteTexts();
+            sendNext();  // what waited for a connection
+        });
     });
     onMessage('welcome', forget);
     // After a connection was lost, the files that the server tells anew show which texts it lacks.

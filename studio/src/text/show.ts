@@ -5,9 +5,15 @@ import { activeFile, bufferOf } from './buffers';
 import { offsetsOf } from './offsets';
 
 let view: EditorView | null = null;
+let unfold = () => {};
 
 export function setShownView(shown: EditorView | null): void {
     view = shown;
+}
+
+/// Says how the text is unfolded if it is folded away.
+export function setUnfolding(how: () => void): void {
+    unfold = how;
 }
 
 /// Opens the file's tab, selects the range and gives the editor the focus.
@@ -17,7 +23,9 @@ export function showRange(range: TextRange): void {
     if (!place) {
         return;
     }
+    unfold();
     activeFile.value = range.file;
+    // After the page has drawn the text that was folded away.
     queueMicrotask(() => {
         view?.dispatch({
             selection: { anchor: place.from, head: place.to },

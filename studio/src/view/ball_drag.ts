@@ -113,7 +113,7 @@ function dragBall(ball: SceneObject, start: PointerEvent, context: ViewContext):
         const value = isLow && count === 2 ? place.slice(0, 2) : place;
         const precision = snap.to.length > 0 ? kSnapPrecision : hasShift(event)
             ? stepOf(context.metresPerPixel(to) / 10, 1e-6, kPrecision) : kPrecision;
-        return [{ path: [...ball.path, 'at'], value, precision, insteadOf: 'touching' }];
+        return [{ path: [...ball.path, 'at'], value, precision }];
     };
     return editDrag(start, {
         label: `Move ${ball.name}`,

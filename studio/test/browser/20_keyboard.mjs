@@ -78,6 +78,32 @@ export async function check({ page }) {
     await page.keyboard.press('Control+y');
     await settle(page);
 
+    // The aim: the second press comes after the server has answered the first one.
+    await page.getByLabel('Direction of the aim').focus();
+    await page.keyboard.press('ArrowLeft');
+    await settle(page);
+    await page.keyboard.press('ArrowLeft');
+    await settle(page);
+    equal([/at: 0\.5 s, direction: -?[\d.]+ deg, elevation/.test(await textOf(page)), await page.evaluate(
+        () => window.studio.state.hasErrors.value)], [true, false], 'the aim, and errors');
+    for (let i = 0; i < 2 && !/toward: one/.test(await textOf(page)); ++i) {
+        await page.keyboard.press('Control+z');  // once, unless the answer took longer than a pause of keys
+        await settle(page);
+    }
+    equal(/toward: one/.test(await textOf(page)), true, 'the aim after undo');
+
+    const aimed = await textOf(page);
+    // T goes to the text, where what is typed is text.
+    await page.locator('canvas').first().focus();
+    await page.keyboard.press('t');
+    await page.keyboard.type('# t');
+    equal(/^ {2}- # tstrike/m.test(await textOf(page)), true, 'what is typed after T');
+    for (let i = 0; i < 3 && await textOf(page) !== aimed; ++i) {
+        await page.keyboard.press('Control+z');
+        await settle(page);
+    }
+    equal(await textOf(page), aimed, 'the text after undo of what was typed');
+
     // Scrubbing, and the palette of commands.
     await reach(page, 'F6', 'Play head');
     await page.keyboard.press('Shift+ArrowRight');

@@ -25,8 +25,8 @@ export async function check({ browser, address }) {
     await page.evaluate(() => {
         const { edit, state } = window.studio;
         const ball = state.shot.value.objects.find(({ kind }) => kind === 'ball');
-        edit.applyChanges([{ path: [...ball.path, 'at'], value: [-0.3, 0.1], precision: 1e-3,
-            insteadOf: 'touching' }], 'Move');
+        edit.applyChanges([{ path: [...ball.path, 'at'], value: [-0.3, 0.1], precision: 1e-3 }],
+            'Move');
     });
     await page.waitForFunction((old) => {
         const image = document.querySelector('.flat-view img');

@@ -1,10 +1,68 @@
 // Two windows on one server: edits of both alternate, a drag in one is a step in the other, both end
-// with the last edit, and undo in each takes the last change back.
-import { equal, open, settle, textOf } from './harness.mjs';
+// with the last edit, and undo in each takes the last change back. A drag goes on while the other window
+// types or drags something else.
+import { equal, open, pixelOf, settle, textOf } from './harness.mjs';
 
 function edit(page, value) {
     return page.evaluate((to) => window.studio.edit.applyChanges(
         [{ path: ['balls', 'cue', 'at'], value: to, precision: 1e-4 }], 'Move cue').ok, value);
+}
+
+const kOthers = '# another window\n';
+
+/// Drags a ball with the pointer, some moves before and some after `between`.
+async function dragBall(page, name, between) {
+    const place = await page.evaluate((one) => window.studio.state.shot.value.objects
+        .find((object) => object.name === one).position, name);
+    const [x, y] = await pixelOf(page, place);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let i = 1; i <= 6; ++i) {
+        await page.mouse.move(x - 4 * i, y);
+    }
+    await between?.();
+    for (let i = 7; i <= 16; ++i) {
+        await page.mouse.move(x - 4 * i, y);
+    }
+    await page.mouse.up();
+}
+
+/// The places of two balls in the text; null: it has none.
+function placesIn(text) {
+    return ['cue', 'nine'].map((name) =>
+        new RegExp(`^ {2}${name}: \\{at: (.*)\\}$`, 'm').exec(text)?.[1] ?? null);
+}
+
+/// A drag in one window goes on while the other one types in another line, and both drag at once.
+async function atOnce(page, other) {
+    const before = await textOf(page);
+    await dragBall(page, 'cue', async () => {
+        await other.locator('.cm-content').focus();
+        await other.keyboard.press('Control+Home');
+        await other.keyboard.type(kOthers.trimEnd());
+        await other.keyboard.press('Enter');
+        await page.waitForFunction((words) => window.studio.edit.text().startsWith(words), kOthers);
+    });
+    await settle(page);
+    const [cue] = placesIn(await textOf(page));
+    const both = kOthers + before.replace('[-0.3, 0.12]', cue);
+    equal(cue !== '[-0.3, 0.12]' && cue !== null, true, `the place of the cue ball, ${cue}`);
+    await agree([page, other], both, 'a drag and what was typed meanwhile');
+    await page.evaluate(() => window.studio.edit.travel(true));
+    await agree([page, other], kOthers + before, 'the drag undone');
+    await page.evaluate(() => window.studio.edit.travel(false));
+    await agree([page, other], both, 'the drag again');
+
+    await Promise.all([dragBall(page, 'cue'), dragBall(other, 'nine')]);
+    await Promise.all([settle(page), settle(other)]);
+    await other.waitForFunction((words) => !window.studio.edit.text().includes(words), cue);
+    const places = placesIn(await textOf(other));
+    equal(places.every((place) => place !== null) && places[0] !== cue, true,
+        `two drags at once: ${places.join(' and ')}`);
+    await agree([page, other], await textOf(other), 'two drags at once');
+    for (const each of [other, page]) {
+        await each.evaluate(() => { window.studio.state.selection.value = null; });
+    }
 }
 
 /// Drags the cue ball by 16 cm in eight frames.
@@ -72,11 +130,14 @@ export async function check({ page, browser, address }) {
         steps = await page.evaluate(() => window.studio.edit.steps()) - stepsBefore;
     }
     equal(steps, 1, 'steps of the drag in the first window');
+    await edit(page, [-0.3, 0.12]);
+    await agree(pages, moved(-0.3), 'the place before two windows work at once');
+    await atOnce(page, other.page);
     await page.evaluate(() => {
         while (window.studio.edit.travel(true)) { /* all */ }
     });
     await agree(pages, before, 'all steps taken back');
     equal(other.complaints, [], 'what the second window complains about');
     await other.page.close();
-    return 'both windows have the same text after each edit, and undo works in each';
+    return 'both windows have the same text after each edit, also made at once, and undo works in each';
 }

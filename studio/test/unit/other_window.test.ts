@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { receive } from '../../src/connection/receive';
-import { applyChanges, beginGesture } from '../../src/edit/edit';
+import { applyChanges } from '../../src/edit/edit';
 import { textVersion } from '../../src/state/state';
 import { buffers, setChangeListener, textOf } from '../../src/text/buffers';
 import { sendSoon, watchAnswers } from '../../src/text/sending';
@@ -11,7 +11,6 @@ import { takeFiles } from '../../src/text/take_files';
 import { undoStep } from '../../src/text/undo_commands';
 
 const kText = 'balls:\n  cue: {at: [0.5, 1.25]}\n  one: {at: [1, 2], spin: 3}\n';
-const kAt = ['balls', 'cue', 'at', '0'];
 const kSpin = ['balls', 'one', 'spin'];
 
 watchAnswers();
@@ -54,19 +53,6 @@ test('TextChanged_OfADrag_IsOneStepOfItsOwn', () => {
     assert.equal(undoStep(false), false);
     assert.ok(undoStep(true));
     assert.equal(shown(), own);
-});
-
-test('TextChanged_WhileADragRuns_EndsItAndKeepsTheOtherChange', () => {
-    open();
-    const gesture = beginGesture();
-    gesture.update([{ path: kAt, value: 0.75 }]);
-    tell(kText.replace('0.5', '0.7').replace('spin: 3', 'spin: 8'));
-    gesture.update([{ path: kAt, value: 0.8 }]);
-    gesture.commit('Move');
-    assert.equal(shown().includes('spin: 8'), true, shown());
-    assert.equal(shown().includes('0.8'), false, shown());
-    assert.ok(undoStep(true));
-    assert.equal(shown(), kText);
 });
 
 test('TextChanged_FileWithCarriageReturns_IsTakenWhole', () => {

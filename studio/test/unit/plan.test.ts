@@ -6,8 +6,9 @@ import type { SourceFile, Value } from '../../src/edit/edit_types';
 import {
     planEntry, planInsert, planRemove, planSet, planTakeList, Undecided, type Decisions, type FileEdits,
 } from '../../src/edit/plan';
-import { replaceKey } from '../../src/edit/plan_replace';
+import { setAlone } from '../../src/edit/plan_replace';
 import { applyEdits } from '../../src/edit/text_edit';
+import type { KeyPath } from '../../src/protocol';
 
 function files(shot: string, config = '', writable = false): SourceFile[] {
     return [
@@ -95,9 +96,9 @@ test('PlanInsert_Items_KeepTheIndent', () => {
         'a.yaml\nballs:\n  a: {}\n  b: {at: [0, 0]}\n');
 });
 
-test('ReplaceKey_OfTheShot_KeepsItsPlace_OfAnIncludeHidesIt', () => {
+test('SetAlone_RivalOfTheShot_LeavesItsPlace_OfAnIncludeIsHidden', () => {
     const replaced = (all: SourceFile[], path: string, old: string, value: Value) =>
-        replaceKey(all, path.split('.'), old, value, { unit: 'rad', precision: 1e-3 })[0]?.text;
+        setAlone(all, path.split('.'), () => [old], value, { unit: 'rad', precision: 1e-3 })[0]?.text;
     const own = files('events:\n  - strike: {ball: cue, toward: one, speed: 8 m/s}  # c\n');
     assert.equal(replaced(own, 'events.0.strike.direction', 'toward', 0.25),
         'events:\n  - strike: {ball: cue, direction: 0.25 rad, speed: 8 m/s}  # c\n');
@@ -109,6 +110,20 @@ test('ReplaceKey_OfTheShot_KeepsItsPlace_OfAnIncludeHidesIt', () => {
         'include: x.yaml\nballs:\n  a: {at: [0, 0], touching: null}\n');
     assert.equal(replaced(files('balls: {a: {}}\n'), 'balls.a.at', 'touching', [0, 0]),
         'balls: {a: {at: [0, 0]}}\n');
+    // Both are there: the one that is set stays. A null only hides what an include has.
+    assert.equal(replaced(files('balls: {a: {at: [1, 1], touching: {ball: b}}}\n'),
+        'balls.a.at', 'touching', [0, 0]), 'balls: {a: {at: [0, 0]}}\n');
+    const hidden = files('include: x.yaml\nballs: {a: {touching: null, at: [1, 1]}}\n',
+        'balls: {a: {touching: {ball: b}}}\n');
+    assert.equal(replaced(hidden, 'balls.a.at', 'touching', [0, 0]),
+        'include: x.yaml\nballs: {a: {touching: null, at: [0, 0]}}\n');
+});
+
+test('SetAlone_WhatItBelongsToBecameSomethingElse_IsRefused', () => {
+    const rivals = (path: KeyPath) => path.at(-1) === 'strike' ? ['impulse'] : [];
+    const impulse = files('events:\n  - impulse: {body: cue}\n');
+    assert.throws(() => setAlone(impulse, ['events', '0', 'strike', 'speed'], rivals, 2, { unit: '' }),
+        /'events\.0\.strike\.speed' cannot be set: the text has 'impulse' there/);
 });
 
 test('PlanSet_IntoInclude_WritesThereIfItCan', () => {

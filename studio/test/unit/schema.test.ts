@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { neededUnit } from '../../src/edit/schema_unit';
+import { neededUnit } from '../../src/edit/schema_facts';
 import { keyAt, keysAt, typesAt } from '../../src/schema/keys';
 import { numberType, typed } from '../../src/inspector/number_text';
 import type { Schema } from '../../src/schema/value_types';

@@ -145,6 +145,8 @@ test('Gesture_FileChangedFromOutside_KeepsThatChange', () => {
     setText('/a.yaml', `# theirs\n${shot}`, 'Reload from disk');
     second.update([{ path: kSpin, value: 9 }]);
     second.commit('Late');
+    assert.deepEqual(texts(), [`# theirs\n${shot.replace('spin: 6', 'spin: 9')}`, theirs]);
+    assert.ok(undoStep(true));
     assert.deepEqual(texts(), [`# theirs\n${shot}`, theirs]);
     assert.ok(undoStep(true));
     assert.deepEqual(texts(), [shot, theirs]);

@@ -75,6 +75,7 @@ TEST_F(StudioDisk, DeletedFile_RemainsInThePageAsUnsaved) {
     const auto gone = wait_for<DiskChanged>();
     EXPECT_EQ(gone.file, path("shot.yaml"));
     EXPECT_TRUE(gone.hash.empty());
+    EXPECT_EQ(gone.gone, "was deleted");
     EXPECT_FALSE(gone.refused);
     say(Hello{kProtocol});
     const auto files = wait_for<Files>();
@@ -83,6 +84,44 @@ TEST_F(StudioDisk, DeletedFile_RemainsInThePageAsUnsaved) {
     say(Save{path("shot.yaml"), original_, ""});
     wait_for<Saved>();
     EXPECT_EQ(read_file(path("shot.yaml")), original_);
+}
+
+TEST_F(StudioDisk, FileThatIsNoMore_IsToldWithWhatBecameOfIt) {
+    open();
+    const auto fate = [&] {
+        const auto changed =
+            wait_for<DiskChanged>([](const DiskChanged& one) { return !one.refused; });
+        EXPECT_TRUE(changed.text.empty() && changed.hash.empty());
+        return changed.gone;
+    };
+    const auto write_again = [&](const std::string& text) {
+        say(Save{path("shot.yaml"), text, ""});
+        wait_for<Saved>();
+        EXPECT_EQ(read_file(path("shot.yaml")), text);
+        forget();
+    };
+    fs::rename(path("shot.yaml"), path("other.yaml"));
+    EXPECT_EQ(fate(), "was renamed to 'other.yaml'");
+    // Before the page knows of that, a save is refused and says the same.
+    say(Save{path("shot.yaml"), original_, "of before"});
+    const auto refused = wait_for<DiskChanged>([](const DiskChanged& one) { return one.refused; });
+    EXPECT_EQ(refused.hash, "");
+    write_again(original_);
+    fs::rename(path("shot.yaml"), path("third.yaml"));
+    EXPECT_EQ(fate(), "was renamed to 'third.yaml'");
+    write_again(with_comment("mine"));
+    fs::remove(path("shot.yaml"));
+    fs::create_directories(path("shot.yaml"));
+    EXPECT_EQ(fate(), "is a folder");
+    say(Save{path("shot.yaml"), original_, ""});
+    EXPECT_NE(wait_for<Failed>().message.find("shot.yaml"), std::string::npos);
+    fs::remove(path("shot.yaml"));
+    forget();
+    write_file(path("shot.yaml"), with_comment("mine"));
+    expect_reloaded(with_comment("mine"));
+    forget();
+    write_file(path("shot.yaml"), std::string(5 << 20, '#'));
+    EXPECT_NE(fate().find("has more than"), std::string::npos);
 }
 
 TEST_F(StudioDisk, ChangedFileWithAnUnsavedText_IsAConflict) {

@@ -122,7 +122,7 @@ function keyHandles(
             change: (time, value) => [
                 ...timeMoves(point, time, fps, least, most, old), ...handle.change(time, value)],
             ...points.length > 1
-                ? { remove: () => { removeValue(point.path, `Delete key of ${key.key}`); } } : {},
+                ? { remove: () => { removeValue(point.path, `Delete key of ${key.key}`, true); } } : {},
         }];
     });
 }
@@ -149,7 +149,7 @@ export function addLensKey(shot: ShotState, camera: Camera, key: string, time: n
     const text = near ? sourceOf([...near.path, '1'])?.text : undefined;
     if (text !== undefined && !isTaken) {
         insertItem([...path, 'keys'], before, `[${timeText(at, null)}, ${text}]`,
-            `Add key to ${key}`);
+            `Add key to ${key}`, true);
     }
     return points.length > 0;
 }

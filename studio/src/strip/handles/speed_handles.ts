@@ -47,7 +47,7 @@ export function speedHandles(
         change: (time, value) =>
             speedChanges(shot, camera as Camera, i, time, roundSpeed(value, row.perPixel), old),
         remove: () => {
-            removeValue(point.path, 'Delete point of the speed ramp');
+            removeValue(point.path, 'Delete point of the speed ramp', true);
         },
     }));
 }
@@ -65,7 +65,8 @@ export function addSpeedPoint(shot: ShotState, camera: Camera, time: number): vo
     const here = point(timeText(at, null));
     if (camera.speeds.length > 0) {
         const before = camera.speeds.filter((one) => one.video_time < seconds).length;
-        insertItem([...camera.path, 'scene', 'speeds'], before, here, 'Add point to the speed ramp');
+        insertItem([...camera.path, 'scene', 'speeds'], before, here, 'Add point to the speed ramp',
+            true);
         return;
     }
     const text = (value: number) => timeText(fractionOf(value), null);
@@ -73,5 +74,5 @@ export function addSpeedPoint(shot: ShotState, camera: Camera, time: number): vo
         ?? sourceOf([...camera.path, 'scene'])?.text ?? text(camera.scene_start);
     const points = [...new Set([point(text(camera.video_start)), here, point(text(camera.video_end))])];
     applyChanges([{ path: [...camera.path, 'scene'],
-        value: { yaml: `{from: ${from}, speeds: [${points.join(', ')}]}` } }], 'Add speed ramp');
+        value: { yaml: `{from: ${from}, speeds: [${points.join(', ')}]}` } }], 'Add speed ramp', true);
 }

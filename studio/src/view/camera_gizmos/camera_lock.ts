@@ -104,7 +104,7 @@ export class CameraLock {
             return;
         }
         if (!this.move && lens) {
-            this.move = { gesture: beginGesture(), camera: lens.camera, pose: lens.pose };
+            this.move = { gesture: beginGesture(true), camera: lens.camera, pose: lens.pose };
             this.timer.forget = onCommand('cancel', () => {
                 this.isHeld = false;
                 this.finish((gesture) => gesture.cancel());

@@ -12,7 +12,7 @@ import { shownStrike } from './strike';
 const kPrecision = 1e-4; // m
 
 function item(label: string, changes: Change[], startsGroup = false): MenuItem {
-    return { label, startsGroup, run: () => { applyChanges(changes, label); } };
+    return { label, startsGroup, run: () => { applyChanges(changes, label, true); } };
 }
 
 /// Adds a strike at the end of the events and selects it.
@@ -36,7 +36,7 @@ function strikeItems(ball: SceneObject): MenuItem[] {
             `{ball: ${cue}, at: 0.5 s, toward: ${ball.name}, speed: 3 m/s}`),
     }] : strike && strike.object !== ball.name ? [
         item(`Strike ${strike.object} at ${ball.name}`, [{
-            path: [...strike.path, 'strike', 'toward'], value: ball.name, insteadOf: 'direction',
+            path: [...strike.path, 'strike', 'toward'], value: ball.name,
         }], true),
     ] : [];
     const label = `Strike ${ball.name}`;
@@ -52,7 +52,6 @@ function placeItems(ball: SceneObject): MenuItem[] {
     if (valueAt([...ball.path, 'touching']) !== undefined) {
         return [item(`Free ${ball.name} where it lies`, [{
             path: [...ball.path, 'at'], value: [x, y], precision: kPrecision / 100,
-            insteadOf: 'touching',
         }])];
     }
     const others = (shot.peek()?.objects ?? []).filter((one) => one.kind === 'ball'
@@ -66,7 +65,7 @@ function placeItems(ball: SceneObject): MenuItem[] {
     const angle = Math.atan2(y - nearest.position[1], x - nearest.position[0]);
     const degrees = Number(((angle * 180) / Math.PI).toFixed(1));
     return [item(`Place ${ball.name} against ${nearest.name}`, [{
-        path: [...ball.path, 'touching'], insteadOf: 'at',
+        path: [...ball.path, 'touching'],
         value: { yaml: `{ball: ${nearest.name}, direction: ${degrees} deg}` },
     }])];
 }
@@ -81,7 +80,7 @@ function rackItems(ball: SceneObject): MenuItem[] {
     const isAll = typeof entry === 'object' && Object.keys(entry).length === 1;
     return [{
         label: `Return ${ball.name} to the rack`,
-        run: () => { removeValue(isAll ? ball.path : [...ball.path, key], `Rack ${ball.name}`); },
+        run: () => { removeValue(isAll ? ball.path : [...ball.path, key], `Rack ${ball.name}`, true); },
     }];
 }
 

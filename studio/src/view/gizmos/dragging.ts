@@ -62,7 +62,7 @@ export function editDrag(start: Pixel, drag: EditDrag): Drag {
             const way = Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY);
             const changes = gesture || way >= kDragDistance ? drag.changes(event) : null;
             if (changes) {
-                gesture ??= beginGesture();
+                gesture ??= beginGesture(true);
                 const intoInclude = isIntoInclude(event);
                 const result = gesture.update(changes.map((one) => ({ ...one, intoInclude })));
                 if (result.file !== toldFile) {

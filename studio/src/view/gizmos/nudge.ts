@@ -1,13 +1,13 @@
 /// The arrow keys move the selected ball or object in the view's directions: 1 mm, with Alt 0.1 mm,
 /// with Shift 10 mm. A pause, another key or the pointer ends the step of undo.
 import { Vector3 } from 'three';
-import { beginGesture, type Gesture } from '../../edit/edit';
-import type { KeyPath, SceneObject } from '../../protocol';
+import { endKeyRun, keyStep } from '../../input/key_run';
+import type { SceneObject } from '../../protocol';
 import { selection, shot } from '../../state/state';
 import { kDrawingPriority, type MakePart, type ViewContext } from '../parts';
+import { placePath } from './object_drags';
 import { valueAt } from './shot_values';
 
-const kPause = 700; // ms
 const kStep = 1e-3; // m
 const kPrecision = 1e-4; // m
 
@@ -15,61 +15,30 @@ const kWays: Readonly<Record<string, [number, number]>> = {
     ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1],
 };
 
-/// A run of key presses that is one step of undo.
-interface Run {
-    path: KeyPath;
-    name: string;
-    gesture: Gesture;
-    start: number[];
-    offset: [number, number];
-    timer: number;
-}
-
 export const makeNudge: MakePart = (context) => {
-    let run: Run | null = null;
-    const finish = () => {
-        if (run) {
-            clearTimeout(run.timer);
-            run.gesture.commit(`Move ${run.name}`);
-            run = null;
-        }
-    };
     const onKey = (event: KeyboardEvent) => {
         const way = kWays[event.key];
         const object = selectedObject();
         const isFree = !event.ctrlKey && !event.metaKey && !takesArrows(event.target);
         if (!way || !object || !isFree || event.defaultPrevented) {
-            if (!['Shift', 'Alt', 'Control', 'Meta'].includes(event.key)) {
-                finish();
-            }
             return;
         }
         event.preventDefault();
-        if (run && run.path.join('/') !== object.path.join('/')) {
-            finish();
-        }
-        run ??= {
-            path: object.path, name: object.name, gesture: beginGesture(), timer: 0,
-            start: startOf(object), offset: [0, 0],
-        };
-        clearTimeout(run.timer);
-        run.timer = window.setTimeout(finish, kPause);
         const step = kStep * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
-        const [dx, dy] = inWorld(context, way);
-        run.offset = [run.offset[0] + step * dx, run.offset[1] + step * dy];
-        run.gesture.update([{
-            path: [...object.path, 'at'], precision: kPrecision, insteadOf: 'touching',
-            value: run.start.map((value, i) => value + (run?.offset[i] ?? 0)),
-        }]);
+        const offset = inWorld(context, way);
+        const path = placePath(object.path);
+        keyStep<number[]>({
+            id: path.join('/'), label: `Move ${object.name}`, start: startOf(object), isOfScene: true,
+            next: (place) => place.map((one, i) => one + step * (offset[i] ?? 0)),
+            changes: (value) => [{ path, value, precision: kPrecision }],
+        });
     };
     window.addEventListener('keydown', onKey, { capture: true });
-    window.addEventListener('pointerdown', finish, { capture: true });
     return {
         priority: kDrawingPriority,
         dispose: () => {
-            finish();
+            endKeyRun();
             window.removeEventListener('keydown', onKey, { capture: true });
-            window.removeEventListener('pointerdown', finish, { capture: true });
         },
     };
 };
@@ -90,7 +59,7 @@ function takesArrows(target: EventTarget | null): boolean {
 
 /// The place in the text, or, if it is derived, where the ball or object starts.
 function startOf(object: SceneObject): number[] {
-    const at = valueAt([...object.path, 'at']);
+    const at = valueAt(placePath(object.path));
     if (Array.isArray(at) && at.length >= 2 && at.every((one) => typeof one === 'number')) {
         return at as number[];
     }

@@ -7,7 +7,7 @@ import { editDrag, follower, hasShift, rayThrough } from './dragging';
 import { turned, kAxes, toLocal, type RotationText } from './object_frame';
 import { measureAxis, type ObjectHandle, type Selected } from './object_handles';
 import { alongAxis, angleAround, shortAngle, stepOf } from './rays';
-import { tripleOf, valueAt } from './shot_values';
+import { rotationText, tripleOf, valueAt } from './shot_values';
 
 const kPlaceStep = 1e-4; // m
 const kAngleStep = (0.1 * Math.PI) / 180;
@@ -196,6 +196,7 @@ function dragScale(
     path: KeyPath, name: string, selected: Selected, start: PointerEvent, context: ViewContext,
     say: (text: string | null) => void,
 ): Drag {
+    const text = rotationText(path);
     const written = valueAt([...path, 'scale']);
     const triple = tripleOf(written);
     const before = typeof written === 'number' ? written : 1;
@@ -209,6 +210,10 @@ function dragScale(
         changes: (event) => {
             const factor = reach(event) / reach(start);
             say(`× ${factor.toFixed(2)}`);
+            if (text.kind === 'axes') {  // they have the scale in them
+                const value = text.axes.map((one) => scale(factor, one));
+                return [{ path: [...path, 'axes'], value, precision: 1e-5 }];
+            }
             const value = triple ? triple.map((one) => one * factor) : before * factor;
             return [{ path: [...path, 'scale'], value, precision: 1e-3 }];
         },

@@ -160,10 +160,7 @@ function aimChange(
     const pixel = (context.metresPerPixel(view.centre) / to.reach / kDegree)
         * (hasShift(event) ? 0.1 : 1);
     const precision = target ? 1e-3 : stepOf(pixel, 1e-3, 0.1);
-    return [{
-        path: [...path, 'direction'], value: direction, precision: precision * kDegree,
-        insteadOf: 'toward',
-    }];
+    return [{ path: [...path, 'direction'], value: direction, precision: precision * kDegree }];
 }
 
 const speedChange: HowToChange = (event, view, path, start, context) => {
@@ -178,7 +175,7 @@ const speedChange: HowToChange = (event, view, path, start, context) => {
     const speed = Math.max(kSlowest, view.speed + way);
     dragged.value = { speed };
     const precision = hasShift(event) ? 0.01 : stepOf(speed / 20, 0.01, 0.1);
-    const key = view.isBallSpeed ? 'ball_speed' : 'speed';
+    const key = valueAt([...path, 'ball_speed']) === undefined ? 'speed' : 'ball_speed';
     return [{ path: [...path, key], value: speed, precision }];
 };
 

@@ -14,7 +14,7 @@ const kPrecision = 1e-3; // m
 const written = (at: Triple) => `[${at.map((value) => Number(value.toFixed(3))).join(', ')}]`;
 
 function change(label: string, changes: Change[], startsGroup = false): MenuItem {
-    return { label, startsGroup, run: () => { applyChanges(changes, label); } };
+    return { label, startsGroup, run: () => { applyChanges(changes, label, true); } };
 }
 
 /// Where an object is at the play head.
@@ -87,13 +87,13 @@ export function addPoint(
             && dot(subtract(at, places[last] ?? at),
                 subtract(places[last] ?? at, places[last - 1] ?? at)) > 0;
         insertItem(list, isBeyond || places.length < 2 ? places.length : piece + 1,
-            written(at), label);
+            written(at), label, true);
         return;
     }
     const old = shape.points[0]?.position ?? at;
     applyChanges([{
         path: [...camera.path, part], value: { yaml: `{bezier: [${written(old)}, ${written(at)}]}` },
-    }], label);
+    }], label, true);
 }
 
 /// Whether points can be added to a path.

@@ -56,7 +56,8 @@ function freeItems(camera: Camera, path: KeyPath): MenuItem[] {
         const at = moves && lens?.camera === camera ? lens.pose[part] : point?.position;
         return !point || !at ? [] : [{
             label: 'Free this point', hint: 'Alt-drag', run: () => {
-                applyChanges(freePoint(camera, part, point, at, kPrecision), 'Free a point');
+                applyChanges(freePoint(camera, part, point, at, kPrecision), 'Free a point',
+                    true);
             },
         }];
     });
@@ -81,7 +82,7 @@ function pathItems(path: KeyPath): MenuItem[] {
         }] : [],
         ...camera ? freeItems(camera, path) : [],
         ...isRemovable ? [{
-            label: 'Remove this point', run: () => { removeValue(path, 'Remove a point'); },
+            label: 'Remove this point', run: () => { removeValue(path, 'Remove a point', true); },
         }] : [],
     ];
 }

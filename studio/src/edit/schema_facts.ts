@@ -1,6 +1,7 @@
-/// The unit that a new number needs: angles and some others are refused without one.
+/// What the server's schema demands of a new value: the unit that a number needs, as angles and some
+/// others are refused without one, and the keys that must not stand beside it.
 import type { KeyPath } from '../protocol';
-import { typesAt } from '../schema/keys';
+import { rivalsOf, typesAt } from '../schema/keys';
 import { schema } from '../schema/schema';
 import { typesOf, type Schema, type ValueType } from '../schema/value_types';
 
@@ -27,4 +28,9 @@ export function neededUnit(all: Schema, path: KeyPath): string {
 /// The same by the schema of the server.
 export function unitFor(path: KeyPath): string {
     return schema.value ? neededUnit(schema.value, path) : '';
+}
+
+/// The keys that contradict the one at a path.
+export function rivalsFor(path: KeyPath): string[] {
+    return schema.value ? rivalsOf(schema.value, path) : [];
 }

@@ -1,0 +1,140 @@
+/// Two windows that change the texts at the same time: a drag goes on in what the other one types, and
+/// what is sent at once from both sides is merged. The socket only listens.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { receive } from '../../src/connection/receive';
+import { connect } from '../../src/connection/socket';
+import { applyChanges, beginGesture } from '../../src/edit/edit';
+import { notice, textVersion } from '../../src/state/state';
+import { buffers, setChangeListener, textOf } from '../../src/text/buffers';
+import { sendSoon, watchAnswers } from '../../src/text/sending';
+import { undoable } from '../../src/text/steps';
+import { takeFiles } from '../../src/text/take_files';
+import { undoStep } from '../../src/text/undo_commands';
+
+const kText = 'balls:\n  cue: {at: [0.5, 1.25]}\n  one: {at: [1, 2], spin: 3}\n';
+const kAt = ['balls', 'cue', 'at', '0'];
+const kSpin = ['balls', 'one', 'spin'];
+const sent: { t: string; text: string }[] = [];
+
+class Listening {
+    static readonly OPEN = 1;
+    readonly readyState = 1;
+    onopen: (() => void) | null = null;
+    constructor() {
+        queueMicrotask(() => this.onopen?.());
+    }
+    send(text: string): void {
+        sent.push(JSON.parse(text));
+    }
+}
+
+watchAnswers();
+setChangeListener(sendSoon);
+
+function message(t: string, fields: object): void {
+    receive(JSON.stringify({ t, ...fields }));
+}
+
+async function open(text = kText): Promise<void> {
+    Object.assign(globalThis, { WebSocket: Listening, location: { protocol: 'http:', host: 'x' } });
+    connect();
+    await Promise.resolve();
+    buffers.value = [];
+    message('welcome', { protocol: '', version: '', v: 1, shot: '/a.yaml', root: '/', output: '' });
+    const files = [{ file: '/a.yaml', name: 'a', text, hash: 'a', writable: true, changed: false }];
+    message('files', { v: 1, files });
+    takeFiles(files);
+    sent.length = 0;
+}
+
+/// The other window's text arrives.
+function tell(text: string): void {
+    message('text_changed', { v: textVersion.value + 1, file: '/a.yaml', text });
+}
+
+const shown = () => textOf(buffers.value[0]!);
+
+/// What the page shows is sent, and the server answers.
+async function send(): Promise<void> {
+    await Promise.resolve();
+    message('problems', { v: textVersion.value, complete: true, list: [] });
+    await Promise.resolve();
+    message('problems', { v: textVersion.value, complete: true, list: [] });
+    assert.equal(sent.filter(({ t }) => t === 'text').at(-1)?.text, shown());
+}
+
+/// The labels of the steps, the newest last.
+const labels = () => undoable.value.map(({ label }) => label);
+test('TextChanged_WhileADragRuns_KeepsBoth', async () => {
+    await open();
+    const gesture = beginGesture();
+    const moved = (x: string) => kText.replace('0.5', x);
+    gesture.update([{ path: kAt, value: 0.6 }]);
+    await send();
+    gesture.update([{ path: kAt, value: 0.7 }]);
+    tell(moved('0.6').replace('spin: 3', 'spin: 8'));  // made from what was sent
+    assert.equal(shown(), moved('0.7').replace('spin: 3', 'spin: 8'));
+    gesture.update([{ path: kAt, value: 0.8 }]);
+    await send();
+    // On the same line, in a moment in which what is typed is no YAML.
+    gesture.update([{ path: kAt, value: 0.85 }]);
+    tell(moved('0.8').replace('spin: 3', 'spin: 8').replace('1.25]}', '1.25], spin: [}'));
+    assert.equal(shown(), 'balls:\n  cue: {at: [0.85, 1.25], spin: [}\n  one: {at: [1, 2], spin: 8}\n');
+    gesture.update([{ path: kAt, value: 0.9 }]);
+    await send();
+    tell(shown().replace('[}', '[1]}'));
+    gesture.commit('Move');
+    assert.equal(shown(), 'balls:\n  cue: {at: [0.9, 1.25], spin: [1]}\n  one: {at: [1, 2], spin: 8}\n');
+    assert.deepEqual(labels(), ['Change in another window', 'Move']);
+    assert.ok(undoStep(true));
+    assert.equal(shown(), 'balls:\n  cue: {at: [0.5, 1.25], spin: [1]}\n  one: {at: [1, 2], spin: 8}\n');
+    assert.ok(undoStep(true));
+    assert.equal(shown(), kText);
+});
+
+test('TextChanged_LinesAddedAndRemovedWhileADragRuns_KeepsBoth', async () => {
+    const text = kText + 'events:\n  - strike: {ball: cue, speed: 1}\n  - strike: {ball: one, speed: 2}\n';
+    await open(text);
+    const gesture = beginGesture();
+    gesture.update([{ path: ['events', '1', 'strike', 'speed'], value: 5 }]);
+    await send();
+    tell(shown().replace('  - strike: {ball: cue, speed: 1}\n', ''));  // what was item 1 is item 0
+    assert.equal(shown(), `${kText}events:\n  - strike: {ball: one, speed: 5}\n`);
+    gesture.update([{ path: ['events', '1', 'strike', 'speed'], value: 6 }]);
+    await send();
+    tell(`# new\n${shown()}`);
+    gesture.update([{ path: ['events', '1', 'strike', 'speed'], value: 7 }]);
+    gesture.commit('Speed');
+    assert.equal(shown(), `# new\n${kText}events:\n  - strike: {ball: one, speed: 7}\n`);
+});
+
+test('TextChanged_SameValueWhileADragRuns_TellsAndTheLastOneCounts', async () => {
+    await open();
+    notice.value = null;
+    const gesture = beginGesture();
+    gesture.update([{ path: kAt, value: 0.75 }]);
+    await send();
+    const theirs = kText.replace('0.5', '0.9').replace('spin: 3', 'spin: 8');
+    tell(theirs);
+    assert.equal(shown(), theirs);
+    assert.match(notice.value!.text, /Another window changed the same lines/);
+    gesture.update([{ path: kAt, value: 0.8 }]);
+    gesture.commit('Move');
+    assert.equal(shown(), theirs.replace('0.9', '0.8'));
+    assert.ok(undoStep(true));
+    assert.equal(shown(), theirs);
+});
+
+test('TextChanged_MadeBeforeItKnewOfAnEditHere_KeepsBoth', async () => {
+    await open();
+    applyChanges([{ path: kSpin, value: 4 }], 'Spin');
+    const own = shown();
+    await send();
+    tell(kText.replace('0.5', '0.6'));  // sent at the same time
+    assert.equal(shown(), own.replace('0.5', '0.6'));
+    // What takes the own edit back is taken.
+    await send();
+    tell(kText.replace('0.5', '0.6'));
+    assert.equal(shown(), kText.replace('0.5', '0.6'));
+});
