@@ -32,7 +32,8 @@ constexpr milliseconds kAgain{300};   // until a second look for a missing file
 constexpr milliseconds kRetry{500};   // until another attempt to watch a folder that is gone
 constexpr milliseconds kPoll{2'000};  // between looks where inotify does not work
 constexpr std::uint32_t kEvents = IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE |
-                                  IN_CREATE | IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
+                                  IN_CREATE | IN_ATTRIB | IN_DELETE_SELF | IN_MOVE_SELF |
+                                  IN_ONLYDIR;
 
 /// Whether the system watches no folder, or none more, or not this one. A folder that is gone is
 /// tried again instead.
