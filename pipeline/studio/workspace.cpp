@@ -20,6 +20,27 @@ namespace carom::studio {
 namespace fs = std::filesystem;
 using pipeline::config::quote;
 
+namespace {
+
+/// The name of the file with that number, among the first entries of a folder; empty if there is
+/// none.
+std::string name_of_node(const fs::path& folder, std::uint64_t device, std::uint64_t node) {
+    constexpr int kMostEntries = 10'000;
+    std::error_code code;
+    fs::directory_iterator entry(folder, code);
+    for (int i = 0; !code && entry != fs::directory_iterator() && i < kMostEntries; ++i) {
+        struct stat status {};
+        if (::lstat(entry->path().c_str(), &status) == 0 && status.st_ino == node &&
+            status.st_dev == device) {
+            return entry->path().filename().string();
+        }
+        entry.increment(code);
+    }
+    return "";
+}
+
+}  // namespace
+
 Workspace::Workspace(const std::string& shot, const std::string& root)
     : shot_(whole_path(shot)),
       root_(whole_path(root.empty() ? fs::path(shot_).parent_path().string() : root)),
@@ -35,7 +56,7 @@ Workspace::Workspace(const std::string& shot, const std::string& root)
 Workspace::DiskFile Workspace::read(const std::string& path) {
     DiskFile file;
     if (!pipeline::config::read_text_file(path, pipeline::config::YamlLimits{}.bytes, file.text)) {
-        return {{}, {}, std::move(file.text)};
+        return {.problem = std::move(file.text)};
     }
     file.hash = hash_of(file.text);
     note_node(path, file);
@@ -51,23 +72,14 @@ void Workspace::note_node(const std::string& path, DiskFile& file) {
 }
 
 DiskChanged Workspace::gone(const std::string& file, const DiskFile& before, const DiskFile& now) {
-    constexpr int kMostEntries = 10'000;
     std::error_code code;
-    std::string fate = now.problem;
-    if (fs::symlink_status(file, code).type() == fs::file_type::not_found) {
-        fate = "was deleted";
-        int count = 0;
-        for (fs::directory_iterator entry(fs::path(file).parent_path(), code), end;
-             !code && entry != end && count < kMostEntries; entry.increment(code), ++count) {
-            struct stat status {};
-            if (before.node != 0 && ::lstat(entry->path().c_str(), &status) == 0 &&
-                status.st_ino == before.node && status.st_dev == before.device) {
-                fate = "was renamed to " + quote(entry->path().filename().string());
-                break;
-            }
-        }
+    if (fs::symlink_status(file, code).type() != fs::file_type::not_found) {
+        return {file, "", "", now.problem, false};
     }
-    return {file, "", "", fate, false};
+    const std::string name =
+        before.node == 0 ? ""
+                         : name_of_node(fs::path(file).parent_path(), before.device, before.node);
+    return {file, "", "", name.empty() ? "was deleted" : "was renamed to " + quote(name), false};
 }
 
 bool Workspace::set_files(const std::vector<pipeline::ReadFile>& files) {
@@ -172,6 +184,7 @@ std::variant<Saved, DiskChanged> Workspace::save(const Save& request) {
     write_file_atomically(request.file, std::as_bytes(std::span(request.text)));
     DiskFile& written = disk_[request.file] = {request.text, hash_of(request.text)};
     note_node(request.file, written);
+    missing_.erase(request.file);
     const auto open = texts_->find(request.file);
     if (open != texts_->end() && open->second == request.text) {
         change_text(request.file, std::nullopt);

@@ -84,9 +84,9 @@ class Workspace {
 
   private:
     struct DiskFile {
-        std::string text;
-        std::string hash;          // empty: it cannot be read
-        std::string problem;       // why it cannot, as the end of a sentence
+        std::string text{};
+        std::string hash{};        // empty: it cannot be read
+        std::string problem{};     // why it cannot, as the end of a sentence
         std::uint64_t device = 0;  // that it is on
         std::uint64_t node = 0;    // its number there, which it keeps when it gets another name
     };
