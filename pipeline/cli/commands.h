@@ -260,6 +260,8 @@ struct ImportCommand {
     std::string output;  // empty: the scene's name and .yaml in the current folder
     double unit = 0.01;  // m
     std::string up = "y";
+    std::string fov = "distance";
+    std::string boxes = "auto";
     double force_time = 0.05;  // s
 };
 void describe(ImportCommand& command, CommandDescription& description);

@@ -24,6 +24,11 @@ void run(const ImportCommand& command, CommandContext& context) {
     pipeline::ImportOptions options;
     options.unit = command.unit;
     options.is_z_up = command.up == "z";
+    options.field_of_view =
+        command.fov == "formula" ? pipeline::FieldOfView::formula : pipeline::FieldOfView::distance;
+    options.boxes = command.boxes == "fixed"     ? pipeline::BoxMotion::fixed
+                    : command.boxes == "dynamic" ? pipeline::BoxMotion::dynamic
+                                                 : pipeline::BoxMotion::automatic;
     options.force_time = command.force_time;
     const pipeline::ImportResult result =
         pipeline::import_scene_file(command.scene, folder, options);

@@ -90,8 +90,44 @@ bool Gatherer::check_version(const Node& root) {
     return false;
 }
 
+/// Removes the first characters of `text` until one of `ends` and returns them.
+std::string_view take_until(std::string_view& text, const char* ends) {
+    const std::string_view taken = text.substr(0, text.find_first_of(ends));
+    text.remove_prefix(taken.size());
+    return taken;
+}
+
+/// Whether the text begins with `type NAME {`, as scenes of the older text format do and no map of
+/// YAML does.
+bool is_older_scene(std::string_view text) {
+    constexpr const char* kSpace = " \t\r\n";
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+    const auto skip_space = [&] {
+        text.remove_prefix(std::min(text.find_first_not_of(kSpace), text.size()));
+    };
+    if (text.starts_with(kByteOrderMark)) {
+        text.remove_prefix(kByteOrderMark.size());
+    }
+    skip_space();
+    const std::string_view type = take_until(text, " \t\r\n{}");
+    skip_space();
+    const std::string_view name = take_until(text, " \t\r\n{}");
+    skip_space();
+    const bool is_word =
+        type.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == std::string_view::npos;
+    return is_word && !type.empty() && !name.empty() && name.back() != ':' && text.starts_with('{');
+}
+
 std::optional<Node> Gatherer::read(int source, std::vector<OpenFile>& open_files,
                                    bool use_quality) {
+    if (is_older_scene(sources_.at(source).text)) {
+        const std::string& name = sources_.at(source).name;
+        problems_.error({source, 1, 1, 1},
+                        "this is not YAML but looks like a scene of the older text format; convert "
+                        "it with 'carom import " +
+                            name + "'");
+        return std::nullopt;
+    }
     std::optional<Node> own = parse_yaml(sources_, source, problems_);
     if (!own) {
         return std::nullopt;

@@ -6,15 +6,9 @@
 
 #include <fmt/core.h>
 
+#include "pipeline/config/text.h"
+
 namespace carom::pipeline::scene_text {
-
-namespace {
-
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-}  // namespace
 
 void Conversion::note(const std::string& text) {
     constexpr std::size_t kMost = 100;
@@ -23,23 +17,13 @@ void Conversion::note(const std::string& text) {
     }
 }
 
-std::string Names::claim(const std::string& name) {
-    std::string made;
-    for (const char c : name.substr(0, 48)) {
-        const bool is_allowed = is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
-        made += is_allowed ? c : '_';
+std::string Conversion::name(const char* kind, const std::string& given, Names& names) {
+    const std::string made = names.claim(given);
+    if (made != given) {
+        note(std::string(kind) + " " + config::quote(given) + " is called " + made +
+             " in the shot");
     }
-    static const std::set<std::string> kReserved{"all", "auto", "none", "true", "false", "null"};
-    if (made.empty() || (!is_letter(made[0]) && made[0] != '_') || kReserved.count(made) != 0) {
-        made = "n_" + made;
-    }
-    std::string free = made;
-    while (!taken_.insert(free).second) {
-        int& number = latest_[made];
-        number = number == 0 ? 2 : number + 1;
-        free = fmt::format("{}_{}", made, number);
-    }
-    return free;
+    return made;
 }
 
 std::string yaml(double value) {

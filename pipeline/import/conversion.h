@@ -8,6 +8,7 @@
 
 #include "pipeline/config/problem_list.h"
 #include "pipeline/import/import_scene.h"
+#include "pipeline/import/names.h"
 #include "pipeline/import/scene_model.h"
 
 namespace carom::pipeline::scene_text {
@@ -37,36 +38,61 @@ struct Conversion {
     Axes axes;
     config::ProblemList& problems;
     std::string scene_folder, shot_folder;
-    std::vector<std::string> material_names{};  // in the YAML, by index
     std::vector<std::string> notes{};
     std::set<std::string> noted{};
 
     /// Adds a note, unless it was added before. Only the first hundred are kept.
     void note(const std::string& text);
+
+    /// The name in the YAML of the element `given`, with a note if it differs. `kind`: "material".
+    [[nodiscard]] std::string name(const char* kind, const std::string& given, Names& names);
 };
 
-/// Makes names valid for the YAML and unique.
-class Names {
+/// The names of all `elements`.
+template <class Element>
+[[nodiscard]] std::vector<std::string> names_of(const std::vector<Element>& elements) {
+    std::vector<std::string> names;
+    for (const Element& element : elements) {
+        names.push_back(element.name.text);
+    }
+    return names;
+}
+
+/// The materials that objects use, each once for every way in which its picture is placed: shots
+/// place pictures by the material, the text by the shape.
+class MaterialTable {
   public:
-    /// `name` itself if it is valid and unused, otherwise a name derived from it.
-    [[nodiscard]] std::string claim(const std::string& name);
+    explicit MaterialTable(Conversion& conversion);
+
+    /// The name in the YAML of material `index` on `object`, of which null is a sphere.
+    std::string use(std::size_t index, const Object* object);
+
+    /// The section of all materials, also of those that no object uses.
+    [[nodiscard]] std::string section();
 
   private:
-    std::set<std::string> taken_;
-    std::map<std::string, int> latest_;  // number given to a name that was taken
+    Conversion& conversion_;
+    Names names_;
+    std::vector<std::string> pictures_;                        // files of the textures
+    std::vector<std::map<std::string, std::string>> written_;  // names by image, by material
+    std::string text_;
 };
 
 // ---- sections of the YAML, whole lines ------------------------------------------------------
 
 // Parts that cannot be converted are reported as problems.
 
-/// Events after `last_time` (s) are omitted.
+/// The objects, with the materials that they use, and the events; events after `last_time` (s) are
+/// omitted.
 [[nodiscard]] std::string objects_and_events(Conversion& conversion, double last_time);
-[[nodiscard]] std::string materials_section(Conversion& conversion);
 [[nodiscard]] std::string lights_section(Conversion& conversion);
 /// `duration` becomes the latest scene time that is filmed.
 [[nodiscard]] std::string cameras_section(Conversion& conversion, double& duration);
 [[nodiscard]] std::string render_section(Conversion& conversion);
+
+/// The size of pictures in texts without one, pixels.
+inline constexpr double kDefaultWidth = 320;
+inline constexpr double kDefaultHeight = 240;
 
 /// The centre of interest: the middle of the moving spheres, otherwise of all spheres, otherwise
 /// the first camera's target. In the author's units.

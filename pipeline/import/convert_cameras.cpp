@@ -13,9 +13,9 @@ namespace {
 
 using config::quote;
 
-constexpr double kDefaultFov = 2;  // distance of the projection plane
-constexpr double kDefaultWidth = 320;
-constexpr double kDefaultHeight = 240;
+constexpr double kDefaultFov = 2;
+constexpr double kNarrowestAngle = 1e-4;  // rad
+constexpr double kWidestAngle = 3.1;
 
 /// A camera with all defaults filled in.
 struct Rig {
@@ -93,9 +93,10 @@ std::string path(const std::vector<Vec3>& points, const Axes& axes) {
     return text + "]}";
 }
 
-/// The vertical field of view, rad, for a projection plane one unit wide at `distance`.
-double vertical_angle(double distance, double height_by_width) {
-    return 2 * std::atan(height_by_width / (2 * distance));
+/// The angle of view across the height of the picture, rad, within what carom allows.
+double vertical_angle(double fov, double height_by_width, FieldOfView meaning) {
+    const double half_width = meaning == FieldOfView::distance ? 2 / fov : fov / 2;
+    return std::clamp(2 * std::atan(height_by_width * half_width), kNarrowestAngle, kWidestAngle);
 }
 
 std::string degrees(double angle) {
@@ -166,12 +167,16 @@ void write_lens(std::ostringstream& out, const Rig& rig, Conversion& conversion)
     if (!camera.fov_start) {
         conversion.note(owner + " has the default FOV, " + yaml(kDefaultFov));
     }
-    conversion.note(
-        "FOV is interpreted as the distance of an image plane that is one unit wide: the wider "
-        "angle of view is 2 atan(1 / (2 FOV))");
+    const FieldOfView meaning = conversion.options.field_of_view;
+    conversion.note(meaning == FieldOfView::distance
+                        ? "FOV is interpreted as the distance of an image plane four units wide, "
+                          "2 atan(2 / FOV) across the picture; '--fov formula' takes the manual's "
+                          "2 atan(FOV / 2), with which its own example would zoom out"
+                        : "FOV is interpreted by the manual's formula, 2 atan(FOV / 2) across the "
+                          "picture; '--fov distance' takes 2 atan(2 / FOV)");
     out << "    fov: "
-        << start_end(degrees(vertical_angle(start, height / width)),
-                     degrees(vertical_angle(end, height / width)))
+        << start_end(degrees(vertical_angle(start, height / width, meaning)),
+                     degrees(vertical_angle(end, height / width, meaning)))
         << "\n";
     if (start != end) {
         conversion.note(owner +
@@ -200,11 +205,11 @@ std::string cameras_section(Conversion& conversion, double& duration) {
     close_gaps(rigs, conversion);
     std::ostringstream out;
     out << "cameras:\n";
-    Names names;
+    Names names(names_of(conversion.scene.cameras));
     duration = 0;
     for (const Rig& rig : rigs) {
         duration = std::max({duration, rig.time_start, rig.time_end});
-        out << "  - name: " << names.claim(rig.camera->name.text) << "\n"
+        out << "  - name: " << conversion.name("camera", rig.camera->name.text, names) << "\n"
             << "    video: [" << yaml(rig.video_start) << " s, " << yaml(rig.video_end) << " s]\n"
             << "    scene: [" << yaml(rig.time_start) << " s, " << yaml(rig.time_end) << " s]\n"
             << "    position: " << path(rig.camera->positions, conversion.axes) << "\n"
@@ -212,48 +217,6 @@ std::string cameras_section(Conversion& conversion, double& duration) {
         write_lens(out, rig, conversion);
         write_sky(out, rig, conversion);
     }
-    return out.str();
-}
-
-std::string render_section(Conversion& conversion) {
-    static const Settings kNone{};
-    const std::optional<Settings>& given = conversion.scene.settings;
-    const Settings& s = given ? *given : kNone;
-    const auto defaulted = [&](const Real& value, double otherwise, const char* name) {
-        if (!value) {
-            conversion.note(std::string(name) + " has its default, " + yaml(otherwise));
-        }
-        return value.value_or(otherwise);
-    };
-    // 0 and 1 both disable an effect.
-    const auto count = [&](const Real& value, const char* name) {
-        return static_cast<int>(std::max(1.0, defaulted(value, 0, name)));
-    };
-    std::ostringstream out;
-    const double fps = defaulted(s.fps, 24, "fps");
-    const double ratio = defaulted(s.blur_switch_ratio, 0.2, "blur_switch_ratio");
-    const int blur = count(s.blur_samples, "blur_samples");
-    out << "render:\n"
-        << "  size: [" << yaml(defaulted(s.width, kDefaultWidth, "width")) << ", "
-        << yaml(defaulted(s.height, kDefaultHeight, "height")) << "]\n"
-        << "  fps: " << yaml(fps) << "\n"
-        << "  shutter: {time: "
-        << (blur == 1         ? "0 s"
-            : s.blur_duration ? yaml(*s.blur_duration) + " s"
-                              : "1/" + yaml(fps) + " s")
-        << ", position: start, switch_ratio: " << yaml(ratio) << "}\n"
-        << "  integrator: distributed\n"
-        << "  filter: gaussian\n"
-        << "  distributed: {pixel_samples: " << count(s.interpolate_samples, "interpolate_samples")
-        << ", blur_samples: " << blur << ", lens_samples: " << count(s.dof_samples, "dof_samples")
-        << ", shadow_samples: " << count(s.soft_shadow_samples, "soft_shadow_samples") << ",\n"
-        << "                reflection_samples: "
-        << count(s.diffuse_reflection_samples, "diffuse_reflection_samples")
-        << ", refraction_samples: "
-        << count(s.diffuse_refraction_samples, "diffuse_refraction_samples")
-        << ", recursion_limit: " << yaml(defaulted(s.recursion, 1, "recursion"))
-        << ",\n                ambient_coefficient: 0.12}\n"
-        << "output: {view: raw}   # colours were computed as a display shows them\n";
     return out.str();
 }
 

@@ -87,25 +87,36 @@ std::string picture(const Texture& texture, Conversion& conversion) {
     return (error ? fs::absolute(path, error) : relative).generic_string();
 }
 
-std::string diffuse_picture(const Material& material, Conversion& conversion) {
-    if (!material.texture) {
-        return {};
+/// The lengths over which u and v grow from 0 to 1. An infinite plane has one unit.
+std::pair<double, double> picture_extent(const Object& object) {
+    if (object.kind == ShapeKind::plane) {
+        return {1, 1};
     }
-    const std::string file = picture(conversion.scene.textures[*material.texture], conversion);
-    if (file.empty()) {
-        return {};
-    }
-    const auto repeats = [](const Real& scale) {
-        return yaml(std::clamp(1 / scale.value_or(1), 1e-9, 1e4));
-    };
-    if (material.scale_u.value_or(1) != 1 || material.scale_v.value_or(1) != 1) {
+    const Vec3 edge = *object.vertices[1] - *object.vertices[0];
+    const Vec3 across = edge.cross(*object.vertices[2] - *object.vertices[0]);
+    return {edge.length(), across.length() / std::max(edge.length(), 1e-300)};
+}
+
+/// Where `scale_U` and `scale_V` put the picture on the object; without an object, on a sphere.
+std::string placement(const Material& material, const Object* object, Conversion& conversion) {
+    if (material.scale_u || material.scale_v) {
         conversion.note(
-            "scale_U and scale_V are interpreted as the fraction of the shape that one picture "
-            "covers: "
-            "of a sphere's circumference, of a rectangle's edge");
+            "scale_U and scale_V are the width and height of one picture in units of the scene, on "
+            "spheres its fraction of the way around and from pole to pole");
     }
-    return "{image: {file: " + yaml_text(file) + ", scale: [" + repeats(material.scale_u) + ", " +
-           repeats(material.scale_v) + "], is_linear: true}}";
+    if (object == nullptr || object->kind == ShapeKind::sphere) {
+        const auto repeats = [](const Real& scale) {
+            return yaml(std::clamp(1 / scale.value_or(1), 1e-9, 1e4));
+        };
+        return "scale: [" + repeats(material.scale_u) + ", " + repeats(material.scale_v) + "]";
+    }
+    // Without a scale, one picture covers the shape; an infinite plane has one on each square unit.
+    const auto [width, height] = picture_extent(*object);
+    const auto length = [&](double units) {
+        return yaml(std::clamp(conversion.axes.length(units), 1e-9, 1e4));
+    };
+    return "size: [" + length(material.scale_u.value_or(width)) + ", " +
+           length(material.scale_v.value_or(height)) + "]";
 }
 
 // ---- lights ---------------------------------------------------------------------------------
@@ -182,15 +193,41 @@ Light light_over_camera(const Conversion& conversion) {
 
 }  // namespace
 
-std::string materials_section(Conversion& conversion) {
-    std::ostringstream out;
-    for (std::size_t i = 0; i < conversion.scene.materials.size(); ++i) {
-        const Material& material = conversion.scene.materials[i];
-        PhongText phong(conversion.scene.phong_infos[material.phong], conversion);
-        out << "  " << conversion.material_names[i] << ":\n    phong: {"
-            << phong(diffuse_picture(material, conversion)) << "}\n";
+MaterialTable::MaterialTable(Conversion& conversion)
+    : conversion_(conversion), names_(names_of(conversion.scene.materials)) {
+    for (const Texture& texture : conversion.scene.textures) {
+        pictures_.push_back(picture(texture, conversion));
     }
-    return conversion.scene.materials.empty() ? std::string() : "materials:\n" + out.str();
+    written_.resize(conversion.scene.materials.size());
+}
+
+std::string MaterialTable::use(std::size_t index, const Object* object) {
+    static constexpr const char* kKinds[] = {"plane", "sphere", "triangle", "rectangle", "box"};
+    const Material& material = conversion_.scene.materials[index];
+    std::string image;
+    if (material.texture && !pictures_[*material.texture].empty()) {
+        image = "{image: {file: " + yaml_text(pictures_[*material.texture]) + ", " +
+                placement(material, object, conversion_) + ", is_linear: true}}";
+    }
+    std::map<std::string, std::string>& names = written_[index];
+    std::string& name = names[image];
+    if (name.empty()) {
+        name = names.size() == 1 ? conversion_.name("material", material.name.text, names_)
+                                 : names_.claim(material.name.text + "_on_" +
+                                                kKinds[static_cast<int>(object->kind)]);
+        PhongText phong(conversion_.scene.phong_infos[material.phong], conversion_);
+        text_ += "  " + name + ":\n    phong: {" + phong(image) + "}\n";
+    }
+    return name;
+}
+
+std::string MaterialTable::section() {
+    for (std::size_t i = 0; i < written_.size(); ++i) {
+        if (written_[i].empty()) {
+            use(i, nullptr);
+        }
+    }
+    return text_.empty() ? text_ : "materials:\n" + text_;
 }
 
 std::string lights_section(Conversion& conversion) {
@@ -201,10 +238,10 @@ std::string lights_section(Conversion& conversion) {
     }
     const Vec3 towards = middle_of_moving_spheres(conversion.scene);
     std::ostringstream out;
-    Names names;
+    Names names(names_of(lights));
     out << "lights:\n";
     for (const Light& light : lights) {
-        out << "  " << names.claim(light.name.text) << ": {"
+        out << "  " << conversion.name("light", light.name.text, names) << ": {"
             << light_text(light, towards, conversion) << "}\n";
     }
     return out.str();

@@ -1,7 +1,9 @@
-// Converts shapes to objects. Spheres that use physics become moving bodies, boxes become fixed
-// ones.
+// Converts shapes to objects. Spheres that use physics become moving bodies; boxes move, too,
+// unless others stand on them.
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <set>
 #include <sstream>
 
 #include "core/text.h"
@@ -55,8 +57,13 @@ std::optional<Frame> rectangle_frame(const Object& object, Conversion& conversio
 /// A box stands on the rectangle, on the side from which the rotation from its second edge to its
 /// first one is counter-clockwise, as in both examples of the format.
 struct BoxFrame {
+    const Object* object = nullptr;
     Frame base;
     Vec3 up, centre;
+
+    [[nodiscard]] Vec3 half_size() const {
+        return Vec3(base.width, base.breadth, *object->height) / 2;
+    }
 };
 
 std::optional<BoxFrame> box_frame(const Object& object, Conversion& conversion) {
@@ -64,32 +71,104 @@ std::optional<BoxFrame> box_frame(const Object& object, Conversion& conversion) 
     if (!base) {
         return std::nullopt;
     }
-    BoxFrame box{*base, base->y.cross(base->x), {}};
+    BoxFrame box{&object, *base, base->y.cross(base->x), {}};
     box.centre = base->middle + box.up * (*object.height / 2);
     return box;
 }
 
-/// Moves spheres that penetrate a fixed box to its surface.
-void push_out(Object& sphere, const std::vector<std::pair<std::string, BoxFrame>>& boxes,
-              const std::vector<double>& heights, Conversion& conversion) {
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        const auto& [name, box] = boxes[i];
+/// The boxes that use physics.
+std::vector<BoxFrame> physical_boxes(Conversion& conversion) {
+    std::vector<BoxFrame> boxes;
+    for (const Object& object : conversion.scene.objects) {
+        if (object.kind == ShapeKind::box && object.uses_physics) {
+            if (const std::optional<BoxFrame> box = box_frame(object, conversion)) {
+                boxes.push_back(*box);
+            }
+        }
+    }
+    return boxes;
+}
+
+/// The greatest extent of the box from its centre along `axis`.
+double reach(const BoxFrame& box, const Vec3& axis) {
+    const Vec3 half = box.half_size();
+    return std::abs(half.x * box.base.x.dot(axis)) + std::abs(half.y * box.base.y.dot(axis)) +
+           std::abs(half.z * box.up.dot(axis));
+}
+
+/// The lowest of the boxes, if the centre of a sphere or of another box is above its top. Of
+/// equally low ones the largest.
+const BoxFrame* ground(const std::vector<BoxFrame>& boxes, const SceneModel& scene,
+                       const Vec3& up) {
+    const auto bottom = [&](const BoxFrame& box) { return box.centre.dot(up) - reach(box, up); };
+    const auto lowest =
+        std::min_element(boxes.begin(), boxes.end(), [&](const BoxFrame& a, const BoxFrame& b) {
+            const double difference = bottom(a) - bottom(b);
+            const double least = 1e-6 * (a.half_size().length() + b.half_size().length());
+            return std::abs(difference) > least ? difference < 0
+                                                : a.half_size().length() > b.half_size().length();
+        });
+    if (lowest == boxes.end()) {
+        return nullptr;
+    }
+    const double top = lowest->centre.dot(up) + reach(*lowest, up);
+    const bool bears_box = std::any_of(
+        boxes.begin(), boxes.end(), [&](const BoxFrame& box) { return box.centre.dot(up) > top; });
+    const bool bears_sphere =
+        std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
+            return object.kind == ShapeKind::sphere && object.position->dot(up) > top;
+        });
+    return bears_box || bears_sphere ? &*lowest : nullptr;
+}
+
+/// Which bodies move. The text says of boxes only that they use physics: its own example has a
+/// table, which has to stay where it is. So the ground stays, and boxes at least a quarter as long
+/// as it, such as cushions and walls.
+void choose_moving(SceneModel& scene, const std::vector<BoxFrame>& boxes, Conversion& conversion) {
+    const auto longest = [](const BoxFrame& box) {
+        const Vec3 half = box.half_size();
+        return std::max({half.x, half.y, half.z});
+    };
+    const BoxMotion motion = conversion.options.boxes;
+    const BoxFrame* base = ground(boxes, scene, conversion.axes.author_up());
+    std::set<const Object*> fixed;
+    for (const BoxFrame& box : boxes) {
+        const bool is_large = base != nullptr && longest(box) >= longest(*base) / 4;
+        if (motion == BoxMotion::fixed || (motion == BoxMotion::automatic && is_large)) {
+            fixed.insert(box.object);
+        }
+    }
+    for (Object& object : scene.objects) {
+        object.moves = object.uses_physics && fixed.count(&object) == 0;
+    }
+    for (const BoxFrame& box : boxes) {
+        const bool is_fixed = fixed.count(box.object) == 1;
+        conversion.note(owner(*box.object) +
+                        (is_fixed ? " uses physics and is fixed: others collide with it"
+                                  : " uses physics and moves") +
+                        (motion != BoxMotion::automatic ? std::string()
+                         : is_fixed                     ? "; with '--boxes dynamic' it moves"
+                                                        : "; with '--boxes fixed' it does not"));
+    }
+}
+
+/// Moves a sphere that penetrates boxes to their surfaces.
+void push_out(Object& sphere, const std::vector<BoxFrame>& boxes, Conversion& conversion) {
+    for (const BoxFrame& box : boxes) {
         const Vec3 from_centre = *sphere.position - box.centre;
-        const Vec3 nearest =
-            box.centre +
-            box.base.x *
-                std::clamp(from_centre.dot(box.base.x), -box.base.width / 2, box.base.width / 2) +
-            box.base.y * std::clamp(from_centre.dot(box.base.y), -box.base.breadth / 2,
-                                    box.base.breadth / 2) +
-            box.up * std::clamp(from_centre.dot(box.up), -heights[i] / 2, heights[i] / 2);
+        const Vec3 half = box.half_size();
+        const Vec3 nearest = box.centre +
+                             box.base.x * std::clamp(from_centre.dot(box.base.x), -half.x, half.x) +
+                             box.base.y * std::clamp(from_centre.dot(box.base.y), -half.y, half.y) +
+                             box.up * std::clamp(from_centre.dot(box.up), -half.z, half.z);
         const Vec3 way = *sphere.position - nearest;
         const double distance = way.length();
         if (distance > 1e-9 * *sphere.radius && distance < *sphere.radius) {
             const double depth = *sphere.radius - distance;
             sphere.position = nearest + way * ((1 + 1e-7) * *sphere.radius / distance);
             if (depth > 1e-6 * *sphere.radius) {
-                conversion.note(owner(sphere) + " overlapped box " + name + " by " + yaml(depth) +
-                                " and was moved out of it");
+                conversion.note(owner(sphere) + " overlapped " + owner(*box.object) + " by " +
+                                yaml(depth) + " and was moved out of it");
             }
         }
     }
@@ -171,16 +250,16 @@ std::string shape(const Object& object, Conversion& conversion) {
     return {};
 }
 
-std::string physics(const Object& object, Conversion& conversion) {
-    if (object.kind == ShapeKind::box && object.uses_physics) {
-        conversion.note("boxes that use physics became fixed objects, with which others collide");
+std::string physics(const Object& object, const Conversion& conversion) {
+    if (!object.uses_physics) {
+        return {};
+    }
+    if (!object.moves) {
         return "physics: fixed";
     }
-    if (object.uses_physics) {
-        return "physics: {material: ball, density: " + yaml(conversion.options.density) +
-               " kg/m^3}";
-    }
-    return {};
+    const char* material = object.kind == ShapeKind::sphere ? "material: ball, " : "";
+    return std::string("physics: {") + material + "density: " + yaml(conversion.options.density) +
+           " kg/m^3}";
 }
 
 void add_events(const Object& object, const std::string& name, double last_time,
@@ -210,41 +289,32 @@ void add_events(const Object& object, const std::string& name, double last_time,
 
 std::string objects_and_events(Conversion& conversion, double last_time) {
     SceneModel& scene = conversion.scene;
-    std::vector<std::pair<std::string, BoxFrame>> boxes;
-    std::vector<double> heights;
-    for (const Object& object : scene.objects) {
-        if (object.kind == ShapeKind::box && object.uses_physics) {
-            if (const std::optional<BoxFrame> box = box_frame(object, conversion)) {
-                boxes.emplace_back(quote(object.name.text), *box);
-                heights.push_back(*object.height);
-            }
-        }
-    }
+    const std::vector<BoxFrame> boxes = physical_boxes(conversion);
+    choose_moving(scene, boxes, conversion);
     std::ostringstream objects;
     std::ostringstream events;
-    Names names;
-    bool anything_moves = false;
+    Names names(names_of(scene.objects));
+    MaterialTable materials(conversion);
     for (Object& object : scene.objects) {
         if (object.kind == ShapeKind::sphere && object.uses_physics) {
-            push_out(object, boxes, heights, conversion);
-            anything_moves = true;
+            push_out(object, boxes, conversion);
         }
-        const std::string name = names.claim(object.name.text);
+        const std::string name = conversion.name("object", object.name.text, names);
         const std::string material =
-            object.material ? "material: " + conversion.material_names[*object.material] : "";
+            object.material ? "material: " + materials.use(*object.material, &object) : "";
         objects << "  " << name << ": {"
                 << joined({shape(object, conversion), material, physics(object, conversion)})
                 << "}\n";
         add_events(object, name, last_time, conversion, events);
     }
-    if (anything_moves) {
+    if (std::any_of(scene.objects.begin(), scene.objects.end(), std::mem_fn(&Object::moves))) {
         conversion.note(
             "gravity is 9.81 m/s^2, and friction and restitution are carom's defaults, because the "
             "text has none");
     }
-    std::string text;
+    std::string text = materials.section();
     if (!scene.objects.empty()) {
-        text += "objects:\n" + objects.str();
+        text = "objects:\n" + objects.str() + text;
     }
     if (!events.str().empty()) {
         text += "events:\n" + events.str();

@@ -21,20 +21,6 @@ using scene_text::Conversion;
 constexpr std::size_t kMostBytes = std::size_t{16} << 20;
 constexpr double kLongest = 3600;  // s
 
-/// Names were often written in an eight-bit encoding; bytes that are not UTF-8 become question
-/// marks.
-std::string as_utf8(std::string text) {
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t bad = config::find_invalid_utf8(std::string_view(text).substr(at));
-        if (bad == std::string_view::npos) {
-            break;
-        }
-        at += bad;
-        text[at++] = '?';
-    }
-    return text;
-}
-
 std::string comment(const std::string& line) {
     std::string text = "# " + line;
     std::replace_if(
@@ -47,7 +33,6 @@ std::string whole_text(Conversion& conversion, const std::string& name) {
     double last_time = 0;
     const std::string cameras = scene_text::cameras_section(conversion, last_time);
     const std::string objects = scene_text::objects_and_events(conversion, last_time);
-    const std::string materials = scene_text::materials_section(conversion);
     const std::string lights = scene_text::lights_section(conversion);
     const std::string render = scene_text::render_section(conversion);
     // The simulation is a little longer than the filmed interval, because the last shutter closes
@@ -62,7 +47,7 @@ std::string whole_text(Conversion& conversion, const std::string& name) {
     }
     out << "carom: 1\n"
         << "simulation: {duration: " << scene_text::yaml(duration) << " s}\n"
-        << objects << materials << lights << cameras << render;
+        << objects << lights << cameras << render;
     return out.str();
 }
 
@@ -73,7 +58,8 @@ ImportResult import_scene(const std::string& text, const std::string& name,
                           const ImportOptions& options) {
     config::SourceSet sources;
     config::ProblemList problems(sources);
-    const int source = sources.add({name, scene_folder, as_utf8(text)});
+    bool was_decoded = false;
+    const int source = sources.add({name, scene_folder, scene_text::as_utf8(text, was_decoded)});
     const std::vector<scene_text::Item> words = scene_text::tokenize(sources, source, problems);
     Conversion conversion{scene_text::read_scene(words, problems),
                           options,
@@ -84,9 +70,8 @@ ImportResult import_scene(const std::string& text, const std::string& name,
     if (conversion.scene.cameras.empty() && !problems.has_error()) {
         problems.error({source, 1, 1, 1}, "the scene has no camera");
     }
-    scene_text::Names names;
-    for (const scene_text::Material& material : conversion.scene.materials) {
-        conversion.material_names.push_back(names.claim(material.name.text));
+    if (was_decoded) {
+        conversion.note("the text is not UTF-8; it was read as Windows-1250");
     }
     ImportResult result;
     if (!problems.has_error()) {

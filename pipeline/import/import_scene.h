@@ -9,11 +9,26 @@
 
 namespace carom::pipeline {
 
+/// What the number FOV of the format means. Its manual contradicts itself.
+enum class FieldOfView {
+    distance,  // of a projection plane four units wide: the angle of view is 2 atan(2 / FOV)
+    formula,   // the manual's formula: 2 atan(FOV / 2)
+};
+
+/// Which of the boxes that use physics move.
+enum class BoxMotion {
+    automatic,  // all except the ground and large ones
+    fixed,
+    dynamic,
+};
+
 struct ImportOptions {
     double unit = 0.01;        // length of the author's unit, m; > 0
     bool is_z_up = false;      // otherwise the author's y points up and becomes z
     double force_time = 0.05;  // duration of a force, s; the format has none
-    double density = 1700;     // kg/m^3, of all moving bodies; the motion does not depend on it
+    FieldOfView field_of_view = FieldOfView::distance;
+    BoxMotion boxes = BoxMotion::automatic;
+    double density = 1700;  // kg/m^3, of all moving bodies; the motion does not depend on it
 };
 
 struct ImportResult {

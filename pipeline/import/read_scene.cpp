@@ -17,6 +17,8 @@ constexpr double kLongest = 3600;  // s, of a film or a scene
 
 /// A number of rays; 0 disables an effect.
 constexpr Limits kCount{0, 1024, true, false, true};
+/// The side of the matrix of rays in a pixel.
+constexpr Limits kSide{0, 32, true, false, true};
 constexpr Limits kTime{0, kLongest, false, false, true};
 
 }  // namespace
@@ -131,7 +133,7 @@ void SceneReader::settings(const Name& name, const Item& block) {
         .real("width", s.width, kPixels)
         .real("height", s.height, kPixels)
         .real("fps", s.fps, {0, 1000, false, true, true})
-        .real("interpolate_samples", s.interpolate_samples, kCount)
+        .real("interpolate_samples", s.interpolate_samples, kSide)
         .real("blur_samples", s.blur_samples, kCount)
         .real("blur_duration", s.blur_duration, kTime)
         .real("blur_switch_ratio", s.blur_switch_ratio, {0, 1, false, false, true})

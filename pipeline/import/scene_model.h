@@ -69,6 +69,7 @@ struct Object {
     ShapeKind kind = ShapeKind::sphere;
     std::optional<std::size_t> material;  // index of the Material
     bool uses_physics = false;
+    bool moves = false;                                   // found by the conversion
     std::optional<Vec3> normal, position, equator, pole;  // equator: `v_e`, pole: `v_n`
     std::array<std::optional<Vec3>, 3> vertices;
     Real radius, height;

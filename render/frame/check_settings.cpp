@@ -42,15 +42,15 @@ constexpr int kMostSamples = 1024;
 void check_distributed(const DistributedSettings& settings, const RayBranches& branches,
                        Problems& problems) {
     problems.go_into("distributed");
-    const auto count = [&](const char* name, int value) {
-        problems.unless_between(name, value, 1, kMostSamples);
+    const auto count = [&](const char* name, int value, int fewest = 1) {
+        problems.unless_between(name, value, fewest, kMostSamples);
     };
     count("pixel_samples", settings.pixel_samples);
     count("blur_samples", settings.blur_samples);
     count("lens_samples", settings.lens_samples);
     count("shadow_samples", settings.shadow_samples);
-    count("reflection_samples", settings.reflection_samples);
-    count("refraction_samples", settings.refraction_samples);
+    count("reflection_samples", settings.reflection_samples, 0);
+    count("refraction_samples", settings.refraction_samples, 0);
     problems.unless_between("recursion_limit", settings.recursion_limit, 0, 32);
     problems.unless_between("ambient_coefficient", settings.ambient_coefficient, 0.0, 1e6);
     problems.add_all(find_problems(settings, branches));

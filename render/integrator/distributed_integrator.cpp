@@ -195,7 +195,7 @@ V3f DistributedIntegrator::reflected_and_refracted(const Vertex& vertex, Work& w
     V3f reflectance = model.reflectance_colour(vertex.surface.base);
     V3f transmittance = model.transmittance;
     V3f sum(0, 0, 0);
-    if (!is_black(transmittance)) {
+    if (!is_black(transmittance) && settings_.refraction_samples > 0) {
         const bool from_outside = vertex.point.geometric_normal.dot(vertex.wo) >= 0;
         const float relative_index = from_outside ? model.index : 1 / model.index;
         if (const auto axis = refracted(vertex.wo, vertex.surface.frame.z, relative_index)) {
@@ -205,7 +205,7 @@ V3f DistributedIntegrator::reflected_and_refracted(const Vertex& vertex, Work& w
             reflectance += transmittance;
         }
     }
-    if (!is_black(reflectance)) {
+    if (!is_black(reflectance) && settings_.reflection_samples > 0) {
         const Lobe lobe{reflect(vertex.wo, vertex.surface.frame.z), model.reflectance_spread,
                         settings_.reflection_samples, 1, 0};
         sum += reflectance * mean_over_lobe(lobe, vertex, work);

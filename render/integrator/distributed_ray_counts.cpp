@@ -1,5 +1,7 @@
 #include "render/integrator/distributed_ray_counts.h"
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace carom::render {
@@ -14,6 +16,12 @@ std::string line(const Parts&... parts) {
     return text.str();
 }
 
+/// Whether each ray sends at most one reflected, one refracted and one shadow ray to each light.
+bool is_without_distribution(const DistributedSettings& s) {
+    return std::max({s.blur_samples, s.lens_samples, s.shadow_samples, s.reflection_samples,
+                     s.refraction_samples}) == 1;
+}
+
 }  // namespace
 
 double rays_by_classic_formula(const DistributedSettings& settings, std::size_t lights) {
@@ -26,6 +34,10 @@ double rays_by_classic_formula(const DistributedSettings& settings, std::size_t 
         sum += 2 * of_light * rays;
     }
     return static_cast<double>(settings.blur_samples) * settings.lens_samples * sum;
+}
+
+double rays_without_distribution(int generations, std::size_t lights) {
+    return 2.0 * static_cast<double>(lights) * (std::exp2(generations) - 1);
 }
 
 RayFormulas ray_formulas(const RenderStatistics& count, const RenderSettings& settings,
@@ -43,7 +55,7 @@ std::vector<std::string> describe_rays(const RenderStatistics& count,
     const auto [full, classic] = ray_formulas(count, settings, lights);
     const std::uint64_t total = count.camera_rays + count.scattered_rays + count.shadow_rays;
     const int limit = distributed.recursion_limit;
-    return {
+    std::vector<std::string> lines{
         line("rays: ", total, " = ", count.camera_rays, " camera + ", count.reflection_rays,
              " reflection + ", count.refraction_rays, " refraction + ", count.shadow_rays,
              " shadow"),
@@ -60,6 +72,14 @@ std::vector<std::string> describe_rays(const RenderStatistics& count,
         line("  it knows neither pixel samples nor fall-off, leaves out the camera rays, and "
              "counts ",
              "L S rays, not one, for each ray sent on")};
+    if (limit > 0 && is_without_distribution(distributed)) {
+        const double pixels = static_cast<double>(count.camera_rays) / camera_samples(distributed);
+        lines.push_back(line("by the classic formula without distribution: ",
+                             pixels * rays_without_distribution(limit, lights),
+                             " = pixels x 2 L (2^", limit,
+                             " - 1); the camera rays are the first generation"));
+    }
+    return lines;
 }
 
 }  // namespace carom::render

@@ -16,6 +16,10 @@ namespace carom::render {
 [[nodiscard]] double rays_by_classic_formula(const DistributedSettings& settings,
                                              std::size_t lights);
 
+/// The same text's estimate for one pixel without distribution (its section 6.1): 2 L (2^r - 1),
+/// where the camera's ray is the first of r generations.
+[[nodiscard]] double rays_without_distribution(int generations, std::size_t lights);
+
 /// Numbers of rays predicted for the camera rays that were counted, in any number of frames.
 struct RayFormulas {
     double full = 0;     // if every surface reflected and refracted

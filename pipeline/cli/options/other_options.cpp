@@ -87,6 +87,16 @@ void describe(ImportCommand& command, CommandDescription& description) {
         .option("--up", &command.up, "AXIS", "The axis that points up: y (the default) or z.")
         .one_of({"y", "z"});
     description
+        .option("--fov", &command.fov, "MEANING",
+                "What the number FOV means: the distance of a plane four units wide (distance, the "
+                "default), or the manual's formula 2 atan(FOV / 2) (formula).")
+        .one_of({"distance", "formula"});
+    description
+        .option("--boxes", &command.boxes, "MOTION",
+                "Which boxes with use_physics move: all but the ground and large ones (auto, the "
+                "default), none (fixed) or all (dynamic).")
+        .one_of({"auto", "fixed", "dynamic"});
+    description
         .option("--force-time", &command.force_time, "S",
                 "How long each force acts, in seconds (default 0.05). The older format does not "
                 "define it.")

@@ -141,6 +141,7 @@ const MapSpec<DistributedSettings>& distributed_spec() {
             "distributed",
             "Numbers of rays of the distributed integrator. A count of 1 switches its effect off.");
         const auto count = integer(1, 1024);
+        const auto count_or_none = integer(0, 1024);
         s.key("pixel_samples", &DistributedSettings::pixel_samples, count,
               "samples over the pixel filter");
         s.key("blur_samples", &DistributedSettings::blur_samples, count,
@@ -149,10 +150,10 @@ const MapSpec<DistributedSettings>& distributed_spec() {
               "samples over the lens, for each of these");
         s.key("shadow_samples", &DistributedSettings::shadow_samples, count,
               "shadow rays per light and shaded point");
-        s.key("reflection_samples", &DistributedSettings::reflection_samples, count,
-              "rays per shaded point, if the surface spreads them");
-        s.key("refraction_samples", &DistributedSettings::refraction_samples, count,
-              "rays per shaded point, if the surface spreads them");
+        s.key("reflection_samples", &DistributedSettings::reflection_samples, count_or_none,
+              "reflected rays per shaded point, if the surface spreads them; 0 for no reflection");
+        s.key("refraction_samples", &DistributedSettings::refraction_samples, count_or_none,
+              "refracted rays per shaded point, if the surface spreads them; 0 for no refraction");
         s.key("recursion_limit", &DistributedSettings::recursion_limit, integer(0, 32),
               "largest number of generations of rays after the camera ray");
         s.key("falloff", &DistributedSettings::falloff, boolean(),

@@ -326,6 +326,30 @@ TEST_F(LightCommands, ImportOfAnInvalidScene_ReportsPlacesWithExitCode2) {
     EXPECT_FALSE(exists("scene.yaml"));
 }
 
+TEST_F(LightCommands, ImportWithMeaningsOfFovAndBoxes_WritesOtherShots) {
+    const std::string scene = CAROM_SOURCE_DIR "/tests/examples/sample_scene.txt";
+    const RunResult usual = run({"import", scene, "-o", "-"});
+    EXPECT_THAT(usual.out, HasSubstr("physics: fixed"));
+    const RunResult formula = run({"import", scene, "--fov", "formula", "-o", "-"});
+    EXPECT_THAT(formula.out, HasSubstr("fov: [73.7397953 deg, 96.7329"));
+    const RunResult moving = run({"import", scene, "--boxes", "dynamic", "-o", "-"});
+    EXPECT_THAT(moving.out, Not(HasSubstr("physics: fixed")));
+    EXPECT_EQ(run({"import", scene, "--boxes", "some", "-o", "-"}).exit_code, 2);
+}
+
+TEST_F(LightCommands, CommandsForAnOlderScene_NameImport) {
+    write_text(path("scene.txt"), "\r\n settings Main{ width 64 }\n");
+    write_text(path("shot.yaml"), "carom: 1\ninclude: scene.txt\n");
+    for (const char* command : {"check", "bake", "render", "frame", "plan", "info", "report"}) {
+        const RunResult result = run({command, "scene.txt"});
+        EXPECT_EQ(result.exit_code, 2) << command;
+        EXPECT_THAT(result.err, HasSubstr("convert it with 'carom import scene.txt'")) << command;
+    }
+    const RunResult included = run({"check", "shot.yaml"});
+    EXPECT_EQ(included.exit_code, 2);
+    EXPECT_THAT(included.err, HasSubstr("convert it with 'carom import scene.txt'"));
+}
+
 TEST_F(LightCommands, ImportOverItsOwnScene_IsRejected) {
     write_text(path("scene.txt"), "camera C { }\n");
     const RunResult result = run({"import", "scene.txt", "-o", "scene.txt"});

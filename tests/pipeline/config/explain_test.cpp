@@ -156,7 +156,7 @@ void expect_defaults_are_accepted(const LoadResult& original) {
 
 TEST(ExplainedDefaults, OfExamples_AreAccepted) {
     int count = 0;
-    for (const char* folder : {"/examples", "/examples/gallery"}) {
+    for (const char* folder : {"/examples", "/examples/gallery", "/examples/texts"}) {
         for (const auto& entry :
              std::filesystem::directory_iterator(std::string(CAROM_SOURCE_DIR) + folder)) {
             if (entry.path().extension() == ".yaml" &&

@@ -6,9 +6,14 @@
 #include <filesystem>
 #include <fstream>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include "pipeline/camera/frame_plan.h"
 #include "pipeline/config/load_shot.h"
+#include "render/integrator/distributed_ray_counts.h"
+#include "sim/bake.h"
 
 namespace carom::pipeline {
 namespace {
@@ -81,15 +86,23 @@ TEST(ImportSample, Cameras_BecomeRigs) {
     EXPECT_EQ(forward.focus.start.distance, 0.6);
     EXPECT_EQ(forward.focus.end.distance, 0.5);
     EXPECT_EQ(forward.aperture.start.value, 0.0015);
-    // 320 x 240 pixels on a plane at distance 2 that is one unit wide and 0.75 high.
-    EXPECT_NEAR(std::tan(forward.fov.start / 2), 0.375 / 2, 1e-9);
-    EXPECT_NEAR(std::tan(forward.fov.end / 2), 0.375 / 3, 1e-9);
+    // 320 x 240 pixels on a plane at distance 2 that is four units wide and three high.
+    EXPECT_NEAR(std::tan(forward.fov.start / 2), 1.5 / 2, 1e-9);
+    EXPECT_NEAR(std::tan(forward.fov.end / 2), 1.5 / 3, 1e-9);
     const CameraRig& backward = shot.cameras[1];
     EXPECT_EQ(backward.video_start, Rational(2));
     EXPECT_EQ(backward.time_map.scene_start, Rational(2));
     EXPECT_EQ(backward.time_map.scene_end, Rational(0));
     EXPECT_FALSE(backward.focus.start.distance);
     EXPECT_EQ(backward.focus.start.object, "");  // on the target
+}
+
+TEST(ImportSample, FovByTheFormula_GrowsWithTheNumber) {
+    ImportOptions options;
+    options.field_of_view = FieldOfView::formula;
+    const CameraRig forward = sample(options).cameras[0];
+    EXPECT_NEAR(std::tan(forward.fov.start / 2), 0.75 * 2 / 2, 1e-9);
+    EXPECT_NEAR(std::tan(forward.fov.end / 2), 0.75 * 3 / 2, 1e-9);
 }
 
 TEST(ImportSample, SkyVectors_BecomeUpAndRoll) {
@@ -120,7 +133,7 @@ TEST(ImportSample, Settings_BecomeDistributedIntegratorSettings) {
     EXPECT_EQ(rays.lens_samples, 8);
     EXPECT_EQ(rays.shadow_samples, 4);
     EXPECT_EQ(rays.reflection_samples, 2);
-    EXPECT_EQ(rays.refraction_samples, 1);
+    EXPECT_EQ(rays.refraction_samples, 1);  // 0 in the text, but Amber refracts
     EXPECT_EQ(rays.recursion_limit, 2);
     EXPECT_EQ(rays.ambient_coefficient, 0.12);
     EXPECT_EQ(shot.output.view, ViewTransform::raw);
@@ -185,11 +198,11 @@ TEST(Import, PointLight_GivesItsColourAtEveryDistance) {
 }
 
 TEST(Import, BoxesAndRectangles_FollowTheirVertices) {
-    const Shot shot = shot_of(
-        kCamera +
-        "box B { vertex0 { 10 0 0 } vertex1 { 13 4 0 } vertex2 { 0 0 20 } heigth 2 use_physics 1 }"
-        "rectangle R { vertex0 { 1 1 1 } position1 { 1 5 1 } vertex2 { 3 2 1 } }"
-        "plane P { normal { 1 0 0 } position { -3 0 0 } }");
+    const Shot shot =
+        shot_of(kCamera +
+                "box B { vertex0 { 10 0 0 } vertex1 { 13 4 0 } vertex2 { 0 0 20 } heigth 2 }"
+                "rectangle R { vertex0 { 1 1 1 } position1 { 1 5 1 } vertex2 { 3 2 1 } }"
+                "plane P { normal { 1 0 0 } position { -3 0 0 } }");
     const auto& box = object(shot, "B");
     const Vec3 half = std::get<render::BoxShape>(box.shape).size / 2;
     EXPECT_NEAR_VEC(half * 2, Vec3(0.05, std::sqrt(464) * 0.01, 0.02), 1e-8);
@@ -260,34 +273,238 @@ TEST(Import, MissingImages_AreReplacedByTheColourAndNoted) {
     EXPECT_EQ(std::get<Vec3>(shot.scene.materials[0].phong->diffuse), Vec3(1, 0, 0));
 }
 
-TEST(Import, Images_RepeatAccordingToTheirScale) {
-    const auto folder = std::filesystem::temp_directory_path() / "carom_import_test";
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder / "ball.tga") << "any";
-    const ImportResult result =
-        import_scene(kCamera +
-                         "texture T { filename ball.tga } phong_info P { diffuse { 1 0 0 } } "
-                         "material_texture M { phong_info P texture T scale_U 0.5 scale_V -1 } "
-                         "sphere S { position { 0 0 0 } radius 1 material M }",
-                     "scene.txt", folder.string(), folder.string());
-    const LoadResult shot = load_shot_text(result.yaml, (folder / "shot.yaml").string());
-    ASSERT_TRUE(shot.shot);
-    const auto& image =
-        std::get<render::ImageTexture>(shot.shot->scene.materials[0].phong->diffuse);
+/// A shot with a picture of the given scale on objects, and the note of its import.
+class PictureImport {
+  public:
+    explicit PictureImport(const std::string& scale, const std::string& objects, double unit = 0.01)
+        : folder_(std::filesystem::temp_directory_path() /
+                  ("carom_import_test_" + std::to_string(getpid()))) {
+        std::filesystem::create_directories(folder_);
+        std::ofstream(folder_ / "ball.tga") << "any";
+        ImportOptions options;
+        options.unit = unit;
+        result = import_scene(kCamera +
+                                  "texture T { filename ball.tga } phong_info P { diffuse { 1 0 0 "
+                                  "} } material_texture M { phong_info P texture T " +
+                                  scale + " }" + objects,
+                              "scene.txt", folder_.string(), folder_.string(), options);
+        const LoadResult loaded = load_shot_text(result.yaml, (folder_ / "shot.yaml").string());
+        EXPECT_TRUE(loaded.shot) << result.yaml;
+        shot = loaded.shot.value_or(Shot{});
+    }
+    ~PictureImport() { std::filesystem::remove_all(folder_); }
+    PictureImport(const PictureImport&) = delete;
+    PictureImport& operator=(const PictureImport&) = delete;
+
+    [[nodiscard]] render::ImageTexture on(const std::string& name) const {
+        for (const render::MaterialDescription& material : shot.scene.materials) {
+            if (material.name == object(shot, name).material) {
+                return std::get<render::ImageTexture>(material.phong->diffuse);
+            }
+        }
+        throw std::runtime_error("no material on " + name);
+    }
+
+    ImportResult result;
+    Shot shot;
+
+  private:
+    std::filesystem::path folder_;
+};
+
+TEST(Import, ImagesOnSpheres_RepeatAccordingToTheirScale) {
+    const PictureImport imported("scale_U 0.5 scale_V -1",
+                                 "sphere S { position { 0 0 0 } radius 1 material M }");
+    const render::ImageTexture image = imported.on("S");
     EXPECT_EQ(image.scale, Vec2(2, 1));
     EXPECT_TRUE(image.is_linear);
-    EXPECT_NE(result.yaml.find("file: \"ball.tga\""), std::string::npos);
-    std::filesystem::remove_all(folder);
+    EXPECT_NE(imported.result.yaml.find("file: \"ball.tga\""), std::string::npos);
+}
+
+TEST(Import, ImagesOnFlatShapes_SpanTheirScaleInUnits) {
+    const PictureImport imported(
+        "scale_U 20 scale_V 10",
+        "sphere S { position { 0 0 0 } radius 1 material M }"
+        "plane P { normal { 0 1 0 } position { 0 0 0 } material M }"
+        "rectangle R { vertex0 { 0 0 0 } vertex1 { 20 0 0 } vertex2 { 20 10 0 } material M }"
+        "box B { vertex0 { 0 0 0 } vertex1 { 20 0 0 } vertex2 { 20 0 10 } height 2 material M }",
+        0.02);
+    EXPECT_FALSE(imported.on("S").size);
+    EXPECT_EQ(imported.on("S").scale, Vec2(0.05, 0.1));
+    for (const char* name : {"P", "R", "B"}) {
+        ASSERT_TRUE(imported.on(name).size) << name;
+        EXPECT_NEAR(imported.on(name).size->x, 0.4, 1e-9) << name;
+        EXPECT_NEAR(imported.on(name).size->y, 0.2, 1e-9) << name;
+        EXPECT_EQ(object(imported.shot, name).material, "M_on_plane") << name;
+    }
+    EXPECT_TRUE(has_note(imported.result, "in units of the scene"));
+}
+
+TEST(Import, ImagesWithoutScale_CoverTheirRectangle) {
+    const PictureImport imported(
+        "scale_V 5",
+        "rectangle R { vertex0 { 0 0 0 } vertex1 { 20 0 0 } vertex2 { 3 10 0 } material M }"
+        "rectangle Q { vertex0 { 0 0 0 } vertex1 { 40 0 0 } vertex2 { 3 10 0 } material M }");
+    EXPECT_NEAR(imported.on("R").size->x, 0.2, 1e-9);
+    EXPECT_NEAR(imported.on("R").size->y, 0.05, 1e-9);
+    EXPECT_NEAR(imported.on("Q").size->x, 0.4, 1e-9);
 }
 
 TEST(Import, InvalidNames_AreChanged) {
-    const Shot shot = shot_of(kCamera +
-                              "sphere 8ball! { position { 0 0 0 } radius 1 }"
-                              "sphere 8ball? { position { 0 5 0 } radius 1 }"
-                              "sphere all { position { 0 9 0 } radius 1 }");
+    const ImportResult result = import_scene(kCamera +
+                                                 "sphere 8ball! { position { 0 0 0 } radius 1 }"
+                                                 "sphere 8ball? { position { 0 5 0 } radius 1 }"
+                                                 "sphere all { position { 0 9 0 } radius 1 }",
+                                             "scene.txt", "/nowhere", "/nowhere");
+    EXPECT_TRUE(has_note(result, "object '8ball?' is called n_8ball__2 in the shot"));
+    const Shot shot = shot_of(result);
     EXPECT_EQ(object(shot, "n_8ball_").name, "n_8ball_");
     EXPECT_EQ(object(shot, "n_8ball__2").name, "n_8ball__2");
     EXPECT_EQ(object(shot, "n_all").name, "n_all");
+}
+
+std::string sphere_text(const std::string& name) {
+    return "sphere " + name + " { position { 0 0 0 } radius 1 }\n";
+}
+
+std::vector<std::string> object_names(const ImportResult& result) {
+    std::vector<std::string> names;
+    for (const render::ObjectDescription& object : shot_of(result).scene.objects) {
+        names.push_back(object.name);
+    }
+    return names;
+}
+
+TEST(Import, Accents_AreLeftOut_AndNamesStayDifferent) {
+    const ImportResult result =
+        import_scene(kCamera + sphere_text("skleněný_materiál") + sphere_text("kč") +
+                         sphere_text("kř") + sphere_text("Größe") + sphere_text("kc") +
+                         sphere_text("шар") + sphere_text("мяч") + sphere_text("A\u0301bc"),
+                     "scene.txt", "/nowhere", "/nowhere");
+    EXPECT_THAT(object_names(result), testing::ElementsAre("skleneny_material", "kc_2", "kr",
+                                                           "Grosse", "kc", "___", "____2", "Abc"));
+    EXPECT_TRUE(has_note(result, "object 'kč' is called kc_2 in the shot"));
+    EXPECT_FALSE(has_note(result, "object 'kc' "));
+}
+
+TEST(Import, TextsThatAreNotUtf8_AreReadAsWindows1250) {
+    // "kč" and "kř" in Windows-1250, whose second letters are not UTF-8.
+    const ImportResult result = import_scene(kCamera + sphere_text("k\xe8") + sphere_text("k\xf8"),
+                                             "scene.txt", "/nowhere", "/nowhere");
+    EXPECT_THAT(object_names(result), testing::ElementsAre("kc", "kr"));
+    EXPECT_TRUE(has_note(result, "it was read as Windows-1250"));
+}
+
+const sim::Body* find_body(const Shot& shot, const std::string& name) {
+    const auto found = std::ranges::find(shot.world.bodies, name, &sim::Body::name);
+    return found == shot.world.bodies.end() ? nullptr : &*found;
+}
+
+bool is_moving(const Shot& shot, const std::string& name) {
+    const sim::Body* body = find_body(shot, name);
+    EXPECT_NE(body, nullptr) << name;
+    return body != nullptr && body->kind == sim::BodyKind::dynamic;
+}
+
+const std::string kTable =
+    "box Table { vertex0 { 0 -5 0 } vertex1 { 200 -5 0 } vertex2 { 200 -5 100 } heigth 5 "
+    "use_physics 1 }\n"
+    "box Cushion { vertex0 { 0 0 0 } vertex1 { 90 0 0 } vertex2 { 90 0 4 } height 4 use_physics 1 "
+    "}\n"
+    "box Crate { vertex0 { 20 30 50 } vertex1 { 30 30 50 } vertex2 { 30 30 60 } height 8 "
+    "use_physics 1 }\n"
+    "box Shelf { vertex0 { 20 60 50 } vertex1 { 30 60 50 } vertex2 { 30 60 60 } height 8 }\n";
+
+TEST(Import, BoxesThatUsePhysics_MoveUnlessTheyAreTheGroundOrLarge) {
+    const Shot shot = shot_of(kCamera + kTable);
+    EXPECT_FALSE(is_moving(shot, "Table"));
+    EXPECT_FALSE(is_moving(shot, "Cushion"));
+    EXPECT_TRUE(is_moving(shot, "Crate"));
+    EXPECT_EQ(find_body(shot, "Shelf"), nullptr);
+    const sim::Timeline timeline = sim::bake(shot.world);
+    EXPECT_LT(timeline.find("Crate")->sample(1).position.z, 0.05);  // it fell onto the table
+    const ImportResult result = import_scene(kCamera + kTable, "scene.txt", "/nowhere", "/nowhere");
+    EXPECT_TRUE(has_note(result, "box 'Table' uses physics and is fixed"));
+    EXPECT_TRUE(has_note(result, "box 'Crate' uses physics and moves"));
+}
+
+TEST(Import, BoxesByOption_AllMoveOrNone) {
+    ImportOptions options;
+    options.boxes = BoxMotion::fixed;
+    EXPECT_FALSE(is_moving(shot_of(kCamera + kTable, options), "Crate"));
+    options.boxes = BoxMotion::dynamic;
+    EXPECT_TRUE(is_moving(shot_of(kCamera + kTable, options), "Table"));
+}
+
+TEST(Import, ABoxWithNothingAbove_Falls) {
+    const Shot shot = shot_of(
+        kCamera +
+        "box B { vertex0 { 0 10 0 } vertex1 { 4 10 0 } vertex2 { 4 10 4 } height 4 use_physics 1 }"
+        "plane P { normal { 0 1 0 } position { 0 0 0 } }");
+    EXPECT_TRUE(is_moving(shot, "B"));
+}
+
+TEST(Import, InterpolateSamples_AreTheSideOfASquare) {
+    EXPECT_EQ(
+        shot_of(kCamera + "settings S { interpolate_samples 3 }").render.distributed.pixel_samples,
+        9);
+    EXPECT_EQ(
+        shot_of(kCamera + "settings S { interpolate_samples 0 }").render.distributed.pixel_samples,
+        1);
+}
+
+TEST(Import, CountsOfZero_SendNoRaysIfNothingReflectsOrRefracts) {
+    const std::string settings =
+        "settings S { diffuse_reflection_samples 0 diffuse_refraction_samples 0 }";
+    const auto rays = [&](const std::string& phong) {
+        return shot_of(kCamera + settings + "phong_info P { " + phong + " }").render.distributed;
+    };
+    EXPECT_EQ(rays("").reflection_samples, 0);
+    EXPECT_EQ(rays("").refraction_samples, 0);
+    EXPECT_EQ(rays("reflectance 0.1").reflection_samples, 1);
+    EXPECT_EQ(rays("refraction 0.1").refraction_samples, 1);
+}
+
+/// In how many pictures of the film the whole sphere is within the frame.
+int frames_with_whole_sphere(const Shot& shot, const std::string& name, double radius) {
+    const sim::Timeline timeline = sim::bake(shot.world);
+    const double aspect = static_cast<double>(shot.render.width) / shot.render.height;
+    int count = 0;
+    for (std::int64_t n = 0; n < frame_count(shot.cameras, shot.timing); ++n) {
+        const PlannedFrame frame = plan_frame(n, shot.cameras, shot.timing, timeline);
+        const render::CameraState& camera = frame.camera_open;
+        const Vec3 forward = (camera.target - camera.position).normalized();
+        const Vec3 right = forward.cross(camera.up).normalized();
+        const Vec3 way = timeline.find(name)->sample(frame.scene_time).position - camera.position;
+        const double depth = way.dot(forward);
+        const double tangent = std::tan(camera.vertical_fov / 2);
+        // The distances of the centre from the side and the top of the field of view.
+        const auto inside = [&](const Vec3& axis, double half) {
+            return (half * depth - std::abs(way.dot(axis))) / std::hypot(1, half) >= radius;
+        };
+        count += inside(right, tangent * aspect) && inside(right.cross(forward), tangent) ? 1 : 0;
+    }
+    return count;
+}
+
+TEST(ImportOfTheManualsExample, ShowsItsBallByBothMeaningsOfFov) {
+    const std::string scene = CAROM_SOURCE_DIR "/examples/texts/manual.txt";
+    const Shot shot = shot_of(import_scene_file(scene, "/nowhere"));
+    EXPECT_EQ(frame_count(shot.cameras, shot.timing), 16);
+    EXPECT_EQ(frames_with_whole_sphere(shot, "BallRed", 0.04), 6);
+    EXPECT_FALSE(is_moving(shot, "ground"));
+    ImportOptions options;
+    options.field_of_view = FieldOfView::formula;
+    const Shot wide = shot_of(import_scene_file(scene, "/nowhere", options));
+    EXPECT_EQ(frames_with_whole_sphere(wide, "BallRed", 0.04), 7);
+}
+
+TEST(ImportOfTheManualsExample, HasTheNumberOfRaysOfItsFormula) {
+    const Shot shot =
+        shot_of(import_scene_file(CAROM_SOURCE_DIR "/examples/texts/manual.txt", "/nowhere"));
+    // Formula 6.2: 32 x 18 (2 + 2 x 2 x (2 + 0)) for each pixel.
+    EXPECT_EQ(render::rays_by_classic_formula(shot.render.distributed, shot.scene.lights.size()),
+              32 * 18 * 10);
 }
 
 TEST(Import, GapsInTheFilm_AreClosed) {

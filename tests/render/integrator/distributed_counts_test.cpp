@@ -80,6 +80,21 @@ TEST(RayCounts, WithFallOff_HalveWithEachGeneration) {
     EXPECT_EQ(rays_per_camera_ray(settings, 2), 9 + 5 * 5 + 15 * 3);
 }
 
+TEST(RayCounts, OfZero_SendNoSuchRays) {
+    DistributedSettings settings = many();
+    settings.refraction_samples = 0;
+    RenderStatistics count = sum_of(boxes_in_boxes(), settings, 200);
+    EXPECT_EQ(count.refraction_rays, 0u);
+    EXPECT_EQ(count.scattered_rays, 200u * (2 + 4));
+    EXPECT_EQ(rays_per_camera_ray(settings, 2), (1 + 2 + 4) * 9);
+    settings = many();
+    settings.reflection_samples = 0;
+    settings.falloff = true;
+    count = sum_of(boxes_in_boxes(), settings, 200);
+    EXPECT_EQ(count.reflection_rays, 0u);
+    EXPECT_EQ(count.refraction_rays, 200u * (3 + 3 * 2));  // halved
+}
+
 TEST(RayCounts, WithoutSpread_OneRayIsEnough) {
     PhongMaterial mirror;
     mirror.reflectance = grey(0.5);
@@ -119,6 +134,22 @@ TEST(RayCounts, ClassicFormula_GivesTheTablesOfItsText) {
     EXPECT_NEAR(rays(100, 100, 2, 1, 0, 1), 57e9, 1e9);
     EXPECT_NEAR(rays(100, 100, 2, 2, 0, 2), 249e9, 1e9);
     EXPECT_NEAR(rays(100, 100, 8, 4, 4, 2), 11e12, 0.2e12);
+}
+
+TEST(RayCounts, ClassicFormulaWithoutDistribution_GivesTheTableOfItsText) {
+    // Table 1 of the text: 800 x 600, two lights.
+    const auto rays = [](int limit) { return 800.0 * 600.0 * rays_without_distribution(limit, 2); };
+    EXPECT_NEAR(rays(2), 6e6, 0.3e6);
+    EXPECT_NEAR(rays(10), 2e9, 0.1e9);
+    EXPECT_NEAR(rays(20), 2e12, 0.1e12);
+    RenderStatistics count;
+    count.camera_rays = 800 * 600 * 4;
+    RenderSettings settings;
+    settings.distributed = test::whitted(2);
+    settings.distributed.pixel_samples = 4;
+    EXPECT_EQ(describe_rays(count, settings, 2).back(),
+              "by the classic formula without distribution: 5.76e+06 = pixels x 2 L (2^2 - 1); the "
+              "camera rays are the first generation");
 }
 
 TEST(RayCounts, AsText_StandBesideBothFormulas) {
