@@ -1,9 +1,12 @@
 // Tests of the words for the condition of the table, the balls and the stick.
 #include "pipeline/config/conditions.h"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numbers>
+#include <utility>
 
 #include <gmock/gmock.h>
 
@@ -140,6 +143,21 @@ TEST(Conditions, Cushion_TakesSingleNumbersBesideAWord) {
     const sim::BallCushion steeper = cushion("mathavan2010: {restitution: {by: 0.2}}");
     EXPECT_EQ(steeper.restitution, 0.83);
     EXPECT_EQ(steeper.fall, (sim::RestitutionFall{1.9, 0.2, 0.6}));
+}
+
+TEST(Conditions, CaromBalls_ThrowAsMeasured) {
+    const sim::BallBall carom = struck("include: balls/carom.yaml\n").world.contact_law.ball_ball;
+    const sim::BallBall pool = struck("include: balls/pool.yaml\n").world.contact_law.ball_ball;
+    EXPECT_EQ(pool.friction_factor, 1);
+    EXPECT_EQ(carom.restitution, pool.restitution);
+    // A rolling ball slips at its speed; of the friction, the sine of the cut angle is horizontal.
+    const double slip = 0.8;
+    const double friction = carom.friction_factor * (0.009951 + 0.108 * std::exp(-1.088 * slip));
+    for (const auto& [cut, measured] :
+         {std::pair{10, 1.3}, {20, 2.2}, {30, 2.9}, {45, 4.1}, {60, 4.7}, {70, 5.5}}) {
+        const double degree = std::numbers::pi / 180;
+        EXPECT_NEAR(std::atan(friction * std::sin(cut * degree)) / degree, measured, 0.35) << cut;
+    }
 }
 
 TEST(Conditions, Override_ChangesTheWord) {
