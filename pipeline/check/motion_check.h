@@ -10,6 +10,8 @@
 #include "pipeline/config/shot_source.h"
 #include "pipeline/shot/shot.h"
 #include "sim/timeline/timeline.h"
+#include "sound/mix/added_sound.h"
+#include "sound/sound_scene.h"
 
 namespace carom::pipeline {
 
@@ -37,11 +39,13 @@ namespace carom::pipeline {
 [[nodiscard]] std::vector<Problem> sound_problems(const Shot& shot, const ShotSource* source,
                                                   const sim::Timeline& timeline);
 
-/// A warning if the shot asks for a loudness for which the limiter turns the loudest sounds down by
-/// more than 12 dB. Mixes the film's whole sound three times, 0.2 CPU s for each 10 s of film.
-/// `source`: as above. Throws Stopped.
-[[nodiscard]] std::vector<Problem> loudness_problems(const Shot& shot, const ShotSource* source,
-                                                     const sim::Timeline& timeline,
+/// A warning if the film does not reach the loudness that it asks for, or only if the limiter turns
+/// its loudest sounds down by more than 12 dB. `music`: of the film; empty: none. Hears the whole
+/// film some six times. `source`: of the shot that asks, as above. Throws Stopped, and what the
+/// music throws.
+[[nodiscard]] std::vector<Problem> loudness_problems(const sound::SoundScene& film,
+                                                     const ShotSource* source,
+                                                     const sound::AddedSound& music = {},
                                                      const WorkContext& context = {});
 
 /// Warnings about cameras that are inside a ball, that are focused on an object behind them, that

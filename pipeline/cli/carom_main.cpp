@@ -35,7 +35,7 @@ int report(const carom::Error& error) {
 }
 
 /// Returns only if it fails.
-int exec_other_program(Program program, char** arguments) {
+int exec_other_program(const std::string& name, char** arguments) {
     if (!has_address_space()) {
         std::fputs(
             "carom: error: there is not enough memory: the renderer's libraries need 512 MiB of "
@@ -44,10 +44,7 @@ int exec_other_program(Program program, char** arguments) {
         return kFailed;
     }
     try {
-        exec_program(program == Program::film  ? "carom-film"
-                     : program == Program::lab ? "carom-lab"
-                                               : "carom-studio",
-                     arguments);
+        exec_program(name, arguments);
     } catch (const carom::Error& error) {
         return report(error);
     }
@@ -84,7 +81,19 @@ int main(int argument_count, char** arguments) {
     }
     const auto& line = std::get<CommandLine>(parsed);
     if (const Program program = program_of(line.command); program != Program::carom) {
-        return exec_other_program(program, arguments);
+        return exec_other_program(program == Program::film  ? "carom-film"
+                                  : program == Program::lab ? "carom-lab"
+                                                            : "carom-studio",
+                                  arguments);
     }
-    return run_command(line, run_here<Program::carom>);
+    std::optional<std::string> other;  // program that is needed, as the shot says
+    const ExitCode exit_code =
+        run_command(line, [&other](const Command& command, CommandContext& context) {
+            try {
+                run_here<Program::carom>(command, context);
+            } catch (const NeedsProgram& needed) {
+                other = needed.name();
+            }
+        });
+    return other ? exec_other_program(*other, arguments) : exit_code;
 }

@@ -1,15 +1,20 @@
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <optional>
 
 #include <fmt/core.h>
 
+#include "pipeline/camera/frame_plan.h"
 #include "pipeline/check/motion_check.h"
+#include "pipeline/cli/film_music.h"
 #include "pipeline/cli/quick_bake.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/sequence_input.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/config/load_shot.h"
+#include "pipeline/sequence/sequence_scene.h"
+#include "pipeline/sound/film_scene.h"
 #include "pipeline/video/video_format.h"
 
 namespace carom::cli {
@@ -18,15 +23,16 @@ namespace {
 
 using pipeline::Problem;
 
-void check_motion(ShotInput& input, const CheckCommand& command, CommandContext& context,
-                  std::vector<Problem>& problems) {
-    const std::optional<sim::Bake> bake = quick_bake(input, command.cache.folder, context);
+/// Returns the bake, unless it takes too long.
+std::optional<sim::Bake> check_motion(ShotInput& input, const CheckCommand& command,
+                                      CommandContext& context, std::vector<Problem>& problems) {
+    std::optional<sim::Bake> bake = quick_bake(input, command.cache.folder, context);
     if (!bake) {
         context.console.info(
             fmt::format("the motion was not checked, because simulating it takes more than {} "
                         "million steps; to check it, run 'carom bake' first",
                         kMostQuickSteps / 1'000'000));
-        return;
+        return bake;
     }
     const auto add = [&](std::vector<Problem> found) {
         std::move(found.begin(), found.end(), std::back_inserter(problems));
@@ -44,11 +50,62 @@ void check_motion(ShotInput& input, const CheckCommand& command, CommandContext&
     if (!pipeline::has_open_moments(input.shot)) {
         add(pipeline::camera_problems(input.shot, input.source.get(), bake->timeline));
         add(pipeline::sound_problems(input.shot, input.source.get(), bake->timeline));
-        WorkContext mixing;
-        mixing.stop = context.stop;
-        add(pipeline::loudness_problems(input.shot, input.source.get(), bake->timeline, mixing));
     }
     add(pipeline::annotation_problems(input.shot, input.source.get(), bake->timeline));
+    return bake;
+}
+
+bool asks_for_loudness(const pipeline::Shot& shot) {
+    return !shot.sound.is_silent && shot.sound.loudness;
+}
+
+/// `source`: of the shot that asks for a loudness.
+void check_loudness(const sound::SoundScene& film, const pipeline::OutputSettings& output,
+                    const pipeline::ShotSource* source, const CommandContext& context,
+                    std::vector<Problem>& problems) {
+    sound::AddedSound music;
+    try {
+        if (output.music) {
+            music = context.music(*output.music, film.frames);
+        }
+    } catch (const Error& error) {
+        problems.push_back(
+            source->problem_at({"output", "music"}, pipeline::Severity::error, error.what()));
+        return;
+    }
+    std::vector<Problem> found =
+        pipeline::loudness_problems(film, source, music, {{}, context.stop});
+    std::move(found.begin(), found.end(), std::back_inserter(problems));
+}
+
+void check_loudness(const ShotInput& input, const sim::Bake& bake, const CommandContext& context,
+                    std::vector<Problem>& problems) {
+    const pipeline::Shot& shot = input.shot;
+    if (asks_for_loudness(shot) && !pipeline::has_open_moments(shot)) {
+        check_loudness(pipeline::film_scene(shot, bake.timeline, 0,
+                                            pipeline::frame_count(shot.cameras, shot.timing)),
+                       shot.output, input.source.get(), context, problems);
+    }
+}
+
+/// A film of several shots has one loudness: that of the first shot that asks for one.
+void check_loudness(const pipeline::Sequence& film,
+                    const std::map<std::size_t, std::optional<sim::Bake>>& bakes,
+                    const CommandContext& context, std::vector<Problem>& problems) {
+    std::map<std::size_t, const sim::Timeline*> timelines;
+    const pipeline::ShotPart* asks = nullptr;
+    for (const auto& [i, bake] : bakes) {
+        const auto& part = std::get<pipeline::ShotPart>(film.parts[i].content);
+        if (!bake || pipeline::has_open_moments(part.shot)) {
+            return;
+        }
+        timelines[i] = &bake->timeline;
+        asks = asks == nullptr && asks_for_loudness(part.shot) ? &part : asks;
+    }
+    if (asks != nullptr) {
+        check_loudness(pipeline::sequence_scene(film, timelines, 0, film.frames()), film.output,
+                       asks->source.get(), context, problems);
+    }
 }
 
 /// Checks the size for the film that `carom render` writes by default. It is a warning, because
@@ -70,7 +127,12 @@ std::vector<Problem> problems_of_shot(const CheckCommand& command, CommandContex
     if (checked.input) {
         check_film_file(*checked.input, problems);
         if (!command.quick && !pipeline::has_errors(problems)) {
-            check_motion(*checked.input, command, context, problems);
+            if (asks_for_loudness(checked.input->shot)) {
+                require_decoder(checked.input->shot.output, context);
+            }
+            if (const auto bake = check_motion(*checked.input, command, context, problems)) {
+                check_loudness(*checked.input, *bake, context, problems);
+            }
         }
     }
     return std::move(problems);
@@ -82,12 +144,23 @@ std::vector<Problem> problems_of_sequence(const CheckCommand& command, CommandCo
     if (!loaded.sequence || command.quick) {
         return std::move(loaded.problems);
     }
-    for (pipeline::SequencePart& part : loaded.sequence->parts) {
-        if (auto* shot = std::get_if<pipeline::ShotPart>(&part.content)) {
+    std::vector<pipeline::SequencePart>& parts = loaded.sequence->parts;
+    const auto asks = [](const pipeline::SequencePart& part) {
+        const auto* shot = std::get_if<pipeline::ShotPart>(&part.content);
+        return shot != nullptr && asks_for_loudness(shot->shot);
+    };
+    if (std::ranges::any_of(parts, asks)) {
+        require_decoder(loaded.sequence->output, context);
+    }
+    std::map<std::size_t, std::optional<sim::Bake>> bakes;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (auto* shot = std::get_if<pipeline::ShotPart>(&parts[i].content)) {
             ShotInput input = input_of(*shot);
-            check_motion(input, command, context, loaded.problems);
+            bakes[i] = check_motion(input, command, context, loaded.problems);
+            take_back(std::move(input), *shot);
         }
     }
+    check_loudness(*loaded.sequence, bakes, context, loaded.problems);
     return std::move(loaded.problems);
 }
 

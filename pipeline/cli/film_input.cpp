@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "pipeline/camera/frame_plan.h"
+#include "pipeline/cli/film_music.h"
 #include "pipeline/cli/helper_program.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/video/sound_decoder.h"
@@ -89,10 +90,7 @@ void check_music(const ShotInput& input, Console& console) {
     try {
         const pipeline::SoundDecoder music(output.music->file);
     } catch (const Error& error) {
-        report_problems({input.source->problem_at({"output", "music"}, pipeline::Severity::error,
-                                                  error.what())},
-                        console);
-        throw InputError("the film's music cannot be played");
+        refuse_music(input, error.what(), console);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "pipeline/cli/encoded_sound.h"
 #include "pipeline/cli/helper_program.h"
 #include "pipeline/cli/run_program.h"
+#include "pipeline/video/music_source.h"
 
 #ifdef __GLIBC__  // which the headers above define
 #include <malloc.h>
@@ -30,19 +31,23 @@ int main(int argument_count, char** arguments) {
     if (const auto* early_exit = std::get_if<EarlyExit>(&parsed)) {
         return print(*early_exit);
     }
-    return run_command(std::get<CommandLine>(parsed),
-                       [&](const Command& command, CommandContext& context) {
-                           try {
-                               if (const auto* cache = std::get_if<CacheCommand>(&command)) {
-                                   return run_for_shot(*cache, context);
-                               }
-                               const auto* sound = std::get_if<SoundCommand>(&command);
-                               if (sound != nullptr && needs_encoder(*sound)) {
-                                   return write_encoded_sound(*sound, context);
-                               }
-                               run_here<Program::film>(command, context);
-                           } catch (const NeedsProgram& needed) {
-                               exec_program(needed.name(), arguments);
-                           }
-                       });
+    return run_command(
+        std::get<CommandLine>(parsed), [&](const Command& command, CommandContext& context) {
+            try {
+                if (const auto* cache = std::get_if<CacheCommand>(&command)) {
+                    return run_for_shot(*cache, context);
+                }
+                context.music = carom::pipeline::music_of;
+                if (const auto* check = std::get_if<CheckCommand>(&command)) {
+                    return run(*check, context);
+                }
+                if (const auto* sound = std::get_if<SoundCommand>(&command)) {
+                    return needs_encoder(*sound) ? write_encoded_sound(*sound, context)
+                                                 : run(*sound, context);
+                }
+                run_here<Program::film>(command, context);
+            } catch (const NeedsProgram& needed) {
+                exec_program(needed.name(), arguments);
+            }
+        });
 }

@@ -41,15 +41,18 @@ std::string heard_to_csv(std::span<const sound::HeardImpact> heard) {
     return text;
 }
 
-std::string sound_report(const sound::SoundLevels& levels, double full_scale,
-                         std::span<const sound::HeardImpact> heard) {
+std::string sound_report(const FilmLoudness& film, std::span<const sound::HeardImpact> heard) {
     constexpr std::size_t kLines = 10;
-    std::string text =
-        fmt::format("loudness    {}\ntrue peak   {}\nfull scale  {:.3g} Pa ({:.1f} dB)\n",
-                    level_text(levels.loudness, "LUFS"), level_text(levels.true_peak, "dBTP"),
-                    full_scale, sound::level_of(full_scale));
-    if (levels.limited > 0) {
-        text += fmt::format("limited by  {:.1f} dB at most\n", levels.limited);
+    const std::string asked = film.asked ? fmt::format(" (asked for: {:g})", *film.asked) : "";
+    std::string text = fmt::format(
+        "loudness    {}{}\ntrue peak   {}\nfull scale  {:.3g} Pa ({:.1f} dB)\n",
+        level_text(film.levels.loudness, "LUFS"), asked, level_text(film.levels.true_peak, "dBTP"),
+        film.full_scale, sound::level_of(film.full_scale));
+    if (film.levels.limited > 0) {
+        text += fmt::format("limited by  {:.1f} dB at most\n", film.levels.limited);
+    }
+    if (film.has_music) {
+        text += "music       is included\n";
     }
     text += fmt::format("impacts     {}\n", heard.size());
     std::vector<sound::HeardImpact> loudest(std::min(kLines, heard.size()));

@@ -1,6 +1,7 @@
 // What is heard in a film, as a table and as lines for people.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -14,8 +15,16 @@ namespace carom::cli {
 /// listener before the gain, dB.
 [[nodiscard]] std::string heard_to_csv(std::span<const sound::HeardImpact> heard);
 
+/// What a report says of a whole film.
+struct FilmLoudness {
+    sound::SoundLevels levels;
+    double full_scale = 1;          // Pa
+    std::optional<double> asked{};  // LUFS
+    bool has_music = false;
+};
+
 /// Loudness and true peak, the pressure of full scale, and the loudest ten impacts.
-[[nodiscard]] std::string sound_report(const sound::SoundLevels& levels, double full_scale,
+[[nodiscard]] std::string sound_report(const FilmLoudness& film,
                                        std::span<const sound::HeardImpact> heard);
 
 }  // namespace carom::cli

@@ -1,6 +1,7 @@
 // Runs a command with a console, signal handling and exit codes.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <stop_token>
 #include <string>
@@ -9,7 +10,9 @@
 #include "pipeline/cli/commands.h"
 #include "pipeline/cli/exit_code.h"
 #include "pipeline/cli/terminal/console.h"
+#include "pipeline/video/output_settings.h"
 #include "render/acceleration/structure_factory.h"
+#include "sound/mix/added_sound.h"
 
 namespace carom::cli {
 
@@ -24,6 +27,10 @@ struct CommandContext {
     Console& console;
     std::stop_token stop;
     render::StructureFactory factory = nullptr;  // of structures that the renderer does not have
+    /// Opens a film's music (pipeline/video/music_source.h); null in the program that links no
+    /// decoder.
+    sound::AddedSound (*music)(const pipeline::MusicSettings& settings,
+                               std::int64_t film_samples) = nullptr;
 };
 
 /// Runs a command of the programs `here`. Commands of other programs are not linked; for these it

@@ -10,6 +10,7 @@
 
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/cli/bake_input.h"
+#include "pipeline/cli/film_music.h"
 #include "pipeline/cli/heard_table.h"
 #include "pipeline/cli/job_observer.h"
 #include "pipeline/cli/output_file.h"
@@ -20,6 +21,7 @@
 #include "pipeline/sequence/load_sequence.h"
 #include "pipeline/sequence/sequence_scene.h"
 #include "pipeline/sound/film_scene.h"
+#include "pipeline/sound/loudness_note.h"
 #include "sound/file/wav_file.h"
 #include "sound/group_names.h"
 
@@ -35,10 +37,12 @@ struct FilmInput {
     std::optional<pipeline::Sequence> sequence;
     std::map<std::size_t, sim::Bake> bakes;  // of a shot: number 0
     sound::SoundScene scene;
+    sound::AddedSound music;
 };
 
 [[noreturn]] void refuse_silence(const SoundCommand& command) {
-    throw InputError("'" + command.input.path + "' says 'sound: none', so its film is silent");
+    throw InputError("'" + command.input.path +
+                     "' says 'sound: none' and has no music, so its film is silent");
 }
 
 void read_sequence(const SoundCommand& command, CommandContext& context, FilmInput& film) {
@@ -47,6 +51,9 @@ void read_sequence(const SoundCommand& command, CommandContext& context, FilmInp
             "a film of several shots cannot be filmed again at another speed; give "
             "one of its shots");
     }
+    if (const auto loaded = load_sequence_input(command.input); loaded.sequence) {
+        require_decoder(loaded.sequence->output, context);
+    }
     film.sequence = read_sequence_input(command.input, context.console);
     std::vector<pipeline::SequencePart>& parts = film.sequence->parts;
     std::map<std::size_t, const sim::Timeline*> timelines;
@@ -54,7 +61,7 @@ void read_sequence(const SoundCommand& command, CommandContext& context, FilmInp
         const auto* shot = std::get_if<pipeline::ShotPart>(&part.content);
         return shot == nullptr || shot->shot.sound.is_silent;
     };
-    if (std::ranges::all_of(parts, is_silent)) {
+    if (std::ranges::all_of(parts, is_silent) && !film.sequence->output.music) {
         refuse_silence(command);
     }
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -67,12 +74,17 @@ void read_sequence(const SoundCommand& command, CommandContext& context, FilmInp
         }
     }
     film.scene = pipeline::sequence_scene(*film.sequence, timelines, 0, film.sequence->frames());
+    film.music = film_music(film.sequence->output, film.scene.frames, context);
 }
 
 void read_shot(const SoundCommand& command, CommandContext& context, FilmInput& film) {
     pipeline::RetimeOptions options = parse_retime(command.retime);
-    film.shot = read_shot_input(command.input, context.console);
-    if (film.shot->shot.sound.is_silent) {
+    CheckedInput checked = load_shot_input(command.input);
+    if (checked.input) {
+        require_decoder(checked.input->shot.output, context);
+    }
+    film.shot = require_shot_input(std::move(checked), command.input, context.console);
+    if (film.shot->shot.sound.is_silent && !film.shot->shot.output.music) {
         refuse_silence(command);
     }
     film.bakes[0] = obtain_bake(*film.shot, command.input, command.cache, context);
@@ -85,6 +97,7 @@ void read_shot(const SoundCommand& command, CommandContext& context, FilmInput& 
     const pipeline::Shot& shot = film.shot->shot;
     film.scene = pipeline::film_scene(shot, film.bakes[0].timeline, 0,
                                       pipeline::frame_count(shot.cameras, shot.timing));
+    film.music = film_music(*film.shot, film.scene.frames, context);
 }
 
 void read_film(const SoundCommand& command, CommandContext& context, FilmInput& film) {
@@ -116,21 +129,25 @@ void copy_all(sound::FilmSound& source, SoundFile* file, const WorkContext& work
     }
 }
 
-/// Writes a file for each group.
-void write_stems(const SoundCommand& command, const sound::SoundScene& scene, double full_scale,
+/// Writes a file for each group, and one for the music. Together they are the film's sound.
+void write_stems(const SoundCommand& command, const FilmInput& film, const sound::FilmGain& gain,
                  const WorkContext& work, const SoundFileMaker& make) {
     const std::string extension =
         command.output.empty() ? ".wav" : fs::path(command.output).extension().string();
     fs::create_directories(command.stems);
-    sound::SoundScene fixed = scene;
-    fixed.full_scale = full_scale;
-    fixed.loudness.reset();
-    for (std::size_t i = 0; i < sound::kGroupCount; ++i) {
-        sound::FilmSound stem(fixed, {static_cast<sound::Group>(i)}, work);
-        const std::string path =
-            (fs::path(command.stems) / (std::string(sound::kGroupNames[i]) + extension)).string();
+    const auto write = [&](const std::string& name, sound::FilmSoundOptions options) {
+        options.added = film.music;
+        options.gain = gain;
+        sound::FilmSound stem(film.scene, options, work);
+        const std::string path = (fs::path(command.stems) / (name + extension)).string();
         copy_all(stem, make(path, stem.frames()).get(), work);
         print_path(path);
+    };
+    for (std::size_t i = 0; i < sound::kGroupCount; ++i) {
+        write(std::string(sound::kGroupNames[i]), {.only = static_cast<sound::Group>(i)});
+    }
+    if (film.music) {
+        write("music", {.only_added = true});
     }
 }
 
@@ -173,22 +190,31 @@ void write_sound(const SoundCommand& command, CommandContext& context, const Sou
                            context.stop};
     };
     if (!path.empty() || !command.stems.empty() || command.report) {
-        sound::FilmSound sound(film.scene, {}, stage("listen"));
-        if (!path.empty() || command.report) {
-            const auto file = path.empty() ? nullptr : make(path, sound.frames());
-            copy_all(sound, file.get(), stage("sound"));
-        }
+        sound::FilmSound sound(film.scene, {.added = film.music}, stage("listen"));
+        copy_all(sound, path.empty() ? nullptr : make(path, sound.frames()).get(), stage("sound"));
         context.console.end_progress();
+        for (const std::string& note :
+             {pipeline::missed_loudness_note(film.scene, sound.gain()),
+              pipeline::fixed_gain_note(film.scene, static_cast<bool>(film.music),
+                                        sound.levels())}) {
+            if (!note.empty()) {
+                context.console.warning(note);
+            }
+        }
         if (!path.empty()) {
             print_path(path);
         }
         if (!command.stems.empty()) {
-            write_stems(command, film.scene, sound.full_scale(), stage("stems"), make);
+            write_stems(command, film, sound.gain(), stage("stems"), make);
         }
         if (command.report) {
             const auto heard = sound::heard(film.scene, stage("report"));
             context.console.end_progress();
-            print_text(sound_report(sound.levels(), sound.full_scale(), heard));
+            print_text(sound_report({.levels = sound.levels(),
+                                     .full_scale = sound.gain().full_scale,
+                                     .asked = film.scene.loudness,
+                                     .has_music = static_cast<bool>(film.music)},
+                                    heard));
         }
     }
     if (!command.heard.empty()) {

@@ -22,11 +22,12 @@
 
 namespace carom::pipeline {
 
-struct FilmPlan;     // pipeline/job/film_plan.h
-class FilmSink;      // pipeline/job/film_sink.h
-class FilmSource;    // pipeline/job/film_plan.h
-struct FrameInputs;  // pipeline/store/frame_inputs.h
-class SoundSource;   // pipeline/video/sound_source.h
+struct FilmPlan;      // pipeline/job/film_plan.h
+class FilmSink;       // pipeline/job/film_sink.h
+class FilmSource;     // pipeline/job/film_plan.h
+struct FrameInputs;   // pipeline/store/frame_inputs.h
+class SoundSource;    // pipeline/video/sound_source.h
+struct SoundContext;  // pipeline/job/film_sound.h
 
 /// Functions that a job calls while it runs, from one thread at a time.
 struct JobObserver {
@@ -62,8 +63,8 @@ struct FilmJobOptions {
     /// the output alone (unstored_film.h), and a job that was stopped starts anew.
     bool no_store = false;
     /// Makes the sound of the whole film, also if the job writes only some of its frames; empty:
-    /// the shot's own (shot_sound.h). The music of the output settings comes on top (film_sound.h).
-    std::function<std::unique_ptr<SoundSource>()> sound{};
+    /// the shot's own (shot_sound.h). It gets the music of the output settings (film_sound.h).
+    std::function<std::unique_ptr<SoundSource>(const SoundContext&)> sound{};
     /// Makes what receives the frames instead of the file `output`.
     std::function<std::unique_ptr<FilmSink>(const FilmSource&, const FilmPlan&)> sink{};
     /// Renders the pictures instead of render_frame; `threads` and `factory` are ignored then.

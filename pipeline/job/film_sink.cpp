@@ -198,7 +198,9 @@ std::unique_ptr<FilmSink> sink_of(const FilmJobOptions& options, const FilmSourc
     if (options.output.empty()) {
         return nullptr;
     }
-    const SoundMaker sound = job_sound(options, source.shot(), source.timeline(), stop);
+    const SoundMaker sound =
+        with_warnings(job_sound(options, source.shot(), source.timeline(), stop),
+                      [&observer](const std::string& note) { observer.warning(note); });
     const std::string note = silence_note(sound, source.shot().output, options.output, plan.frames);
     if (!note.empty()) {
         observer.warning(note);

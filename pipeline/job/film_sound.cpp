@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/assert.h"
+#include "pipeline/job/shot_sound.h"
 #include "pipeline/video/audio_codec_info.h"
 #include "pipeline/video/image_sequence.h"
 #include "pipeline/video/music_source.h"
@@ -16,7 +17,8 @@ namespace {
 /// A sound that is made when it is first read.
 class DeferredSound : public SoundSource {
   public:
-    explicit DeferredSound(SoundMaker make) : make_(std::move(make)) {}
+    DeferredSound(SoundMaker make, SoundContext context)
+        : make_(std::move(make)), context_(std::move(context)) {}
 
     std::size_t read(std::span<double> left, std::span<double> right) override {
         SoundSource* source = made();
@@ -31,13 +33,14 @@ class DeferredSound : public SoundSource {
   private:
     SoundSource* made() {
         if (!is_made_) {
-            source_ = make_();
+            source_ = make_(context_);
             is_made_ = true;
         }
         return source_.get();
     }
 
     SoundMaker make_;
+    SoundContext context_;
     std::unique_ptr<SoundSource> source_;
     bool is_made_ = false;
 };
@@ -99,20 +102,34 @@ bool wants_sound(const SoundMaker& make, const OutputSettings& output) {
 
 }  // namespace
 
+SoundMaker with_warnings(SoundMaker make,
+                         std::function<void(const std::string& message)> on_warning) {
+    if (!make) {
+        return {};
+    }
+    return [make = std::move(make), on_warning = std::move(on_warning)](SoundContext context) {
+        context.on_warning = on_warning;
+        return make(context);
+    };
+}
+
 std::unique_ptr<SoundSource> sound_of_film(const SoundMaker& make, const OutputSettings& output,
                                            const SoundedFilm& film) {
     if (!wants_sound(make, output)) {
         return nullptr;
     }
-    std::unique_ptr<SoundSource> sound;
-    if (make) {
-        sound = std::make_unique<DeferredSound>(make);
-    }
+    const std::int64_t samples = first_sample(film.frames, film.fps);
+    const auto silence = [samples] {
+        sound::SoundScene scene;
+        scene.frames = samples;
+        return scene;
+    };
+    SoundContext context;
     if (output.music) {
-        sound = std::make_unique<MusicSource>(*output.music, first_sample(film.frames, film.fps),
-                                              std::move(sound));
+        context.music = music_of(*output.music, samples);
     }
-    return sound;
+    return std::make_unique<DeferredSound>(make ? make : computed_sound(silence, {}),
+                                           std::move(context));
 }
 
 std::unique_ptr<SoundSource> sound_of_frames(const SoundMaker& make, const OutputSettings& output,

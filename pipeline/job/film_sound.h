@@ -10,12 +10,20 @@
 #include "pipeline/camera/rational.h"
 #include "pipeline/video/output_settings.h"
 #include "pipeline/video/sound_source.h"
+#include "sound/mix/added_sound.h"
 
 namespace carom::pipeline {
 
+/// What a film's sound is made with.
+struct SoundContext {
+    sound::AddedSound music;  // to be mixed with it; empty: none
+    /// Called while the sound is made, on the thread that encodes. May be empty.
+    std::function<void(const std::string& message)> on_warning{};
+};
+
 /// Makes the sound of a whole film, which begins with frame 0. Called when the first sample is
 /// needed, on the thread that encodes, and once for each file that is written.
-using SoundMaker = std::function<std::unique_ptr<SoundSource>()>;
+using SoundMaker = std::function<std::unique_ptr<SoundSource>(const SoundContext& context)>;
 
 /// A film as its sound needs it.
 struct SoundedFilm {
@@ -23,9 +31,12 @@ struct SoundedFilm {
     Rational fps{24};
 };
 
-/// The sound of the whole film: what `make` makes, with the music of `output` under it. Null if
-/// there is neither, or if `output` wants no sound. `make` may be empty. Opens the music. Throws
-/// Error.
+/// What `make` makes, with its warnings passed on; empty if `make` is.
+[[nodiscard]] SoundMaker with_warnings(SoundMaker make,
+                                       std::function<void(const std::string& message)> on_warning);
+
+/// The sound of the whole film: what `make` makes, with the music of `output`. Null if there is
+/// neither, or if `output` wants no sound. `make` may be empty. Opens the music. Throws Error.
 [[nodiscard]] std::unique_ptr<SoundSource> sound_of_film(const SoundMaker& make,
                                                          const OutputSettings& output,
                                                          const SoundedFilm& film);

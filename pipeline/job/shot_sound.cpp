@@ -6,6 +6,7 @@
 #include "core/progress.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/sound/film_scene.h"
+#include "pipeline/sound/loudness_note.h"
 #include "sound/mix/film_sound.h"
 
 namespace carom::pipeline {
@@ -14,26 +15,47 @@ namespace {
 
 class ComputedSound : public SoundSource {
   public:
-    ComputedSound(sound::SoundScene scene, std::stop_token stop)
-        : stop_(std::move(stop)), sound_(std::move(scene), {}, WorkContext{{}, stop_}) {}
+    ComputedSound(const sound::SoundScene& scene, const SoundContext& context, std::stop_token stop)
+        : context_(context),
+          stop_(std::move(stop)),
+          sound_(scene, {.added = context.music}, WorkContext{{}, stop_}) {
+        scene_.full_scale = scene.full_scale;
+        scene_.loudness = scene.loudness;
+        scene_.frames = scene.frames;
+        warn(missed_loudness_note(scene_, sound_.gain()));
+    }
 
     std::size_t read(std::span<double> left, std::span<double> right) override {
         if (stop_.stop_requested()) {
             throw Stopped();
         }
-        return sound_.read(left, right);
+        const std::size_t count = sound_.read(left, right);
+        if (!is_told_ && sound_.position() == sound_.frames()) {
+            is_told_ = true;
+            warn(fixed_gain_note(scene_, static_cast<bool>(context_.music), sound_.levels()));
+        }
+        return count;
     }
 
   private:
+    void warn(const std::string& note) const {
+        if (!note.empty() && context_.on_warning) {
+            context_.on_warning(note);
+        }
+    }
+
+    SoundContext context_;
+    sound::SoundScene scene_;  // what it asks for, without its shots
     std::stop_token stop_;
     sound::FilmSound sound_;
+    bool is_told_ = false;  // what is known at the end
 };
 
 }  // namespace
 
 SoundMaker computed_sound(std::function<sound::SoundScene()> scene, std::stop_token stop) {
-    return [scene = std::move(scene), stop = std::move(stop)] {
-        return std::make_unique<ComputedSound>(scene(), stop);
+    return [scene = std::move(scene), stop = std::move(stop)](const SoundContext& context) {
+        return std::make_unique<ComputedSound>(scene(), context, stop);
     };
 }
 

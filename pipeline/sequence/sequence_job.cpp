@@ -289,7 +289,8 @@ FilmJobResult make_sequence(const Sequence& sequence, const SequenceBakes& bakes
         return make_parts(sequence, bakes, frames, options, observer, nullptr, stop);
     }
     const VideoFormat format{sequence.width, sequence.height, sequence.fps};
-    const SoundMaker sound = options.sound ? options.sound : sequence_sound(sequence, bakes, stop);
+    const SoundMaker sound = with_warnings(
+        options.sound ? options.sound : sequence_sound(sequence, bakes, stop), observer.on_warning);
     VideoWriter writer(
         options.output, format, sequence.output, metadata_of(sequence, options),
         sound_of_frames(sound, sequence.output, {sequence.frames(), sequence.fps}, frames));

@@ -122,8 +122,10 @@ sound::SoundScene film_scene(const Shot& shot, const sim::Timeline& timeline, st
     sound::SoundScene scene;
     scene.shots.push_back(sound_shot(shot, timeline, ShownPart{time(first), time(first + frames)}));
     scene.frames = first_sample(frames, fps);
-    scene.full_scale = shot.sound.full_scale;
-    scene.loudness = shot.sound.loudness;
+    if (!shot.sound.is_silent) {
+        scene.full_scale = shot.sound.full_scale;
+        scene.loudness = shot.sound.loudness;
+    }
     return scene;
 }
 

@@ -1,33 +1,14 @@
 #include "pipeline/video/music_source.h"
 
 #include <algorithm>
-#include <utility>
+#include <memory>
 
 #include "core/elementary.h"
 
 namespace carom::pipeline {
 
-namespace {
-
-/// Reads until both spans are full or the sound has ended, and returns how many samples it gave.
-std::size_t read_all(SoundSource& source, std::span<double> left, std::span<double> right) {
-    std::size_t count = 0;
-    while (count < left.size()) {
-        const std::size_t got = source.read(left.subspan(count), right.subspan(count));
-        if (got == 0) {
-            break;
-        }
-        count += got;
-    }
-    return count;
-}
-
-}  // namespace
-
-MusicSource::MusicSource(const MusicSettings& settings, std::int64_t film_samples,
-                         std::unique_ptr<SoundSource> sound)
+MusicSource::MusicSource(const MusicSettings& settings, std::int64_t film_samples)
     : music_(settings.file),
-      sound_(std::move(sound)),
       film_samples_(film_samples),
       gain_(power(10, settings.gain / 20)),
       fade_(settings.fade * kSoundRate) {}
@@ -43,23 +24,29 @@ double MusicSource::gain_at(std::int64_t sample) const {
 }
 
 std::size_t MusicSource::read(std::span<double> left, std::span<double> right) {
-    const std::size_t wanted = std::min(left.size(), kSoundBlock);
-    const std::size_t of_sound =
-        sound_ == nullptr ? 0 : read_all(*sound_, left.first(wanted), right.first(wanted));
     const auto film_left = static_cast<std::size_t>(std::max<std::int64_t>(film_samples_ - at_, 0));
-    const std::size_t music_wanted = std::min(wanted, film_left);
-    const std::size_t of_music = read_all(music_, std::span(left_).first(music_wanted),
-                                          std::span(right_).first(music_wanted));
-    const std::size_t count = std::max(of_sound, of_music);
-    std::fill_n(left.begin() + static_cast<std::ptrdiff_t>(of_sound), count - of_sound, 0.0);
-    std::fill_n(right.begin() + static_cast<std::ptrdiff_t>(of_sound), count - of_sound, 0.0);
-    for (std::size_t i = 0; i < of_music; ++i) {
+    const std::size_t wanted = std::min(left.size(), film_left);
+    if (wanted == 0) {
+        return 0;
+    }
+    const std::size_t count = music_.read(left.first(wanted), right.first(wanted));
+    for (std::size_t i = 0; i < count; ++i) {
         const double gain = gain_at(at_ + static_cast<std::int64_t>(i));
-        left[i] += gain * left_[i];
-        right[i] += gain * right_[i];
+        left[i] *= gain;
+        right[i] *= gain;
     }
     at_ += static_cast<std::int64_t>(count);
     return count;
+}
+
+sound::AddedSound music_of(const MusicSettings& settings, std::int64_t film_samples) {
+    const SoundDecoder opened(settings.file);
+    return [settings, film_samples] {
+        const auto music = std::make_shared<MusicSource>(settings, film_samples);
+        return [music](std::span<double> left, std::span<double> right) {
+            return music->read(left, right);
+        };
+    };
 }
 
 }  // namespace carom::pipeline

@@ -1,28 +1,24 @@
 // A file with music under the sound of a film.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 
 #include "pipeline/video/output_settings.h"
 #include "pipeline/video/sound_decoder.h"
 #include "pipeline/video/sound_source.h"
+#include "sound/mix/added_sound.h"
 
 namespace carom::pipeline {
 
-/// Adds the sound of a file to another sound. For one thread at a time.
+/// Plays the sound of a file. For one thread at a time.
 class MusicSource : public SoundSource {
   public:
-    /// `film_samples`: the length of the whole film, at whose end the music has faded out. `sound`:
-    /// what it is added to, or null. Throws Error as SoundDecoder does.
-    MusicSource(const MusicSettings& settings, std::int64_t film_samples,
-                std::unique_ptr<SoundSource> sound);
+    /// `film_samples`: the length of the whole film, at whose end the music has faded out and ends
+    /// at the latest. Throws Error as SoundDecoder does.
+    MusicSource(const MusicSettings& settings, std::int64_t film_samples);
 
-    /// As of SoundSource. It ends where both have ended; the music ends with the film at the
-    /// latest.
     std::size_t read(std::span<double> left, std::span<double> right) override;
 
   private:
@@ -30,13 +26,14 @@ class MusicSource : public SoundSource {
     [[nodiscard]] double gain_at(std::int64_t sample) const;
 
     SoundDecoder music_;
-    std::unique_ptr<SoundSource> sound_;
     std::int64_t film_samples_;
     double gain_;  // a factor
     double fade_;  // samples
     std::int64_t at_ = 0;
-    std::array<double, kSoundBlock> left_{};  // of the music
-    std::array<double, kSoundBlock> right_{};
 };
+
+/// Music to be mixed with the computed sound of a film. Opens the file once, so that an error is
+/// known before anything is rendered. Throws Error as SoundDecoder does.
+[[nodiscard]] sound::AddedSound music_of(const MusicSettings& settings, std::int64_t film_samples);
 
 }  // namespace carom::pipeline

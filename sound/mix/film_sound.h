@@ -9,15 +9,24 @@
 #include <span>
 
 #include "core/progress.h"
+#include "sound/mix/added_sound.h"
+#include "sound/mix/film_gain.h"
 #include "sound/sound_scene.h"
 
 namespace carom::sound {
 
+/// What of a film is wanted.
 struct FilmSoundOptions {
-    /// Mixes this group alone, for files of single groups. With the scene's `full_scale` set to
-    /// that of the whole film (FilmSound::full_scale()) and without `loudness`, the sum of all
-    /// groups is the film's sound.
+    /// Is mixed with what is computed, at its own level beside the film's automatic gain or its
+    /// fixed one. Then the whole has the loudness that is asked for, or else a true peak below its
+    /// limit.
+    AddedSound added{};
+    /// This group alone, or the added sound alone, for files of single groups, whose sum is the
+    /// film's sound: a limiter turns all of them down as the whole needs it.
     std::optional<Group> only{};
+    bool only_added = false;
+    /// Of the whole film (FilmSound::gain()); empty: it is found.
+    std::optional<FilmGain> gain{};
 };
 
 /// Levels of samples in units of full scale.
@@ -31,9 +40,9 @@ struct SoundLevels {
 /// threads. Memory does not grow with the film's length. Used by one thread at a time.
 class FilmSound {
   public:
-    /// Copies `scene`, whose timelines must outlive this object. Without `full_scale`, or with
-    /// `loudness`, the whole film is mixed here a first time to find its gain; progress and stop
-    /// token are for that. Throws Stopped.
+    /// Copies `scene`, whose timelines must outlive this object. Unless the scene has a fixed
+    /// `full_scale`, the whole film is mixed here to find its gain; progress and stop token are for
+    /// that. Throws Stopped, and what the added sound throws.
     explicit FilmSound(SoundScene scene, const FilmSoundOptions& options = {},
                        const WorkContext& context = {});
     ~FilmSound();
@@ -48,12 +57,13 @@ class FilmSound {
     /// How many samples of each channel have been read.
     [[nodiscard]] std::int64_t position() const;
 
-    /// The pressure of a sample of 1, Pa.
-    [[nodiscard]] double full_scale() const;
+    /// The gain of the whole film. After its last sample was read, it is known whether a film with
+    /// a fixed gain needed the limiter.
+    [[nodiscard]] FilmGain gain() const;
 
     /// Fills the channels, which have the same size, with the next samples in units of full scale.
-    /// Returns how many were written to each: less than asked for only at the film's end. Samples
-    /// may exceed 1 unless `loudness` is asked for or the full scale is found automatically.
+    /// Returns how many were written to each: less than asked for only at the film's end. The true
+    /// peak of the whole film is at most kHighestTruePeak.
     [[nodiscard]] std::size_t read(std::span<double> left, std::span<double> right);
 
     /// The levels of all samples that have been read so far.

@@ -70,7 +70,9 @@ void describe(RetimeCommand& command, CommandDescription& description) {
 void describe(SoundCommand& command, CommandDescription& description) {
     description.details = {
         "The sound follows from the shot's motion and its cameras, in less time than it takes to "
-        "hear it; no frame is rendered. A .wav and a .flac file have all bits, with 24 a sample.",
+        "hear it, and is mixed with the film's music; no frame is rendered. A .wav and a .flac "
+        "file have "
+        "all bits, with 24 a sample.",
         "With --heard, --stems or --report, the file with the whole sound is only written if -o "
         "names it."};
     add_input(description, command.input);
@@ -83,7 +85,7 @@ void describe(SoundCommand& command, CommandDescription& description) {
     description
         .option("--stems", &command.stems, "FOLDER",
                 "Also write a file for each group of sounds: balls, cushions, cloth, stick, "
-                "pockets, objects, rolling. Their sum is the film's sound.")
+                "pockets, objects, rolling, and the music. Their sum is the film's sound.")
         .offers(Offer::files);
     description
         .option("--heard", &command.heard, "FILE",

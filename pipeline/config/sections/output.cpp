@@ -44,13 +44,13 @@ ValueType<double> bit_rate() {
 
 const MapSpec<MusicSettings>& music_spec() {
     static const MapSpec<MusicSettings> spec = [] {
-        MapSpec<MusicSettings> s("music", "A file that is played under the film's sound.");
+        MapSpec<MusicSettings> s("music", "A file that is mixed with the film's sound.");
         s.key("file", &MusicSettings::file, file(),
               "a file with sound: .flac, .wav, .mp3, .m4a, .ogg and others; more than two channels "
               "are mixed to two")
             .required();
         s.key("gain", &MusicSettings::gain, quantity(Dimension::level, between(-60, 20)),
-              "how much louder it is made");
+              "how much louder it is made beside the film's sound");
         s.key("fade", &MusicSettings::fade, time(at_least(0)),
               "time over which it fades out at the end of the film");
         return s;
@@ -209,8 +209,8 @@ const MapSpec<OutputSettings>& output_spec() {
               "bit rate of both channels of the sound together, from 32 to 512 kbit/s. The default "
               "is 256 kbit/s for aac and 192 kbit/s for opus; flac and pcm are lossless");
         s.key("music", &OutputSettings::music, music(),
-              "a file that is played under the film's sound, from the first frame on: its name, or "
-              "a map with gain and fade");
+              "a file that is mixed with the film's sound, from the first frame on: its name, or a "
+              "map with gain and fade. Loudness and true peak are those of the mix");
         std::vector<std::pair<std::string, std::string>> presets;
         presets.reserve(kEncoderPresets.size());
         for (const EncoderPreset& preset : kEncoderPresets) {

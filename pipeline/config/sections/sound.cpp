@@ -161,8 +161,9 @@ const MapSpec<SoundSettings>& sound_spec() {
             "auto");
         s.key("loudness", &SoundSettings::loudness,
               quantity(Dimension::loudness, between(kQuietestFilm, kLoudestFilm)),
-              "integrated loudness of the film (EBU R 128), reached with a limiter. The default "
-              "uses none, and the loudness is what results")
+              "integrated loudness of the film with its music (EBU R 128), reached with a limiter; "
+              "a "
+              "warning says if it is not. By default the loudness is what results")
             .excluded_by({"gain", [](const Node& value) { return value.is_map(); }, "",
                           "contradicts the fixed 'gain' of the film; give only one of them"});
         s.set("materials", named("sound material", sound_material_spec()), set_materials,

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/camera/frame_plan.h"
 #include "pipeline/check/motion_check.h"
+#include "pipeline/sound/film_scene.h"
 
 namespace carom::pipeline {
 namespace {
@@ -100,7 +102,9 @@ TEST(SoundCheck, BallThatRollsOverTheListener_IsNamedWithItsTime) {
 std::string loudness_warnings(Film& film, double loudness) {
     film.shot.sound.loudness = loudness;
     std::string text;
-    for (const Problem& problem : loudness_problems(film.shot, nullptr, film.timeline)) {
+    const sound::SoundScene scene =
+        film_scene(film.shot, film.timeline, 0, frame_count(film.shot.cameras, film.shot.timing));
+    for (const Problem& problem : loudness_problems(scene, nullptr)) {
         EXPECT_EQ(problem.severity, Severity::warning);
         text += problem.message + "\n";
     }
@@ -119,16 +123,25 @@ TEST(SoundCheck, LoudnessThatTakesMuchLimiting_IsReportedWithOneThatDoesNot) {
         impact.normal = {0, -1, 0};
         impact.normal_impulse = 0.3;
     }
-    const std::string warning = loudness_warnings(film, -10);
+    const std::string warning = loudness_warnings(film, -16);
     EXPECT_TRUE(std::regex_match(
-        warning, std::regex("for -10 LUFS the loudest sounds are turned down by [0-9]+\\.[0-9] dB; "
+        warning, std::regex("for -16 LUFS the loudest sounds are turned down by [0-9]+\\.[0-9] dB; "
                             "with more than 12 dB they sound dull, which -[0-9]+ LUFS would "
-                            "avoid\n")))
+                            "avoid; a higher 'dynamics' may help\n")))
         << warning;
     const double avoids = std::stod(warning.substr(warning.rfind("which ") + 6));
-    EXPECT_LT(avoids, -10);
+    EXPECT_LT(avoids, -16);
     EXPECT_EQ(loudness_warnings(film, avoids), "");
     EXPECT_NE(loudness_warnings(film, avoids + 2), "");
+    const std::string missed = loudness_warnings(film, -10);
+    EXPECT_TRUE(std::regex_match(
+        missed,
+        std::regex("the film has -1[0-9]\\.[0-9] LUFS instead of -10 LUFS, [0-9]\\.[0-9] LU "
+                   "less: its loudest sounds are short .* turned down by 30 dB\\. Ask for " +
+                   std::regex_replace(warning.substr(warning.rfind("which ") + 6),
+                                      std::regex(" would(.|\n)*"), "") +
+                   "; a higher 'dynamics', up to 4, may help, .*\n")))
+        << missed;
     film.shot.sound.is_silent = true;
     EXPECT_EQ(loudness_warnings(film, -10), "");
 }

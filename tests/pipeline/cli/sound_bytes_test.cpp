@@ -124,7 +124,9 @@ TEST_F(SoundBytes, SoundNone_IsAFilmWithoutASoundStream) {
     EXPECT_TRUE(text_of("b.mkv") == text_of("c.mkv"));
     const RunResult silent = run({"sound", "tiny.yaml", "-o", "x.wav", "--set", "sound=none"});
     EXPECT_EQ(silent.exit_code, 2);
-    EXPECT_EQ(silent.err, "carom: error: 'tiny.yaml' says 'sound: none', so its film is silent\n");
+    EXPECT_EQ(
+        silent.err,
+        "carom: error: 'tiny.yaml' says 'sound: none' and has no music, so its film is silent\n");
 }
 
 TEST_F(SoundBytes, StoredFramesAndBakes_HaveTheSameNamesWithAnySound) {

@@ -49,7 +49,7 @@ struct SoundJob {
 
     SoundJob() {
         options.cache_folder = folder.path("cache");
-        options.sound = [this] {
+        options.sound = [this](const SoundContext&) {
             ++made;
             return std::make_unique<ClickSource>(kClicks);
         };
@@ -206,7 +206,7 @@ class FailingSource : public SoundSource {
 TEST(FilmSoundJob, SoundThatFails_FailsTheFilmAndLeavesNoFile) {
     for (const char* name : {"film.mkv", "shot.##.png"}) {
         SoundJob job;
-        job.options.sound = [] {
+        job.options.sound = [](const SoundContext&) {
             return std::make_unique<FailingSource<Error>>(Error("the sound failed"));
         };
         try {
@@ -222,7 +222,9 @@ TEST(FilmSoundJob, SoundThatFails_FailsTheFilmAndLeavesNoFile) {
 
 TEST(FilmSoundJob, SoundThatIsStopped_StopsTheJob) {
     SoundJob job;
-    job.options.sound = [] { return std::make_unique<FailingSource<Stopped>>(Stopped()); };
+    job.options.sound = [](const SoundContext&) {
+        return std::make_unique<FailingSource<Stopped>>(Stopped());
+    };
     EXPECT_THROW((void)job.write("film.mkv"), Stopped);
     EXPECT_THAT(job.folder.names(), Not(Contains("film.mkv")));
 }
@@ -282,11 +284,13 @@ TEST(ShotSound, StoppedWhileItIsMade_Throws) {
     stop.request_stop();
     const SoundMaker make = shot_sound(shot, timeline, stop.get_token());
     std::vector<double> samples(10);
-    EXPECT_THROW((void)make()->read(samples, samples), Stopped);
+    EXPECT_THROW((void)make({})->read(samples, samples), Stopped);
 }
 
 TEST(SoundBytes, FollowTheCodecAndTheFrames) {
-    const SoundMaker make = [] { return std::make_unique<ClickSource>(kClicks); };
+    const SoundMaker make = [](const SoundContext&) {
+        return std::make_unique<ClickSource>(kClicks);
+    };
     const SoundedFilm film{240, Rational(24)};
     std::vector<std::int64_t> second(24);
     std::iota(second.begin(), second.end(), 100);

@@ -38,7 +38,9 @@ DecodedSound written(const Sequence& sequence, const std::string& frames) {
     options.output = folder.path("film.mkv");
     options.cache_folder = folder.path("cache");
     options.frames = frames.empty() ? FrameRange{} : parse_frame_range(frames);
-    options.sound = [] { return std::make_unique<ClickSource>(std::vector{0.1, 0.5, 0.7}); };
+    options.sound = [](const SoundContext&) {
+        return std::make_unique<ClickSource>(std::vector{0.1, 0.5, 0.7});
+    };
     (void)make_sequence(sequence, {}, options, {}, {});
     return decode_sound(options.output);
 }

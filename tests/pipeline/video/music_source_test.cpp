@@ -70,23 +70,6 @@ Stereo all_of(SoundSource& source) {
 
 constexpr std::int64_t kLong = std::int64_t{1} << 40;
 
-/// The same value in both channels.
-class Constant : public SoundSource {
-  public:
-    Constant(double value, std::int64_t samples) : value_(value), samples_(samples) {}
-    std::size_t read(std::span<double> left, std::span<double> right) override {
-        const auto count = std::min(left.size(), static_cast<std::size_t>(samples_));
-        std::fill_n(left.begin(), count, value_);
-        std::fill_n(right.begin(), count, -value_);
-        samples_ -= static_cast<std::int64_t>(count);
-        return count;
-    }
-
-  private:
-    double value_;
-    std::int64_t samples_;
-};
-
 /// A file of 48 kHz, 2000 samples, with 0.25 on the left and 0.5 on the right.
 std::string quarter_file(const ScratchFolder& folder) {
     const std::string path = folder.path("music.wav");
@@ -142,33 +125,46 @@ TEST(Music, OfSixChannels_KeepsItsSides) {
     EXPECT_EQ(found.right[2000], 0);
 }
 
-TEST(Music, UnderASound_IsAddedWithItsGain) {
+TEST(Music, Gain_IsAFactor) {
     const ScratchFolder folder;
-    MusicSource music({quarter_file(folder), -20, 0}, kLong,
-                      std::make_unique<Constant>(0.125, 3000));
+    MusicSource music({quarter_file(folder), -20, 0}, kLong);
     const Stereo found = all_of(music);
-    ASSERT_EQ(found.left.size(), 3000U);
-    EXPECT_NEAR(found.left[0], 0.125 + 0.025, 1e-15);
-    EXPECT_NEAR(found.right[1999], -0.125 + 0.05, 1e-15);
-    EXPECT_EQ(found.left[2000], 0.125) << "the music has ended";
-    EXPECT_EQ(found.right[2999], -0.125);
+    ASSERT_EQ(found.left.size(), 2000U);
+    EXPECT_NEAR(found.left[0], 0.025, 1e-15);
+    EXPECT_NEAR(found.right[1999], 0.05, 1e-15);
 }
 
-TEST(Music, LongerThanTheSound_GoesOnAloneAndEndsWithTheFilm) {
+TEST(Music, LongerThanTheFilm_EndsWithIt) {
     const ScratchFolder folder;
-    MusicSource music({quarter_file(folder), 0, 0}, 1234, std::make_unique<Constant>(0.125, 1000));
+    MusicSource music({quarter_file(folder), 0, 0}, 1234);
     const Stereo found = all_of(music);
     ASSERT_EQ(found.left.size(), 1234U);
-    EXPECT_EQ(found.left[999], 0.375);
     EXPECT_EQ(found.left[1000], 0.25);
     EXPECT_EQ(found.right[1233], 0.5);
-    MusicSource alone({quarter_file(folder), 0, 0}, kLong, nullptr);
-    EXPECT_EQ(all_of(alone).left.size(), 2000U);
+}
+
+TEST(Music, ForAFilm_BeginsAnewEachTime) {
+    const ScratchFolder folder;
+    const sound::AddedSound music = music_of({quarter_file(folder), 0, 0}, 1500);
+    for (int time = 0; time < 2; ++time) {
+        const sound::SampleReader reader = music();
+        std::vector<double> left(4000);
+        std::vector<double> right(4000);
+        std::size_t count = 0;
+        while (const std::size_t got =
+                   reader(std::span(left).subspan(count), std::span(right).subspan(count))) {
+            count += got;
+        }
+        EXPECT_EQ(count, 1500U);
+        EXPECT_EQ(left[0], 0.25);
+        EXPECT_EQ(right[1499], 0.5);
+    }
+    EXPECT_THROW((void)music_of({folder.path("none.flac"), 0, 0}, 1500), Error);
 }
 
 TEST(Music, Fade_EndsWithTheFilm) {
     const ScratchFolder folder;
-    MusicSource music({quarter_file(folder), 0, 0.02}, 1960, nullptr);  // 960 samples
+    MusicSource music({quarter_file(folder), 0, 0.02}, 1960);  // 960 samples
     const Stereo found = all_of(music);
     ASSERT_EQ(found.left.size(), 1960U);
     EXPECT_EQ(found.left[1000], 0.25);
@@ -180,8 +176,8 @@ TEST(Music, Fade_EndsWithTheFilm) {
 
 TEST(Music, SkippedSamples_AreThoseThatWouldHaveBeenRead) {
     const ScratchFolder folder;
-    MusicSource whole({quarter_file(folder), 0, 0.02}, 1960, std::make_unique<Constant>(0.1, 1500));
-    MusicSource part({quarter_file(folder), 0, 0.02}, 1960, std::make_unique<Constant>(0.1, 1500));
+    MusicSource whole({quarter_file(folder), 0, 0.02}, 1960);
+    MusicSource part({quarter_file(folder), 0, 0.02}, 1960);
     part.skip(1111);
     const Stereo all = all_of(whole);
     const Stereo rest = all_of(part);

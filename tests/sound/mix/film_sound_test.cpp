@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
 #include <random>
 #include <stop_token>
 #include <vector>
@@ -59,7 +61,7 @@ TEST(FilmSound, NothingHappens_AllSamplesAreZero) {
     film.show(0, 1, 0, 1).settings.stereo = Stereo::sphere;
     film.scene.full_scale.reset();
     FilmSound sound(film.scene);
-    EXPECT_EQ(sound.full_scale(), 0.2);
+    EXPECT_EQ(sound.gain().full_scale, 0.2);
     const Samples samples = samples_of(film.scene);
     EXPECT_EQ(highest(samples.left), 0);
     EXPECT_EQ(highest(samples.right), 0);
@@ -116,7 +118,7 @@ TEST(FilmSound, Groups_AsFilesOfTheirOwn_AddUpToTheFilm) {
     std::vector<double> sum(whole.left.size());
     int heard_groups = 0;
     for (std::size_t group = 0; group < kGroupCount; ++group) {
-        const Samples stem = samples_of(film.scene, {static_cast<Group>(group)});
+        const Samples stem = samples_of(film.scene, {.only = static_cast<Group>(group)});
         heard_groups += highest(stem.left) > 0 ? 1 : 0;
         for (std::size_t n = 0; n < sum.size(); ++n) {
             sum[n] += stem.left[n];
@@ -140,7 +142,7 @@ TEST(FilmSound, AutomaticGain_PutsTheTruePeakAtMinusOne) {
     EXPECT_GT(sound.levels().true_peak, -1.02);
     EXPECT_EQ(sound.levels().limited, 0);
     // In whole hundredths of a decibel.
-    const double level = 20 * std::log10(sound.full_scale() / 20e-6) * 100;
+    const double level = 20 * std::log10(sound.gain().full_scale / 20e-6) * 100;
     EXPECT_NEAR(level, std::round(level), 1e-6);
 }
 
@@ -149,31 +151,146 @@ TEST(FilmSound, AutomaticGain_OfAQuietFilm_StopsAt80Decibels) {
     film.collide(0.5, 0.05);
     film.show(0, 1, 0, 1);
     film.scene.full_scale.reset();
-    EXPECT_EQ(FilmSound(film.scene).full_scale(), 0.2);
+    EXPECT_EQ(FilmSound(film.scene).gain().full_scale, 0.2);
+}
+
+/// The levels of a film that was read to its end, which are as loud as its gain says.
+SoundLevels levels_of(const SoundScene& scene, const AddedSound& added = {}) {
+    FilmSound sound(scene, {.added = added});
+    std::vector<double> left(1024);
+    std::vector<double> right(1024);
+    std::int64_t total = 0;
+    while (const std::size_t count = sound.read(left, right)) {
+        total += static_cast<std::int64_t>(count);
+    }
+    EXPECT_EQ(total, scene.frames);
+    const FilmGain gain = sound.gain();
+    EXPECT_EQ(gain.found.has_value(), scene.loudness.has_value());
+    if (gain.found) {
+        EXPECT_EQ(gain.found->loudness, sound.levels().loudness);
+        EXPECT_EQ(gain.found->limited, sound.levels().limited);
+        EXPECT_EQ(gain.found->gentle.has_value(), sound.levels().limited > kGentlyLimited);
+    }
+    EXPECT_LE(sound.levels().true_peak, kHighestTruePeak);
+    return sound.levels();
+}
+
+/// A sine of this amplitude, of so many samples.
+AddedSound sine(double amplitude, double frequency, std::int64_t samples) {
+    return [=] {
+        return [=, at = std::int64_t{0}](std::span<double> left, std::span<double> right) mutable {
+            const std::size_t count = std::min(left.size(), static_cast<std::size_t>(samples - at));
+            for (std::size_t i = 0; i < count; ++i, ++at) {
+                left[i] = right[i] = amplitude * std::sin(2 * std::numbers::pi * frequency *
+                                                          static_cast<double>(at) / kSampleRate);
+            }
+            return count;
+        };
+    };
 }
 
 TEST(FilmSound, Loudness_AskedFor_IsReachedBelowTheTruePeak) {
     SmallFilm film;
     fill(film);
     film.scene.frames = 3LL * kSampleRate;
+    for (const double loudness : {-14.0, -17.0, -23.0, -40.0}) {
+        film.scene.loudness = loudness;
+        const SoundLevels levels = levels_of(film.scene);
+        EXPECT_NEAR(levels.loudness, loudness, 0.1);
+        EXPECT_EQ(levels.limited > 0, loudness > -20) << loudness;
+    }
+}
+
+TEST(FilmSound, LoudnessOfASingleClack_IsMissedAndToldAsItIs) {
+    SmallFilm film;
+    film.collide(0.5);
+    film.show(0, 1, 0, 1);
     film.scene.loudness = -14;
-    FilmSound sound(film.scene);
-    std::vector<double> left(1024);
-    std::vector<double> right(1024);
-    std::size_t total = 0;
-    while (const std::size_t count = sound.read(left, right)) {
-        total += count;
+    const SoundLevels levels = levels_of(film.scene);
+    EXPECT_LT(levels.loudness, -14.2);
+    EXPECT_LT(levels.limited, kMostLimited + 0.2);
+    film.scene.loudness = levels.loudness - 1;
+    EXPECT_NEAR(levels_of(film.scene).loudness, *film.scene.loudness, 0.1);
+}
+
+TEST(FilmSound, Loudness_OfSilenceAndOfVeryShortFilms_IsNone) {
+    SmallFilm film;
+    film.show(0, 1, 0, 1);
+    film.scene.loudness = -14;
+    EXPECT_FALSE(std::isfinite(levels_of(film.scene).loudness));
+    film.collide(0.1);
+    film.scene.frames = 19'000;  // of 19 200 for a block of the measurement
+    const SoundLevels levels = levels_of(film.scene);
+    EXPECT_FALSE(std::isfinite(levels.loudness));
+    EXPECT_EQ(levels.limited, 0);
+    film.scene.loudness.reset();
+    film.scene.full_scale.reset();
+    EXPECT_EQ(levels.true_peak, levels_of(film.scene).true_peak) << "as without a loudness";
+}
+
+TEST(FilmSound, LoudnessOfAVeryQuietFilm_IsReached) {
+    SmallFilm film;
+    film.collide(0.5, 0.01);
+    film.show(0, 1, 0, 1);
+    film.scene.loudness = -50;
+    EXPECT_NEAR(levels_of(film.scene).loudness, -50, 0.1);
+}
+
+TEST(FilmSound, Music_IsPartOfTheLoudnessAndOfThePeak) {
+    SmallFilm film;
+    fill(film);
+    film.scene.frames = 3LL * kSampleRate;
+    for (const double amplitude : {0.1, 1.0, 10.0}) {
+        for (const std::int64_t samples : {kSampleRate, 10 * kSampleRate}) {
+            const AddedSound music = sine(amplitude, 997, samples);
+            film.scene.loudness = -14;
+            EXPECT_NEAR(levels_of(film.scene, music).loudness, -14, 0.1) << amplitude;
+            film.scene.loudness = -30;
+            EXPECT_NEAR(levels_of(film.scene, music).loudness, -30, 0.1) << amplitude;
+            film.scene.loudness.reset();
+            film.scene.full_scale.reset();
+            EXPECT_EQ(levels_of(film.scene, music).limited, 0);
+            film.scene.full_scale = 20;
+            EXPECT_EQ(levels_of(film.scene, music).limited > 0, amplitude >= 1);
+        }
     }
-    EXPECT_EQ(total, 3UL * kSampleRate);
-    EXPECT_GT(sound.levels().limited, 0);
-    EXPECT_LE(sound.levels().true_peak, -0.99);
-    EXPECT_NEAR(sound.levels().loudness, -14, 2);
-    film.scene.loudness = -40;
-    FilmSound quiet(film.scene);
-    while (quiet.read(left, right) > 0) {
+}
+
+TEST(FilmSound, MusicAlone_KeepsItsLevelUnlessItsPeakIsTooHigh) {
+    SoundScene silent;
+    silent.frames = 48'000;
+    const FilmSoundOptions quiet{.added = sine(0.5, 997, 24'000)};
+    const Samples samples = samples_of(silent, quiet);
+    EXPECT_NEAR(highest(samples.left, 0, 24'000), 0.5, 1e-3);
+    EXPECT_EQ(highest(samples.left, 24'000), 0);
+    EXPECT_NEAR(levels_of(silent, sine(1, 997, 24'000)).true_peak, -1, 0.02);
+}
+
+TEST(FilmSound, GroupsAndMusic_OfALimitedFilm_AddUpToTheFilm) {
+    SmallFilm film;
+    fill(film);
+    film.scene.frames = 2LL * kSampleRate;
+    film.scene.loudness = -14;
+    const AddedSound music = sine(0.02, 300, 60'000);
+    FilmSound whole(film.scene, {.added = music});
+    std::vector<double> left(static_cast<std::size_t>(film.scene.frames));
+    std::vector<double> right = left;
+    ASSERT_EQ(whole.read(left, right), left.size());
+    ASSERT_GT(whole.levels().limited, 0);
+    FilmSoundOptions part{.added = music, .gain = whole.gain()};
+    std::vector<double> sum = [&] {
+        part.only_added = true;
+        return samples_of(film.scene, part).left;
+    }();
+    part.only_added = false;
+    for (std::size_t group = 0; group < kGroupCount; ++group) {
+        part.only = static_cast<Group>(group);
+        const Samples stem = samples_of(film.scene, part);
+        std::ranges::transform(sum, stem.left, sum.begin(), std::plus<>());
     }
-    EXPECT_EQ(quiet.levels().limited, 0);
-    EXPECT_NEAR(quiet.levels().loudness, -40, 0.1);
+    for (std::size_t n = 0; n < sum.size(); ++n) {
+        ASSERT_NEAR(sum[n], left[n], 1e-12);
+    }
 }
 
 TEST(FilmSound, Limiter_DoesNotMakeTheSoundLate) {

@@ -73,7 +73,10 @@ Passage& SmallFilm::show(double from, double to, double scene_from, double speed
     return shot().passages.back();
 }
 
-Samples samples_of(const SoundScene& scene, const FilmSoundOptions& options, std::size_t block) {
+Samples samples_of(const SoundScene& scene, FilmSoundOptions options, std::size_t block) {
+    if (scene.full_scale && !scene.loudness && !options.gain) {
+        options.gain = FilmGain{.full_scale = *scene.full_scale, .added = *scene.full_scale};
+    }
     FilmSound sound(scene, options);
     Samples samples;
     std::vector<double> left(block);

@@ -40,8 +40,8 @@ struct Samples {
     std::vector<double> left, right;
 };
 
-/// All samples, read in blocks of this size.
-[[nodiscard]] Samples samples_of(const SoundScene& scene, const FilmSoundOptions& options = {},
+/// All samples, read in blocks of this size. With a fixed gain they are not limited.
+[[nodiscard]] Samples samples_of(const SoundScene& scene, FilmSoundOptions options = {},
                                  std::size_t block = 1024);
 
 /// The highest absolute value in [from, to) samples.
