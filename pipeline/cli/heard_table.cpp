@@ -21,9 +21,9 @@ std::string pair_text(const sound::HeardImpact& heard) {
     return heard.b.empty() ? heard.a : heard.a + " - " + heard.b;
 }
 
-/// "-16.2", or "silence" for minus infinity.
-std::string level_text(double level, const char* unit) {
-    return std::isfinite(level) ? fmt::format("{:.1f} {}", level, unit) : "silence";
+/// "-16.2 LUFS", or `otherwise` for minus infinity.
+std::string level_text(double level, const char* unit, const char* otherwise = "silence") {
+    return std::isfinite(level) ? fmt::format("{:.1f} {}", level, unit) : otherwise;
 }
 
 }  // namespace
@@ -46,8 +46,10 @@ std::string sound_report(const FilmLoudness& film, std::span<const sound::HeardI
     const std::string asked = film.asked ? fmt::format(" (asked for: {:g})", *film.asked) : "";
     std::string text = fmt::format(
         "loudness    {}{}\ntrue peak   {}\nfull scale  {:.3g} Pa ({:.1f} dB)\n",
-        level_text(film.levels.loudness, "LUFS"), asked, level_text(film.levels.true_peak, "dBTP"),
-        film.full_scale, sound::level_of(film.full_scale));
+        level_text(film.levels.loudness, "LUFS",
+                   std::isfinite(film.levels.true_peak) ? "none: shorter than 0.4 s" : "silence"),
+        asked, level_text(film.levels.true_peak, "dBTP"), film.full_scale,
+        sound::level_of(film.full_scale));
     if (film.levels.limited > 0) {
         text += fmt::format("limited by  {:.1f} dB at most\n", film.levels.limited);
     }

@@ -192,6 +192,7 @@ FilmGain GainSearch::with_loudness(double added) {
     FilmGain gain{.added = added, .limits = true, .found = FoundLoudness{}};
     const std::optional<double> start = level_without_limiter();
     if (!start) {
+        gain.limits = false;  // it gets the gain for its peak
         gain.found->loudness = -std::numeric_limits<double>::infinity();
         gain.full_scale = std::max(kLeastFullScale, pressure_of(rounded(level_for_peak(peak_))));
         return gain;
