@@ -14,7 +14,6 @@ pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
 pkg_check_modules(FMT REQUIRED IMPORTED_TARGET fmt)
 pkg_check_modules(FLATBUFFERS REQUIRED IMPORTED_TARGET flatbuffers)
-pkg_check_modules(TINYOBJ REQUIRED IMPORTED_TARGET tinyobjloader_double)
 pkg_check_modules(OPENEXR REQUIRED IMPORTED_TARGET OpenEXR)
 # Its -pthread (and that of Pango), which glibc does not need, would not fit the precompiled headers.
 set_target_properties(PkgConfig::OPENEXR PROPERTIES INTERFACE_COMPILE_OPTIONS "")

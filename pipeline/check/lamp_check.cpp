@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <set>
-#include <system_error>
 #include <variant>
 
-#include "core/error.h"
 #include "pipeline/camera/view_axes.h"
 #include "pipeline/check/shape_box.h"
-#include "render/geometry/mesh_file.h"
+#include "pipeline/check/whole_mesh.h"
 
 namespace carom::pipeline {
 
@@ -100,23 +97,6 @@ std::vector<Vec3> corners_of(const render::MeshShape& mesh) {
     return corners;
 }
 
-/// A mesh with its triangles, read from its file if it has one; nothing if that is not possible.
-std::optional<render::MeshShape> whole_mesh(const render::MeshShape& mesh) {
-    if (mesh.file.empty()) {
-        return mesh;
-    }
-    std::error_code code;
-    const std::uintmax_t size = std::filesystem::file_size(mesh.file, code);
-    if (code || size > kLargestMesh) {
-        return std::nullopt;
-    }
-    try {
-        return render::read_mesh(mesh.file);
-    } catch (const Error&) {  // the renderer reports it
-        return std::nullopt;
-    }
-}
-
 }  // namespace
 
 LampCheck::LampCheck(const Shot& shot) : shot_(shot) {}
@@ -132,6 +112,7 @@ void LampCheck::find_fixtures() {
     for (const sim::Body& body : shot_.world.bodies) {
         bodies.insert(body.name);
     }
+    WholeMeshes meshes(kLargestMesh);
     for (const render::ObjectDescription& object : shot_.scene.objects) {
         const bool is_fixture = object.track.empty() && !object.name.starts_with("table/") &&
                                 bodies.count(object.name) == 0;
@@ -140,11 +121,11 @@ void LampCheck::find_fixtures() {
         }
         Fixture fixture{object.name, object.world_from_object.inverse(), {}, {}};
         if (const auto* mesh = std::get_if<render::MeshShape>(&object.shape)) {
-            const std::optional<render::MeshShape> whole = whole_mesh(*mesh);
+            const auto whole = meshes.find(*mesh);
             if (!whole) {
                 continue;
             }
-            fixture.corners = corners_of(*whole);
+            fixture.corners = corners_of(whole->mesh);
             for (const Vec3& corner : fixture.corners) {
                 fixture.box.extendBy(corner);
             }

@@ -14,6 +14,7 @@
 #include "pipeline/camera/rig_state.h"
 #include "pipeline/check/lamp_check.h"
 #include "pipeline/check/placed_problem.h"
+#include "pipeline/check/solid_check.h"
 #include "pipeline/check/view_check.h"
 
 namespace carom::pipeline {
@@ -39,26 +40,9 @@ struct FrameRange {
     }
 };
 
-struct Ball {
-    const sim::Track* track = nullptr;
-    double radius = 0;
-};
-
-std::vector<Ball> balls_of(const Shot& shot, const sim::Timeline& timeline) {
-    std::vector<Ball> balls;
-    for (const sim::Body& body : shot.world.bodies) {
-        const auto* sphere = std::get_if<sim::Sphere>(&body.shape);
-        const sim::Track* track = timeline.find(body.name);
-        if (sphere != nullptr && track != nullptr) {
-            balls.push_back({track, sphere->radius});
-        }
-    }
-    return balls;
-}
-
 /// What all cameras of a shot are checked against.
 struct Subjects {
-    std::vector<Ball> balls;
+    SolidCheck solids;
     std::map<std::string, double> sizes;
     LampCheck lamps;
 };
@@ -71,7 +55,7 @@ class CameraChecker {
                   const FilmTiming& timing, const sim::Timeline& timeline)
         : rig_(rig),
           timing_(timing),
-          balls_(subjects.balls),
+          solids_(subjects.solids),
           lamps_(subjects.lamps),
           timeline_(timeline),
           view_(rig, target, subjects.sizes, timeline) {}
@@ -81,11 +65,9 @@ class CameraChecker {
         const RigInstant instant{progress_at(rig_, time), scene_time_at(rig_, time).to_double()};
         try {
             const render::CameraState camera = camera_state(rig_, instant, timeline_);
-            for (const Ball& ball : balls_) {
-                const Vec3 centre = ball.track->sample(instant.scene_time).position;
-                if ((camera.position - centre).length() < ball.radius) {
-                    add(inside_[ball.track->name()], frame);
-                }
+            for (const std::string& name :
+                 solids_.find_around(camera.position, instant.scene_time)) {
+                add(inside_[name], frame);
             }
             for (const std::string& name : find_focus_behind_camera(rig_, instant, timeline_)) {
                 add(behind_[name], frame);
@@ -111,9 +93,9 @@ class CameraChecker {
             add_problem("name", Severity::error,
                         "has no valid view " + frames->text(timing_) + ": " + reason);
         }
-        for (const auto& [ball, frames] : inside_) {
+        for (const auto& [object, frames] : inside_) {
             add_problem("position", Severity::warning,
-                        "is inside '" + ball + "' " + frames->text(timing_));
+                        "is inside '" + object + "' " + frames->text(timing_));
         }
         for (const auto& [object, frames] : behind_) {
             add_problem(
@@ -159,7 +141,7 @@ class CameraChecker {
 
     const CameraRig& rig_;
     const FilmTiming& timing_;
-    const std::vector<Ball>& balls_;
+    SolidCheck& solids_;
     LampCheck& lamps_;
     const sim::Timeline& timeline_;
     ViewCheck view_;
@@ -207,7 +189,7 @@ std::vector<Problem> stick_problems(const Shot& shot, const ShotSource* source,
 std::vector<Problem> camera_problems(const Shot& shot, const ShotSource* source,
                                      const sim::Timeline& timeline) {
     const std::vector<CameraRig> rigs = fit_camera_paths(shot, timeline);
-    Subjects subjects{balls_of(shot, timeline), sizes_of_objects(shot), LampCheck(shot)};
+    Subjects subjects{SolidCheck(shot, timeline), sizes_of_objects(shot), LampCheck(shot)};
     std::vector<CameraChecker> checkers;
     checkers.reserve(rigs.size());
     for (std::size_t i = 0; i < rigs.size(); ++i) {

@@ -48,12 +48,18 @@ namespace carom::pipeline {
                                                      const sound::AddedSound& music = {},
                                                      const WorkContext& context = {});
 
-/// Warnings about cameras that are inside a ball, that are focused on an object behind them, that
-/// do not show the object at which they aim or on which they are focused (view_check.h), or that
-/// look at the table through a lamp (lamp_check.h), and errors for frames without a valid view.
-/// Each problem is reported once per camera, with its first and last frame. In films of more than
-/// 2000 frames, about 2000 evenly spaced ones are checked. `source`: of the shot as it was read;
-/// nullptr if it has other cameras.
+/// Warnings about objects that are far too large or too small, so that their unit is probably
+/// another one, about a picture on a mesh without uv, about materials of a mesh file that its
+/// object does not have, and about what is ignored in such a file. Files of more than 64 MB are not
+/// read. `source`: as above.
+[[nodiscard]] std::vector<Problem> object_problems(const Shot& shot, const ShotSource* source);
+
+/// Warnings about cameras that are inside an object (solid_check.h), that are focused on an object
+/// behind them, that do not show the object at which they aim or on which they are focused
+/// (view_check.h), or that look at the table through a lamp (lamp_check.h), and errors for frames
+/// without a valid view. Each problem is reported once per camera, with its first and last frame.
+/// In films of more than 2000 frames, about 2000 evenly spaced ones are checked. `source`: of the
+/// shot as it was read; nullptr if it has other cameras.
 [[nodiscard]] std::vector<Problem> camera_problems(const Shot& shot, const ShotSource* source,
                                                    const sim::Timeline& timeline);
 

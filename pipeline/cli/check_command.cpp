@@ -126,6 +126,9 @@ std::vector<Problem> problems_of_shot(const CheckCommand& command, CommandContex
     std::vector<Problem>& problems = checked.problems;
     if (checked.input) {
         check_film_file(*checked.input, problems);
+        std::ranges::move(
+            pipeline::object_problems(checked.input->shot, checked.input->source.get()),
+            std::back_inserter(problems));
         if (!command.quick && !pipeline::has_errors(problems)) {
             if (asks_for_loudness(checked.input->shot)) {
                 require_decoder(checked.input->shot.output, context);

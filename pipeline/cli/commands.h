@@ -254,11 +254,11 @@ struct SchemaCommand {
 void describe(SchemaCommand& command, CommandDescription& description);
 void run(const SchemaCommand& command, CommandContext& context);
 
-/// Converts a scene to a shot.
+/// Converts a scene to a shot, or a mesh with materials to objects.
 struct ImportCommand {
-    std::string scene;   // in the older text format
-    std::string output;  // empty: the scene's name and .yaml in the current folder
-    double unit = 0.01;  // m
+    std::string scene;           // in the older text format, or an OBJ or PLY file
+    std::string output;          // empty: the scene's name and .yaml in the current folder
+    std::optional<double> unit;  // m; empty: 0.01 of a scene, 1 of a mesh
     std::string up = "y";
     std::string fov = "distance";
     std::string boxes = "auto";
@@ -351,8 +351,9 @@ inline constexpr std::tuple kCommandTable{
                            "Write a commented shot to start from."},
     CommandRow<CheckCommand>{"check", Group::make, Program::carom,
                              "Report every problem of a shot, with its line."},
-    CommandRow<ImportCommand>{"import", Group::make, Program::carom,
-                              "Convert a scene of the older text format to a shot."},
+    CommandRow<ImportCommand>{
+        "import", Group::make, Program::carom,
+        "Convert a scene of the older text format to a shot, or a mesh with materials to objects."},
     CommandRow<ImportTrackCommand>{"import-track", Group::make, Program::carom,
                                    "Convert a CSV table of motion to a keyed object."},
     CommandRow<StudioCommand>{"studio", Group::make, Program::studio,

@@ -54,15 +54,18 @@ void check_different(const std::string& path, const std::string& other, const ch
     }
 }
 
-std::string tracks_text(const Source& source, Format format, std::optional<double> rate) {
+std::string tracks_text(const Source& source, Format format, std::optional<double> rate,
+                        const std::string& path) {
     const sim::Timeline& timeline = source.timeline;
     if (format == Format::csv) {
         return rate ? pipeline::samples_to_csv(timeline, *rate) : pipeline::keys_to_csv(timeline);
     }
     const pipeline::ExportScene scene = pipeline::export_scene(*source.shot, timeline);
-    return format == Format::json  ? pipeline::timeline_json(*source.shot, timeline, scene, rate)
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    return format == Format::json
+               ? pipeline::timeline_json(*source.shot, timeline, scene, rate, folder)
            : format == Format::glb ? pipeline::scene_to_glb(scene)
-                                   : pipeline::scene_to_usda(scene);
+                                   : pipeline::scene_to_usda(scene, folder);
 }
 
 }  // namespace
@@ -88,7 +91,7 @@ void run(const ExportCommand& command, CommandContext& context) {
 
     const Source source = read_source(command, format != Format::csv, context);
     if (tracks_wanted) {
-        write_text_output(path, tracks_text(source, format, command.rate));
+        write_text_output(path, tracks_text(source, format, command.rate, path));
     }
     if (!command.events.empty()) {
         write_text_output(command.events, pipeline::events_to_csv(source.timeline));

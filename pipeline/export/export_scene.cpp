@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <map>
+#include <system_error>
 
+#include <Imath/ImathBox.h>
 #include <Imath/ImathMatrixAlgo.h>
 
 #include "core/error.h"
@@ -93,10 +96,42 @@ class SceneBuilder {
         if (sphere != nullptr && paint != nullptr) {
             add_ball(part, *sphere, *paint, plain_material(description), body_from_object);
         } else {
-            add_mesh(part, shape_mesh(object.shape), body_from_object);
+            render::MeshShape mesh = shape_mesh(object.shape);
+            if (timeline_ != nullptr) {
+                centre_far_mesh(part, object.track.empty(), mesh, body_from_object);
+            }
+            add_mesh(part, mesh, body_from_object);
             part.patches = {{0, part.mesh.triangles.size(), material(plain_material(description))}};
         }
         scene_.parts.push_back(std::move(part));
+    }
+
+    /// Moves a mesh that is far from the body's origin there. Far: 100 times its size or 10 km,
+    /// where floats are 1 mm apart.
+    static void centre_far_mesh(ExportPart& part, bool is_static, render::MeshShape& mesh,
+                                Mat44& body_from_object) {
+        Imath::Box3d box;
+        for (const Vec3& vertex : mesh.vertices) {
+            box.extendBy(vertex * body_from_object);
+        }
+        const Vec3 centre = box.isEmpty() ? Vec3(0, 0, 0) : box.center();
+        const double size = box.isEmpty() ? 0 : box.size().length();
+        if (centre.length() <= size || centre.length() <= std::min(100 * size, 10'000.0)) {
+            return;
+        }
+        // Moving the vertices in double first keeps all their digits.
+        const Vec3 in_object = centre * body_from_object.inverse();
+        for (Vec3& vertex : mesh.vertices) {
+            vertex -= in_object;
+        }
+        Vec3 origin;
+        body_from_object.multVecMatrix(in_object, origin);
+        body_from_object[3][0] = body_from_object[3][1] = body_from_object[3][2] = 0;
+        if (is_static) {
+            part.keys.positions.front() += origin;
+        } else {
+            part.origin = origin;
+        }
     }
 
     static void add_mesh(ExportPart& part, const render::MeshShape& shape, const Mat44& map) {
@@ -217,6 +252,14 @@ CameraAxes camera_axes(const render::CameraState& state) {
     const double c = std::cos(state.roll);
     const double s = std::sin(state.roll);
     return {c * level + s * upright, c * upright - s * level, -forward};
+}
+
+std::string exported_path(const std::string& path, const std::string& folder) {
+    std::error_code ignored;
+    const std::filesystem::path from = std::filesystem::weakly_canonical(
+        std::filesystem::absolute(folder.empty() ? "." : folder, ignored), ignored);
+    const std::filesystem::path to = std::filesystem::weakly_canonical(path, ignored);
+    return to.lexically_proximate(from).generic_string();
 }
 
 ExportScene export_scene(const Shot& shot, const sim::Timeline& timeline) {

@@ -34,9 +34,12 @@ struct ExportPatch {
     std::size_t material = 0;
 };
 
-/// An object. Its mesh is in body axes, in metres, without scaling.
+/// An object. Its mesh is in body axes, in metres, without scaling, less `origin`.
 struct ExportPart {
     std::string name;
+    /// In body axes, m; not zero for a mesh far from it whose coordinates, as those of maps, would
+    /// lose their last digits as floats. Of a static object it is in the position of the key.
+    Vec3 origin{0, 0, 0};
     render::TriangleMesh mesh;  // normals of unit length, or none
     std::vector<ExportPatch> patches;
     LinearKeys keys;  // a single key: the object is static
@@ -87,6 +90,10 @@ struct CameraAxes {
 /// Throws Error if a mesh file cannot be read, a camera is invalid, or an object needs more than
 /// kMostExportKeys keys.
 [[nodiscard]] ExportScene export_scene(const Shot& shot, const sim::Timeline& timeline);
+
+/// A path relative to the folder of the file in which it is written, with '/' between names, as in
+/// "../rooms/hall.exr".
+[[nodiscard]] std::string exported_path(const std::string& path, const std::string& folder);
 
 inline constexpr std::size_t kMostExportKeys = 2'000'000;  // of one object
 

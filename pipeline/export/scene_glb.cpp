@@ -30,7 +30,12 @@ Quat y_up(const Quat& q) {
     return {q.r, y_up(q.v)};
 }
 
+/// Readers keep floats, but far away some keep all digits.
 Json list(const Vec3& v) {
+    constexpr double kFar = 1'000;  // m
+    if (v.length() > kFar) {
+        return {v.x, v.y, v.z};
+    }
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
@@ -127,7 +132,16 @@ class GlbWriter {
                                   {"material", patch.material}});
         }
         meshes_.push_back({{"name", part.name}, {"primitives", std::move(primitives)}});
-        add_node({{"name", part.name}, {"mesh", meshes_.size() - 1}}, part.keys);
+        if (part.origin == Vec3(0, 0, 0)) {
+            add_node({{"name", part.name}, {"mesh", meshes_.size() - 1}}, part.keys);
+            return;
+        }
+        // The mesh is in a node of its own, because its body turns about another point.
+        add_node({{"name", part.name}, {"children", {nodes_.size() + 1}}}, part.keys);
+        nodes_.push_back({{"name", part.name + " mesh"},
+                          {"mesh", meshes_.size() - 1},
+                          {"translation", list(y_up(part.origin))}});
+        children_.insert(nodes_.size() - 1);
     }
 
     /// Adds a camera whose position and orientation follow scene time. glTF cannot animate the
@@ -234,7 +248,9 @@ class GlbWriter {
     Json document() {
         Json all = Json::array();
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
-            all.push_back(i);
+            if (!children_.contains(i)) {
+                all.push_back(i);
+            }
         }
         Json document{{"asset", {{"version", "2.0"}, {"generator", "carom"}}},
                       {"scene", 0},
@@ -267,6 +283,7 @@ class GlbWriter {
     const ExportScene& scene_;
     GltfBuffer buffer_;
     std::set<std::string> extensions_;
+    std::set<std::size_t> children_;  // nodes below another one
     Json nodes_ = Json::array();
     Json cameras_ = Json::array();
     Json materials_ = Json::array();

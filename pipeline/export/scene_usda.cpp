@@ -41,7 +41,8 @@ std::string index_text(std::uint32_t index) {
 
 class UsdaWriter {
   public:
-    explicit UsdaWriter(const ExportScene& scene) : scene_(scene) {}
+    UsdaWriter(const ExportScene& scene, std::string folder)
+        : scene_(scene), folder_(std::move(folder)) {}
 
     std::string run() {
         write_head();
@@ -109,12 +110,21 @@ class UsdaWriter {
         text_.line("}");
     }
 
-    void write_keys(const LinearKeys& keys) {
+    /// `origin`: of what is below, in axes that the keys move.
+    void write_keys(const LinearKeys& keys, const Vec3& origin = Vec3(0, 0, 0)) {
         attribute("double3 xformOp:translate", keys.times,
                   [&](std::size_t i) { return usda_tuple(keys.positions[i]); });
         attribute("quatf xformOp:orient", keys.times,
                   [&](std::size_t i) { return usda_tuple(keys.orientations[i]); });
-        text_.line("uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:orient\"]");
+        if (origin == Vec3(0, 0, 0)) {
+            text_.line(
+                "uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:orient\"]");
+            return;
+        }
+        text_.line("double3 xformOp:translate:mesh = " + usda_tuple(origin));
+        text_.line(
+            "uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:orient\", "
+            "\"xformOp:translate:mesh\"]");
     }
 
     void write_place(const Vec3& position, const Quat& orientation) {
@@ -176,7 +186,7 @@ class UsdaWriter {
         }
         text_.line("int[] faceVertexIndices = " + array_of(corners, index_text));
         text_.line("rel material:binding = " + path_of(part.patches.front().material));
-        write_keys(part.keys);
+        write_keys(part.keys, part.origin);
         for (std::size_t i = 1; i < part.patches.size(); ++i) {
             write_patch(part.patches[i], i);
         }
@@ -268,7 +278,7 @@ class UsdaWriter {
         }
         open_light("DomeLight", light.name, room.radiance);
         if (!room.image.empty()) {
-            text_.line("asset inputs:texture:file = @" + room.image + "@");
+            text_.line("asset inputs:texture:file = " + asset_path(room.image));
             text_.line("token inputs:texture:format = \"latlong\"");
         }
         // A UsdLux dome's image has Y up and +z in the middle; carom's has Z up and +x in the
@@ -278,6 +288,14 @@ class UsdaWriter {
         turn.setAxisAngle(Vec3(0, 0, 1), room.rotation);
         write_place({0, 0, 0}, turn * x_y_z_to_y_z_x);
         return true;
+    }
+
+    /// USD takes paths that begin with "./" or "../" as relative to the file.
+    [[nodiscard]] std::string asset_path(const std::string& file) const {
+        std::string path = exported_path(file, folder_);
+        path = path.starts_with("..") || path.starts_with("/") ? path : "./" + path;
+        const std::string mark = path.find('@') == std::string::npos ? "@" : "@@@";
+        return mark + path + mark;
     }
 
     static Quat light_rotation(const Vec3& direction) {
@@ -295,6 +313,7 @@ class UsdaWriter {
     }
 
     const ExportScene& scene_;
+    std::string folder_;  // of the file
     UsdaText text_;
     UsdaNames names_;
     std::vector<std::string> material_names_;
@@ -302,8 +321,8 @@ class UsdaWriter {
 
 }  // namespace
 
-std::string scene_to_usda(const ExportScene& scene) {
-    return UsdaWriter(scene).run();
+std::string scene_to_usda(const ExportScene& scene, const std::string& folder) {
+    return UsdaWriter(scene, folder).run();
 }
 
 }  // namespace carom::pipeline

@@ -71,6 +71,8 @@ Json json_of(const T& described) {
 }
 
 struct ShapeJson {
+    const std::string& folder;  // of the file
+
     template <class Shape>
     Json operator()(const Shape& shape) const {
         return with_fields({{"kind", shape.kName}}, shape);
@@ -82,7 +84,7 @@ struct ShapeJson {
     }
     Json operator()(const render::MeshShape& s) const {
         if (!s.file.empty()) {
-            return {{"kind", "mesh"}, {"file", s.file}};
+            return {{"kind", "mesh"}, {"file", exported_path(s.file, folder)}};
         }
         Json vertices = Json::array();
         for (const Vec3& vertex : s.vertices) {
@@ -100,9 +102,9 @@ Json map_json(const Mat44& map) {
     return rows;
 }
 
-Json object_json(const render::ObjectDescription& object) {
+Json object_json(const render::ObjectDescription& object, const std::string& folder) {
     Json result{{"name", object.name},
-                {"shape", std::visit(ShapeJson{}, object.shape)},
+                {"shape", std::visit(ShapeJson{folder}, object.shape)},
                 {"material", object.material}};
     result["track"] = object.track.empty() ? Json() : Json(object.track);
     result["map"] = map_json(object.world_from_object);
@@ -186,7 +188,7 @@ std::string lines_of(const Json& document) {
 }  // namespace
 
 std::string timeline_json(const Shot& shot, const sim::Timeline& timeline, const ExportScene& scene,
-                          std::optional<double> rate) {
+                          std::optional<double> rate, const std::string& folder) {
     Json document{
         {"carom_export", kVersion},
         {"name", shot.name},
@@ -196,7 +198,9 @@ std::string timeline_json(const Shot& shot, const sim::Timeline& timeline, const
         {"fps", scene.fps},
         {"tracks",
          all(timeline.tracks, [&](const sim::Track& t) { return track_json(t, timeline, rate); })},
-        {"objects", all(shot.scene.objects, object_json)},
+        {"objects",
+         all(shot.scene.objects,
+             [&](const render::ObjectDescription& o) { return object_json(o, folder); })},
         {"materials", all(scene.materials, json_of<ExportMaterial>)},
         {"events", all(timeline.events, json_of<sim::Event>)},
         {"energy", all(timeline.energy, json_of<sim::EnergySample>)},

@@ -10,8 +10,10 @@ namespace carom::pipeline {
 
 /// One JSON object, described in docs/export.md. Tracks are given by their keys, with the
 /// velocities before and after each, or sampled at `rate` (Hz) as in timeline_csv.h. Throws Error
-/// if the rate is out of range.
+/// if the rate is out of range. `folder`: of the file, to which the paths of mesh files are
+/// relative; empty: the current one.
 [[nodiscard]] std::string timeline_json(const Shot& shot, const sim::Timeline& timeline,
-                                        const ExportScene& scene, std::optional<double> rate);
+                                        const ExportScene& scene, std::optional<double> rate,
+                                        const std::string& folder = "");
 
 }  // namespace carom::pipeline

@@ -10,15 +10,6 @@ namespace {
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 constexpr std::string_view kBlanks = " \t\r";
 
-char separator_of(std::string_view line) {
-    for (const char separator : {',', ';', '\t'}) {
-        if (line.find(separator) != std::string_view::npos) {
-            return separator;
-        }
-    }
-    return ',';
-}
-
 /// The end of the cell that begins at `from`: the position of its separator, or the end of the
 /// line.
 std::size_t end_of_cell(std::string_view line, std::size_t from, char separator) {
@@ -31,6 +22,31 @@ std::size_t end_of_cell(std::string_view line, std::size_t from, char separator)
         }
     }
     return line.size();
+}
+
+/// The separator that divides the line into most cells.
+char separator_of(std::string_view line) {
+    char best = ',';
+    std::ptrdiff_t most = 0;
+    for (const char separator : {',', ';', '\t'}) {
+        std::ptrdiff_t count = 0;
+        for (std::size_t at = end_of_cell(line, 0, separator); at < line.size();
+             at = end_of_cell(line, at + 1, separator)) {
+            ++count;
+        }
+        if (count > most) {
+            most = count;
+            best = separator;
+        }
+    }
+    return best;
+}
+
+/// The separator that a first line like Excel's "sep=;" declares; 0 for any other line.
+char declared_separator(std::string_view line) {
+    const std::size_t last = line.find_last_not_of("\r ");
+    line = line.substr(0, last == std::string_view::npos ? 0 : last + 1);
+    return line.size() == 5 && line.starts_with("sep=") ? line.back() : '\0';
 }
 
 std::string unquoted(std::string_view text) {
@@ -47,16 +63,20 @@ std::string unquoted(std::string_view text) {
 
 }  // namespace
 
-std::vector<CsvLine> csv_lines(const config::SourceSet& sources, int source) {
+CsvTable csv_table(const config::SourceSet& sources, int source) {
     const std::string_view text = sources.at(source).text;
-    std::vector<CsvLine> lines;
-    char separator = 0;
+    CsvTable table;
+    std::vector<CsvLine>& lines = table.lines;
+    char& separator = table.separator;
     std::size_t begin = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
     while (begin < text.size()) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::size_t end = std::min(text.find_first_of("\n\r", begin), text.size());
         const std::string_view line = text.substr(begin, end - begin);
         const std::size_t first = line.find_first_not_of(kBlanks);
-        if (first != std::string_view::npos && line[first] != '#') {
+        const char declared = separator == 0 ? declared_separator(line) : '\0';
+        if (declared != '\0') {
+            separator = declared;
+        } else if (first != std::string_view::npos && line[first] != '#') {
             separator = separator != 0 ? separator : separator_of(line);
             CsvLine result;
             result.place = sources.place_at(source, begin + first, line.size() - first);
@@ -75,7 +95,7 @@ std::vector<CsvLine> csv_lines(const config::SourceSet& sources, int source) {
         }
         begin = end + 1;
     }
-    return lines;
+    return table;
 }
 
 }  // namespace carom::pipeline

@@ -18,8 +18,14 @@ struct CsvLine {
     std::vector<CsvCell> cells;
 };
 
-/// Reads RFC 4180 without line breaks in cells. The first line determines the separator: commas,
-/// otherwise semicolons, otherwise tabs. Empty lines and lines that begin with # are skipped.
-[[nodiscard]] std::vector<CsvLine> csv_lines(const config::SourceSet& sources, int source);
+struct CsvTable {
+    char separator = 0;  // 0: the table is empty
+    std::vector<CsvLine> lines;
+};
+
+/// Reads RFC 4180 without line breaks in cells. The separator is a comma, a semicolon or a tab,
+/// whichever divides the first line into most cells, or as Excel's first line "sep=;" says. Empty
+/// lines and lines that begin with # are skipped. Lines end with LF, CR LF or CR.
+[[nodiscard]] CsvTable csv_table(const config::SourceSet& sources, int source);
 
 }  // namespace carom::pipeline

@@ -52,9 +52,11 @@ std::string lower(std::string text) {
 
 class TableReader {
   public:
-    TableReader(const std::vector<CsvLine>& lines, std::string object,
-                config::ProblemList& problems)
-        : lines_(lines), object_(std::move(object)), problems_(problems) {}
+    TableReader(const CsvTable& table, std::string object, config::ProblemList& problems)
+        : lines_(table.lines),
+          separator_(table.separator),
+          object_(std::move(object)),
+          problems_(problems) {}
 
     std::vector<TrackRow> read(int source) {
         if (lines_.empty()) {
@@ -70,6 +72,7 @@ class TableReader {
         if (problems_.has_error()) {
             return {};  // later problems would concern the wrong columns or rows
         }
+        find_decimal_comma();
         std::vector<TrackRow> rows;
         for (const CsvLine& line : std::span(lines_).subspan(1)) {
             if (std::optional<TrackRow> row = read_row(line)) {
@@ -138,9 +141,15 @@ class TableReader {
 
     std::optional<TrackRow> read_row(const CsvLine& line) {
         if (line.cells.size() != lines_.front().cells.size()) {
-            problems_.error(line.place,
-                            fmt::format("this row has {} values, but the table has {} columns",
-                                        line.cells.size(), lines_.front().cells.size()));
+            const bool may_be_decimals =
+                separator_ == ',' && line.cells.size() > lines_.front().cells.size();
+            problems_.error(
+                line.place,
+                fmt::format("this row has {} values, but the table has {} columns{}",
+                            line.cells.size(), lines_.front().cells.size(),
+                            may_be_decimals ? "; if its numbers have decimal commas, separate the "
+                                              "columns with semicolons"
+                                            : ""));
             return std::nullopt;
         }
         if (has("object")) {
@@ -200,11 +209,8 @@ class TableReader {
                   const char* unit) {
         const CsvCell& cell = line.cells[columns_.at(name)];
         double value = 0;
-        if (!parse(cell.text, value)) {
-            problems_.error(cell.place,
-                            std::string("'") + name + "' " +
-                                (cell.text.empty() ? "has no value"
-                                                   : "must be a number, not " + quote(cell.text)));
+        if (const std::string problem = read_number(cell.text, value); !problem.empty()) {
+            problems_.error(cell.place, std::string("'") + name + "' " + problem);
             is_valid_ = false;
         } else if (!(value >= least && value <= most)) {
             problems_.error(cell.place, std::string("'") + name + "' must lie between " +
@@ -213,6 +219,64 @@ class TableReader {
             is_valid_ = false;
         }
         return value;
+    }
+
+    /// Whether the numbers of the table have decimal commas: whether one has a comma that cannot
+    /// stand before thousands. Where commas separate columns, "1,234" can.
+    void find_decimal_comma() {
+        for (const CsvLine& line : std::span(lines_).subspan(1)) {
+            for (const auto& [name, column] : columns_) {
+                if (name == "object" || column >= line.cells.size()) {
+                    continue;
+                }
+                const std::string& text = line.cells[column].text;
+                const std::size_t comma = text.find(',');
+                const bool can_be_thousands = separator_ == ',' && text.size() == comma + 4;
+                double value = 0;
+                if (comma != std::string::npos && !can_be_thousands &&
+                    parse(with_point(text), value)) {
+                    line_of_comma_ = line.place.line;
+                    return;
+                }
+            }
+        }
+    }
+
+    static std::string with_point(std::string text) {
+        std::ranges::replace(text, ',', '.');
+        return text;
+    }
+
+    /// The rest of a sentence about what is wrong with a number; empty if it was read.
+    [[nodiscard]] std::string read_number(const std::string& text, double& value) const {
+        const bool has_comma = text.find(',') != std::string::npos;
+        const bool has_point = text.find('.') != std::string::npos;
+        if (text.empty()) {
+            return "has no value";
+        }
+        if (line_of_comma_ > 0 && has_point && !has_comma && parse(text, value)) {
+            return fmt::format(
+                "has a point in {}, but numbers of this table have decimal commas "
+                "(line {})",
+                quote(text), line_of_comma_);
+        }
+        if (line_of_comma_ > 0 ? parse(with_point(text), value) && !(has_point && has_comma)
+                               : parse(text, value)) {
+            return {};
+        }
+        std::string digits;  // without what separates thousands, if that is all that is wrong
+        for (std::size_t at = 0; at < text.size(); ++at) {
+            const bool is_wide = text.compare(at, 2, "\xc2\xa0") == 0;       // no-break space
+            const bool is_wider = text.compare(at, 3, "\xe2\x80\xaf") == 0;  // the narrow one
+            if (is_wide || is_wider) {
+                at += is_wide ? 1 : 2;
+            } else if (std::string_view(",.' ").find(text[at]) == std::string_view::npos) {
+                digits += text[at];
+            }
+        }
+        return std::string("must be a number") +
+               (parse(digits, value) ? " without thousands separators" : "") + ", not " +
+               quote(text);
     }
 
     static bool parse(const std::string& text, double& value) {
@@ -265,6 +329,8 @@ class TableReader {
     }
 
     const std::vector<CsvLine>& lines_;
+    char separator_;
+    int line_of_comma_ = 0;  // of a number with a decimal comma; 0: there is none
     std::string object_;
     config::ProblemList& problems_;
     std::map<std::string, std::size_t, std::less<>> columns_;
@@ -275,8 +341,8 @@ class TableReader {
 
 std::vector<TrackRow> read_track_table(const config::SourceSet& sources, int source,
                                        const std::string& object, config::ProblemList& problems) {
-    const std::vector<CsvLine> lines = csv_lines(sources, source);
-    return TableReader(lines, object, problems).read(source);
+    const CsvTable table = csv_table(sources, source);
+    return TableReader(table, object, problems).read(source);
 }
 
 }  // namespace carom::pipeline

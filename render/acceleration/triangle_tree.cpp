@@ -55,17 +55,74 @@ LeafSlab slab_of(const TriangleBlock& block, std::uint32_t count) {
     return slab;
 }
 
+struct Place {
+    std::uint32_t mesh, number;
+};
+
+V3f corner_of(std::span<const MeshEntry> meshes, const Place& place, std::size_t k) {
+    const TriangleMesh& mesh = *meshes[place.mesh].mesh;
+    return mesh.vertices[mesh.triangles[place.number][k]];
+}
+
+/// How many triangles may have the same box without being looked at more closely: a leaf's.
+constexpr std::size_t kFewEqual = kBlockLanes;
+
+/// Removes triangles that have exactly the corners of an earlier one of the same mesh, if there are
+/// many: every ray that meets the first one would be tested against all. None of them is ever seen,
+/// because of hits at the same distance the first counts. Returns whether some were removed.
+/// `order` is the tree's, in which triangles with the same box are neighbours.
+bool remove_repeated(std::span<const MeshEntry> meshes, std::span<const std::uint32_t> order,
+                     std::vector<Place>& places, std::vector<MovingBounds>& bounds) {
+    const auto key = [&](std::uint32_t item) {
+        std::array<float, 10> numbers{static_cast<float>(places[item].mesh)};
+        for (std::size_t k = 0; k < 9; ++k) {
+            numbers[k + 1] = corner_of(meshes, places[item], k / 3)[static_cast<int>(k % 3)];
+        }
+        return numbers;
+    };
+    std::vector<bool> is_repeated(places.size(), false);
+    bool any = false;
+    for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
+        while (end < order.size() && bounds[order[end]].open == bounds[order[first]].open) {
+            ++end;
+        }
+        if (end - first <= kFewEqual) {
+            continue;
+        }
+        std::vector<std::uint32_t> equal(order.begin() + static_cast<std::ptrdiff_t>(first),
+                                         order.begin() + static_cast<std::ptrdiff_t>(end));
+        std::sort(equal.begin(), equal.end(), [&](std::uint32_t a, std::uint32_t b) {
+            const auto key_of_a = key(a);
+            const auto key_of_b = key(b);
+            return key_of_a != key_of_b ? key_of_a < key_of_b : a < b;
+        });
+        for (std::size_t i = 1; i < equal.size(); ++i) {
+            is_repeated[equal[i]] = key(equal[i]) == key(equal[i - 1]);
+            any = any || is_repeated[equal[i]];
+        }
+    }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; any && i < places.size(); ++i) {
+        if (!is_repeated[i]) {
+            places[kept] = places[i];
+            bounds[kept] = bounds[i];
+            ++kept;
+        }
+    }
+    if (any) {
+        places.resize(kept);
+        bounds.resize(kept);
+    }
+    return any;
+}
+
 }  // namespace
 
 TriangleTree make_triangle_tree(std::span<const MeshEntry> meshes) {
-    struct Place {
-        std::uint32_t mesh, number;
-    };
     std::vector<Place> places;
     std::vector<MovingBounds> bounds;
     const auto corner = [&](const Place& place, std::size_t k) {
-        const TriangleMesh& mesh = *meshes[place.mesh].mesh;
-        return mesh.vertices[mesh.triangles[place.number][k]];
+        return corner_of(meshes, place, k);
     };
     for (std::uint32_t mesh = 0; mesh < meshes.size(); ++mesh) {
         const auto count = static_cast<std::uint32_t>(meshes[mesh].mesh->triangles.size());
@@ -82,6 +139,9 @@ TriangleTree make_triangle_tree(std::span<const MeshEntry> meshes) {
         result.bounds.extendBy(one.open);
     }
     result.tree = build_wide_tree(bounds);
+    if (remove_repeated(meshes, result.tree.order, places, bounds)) {
+        result.tree = build_wide_tree(bounds);
+    }
     result.slabs.reserve(result.tree.leaves.size());
     result.blocks.reserve(result.tree.leaves.size());
     result.names.reserve(result.tree.leaves.size());

@@ -1,221 +1,339 @@
 #include "render/geometry/obj_file.h"
 
-#define TINYOBJLOADER_USE_DOUBLE  // as libtinyobjloader_double was built
 #include <algorithm>
-#include <cstddef>
-#include <sstream>
-#include <string_view>
-#include <unordered_map>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
 
 #include <fmt/core.h>
-#include <tiny_obj_loader.h>
 
-#include "core/error.h"
 #include "core/limits.h"
-#include "render/geometry/file_text.h"
-#include "render/geometry/polygon.h"
+#include "render/geometry/mesh_builder.h"
+#include "render/geometry/mesh_text.h"
 #include "render/geometry/triangle_mesh.h"
+#include "render/geometry/validity.h"
 
 namespace carom::render {
 namespace {
 
-constexpr std::size_t kMaxLineBytes = 65'536;
-constexpr int kMaxCorners = 1'024;  // of one face
+constexpr std::size_t kMaxWords = kMaxCorners + 8;  // of a statement
 
-[[noreturn]] void refuse(const std::string& path, const std::string& what) {
-    throw Error("'" + path + "': " + what);
-}
+/// Statements without a meaning for a mesh. Those of curves and surfaces come after `surf`.
+constexpr std::array kIgnored = {"p",          "l",         "g",        "o",       "s",     "mg",
+                                 "usemap",     "maplib",    "bevel",    "lod",     "ctech", "stech",
+                                 "shadow_obj", "trace_obj", "vp",       "deg",     "bmat",  "step",
+                                 "parm",       "trim",      "hole",     "scrv",    "sp",    "end",
+                                 "con",        "cstype",    "c_interp", "d_interp"};
 
-bool has_digits(std::string_view text, int at_least) {
-    int run = 0;
-    for (const char c : text) {
-        run = c >= '0' && c <= '9' ? run + 1 : 0;
-        if (run >= at_least) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/// The problem in a line, or an empty text. The library reads a word that is not a number as zero
-/// and wraps indices that are too large, so both are checked before it runs.
-std::string problem_of(std::string_view line) {
-    if (line.size() > kMaxLineBytes) {
-        return fmt::format("longer than {} bytes", kMaxLineBytes);
-    }
-    if (line.find('\0') != std::string_view::npos) {
-        return "a zero byte; this is not an OBJ file";
-    }
-    const std::size_t key_end = std::min(line.find_first_of(" \t"), line.size());
-    const std::string_view key = line.substr(0, key_end);
-    const bool is_vertex = key == "v" || key == "vn" || key == "vt";
-    if (!is_vertex && key != "f") {
-        return {};
-    }
-    const std::string_view with_comment = line.substr(key_end);
-    const std::string_view values = with_comment.substr(0, with_comment.find('#'));
-    const std::string_view allowed = is_vertex ? "0123456789+-.eE \t\r" : "0123456789-/ \t\r";
-    if (values.find_first_not_of(allowed) != std::string_view::npos) {
-        std::string problem("'");
-        problem.append(line.substr(0, 60)).append("' has something that is no number");
-        return problem;
-    }
-    if (!is_vertex && has_digits(values, 10)) {
-        return "a face refers to a vertex beyond a thousand million";
-    }
-    return {};
-}
-
-void check_lines(std::string_view text, const std::string& path) {
-    std::size_t line_number = 0;
-    std::size_t begin = 0;
-    while (begin < text.size()) {
-        ++line_number;
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const std::string problem = problem_of(text.substr(begin, end - begin));
-        if (!problem.empty()) {
-            refuse(path, fmt::format("line {}: {}", line_number, problem));
-        }
-        begin = end + 1;
-    }
-}
-
-/// A corner's position, normal and uv; -1 for none.
-struct Corner {
-    std::ptrdiff_t point, normal, place;
-
-    bool operator==(const Corner&) const = default;
-};
-
-struct CornerHash {
-    std::size_t operator()(const Corner& corner) const {
-        std::size_t hash = static_cast<std::size_t>(corner.point + 1);
-        for (const std::ptrdiff_t part : {corner.normal, corner.place}) {
-            hash =
-                (hash ^ (hash >> 29)) * 0x9e3779b97f4a7c15ull + static_cast<std::size_t>(part + 1);
-        }
-        return hash ^ (hash >> 32);
-    }
-};
-
-/// Corners with their normal and uv become vertices; equal ones are shared.
-class MeshBuilder {
+/// Statements, each a list of words. A backslash at the end of a line joins it with the next one.
+class Statements {
   public:
-    explicit MeshBuilder(const std::string& path) : path_(path) {}
+    explicit Statements(std::string_view text) : text_(text) {}
 
-    void add_face(const tinyobj::index_t* indices, int count) {
-        if (count < 3 || count > kMaxCorners) {
-            refuse(path_,
-                   fmt::format("a face of {} corners (3 to {} are possible)", count, kMaxCorners));
+    /// Reads the next statement with a word; false at the end of the text.
+    bool next(std::vector<std::string_view>& words) {
+        words.clear();
+        while (at_ < text_.size()) {
+            line_ = words.empty() ? physical_line_ : line_;
+            if (!read_line(words) && !words.empty()) {
+                return true;
+            }
         }
-        std::vector<std::uint32_t> corners;
-        std::vector<Vec3> places;
-        for (int i = 0; i < count; ++i) {
-            corners.push_back(vertex_of(indices[i]));
-            places.push_back(shape_.vertices[corners.back()]);
-        }
-        for (const auto& triangle : triangulate(places)) {
-            shape_.triangles.push_back(
-                {corners[triangle[0]], corners[triangle[1]], corners[triangle[2]]});
-        }
-        if (shape_.triangles.size() > input_limit(kMaxMeshTriangles)) {
-            refuse(path_, beyond_limit(input_limit(kMaxMeshTriangles), "triangles"));
-        }
+        return !words.empty();
     }
 
-    MeshShape finish() {
-        if (shape_.triangles.empty()) {
-            refuse(path_, "the file has no faces; is it an OBJ file?");
-        }
-        // Normals and uv are used only if every corner has them.
-        if (without_normal_) {
-            shape_.normals.clear();
-        }
-        if (without_uv_) {
-            shape_.uv.clear();
-        }
-        return std::move(shape_);
-    }
-
-    std::vector<Vec3> points;
-    std::vector<Vec3> normals;
-    std::vector<Vec2> uv;
+    [[nodiscard]] std::size_t line() const { return line_; }  // of the statement's first word
 
   private:
-    /// 1 is the first entry of the file yet, -1 the last; -1 is returned for none (0).
-    std::ptrdiff_t resolve(int index, std::size_t count, const char* kind) const {
-        if (index == 0) {
-            return -1;
+    /// Whether the statement continues in the next line.
+    bool read_line(std::vector<std::string_view>& words) {
+        const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
+        const std::string_view line = text_.substr(at_, end - at_);
+        at_ = after_line_end(text_, end);
+        const std::size_t number = physical_line_++;
+        const std::size_t first = words.size();
+        add_words(line, words);
+        if (remove_comment(words, first)) {
+            return false;
         }
-        const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(count);
-        const std::ptrdiff_t at = index > 0 ? std::ptrdiff_t{index} - 1 : size + index;
-        if (at < 0 || at >= size) {
-            refuse(path_, fmt::format("a face refers to {} {}, but only {} came before it", kind,
-                                      index, count));
+        if (words.size() > kMaxWords) {
+            refuse(number, fmt::format("a statement of more than {} words", kMaxWords));
         }
-        return at;
+        if (words.size() == first || !words.back().ends_with('\\')) {
+            return false;
+        }
+        words.back().remove_suffix(1);
+        if (words.back().empty()) {
+            words.pop_back();
+        }
+        return true;
     }
 
-    std::uint32_t vertex_of(const tinyobj::index_t& index) {
-        const std::ptrdiff_t point = resolve(index.vertex_index, points.size(), "vertex");
-        const std::ptrdiff_t normal = resolve(index.normal_index, normals.size(), "normal");
-        const std::ptrdiff_t place = resolve(index.texcoord_index, uv.size(), "texture coordinate");
-        if (point < 0) {
-            refuse(path_, "a face refers to vertex 0; OBJ counts from 1");
+    /// Removes a comment from the words of a line; whether it had one. Names may contain a '#', and
+    /// so may numbers that are none ("-1.#IND").
+    static bool remove_comment(std::vector<std::string_view>& words, std::size_t first) {
+        const bool is_named = !words.empty() && words[0].size() > 2 && !words[0].starts_with('#');
+        if (is_named) {
+            return false;
         }
-        const auto [known, is_new] = known_.try_emplace(
-            Corner{point, normal, place}, static_cast<std::uint32_t>(shape_.vertices.size()));
-        if (is_new) {
-            shape_.vertices.push_back(points[static_cast<std::size_t>(point)]);
-            shape_.normals.push_back(normal < 0 ? Vec3(0, 0, 0)
-                                                : normals[static_cast<std::size_t>(normal)]);
-            shape_.uv.push_back(place < 0 ? Vec2(0, 0) : uv[static_cast<std::size_t>(place)]);
-            without_normal_ = without_normal_ || normal < 0;
-            without_uv_ = without_uv_ || place < 0;
+        for (std::size_t i = first; i < words.size(); ++i) {
+            const std::size_t mark = words[i].find('#');
+            if (mark == std::string_view::npos || (mark > 0 && words[i][mark - 1] == '.')) {
+                continue;
+            }
+            words[i] = words[i].substr(0, mark);
+            words.resize(mark > 0 ? i + 1 : i);
+            return true;
         }
-        return known->second;
+        return false;
     }
 
-    const std::string& path_;
-    MeshShape shape_;
-    std::unordered_map<Corner, std::uint32_t, CornerHash> known_;
-    bool without_normal_ = false;
-    bool without_uv_ = false;
+    std::string_view text_;
+    std::size_t at_ = 0;
+    std::size_t physical_line_ = 1;
+    std::size_t line_ = 1;
 };
 
-tinyobj::callback_t callbacks() {
-    tinyobj::callback_t result;
-    result.vertex_cb = [](void* user, tinyobj::real_t x, tinyobj::real_t y, tinyobj::real_t z,
-                          tinyobj::real_t) {
-        static_cast<MeshBuilder*>(user)->points.emplace_back(x, y, z);
-    };
-    result.normal_cb = [](void* user, tinyobj::real_t x, tinyobj::real_t y, tinyobj::real_t z) {
-        static_cast<MeshBuilder*>(user)->normals.emplace_back(x, y, z);
-    };
-    result.texcoord_cb = [](void* user, tinyobj::real_t x, tinyobj::real_t y, tinyobj::real_t) {
-        static_cast<MeshBuilder*>(user)->uv.emplace_back(x, y);
-    };
-    result.index_cb = [](void* user, tinyobj::index_t* indices, int count) {
-        static_cast<MeshBuilder*>(user)->add_face(indices, count);
-    };
-    return result;
-}
+class ObjReader {
+  public:
+    explicit ObjReader(std::string_view text) : statements_(text) {}
+
+    MeshReading read() {
+        read_statements();
+        build_mesh(mesh_, reading_, blemishes_);
+        reading_.warnings = blemishes_.warnings();
+        return std::move(reading_);
+    }
+
+    std::vector<MeshReading> read_parts() {
+        read_statements();
+        std::vector<MeshReading> parts;
+        for (std::uint32_t i = 0; i <= reading_.materials.size(); ++i) {
+            const bool is_named = i < reading_.materials.size();
+            MeshReading part = reading_;
+            part.materials.clear();
+            if (is_named) {
+                part.materials.push_back(reading_.materials[i]);
+            }
+            build_mesh(mesh_, part, blemishes_, is_named ? i : MeshReading::kNoMaterial);
+            if (!part.mesh.triangles.empty()) {
+                parts.push_back(std::move(part));
+            }
+        }
+        parts.front().warnings = blemishes_.warnings();
+        return parts;
+    }
+
+  private:
+    using Words = std::vector<std::string_view>;
+
+    void read_statements() {
+        Words words;
+        while (statements_.next(words)) {
+            read_statement(words);
+        }
+        if (mesh_.faces.empty()) {
+            refuse(0, "the file has no faces; is it an OBJ file?");
+        }
+    }
+
+    void read_statement(const Words& words) {
+        const std::string_view key = words[0];
+        if (key == "v") {
+            read_point(words);
+        } else if (key == "vn") {
+            read_normal(words);
+        } else if (key == "vt") {
+            read_uv(words);
+        } else if (key == "f" || key == "fo") {
+            read_face(words);
+        } else if (key == "usemtl") {
+            read_material(words);
+        } else if (key == "mtllib") {
+            reading_.libraries.push_back(rest_of(words));
+        } else if (key == "curv" || key == "curv2" || key == "surf") {
+            blemishes_.add(MeshBlemish::curved_surface, statements_.line());
+        } else if (std::find(kIgnored.begin(), kIgnored.end(), key) == kIgnored.end()) {
+            blemishes_.add(MeshBlemish::unknown_statement, statements_.line());
+        }
+    }
+
+    /// A word that must be a number; NaN for one that is none in the words of other programs.
+    double number(std::string_view word) const {
+        const auto value = number_of(word);
+        if (!value) {
+            refuse(statements_.line(), not_a_number(word));
+        }
+        return *value;
+    }
+
+    void read_point(const Words& words) {
+        if (words.size() < 4) {
+            refuse(
+                statements_.line(),
+                fmt::format("a vertex of {} coordinates; it needs x, y and z", words.size() - 1));
+        }
+        Vec3 point;
+        for (std::size_t i = 1; i < words.size(); ++i) {  // after z a weight or a colour
+            const double value = number(words[i]);
+            if (i > 3) {
+                continue;
+            }
+            point[static_cast<int>(i) - 1] = value;
+            if (!is_finite(V3f(Vec3(value)))) {
+                refuse(statements_.line(), "a vertex has the coordinate " + quoted(words[i]) +
+                                               ", which is not a finite number");
+            }
+        }
+        add(mesh_.points, point, "vertices");
+    }
+
+    void read_normal(const Words& words) {
+        Vec3 normal(0, 0, 0);
+        for (std::size_t i = 1; i < words.size(); ++i) {
+            const double value = number(words[i]);
+            if (i <= 3) {
+                normal[static_cast<int>(i) - 1] = value;
+            }
+        }
+        const V3f narrow(normal);
+        if (words.size() != 4 || !is_finite(narrow) || !(narrow.length() > 0)) {
+            blemishes_.add(MeshBlemish::bad_normal, statements_.line());
+            normal = Vec3(0, 0, 0);
+        }
+        add(mesh_.normals, normal, "normals");
+    }
+
+    void read_uv(const Words& words) {
+        if (words.size() < 2) {
+            refuse(statements_.line(), "a texture coordinate without a number");
+        }
+        Vec2 uv(0, 0);
+        for (std::size_t i = 1; i < words.size(); ++i) {  // after v a depth
+            const double value = number(words[i]);
+            if (i <= 2) {
+                uv[static_cast<int>(i) - 1] = value;
+            }
+        }
+        if (!is_finite(V3f(Vec3(uv.x, uv.y, 0)))) {
+            blemishes_.add(MeshBlemish::bad_uv, statements_.line());
+            uv = Vec2(0, 0);
+        }
+        add(mesh_.uv, uv, "texture coordinates");
+    }
+
+    template <class Value>
+    void add(std::vector<Value>& list, const Value& value, const char* what) const {
+        if (list.size() >= input_limit(kMaxMeshVertices)) {
+            refuse(statements_.line(), beyond_limit(input_limit(kMaxMeshVertices), what));
+        }
+        list.push_back(value);
+    }
+
+    /// Names with blanks are written as they are.
+    static std::string rest_of(const Words& words) {
+        std::string rest;
+        for (std::size_t i = 1; i < words.size(); ++i) {
+            rest.append(i > 1 ? " " : "").append(words[i]);
+        }
+        return rest;
+    }
+
+    void read_material(const Words& words) {
+        const std::string name = rest_of(words);
+        const auto [known, is_new] = material_numbers_.try_emplace(
+            name, static_cast<std::uint32_t>(reading_.materials.size()));
+        if (is_new) {
+            reading_.materials.push_back(name);
+        }
+        material_ = known->second;
+    }
+
+    void read_face(const Words& words) {
+        check_corner_count(words.size() - 1, statements_.line());
+        for (std::size_t i = 1; i < words.size(); ++i) {
+            read_corner(words[i]);
+        }
+        triangle_count_ += words.size() - 3;
+        if (triangle_count_ > input_limit(kMaxMeshTriangles)) {
+            refuse(statements_.line(), beyond_limit(input_limit(kMaxMeshTriangles), "triangles"));
+        }
+        mesh_.faces.push_back(
+            {static_cast<std::uint32_t>(words.size() - 1), material_, statements_.line()});
+    }
+
+    /// "1", "1/2", "1//3" or "1/2/3". An empty field, also the last one, means none.
+    void read_corner(std::string_view word) {
+        MeshCorner corner{kNoIndex, kNoIndex, kNoIndex};
+        const std::array counts{mesh_.points.size(), mesh_.uv.size(), mesh_.normals.size()};
+        std::string_view left = word;
+        for (std::size_t field = 0;; ++field) {
+            const std::size_t end = std::min(left.find('/'), left.size());
+            if (field == 3) {
+                refuse(statements_.line(), "the corner " + quoted(word) +
+                                               " has more than a vertex, a "
+                                               "texture coordinate and a normal");
+            }
+            if (end > 0) {
+                corner[field] = index_of(left.substr(0, end), word, field, counts[field]);
+            }
+            if (end == left.size()) {
+                break;
+            }
+            left.remove_prefix(end + 1);
+        }
+        if (corner[0] == kNoIndex) {
+            refuse(statements_.line(), "the corner " + quoted(word) + " has no vertex");
+        }
+        mesh_.corners.push_back(corner);
+    }
+
+    /// Counted from 0. In the file 1 is the first entry, and -1 the last one before the face.
+    std::uint32_t index_of(std::string_view digits, std::string_view word, std::size_t field,
+                           std::size_t count) {
+        std::string_view number = digits;
+        number.remove_prefix(number.starts_with('+') ? 1 : 0);
+        std::int64_t index = 0;
+        const auto [stop, error] =
+            std::from_chars(number.data(), number.data() + number.size(), index);
+        if (stop != number.data() + number.size() || error == std::errc::invalid_argument) {
+            refuse(statements_.line(),
+                   "the corner " + quoted(word) + " is not made of whole numbers");
+        }
+        if (index == 0 && field > 0 && error == std::errc()) {
+            blemishes_.add(MeshBlemish::index_zero, statements_.line());
+            return kNoIndex;
+        }
+        if (index == 0 && error == std::errc()) {
+            refuse(statements_.line(), "a face refers to vertex 0; OBJ counts from 1");
+        }
+        const std::int64_t at = index > 0 ? index - 1 : static_cast<std::int64_t>(count) + index;
+        if (error != std::errc() || at < 0 || at >= kNoIndex) {
+            refuse(statements_.line(), reference_problem(field, digits, count));
+        }
+        return static_cast<std::uint32_t>(at);
+    }
+
+    Statements statements_;
+    MeshFaces mesh_;
+    std::map<std::string, std::uint32_t> material_numbers_;
+    std::uint32_t material_ = MeshReading::kNoMaterial;
+    std::size_t triangle_count_ = 0;
+    MeshReading reading_;
+    MeshBlemishes blemishes_;
+};
 
 }  // namespace
 
-MeshShape read_obj(const std::string& path) {
-    std::string text = read_mesh_text(path);
-    check_lines(text, path);
-    std::istringstream stream(std::move(text));
-    MeshBuilder builder(path);
-    std::string warnings;
-    std::string errors;
-    const bool read =
-        tinyobj::LoadObjWithCallback(stream, callbacks(), &builder, nullptr, &warnings, &errors);
-    if (!read) {
-        refuse(path, "not a readable OBJ file: " + errors);
-    }
-    return builder.finish();
+MeshReading read_obj(std::string_view text) {
+    return ObjReader(text).read();
+}
+
+std::vector<MeshReading> read_obj_parts(std::string_view text) {
+    return ObjReader(text).read_parts();
 }
 
 }  // namespace carom::render

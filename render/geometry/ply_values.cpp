@@ -9,17 +9,13 @@
 
 #include <fmt/core.h>
 
-#include "core/error.h"
+#include "render/geometry/mesh_text.h"
 
 namespace carom::render {
 namespace {
 
 constexpr std::size_t kMaxHeaderBytes = 65'536;
 constexpr std::size_t kMaxProperties = 256;  // of one element
-
-[[noreturn]] void refuse(const std::string& path, const std::string& what) {
-    throw Error("'" + path + "': " + what);
-}
 
 std::optional<PlyType> type_of(std::string_view word) {
     static constexpr std::pair<std::string_view, PlyType> kNames[] = {
@@ -38,25 +34,17 @@ std::optional<PlyType> type_of(std::string_view word) {
     return std::nullopt;
 }
 
-std::vector<std::string_view> words_of(std::string_view line) {
-    std::vector<std::string_view> words;
-    std::size_t at = 0;
-    while ((at = line.find_first_not_of(" \t\r", at)) != std::string_view::npos) {
-        const std::size_t end = std::min(line.find_first_of(" \t\r", at), line.size());
-        words.push_back(line.substr(at, end - at));
-        at = end;
-    }
-    return words;
-}
-
 class HeaderReader {
   public:
-    explicit HeaderReader(const std::string& path) : path_(path) {}
-
     /// Whether the line ends the header.
     bool read_line(std::string_view line) {
         ++line_number_;
-        const std::vector<std::string_view> words = words_of(line);
+        std::vector<std::string_view> words;
+        add_words(line, words);
+        if (words.size() > 2 && words[0] == "comment" && words[1] == "TextureFile") {
+            const std::string_view last = words.back();
+            header.pictures.emplace_back(words[2].data(), last.data() + last.size());
+        }
         if (words.empty() || words[0] == "comment" || words[0] == "obj_info") {
             return false;
         }
@@ -68,18 +56,21 @@ class HeaderReader {
             read_property(words);
         } else if (words[0] == "end_header" && has_format_) {
             return true;
-        } else if (line_number_ != 1 || words[0] != "ply") {
+        } else if (words[0] == "end_header") {
+            complain("the header names no format");
+        } else if (words[0] != "ply" || is_begun_) {
             complain("not a line of a PLY header");
         }
+        is_begun_ = true;
         return false;
     }
+
+    [[nodiscard]] std::size_t lines() const { return line_number_; }
 
     PlyHeader header;
 
   private:
-    [[noreturn]] void complain(const std::string& what) const {
-        refuse(path_, fmt::format("line {}: {}", line_number_, what));
-    }
+    [[noreturn]] void complain(const std::string& what) const { refuse(line_number_, what); }
 
     void read_format(std::string_view word) {
         has_format_ = true;
@@ -127,8 +118,8 @@ class HeaderReader {
         }
     }
 
-    const std::string& path_;
-    int line_number_ = 0;
+    std::size_t line_number_ = 0;
+    bool is_begun_ = false;
     bool has_format_ = false;
 };
 
@@ -142,12 +133,12 @@ std::size_t least_bytes(const PlyElement& element, PlyFormat format) {
     return bytes;
 }
 
-void check_counts(const PlyHeader& header, std::size_t left, const std::string& path) {
+void check_counts(const PlyHeader& header, std::size_t left) {
     for (const PlyElement& element : header.elements) {
         const std::size_t bytes = least_bytes(element, header.format);
         // One more byte is allowed, because the last number of a text needs no blank after it.
         if (bytes == 0 ? element.count > 0 : element.count > (left + 1) / bytes) {
-            refuse(path,
+            refuse(0,
                    fmt::format("the header announces {} elements '{}', more than fit into the file",
                                element.count, element.name));
         }
@@ -174,24 +165,51 @@ std::size_t size_of(PlyType type) {
     return 8;
 }
 
-PlyHeader read_ply_header(std::string_view text, const std::string& path) {
-    HeaderReader reader(path);
+PlyHeader read_ply_header(std::string_view text) {
+    HeaderReader reader;
     const std::string_view head = text.substr(0, kMaxHeaderBytes);
     std::size_t begin = 0;
-    for (;;) {
-        const std::size_t end = head.find('\n', begin);
+    std::optional<bool> ends_with_feed;  // whether the first line ends with "\r\n"
+    for (bool is_last = false; !is_last;) {
+        const std::size_t end = head.find_first_of("\r\n", begin);
         if (end == std::string_view::npos) {
-            refuse(path, "the header of the PLY file does not end");
+            refuse(0, "the header of the PLY file does not end");
         }
-        const bool is_last = reader.read_line(head.substr(begin, end - begin));
-        begin = end + 1;
-        if (is_last) {
-            break;
+        is_last = reader.read_line(head.substr(begin, end - begin));
+        begin = after_line_end(text, end);
+        if (!ends_with_feed) {
+            ends_with_feed = begin == end + 2;
+        } else if (is_last && head[end] == '\r' && !*ends_with_feed) {
+            begin = end + 1;  // in a binary file the first value may begin with the byte of "\n"
         }
     }
     reader.header.end = begin;
-    check_counts(reader.header, text.size() - begin, path);
+    reader.header.line = reader.lines() + 1;
+    check_counts(reader.header, text.size() - begin);
     return std::move(reader.header);
+}
+
+bool PlyValues::skip_blanks() {
+    const std::size_t line = line_;
+    while (at_ < text_.size()) {
+        if (is_line_end(text_[at_])) {
+            at_ = after_line_end(text_, at_);
+            ++line_;
+        } else if (is_blank(text_[at_])) {
+            ++at_;
+        } else {
+            break;
+        }
+    }
+    return line_ != line || at_ == text_.size();
+}
+
+void PlyValues::begin_element() {
+    const bool is_first = is_first_;
+    is_first_ = false;
+    if (format_ == PlyFormat::text && !skip_blanks() && !is_first) {
+        refuse(line_, "this line or the one before it has too many or too few numbers");
+    }
 }
 
 double PlyValues::next(PlyType type) {
@@ -199,30 +217,27 @@ double PlyValues::next(PlyType type) {
 }
 
 double PlyValues::next_word() {
-    at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size());
-    const std::size_t end = std::min(text_.find_first_of(" \t\r\n", at_), text_.size());
+    skip_blanks();
+    std::size_t end = at_;
+    while (end < text_.size() && !is_blank(text_[end]) && !is_line_end(text_[end])) {
+        ++end;
+    }
     if (at_ == end) {
-        refuse(path_, "the file ends before its last number");
+        refuse(0, "the file ends before its last number");
     }
-    std::string_view word = text_.substr(at_, end - at_);
+    const std::string_view word = text_.substr(at_, end - at_);
     at_ = end;
-    if (word.front() == '+') {
-        word.remove_prefix(1);
+    const std::optional<double> value = number_of(word);
+    if (!value) {
+        refuse(line_, not_a_number(word));
     }
-    double value = 0;
-    const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || stop != word.data() + word.size()) {
-        std::string what("'");
-        what.append(word.substr(0, 40)).append("' is not a number");
-        refuse(path_, what);
-    }
-    return value;
+    return *value;
 }
 
 double PlyValues::next_bytes(PlyType type) {
     const std::size_t size = size_of(type);
     if (text_.size() - at_ < size) {
-        refuse(path_, "the file ends before its last number");
+        refuse(0, "the file ends before its last number");
     }
     char bytes[8] = {};
     std::memcpy(bytes, text_.data() + at_, size);
@@ -259,7 +274,7 @@ std::size_t PlyValues::next_count(PlyType type) {
     const double count = next(type);
     if (!(count >= 0) || count != std::floor(count) ||
         count > static_cast<double>(text_.size() - at_)) {
-        refuse(path_, "a list has an impossible length");
+        refuse(line(), "a list has an impossible length");
     }
     return static_cast<std::size_t>(count);
 }

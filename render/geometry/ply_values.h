@@ -30,20 +30,26 @@ struct PlyElement {
 struct PlyHeader {
     PlyFormat format = PlyFormat::text;
     std::vector<PlyElement> elements;
-    std::size_t end = 0;  // where the values begin
+    std::vector<std::string> pictures;  // named by comments
+    std::size_t end = 0;                // where the values begin
+    std::size_t line = 1;               // its line
 };
 
-/// Throws Error that names `path` and the line. Every element count is checked against the
-/// remaining text.
-[[nodiscard]] PlyHeader read_ply_header(std::string_view text, const std::string& path);
+/// Throws MeshRefusal with the line. Every element count is checked against the remaining text.
+[[nodiscard]] PlyHeader read_ply_header(std::string_view text);
 
-/// Reads numbers one after another; throws Error that names `path` at the end of the text and where
-/// no number is found.
+/// Reads numbers one after another; throws MeshRefusal at the end of the text and where no number
+/// is found.
 class PlyValues {
   public:
-    PlyValues(std::string_view text, const PlyHeader& header, const std::string& path)
-        : text_(text), format_(header.format), at_(header.end), path_(path) {}
+    PlyValues(std::string_view text, const PlyHeader& header)
+        : text_(text), format_(header.format), at_(header.end), line_(header.line) {}
 
+    /// Must be called before the first value of every element. In a text it begins a line of its
+    /// own; else a line before it has too many or too few numbers.
+    void begin_element();
+
+    /// NaN for a word that means one (number_of in mesh_text.h).
     [[nodiscard]] double next(PlyType type);
 
     /// The length of a list; throws if it is negative, not a whole number, or more than what
@@ -52,14 +58,19 @@ class PlyValues {
 
     void skip(const PlyProperty& property);
 
+    /// Of the last value, for messages; 0 in a binary file.
+    [[nodiscard]] std::size_t line() const { return format_ == PlyFormat::text ? line_ : 0; }
+
   private:
     double next_word();
     double next_bytes(PlyType type);
+    bool skip_blanks();  // whether they contained the end of a line
 
     std::string_view text_;
     PlyFormat format_;
     std::size_t at_;
-    const std::string& path_;
+    std::size_t line_;
+    bool is_first_ = true;
 };
 
 }  // namespace carom::render

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -111,6 +114,84 @@ class Splitter {
     std::vector<std::uint32_t> older_;   // by new vertex: the previous one from the same old vertex
 };
 
+/// Up to so many corners at one position each is compared with each. It bounds the time for files
+/// with millions of triangles at one point.
+constexpr std::uint32_t kManyCorners = 2'048;
+
+/// Sums of the normals at a position with many corners, by direction: a bin for each square of a
+/// grid on the six sides of a cube, which is at most 13 degrees wide.
+class DirectionBins {
+  public:
+    DirectionBins() { bins_.fill(V3f(0, 0, 0)); }
+
+    void add(const Corner& corner) { bins_[bin_of(corner.normal)] += corner.angle * corner.normal; }
+
+    /// The sum over all bins whose mean direction is within the crease of that of a normal's bin.
+    [[nodiscard]] V3f sum_around(const V3f& normal, float least_cosine) const {
+        const std::size_t own = bin_of(normal);
+        V3f sum = bins_[own];
+        const V3f direction = sum.normalized();
+        for (std::size_t i = 0; i < bins_.size(); ++i) {
+            if (i != own && bins_[i].normalized().dot(direction) >= least_cosine) {
+                sum += bins_[i];
+            }
+        }
+        return sum;
+    }
+
+    [[nodiscard]] static std::size_t bin_of(const V3f& normal) {
+        int axis = 0;
+        for (int k = 1; k < 3; ++k) {
+            axis = std::abs(normal[k]) > std::abs(normal[axis]) ? k : axis;
+        }
+        const float size = std::abs(normal[axis]);
+        const auto cell = [&](int k) {
+            const float place = size > 0 ? (normal[k] / size + 1) / 2 : 0.f;
+            return std::min(static_cast<std::size_t>(place * kCells), kCells - 1);
+        };
+        const std::size_t side = 2 * static_cast<std::size_t>(axis) + (normal[axis] < 0 ? 1 : 0);
+        return (side * kCells + cell((axis + 1) % 3)) * kCells + cell((axis + 2) % 3);
+    }
+
+    static constexpr std::size_t kCells = 8;
+    static constexpr std::size_t kCount = 6 * kCells * kCells;
+
+  private:
+    std::array<V3f, kCount> bins_;
+};
+
+/// New normals of the corners at one position with many of them.
+void smooth_many(std::span<const std::uint32_t> corners_here, const std::vector<Corner>& corners,
+                 float least_cosine, std::vector<V3f>& normals) {
+    DirectionBins bins;
+    for (const std::uint32_t corner : corners_here) {
+        bins.add(corners[corner]);
+    }
+    std::array<std::optional<V3f>, DirectionBins::kCount> known;
+    for (const std::uint32_t corner : corners_here) {
+        std::optional<V3f>& normal = known[DirectionBins::bin_of(corners[corner].normal)];
+        if (!normal) {
+            normal = bins.sum_around(corners[corner].normal, least_cosine).normalized();
+        }
+        normals[corner] = *normal;
+    }
+}
+
+/// New normals of the corners at one position.
+void smooth_few(std::span<const std::uint32_t> corners_here, const std::vector<Corner>& corners,
+                float least_cosine, std::vector<V3f>& normals) {
+    for (const std::uint32_t corner : corners_here) {
+        V3f sum(0, 0, 0);
+        for (const std::uint32_t i : corners_here) {
+            if (i / 3 == corner / 3 ||
+                corners[i].normal.dot(corners[corner].normal) >= least_cosine) {
+                sum += corners[i].angle * corners[i].normal;
+            }
+        }
+        normals[corner] = sum.normalized();
+    }
+}
+
 }  // namespace
 
 void smooth_normals(TriangleMesh& mesh, double crease) {
@@ -118,21 +199,20 @@ void smooth_normals(TriangleMesh& mesh, double crease) {
     const std::vector<Corner> corners = make_corners(mesh);
     const CornersByPlace around = sort_corners(mesh, place);
     const float least_cosine = static_cast<float>(cosine(crease));
+    std::vector<V3f> normals(corners.size());
+    for (std::size_t i = 0; i + 1 < around.first.size(); ++i) {
+        const auto here = std::span(around.corners)
+                              .subspan(around.first[i], around.first[i + 1] - around.first[i]);
+        const auto smooth = here.size() > kManyCorners ? smooth_many : smooth_few;
+        smooth(here, corners, least_cosine, normals);
+    }
     Splitter splitter(mesh);
     for (std::uint32_t corner = 0; corner < corners.size(); ++corner) {
-        const std::uint32_t old = mesh.triangles[corner / 3][corner % 3];
-        V3f sum(0, 0, 0);
-        for (std::uint32_t i = around.first[place[old]]; i < around.first[place[old] + 1]; ++i) {
-            const Corner& other = corners[around.corners[i]];
-            if (around.corners[i] / 3 == corner / 3 ||
-                other.normal.dot(corners[corner].normal) >= least_cosine) {
-                sum += other.angle * other.normal;
-            }
-        }
         if (corner % 3 == 0) {
             splitter.split.triangles.emplace_back();
         }
-        splitter.split.triangles.back()[corner % 3] = splitter.vertex(old, sum.normalized());
+        splitter.split.triangles.back()[corner % 3] =
+            splitter.vertex(mesh.triangles[corner / 3][corner % 3], normals[corner]);
     }
     mesh = std::move(splitter.split);
 }

@@ -71,17 +71,19 @@ void describe(ImportCommand& command, CommandDescription& description) {
     description.details = {
         "Approximations are reported and also written as comments to the shot. 'carom render "
         "--quality draft' corresponds to the preview of the older format, 'carom frame --frame N' "
-        "to a single frame."};
+        "to a single frame.",
+        "An OBJ file with several materials becomes one mesh file and one object for each of them, "
+        "and its MTL file becomes materials; include the result in a shot."};
     description
         .argument("SCENE", command.scene,
-                  "The text of the scene; docs/import.md describes the format.")
+                  "The text of the scene, or an .obj or .ply file; docs/import.md describes both.")
         .offers(Offer::files);
     add_output(description, command.output,
                "The shot. The default is the scene's name and .yaml in the current folder.");
     description
         .option("--unit", &command.unit, "METRES",
-                "The length of the scene's unit in metres. With 0.01, the default, a table of 200 "
-                "by 100 is 2 m long.")
+                "The length of the file's unit in metres. With 0.01, the default for scenes, a "
+                "table of 200 by 100 is 2 m long. The default for meshes is 1.")
         .between(1e-6, 1e3);
     description
         .option("--up", &command.up, "AXIS", "The axis that points up: y (the default) or z.")
@@ -102,7 +104,9 @@ void describe(ImportCommand& command, CommandDescription& description) {
                 "define it.")
         .between(1e-6, 10.0);
     description.examples = {{"carom import scene.txt -o shot.yaml && carom render shot.yaml",
-                             "The film of an older scene."}};
+                             "The film of an older scene."},
+                            {"carom import chair.obj --unit 0.001 -o chair.yaml",
+                             "The parts of a chair, in millimetres, with their materials."}};
 }
 
 void describe(ImportTrackCommand& command, CommandDescription& description) {

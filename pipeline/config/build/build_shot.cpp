@@ -51,6 +51,7 @@ Shot build_shot(const ShotFile& file, const Node& root, const std::string& name,
     check_world(builder);
     warn_about_ball_positions(builder);
     warn_about_coplanar_surfaces(builder);
+    warn_about_matte_names(builder);
     return std::move(builder.shot);
 }
 

@@ -66,6 +66,7 @@ void check_references(Builder& builder);
 void check_placement(Builder& builder);            // overlaps, balls in cushions
 void warn_about_ball_positions(Builder& builder);  // far away or under the table
 void warn_about_coplanar_surfaces(Builder& builder);
+void warn_about_matte_names(Builder& builder);
 void check_world(Builder& builder);  // problems that the simulation finds
 
 /// The balls of the rack; empty after a problem.

@@ -1,11 +1,13 @@
 #include "pipeline/export/scene_usda.h"
 
 #include <cmath>
+#include <filesystem>
 #include <regex>
 #include <sstream>
 
 #include <gmock/gmock.h>
 
+#include "pipeline/export/scene_glb.h"
 #include "pipeline/export/usda_text.h"
 #include "sim/timeline/rotation.h"
 #include "tests/pipeline/export/sample_scene.h"
@@ -157,6 +159,57 @@ TEST(SceneUsda, ShotWithATable_IsComplete) {
     EXPECT_EQ(file.at("/shot/b_8")->type, "Mesh");  // names have no '-' and are unique
     EXPECT_EQ(file.at("/shot/b_8_2")->type, "Xform");
     EXPECT_EQ(file.at("/shot/b_8_2/b_8_lens")->type, "Camera");
+}
+
+TEST(SceneUsda, PathsOfPictures_AreRelativeToTheFile) {
+    ExportScene scene;
+    const auto path_in = [&](const std::string& image, const std::string& folder) {
+        render::EnvironmentLight room;
+        room.image = image;
+        scene.lights = {{"room", room}};
+        const std::string text = scene_to_usda(scene, folder);
+        const std::size_t begin = text.find("inputs:texture:file = ") + 22;
+        return text.substr(begin, text.find('\n', begin) - begin);
+    };
+    EXPECT_EQ(path_in("/films/rooms/hall.exr", "/films/out/usd"), "@../../rooms/hall.exr@");
+    EXPECT_EQ(path_in("/films/out/hall.exr", "/films/out"), "@./hall.exr@");
+    EXPECT_EQ(path_in("/films/out/a@b.exr", "/films/out/"), "@@@./a@b.exr@@@");
+    EXPECT_EQ(path_in(std::filesystem::current_path() / "hall.exr", ""), "@./hall.exr@");
+}
+
+// Floats are 0.5 m apart at such coordinates.
+TEST(SceneUsda, MeshWithCoordinatesOfAMap_KeepsItsDigits) {
+    Shot shot;
+    render::MeshShape mesh;
+    const Vec3 far(691'000.25, 5'334'000.5, 520.125);
+    mesh.vertices = {far, far + Vec3(0.1, 0, 0), far + Vec3(0, 0.1, 0)};
+    mesh.triangles = {{0, 1, 2}};
+    render::ObjectDescription object;
+    object.name = "stone";
+    object.shape = mesh;
+    Mat44 back;
+    back.setTranslation(-far);
+    shot.scene.objects = {object, object, object};
+    shot.scene.objects[1].world_from_object = back;
+    shot.scene.objects[2].track = "stone";
+    sim::Timeline timeline;
+    timeline.tracks.emplace_back("stone", std::vector<sim::Key>(1));
+    shot.cameras.clear();
+    const ExportScene scene = export_scene(shot, timeline);
+    const Vec3 middle = far + Vec3(0.05, 0.05, 0);
+    EXPECT_LT((scene.parts[0].keys.positions[0] - middle).length(), 1e-9);
+    EXPECT_LT((scene.parts[1].keys.positions[0] - Vec3(0.05, 0.05, 0)).length(), 1e-8);
+    EXPECT_EQ(scene.parts[2].keys.positions[0], Vec3(0, 0, 0));
+    EXPECT_LT((scene.parts[2].origin - middle).length(), 1e-9);
+    for (const ExportPart& part : scene.parts) {
+        EXPECT_LT((part.mesh.vertices[0] - Imath::V3f(-0.05F, -0.05F, 0)).length(), 1e-7);
+    }
+    EXPECT_NE(scene_to_usda(scene).find("xformOp:translate:mesh = (691000.3, 5334000.55, 520.125)"),
+              std::string::npos);
+    const std::string glb = scene_to_glb(scene);
+    EXPECT_NE(glb.find(R"("name":"stone mesh")"), std::string::npos);
+    EXPECT_NE(glb.find(R"("children":[3])"), std::string::npos);
+    EXPECT_NE(glb.find(R"("translation":[691000.3,520.125,-5334000.55])"), std::string::npos);
 }
 
 // three.js reads line by line; with several entries in one line it would find an empty scene.

@@ -80,6 +80,45 @@ TEST(ImportTrack, Columns_CanHaveAnyOrderAndCase) {
     EXPECT_THAT(result.yaml, HasSubstr("{at: 1, position: [4, 5, 6]}"));
 }
 
+TEST(ImportTrack, DecimalCommas_AreRead) {
+    const std::string keys =
+        import_track("time,x,y,z\n0,0,0,0\n1,0.5,0.25,-1.5e-1\n2,1,3,1.125\n", "t.csv").yaml;
+    for (const char* csv :
+         {"time;x;y;z\n0;0;0;0\n1;0,5;0,25;-1,5e-1\n2;1;3;1,125\n",
+          "time\tx\ty\tz\r\n0\t0\t0\t0\r\n1\t0,5\t0,25\t-1,5e-1\r\n2\t1\t3\t1,125\r\n",
+          "\"time\",\"x\",\"y\",\"z\"\n0,0,0,0\n1,\"0,5\",\"0,25\",\"-1,5e-1\"\n2,1,3,\"1,125\"\n",
+          "sep=;\ntime;x;y;z\n0;0;0;0\n1;\"0,5\";0,25;-1,5e-1\n2;1;3;1,125\n",
+          "time;x;y;z\r0;0;0;0\r1;0,5;0,25;-1,5e-1\r2;1;3;1,125\r"}) {
+        const ImportTrackResult result = import_track(csv, "t.csv");
+        EXPECT_THAT(result.problems, IsEmpty()) << csv;
+        EXPECT_EQ(result.yaml, keys) << csv;
+    }
+}
+
+TEST(ImportTrack, ThousandsSeparators_AreRefused) {
+    const auto refused = [](const std::string& cell) {
+        return "t.csv:3:3: error: 'x' must be a number without thousands separators, not '" + cell +
+               "'";
+    };
+    for (const char* cell : {"1.234,5", "1 234,5", "1'234", "1.234.567",
+                             "1\xc2\xa0"
+                             "234"}) {
+        EXPECT_THAT(problems_of("time;x;y;z\n0;0;0;0\n1;" + std::string(cell) + ";0;0\n"),
+                    ElementsAre(refused(cell)));
+    }
+    EXPECT_THAT(problems_of("time,x,y,z\n0,0,0,0\n1,\"1,234\",0,0\n"),
+                ElementsAre("t.csv:3:3: error: 'x' must be a number without thousands separators, "
+                            "not '1,234'"));
+    EXPECT_THAT(
+        problems_of("time;x;y;z\n0;0,5;0;0\n1;1.234;0;0\n"),
+        ElementsAre("t.csv:3:3: error: 'x' has a point in '1.234', but numbers of this table "
+                    "have decimal commas (line 2)"));
+    EXPECT_THAT(problems_of("time,x,y,z\n0,0,5,0,0\n1,0,0,0\n"),
+                ElementsAre("t.csv:2:1: error: this row has 5 values, but the table has 4 columns; "
+                            "if its numbers have decimal commas, separate the columns with "
+                            "semicolons"));
+}
+
 TEST(ImportTrack, Angles_RotateLikeTheRotateOfAnObject) {
     const sim::Track track = track_of("time,x,y,z,rx,ry,rz\n0,0,0,0,0,0,0\n1,0,0,0,20,30,40\n");
     const auto about = [](const Vec3& axis, double degrees) {

@@ -1,7 +1,10 @@
 #include "render/acceleration/triangle_scene.h"
 
+#include <array>
+
 #include <gtest/gtest.h>
 
+#include "render/acceleration/triangle_tree.h"
 #include "render/geometry/intersect.h"
 #include "tests/render/acceleration/random_shapes.h"
 
@@ -50,6 +53,26 @@ TEST(TriangleScene, BuiltAgain_TiesAreDecidedAlike) {
             ASSERT_EQ(a.primitive, b.primitive);
         }
     }
+}
+
+// A ray that meets one of them would be tested against all: hours for a picture.
+TEST(TriangleTree, RepeatedTriangles_AreLeftOut) {
+    TriangleMesh mesh = stack_of_sheets(2, 5'000);  // 8 triangles each
+    const MeshEntry entry{&mesh, 3};
+    EXPECT_EQ(make_triangle_tree(std::span(&entry, 1)).tree.order.size(), 8u);
+    const TriangleScene scene(std::span(&entry, 1));
+    Ray ray;
+    ray.origin = V3f(0.2f, 0.3f, 1);
+    ray.direction = V3f(0, 0, -1);
+    Hit hit;
+    ASSERT_TRUE(scene.closest_hit(ray, hit));
+    EXPECT_EQ(hit.primitive, 0u);
+    // Those of another mesh are other triangles, and few are not looked at.
+    const std::array<MeshEntry, 2> both{entry, {&mesh, 4}};
+    EXPECT_EQ(make_triangle_tree(both).tree.order.size(), 16u);
+    const TriangleMesh few = stack_of_sheets(2, 4);
+    const MeshEntry small{&few, 0};
+    EXPECT_EQ(make_triangle_tree(std::span(&small, 1)).tree.order.size(), 32u);
 }
 
 TEST(TriangleScene, ManyRays_AgreeWithALoopOverTriangles) {

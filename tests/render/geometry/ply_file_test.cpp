@@ -1,11 +1,11 @@
-#include "render/geometry/ply_file.h"
-
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -34,6 +34,14 @@ class PlyFile : public testing::Test {
             return what.substr(what.find("': ") + 3);
         }
         return "no error";
+    }
+
+    /// "5: SENTENCE" of the first warning.
+    std::string warning(const std::string& text) {
+        static_cast<void>(read(text));
+        const std::vector<MeshRemark> warnings = read_mesh_file(path_).warnings;
+        return warnings.empty() ? "none"
+                                : std::to_string(warnings[0].line) + ": " + warnings[0].sentence;
     }
 
     void TearDown() override { std::remove(path_.c_str()); }
@@ -159,15 +167,16 @@ TEST_F(PlyFile, Wrong_IsRefusedInWords) {
     EXPECT_EQ(message("ply\nformat ascii 1.0\nelement vertex 3\nproperty float\n"),
               "line 4: a property needs a type and a name");
     EXPECT_EQ(message("ply\nhello\n"), "line 2: not a line of a PLY header");
+    EXPECT_EQ(message("ply\nend_header\n"), "line 2: the header names no format");
     EXPECT_EQ(message(square("")), "the file ends before its last number");
-    EXPECT_EQ(message(square("4 0 1 2 4\n")), "a face refers to vertex 4 of 4");
+    EXPECT_EQ(message(square("4 0 1 2 4\n")), "line 15: a face refers to vertex 4 of 4");
     EXPECT_EQ(message(square("4 0 1 2 -1\n")),
-              "a face has a vertex index that is negative, fractional or too large");
+              "line 15: a face has a vertex index that is negative, fractional or too large");
     EXPECT_EQ(message(square("4 0 1 2 0.5\n")),
-              "a face has a vertex index that is negative, fractional or too large");
-    EXPECT_EQ(message(square("2 0 1\n")), "a face of 2 corners (3 to 1024 are possible)");
-    EXPECT_EQ(message(square("-4 0 1\n")), "a list has an impossible length");
-    EXPECT_EQ(message(square("4 0 one 2 3\n")), "'one' is not a number");
+              "line 15: a face has a vertex index that is negative, fractional or too large");
+    EXPECT_EQ(message(square("2 0 1\n")), "line 15: a face of 2 corners (3 to 16384 are possible)");
+    EXPECT_EQ(message(square("-4 0 1\n")), "line 15: a list has an impossible length");
+    EXPECT_EQ(message(square("4 0 one 2 3\n")), "line 15: 'one' is not a number");
 }
 
 TEST_F(PlyFile, CountsBeyondTheFile_AreRefusedBeforeMemoryIsTaken) {
@@ -178,6 +187,94 @@ TEST_F(PlyFile, CountsBeyondTheFile_AreRefusedBeforeMemoryIsTaken) {
     EXPECT_EQ(message("ply\nformat ascii 1.0\nelement nothing 18446744073709551615\nend_header\n"),
               "the header announces 18446744073709551615 elements 'nothing', more than fit into "
               "the file");
+}
+
+TEST_F(PlyFile, NumbersThatAreNone_AreRefusedWithTheirLine) {
+    for (const char* word : {"1.5.2", "--1", "0x10", "1e", "zero"}) {
+        std::string text = square("4 0 1 2 3\n");
+        text.replace(text.find("1 1 0"), 5, std::string("1 ") + word + " 0");
+        EXPECT_EQ(message(text), "line 13: '" + std::string(word) + "' is not a number");
+    }
+    for (const char* word : {"nan", "-1.#IND", "inf", "1e39"}) {
+        std::string text = square("4 0 1 2 3\n");
+        text.replace(text.find("1 1 0"), 5, std::string("1 ") + word + " 0");
+        EXPECT_EQ(message(text), "line 13: vertex 2 is not a finite point");
+    }
+    std::string text = square("4 0 1 2 3\n");
+    text.replace(text.find("1 1 0"), 5, "1 1");
+    EXPECT_EQ(message(text),
+              "line 14: this line or the one before it has too many or too few numbers");
+}
+
+TEST_F(PlyFile, OddWhiteSpace_IsRead) {
+    std::string text = "\xEF\xBB\xBF \nply \n\n" + square("4 0 1 2 3 \n\n").substr(4);
+    text.replace(text.find("format"), 0, " \tobj_info made by hand\n");
+    text.replace(text.find("1 1 0"), 5, " 1\t1\f 0 ");
+    for (const char* ends : {"\n", "\r\n", "\r", " \n"}) {
+        std::string changed;
+        for (const char c : text) {
+            changed += c == '\n' ? ends : std::string(1, c);
+        }
+        EXPECT_EQ(read(changed).triangles.size(), 2u) << ends;
+    }
+}
+
+TEST_F(PlyFile, BinaryAfterReturnAlone_KeepsItsFirstByte) {
+    std::string text =
+        "ply\rformat binary_little_endian 1.0\relement vertex 3\rproperty char x\rproperty char y\r"
+        "property char z\relement face 1\rproperty list uchar uchar vertex_indices\rend_header\r";
+    text += std::string("\n\0\0\1\0\0\0\1\0\3\0\1\2", 13);
+    EXPECT_EQ(read(text).vertices[0], Vec3(10, 0, 0));
+}
+
+/// Two triangles of a square with a uv for each corner, as MeshLab writes them.
+std::string square_with_uv(const std::string& faces) {
+    return "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+           "float z\n"
+           "element face 2\nproperty list uchar int vertex_indices\nproperty list uchar float "
+           "texcoord\n"
+           "property int texnumber\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n" +
+           faces;
+}
+
+TEST_F(PlyFile, UvOfFaces_SplitVerticesAtSeams) {
+    const MeshShape joined =
+        read(square_with_uv("3 0 1 2 6 0 0 1 0 1 1 0\n3 0 2 3 6 0 0 1 1 0 1 0\n"));
+    EXPECT_EQ(joined.vertices.size(), 4u);
+    ASSERT_EQ(joined.uv.size(), 4u);
+    EXPECT_EQ(joined.uv[3], Vec2(0, 1));
+    const MeshShape split =
+        read(square_with_uv("3 0 1 2 6 0 0 1 0 1 1 0\n3 0 2 3 6 0 0 .5 1 0 1 0\n"));
+    ASSERT_EQ(split.vertices.size(), 5u);
+    const std::uint32_t corner = split.triangles[1][1];
+    EXPECT_EQ(split.vertices[corner], Vec3(1, 1, 0));
+    EXPECT_EQ(split.uv[corner], Vec2(0.5, 1));
+}
+
+TEST_F(PlyFile, UvOfFacesThatAreMissing_AreToldOnce) {
+    EXPECT_EQ(warning(square_with_uv("3 0 1 2 6 0 0 1 0 1 1 0\n3 0 2 3 0 0\n")),
+              "17: a face has no texture coordinates, so that those of all others are ignored");
+    EXPECT_EQ(warning(square_with_uv("3 0 1 2 6 0 0 1 0 1 1 0\n3 0 2 3 4 0 0 1 1 0\n")),
+              "17: a face does not have two texture coordinates for each corner; they are ignored");
+    EXPECT_EQ(
+        warning(square_with_uv("3 0 1 2 6 0 0 1 0 1 1 0\n3 0 2 3 6 0 0 1 1 0 1 1\n")),
+        "17: a face has another picture than the first face; the object's material covers all");
+    EXPECT_EQ(warning(square_with_uv("3 0 1 2 6 0 0 nan 0 1 1 0\n3 0 2 3 6 0 0 1 1 0 1 0\n")),
+              "16: a texture coordinate is not a number; it counts as 0");
+}
+
+TEST_F(PlyFile, Strips_AreTrianglesWithOneFront) {
+    const MeshShape mesh = read(
+        "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty "
+        "float z\n"
+        "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+        "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 1 0\n11 0 1 2 3 3 3 4 -1 1 3 2\n");
+    using Triangle = std::array<std::uint32_t, 3>;
+    // The strip 0 1 2 3 3 3 4: its triangles with equal corners are left out, but count.
+    ASSERT_EQ(mesh.triangles.size(), 3u);
+    EXPECT_EQ(mesh.triangles[0], (Triangle{0, 1, 2}));
+    EXPECT_EQ(mesh.triangles[1], (Triangle{2, 1, 3}));
+    EXPECT_EQ(mesh.triangles[2], (Triangle{1, 3, 2}));
 }
 
 TEST_F(PlyFile, WithoutPlaces_OrFaces_IsRefused) {

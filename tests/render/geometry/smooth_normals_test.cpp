@@ -53,5 +53,20 @@ TEST(SmoothNormals, VerticesAtTheSamePlace_CountAsOne) {
     EXPECT_EQ(mesh.normals[mesh.triangles[0][0]], mesh.normals[mesh.triangles[1][1]]);
 }
 
+// Each corner compared with each would take 10^10 steps.
+TEST(SmoothNormals, FanOfManyTriangles_IsSmoothedSoon) {
+    TriangleMesh mesh;
+    mesh.vertices = {{0, 0, 1}};
+    constexpr std::uint32_t kCount = 100'000;
+    for (std::uint32_t i = 0; i < kCount; ++i) {
+        const double angle = 6.283185307179586 * i / kCount;
+        mesh.vertices.emplace_back(std::cos(angle), std::sin(angle), 0.f);
+        mesh.triangles.push_back({0, i + 1, (i + 1) % kCount + 1});
+    }
+    smooth_normals(mesh, 120 * kDegree);
+    EXPECT_NEAR((mesh.normals[mesh.triangles[0][0]] - V3f(0, 0, 1)).length(), 0, 1e-3);
+    EXPECT_NEAR((mesh.normals[mesh.triangles[0][1]] - V3f(1, 0, 1).normalized()).length(), 0, 1e-3);
+}
+
 }  // namespace
 }  // namespace carom::render
