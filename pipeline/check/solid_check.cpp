@@ -26,7 +26,7 @@ struct Contains {
     [[nodiscard]] bool in_box(const Vec3& half) const {
         return std::abs(p.x) < half.x && std::abs(p.y) < half.y && std::abs(p.z) < half.z;
     }
-    [[nodiscard]] double from_axis() const { return std::hypot(p.x, p.y); }
+    [[nodiscard]] double from_axis() const { return Vec2(p.x, p.y).length(); }
 
     bool operator()(const render::SphereShape& s) const { return p.length() < s.radius; }
     bool operator()(const render::BoxShape& s) const { return in_box(0.5 * s.size); }
@@ -39,7 +39,7 @@ struct Contains {
     }
     bool operator()(const render::CapsuleShape& s) const {
         const double beyond = std::max(0.0, std::abs(p.z) - s.length / 2);
-        return std::hypot(from_axis(), beyond) < s.radius;
+        return Vec2(from_axis(), beyond).length() < s.radius;
     }
     bool operator()(const render::RoundedBoxShape& s) const {
         const Vec3 core = s.core();
