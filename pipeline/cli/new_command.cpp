@@ -44,12 +44,8 @@ void run(const NewCommand& command, CommandContext& context) {
     if (!command.force && fs::exists(command.shot, ignored)) {
         throw InputError("'" + command.shot + "' already exists; use --force to overwrite it");
     }
-    const std::string placeholder = "THIS";
-    for (std::size_t at = text.find(placeholder); at != std::string::npos;
-         at = text.find(placeholder, at + command.shot.size())) {
-        text.replace(at, placeholder.size(), command.shot);
-    }
-    write_text_output(command.shot, config::with_schema_line(std::move(text), "."));
+    const std::string folder = fs::path(command.shot).parent_path().string();
+    write_text_output(command.shot, config::with_schema_line(std::move(text), folder));
     context.console.info("the shot is ready for 'carom check', 'plan', 'frame' and 'render'");
 }
 

@@ -19,6 +19,7 @@
 #include "pipeline/server/page_files.h"
 #include "pipeline/server/private_page.h"
 #include "pipeline/server/server.h"
+#include "pipeline/studio/longest_message.h"
 
 namespace carom::cli {
 
@@ -109,6 +110,7 @@ void run(const StudioCommand& command, CommandContext& context) {
     server::ServerOptions options;
     options.port = static_cast<std::uint16_t>(command.port);
     options.files = read_page();
+    options.limits.message_bytes = studio::kLongestMessage;
     options.idle =
         std::chrono::duration_cast<std::chrono::milliseconds>(parse_duration(command.idle));
 
@@ -119,6 +121,15 @@ void run(const StudioCommand& command, CommandContext& context) {
     });
     site.use(session);
 
+    const std::string root = session.files_root();
+    std::error_code ignored;
+    const std::filesystem::path shot =
+        std::filesystem::weakly_canonical(command.input.path, ignored);
+    if (command.input.root.empty() && !command.input.path.empty() && shot.parent_path() != root) {
+        context.console.info("files below '" + root +
+                             "' can be read and written, because the shot names some that are not "
+                             "in its own folder; --root FOLDER chooses another one");
+    }
     print_text("carom studio: " + server.address() + "\n");
     std::optional<server::PrivatePage> page;
     if (!command.no_browser) {

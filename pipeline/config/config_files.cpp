@@ -195,6 +195,9 @@ FoundFile find_config_file(std::string_view name, const std::string& folder,
                 open_text.empty() ? fs::canonical(path, code) : fs::path(open_text);
             const std::string found = code ? fs::absolute(path, code).string() : canonical.string();
             if (!is_allowed(found, folders)) {
+                if (folders.missing != nullptr) {
+                    folders.missing->push_back(found);
+                }
                 return {{},
                         "file " + quote(name) + " is outside " + quote(folders.root) +
                             "; --root allows only files inside that folder"};

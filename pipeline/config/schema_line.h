@@ -6,9 +6,10 @@
 
 namespace carom::pipeline::config {
 
-/// The text with that line for the installed schema, instead of one that it has. `folder` is that
-/// of the shot; if it is absolute, a schema below its parent is named relative to it. Without an
-/// installed schema, the text has no such line.
+/// The text with that line, instead of one that it has. `folder` is that of the shot. A schema
+/// below its parent, as in carom's source tree, is named relative to it; else the line names the
+/// file that `carom schema -o carom.schema.json` writes beside the shot. It is never an absolute
+/// path, which would mean nothing on another machine.
 [[nodiscard]] std::string with_schema_line(std::string text, const std::string& folder);
 
 /// Whether the text has such a line.

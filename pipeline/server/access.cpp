@@ -1,8 +1,10 @@
 #include "pipeline/server/access.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "pipeline/server/secret.h"
+#include "pipeline/server/server.h"
 
 namespace carom::server {
 
@@ -33,14 +35,18 @@ bool has_body(const Request& request) {
 
 }  // namespace
 
-Access::Access(std::uint16_t port, std::string key)
+Access::Access(std::uint16_t port, std::string key, std::string read_key)
     : key_(std::move(key)),
+      read_key_(std::move(read_key)),
       host_("127.0.0.1:" + std::to_string(port)),
-      local_name_("localhost:" + std::to_string(port)),
-      cookie_name_("carom_" + std::to_string(port)) {}
+      local_name_("localhost:" + std::to_string(port)) {}
 
-std::string Access::cookie() const {
-    return cookie_name_ + "=" + key_ + "; HttpOnly; SameSite=Strict; Path=/";
+std::string Access::page_with_keys() const {
+    return std::string(kPageFolder) + "#key=" + key_ + "&read=" + read_key_;
+}
+
+std::string_view Access::path_behind_key(std::string_view target) const {
+    return target.substr(std::min(target.size(), 1 + read_key_.size()));
 }
 
 bool Access::is_own_host(const Request& request) const {
@@ -48,21 +54,45 @@ bool Access::is_own_host(const Request& request) const {
     return request.count("host") == 1 && (host == host_ || host == local_name_);
 }
 
-bool Access::has_cookie(const Request& request) const {
+bool Access::brings_key(const Request& request) const {
+    return request.target.starts_with(kKeyPrefix) &&
+           is_secret(std::string_view(request.target).substr(kKeyPrefix.size()), key_);
+}
+
+/// Whether the key is among the protocols that a page offers for its WebSocket: the only field of
+/// that request which a page can write.
+bool Access::names_key(const Request& request) const {
     bool found = false;
     for (const auto& [name, value] : request.fields) {
-        std::string_view left = name == "cookie" ? std::string_view(value) : std::string_view();
+        std::string_view left =
+            name == "sec-websocket-protocol" ? std::string_view(value) : std::string_view();
         while (!left.empty()) {
-            const std::size_t end = std::min(left.find(';'), left.size());
-            const std::string_view pair = trimmed(left.substr(0, end));
+            const std::size_t end = std::min(left.find(','), left.size());
+            const std::string_view protocol = trimmed(left.substr(0, end));
             left.remove_prefix(std::min(end + 1, left.size()));
-            const std::size_t equals = pair.find('=');
-            if (equals != std::string_view::npos && pair.substr(0, equals) == cookie_name_) {
-                found = is_secret(pair.substr(equals + 1), key_) || found;
+            if (protocol.starts_with(kKeyProtocol)) {
+                found = is_secret(protocol.substr(kKeyProtocol.size()), key_) || found;
             }
         }
     }
     return found;
+}
+
+bool Access::has_read_key(std::string_view target) const {
+    return is_secret(target.substr(std::min<std::size_t>(target.size(), 1), read_key_.size()),
+                     read_key_) &&
+           path_behind_key(target).starts_with('/');
+}
+
+/// Whether the keys in the request suffice for what it asks for.
+Verdict Access::judge_right(const Request& request) const {
+    if (brings_key(request)) {
+        return Verdict::welcome;
+    }
+    if (request.target == kSocketPath ? names_key(request) : has_read_key(request.target)) {
+        return Verdict::allowed;
+    }
+    return request.target.starts_with(kPageFolder) ? Verdict::page_file : Verdict::unknown_client;
 }
 
 Verdict Access::judge(const Request& request) const {
@@ -75,12 +105,9 @@ Verdict Access::judge(const Request& request) const {
     if (request.count("transfer-encoding") > 0 || request.count("content-length") > 1) {
         return Verdict::not_understood;
     }
-    const bool brings_key = request.target.starts_with(kKeyPrefix);
-    const bool is_known =
-        brings_key ? is_secret(std::string_view(request.target).substr(kKeyPrefix.size()), key_)
-                   : has_cookie(request);
-    if (!is_known) {
-        return Verdict::unknown_client;
+    const Verdict right = judge_right(request);
+    if (right == Verdict::unknown_client) {
+        return right;
     }
     if (request.method != "GET" && request.method != "HEAD") {
         return Verdict::wrong_method;
@@ -88,7 +115,7 @@ Verdict Access::judge(const Request& request) const {
     if (has_body(request)) {
         return Verdict::has_body;
     }
-    return brings_key ? Verdict::welcome : Verdict::allowed;
+    return right;
 }
 
 }  // namespace carom::server

@@ -1,4 +1,4 @@
-// Decides who may ask: the rules about Host, Origin, key and cookie.
+// Decides who may ask: the rules about Host, Origin and the keys.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,9 @@ namespace carom::server {
 
 /// What to do with a request.
 enum class Verdict {
-    allowed,
-    welcome,         // the key is right: set the cookie, and take the key out of the address bar
+    allowed,         // it has the key of what it asks for
+    page_file,       // a file of the page, which is no secret
+    welcome,         // the key is right: lead to the page, which keeps it
     foreign_host,    // 403
     foreign_origin,  // 403
     unknown_client,  // 401
@@ -23,8 +24,9 @@ enum class Verdict {
 
 class Access {
   public:
-    /// `key` is the secret of the server at this port.
-    Access(std::uint16_t port, std::string key);
+    /// The secrets of the server at this port: `key` lets a page open its socket, `read_key` is the
+    /// first part of the path of everything else that the page gets.
+    Access(std::uint16_t port, std::string key, std::string read_key);
 
     [[nodiscard]] Verdict judge(const Request& request) const;
 
@@ -34,17 +36,22 @@ class Access {
     [[nodiscard]] const std::string& local_name() const { return local_name_; }
     /// The path with the key: "/?key=..."
     [[nodiscard]] std::string key_path() const { return "/?key=" + key_; }
-    /// The value of Set-Cookie after a welcome.
-    [[nodiscard]] std::string cookie() const;
+    /// The page, with both keys behind "#", which a browser sends to nobody.
+    [[nodiscard]] std::string page_with_keys() const;
+    /// The path of an allowed request without the key in it: "/film/1.mp4".
+    [[nodiscard]] std::string_view path_behind_key(std::string_view target) const;
 
   private:
     [[nodiscard]] bool is_own_host(const Request& request) const;
-    [[nodiscard]] bool has_cookie(const Request& request) const;
+    [[nodiscard]] bool brings_key(const Request& request) const;
+    [[nodiscard]] bool names_key(const Request& request) const;
+    [[nodiscard]] bool has_read_key(std::string_view target) const;
+    [[nodiscard]] Verdict judge_right(const Request& request) const;
 
     std::string key_;
+    std::string read_key_;
     std::string host_;
     std::string local_name_;
-    std::string cookie_name_;  // with the port, because browsers share cookies among all ports
 };
 
 }  // namespace carom::server

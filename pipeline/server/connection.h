@@ -35,7 +35,9 @@ inline Request plain_request(RequestParser& parser) {
     return request;
 }
 
-/// Kept alive by the handlers that wait for its socket.
+/// Kept alive by the handlers that wait for its socket. Until it has shown a key it is a
+/// stranger's: such connections have less time, and a new one takes the place of the one that has
+/// been idle for longest, so that they keep out nobody who has the key.
 class Connection : public std::enable_shared_from_this<Connection> {
   public:
     Connection(tcp::socket&& socket, Hub& hub) : stream_(std::move(socket)), hub_(hub) {
@@ -51,7 +53,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
         parser_->header_limit(static_cast<std::uint32_t>(hub_.limits.header_bytes));
         parser_->body_limit(std::numeric_limits<std::uint64_t>::max());  // no body is ever read
         waits_since_ = Clock::now();
-        stream_.expires_after(hub_.limits.request_time);
+        stream_.expires_after(is_known_
+                                  ? hub_.limits.request_time
+                                  : std::min(hub_.limits.request_time, hub_.limits.stranger_time));
         http::async_read_header(
             stream_, buffer_, *parser_,
             [self = shared_from_this()](error_code error, std::size_t /*size*/) {
@@ -65,7 +69,17 @@ class Connection : public std::enable_shared_from_this<Connection> {
         return buffer_.size() == 0 ? waits_since_ : std::nullopt;
     }
 
-    void drop() { stream_.close(); }
+    /// Whether it has shown a key.
+    [[nodiscard]] bool is_known() const { return is_known_; }
+
+    /// When it began, or last sent a whole request or took a part of an answer.
+    [[nodiscard]] Clock::time_point last_progress() const { return last_progress_; }
+
+    /// From then on it does not count any more.
+    void drop() {
+        hub_.connections.erase(this);
+        stream_.close();
+    }
 
   private:
     static constexpr std::size_t kPartBytes = 64 << 10;   // of an answer, sent at once
@@ -82,8 +96,16 @@ class Connection : public std::enable_shared_from_this<Connection> {
             return send(hub_.responder->refuse(400, "The request is not understood."));
         }
         const Request request = plain_request(*parser_);
-        if (hub_.responder->access().judge(request) == Verdict::allowed) {
+        last_progress_ = Clock::now();
+        const Verdict verdict = hub_.responder->access().judge(request);
+        if (verdict == Verdict::allowed) {
             hub_.touch();
+        }
+        if (!is_known_ && (verdict == Verdict::allowed || verdict == Verdict::welcome)) {
+            if (!hub_.has_room_for_known()) {
+                return send(hub_.responder->refuse(503, "There are too many connections."));
+            }
+            is_known_ = true;
         }
         if (hub_.responder->may_open_socket(request)) {
             return open_page();
@@ -125,6 +147,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
     void go_on(error_code error) {
         part_.clear();
+        last_progress_ = Clock::now();
         if (error) {
             drop();
         } else if (answer_.body.bytes_left() > 0) {
@@ -157,8 +180,45 @@ class Connection : public std::enable_shared_from_this<Connection> {
     Hub& hub_;
     std::optional<RequestParser> parser_;
     std::optional<Clock::time_point> waits_since_;
+    Clock::time_point last_progress_ = Clock::now();
+    bool is_known_ = false;
     Answer answer_;
     std::string part_;
 };
+
+inline bool Hub::has_room_for_known() {
+    const auto is_known = [](const Connection* one) { return one->is_known(); };
+    if (std::ranges::count_if(connections, is_known) <
+        static_cast<std::ptrdiff_t>(limits.connections)) {
+        return true;
+    }
+    Connection* longest = nullptr;
+    for (Connection* connection : connections) {
+        const auto since = is_known(connection) ? connection->waits_since() : std::nullopt;
+        if (since && (longest == nullptr || *since < *longest->waits_since())) {
+            longest = connection;
+        }
+    }
+    if (longest != nullptr) {
+        longest->drop();
+    }
+    return longest != nullptr;
+}
+
+inline void Hub::make_room_for_stranger() {
+    Connection* slowest = nullptr;
+    std::size_t count = 0;
+    for (Connection* connection : connections) {
+        if (!connection->is_known()) {
+            ++count;
+            if (slowest == nullptr || connection->last_progress() < slowest->last_progress()) {
+                slowest = connection;
+            }
+        }
+    }
+    if (count >= limits.strangers) {
+        slowest->drop();
+    }
+}
 
 }  // namespace carom::server

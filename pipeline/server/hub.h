@@ -25,6 +25,14 @@ struct Hub {
           site(served_site),
           outbox(limits.waiting_messages, limits.waiting_bytes) {}
 
+    /// Whether one more connection may be of a client that has the key: one of these that waits for
+    /// a request makes room.
+    [[nodiscard]] bool has_room_for_known();
+
+    /// Drops the connection of a client without the key that has been idle for longest, if there
+    /// are too many.
+    void make_room_for_stranger();
+
     void touch() { last_activity.store(Clock::now().time_since_epoch().count()); }
 
     ServerOptions options;

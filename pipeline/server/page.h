@@ -28,6 +28,10 @@ class Page : public std::enable_shared_from_this<Page> {
         socket_.set_option(times);
         socket_.set_option(websocket::permessage_deflate{});  // off, as it is by default
         socket_.read_message_max(hub_.limits.message_bytes);
+        socket_.set_option(
+            websocket::stream_base::decorator([](websocket::response_type& response) {
+                response.set(http::field::sec_websocket_protocol, std::string(kProtocol));
+            }));
         socket_.auto_fragment(false);  // else a picture is sent in frames of 4 KiB
         socket_.async_accept(request, [self = shared_from_this()](error_code error) {
             if (!error) {

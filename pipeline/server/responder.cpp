@@ -73,10 +73,24 @@ AnswerParts answer_with(const std::string& type, Body body, std::string_view ran
     return parts;
 }
 
+AnswerParts serve(const Resource& resource, const Request& request) {
+    std::optional<Body> body = body_of(resource);
+    return body ? answer_with(resource.type, std::move(*body), request.value("range"))
+                : not_found();
+}
+
+/// The target without its query.
+std::string_view path_of(std::string_view target) {
+    return target.substr(0, target.find('?'));
+}
+
 }  // namespace
 
 Responder::Responder(std::uint16_t port, std::map<std::string, Resource> files, Site& site)
-    : access_(port, make_secret()), nonce_(make_secret()), files_(std::move(files)), site_(site) {
+    : access_(port, make_secret(), make_secret()),
+      nonce_(make_secret()),
+      files_(std::move(files)),
+      site_(site) {
     for (auto& [path, resource] : files_) {
         if (resource.bytes && resource.type.starts_with("text/html")) {
             std::string text = *resource.bytes;
@@ -107,7 +121,9 @@ Answer Responder::answer(const Request& request) {
 AnswerParts Responder::answer_parts(const Request& request) {
     switch (access_.judge(request)) {
         case Verdict::allowed:
-            return serve(request);
+            return serve_resource(request);
+        case Verdict::page_file:
+            return serve_page_file(request);
         case Verdict::welcome:
             return welcome();
         case Verdict::foreign_host:
@@ -130,33 +146,29 @@ AnswerParts Responder::answer_parts(const Request& request) {
 }
 
 AnswerParts Responder::welcome() const {
-    // Not a redirection (303): if the browser was sent here by a page of another site, such as a
-    // file, it would not send a cookie with SameSite=Strict to the next address.
+    // The page takes the keys out of its address bar, and keeps them
+    // (studio/src/connection/key.ts).
     AnswerParts parts;
     parts.type = "text/html; charset=utf-8";
-    parts.fields.emplace_back("Set-Cookie", access_.cookie());
     parts.body = Body(std::make_shared<const std::string>(
         "<!DOCTYPE html><link rel=icon href='data:,'>"  // else the browser asks for /favicon.ico
-        "<meta http-equiv=refresh content='0;url=/'>\n"));
+        "<meta http-equiv=refresh content='0;url=" +
+        access_.page_with_keys() + "'>\n"));
     parts.keeps_connection = true;
     return parts;
 }
 
-AnswerParts Responder::serve(const Request& request) {
-    const std::string_view target = request.target;
-    const std::string_view path = target.substr(0, target.find('?'));
-    std::optional<Resource> resource;
-    if (const auto file = files_.find(std::string(path)); file != files_.end()) {
-        resource = file->second;
-    } else if (is_plain_path(path)) {
-        resource = site_.find(path);
-    }
-    if (!resource) {
-        return not_found();
-    }
-    std::optional<Body> body = body_of(*resource);
-    return body ? answer_with(resource->type, std::move(*body), request.value("range"))
-                : not_found();
+AnswerParts Responder::serve_page_file(const Request& request) const {
+    const std::string_view path = path_of(request.target).substr(kPageFolder.size() - 1);
+    const auto file = files_.find(std::string(path));
+    return file == files_.end() ? not_found() : serve(file->second, request);
+}
+
+AnswerParts Responder::serve_resource(const Request& request) {
+    const std::string_view path = path_of(access_.path_behind_key(request.target));
+    const std::optional<Resource> resource =
+        request.target != kSocketPath && is_plain_path(path) ? site_.find(path) : std::nullopt;
+    return resource ? serve(*resource, request) : not_found();
 }
 
 }  // namespace carom::server

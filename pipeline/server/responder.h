@@ -31,7 +31,8 @@ class Responder {
   private:
     [[nodiscard]] AnswerParts answer_parts(const Request& request);
     [[nodiscard]] AnswerParts welcome() const;
-    [[nodiscard]] AnswerParts serve(const Request& request);
+    [[nodiscard]] AnswerParts serve_page_file(const Request& request) const;
+    [[nodiscard]] AnswerParts serve_resource(const Request& request);
 
     Access access_;
     std::string nonce_;

@@ -66,32 +66,12 @@ struct Server::State : Hub {
         });
     }
 
-    /// Serves a new connection, in the place of one that waits for a request if there are too many.
     void begin(tcp::socket&& socket) {
         error_code ignored;
         keep_from_children(socket.native_handle());
         socket.set_option(tcp::no_delay(true), ignored);
-        if (connections.size() >= limits.connections && !drop_longest_waiting()) {
-            socket.non_blocking(true, ignored);
-            const Answer answer = responder->refuse(503, "There are too many connections.");
-            socket.write_some(asio::buffer(answer.head), ignored);
-            return;
-        }
+        make_room_for_stranger();
         std::make_shared<Connection>(std::move(socket), *this)->read();
-    }
-
-    bool drop_longest_waiting() {
-        Connection* longest = nullptr;
-        for (Connection* connection : connections) {
-            const auto since = connection->waits_since();
-            if (since && (longest == nullptr || *since < *longest->waits_since())) {
-                longest = connection;
-            }
-        }
-        if (longest != nullptr) {
-            longest->drop();
-        }
-        return longest != nullptr;
     }
 
     /// Sends what was added to the outbox since the last call.
@@ -130,8 +110,8 @@ struct Server::State : Hub {
         acceptor.close(ignored);
         pause.cancel();
         idle_timer.cancel();
-        for (Connection* connection : connections) {
-            connection->drop();
+        while (!connections.empty()) {
+            (*connections.begin())->drop();
         }
         for (const auto& [id, page] : pages) {
             page->end(websocket::close_code::going_away);

@@ -41,7 +41,7 @@ class Site {
   public:
     virtual ~Site() = default;
 
-    /// The resource at a path that is not among the fixed files, such as "/scene/HASH.glb"; empty
+    /// The resource at a path, such as "/scene/HASH.glb", for a client that has the key; empty
     /// if there is none. The path has only letters, digits and "-_./", and no part of it is empty
     /// or begins with a dot.
     virtual std::optional<Resource> find(std::string_view path) = 0;
@@ -56,12 +56,14 @@ class Site {
 struct Limits {
     std::size_t header_bytes = 16 << 10;
     std::size_t message_bytes = 4 << 20;   // of a message from a page
-    std::size_t connections = 8;           // HTTP, besides sockets
+    std::size_t connections = 8;           // HTTP, of clients that have shown the key
+    std::size_t strangers = 32;            // HTTP, of those that have not, the newest
     std::size_t sockets = 4;               // WebSockets
     std::size_t waiting_messages = 256;    // without a slot, for one socket
     std::size_t waiting_bytes = 64 << 20;  // of these
     std::chrono::milliseconds request_time{
         30'000};  // from the end of one request to that of the next
+    std::chrono::milliseconds stranger_time{5'000};  // the same without the key
     std::chrono::milliseconds answer_time{60'000};   // in which a client takes a part of an answer
     std::chrono::milliseconds socket_time{300'000};  // in which a page answers at least a ping
     /// In which a client closes its side, after the last answer or the end of its socket.
@@ -70,15 +72,22 @@ struct Limits {
 
 struct ServerOptions {
     std::uint16_t port = 0;  // 0: any free port
-    /// The fixed files by path: "/", "/main.js". In HTML, kNoncePlaceholder is replaced.
+    /// The files of the page by their path in kPageFolder: "/", "/main.js". They are no secret:
+    /// whoever asks gets them. In HTML, kNoncePlaceholder is replaced.
     std::map<std::string, Resource> files;
     /// run() ends if for so long nothing was asked, received or sent; empty: it does not.
     std::optional<std::chrono::milliseconds> idle;
     Limits limits{};
 };
 
-/// The path at which a page opens its WebSocket.
+/// Where the page is: its address in the browser.
+inline constexpr std::string_view kPageFolder = "/studio/";
+
+/// The path at which a page opens its WebSocket. It offers two protocols: kProtocol, which the
+/// server takes, and kKeyProtocol with the key behind it.
 inline constexpr std::string_view kSocketPath = "/socket";
+inline constexpr std::string_view kProtocol = "carom";
+inline constexpr std::string_view kKeyProtocol = "carom.key.";
 
 /// In fixed HTML files the server replaces this text by the nonce with which the page may add style
 /// elements (Content-Security-Policy: style-src).

@@ -3,8 +3,9 @@
 namespace carom::studio {
 namespace {
 
-constexpr double kShortest = 0.1;  // s, a simulation runs at least so long
-constexpr double kSlow = 0.3;      // s, a simulation that takes longer waits for the end of a drag
+// Of processor time, s.
+constexpr double kShortest = 0.1;  // a simulation runs at least so long
+constexpr double kSlow = 0.3;  // a simulation that takes longer is not done for each move of a drag
 
 }  // namespace
 
@@ -25,6 +26,7 @@ void LiveBake::finish(bool stopped) {
     is_running_ = false;
     was_stopped_ = stopped;
     was_slow_ = seconds() > kSlow;
+    last_end_ = Clock::now();
 }
 
 void LiveBake::stop() {
@@ -58,6 +60,11 @@ bool LiveBake::takes_long() {
 bool LiveBake::was_slow() {
     const std::lock_guard lock(mutex_);
     return was_slow_;
+}
+
+LiveBake::Clock::time_point LiveBake::last_end() {
+    const std::lock_guard lock(mutex_);
+    return last_end_;
 }
 
 }  // namespace carom::studio

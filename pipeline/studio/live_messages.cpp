@@ -90,9 +90,10 @@ void LiveMessages::show(std::int64_t v, const pipeline::Shot& shot,
     output_.shown(v, shot);
 }
 
-void LiveMessages::defer_to_end_of_drag(std::int64_t v) {
-    output_.text(
-        Deferred{v, "dragging", "simulating this shot takes long; it follows when the drag ends"});
+void LiveMessages::defer_during_drag(std::int64_t v) {
+    output_.text(Deferred{v, "dragging",
+                          "simulating this shot takes long; during the drag its motion follows "
+                          "now and then"});
 }
 
 void LiveMessages::defer_to_button(std::int64_t v) {

@@ -43,8 +43,8 @@ class LiveMessages {
     /// The pages show something else than a shot: they do not keep its cameras.
     void forget_cameras() { has_cameras_ = false; }
 
-    /// The motion follows when the drag ends.
-    void defer_to_end_of_drag(std::int64_t v);
+    /// The motion follows later during the drag, or when it ends.
+    void defer_during_drag(std::int64_t v);
 
     /// The motion follows when the user asks for it.
     void defer_to_button(std::int64_t v);

@@ -4,12 +4,17 @@
 
 namespace carom::studio {
 
+namespace {
+
+constexpr std::chrono::milliseconds kPause{500};  // between slow simulations during a drag
+
+}  // namespace
+
 void LiveRequests::offer(TextsOfVersion texts) {
     const std::lock_guard lock(mutex_);
     newest_ = texts;
     waiting_ = LiveRequest{std::move(texts), false};
-    deferred_ = false;
-    bake_.stop_for_newer();
+    deferred_.reset();
     wake_.notify_one();
 }
 
@@ -18,7 +23,7 @@ void LiveRequests::set_dragging(bool on) {
     dragging_ = on;
     if (!on && deferred_ && !waiting_) {
         waiting_ = LiveRequest{newest_, false};
-        deferred_ = false;
+        deferred_.reset();
         wake_.notify_one();
     }
 }
@@ -33,7 +38,16 @@ void LiveRequests::simulate() {
 
 std::optional<LiveRequest> LiveRequests::next(const std::stop_token& end) {
     std::unique_lock lock(mutex_);
-    if (!wake_.wait(lock, end, [&] { return waiting_.has_value(); }) || bake_.has_ended()) {
+    const auto is_wanted = [&] { return waiting_.has_value(); };
+    while (deferred_ && !is_wanted() && !end.stop_requested()) {
+        const LiveBake::Clock::time_point until = *deferred_;
+        if (!wake_.wait_until(lock, end, until, [&] { return is_wanted() || !deferred_; }) &&
+            !end.stop_requested()) {
+            waiting_ = LiveRequest{newest_, false};
+            deferred_.reset();
+        }
+    }
+    if (!wake_.wait(lock, end, is_wanted) || bake_.has_ended()) {
         return std::nullopt;
     }
     return std::exchange(waiting_, {});
@@ -51,8 +65,14 @@ std::optional<TextsOfVersion> LiveRequests::other_than(std::int64_t v) {
 
 bool LiveRequests::defer(bool has_motion) {
     const std::lock_guard lock(mutex_);
-    deferred_ = dragging_ && bake_.was_slow() && has_motion;
-    return deferred_;
+    deferred_.reset();
+    if (dragging_ && bake_.was_slow() && has_motion) {
+        const LiveBake::Clock::time_point next = bake_.last_end() + kPause;
+        if (LiveBake::Clock::now() < next) {
+            deferred_ = next;
+        }
+    }
+    return deferred_.has_value();
 }
 
 }  // namespace carom::studio

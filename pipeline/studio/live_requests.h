@@ -20,8 +20,7 @@ struct LiveRequest {
 /// Keeps the newest request only. One thread answers; all functions may be called from any thread.
 class LiveRequests {
   public:
-    /// Texts that come stop the simulation if that is allowed. Its mutex is taken after the one of
-    /// the requests.
+    /// Its mutex is taken after the one of the requests.
     explicit LiveRequests(LiveBake& bake) : bake_(bake) {}
 
     // As in LiveShot.
@@ -29,7 +28,8 @@ class LiveRequests {
     void set_dragging(bool on);
     void simulate();
 
-    /// Waits for the next request. Empty: `end` was requested, or the simulations have ended.
+    /// Waits for the next request, or for the time of a deferred one. Empty: `end` was requested,
+    /// or the simulations have ended.
     [[nodiscard]] std::optional<LiveRequest> next(const std::stop_token& end);
 
     /// Whether another request waits, or nothing is wanted any more.
@@ -38,7 +38,8 @@ class LiveRequests {
     /// The texts that wait; empty if there are none, or if they are of that version.
     [[nodiscard]] std::optional<TextsOfVersion> other_than(std::int64_t v);
 
-    /// Whether a slow shot has to wait for the end of the drag. `has_motion`: the page shows one.
+    /// Whether a slow shot has to wait during a drag: until its end, or for half a second, so that
+    /// every drag is answered. `has_motion`: the page shows one.
     [[nodiscard]] bool defer(bool has_motion);
 
   private:
@@ -49,7 +50,8 @@ class LiveRequests {
     std::optional<LiveRequest> waiting_;
     TextsOfVersion newest_;
     bool dragging_ = false;
-    bool deferred_ = false;  // the newest texts wait for the end of the drag
+    /// Until when the newest texts wait during the drag; empty: they do not.
+    std::optional<LiveBake::Clock::time_point> deferred_;
 };
 
 }  // namespace carom::studio

@@ -1,6 +1,5 @@
 #include "pipeline/studio/live_shot.h"
 
-#include <chrono>
 #include <iterator>
 #include <limits>
 #include <stop_token>
@@ -22,14 +21,9 @@ namespace carom::studio {
 
 namespace {
 
-double steady_seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-}
-
 LiveOptions with_defaults(LiveOptions options) {
     if (!options.clock) {
-        options.clock = steady_seconds;
+        options.clock = thread_cpu_seconds;
     }
     if (!options.bake) {
         options.bake = sim::bake_within;
@@ -141,7 +135,7 @@ class LiveShot::Worker {
     bool simulate(const LiveRequest& request, const pipeline::Shot& shot, const Hash128& hash) {
         const std::int64_t v = request.texts.v;
         if (!request.unlimited && requests_.defer(timeline_.has_value())) {
-            messages_.defer_to_end_of_drag(v);
+            messages_.defer_during_drag(v);
             return false;
         }
         std::optional<sim::Timeline> timeline;

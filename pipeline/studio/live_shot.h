@@ -65,7 +65,7 @@ struct LiveOptions {
     std::uint64_t most_steps = 15'000'000;
     /// The largest size of a mesh or an image that the shot may name.
     std::uintmax_t most_asset_bytes = std::uintmax_t{128} << 20U;
-    /// Seconds of a clock that only increases; tests give their own.
+    /// Processor time of the calling thread, s; tests give their own.
     std::function<double()> clock{};
     /// Replaces sim::bake_within in tests.
     std::function<std::optional<sim::Timeline>(
@@ -84,13 +84,13 @@ class LiveShot {
     LiveShot(LiveShot&&) = delete;
     LiveShot& operator=(LiveShot&&) = delete;
 
-    /// Texts to answer. Older ones that still wait are dropped. A simulation that has run for more
-    /// than 0.1 s is stopped for them, except if the one before it was stopped, too, so that
-    /// answers keep coming.
+    /// Texts to answer. Older ones that still wait are dropped. A simulation that has taken more
+    /// than 0.1 s of processor time is stopped for them, except if the one before it was stopped,
+    /// too, so that answers keep coming.
     void offer(TextsOfVersion texts);
 
-    /// During a drag a shot whose simulation takes more than 0.3 s is not simulated; after it, it
-    /// is.
+    /// During a drag, a shot whose simulation takes more than 0.3 s of processor time is simulated
+    /// half a second after the end of the last one; after the drag, at once.
     void set_dragging(bool on);
 
     /// Simulates the newest texts without the limit of steps.

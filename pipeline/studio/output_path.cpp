@@ -1,7 +1,6 @@
 #include "pipeline/studio/output_path.h"
 
 #include <filesystem>
-#include <system_error>
 
 #include "core/error.h"
 #include "pipeline/studio/paths.h"
@@ -18,10 +17,8 @@ std::string output_path(const std::string& given, const std::string& shot,
     if (!path.has_extension()) {
         path += extension;
     }
-    std::error_code ignored;
-    const std::string result = fs::weakly_canonical(path, ignored).string();
-    const std::string canonical_base = fs::weakly_canonical(base, ignored).string();
-    if (!is_below(result, canonical_base) && !is_below(result, root)) {
+    const std::string result = whole_path(path);
+    if (!is_below(result, whole_path(base)) && !is_below(result, root)) {
         throw Error("files can be written below '" + root + "' only, not '" + path.string() + "'");
     }
     return result;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -36,11 +37,35 @@ std::vector<std::string> config_folders() {
     return folders;
 }
 
+/// The path with its first link replaced by what that names; empty if it has none.
+std::optional<fs::path> behind_link(const fs::path& path) {
+    fs::path known;
+    for (auto part = path.begin(); part != path.end(); ++part) {
+        std::error_code code;
+        if (fs::is_symlink(fs::symlink_status(known / *part, code))) {
+            fs::path target = known / fs::read_symlink(known / *part, code);
+            for (++part; part != path.end(); ++part) {
+                target /= *part;
+            }
+            return target;
+        }
+        known /= *part;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::string whole_path(const fs::path& path) {
+    constexpr int kMostLinks = 40;  // as in Linux
     std::error_code code;
-    const fs::path result = fs::weakly_canonical(path, code);
+    fs::path result = fs::weakly_canonical(path, code);
+    // A link without a target does not exist for weakly_canonical, but a file that is written by
+    // its name comes to be at its target.
+    std::optional<fs::path> target;
+    for (int links = 0; !code && links < kMostLinks && (target = behind_link(result)); ++links) {
+        result = fs::weakly_canonical(*target, code);
+    }
     return code ? path.lexically_normal().string() : result.string();
 }
 

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "pipeline/studio/longest_message.h"
 #include "pipeline/studio/message_fields.h"
 #include "pipeline/studio/message_lists.h"
 
@@ -148,7 +149,11 @@ std::string protocol_types() {
            "/// from pipeline/studio/message_fields.h by write_protocol.\n\n"
            "export const kProtocol = '" +
            std::string(kProtocol) +
-           "';\n\n"
+           "';\n"
+           "/// Bytes of the longest message that the page may send.\n"
+           "export const kLongestMessage = " +
+           std::to_string(kLongestMessage) +
+           ";\n\n"
            "export type Triple = [number, number, number];\n"
            "/// A unit quaternion, w first.\n"
            "export type Turn = [number, number, number, number];\n"

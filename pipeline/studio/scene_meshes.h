@@ -23,6 +23,9 @@ class MeshFiles {
     /// cannot be read.
     std::string add(const pipeline::Shot& shot);
 
+    /// Whether the .glb of that hash is kept.
+    [[nodiscard]] bool has(std::string_view hash) const { return find(hash) != nullptr; }
+
     /// The .glb of that hash, or null.
     [[nodiscard]] std::shared_ptr<const std::string> find(std::string_view hash) const;
 

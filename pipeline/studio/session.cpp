@@ -75,6 +75,7 @@ Session::State::~State() {
     desk_->end();
     watch_->end();  // it calls the live shot, which calls it
     live_.reset();
+    mesh_work_.end();
     film_.reset();
     documents_.reset();
     pictures_.reset();
@@ -150,6 +151,10 @@ void Session::received(PageId page, const std::string& text) {
 
 std::optional<Download> Session::find(std::string_view path) {
     return state_->find(path);
+}
+
+std::string Session::files_root() const {
+    return state_->files_root();
 }
 
 }  // namespace carom::studio

@@ -35,8 +35,8 @@ struct SessionOptions {
     std::string shot{};                    // the path of its file; empty: the start page
     std::vector<std::string> overrides{};  // as given to --set
     std::string quality{};                 // a preset, or empty
-    std::string root{};          // the folder below which files are written; empty: that of
-                                 // the shot, or the current one
+    std::string root{};          // the folder below which files are read and written; empty: that
+                                 // of shot_root.h, or the current one
     std::string output{};        // the folder of films; empty: that of the shot
     std::string cache_folder{};  // empty: the usual one
     std::string state_folder{};  // of the list of recent files; empty: the usual one
@@ -68,6 +68,9 @@ class Session {
     /// What a GET of that path ("/schema.json", "/configs.json", "/scene/HASH.glb") returns; empty:
     /// there is no such file.
     [[nodiscard]] std::optional<Download> find(std::string_view path);
+
+    /// The folder below which files may be read and written now.
+    [[nodiscard]] std::string files_root() const;
 
   private:
     class State;

@@ -1,5 +1,6 @@
 // The open shot of a session, and what the threads that work on it have to say.
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <system_error>
 #include <utility>
@@ -9,16 +10,29 @@
 #include "pipeline/studio/message_json.h"
 #include "pipeline/studio/paths.h"
 #include "pipeline/studio/session_state.h"
+#include "pipeline/studio/shot_root.h"
 
 namespace carom::studio {
 
+/// The root of a shot. If no root was given, a recent shot may be elsewhere, and the shot may name
+/// files beside its folder.
+std::string Session::State::root_for(const std::string& path) const {
+    if (!options_.root.empty()) {
+        return root_;
+    }
+    const std::string file = whole_path(path);
+    const std::string folder =
+        is_below(file, root_) ? root_ : std::filesystem::path(file).parent_path().string();
+    return shot_root(file, folder, {.overrides = options_.overrides, .quality = options_.quality});
+}
+
+std::string Session::State::files_root() {
+    const std::lock_guard lock(mutex_);
+    return root();
+}
+
 void Session::State::open_shot(const std::string& path) {
-    // A recent shot may be elsewhere if no root was given.
-    std::error_code ignored;
-    const bool is_elsewhere =
-        options_.root.empty() &&
-        !is_below(std::filesystem::weakly_canonical(path, ignored).string(), root_);
-    auto shot = std::make_shared<OpenedShot>(path, is_elsewhere ? "" : root_);
+    auto shot = std::make_shared<OpenedShot>(path, root_for(path));
     const int opening = close_shot();
     shot_ = std::move(shot);
     desk_->opened(shot_->files().shot());
@@ -78,9 +92,39 @@ LiveOutput Session::State::output_of(int opening) {
         take_sequence(opening, std::move(answer));
     };
     output.shown = [this, opening](std::int64_t v, const pipeline::Shot& shot) {
-        messages_.send_newest(opening, SceneMeshes{v, meshes_.add(shot)});
+        show_meshes(opening, v, shot);
     };
     return output;
+}
+
+void Session::State::show_meshes(int opening, std::int64_t v, const pipeline::Shot& shot) {
+    std::string hash = hash_meshes(shot).to_string();
+    {
+        const std::lock_guard lock(wanted_meshes_mutex_);
+        wanted_meshes_ = hash;
+    }
+    if (meshes_.has(hash)) {
+        messages_.send_newest(opening, SceneMeshes{v, std::move(hash)});
+        return;
+    }
+    mesh_work_.post_always([this, opening, v, hash, copy = std::make_shared<pipeline::Shot>(shot)] {
+        make_meshes(opening, v, hash, *copy);
+    });
+}
+
+void Session::State::make_meshes(int opening, std::int64_t v, const std::string& hash,
+                                 const pipeline::Shot& shot) {
+    {
+        const std::lock_guard lock(wanted_meshes_mutex_);
+        if (wanted_meshes_ != hash) {
+            return;  // newer ones follow
+        }
+    }
+    try {
+        messages_.send_newest(opening, SceneMeshes{v, meshes_.add(shot)});
+    } catch (const std::exception& error) {
+        take_text(opening, Failed{"bake", v, error.what()});
+    }
 }
 
 void Session::State::take_text(int opening, const ServerMessage& message) {

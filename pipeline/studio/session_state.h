@@ -15,6 +15,7 @@
 
 #include "pipeline/studio/disk_watch.h"
 #include "pipeline/studio/documents.h"
+#include "pipeline/studio/errands.h"
 #include "pipeline/studio/file_desk.h"
 #include "pipeline/studio/film_run.h"
 #include "pipeline/studio/live_shot.h"
@@ -44,6 +45,7 @@ class Session::State {
     void closed(PageId page);
     void received(PageId page, const std::string& text);
     [[nodiscard]] std::optional<Download> find(std::string_view path);
+    [[nodiscard]] std::string files_root();
 
   private:
     void start_workers();
@@ -85,6 +87,7 @@ class Session::State {
     [[nodiscard]] OpenShot open_texts() const;
 
     // The open shot; with the mutex.
+    [[nodiscard]] std::string root_for(const std::string& path) const;
     void open_shot(const std::string& path);
     int close_shot();
     void offer();
@@ -93,6 +96,9 @@ class Session::State {
 
     // What others say, from their threads; without the mutex.
     [[nodiscard]] LiveOutput output_of(int opening);
+    void show_meshes(int opening, std::int64_t v, const pipeline::Shot& shot);
+    void make_meshes(int opening, std::int64_t v, const std::string& hash,
+                     const pipeline::Shot& shot);
     void take_text(int opening, const ServerMessage& message);
     void take_files(int opening, const std::vector<pipeline::ReadFile>& files,
                     const std::vector<std::string>& missing);
@@ -106,6 +112,9 @@ class Session::State {
     std::string root_;  // of shots that are below it
     MeshFiles meshes_;
     NewestMessages messages_;  // its mutex is taken after the one below
+    std::mutex wanted_meshes_mutex_;
+    std::string wanted_meshes_;  // the hash of those of the newest version
+    Errands mesh_work_;          // large meshes take seconds, for which no answer waits
 
     std::mutex mutex_;                  // of the members up to opening_
     std::shared_ptr<OpenedShot> shot_;  // null: the start page

@@ -164,6 +164,11 @@ class Copier {
             }
             path = stem.string() + "_" + std::to_string(i) + path.extension().string();
         }
+        const std::string place = whole_path(path);  // a folder may be a link
+        if (!is_below(place, root_) && !is_below(place, to_)) {
+            throw Error("a copy of " + config::quote(file) + " would be written to " +
+                        config::quote(place) + ", outside " + config::quote(root_));
+        }
         files_.push_back({file, path.string(), text});
         return copies_[file] = path.string();
     }

@@ -172,6 +172,9 @@ std::variant<Saved, DiskChanged> Workspace::save(const Save& request) {
     }
     if (!is_new) {
         require_writable(request.file);
+        if (whole_path(request.file) != request.file) {
+            throw Error(quote(request.file) + " cannot be written: it has become a link");
+        }
     }
     const DiskFile disk = read(request.file);
     if (disk.hash != request.base_hash && !request.force) {

@@ -1,5 +1,6 @@
 import { render } from 'preact';
-import { connect } from './connection/socket';
+import { takeKeys } from './connection/key';
+import { connect, watchKeys } from './connection/socket';
 import { Dialogs } from './dialogs/Dialogs';
 import { watchQuestions } from './dialogs/edit_question';
 import { watchRecovery } from './dialogs/recovery_dialog';
@@ -45,6 +46,7 @@ function App() {
 
 const app = document.getElementById('app');
 if (app) {
+    takeKeys();
     exposeStudio();
     window.studio['edit'] = {
         ...edit, travel, text: activeText, steps: () => undoable.value.length,
@@ -85,4 +87,5 @@ if (app) {
     void loadSchema();
     void loadConfigFiles();
     connect();
+    watchKeys();
 }

@@ -3,6 +3,8 @@
 /// from pipeline/studio/message_fields.h by write_protocol.
 
 export const kProtocol = 'carom-studio/1';
+/// Bytes of the longest message that the page may send.
+export const kLongestMessage = 4194304;
 
 export type Triple = [number, number, number];
 /// A unit quaternion, w first.

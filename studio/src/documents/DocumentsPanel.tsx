@@ -1,4 +1,5 @@
 /// The panel of documents: plan, report, speeds and energy, contact sheet, and exports.
+import { withKey } from '../connection/key';
 import { useEffect } from 'preact/hooks';
 import { Dialog, type DialogAction } from '../dialogs/Dialog';
 import { hasErrors, isStale, panel, timeline } from '../state/state';
@@ -71,7 +72,7 @@ function Shown({ kind }: { kind: DocumentKind }) {
     }
     return (
         <div class="sheet" tabIndex={0} role="region" aria-label={kTitles[kind]}>
-            <img src={made.address} alt={kTitles[kind]} class={kind} />
+            <img src={withKey(made.address)} alt={kTitles[kind]} class={kind} />
         </div>
     );
 }
@@ -115,7 +116,7 @@ export function DocumentsPanel() {
                     {written.value ? (
                         <p class="written" role="status">
                             {written.value.file} was written.{' '}
-                            <a class="download" href={written.value.address}
+                            <a class="download" href={withKey(written.value.address)}
                                 download={written.value.file.split('/').pop()}>Download</a>
                         </p>
                     ) : null}

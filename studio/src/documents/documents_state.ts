@@ -1,4 +1,5 @@
 /// Drawings, the report, pictures and exports of the shot, which the server makes.
+import { withKey } from '../connection/key';
 import { computed, signal } from '@preact/signals';
 import { onMessage } from '../connection/receive';
 import { send } from '../connection/socket';
@@ -76,7 +77,7 @@ export function stopMaking(): void {
 async function take(made: Made): Promise<void> {
     const isNewest = made.q === making.value?.q;
     const text = made.what === 'report' && made.file === ''
-        ? await (await fetch(made.address)).text() : '';
+        ? await (await fetch(withKey(made.address))).text() : '';
     if (made.file === '') {
         looks.value = new Map(looks.value).set(made.what, { ...made, text });
     } else {

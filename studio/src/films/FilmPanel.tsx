@@ -1,4 +1,5 @@
 /// The panel of films: makes one of the shot, shows its frames as they come, and plays it.
+import { withKey } from '../connection/key';
 import { Dialog, type DialogAction } from '../dialogs/Dialog';
 import { goToFrame } from '../motion/clock';
 import type { FilmState } from '../protocol';
@@ -120,7 +121,7 @@ function Frames() {
                 <li key={frame}>
                     <button type="button" title={`Frame ${frame}: show it in the view`}
                         onClick={() => { goToFrame(frame); panel.value = null; }}>
-                        <img src={address} alt={`Frame ${frame}`} loading="lazy" />
+                        <img src={withKey(address)} alt={`Frame ${frame}`} loading="lazy" />
                         <span aria-hidden="true">{frame}</span>
                     </button>
                 </li>
@@ -165,7 +166,7 @@ function Result() {
             {state.address === '' ? <Frames /> : (
                 <FilmPlayer address={state.address} fps={state.fps} width={state.width}
                     height={state.height}>
-                    <a class="download" href={state.address} download={name}>Download</a>
+                    <a class="download" href={withKey(state.address)} download={name}>Download</a>
                 </FilmPlayer>
             )}
             <Progress state={state} />

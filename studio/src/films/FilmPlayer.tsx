@@ -1,4 +1,5 @@
 /// Plays a film, also frame by frame.
+import { withKey } from '../connection/key';
 import { useSignal } from '@preact/signals';
 import { ChevronFirst, ChevronLast, ChevronLeft, ChevronRight, Pause, Play } from 'lucide-preact';
 import type { ComponentChildren } from 'preact';
@@ -95,7 +96,7 @@ export function FilmPlayer({ address, fps, width, height, children }: Properties
     }
     return (
         <div class="player" onKeyDown={onKey}>
-            <video ref={element} src={address} width={width} height={height} loop tabIndex={0}
+            <video ref={element} src={withKey(address)} width={width} height={height} loop tabIndex={0}
                 aria-label="The film" preload="auto" onClick={toggle}
                 onError={() => { isBroken.value = true; }}
                 onPlay={() => { isPlaying.value = true; }} onPause={() => { isPlaying.value = false; }}

@@ -1,6 +1,7 @@
 /// What stands in the place of the view for a film of several shots: the picture of the film's frame at
 /// the play head. While it plays, and until the picture comes, the nearest small picture of the film
 /// that was made, else the name of the part.
+import { withKey } from '../connection/key';
 import { effect } from '@preact/signals';
 import { Aperture, Download, FolderOpen } from 'lucide-preact';
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
@@ -111,7 +112,7 @@ export function SequenceView() {
         <div class="sequence-view" role="region" aria-label="The film">
             <div class="frame">
                 {shownPicture.value ? <Traced />
-                    : small ? <img src={small} alt="The frame of the film" />
+                    : small ? <img src={withKey(small)} alt="The frame of the film" />
                         : part ? <Card part={part} /> : null}
             </div>
             <Bar part={part} />

@@ -1,19 +1,40 @@
 /// The line below everything: what happened last, what the server does, and what the film is.
-import { send } from '../connection/socket';
+import { kLongestText, send } from '../connection/socket';
 import {
-    connection, deferred, hasErrors, isDeferred, isStale, notice, openFilm, problems, timeline,
-    welcome, work,
+    connection, deferred, hasErrors, isDeferred, isStale, meshes, notice, openFilm, problems, shot,
+    timeline, tooLongFile, welcome, work,
 } from '../state/state';
 import { copyShownText } from '../text/copy_text';
 
-const kConnection = { connecting: 'connecting', open: 'connected', lost: 'connection lost' };
+const kConnection = {
+    connecting: 'connecting', open: 'connected', lost: 'connection lost', refused: 'not known',
+};
 
-/// A line above the work while the server does not answer.
+
+/// What is wrong between the page and the server, and what the user can do; empty: nothing.
+export function connectionTrouble(): string {
+    if (connection.value === 'lost') {
+        return 'The connection to carom studio is lost. The texts are still here; the page connects '
+            + 'again as soon as the server answers. If it has ended, start it again and open the '
+            + 'address that it prints.';
+    }
+    if (connection.value === 'refused') {
+        return 'The carom studio that answers here does not know this page: it was started again, or '
+            + 'the page was opened in another browser. Open the address that it printed in this '
+            + 'browser; this page then goes on. The texts are still here.';
+    }
+    return tooLongFile.value !== ''
+        ? `${tooLongFile.value.split('/').pop()} is too long: carom studio takes at most ${kLongestText} `
+            + 'of text. What you see is older; undo, or make the text shorter.'
+        : '';
+}
+
+/// A line above the work while the server does not answer, or does not take the text.
 export function LostConnection() {
-    return connection.value !== 'lost' ? null : (
+    const trouble = connectionTrouble();
+    return trouble === '' ? null : (
         <div class="lost" role="alert">
-            <span>The connection to carom studio is lost. The texts are still here; the page connects
-                again as soon as the server answers.</span>
+            <span>{trouble}</span>
             <button type="button" onClick={copyShownText}>Copy the text</button>
         </div>
     );
@@ -41,6 +62,9 @@ function Simulation() {
     }
     if (work.value?.what) {
         return <span>simulating: {Math.round(100 * work.value.fraction)} %</span>;
+    }
+    if (shot.value && meshes.value === null) { // large ones take seconds
+        return <span>preparing the meshes</span>;
     }
     const head = timeline.value?.head;
     return head && !isStale.value

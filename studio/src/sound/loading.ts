@@ -1,4 +1,5 @@
 /// Gets the pieces of the film's sound as the server tells that they are there.
+import { withKey } from '../connection/key';
 import { batch, effect } from '@preact/signals';
 import type { SoundState } from '../protocol';
 import { soundState } from '../state/state';
@@ -33,7 +34,7 @@ async function load(): Promise<void> {
             if (index === null) {
                 break;
             }
-            const answer = await fetch(`${data.address}${index}.pcm`).catch(() => null);
+            const answer = await fetch(withKey(`${data.address}${index}.pcm`)).catch(() => null);
             if (answer?.ok) {
                 const bytes = await answer.arrayBuffer(); // none of a film that is gone
                 if (bytes.byteLength > 0) {

@@ -1,4 +1,5 @@
 /// Cards of shots to start from, as a group of choices.
+import { withKey } from '../connection/key';
 import { useRef } from 'preact/hooks';
 import { Film } from 'lucide-preact';
 import type { StartFile } from '../protocol';
@@ -33,7 +34,7 @@ function Card({ file, isChosen, isFirst, choose, begin }: CardProperties) {
             tabIndex={isChosen || isFirst ? 0 : -1} data-name={file.name}
             onClick={choose} onDblClick={begin}>
             <span class="still">
-                {file.still ? <img src={file.still} alt="" loading="lazy" draggable={false} />
+                {file.still ? <img src={withKey(file.still)} alt="" loading="lazy" draggable={false} />
                     : <Film size={28} strokeWidth={1.25} aria-hidden="true" />}
             </span>
             <span class="name">{titleOf(file.name)}</span>

@@ -1,4 +1,5 @@
 /// The shots that were opened last.
+import { withKey } from '../connection/key';
 import { X } from 'lucide-preact';
 import { send } from '../connection/socket';
 import type { StartFile } from '../protocol';
@@ -15,7 +16,7 @@ function Recent({ shot }: { shot: StartFile }) {
             <button type="button" class="recent" title={shot.file}
                 onClick={() => { void openShot(shot.file); }}>
                 <span class="thumb">
-                    {shot.still ? <img src={shot.still} alt="" draggable={false} /> : null}
+                    {shot.still ? <img src={withKey(shot.still)} alt="" draggable={false} /> : null}
                 </span>
                 <span class="words">
                     <span class="name">{shot.name}</span>

@@ -1,9 +1,10 @@
 /// The start page: templates, examples and recent shots.
 import { FileInput, FolderOpen, Moon, Sun } from 'lucide-preact';
 import { useState } from 'preact/hooks';
+import { connectionTrouble } from '../shell/Status';
 import { shownTheme, switchTheme } from '../shell/theme';
 import type { StartFile } from '../protocol';
-import { connection, notice, start, welcome } from '../state/state';
+import { notice, start, welcome } from '../state/state';
 import { Cards } from './Cards';
 import { beginShot } from './file_actions';
 import { chooseScene } from './import_scene';
@@ -71,8 +72,7 @@ export function StartScreen() {
             </div>
             {chosen ? <NewShot from={chosen} /> : null}
             <footer role="status" class={notice.value?.kind === 'error' ? 'error' : ''}>
-                {connection.value === 'lost'
-                    ? 'The connection to the server is lost.' : notice.value?.text}
+                {connectionTrouble() || notice.value?.text}
             </footer>
         </div>
     );

@@ -36,10 +36,13 @@ export interface Picture {
     pixels: Uint8ClampedArray<ArrayBuffer>;
 }
 
-export type ConnectionState = 'connecting' | 'open' | 'lost';
+/// 'refused': there is a server, but not the one that this page belongs to.
+export type ConnectionState = 'connecting' | 'open' | 'lost' | 'refused';
 export type Theme = 'dark' | 'light' | 'system';
 
 export const connection = signal<ConnectionState>('connecting');
+/// The file whose newest text is too long for the server; empty: none.
+export const tooLongFile = signal('');
 export const welcome = signal<Welcome | null>(null);
 /// What the start page offers, as the server last told; null: it was not asked yet.
 export const start = signal<Start | null>(null);

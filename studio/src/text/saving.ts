@@ -1,7 +1,7 @@
 /// Saves the changed files. The server refuses a file that changed on disk meanwhile.
 import { onMessage } from '../connection/receive';
 import { send } from '../connection/socket';
-import { files, notice } from '../state/state';
+import { connection, files, notice } from '../state/state';
 import { bufferOf, buffers, isChanged, textOf } from './buffers';
 import { openGone } from '../dialogs/gone_dialog';
 import { openMerge } from '../dialogs/merge_dialog';
@@ -50,7 +50,9 @@ function saveFile(file: string, onFailure: () => void = () => undefined): void {
     if (send('save', { file, text, base_hash: buffer.hash, force: false })) {
         underWay.set(file, text);
     } else {
-        notice.value = { kind: 'error', text: 'There is no connection: nothing was saved.' };
+        if (connection.value !== 'open') {
+            notice.value = { kind: 'error', text: 'There is no connection: nothing was saved.' };
+        }
         onFailure();
     }
 }

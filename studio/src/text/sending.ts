@@ -1,11 +1,11 @@
 /// Sends changed texts to the server: one is under way, and of each file the newest waits. Takes
 /// those that another window on the same shot sent.
 import { onMessage } from '../connection/receive';
-import { send } from '../connection/socket';
+import { trySend } from '../connection/socket';
 import type { Text } from '@codemirror/state';
 import { mergeWords } from '../edit/merge_lines';
 import type { TextChanged } from '../protocol';
-import { connection, deferred, problems, textUnderWay, textVersion } from '../state/state';
+import { connection, deferred, problems, textUnderWay, textVersion, tooLongFile } from '../state/state';
 import { bufferOf, setText, textOf, type Buffer } from './buffers';
 import { ancestorOf, forgetRecent, noteRecent } from './recent_texts';
 import { stateWithoutDrag } from './live_drag';
@@ -44,13 +44,15 @@ function sendNext(): void {
     if (buffer) {
         const v = textVersion.value + 1;
         const text = textOf(buffer);
-        if (send('text', { v, file: buffer.file, text })) {
+        const result = trySend('text', { v, file: buffer.file, text });
+        tooLongFile.value = result === 'too long' ? buffer.file : '';
+        if (result === 'sent') {
             known.set(buffer.file, { text, sentAs: v, taken: null });
             noteRecent(buffer.file, text);
             asked = v;
             textVersion.value = v;
             noteTexts();
-        } else {
+        } else if (result === 'lost') {
             waiting.add(buffer.file);
         }
     }

@@ -1,4 +1,5 @@
 /// The meshes of the shot: the .glb of the server, whose nodes are posed by ShotState and timeline.
+import { withKey } from '../connection/key';
 import {
     Group, Light, Mesh, MeshLambertMaterial, MeshStandardMaterial,
 } from 'three';
@@ -54,7 +55,7 @@ export class SceneMeshes {
     /// later call wins. Rejects if the file cannot be read.
     async load(hash: string): Promise<boolean> {
         this.hash = hash;
-        const { scene } = await new GLTFLoader().loadAsync(`/scene/${hash}.glb`);
+        const { scene } = await new GLTFLoader().loadAsync(withKey(`/scene/${hash}.glb`));
         if (this.hash !== hash) {
             release(scene);
             return false;

@@ -48,7 +48,7 @@ export async function check({ page, folder }) {
     await page.click('.create');
     const before = readFileSync(join(folder, 'first.yaml'), 'utf8');
     await keep(page, '01_exists');
-    await dialog('exists already').waitFor({ timeout: 3000 });
+    await dialog('exists already').waitFor();
     await page.click('dialog button:has-text("Keep it")');
     equal(readFileSync(join(folder, 'first.yaml'), 'utf8'), before, 'the file that exists');
     await page.fill('input[name=name]', 'my_tower');

@@ -32,7 +32,7 @@ async function frame(page, path) {
 /// Waits until the handles are where they were 50 ms before: the view, or the shot's answer to a
 /// drag, may come late on a busy machine.
 async function still(page) {
-    for (let before = '', i = 0; i < 100; ++i) {
+    for (let before = '', i = 0; i < 600; ++i) {
         const now = JSON.stringify(await handlesOf(page));
         if (now === before) {
             return;
@@ -43,10 +43,10 @@ async function still(page) {
 }
 
 /// How far the nearest of the handles is from a point of the page, once one has followed the
-/// pointer there, or after 5 s.
+/// pointer there, or after 30 s.
 async function distance(page, free, [x, y]) {
     let nearest = Infinity;
-    for (let i = 0; i < 100 && nearest > 1; ++i) {
+    for (let i = 0; i < 600 && nearest > 1; ++i) {
         await page.waitForTimeout(i > 0 ? 50 : 0);
         nearest = Math.min(...free(await handlesOf(page)).map(({ at }) =>
             (at ? Math.hypot(at[0] - x, at[1] - y) : Infinity)));

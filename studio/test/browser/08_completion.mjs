@@ -69,7 +69,7 @@ async function cursorAfter(page, line, column) {
 }
 
 export async function check({ page }) {
-    const schema = await page.evaluate(async () => (await fetch('/schema.json')).json());
+    const schema = await page.evaluate(async () => (await fetch(`/${localStorage.getItem('carom.read_key')}/schema.json`)).json());
     const maps = [];
     mapsBelow(schema, schema, [], new Set(), maps);
     let count = 0;

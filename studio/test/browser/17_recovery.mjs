@@ -15,7 +15,7 @@ async function journalHas(folder, words) {
     const has = () => existsSync(journals) && readdirSync(journals)
         .filter((name) => name.endsWith('.json'))
         .some((name) => readFileSync(join(journals, name), 'utf8').includes(words));
-    for (let i = 0; i < 200 && !has(); ++i) {
+    for (let i = 0; i < 1200 && !has(); ++i) {
         await wait(50);
     }
     equal(has(), true, 'whether the journal has the text');

@@ -1,5 +1,7 @@
-// Without the key nothing is served, and the key leaves the address bar. A shot of somebody else
-// reads no file outside its folder, and its names and texts are text in the page.
+// Without the key nothing is served but the page's own files, the key leaves the address bar, and no
+// server on another port gets it. A shot of somebody else reads no file outside its folder, and its
+// names and texts are text in the page.
+import { createServer } from 'node:http';
 import { equal, openText } from './harness.mjs';
 
 const kMarkup = '<img src=x onerror=window.hacked=1>';
@@ -41,16 +43,64 @@ async function checkForeignFiles(context) {
     await end();
 }
 
+/// What a server on another port of the same machine gets to know from the browser that has the key.
+async function checkOtherPort(page, keys) {
+    const heard = [];
+    const other = createServer((request, response) => {
+        heard.push([request.url, ...request.rawHeaders]);
+        response.setHeader('Content-Type', 'text/html');
+        response.end('<img src=/image><script>window.kept = JSON.stringify({...localStorage}) + document.cookie</script>');
+    });
+    await new Promise((done) => { other.listen(0, '127.0.0.1', done); });
+    const visitor = await page.context().newPage();
+    await visitor.goto(`http://127.0.0.1:${other.address().port}/`);
+    await visitor.reload();
+    const all = JSON.stringify(heard) + await visitor.evaluate(() => window.kept);
+    await visitor.close();
+    other.close();
+    equal(heard.length >= 4, true, 'requests that the other server heard');
+    equal(keys.filter((key) => all.includes(key)), [], 'keys that another port gets');
+    equal(/cookie/i.test(JSON.stringify(heard)), false, 'cookies');
+}
+
+/// The page can be loaded again, and opened a second time by its address.
+async function checkSecondWindow(page) {
+    await page.reload();
+    await page.waitForFunction(() => window.studio?.state.problems.value?.complete);
+    const second = await page.context().newPage();
+    await second.goto(`${page.url()}#t=1.5`);
+    await second.waitForFunction(() => window.studio?.state.problems.value?.complete);
+    await second.waitForFunction(() => window.studio.state.filmTime.value === 1.5);
+    await second.close();
+}
+
 export async function check(context) {
-    const { page, address } = context;
+    const { page, address, browser } = context;
     const base = new URL('/', address).href;
-    equal(page.url(), base, 'the address that the browser shows');
-    equal((await fetch(base)).status, 401, 'the page without the key');
+    equal(page.url().replace(/#t=.*/, ''), `${base}studio/`, 'the address that the browser shows');
+    const keys = [new URL(address).searchParams.get('key'),
+        await page.evaluate(() => localStorage.getItem('carom.read_key'))];
+    equal((await fetch(base)).status, 401, 'the server without the key');
     equal((await fetch(`${base}?key=00000000000000000000000000000000`)).status, 401, 'a wrong key');
     equal((await fetch(address)).status, 200, 'the key');
-    const cookie = await page.evaluate(() => document.cookie);
-    equal(cookie, '', 'what scripts see of the cookie');
+    equal((await fetch(`${base}studio/main.js`)).status, 200, 'a file of the page');
+    const hash = await page.evaluate(() => window.studio.state.meshes.value);
+    for (const path of ['schema.json', 'configs.json', `scene/${hash}.glb`]) {
+        equal((await fetch(base + path)).status, 401, path);
+        equal((await fetch(`${base}studio/${path}`)).status, 404, `${path} of the page`);
+        equal((await fetch(`${base}${keys[0]}/${path}`)).status, 401, `${path} with the other key`);
+        equal((await fetch(`${base}${keys[1]}/${path}`)).status, 200, `${path} with its key`);
+    }
+    await checkOtherPort(page, keys);
+    await checkSecondWindow(page);
+
+    const stranger = await browser.newPage();
+    await stranger.goto(`${base}studio/`);
+    await stranger.getByText('does not know this page').waitFor();
+    equal(await stranger.evaluate(() => window.studio.state.files.value), [], 'what a stranger sees');
+    await stranger.close();
     await checkMarkup(context);
     await checkForeignFiles(context);
-    return 'no key 401, wrong key 401, the key is not shown; /etc/passwd is refused, markup is text';
+    return 'no key 401, wrong key 401, the key is not shown, and no other port gets it; '
+        + '/etc/passwd is refused, markup is text';
 }

@@ -28,7 +28,7 @@ export async function check({ page }) {
     await page.waitForFunction(() => window.studio.view.context.meshNode('cue'));
     // What the start of a page asked for may come late where the processor is busy.
     let idle = null;
-    for (let i = 0; i < 4 && !(idle?.drawn === 0 && idle.asked === 0); i += 1) {
+    for (let i = 0; i < 15 && !(idle?.drawn === 0 && idle.asked === 0); i += 1) {
         idle = await counted(page);
     }
     equal(idle, { asked: 0, drawn: 0, versions: 0 }, 'what an idle page does');

@@ -81,7 +81,7 @@ function drag(page) {
 async function agree(pages, text, what) {
     for (const page of pages) {
         await page.waitForFunction((expected) => window.studio.edit.text() === expected, text,
-            { timeout: 5000 }).catch(async () => equal(await textOf(page), text, what));
+            { timeout: 30_000 }).catch(async () => equal(await textOf(page), text, what));
         await settle(page);
     }
     // Nothing comes after it.
@@ -120,7 +120,7 @@ export async function check({ page, browser, address }) {
     // A drag in one window is one step in the other, unless a busy processor lets more than a second
     // pass between its changes.
     let steps = 0;
-    for (let i = 0; i < 4 && steps !== 1; i += 1) {
+    for (let i = 0; i < 12 && steps !== 1; i += 1) {
         await edit(other.page, [-0.3, 0.12]);
         await agree(pages, moved(-0.3), 'the place before a drag');
         await page.evaluate(() => new Promise((done) => { setTimeout(done, 1200); }));

@@ -6,7 +6,7 @@ import { equal, settle, textOf } from './harness.mjs';
 import { pixelOnStrip } from './strip_harness.mjs';
 
 const kInStep = 0.03; // s
-const kTries = 6;
+const kTries = 30;
 
 /// What `measure` finds, s: the first of a few tries that is in step, else the last. A processor that
 /// other programs keep busy drops blocks of sound now and then; a fault is there in every try.
@@ -191,25 +191,40 @@ async function otherWays(page) {
         && window.studio.sound.heardTime() < 2);
     const repeated = await inStepOnce(() => differenceWhilePlaying(page, 9));
     equal(repeated < kInStep, true, `repeated, the sound is ${repeated} s from the play head`);
-    const before = await page.evaluate(() => window.studio.sound.runs());
-    await goTo(page, 5);
-    await page.waitForFunction(() => window.studio.sound.heardTime() > 4.9);
-    equal(await page.evaluate(() => window.studio.sound.runs()), before + 1, 'beginnings of a jump');
+    let runs = 0;
+    for (let i = 0; i < kTries && runs !== 1; i += 1) { // a busy processor may make it begin again
+        await goTo(page, 1);
+        await page.waitForFunction(() => window.studio.sound.heardTime() < 4);
+        const before = await page.evaluate(() => window.studio.sound.runs());
+        await goTo(page, 5);
+        await page.waitForFunction(() => window.studio.sound.heardTime() > 4.9);
+        runs = await page.evaluate(() => window.studio.sound.runs()) - before;
+    }
+    equal(runs, 1, 'beginnings of a jump');
     await pause(page);
     await page.getByRole('button', { name: 'Repeat (L)' }).click();
 }
 
 /// Where the play head is put, the sound is heard, and nothing else is.
 async function scrubbed(page, impact) {
-    const silence = () => page.evaluate(() => new Promise((done) => { setTimeout(done, 900); }));
+    const rest = (time) => page.evaluate((ms) => new Promise((done) => { setTimeout(done, ms); }), time);
+    /// What is heard at the output, once it is so loud, or after 20 s: a busy processor plays late.
+    const heard = async (isSo) => {
+        let peak = await loudest(page);
+        for (let i = 0; i < 200 && !isSo(peak); i += 1) {
+            await rest(100);
+            peak = await loudest(page);
+        }
+        return peak;
+    };
     await page.mouse.click(...await pixelOnStrip(page, 'filmRuler', 0.1, true));
-    await silence();
-    equal((await loudest(page)) < 1e-3, true, 'silence before the impact');
+    await rest(900);
+    equal((await heard((peak) => peak < 1e-3)) < 1e-3, true, 'silence before the impact');
     await page.mouse.click(...await pixelOnStrip(page, 'filmRuler', impact, true));
-    await page.evaluate(() => new Promise((done) => { setTimeout(done, 200); }));
-    equal((await loudest(page)) > 0.015, true, 'the impact under the play head is heard');
-    await silence();
-    equal((await loudest(page)), 0, 'what is heard after it');
+    equal((await heard((peak) => peak > 0.015)) > 0.015, true, 'the impact under the play head is heard');
+    equal(await heard((peak) => peak === 0), 0, 'what is heard after it');
+    await rest(900);
+    equal(await loudest(page), 0, 'what is heard later');
 }
 
 /// How many pixels of the strip's sound row differ from its background at a time.

@@ -34,11 +34,11 @@ export function copyShots() {
 
 /// Starts `carom studio`, without a shot if that is empty, and resolves to its address, a function
 /// that ends it, and one that kills it without leave to write anything. The user's list of recent
-/// shots is not touched. `pid` is the server's process.
-export async function serve(carom, shot, folder) {
+/// shots is not touched. `pid` is the server's process. `more`: other words of the command.
+export async function serve(carom, shot, folder, more = []) {
     const cache = join(folder, 'cache');
     const words = ['studio', ...shot ? [shot] : [], '--no-browser', '--root', folder,
-        '--cache', cache, '--idle', '10min'];
+        '--cache', cache, '--idle', '10min', ...more];
     const server = spawn(carom, words, {
         stdio: ['ignore', 'pipe', 'pipe'],
         env: { ...process.env, XDG_STATE_HOME: join(folder, 'state') },
@@ -71,7 +71,9 @@ export async function serve(carom, shot, folder) {
 /// Opens the page and waits until it shows the shot, or the start page. `complaints` of the result
 /// are what the page wrote to the console as errors.
 export async function open(browser, address, size = { width: 1280, height: 720 }) {
-    const page = await browser.newPage({ viewport: size, deviceScaleFactor: 1 });
+    const context = await browser.newContext({ viewport: size, deviceScaleFactor: 1 });
+    const page = await context.newPage();
+    page.once('close', () => context.close().catch(() => undefined));
     page.setDefaultTimeout(60_000); // of a wait for a state: two checks share the processor
     const complaints = [];
     page.on('console', (message) => {
@@ -115,9 +117,9 @@ export async function undo(page, before, what) {
     equal(await textOf(page), before, `the text after one undo of ${what}`);
 }
 
-/// Tries for three seconds, because a film that is being stopped may still write into the folder.
+/// Tries for half a minute, because a film that is being stopped may still write into the folder.
 export function remove(folder) {
-    rmSync(folder, { recursive: true, force: true, maxRetries: 6, retryDelay: 150 });
+    rmSync(folder, { recursive: true, force: true, maxRetries: 20, retryDelay: 150 });
 }
 
 /// Opens a page of its own on a shot with this text, written into the check's folder. Returns also

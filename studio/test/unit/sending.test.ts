@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { receive } from '../../src/connection/receive';
 import { connect } from '../../src/connection/socket';
 import type { Problem } from '../../src/protocol';
-import { textUnderWay, textVersion } from '../../src/state/state';
+import { textUnderWay, textVersion, tooLongFile } from '../../src/state/state';
 import { buffers, setChangeListener, textOf, typeStep } from '../../src/text/buffers';
 import { marksOf } from '../../src/text/problem_marks';
 import { sendSoon, watchAnswers } from '../../src/text/sending';
@@ -31,7 +31,9 @@ function tell(t: string, message: object): void {
 }
 
 async function open(writable = true): Promise<void> {
-    Object.assign(globalThis, { WebSocket: Listening, location: { protocol: 'http:', host: 'x' } });
+    Object.assign(globalThis, {
+        WebSocket: Listening, location: { protocol: 'http:', host: 'x' }, localStorage: { getItem: () => 'k' },
+    });
     connect();
     await Promise.resolve();
     buffers.value = [];
@@ -51,6 +53,19 @@ const texts = () => sent.filter(({ t }) => t === 'text');
 
 watchAnswers();
 setChangeListener(sendSoon);
+
+test('Sending_TextThatIsTooLong_IsNotSentUntilItIsShorter', async () => {
+    await open();
+    await type(`# ${'\u00e9'.repeat(2_097_152)}\n`);  // of two bytes each
+    assert.deepEqual(texts(), []);
+    assert.equal(tooLongFile.value, '/a.yaml');
+    assert.equal(textUnderWay.value, false);
+    typeStep([{ file: '/a.yaml', changes: { from: 0, to: 2_097_152 } }]);
+    await Promise.resolve();
+    assert.equal(texts().length, 1);
+    assert.equal(tooLongFile.value, '');
+    tell('problems', { v: texts()[0]?.v, complete: true, list: [] });
+});
 
 test('Sending_RefusedText_DoesNotStopLaterOnes', async () => {
     await open();

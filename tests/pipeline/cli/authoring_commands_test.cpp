@@ -138,13 +138,19 @@ TEST_F(AuthoringCommands, New_WritesAValidShotAndOverwritesNothing) {
     const RunResult result = run({"new", "my shot.yaml", "--template", "massé"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.out, "my shot.yaml\n");
-    EXPECT_THAT(text_of("my shot.yaml"), StartsWith("# yaml-language-server: $schema="));
+    EXPECT_THAT(text_of("my shot.yaml"),
+                StartsWith("# yaml-language-server: $schema=carom.schema.json\n"));
     EXPECT_EQ(run({"check", "my shot.yaml"}).exit_code, 0);
     const RunResult again = run({"new", "my shot.yaml"});
     EXPECT_EQ(again.exit_code, 2);
     EXPECT_THAT(again.err, HasSubstr("already exists; use --force to overwrite it"));
     EXPECT_EQ(run({"new", "my shot.yaml", "--force", "--template", "empty"}).exit_code, 0);
     EXPECT_EQ(run({"new", "a.yaml", "--template", "brek"}).exit_code, 2);
+}
+
+TEST_F(AuthoringCommands, New_NamesNoFolderOfThisMachine) {
+    ASSERT_EQ(run({"new", path("one.yaml")}).exit_code, 0);
+    EXPECT_THAT(text_of("one.yaml"), ::testing::Not(HasSubstr(path(""))));
 }
 
 TEST_F(AuthoringCommands, Schema_IsWrittenToStdoutOrAFile) {

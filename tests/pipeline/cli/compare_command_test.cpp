@@ -208,6 +208,13 @@ TEST_F(CompareCommand, WrongUsage_IsRejectedWithASentence) {
               "See 'carom compare --help'.\n");
 }
 
+/// How far the program says that it is.
+double last_fraction(const RunningProgram& program) {
+    const std::string err = program.err_so_far();
+    const std::size_t at = err.rfind("\"fraction\":");
+    return at == std::string::npos ? 0.0 : std::atof(err.c_str() + at + 11);
+}
+
 TEST_F(CompareCommand, CtrlC_PrintsFinishedMeasurements) {
     // The first rows are finished immediately; brute force over walls takes longer.
     RunningProgram program(
@@ -215,12 +222,7 @@ TEST_F(CompareCommand, CtrlC_PrintsFinishedMeasurements) {
         {"compare", "--scene", "cylinder_walls", "--size", "64x48", "--accelerators",
          "kdtree,brute_force", "--threads", "1", "--log", "json"},
         options());
-    const auto fraction = [&] {
-        const std::string err = program.err_so_far();
-        const std::size_t at = err.rfind("\"fraction\":");
-        return at == std::string::npos ? 0.0 : std::atof(err.c_str() + at + 11);
-    };
-    for (int i = 0; i < 4000 && fraction() < 0.55; ++i) {
+    for (int i = 0; i < 10'000 && last_fraction(program) < 0.55; ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     program.send(SIGINT);
@@ -312,11 +314,9 @@ TEST_F(CompareCommand, CtrlC_PrintsFinishedMeasurementsOfTriangles) {
     RunningProgram program(carom::testing::carom_program(),
                            {"compare", "--triangles", "wald", "--rounds", "1000", "--log", "json"},
                            options());
-    for (int i = 0; i < 4000 && program.err_so_far().find("\"fraction\":") == std::string::npos;
-         ++i) {
+    for (int i = 0; i < 10'000 && last_fraction(program) <= 0; ++i) {  // something is measured
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
     program.send(SIGINT);
     const RunResult result = program.wait();
     EXPECT_EQ(result.exit_code, 130);

@@ -62,6 +62,7 @@ RunningServer::RunningServer(server::ServerOptions options,
     options.files["/"] = text_resource("text/html; charset=utf-8", "<p>CAROM_NONCE");
     options.files["/main.js"] = text_resource("text/javascript", "let CAROM_NONCE;");
     site.resources = std::move(resources);
+    site.resources.try_emplace("/main.js", options.files["/main.js"]);
     server = std::make_unique<server::Server>(std::move(options), site);
     thread_ = std::jthread([this](const std::stop_token& token) { server->run(token); });
 }
@@ -90,21 +91,33 @@ std::string RunningServer::key() const {
     return address.substr(address.find("key=") + 4);
 }
 
-std::string RunningServer::cookie() const {
-    return "carom_" + std::to_string(port()) + "=" + key();
+const std::string& RunningServer::read_key() const {
+    while (read_key_.empty()) {  // a server with short time limits may close too early
+        const std::string page =
+            ask("GET /?key=" + key() + " HTTP/1.1\r\nHost: " + host() + "\r\n\r\n").body;
+        if (const std::size_t at = page.find("read="); at != std::string::npos) {
+            read_key_ = page.substr(at + 5, key().size());
+        }
+    }
+    return read_key_;
 }
 
 std::string RunningServer::request(const std::string& target, const std::string& lines,
                                    const std::string& method) const {
-    return method + " " + target + " HTTP/1.1\r\nHost: " + host() + "\r\nCookie: " + cookie() +
-           "\r\n" + lines + "\r\n";
+    return method + " /" + read_key() + target + " HTTP/1.1\r\nHost: " + host() + "\r\n" + lines +
+           "\r\n";
+}
+
+std::string RunningServer::page_request(const std::string& target, const std::string& lines) const {
+    return "GET /studio" + target + " HTTP/1.1\r\nHost: " + host() + "\r\n" + lines + "\r\n";
 }
 
 std::string RunningServer::upgrade(const std::string& lines) const {
-    return request("/socket",
-                   "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
-                   "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n" +
-                       lines);
+    return "GET /socket HTTP/1.1\r\nHost: " + host() +
+           "\r\nConnection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+           "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
+           "Sec-WebSocket-Protocol: carom, carom.key." +
+           key() + "\r\n" + lines + "\r\n";
 }
 
 HttpAnswer RunningServer::ask(const std::string& bytes) const {

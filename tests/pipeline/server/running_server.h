@@ -39,7 +39,8 @@ class RecordingSite : public server::Site {
     std::vector<std::string> asked_paths_;
 };
 
-/// Serves "/" and "/main.js", and the resources of `site`.
+/// Serves the page files "/" and "/main.js", and the resources of `site`, which has "/main.js",
+/// too.
 class RunningServer {
   public:
     explicit RunningServer(server::ServerOptions options = {},
@@ -49,14 +50,18 @@ class RunningServer {
     RunningServer& operator=(const RunningServer&) = delete;
 
     [[nodiscard]] std::uint16_t port() const { return server->port(); }
-    [[nodiscard]] std::string host() const;    // "127.0.0.1:PORT"
-    [[nodiscard]] std::string key() const;     // of the address
-    [[nodiscard]] std::string cookie() const;  // "carom_PORT=KEY"
+    [[nodiscard]] std::string host() const;             // "127.0.0.1:PORT"
+    [[nodiscard]] std::string key() const;              // of the address
+    [[nodiscard]] const std::string& read_key() const;  // that the page gets, asked for once
 
-    /// The head of a request with Host and the cookie, and with these lines ("Name: value\r\n").
+    /// The head of a request for something that needs the key, with Host and with these lines
+    /// ("Name: value\r\n").
     [[nodiscard]] std::string request(const std::string& target, const std::string& lines = "",
                                       const std::string& method = "GET") const;
-    /// The head of a request for a WebSocket, with `lines` beside Host and the cookie.
+    /// The same for a file of the page, which needs none.
+    [[nodiscard]] std::string page_request(const std::string& target,
+                                           const std::string& lines = "") const;
+    /// The head of a request for a WebSocket, with `lines` beside Host and the key.
     [[nodiscard]] std::string upgrade(const std::string& lines) const;
     [[nodiscard]] std::string origin() const { return "Origin: http://" + host() + "\r\n"; }
 
@@ -76,6 +81,7 @@ class RunningServer {
 
   private:
     std::jthread thread_;
+    mutable std::string read_key_;
 };
 
 }  // namespace carom::testing

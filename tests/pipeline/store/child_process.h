@@ -59,11 +59,11 @@ class ChildProcess {
         return status_;
     }
 
-    /// Checks `condition` every millisecond while the process runs, for at most 30 s. Returns
+    /// Checks `condition` every millisecond while the process runs, for at most 100 s. Returns
     /// whether it became true.
     template <class Predicate>
     [[nodiscard]] bool wait_until(const Predicate& condition) {
-        const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+        const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(100);
         while (!condition()) {
             if (!is_running() || std::chrono::steady_clock::now() > deadline) {
                 return condition();

@@ -1,9 +1,14 @@
 // Shots that are opened, begun from templates and examples, copied, imported and added from.
+#include <cstdlib>
 #include <set>
 
+#include "core/error.h"
+#include "pipeline/studio/output_path.h"
+#include "pipeline/studio/paths.h"
 #include "pipeline/studio/recent_files.h"
 #include "pipeline/studio/shot_copy.h"
 #include "pipeline/studio/shot_parts.h"
+#include "pipeline/studio/shot_root.h"
 #include "pipeline/studio/start_page.h"
 #include "tests/pipeline/studio/session_fixture.h"
 
@@ -83,7 +88,7 @@ TEST_F(StudioFiles, Template_BecomesANewFile) {
     say(Open{"mine", path_of(offered.templates, "bank"), "", false});
     expect_opened("mine");
     const std::string text = read_file(path("mine.yaml"));
-    EXPECT_THAT(text, StartsWith("# yaml-language-server: $schema="));
+    EXPECT_THAT(text, StartsWith("# yaml-language-server: $schema=carom.schema.json\n"));
     EXPECT_THAT(text, HasSubstr("tables/pool_9ft.yaml"));
     forget();
     say(Open{"mine.yaml", path_of(offered.templates, "jump"), "", false});
@@ -141,6 +146,91 @@ TEST_F(StudioFiles, SecretOutsideOfTheRoot_IsNeitherCopiedNorRead) {
         names.push_back(entry.path().filename().string());
     }
     EXPECT_EQ(names, std::vector<std::string>{"copy.yaml"});
+}
+
+// A link that leads out of the folder, also one whose target does not exist yet.
+TEST_F(StudioFiles, LinksOutOfTheRoot_AreNotWrittenThrough) {
+    fs::create_directories(path("root"));
+    fs::create_directories(path("out"));
+    fs::copy_file(path("shot.yaml"), path("root/shot.yaml"));
+    fs::create_symlink("../out/new.yaml", path("root/dangling.yaml"));
+    fs::create_symlink(path("root/dangling.yaml"), path("root/chain.yaml"));
+    fs::create_symlink("../out/folder", path("root/folder"));
+    SessionOptions narrow = options();
+    narrow.shot = path("root/shot.yaml");
+    narrow.root = path("root");
+    start(narrow);
+    wait_for<Welcome>();
+    for (const char* name : {"dangling.yaml", "chain.yaml", "folder/new.yaml"}) {
+        forget();
+        say(Save{path("root/") + name, "carom: 1\n", "", true});
+        EXPECT_EQ(wait_for<Failed>().what, "save") << name;
+        forget();
+        say(SaveAs{name, true});
+        EXPECT_EQ(wait_for<Failed>().what, "save_as") << name;
+    }
+    fs::create_symlink("../out/new.mp4", path("root/film.mp4"));
+    for (const char* name : {"film.mp4", "folder/new.mp4"}) {
+        EXPECT_THROW((void)output_path(name, path("root/shot.yaml"), "", path("root"), ".mp4"),
+                     Error);
+    }
+    // The shot itself becomes a link while it is open.
+    fs::remove(path("root/shot.yaml"));
+    fs::create_symlink("../out/new.yaml", path("root/shot.yaml"));
+    forget();
+    say(Save{path("root/shot.yaml"), "carom: 1\n", "", true});
+    EXPECT_THAT(wait_for<Failed>().message, HasSubstr("it has become a link"));
+    EXPECT_TRUE(fs::is_empty(path("out")));
+    // A link inside of the folder is followed.
+    fs::create_symlink("inner.yaml", path("root/alias.yaml"));
+    EXPECT_EQ(whole_path(path("root/alias.yaml")), path("root/inner.yaml"));
+}
+
+// The folder of shots and the one of what they share lie side by side.
+TEST_F(StudioFiles, FilesBesideTheShotsFolder_AreReadAndWrittenWithoutARoot) {
+    fs::create_directories(path("project/shots"));
+    fs::create_directories(path("project/shared/rigs"));
+    write_file(path("project/shots/a.yaml"),
+               "carom: 1\ninclude: [tables/pool_9ft.yaml, ../shared/balls.yaml]\n");
+    write_file(path("project/shared/balls.yaml"),
+               "include: rigs/more.yaml\nballs: {cue: {at: [0, 0]}}\n");
+    write_file(path("project/shared/rigs/more.yaml"), "balls: {one: {at: [0.5, 0]}}\n");
+    SessionOptions free = options();
+    free.shot = path("project/shots/a.yaml");
+    free.root.clear();
+    start(free);
+    EXPECT_EQ(session_->files_root(), path("project"));
+    const auto problems = wait_for<Problems>([](const Problems& all) { return all.complete; });
+    for (const Problem& problem : problems.list) {
+        EXPECT_NE(problem.severity, "error") << problem.message;
+    }
+    for (const OpenFile& file :
+         wait_for<Files>([](const Files& all) { return all.files.size() == 4; }).files) {
+        EXPECT_EQ(file.writable, file.name.find("pool_9ft") == std::string::npos) << file.file;
+    }
+}
+
+TEST_F(StudioFiles, FilesOfOthersAndOfTheHomeFolder_NeedARoot) {
+    fs::create_directories(path("home/project"));
+    write_file(path("home/secret.yaml"), "balls: {secret: {at: [0, 0]}}\n");
+    const std::string shot = path("home/project/a.yaml");
+    write_file(shot, "carom: 1\ninclude: [tables/pool_9ft.yaml, ../secret.yaml]\n");
+    const std::string own = path("home/project");
+    const char* before = std::getenv("HOME");
+    const std::string home = before == nullptr ? "" : before;
+    ::setenv("HOME", path("home").c_str(), 1);
+    EXPECT_EQ(shot_root(shot, own, {}), own);
+    ::setenv("HOME", path("home/project/me").c_str(), 1);
+    EXPECT_EQ(shot_root(shot, own, {}), own);
+    ::setenv("HOME", home.c_str(), 1);
+    EXPECT_EQ(shot_root(shot, own, {}), path("home"));
+    write_file(shot, "carom: 1\ninclude: [tables/pool_9ft.yaml, /etc/passwd]\n");
+    EXPECT_EQ(shot_root(shot, own, {}), own);
+    write_file(shot, "carom: 1\ninclude: [tables/pool_9ft.yaml, ../missing.yaml]\n");
+    EXPECT_EQ(shot_root(shot, own, {}), own);
+    write_file(shot, "carom: 1\ninclude: tables/pool_9ft.yaml\nobjects: {o: {mesh: ../m.obj}}\n");
+    write_file(path("home/m.obj"), "v 0 0 0\n");
+    EXPECT_EQ(shot_root(shot, own, {}), path("home"));
 }
 
 TEST_F(StudioFiles, NamesOutsideOfTheRoot_AreRefused) {

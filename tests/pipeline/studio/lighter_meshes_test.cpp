@@ -2,9 +2,12 @@
 #include "pipeline/studio/lighter_meshes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include <gtest/gtest.h>
+
+#include "core/cpu_time.h"
 
 namespace carom::studio {
 namespace {
@@ -39,6 +42,32 @@ TEST(LighterMeshes, SceneWithFewTriangles_IsNotChanged) {
     const auto before = scene.parts[0].mesh.triangles;
     lighten(scene, before.size());
     EXPECT_EQ(scene.parts[0].mesh.triangles, before);
+}
+
+// Triangles that all meet at a vertex, or are all the same, take no more time than others.
+TEST(LighterMeshes, TrianglesThatShareTheirVertices_AreSimplifiedQuickly) {
+    constexpr std::uint32_t kMany = 300'000;
+    pipeline::ExportPart part;
+    part.mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    part.mesh.triangles.assign(kMany, {0, 1, 2});
+    part.patches.push_back({0, kMany, 0});
+    pipeline::ExportScene equal;
+    equal.parts.push_back(part);
+    part.mesh.triangles.clear();
+    for (std::uint32_t i = 0; i < kMany; ++i) {  // a cone around vertex 0
+        const float angle = 2e-5F * static_cast<float>(i);
+        part.mesh.vertices.push_back({std::cos(angle), std::sin(angle), 1});
+        part.mesh.triangles.push_back({0, i + 1, i + 2});
+    }
+    pipeline::ExportScene cone;
+    cone.parts.push_back(part);
+    const double begin = process_cpu_seconds();
+    lighten(equal);
+    lighten(cone);
+    EXPECT_LT(process_cpu_seconds() - begin, 10);  // minutes if each is compared with each
+    EXPECT_LT(triangles_of(equal), kMany);
+    EXPECT_LT(triangles_of(cone), kMany);
+    EXPECT_GT(triangles_of(cone), 0);
 }
 
 TEST(LighterMeshes, Ball_StaysRoundAndKeepsItsFields) {

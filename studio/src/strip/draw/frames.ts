@@ -1,4 +1,5 @@
 /// The film's frames that are made, as small pictures or as a bar.
+import { withKey } from '../../connection/key';
 import { timeAt, xOf } from '../axis';
 import type { Pen, StripPicture } from './picture';
 
@@ -16,7 +17,7 @@ function pictureOf(address: string, onCome: () => void): HTMLImageElement | null
     }
     const image = new Image();
     image.onload = onCome;
-    image.src = address;
+    image.src = withKey(address);
     pictures.set(address, image);
     return null;
 }

@@ -1,4 +1,5 @@
 /// The files of carom's own that a shot may include.
+import { withKey } from '../../connection/key';
 import { signal } from '@preact/signals';
 
 export interface ConfigFile {
@@ -12,7 +13,7 @@ export const configFiles = signal<readonly ConfigFile[]>([]);
 
 /// Asks for the list; to be called once.
 export async function loadConfigFiles(): Promise<void> {
-    const answer = await fetch('/configs.json');
+    const answer = await fetch(withKey('/configs.json'));
     if (answer.ok) {
         configFiles.value = await answer.json() as ConfigFile[];
     }

@@ -1,4 +1,5 @@
 /// The view without WebGL: the plan of the shot, and with R the film's frame at the play head.
+import { withKey } from '../../connection/key';
 import { useEffect, useRef } from 'preact/hooks';
 import { effect } from '@preact/signals';
 import { onCommand } from '../../state/keys';
@@ -37,7 +38,7 @@ export function FlatView() {
             <p role="status">
                 This browser has no WebGL: the view shows the plan, and with R the film’s frame.
             </p>
-            {address ? <img src={address} alt="The plan of the shot" /> : null}
+            {address ? <img src={withKey(address)} alt="The plan of the shot" /> : null}
             {isRefining.value ? <TracedFrame /> : null}
         </div>
     );

@@ -34,7 +34,7 @@ export function followPlan(): () => void {
             ask();
         }),
         effect(() => {
-            if (connection.value === 'lost') { // its versions may begin anew
+            if (connection.value !== 'open') { // its versions may begin anew
                 isWaiting = false;
                 askedV = -1;
             }
