@@ -18,6 +18,7 @@ export interface TextChange {
     v: number;
     file: string;
     text: string;
+    base: number;
 }
 
 export interface Save {
@@ -272,6 +273,7 @@ export interface TextChanged {
     v: number;
     file: string;
     text: string;
+    base: number;
 }
 
 export interface Saved {
