@@ -12,7 +12,7 @@ constexpr auto fields_of(Describes<Hello>) {
 
 constexpr auto fields_of(Describes<TextChange>) {
     return fields<TextChange>(field("v", &TextChange::v), field("file", &TextChange::file),
-                              field("text", &TextChange::text));
+                              field("text", &TextChange::text), field("base", &TextChange::base));
 }
 
 constexpr auto fields_of(Describes<Save>) {

@@ -23,6 +23,7 @@ struct TextChange {
     std::int64_t v = 0;  // the version of all texts that this change makes; larger than any before
     std::string file;
     std::string text;
+    std::int64_t base = 0;  // the newest version that the page has taken over in this text
 };
 
 /// Writes a file. Refused if the file on disk no longer has `base_hash`, unless `force`.

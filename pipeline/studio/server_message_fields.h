@@ -75,7 +75,8 @@ constexpr auto fields_of(Describes<Files>) {
 
 constexpr auto fields_of(Describes<TextChanged>) {
     return fields<TextChanged>(field("v", &TextChanged::v), field("file", &TextChanged::file),
-                               field("text", &TextChanged::text));
+                               field("text", &TextChanged::text),
+                               field("base", &TextChanged::base));
 }
 
 constexpr auto fields_of(Describes<Saved>) {

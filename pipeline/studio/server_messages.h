@@ -120,6 +120,7 @@ struct TextChanged {
     std::int64_t v = 0;
     std::string file{};
     std::string text{};
+    std::int64_t base = 0;  // the newest version that it has taken over
 };
 
 struct Saved {

@@ -83,7 +83,7 @@ void Session::State::receive(PageId page, const TextChange& change) {
     shot_->keep_unsaved();
     for (const PageId other : pages_) {
         if (other != page || v != change.v) {
-            messages_.send(other, TextChanged{v, change.file, change.text});
+            messages_.send(other, TextChanged{v, change.file, change.text, change.base});
         }
     }
 }

@@ -20,6 +20,7 @@ export interface TextChange {
     v: number;
     file: string;
     text: string;
+    base: number;
 }
 
 export interface Save {
@@ -274,6 +275,7 @@ export interface TextChanged {
     v: number;
     file: string;
     text: string;
+    base: number;
 }
 
 export interface Saved {

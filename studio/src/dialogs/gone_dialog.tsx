@@ -22,8 +22,8 @@ export function openGone(
     openDialog({
         title: `${name} ${gone}`,
         onDismiss,
-        body: () => <p>The text as you see it is only in this page now. Nothing is lost if you write
-            the file again.</p>,
+        body: () => <p>There is no file of this name any more that could be read. The text is still here
+            as you see it: nothing is lost if you write it again.</p>,
         actions: () => [
             { label: 'Write it again', kind: 'primary', run: () => save(file) },
             ...file === buffers.value[0]?.file ? [saveAs] : [],

@@ -7,8 +7,8 @@ import { mergeWords } from '../edit/merge_lines';
 import type { TextChanged } from '../protocol';
 import { connection, deferred, problems, textUnderWay, textVersion, tooLongFile } from '../state/state';
 import { bufferOf, setText, textOf, type Buffer } from './buffers';
-import { ancestorOf, forgetRecent, noteRecent } from './recent_texts';
 import { stateWithoutDrag } from './live_drag';
+import { forgetTexts, noteText, textAt } from './server_texts';
 import { forgetNoted, noteTexts } from './shown_texts';
 import { tellOfConflict } from './drag_typing';
 
@@ -17,6 +17,8 @@ interface Known {
     text: string;
     /// The version under which this page sent it or an earlier one; 0: never.
     sentAs: number;
+    /// The newest version that the page has taken over.
+    seen: number;
     /// What the text is in the page if another window sent it, and nothing was typed since.
     taken: Text | null;
 }
@@ -44,11 +46,12 @@ function sendNext(): void {
     if (buffer) {
         const v = textVersion.value + 1;
         const text = textOf(buffer);
-        const result = trySend('text', { v, file: buffer.file, text });
+        const base = known.get(buffer.file)?.seen ?? 0;
+        const result = trySend('text', { v, file: buffer.file, text, base });
         tooLongFile.value = result === 'too long' ? buffer.file : '';
         if (result === 'sent') {
-            known.set(buffer.file, { text, sentAs: v, taken: null });
-            noteRecent(buffer.file, text);
+            known.set(buffer.file, { text, sentAs: v, seen: v, taken: null });
+            noteText(buffer.file, v, text);
             asked = v;
             textVersion.value = v;
             noteTexts();
@@ -77,40 +80,48 @@ function answered(): void {
     sendNext();
 }
 
-/// The text that another window sent with what this page changed and that window did not know of. If
-/// both changed the same, what is not sent yet counts, else what came last.
-function withOwnChanges(buffer: Buffer, text: string, isNewer: boolean): string {
-    const base = ancestorOf(buffer.file, text);
-    const own = stateWithoutDrag(buffer.file)?.sliceDoc() ?? textOf(buffer);
-    if (base === null || (base === text && !isNewer)) {
-        return text;
+/// The text that another window made from version `base`, with what this page changed since. If both
+/// changed the same, what is not sent yet counts, else what came last.
+function withOwnChanges(buffer: Buffer, { text, base }: TextChanged): string {
+    const { file } = buffer;
+    const dragged = stateWithoutDrag(file);
+    const own = dragged?.sliceDoc() ?? textOf(buffer);
+    const before = textAt(file, base) ?? known.get(file)?.text ?? own;
+    if (waiting.has(file) && !dragged) {
+        return mergeWords(before, own, text).text;
     }
-    const merged = mergeWords(base, own, text);
-    if (merged.conflicts > 0 && !isNewer) {
+    const merged = mergeWords(before, text, own);
+    if (merged.conflicts > 0) {
         tellOfConflict();
-        return text;
     }
     return merged.text;
 }
 
 /// Takes the text that another window sent, as a step of undo; a drag of it is as one step. What
 /// was changed here meanwhile is merged with it, and a drag goes on.
-function takeText({ v, file, text }: TextChanged): void {
+function takeText(message: TextChanged): void {
+    const { v, file, text } = message;
     const last = known.get(file);
-    if (last && (v <= last.sentAs || text === last.text)) {
-        return;  // the server had this page's own text later, or tells it
+    if (last && text === last.text) {
+        noteText(file, v, text);
+        last.seen = v;  // the server tells which version this page's own text became
+        return;
+    }
+    noteText(file, v, text);
+    if (last && v <= last.sentAs) {
+        last.seen = Math.max(last.seen, v + 1);  // the server had this page's own text later
+        noteText(file, last.seen, last.text);
+        return;
     }
     const buffer = bufferOf(file);
     if (!buffer) {
         return;
     }
-    const isNewer = waiting.has(file) && stateWithoutDrag(file) === undefined;
     if (textOf(buffer) !== text) {
-        setText(file, withOwnChanges(buffer, text, isNewer), 'Change in another window', true);
+        setText(file, withOwnChanges(buffer, message), 'Change in another window', true);
     }
-    noteRecent(file, text);
     const taken = textOf(buffer) === text ? buffer.state.doc : null;
-    known.set(file, { text, sentAs: last?.sentAs ?? 0, taken });
+    known.set(file, { text, sentAs: last?.sentAs ?? 0, seen: v, taken });
     if (!taken) {
         sendSoon(file);
     }
@@ -121,7 +132,7 @@ function takeText({ v, file, text }: TextChanged): void {
 function forget(): void {
     asked = 0;
     known.clear();
-    forgetRecent();
+    forgetTexts();
     forgetNoted();
     textUnderWay.value = waiting.size > 0;
 }
@@ -145,10 +156,10 @@ export function watchAnswers(): void {
         }
     });
     onMessage('text_changed', takeText);
-    onMessage('files', ({ files }) => {
+    onMessage('files', ({ v, files }) => {
         for (const { file, text } of files) {
-            known.set(file, { sentAs: 0, ...known.get(file), text, taken: null });
-            noteRecent(file, text);
+            known.set(file, { sentAs: 0, ...known.get(file), text, seen: v, taken: null });
+            noteText(file, v, text);
         }
         queueMicrotask(() => {
             noteTexts();

@@ -48,20 +48,21 @@ async function open(text = kText): Promise<void> {
     sent.length = 0;
 }
 
-/// The other window's text arrives.
-function tell(text: string): void {
-    message('text_changed', { v: textVersion.value + 1, file: '/a.yaml', text });
+/// The other window's text arrives, made from the version `base`.
+function tell(text: string, base = textVersion.value): void {
+    message('text_changed', { v: textVersion.value + 1, file: '/a.yaml', text, base });
 }
 
 const shown = () => textOf(buffers.value[0]!);
 
-/// What the page shows is sent, and the server answers.
-async function send(): Promise<void> {
+/// What the page shows is sent, and the server answers. Resolves to its version.
+async function send(): Promise<number> {
     await Promise.resolve();
     message('problems', { v: textVersion.value, complete: true, list: [] });
     await Promise.resolve();
     message('problems', { v: textVersion.value, complete: true, list: [] });
     assert.equal(sent.filter(({ t }) => t === 'text').at(-1)?.text, shown());
+    return textVersion.value;
 }
 
 /// The labels of the steps, the newest last.
@@ -71,15 +72,16 @@ test('TextChanged_WhileADragRuns_KeepsBoth', async () => {
     const gesture = beginGesture();
     const moved = (x: string) => kText.replace('0.5', x);
     gesture.update([{ path: kAt, value: 0.6 }]);
-    await send();
+    const first = await send();
     gesture.update([{ path: kAt, value: 0.7 }]);
-    tell(moved('0.6').replace('spin: 3', 'spin: 8'));  // made from what was sent
+    await send();
+    tell(moved('0.6').replace('spin: 3', 'spin: 8'), first);
     assert.equal(shown(), moved('0.7').replace('spin: 3', 'spin: 8'));
     gesture.update([{ path: kAt, value: 0.8 }]);
-    await send();
+    const second = await send();
     // On the same line, in a moment in which what is typed is no YAML.
     gesture.update([{ path: kAt, value: 0.85 }]);
-    tell(moved('0.8').replace('spin: 3', 'spin: 8').replace('1.25]}', '1.25], spin: [}'));
+    tell(moved('0.8').replace('spin: 3', 'spin: 8').replace('1.25]}', '1.25], spin: [}'), second);
     assert.equal(shown(), 'balls:\n  cue: {at: [0.85, 1.25], spin: [}\n  one: {at: [1, 2], spin: 8}\n');
     gesture.update([{ path: kAt, value: 0.9 }]);
     await send();
@@ -131,10 +133,34 @@ test('TextChanged_MadeBeforeItKnewOfAnEditHere_KeepsBoth', async () => {
     applyChanges([{ path: kSpin, value: 4 }], 'Spin');
     const own = shown();
     await send();
-    tell(kText.replace('0.5', '0.6'));  // sent at the same time
+    tell(kText.replace('0.5', '0.6'), 1);
     assert.equal(shown(), own.replace('0.5', '0.6'));
-    // What takes the own edit back is taken.
-    await send();
-    tell(kText.replace('0.5', '0.6'));
+    const both = await send();
+    // What takes the own edit back, knowing of it, is taken.
+    tell(kText.replace('0.5', '0.6'), both);
     assert.equal(shown(), kText.replace('0.5', '0.6'));
+    // The same word on both sides: what came last counts, and the user is told.
+    notice.value = null;
+    applyChanges([{ path: kSpin, value: 5 }], 'Spin');
+    await send();
+    tell(kText.replace('0.5', '0.7').replace('spin: 3', 'spin: 6'), textVersion.value - 1);
+    assert.equal(shown(), kText.replace('0.5', '0.7').replace('spin: 3', 'spin: 6'));
+    assert.match(notice.value!.text, /what was changed last counts/);
+});
+
+test('TextChanged_SentAtTheSameTime_IsTheBaseOfWhatFollows', async () => {
+    await open();
+    applyChanges([{ path: kSpin, value: 4 }], 'Spin');
+    const mine = await send();
+    // The server had the other one first, so the own text became the next version.
+    message('text_changed', { v: mine, file: '/a.yaml', text: kText.replace('0.5', '0.6'), base: 1 });
+    message('text_changed', { v: mine + 1, file: '/a.yaml', text: shown(), base: 1 });
+    assert.equal(shown(), kText.replace('spin: 3', 'spin: 4'));
+    applyChanges([{ path: kSpin, value: 5 }], 'Spin');
+    await send();
+    assert.equal((sent.at(-1) as unknown as { base: number }).base, mine + 1);
+    // The other one merges both, and goes on.
+    message('text_changed', { v: textVersion.value + 1, file: '/a.yaml', base: mine + 1,
+        text: '# c\n' + kText.replace('0.5', '0.6').replace('spin: 3', 'spin: 4') });
+    assert.equal(shown(), '# c\n' + kText.replace('0.5', '0.6').replace('spin: 3', 'spin: 5'));
 });

@@ -25,7 +25,7 @@ function open(text = kText): void {
 }
 
 function tell(text: string): void {
-    receive(JSON.stringify({ t: 'text_changed', v: textVersion.value + 1, file: '/a.yaml', text }));
+    receive(JSON.stringify({ t: 'text_changed', v: textVersion.value + 1, file: '/a.yaml', text, base: textVersion.value }));
 }
 
 const shown = () => textOf(buffers.value[0]!);

@@ -24,7 +24,7 @@ std::string problem_of(const std::string& text) {
 
 TEST(StudioMessages, Text_IsReadWithAllFields) {
     const PageMessage message =
-        read_page_message(R"({"t":"text","v":7,"file":"/a/b.yaml","text":"carom: 1\nü"})");
+        read_page_message(R"({"t":"text","v":7,"file":"/a/b.yaml","text":"carom: 1\nü","base":6})");
     const auto& change = std::get<TextChange>(message);
     EXPECT_EQ(change.v, 7);
     EXPECT_EQ(change.file, "/a/b.yaml");
@@ -70,11 +70,11 @@ TEST(StudioMessages, WrongTexts_AreErrorsThatNameTheMember) {
     EXPECT_EQ(problem_of(R"({"t":"bye"})"), "there is no message \"bye\"");
     EXPECT_EQ(problem_of(R"({"t":"text","v":1,"file":"a"})"),
               "message 'text': member 'text' is missing");
-    EXPECT_EQ(problem_of(R"({"t":"text","v":1.5,"file":"a","text":""})"),
+    EXPECT_EQ(problem_of(R"({"t":"text","v":1.5,"file":"a","text":"","base":0})"),
               "message 'text': member 'v' has to be a whole number");
-    EXPECT_EQ(problem_of(R"({"t":"text","v":18446744073709551615,"file":"a","text":""})"),
+    EXPECT_EQ(problem_of(R"({"t":"text","v":18446744073709551615,"file":"a","text":"","base":0})"),
               "message 'text': member 'v' has to be a whole number");
-    EXPECT_EQ(problem_of(R"({"t":"text","v":1,"file":7,"text":""})"),
+    EXPECT_EQ(problem_of(R"({"t":"text","v":1,"file":7,"text":"","base":0})"),
               "message 'text': member 'file' has to be a text");
     EXPECT_EQ(problem_of(R"({"t":"dragging","on":1})"),
               "message 'dragging': member 'on' has to be true or false");
