@@ -158,6 +158,20 @@ struct FilmInterval {
     Rational end;
 };
 
+/// The picture's up direction at a place of a rig's path.
+struct UprightKey {
+    double done = 0;        // Progress::done
+    Vec3 ahead{0, 1, 0};    // unit, along the view
+    Vec3 upright{0, 0, 1};  // unit, at right angles to it
+};
+
+/// A part of a rig's path on which the view passes by the axis of `up` (steady_up.h).
+struct UpTurn {
+    std::vector<UprightKey> keys;  // in order of `done`; at least two
+    double roll = 0;               // rad, about the view, from the first key to the last
+    bool is_over = false;  // after it, the picture's upper edge follows the opposite of `up`
+};
+
 struct CameraRig {
     std::string name;
     Rational video_start;  // s
@@ -188,6 +202,10 @@ struct CameraRig {
     /// Empty: [video_start, video_end]. A rig that was retimed or cut keeps that of the rig from
     /// which it was made, so that its keys and its shake stay with its path.
     std::optional<FilmInterval> written{};
+    /// Where the up direction is carried along the path instead of following `up` (steady_up.h).
+    /// Empty: not known yet. They belong to the whole path, so a rig that was retimed or cut keeps
+    /// them.
+    std::optional<std::vector<UpTurn>> up_turns{};
     CameraSound sound{};
 };
 

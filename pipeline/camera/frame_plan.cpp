@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "pipeline/camera/exposure.h"
 #include "pipeline/camera/rig_state.h"
+#include "pipeline/camera/steady_up.h"
 
 namespace carom::pipeline {
 namespace {
@@ -63,31 +64,34 @@ std::vector<WeightedRig> rigs_at(std::span<const CameraRig> rigs, const WideRati
     return {{latest, weight}, {before, 1 - weight}};
 }
 
-PlannedFrame plan(std::int64_t number, const CameraRig& rig, const FilmTiming& timing,
-                  const sim::Timeline& timeline) {
-    const Exposure exposure = expose(rig, number, timing);
-    PlannedFrame frame;
-    frame.number = number;
-    frame.rig = rig.name;
-    frame.video_time = exposure.video_time.to_double();
-    frame.scene_time = exposure.scene_time.to_double();
-    frame.scene_open = exposure.scene_open.to_double();
-    frame.scene_close = exposure.scene_close.to_double();
-    frame.camera_open =
-        camera_state(rig, {progress_at(rig, exposure.video_open), frame.scene_open}, timeline);
-    frame.camera_close =
-        camera_state(rig, {progress_at(rig, exposure.video_close), frame.scene_close}, timeline);
-    // The number of blades does not change while the shutter is open.
-    const int blades = blades_at(rig, progress_at(rig, exposure.video_time));
-    frame.camera_open.blades = blades;
-    frame.camera_close.blades = blades;
-    frame.speed = speed_at(rig, exposure.video_time).to_double();
-    if (frame.scene_close < frame.scene_open) {
-        std::swap(frame.scene_open, frame.scene_close);
-        std::swap(frame.camera_open, frame.camera_close);
-        frame.reversed = true;
+Vec3 ahead_of(const render::CameraState& camera) {
+    return (camera.target - camera.position).normalized();
+}
+
+/// Whether the picture is turned by more than a right angle from one view to the other, besides
+/// the turn from view to view.
+bool is_turned_over(const render::CameraState& a, const render::CameraState& b) {
+    const Vec3 upright = carried(upright_of(ahead_of(a), a.up), ahead_of(a), ahead_of(b));
+    return upright.dot(b.up) < 0;
+}
+
+/// Lets both ends of an exposure be the same way up as its middle, which the ends of the path and
+/// objects that jump do not ensure: between them the renderer mixes the up directions.
+void join_up(PlannedFrame& frame, const CameraRig& rig, const Exposure& exposure,
+             const sim::Timeline& timeline) {
+    if (is_turned_over(frame.camera_open, frame.camera_close)) {
+        const render::CameraState middle =
+            camera_state(rig, {progress_at(rig, exposure.video_time), frame.scene_time}, timeline);
+        for (render::CameraState* end : {&frame.camera_open, &frame.camera_close}) {
+            end->up = is_turned_over(middle, *end) ? -end->up : end->up;
+        }
+    } else if (!rig.up_turns || rig.up_turns->empty() ||
+               frame.camera_open.up == frame.camera_close.up) {
+        return;
     }
-    return frame;
+    for (render::CameraState* end : {&frame.camera_open, &frame.camera_close}) {
+        end->up = upright_of(ahead_of(*end), end->up);
+    }
 }
 
 }  // namespace
@@ -101,13 +105,41 @@ std::int64_t frame_count(std::span<const CameraRig> rigs, const FilmTiming& timi
     return count;
 }
 
+PlannedFrame plan_frame_of(std::int64_t number, const CameraRig& rig, const FilmTiming& timing,
+                           const sim::Timeline& timeline) {
+    const Exposure exposure = expose(rig, number, timing);
+    PlannedFrame frame;
+    frame.number = number;
+    frame.rig = rig.name;
+    frame.video_time = exposure.video_time.to_double();
+    frame.scene_time = exposure.scene_time.to_double();
+    frame.scene_open = exposure.scene_open.to_double();
+    frame.scene_close = exposure.scene_close.to_double();
+    frame.camera_open =
+        camera_state(rig, {progress_at(rig, exposure.video_open), frame.scene_open}, timeline);
+    frame.camera_close =
+        camera_state(rig, {progress_at(rig, exposure.video_close), frame.scene_close}, timeline);
+    join_up(frame, rig, exposure, timeline);
+    // The number of blades does not change while the shutter is open.
+    const int blades = blades_at(rig, progress_at(rig, exposure.video_time));
+    frame.camera_open.blades = blades;
+    frame.camera_close.blades = blades;
+    frame.speed = speed_at(rig, exposure.video_time).to_double();
+    if (frame.scene_close < frame.scene_open) {
+        std::swap(frame.scene_open, frame.scene_close);
+        std::swap(frame.camera_open, frame.camera_close);
+        frame.reversed = true;
+    }
+    return frame;
+}
+
 std::vector<PlannedFrame> plan_mixed_frame(std::int64_t number, std::span<const CameraRig> rigs,
                                            const FilmTiming& timing,
                                            const sim::Timeline& timeline) {
     std::vector<PlannedFrame> frames;
     for (const WeightedRig& seen : rigs_at(rigs, frame_time(number, timing), number)) {
         try {
-            frames.push_back(plan(number, *seen.rig, timing, timeline));
+            frames.push_back(plan_frame_of(number, *seen.rig, timing, timeline));
             frames.back().weight = seen.weight;
         } catch (const Error& error) {
             throw Error(

@@ -39,6 +39,11 @@ struct PlannedFrame {
 [[nodiscard]] PlannedFrame plan_frame(std::int64_t number, std::span<const CameraRig> rigs,
                                       const FilmTiming& timing, const sim::Timeline& timeline);
 
+/// Plans frame `number` of that rig, whether or not it films it. Throws Error without the rig's
+/// name.
+[[nodiscard]] PlannedFrame plan_frame_of(std::int64_t number, const CameraRig& rig,
+                                         const FilmTiming& timing, const sim::Timeline& timeline);
+
 /// Plans everything that frame `number` shows: one frame, or two during a cross-fade. Their weights
 /// add up to 1, and the larger one is first. Throws like plan_frame.
 [[nodiscard]] std::vector<PlannedFrame> plan_mixed_frame(std::int64_t number,

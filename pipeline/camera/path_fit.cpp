@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "pipeline/camera/bezier.h"
 #include "pipeline/camera/camera_path.h"
+#include "pipeline/camera/steady_up.h"
 
 namespace carom::pipeline {
 namespace {
@@ -215,6 +216,7 @@ std::vector<CameraRig> with_fitted_paths(std::span<const CameraRig> rigs,
         replace_along(rig.position, rig, timeline, false, fitted);
         replace_along(rig.target, rig, timeline, true, fitted);
     }
+    keep_up(result, timeline);
     return result;
 }
 

@@ -34,8 +34,9 @@ struct FittedPath {
 };
 
 /// Replaces each AlongPath of the rigs by its fitted Bezier path, so that it is fitted once and not
-/// for every frame. `fitted`, if given, receives one entry for each of them. Throws Error, with the
-/// rig's name, if the object is not in the timeline.
+/// for every frame. `fitted`, if given, receives one entry for each of them. Fills in the rigs'
+/// up_turns where they are not known (keep_up). Throws Error, with the rig's name, if the object is
+/// not in the timeline.
 [[nodiscard]] std::vector<CameraRig> with_fitted_paths(std::span<const CameraRig> rigs,
                                                        const sim::Timeline& timeline,
                                                        std::vector<FittedPath>* fitted = nullptr);

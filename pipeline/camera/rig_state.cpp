@@ -9,6 +9,7 @@
 #include "pipeline/camera/changing_value.h"
 #include "pipeline/camera/framing.h"
 #include "pipeline/camera/shake.h"
+#include "pipeline/camera/steady_up.h"
 
 namespace carom::pipeline {
 namespace {
@@ -56,6 +57,11 @@ double eased_lens_radius(const CameraRig& rig, Progress progress, double fov) {
                              lens_radius(change.to, fov, sensor), change.progress));
 }
 
+Vec3 up_of(const CameraRig& rig, Progress progress, const Vec3& axis) {
+    const Vec3 up = value_at(rig.up, rig, progress);
+    return rig.up_turns ? steady_up(*rig.up_turns, progress.done, axis.normalized(), up) : up;
+}
+
 void check_view(const render::CameraState& camera) {
     const Vec3 axis = camera.target - camera.position;
     constexpr double kNearest = 1e-9;  // m
@@ -65,7 +71,7 @@ void check_view(const render::CameraState& camera) {
     constexpr double kParallel = 1e-6;  // sine of the angle
     if (!(camera.up.length() > 0) ||
         !(axis.normalized().cross(camera.up.normalized()).length() > kParallel)) {
-        throw Error("the camera looks straight along its up direction");
+        throw Error("the camera looks straight along its up direction; give another 'up'");
     }
     if (!(camera.vertical_fov > 0 && camera.vertical_fov < std::numbers::pi)) {
         throw Error("the field of view is not between 0 and 180 degrees");
@@ -121,7 +127,7 @@ render::CameraState camera_state(const CameraRig& rig, const RigInstant& instant
     render::CameraState camera;
     camera.position = path_position(rig.position, instant, timeline);
     camera.target = path_position(rig.target, instant, timeline);
-    camera.up = value_at(rig.up, rig, instant.progress);
+    camera.up = up_of(rig, instant.progress, camera.target - camera.position);
     camera.roll = value_at(rig.roll, rig, instant.progress);
     camera.vertical_fov = vertical_field_of_view(rig, instant.progress);
     check_view(camera);

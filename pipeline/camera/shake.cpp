@@ -1,10 +1,12 @@
 #include "pipeline/camera/shake.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/elementary.h"
 #include "core/splitmix.h"
+#include "pipeline/camera/steady_up.h"
 #include "pipeline/camera/view_axes.h"
 
 namespace carom::pipeline {
@@ -29,6 +31,22 @@ double noise(SplitMix64& random, double frequency, double time) {
         square += amplitude * amplitude / 2;
     }
     return sum / std::sqrt(square);
+}
+
+/// The up direction of a camera whose view the hand moves. If the view is nearly along `up`, a
+/// small turn of the view would let the picture spin about it. There the camera's own upright
+/// direction takes its place, so that the hand turns the whole camera.
+Vec3 held_up(const render::CameraState& camera, const Vec3& ahead, const Shake& shake) {
+    constexpr double kMostNear = std::numbers::pi / 60;  // rad
+    const double near = std::min(10 * shake.strength, kMostNear);
+    const Vec3 up = camera.up.normalized();
+    const double sine = ahead.cross(up).length();
+    if (!(sine < 2 * near)) {
+        return camera.up;
+    }
+    const double x = std::clamp(sine / near - 1, 0.0, 1.0);
+    const double weight = x * x * (3 - 2 * x);
+    return (1 - weight) * upright_of(ahead, up) + weight * up;
 }
 
 }  // namespace
@@ -57,6 +75,7 @@ render::CameraState shaken(const render::CameraState& camera, const Shake& shake
     result.position +=
         offset.shift.x * axes.right + offset.shift.y * axes.up + offset.shift.z * axes.ahead;
     result.target = result.position + (camera.target - camera.position).length() * ahead;
+    result.up = held_up(camera, axes.ahead, shake);
     result.roll += offset.roll;
     return result;
 }

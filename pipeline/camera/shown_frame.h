@@ -1,4 +1,4 @@
-// Finds the frame of a film that shows a scene time.
+// Finds where a film shows a scene time.
 #pragma once
 
 #include <cstdint>
@@ -14,5 +14,12 @@ namespace carom::pipeline {
 [[nodiscard]] std::optional<std::int64_t> first_frame_showing(double scene_time,
                                                               std::span<const CameraRig> rigs,
                                                               const FilmTiming& timing);
+
+/// The first video time (s) from which on the film has shown the scene at `scene_time` (s) or
+/// later, whatever it shows afterwards: replays do not undo it, and where the film leaves out that
+/// time it is that of the cut. During a cross-fade the camera counts that is the stronger one.
+/// Empty if the film ends before.
+[[nodiscard]] std::optional<double> time_reached(double scene_time,
+                                                 std::span<const CameraRig> rigs);
 
 }  // namespace carom::pipeline

@@ -7,14 +7,16 @@
 #include <fmt/core.h>
 
 #include "core/error.h"
-#include "core/text.h"
+#include "pipeline/camera/changing_value.h"
 #include "pipeline/camera/exposure.h"
 #include "pipeline/camera/frame_plan.h"
+#include "pipeline/camera/frame_range.h"
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/camera/rig_state.h"
 #include "pipeline/check/lamp_check.h"
 #include "pipeline/check/placed_problem.h"
 #include "pipeline/check/solid_check.h"
+#include "pipeline/check/turn_check.h"
 #include "pipeline/check/view_check.h"
 
 namespace carom::pipeline {
@@ -22,23 +24,9 @@ namespace carom::pipeline {
 namespace {
 
 constexpr std::int64_t kMaxCheckedFrames = 2000;
-constexpr std::int64_t kLampFrames = 50;  // of the film, in which lamps are looked for
-constexpr double kHiddenShare = 0.1;      // of the cloth, from which on a lamp is reported
-
-/// The first and the last frame of a camera with a problem.
-struct FrameRange {
-    std::int64_t first = 0, last = 0;
-
-    /// "at 1.25 s of the film (frame 30)", "from 1.25 s to 2 s of the film (frames 30 to 48)"
-    [[nodiscard]] std::string text(const FilmTiming& timing) const {
-        const auto time = [&](std::int64_t frame) {
-            return decimal_text(static_cast<double>(frame) / timing.fps.to_double(), 3) + " s";
-        };
-        return first == last ? fmt::format("at {} of the film (frame {})", time(first), first)
-                             : fmt::format("from {} to {} of the film (frames {} to {})",
-                                           time(first), time(last), first, last);
-    }
-};
+constexpr std::int64_t kMaxTurnFrames = 50'000;  // in longer films, pairs of frames are checked
+constexpr std::int64_t kLampFrames = 50;         // of the film, in which lamps are looked for
+constexpr double kHiddenShare = 0.1;             // of the cloth, from which on a lamp is reported
 
 /// What all cameras of a shot are checked against.
 struct Subjects {
@@ -67,17 +55,28 @@ class CameraChecker {
             const render::CameraState camera = camera_state(rig_, instant, timeline_);
             for (const std::string& name :
                  solids_.find_around(camera.position, instant.scene_time)) {
-                add(inside_[name], frame);
+                extend(inside_[name], frame);
             }
             for (const std::string& name : find_focus_behind_camera(rig_, instant, timeline_)) {
-                add(behind_[name], frame);
+                extend(behind_[name], frame);
             }
             view_.check_frame(camera, instant.progress, instant.scene_time);
             if (with_lamps && lamps_.is_above_table(camera)) {
                 check_lamps(camera);
             }
         } catch (const Error& error) {
-            add(invalid_[error.what()], frame);
+            extend(invalid_[error.what()], frame);
+        }
+    }
+
+    /// The same for how the camera turns, of which every frame has to be known.
+    void check_turn(std::int64_t frame) {
+        try {
+            turn_.check_frame(
+                plan_frame_of(frame, rig_, timing_, timeline_),
+                value_at(rig_.up, rig_, progress_at(rig_, frame_time(frame, timing_))));
+        } catch (const Error& error) {
+            extend(invalid_[error.what()], frame);
         }
     }
 
@@ -107,6 +106,9 @@ class CameraChecker {
                 add_problem(key, Severity::warning, message);
             }
         });
+        turn_.report(timing_, [&](const char* key, const std::string& message) {
+            add_problem(key, Severity::warning, message);
+        });
         for (const auto& [lamp, found] : hidden_) {
             if (2 * found.frames > frames_above_) {
                 add_problem("position", Severity::warning,
@@ -118,10 +120,6 @@ class CameraChecker {
     }
 
   private:
-    static void add(std::optional<FrameRange>& range, std::int64_t frame) {
-        range = range ? FrameRange{range->first, frame} : FrameRange{frame, frame};
-    }
-
     void check_lamps(const render::CameraState& camera) {
         ++frames_above_;
         for (const auto& [lamp, share] : lamps_.hidden_shares(camera)) {
@@ -145,6 +143,7 @@ class CameraChecker {
     LampCheck& lamps_;
     const sim::Timeline& timeline_;
     ViewCheck view_;
+    TurnCheck turn_;
     std::map<std::string, std::optional<FrameRange>> inside_, behind_, invalid_;
     std::map<std::string, Hidden> hidden_;
     std::int64_t frames_above_ = 0;  // frames in which the camera looked down on the table
@@ -198,10 +197,17 @@ std::vector<Problem> camera_problems(const Shot& shot, const ShotSource* source,
     const std::int64_t frames = frame_count(rigs, shot.timing);
     const std::int64_t step = std::max<std::int64_t>(1, frames / kMaxCheckedFrames);
     const std::int64_t lamp_step = step * std::max<std::int64_t>(1, frames / step / kLampFrames);
-    for (std::int64_t frame = 0; frame < frames; frame += step) {
+    const std::int64_t turn_step = 1 + frames / kMaxTurnFrames;
+    for (std::int64_t frame = 0; frame < frames; ++frame) {
         const WideRational time = frame_time(frame, shot.timing);
         for (std::size_t i = 0; i < rigs.size(); ++i) {
-            if (is_active(rigs[i], time)) {
+            if (!is_active(rigs[i], time)) {
+                continue;
+            }
+            if (frame % turn_step < 2) {
+                checkers[i].check_turn(frame);
+            }
+            if (frame % step == 0) {
                 checkers[i].check_frame(frame, frame % lamp_step == 0);
             }
         }

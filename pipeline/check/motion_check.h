@@ -55,10 +55,11 @@ namespace carom::pipeline {
 
 /// Warnings about cameras that are inside an object (solid_check.h), that are focused on an object
 /// behind them, that do not show the object at which they aim or on which they are focused
-/// (view_check.h), or that look at the table through a lamp (lamp_check.h), and errors for frames
-/// without a valid view. Each problem is reported once per camera, with its first and last frame.
-/// In films of more than 2000 frames, about 2000 evenly spaced ones are checked. `source`: of the
-/// shot as it was read; nullptr if it has other cameras.
+/// (view_check.h), that turn too fast or film upside down (turn_check.h), or that look at the table
+/// through a lamp (lamp_check.h), and errors for frames without a valid view. Each problem is
+/// reported once per camera, with its first and last frame. In films of more than 2000 frames,
+/// about 2000 evenly spaced ones are checked. `source`: of the shot as it was read; nullptr if it
+/// has other cameras.
 [[nodiscard]] std::vector<Problem> camera_problems(const Shot& shot, const ShotSource* source,
                                                    const sim::Timeline& timeline);
 

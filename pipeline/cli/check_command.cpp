@@ -8,6 +8,7 @@
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/check/motion_check.h"
 #include "pipeline/cli/film_music.h"
+#include "pipeline/cli/helper_program.h"
 #include "pipeline/cli/quick_bake.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/sequence_input.h"
@@ -52,7 +53,17 @@ std::optional<sim::Bake> check_motion(ShotInput& input, const CheckCommand& comm
         add(pipeline::sound_problems(input.shot, input.source.get(), bake->timeline));
     }
     add(pipeline::annotation_problems(input.shot, input.source.get(), bake->timeline));
+    if (context.text_problems != nullptr && !pipeline::has_open_moments(input.shot)) {
+        add(context.text_problems(input.shot, input.source.get(), bake->timeline));
+    }
     return bake;
+}
+
+/// Leaves a shot with annotations to a program that lays out text, before anything is simulated.
+void require_texts(const pipeline::Shot& shot, const CommandContext& context) {
+    if (!shot.annotations.empty() && context.text_problems == nullptr) {
+        throw NeedsProgram("carom-film");
+    }
 }
 
 bool asks_for_loudness(const pipeline::Shot& shot) {
@@ -130,6 +141,7 @@ std::vector<Problem> problems_of_shot(const CheckCommand& command, CommandContex
             pipeline::object_problems(checked.input->shot, checked.input->source.get()),
             std::back_inserter(problems));
         if (!command.quick && !pipeline::has_errors(problems)) {
+            require_texts(checked.input->shot, context);
             if (asks_for_loudness(checked.input->shot)) {
                 require_decoder(checked.input->shot.output, context);
             }
@@ -155,6 +167,11 @@ std::vector<Problem> problems_of_sequence(const CheckCommand& command, CommandCo
     if (std::ranges::any_of(parts, asks)) {
         require_decoder(loaded.sequence->output, context);
     }
+    for (const pipeline::SequencePart& part : parts) {
+        if (const auto* shot = std::get_if<pipeline::ShotPart>(&part.content)) {
+            require_texts(shot->shot, context);
+        }
+    }
     std::map<std::size_t, std::optional<sim::Bake>> bakes;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (auto* shot = std::get_if<pipeline::ShotPart>(&parts[i].content)) {
@@ -178,6 +195,9 @@ std::string json_of(const std::vector<Problem>& problems) {
 }  // namespace
 
 void run(const CheckCommand& command, CommandContext& context) {
+    if (command.input.path == "-" && !command.quick && context.text_problems == nullptr) {
+        throw NeedsProgram("carom-film");  // before the pipe is read
+    }
     const std::vector<Problem> problems = pipeline::is_sequence_file(command.input.path)
                                               ? problems_of_sequence(command, context)
                                               : problems_of_shot(command, context);

@@ -1,5 +1,6 @@
 // The program libexec/carom/carom-film, which runs the commands that render. bin/carom executes it
 // with its own arguments.
+#include "pipeline/check/text_check.h"
 #include "pipeline/cli/command_line.h"
 #include "pipeline/cli/encoded_sound.h"
 #include "pipeline/cli/helper_program.h"
@@ -38,6 +39,7 @@ int main(int argument_count, char** arguments) {
                     return run_for_shot(*cache, context);
                 }
                 context.music = carom::pipeline::music_of;
+                context.text_problems = carom::pipeline::text_problems;
                 if (const auto* check = std::get_if<CheckCommand>(&command)) {
                     return run(*check, context);
                 }

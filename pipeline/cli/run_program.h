@@ -5,13 +5,18 @@
 #include <functional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "core/error.h"
 #include "pipeline/cli/commands.h"
 #include "pipeline/cli/exit_code.h"
 #include "pipeline/cli/terminal/console.h"
+#include "pipeline/config/problem.h"
+#include "pipeline/config/shot_source.h"
+#include "pipeline/shot/shot.h"
 #include "pipeline/video/output_settings.h"
 #include "render/acceleration/structure_factory.h"
+#include "sim/timeline/timeline.h"
 #include "sound/mix/added_sound.h"
 
 namespace carom::cli {
@@ -22,6 +27,11 @@ class InputError : public Error {
     using Error::Error;
 };
 
+/// Finds what check says about the texts of a shot; only programs that link Pango have it.
+using FindTextProblems = std::vector<pipeline::Problem> (*)(const pipeline::Shot&,
+                                                            const pipeline::ShotSource*,
+                                                            const sim::Timeline&);
+
 /// The environment of a command's handler. Handlers return after success and throw otherwise.
 struct CommandContext {
     Console& console;
@@ -31,6 +41,8 @@ struct CommandContext {
     /// decoder.
     sound::AddedSound (*music)(const pipeline::MusicSettings& settings,
                                std::int64_t film_samples) = nullptr;
+    /// Null in the program that lays out no text.
+    FindTextProblems text_problems = nullptr;
 };
 
 /// Runs a command of the programs `here`. Commands of other programs are not linked; for these it

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "pipeline/camera/steady_up.h"
 #include "pipeline/config/build/build_shot.h"
 #include "pipeline/config/conditions.h"
 #include "pipeline/config/config_files.h"
@@ -152,6 +153,7 @@ std::vector<Problem> resolve_moments(Shot& shot, std::shared_ptr<const ShotSourc
                                      const sim::Timeline& timeline,
                                      sim::billiards::TableMemo* tables) {
     if (!has_open_moments(shot)) {
+        keep_up(shot.cameras, timeline);
         return {};
     }
     ProblemList problems(source->sources());
@@ -166,6 +168,7 @@ std::vector<Problem> resolve_moments(Shot& shot, std::shared_ptr<const ShotSourc
     });
     if (known) {
         shot.cameras = std::move(known->cameras);
+        keep_up(shot.cameras, timeline);
         shot.annotations = std::move(known->annotations);
         shot.moments = std::move(known->moments);
         shot.resolved_text = std::move(known->resolved_text);

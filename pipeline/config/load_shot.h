@@ -70,7 +70,8 @@ struct LoadOptions {
 [[nodiscard]] bool has_open_moments(const Shot& shot);
 
 /// Gives the shot the times at which its moments come in `timeline`, the motion of its world: in
-/// its cameras, annotations, moments and its resolved text. `source` is what it was read from, and
+/// its cameras, annotations, moments and its resolved text. Its cameras also learn where they keep
+/// their up direction (keep_up). `source` is what it was read from, and
 /// becomes one that explains moments by their times. Returns the problems that were not found
 /// before. A moment that never comes is an error at its place, and leaves both unchanged. A shot
 /// without open moments is left as it is.

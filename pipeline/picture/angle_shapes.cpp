@@ -1,5 +1,7 @@
 // Angles: two sides, an arc and the value.
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -7,6 +9,7 @@
 #include "pipeline/picture/build_shapes.h"
 #include "pipeline/picture/colours.h"
 #include "pipeline/picture/contact.h"
+#include "pipeline/picture/measured_way.h"
 
 namespace carom::pipeline {
 namespace {
@@ -17,9 +20,15 @@ constexpr double kBeyond = 1.12;     // of the sides, radii of the arc
 constexpr double kText = 1.4;        // of the value's place, radii of the arc
 constexpr double kResting = 1e-3;    // m/s
 
+/// One side of an angle.
+struct Side {
+    Vec3 direction;                                         // unit, level
+    double most = std::numeric_limits<double>::infinity();  // of its length, m
+};
+
 struct Sides {
     Vec3 vertex;
-    Vec3 first, second;  // unit, level
+    Side first, second;
 };
 
 std::optional<Vec3> level(const Vec3& vector, double least) {
@@ -30,24 +39,35 @@ std::optional<Vec3> level(const Vec3& vector, double least) {
     return Vec3(vector.x / length, vector.y / length, 0);
 }
 
-std::optional<Sides> sides_of(const Vec3& vertex, const std::optional<Vec3>& first,
-                              const std::optional<Vec3>& second) {
+std::optional<Side> side_along(const std::optional<Vec3>& direction) {
+    return direction ? std::optional(Side{*direction}) : std::nullopt;
+}
+
+std::optional<Sides> sides_of(const Vec3& vertex, const std::optional<Side>& first,
+                              const std::optional<Side>& second) {
     return first && second ? std::optional(Sides{vertex, *first, *second}) : std::nullopt;
 }
 
-/// The direction in which an object moves `after` a contact.
-std::optional<Vec3> way_after(const std::string& object, const Contact& contact, double after,
-                              const SceneMoment& moment) {
-    const sim::Track* track = moment.timeline.find(object);
-    return track != nullptr ? level(track->sample(contact.time + after).velocity, kResting)
-                            : std::nullopt;
+/// Along the way of an object after the contact, as far as it goes before its next contact.
+std::optional<Side> side_after(const std::string& object, const std::string& other,
+                               const Contact& contact, const AngleAnnotation& angle,
+                               const SceneMoment& moment) {
+    const auto way = measured_way(moment.timeline, object, contact, other, angle.after);
+    if (!way || !way->direction) {
+        return std::nullopt;
+    }
+    Side side{*way->direction};
+    if (way->end != WayEnd::none) {
+        side.most = std::max(0.0, side.direction.dot(way->end_place - contact.centre));
+    }
+    return side;
 }
 
 std::optional<Sides> sides_of(const AngleAnnotation& angle, const SceneMoment& moment) {
     if (!angle.points.empty()) {
         const Vec3 vertex = moment.place(angle.points[1]);
-        return sides_of(vertex, level(moment.place(angle.points[0]) - vertex, 1e-6),
-                        level(moment.place(angle.points[2]) - vertex, 1e-6));
+        return sides_of(vertex, side_along(level(moment.place(angle.points[0]) - vertex, 1e-6)),
+                        side_along(level(moment.place(angle.points[2]) - vertex, 1e-6)));
     }
     const std::vector<std::string>& names =
         angle.between.empty() ? angle.deflection : angle.between;
@@ -55,10 +75,11 @@ std::optional<Sides> sides_of(const AngleAnnotation& angle, const SceneMoment& m
     if (!contact) {
         return std::nullopt;
     }
-    const std::optional<Vec3> first = way_after(names[0], *contact, angle.after, moment);
+    const std::optional<Side> first = side_after(names[0], names[1], *contact, angle, moment);
     return sides_of(contact->centre, first,
-                    angle.between.empty() ? level(contact->velocity, kResting)
-                                          : way_after(names[1], *contact, angle.after, moment));
+                    angle.between.empty()
+                        ? side_along(level(contact->velocity, kResting))
+                        : side_after(names[1], names[0], *contact, angle, moment));
 }
 
 SceneLine line_of(std::vector<Vec3> points, const Annotation& look) {
@@ -79,14 +100,18 @@ SceneShapes shapes_of(const AngleAnnotation& angle, const Annotation& look,
         return {};
     }
     const Vec3& vertex = sides->vertex;
-    const double turn =
-        angle_of(sides->first.dot(sides->second), sides->first.cross(sides->second).z);
-    SceneShapes shapes{line_of({vertex, vertex + kBeyond * angle.radius * sides->first}, look),
-                       line_of({vertex, vertex + kBeyond * angle.radius * sides->second}, look)};
+    const auto& [first, most_of_first] = sides->first;
+    const auto& [second, most_of_second] = sides->second;
+    const double turn = angle_of(first.dot(second), first.cross(second).z);
+    const double length = kBeyond * angle.radius;
+    SceneShapes shapes{line_of({vertex, vertex + std::min(length, most_of_first) * first}, look),
+                       line_of({vertex, vertex + std::min(length, most_of_second) * second}, look)};
     const Vec3 axis(0, 0, 1);
-    shapes.push_back(line_of(arc_points(vertex, angle.radius * sides->first, axis, turn), look));
+    const double radius =
+        std::min({angle.radius, most_of_first / kBeyond, most_of_second / kBeyond});
+    shapes.push_back(line_of(arc_points(vertex, radius * first, axis, turn), look));
     if (angle.value) {
-        const Vec3 middle = arc_points({0, 0, 0}, sides->first, axis, turn / 2).back();
+        const Vec3 middle = arc_points({0, 0, 0}, first, axis, turn / 2).back();
         const double degrees = std::abs(turn) * 180 / std::numbers::pi;
         SceneText text = scene_text(number_text(degrees, "", ".0f") + "°",
                                     vertex + kText * angle.radius * middle, look, kTextSize);

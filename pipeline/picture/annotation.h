@@ -64,13 +64,19 @@ struct SpinAnnotation {
     bool value = false;    // written at its end
 };
 
+/// When the way of a ball after a contact is measured.
+struct MeasuringTime {
+    double seconds = 0;       // after the contact
+    bool is_rolling = false;  // as soon as the ball rolls, instead
+};
+
 /// An angle: exactly one of the first three is given.
 struct AngleAnnotation {
     std::vector<ScenePoint> points{};       // on one side, the vertex, on the other side
     std::vector<std::string> between{};     // two objects: their ways after they first touch
     std::vector<std::string> deflection{};  // an object whose way changes when it first touches the
                                             // other object or surface
-    double after = 0;                       // s after the contact at which the ways are measured
+    MeasuringTime after{};                  // of the ways, at the latest before the next contact
     double radius = 0.15;                   // of the arc, m
     bool value = true;                      // written beside the arc
 };

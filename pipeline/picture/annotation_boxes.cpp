@@ -6,18 +6,18 @@
 #include "core/error.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/picture/picture_items.h"
+#include "pipeline/picture/shown_annotations.h"
 
 namespace carom::pipeline {
 
 namespace {
 
-/// That of the first frame with the annotation; of the film if it begins with a moment of the
-/// scene. Without values if the cameras do not have that frame.
+/// That of the first frame with the annotation. Without values if the cameras do not have that
+/// frame.
 FrameMoment first_moment(const Annotation& annotation, const Shot& shot,
                          const sim::Timeline& timeline) {
     const std::int64_t count = frame_count(shot.cameras, shot.timing);
-    const bool has_time = annotation.from && !annotation.from->is_moment;
-    const double from = has_time ? annotation.from->seconds : 0;
+    const double from = shown_times(annotation, shot.cameras).from.value_or(0);
     const double number = std::ceil(from * shot.timing.fps.to_double() - 1e-6);
     try {
         return count > 0 && number < static_cast<double>(count)

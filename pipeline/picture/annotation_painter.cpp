@@ -28,7 +28,11 @@ double middle_of(const PlannedFrame& frame) {
 class AnnotationPainter::Painter {
   public:
     Painter(const Shot& shot, const sim::Timeline& timeline)
-        : shot_(shot), timeline_(timeline), items_(shot, timeline, fonts_) {}
+        : shot_(shot), timeline_(timeline), items_(shot, timeline, fonts_) {
+        for (const Annotation& annotation : shot.annotations) {
+            times_.push_back(shown_times(annotation, shot.cameras));
+        }
+    }
 
     void prepare() {
         for (const Annotation& annotation : shot_.annotations) {
@@ -97,11 +101,10 @@ class AnnotationPainter::Painter {
     }
 
     void draw_items(const PlannedFrame& frame) {
-        for (const Annotation& annotation : shot_.annotations) {
-            if (is_in_scene(annotation)) {
-                continue;
-            }
-            const double opacity = opacity_at(annotation, frame.scene_time, frame.video_time);
+        for (std::size_t i = 0; i < shot_.annotations.size(); ++i) {
+            const Annotation& annotation = shot_.annotations[i];
+            const double opacity =
+                is_in_scene(annotation) ? 0 : opacity_at(annotation, times_[i], frame.video_time);
             if (opacity <= 0) {
                 continue;
             }
@@ -117,6 +120,7 @@ class AnnotationPainter::Painter {
     const sim::Timeline& timeline_;
     Fonts fonts_;
     PictureItems items_;
+    std::vector<ShownTimes> times_;  // of the shot's annotations
     std::optional<render::StaticGeometry> geometry_;
     std::optional<Canvas> canvas_;  // of the frame that is being drawn
     int width_ = 0, height_ = 0;

@@ -1,5 +1,6 @@
 #include "pipeline/picture/font.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <pango/pangocairo.h>
@@ -93,17 +94,43 @@ Font::Font(const std::string& file) : data_(std::make_unique<Data>()) {
 
 Font::~Font() = default;
 
-LaidText Font::lay_out(const std::string& text, double line_height, TextAlign align) const {
+PangoLayout* Font::new_layout(const std::string& text, double line_height) const {
     PangoLayout* layout = pango_layout_new(data_->context.get());
-    LaidText laid(layout);
     pango_font_description_set_absolute_size(data_->description.get(),
                                              kEm * line_height * PANGO_SCALE);
     pango_layout_set_font_description(layout, data_->description.get());
     pango_layout_set_text(layout, text.data(), static_cast<int>(text.size()));
+    return layout;
+}
+
+LaidText Font::lay_out(const std::string& text, double line_height, TextAlign align) const {
+    PangoLayout* layout = new_layout(text, line_height);
+    LaidText laid(layout);
     pango_layout_set_alignment(layout, align == TextAlign::left     ? PANGO_ALIGN_LEFT
                                        : align == TextAlign::centre ? PANGO_ALIGN_CENTER
                                                                     : PANGO_ALIGN_RIGHT);
     return laid;
+}
+
+std::string Font::wrapped(const std::string& text, double line_height, double width) const {
+    PangoLayout* layout = new_layout(text, line_height);
+    const LaidText owner(layout);
+    pango_layout_set_wrap(layout, PANGO_WRAP_WORD);
+    pango_layout_set_width(layout, static_cast<int>(std::max(0.0, width) * PANGO_SCALE));
+    std::string result;
+    const int count = pango_layout_get_line_count(layout);
+    for (int i = 0; i < count; ++i) {
+        const PangoLayoutLine* line = pango_layout_get_line_readonly(layout, i);
+        const auto start = static_cast<std::size_t>(line->start_index);
+        std::string words = text.substr(start, static_cast<std::size_t>(line->length));
+        const bool is_broken = i + 1 < count && start + words.size() < text.size() &&
+                               text[start + words.size()] != '\n';
+        while (is_broken && !words.empty() && words.back() == ' ') {
+            words.pop_back();
+        }
+        result += (i > 0 ? "\n" : "") + words;
+    }
+    return result;
 }
 
 }  // namespace carom::pipeline

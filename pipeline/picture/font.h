@@ -47,8 +47,15 @@ class Font {
     [[nodiscard]] LaidText lay_out(const std::string& text, double line_height,
                                    TextAlign align = TextAlign::left) const;
 
+    /// The text with more line ends, between words, so that its lines are at most `width` (pixels)
+    /// wide, except for words that are wider.
+    [[nodiscard]] std::string wrapped(const std::string& text, double line_height,
+                                      double width) const;
+
   private:
     struct Data;
+    [[nodiscard]] PangoLayout* new_layout(const std::string& text, double line_height) const;
+
     std::unique_ptr<Data> data_;
 };
 

@@ -42,6 +42,12 @@ PicturePlace usual_place(const Annotation& annotation) {
     return std::holds_alternative<PlanAnnotation>(annotation.kind) ? kTopRight : kBottomRight;
 }
 
+/// Whether it consists of letters, which always stay inside the picture.
+bool is_text(const Annotation& annotation) {
+    return std::holds_alternative<TextAnnotation>(annotation.kind) ||
+           std::holds_alternative<TitleAnnotation>(annotation.kind);
+}
+
 PicturePlace place_of(const Annotation& annotation) {
     return annotation.place.value_or(usual_place(annotation));
 }
@@ -72,23 +78,38 @@ const Font& Fonts::of(const std::string& file) {
     return *font;
 }
 
-Vec2 PictureItems::size_of(const Annotation& look, const FrameMoment& moment,
-                           double picture_height) {
-    const auto height = [&](double usual) { return height_of(look, usual, picture_height); };
+Vec2 PictureItems::size_of(const Annotation& look, const FrameMoment& moment, const Vec2& picture) {
     if (const auto* text = std::get_if<TextAnnotation>(&look.kind)) {
-        return drawn(text->text, look, moment, height(kTextSize), TextBox{}).size();
+        return drawn_text(*text, look, moment, picture).text.size();
     }
     if (const auto* title = std::get_if<TitleAnnotation>(&look.kind)) {
-        return drawn_title(*title, look, moment, picture_height).size;
+        return drawn_title(*title, look, moment, picture).size;
     }
+    return scale_of(look, moment, picture) * full_size_of(look, picture.y);
+}
+
+Vec2 PictureItems::full_size_of(const Annotation& look, double picture_height) {
+    const auto height = [&](double usual) { return height_of(look, usual, picture_height); };
     if (std::holds_alternative<TipAnnotation>(look.kind)) {
         return Vec2(height(kTipSize));
     }
     if (std::holds_alternative<PlanAnnotation>(look.kind)) {
         return height(kPlanSize) * Vec2(plan().width_per_height(), 1);
     }
-    const Canvas& picture = image_of(std::get<ImageAnnotation>(look.kind).file);
-    return height(kImageSize) / picture.height() * size_of_canvas(picture);
+    const Canvas& image = image_of(std::get<ImageAnnotation>(look.kind).file);
+    return height(kImageSize) / image.height() * size_of_canvas(image);
+}
+
+double PictureItems::scale_of(const Annotation& annotation, const FrameMoment& moment,
+                              const Vec2& picture) {
+    if (const auto* text = std::get_if<TextAnnotation>(&annotation.kind)) {
+        return drawn_text(*text, annotation, moment, picture).scale;
+    }
+    if (const auto* title = std::get_if<TitleAnnotation>(&annotation.kind)) {
+        return drawn_title(*title, annotation, moment, picture).scale;
+    }
+    const Vec2 share = picture / full_size_of(annotation, picture.y);
+    return std::min({1.0, share.x, share.y});
 }
 
 std::optional<AnnotationBox> PictureItems::box_of(const Annotation& annotation,
@@ -97,8 +118,14 @@ std::optional<AnnotationBox> PictureItems::box_of(const Annotation& annotation,
     if (is_in_scene(annotation) || (tip != nullptr && strike_on(shot_, tip->of) == nullptr)) {
         return std::nullopt;
     }
-    const Vec2 size = size_of(annotation, moment, picture.y);
-    return AnnotationBox{corner_at(place_of(annotation), size, picture), size};
+    const Vec2 size = size_of(annotation, moment, picture);
+    Vec2 corner = corner_at(place_of(annotation), size, picture);
+    if (is_text(annotation)) {
+        for (int axis = 0; axis < 2; ++axis) {
+            corner[axis] = std::clamp(corner[axis], 0.0, std::max(0.0, picture[axis] - size[axis]));
+        }
+    }
+    return AnnotationBox{corner, size};
 }
 
 FrameMoment moment_of(const PlannedFrame& frame) {
@@ -112,7 +139,8 @@ void PictureItems::draw(const Annotation& annotation, const FrameMoment& moment,
     }
     const auto& [corner, size] = *box;
     if (const auto* text = std::get_if<TextAnnotation>(&annotation.kind)) {
-        draw_text(*text, annotation, moment, corner, canvas);
+        drawn_text(*text, annotation, moment, size_of_canvas(canvas))
+            .text.draw(canvas.context(), corner);
     } else if (const auto* title = std::get_if<TitleAnnotation>(&annotation.kind)) {
         draw_title(*title, annotation, moment, corner, canvas);
     } else if (const auto* tip = std::get_if<TipAnnotation>(&annotation.kind)) {
@@ -122,8 +150,7 @@ void PictureItems::draw(const Annotation& annotation, const FrameMoment& moment,
         plan().draw(canvas.context(), corner, size.y, moment.scene_time, small->has_paths);
     } else if (const auto* image = std::get_if<ImageAnnotation>(&annotation.kind)) {
         const Canvas& picture = image_of(image->file);
-        draw_canvas(canvas.context(), picture, corner,
-                    height_of(annotation, kImageSize, canvas.height()) / picture.height());
+        draw_canvas(canvas.context(), picture, corner, size.y / picture.height());
     }
 }
 
@@ -149,26 +176,48 @@ std::string PictureItems::filled(const std::string& text, const FrameMoment& mom
     return text_with_values(std::get<std::vector<TextPiece>>(pieces), moment, timeline_);
 }
 
-DrawnText PictureItems::drawn(const std::string& text, const Annotation& look,
-                              const FrameMoment& moment, double line_height, const TextBox& box) {
-    return {fonts_.of(look.font),
-            filled(text, moment),
-            {line_height, look.colour.value_or(text_colour()), look.box.value_or(box),
-             alignment_at(place_of(look))}};
+FittedText PictureItems::drawn(const std::string& text, const Annotation& look,
+                               const FrameMoment& moment, double line_height, const TextBox& box,
+                               const Vec2& room) {
+    return fitted_text(fonts_.of(look.font), filled(text, moment),
+                       {line_height, look.colour.value_or(text_colour()), look.box.value_or(box),
+                        alignment_at(place_of(look))},
+                       room);
+}
+
+FittedText PictureItems::drawn_text(const TextAnnotation& text, const Annotation& look,
+                                    const FrameMoment& moment, const Vec2& picture) {
+    return drawn(text.text, look, moment, height_of(look, kTextSize, picture.y), TextBox{},
+                 room_on(picture));
+}
+
+PictureItems::DrawnTitle PictureItems::title_at(double scale, const TitleAnnotation& title,
+                                                const Annotation& look, const FrameMoment& moment,
+                                                const Vec2& picture) {
+    const double line = scale * height_of(look, kTitleSize, picture.y);
+    const TextBox none{Vec3(0), 0};
+    const Vec2 room = room_on(picture);
+    DrawnTitle result{drawn(title.text, look, moment, line, none, room), std::nullopt};
+    result.size = result.above.text.size();
+    result.scale = scale * result.above.scale;
+    if (!title.subtitle.empty()) {
+        result.below = drawn(title.subtitle, look, moment, kSubtitle * line, none, room);
+        const Vec2 below = result.below->text.size();
+        result.size = {std::max(result.size.x, below.x), result.size.y + below.y};
+        result.scale = std::min(result.scale, scale * result.below->scale);
+    }
+    return result;
 }
 
 PictureItems::DrawnTitle PictureItems::drawn_title(const TitleAnnotation& title,
                                                    const Annotation& look,
-                                                   const FrameMoment& moment,
-                                                   double picture_height) {
-    const double line = height_of(look, kTitleSize, picture_height);
-    const TextBox none{Vec3(0), 0};
-    DrawnTitle result{drawn(title.text, look, moment, line, none), std::nullopt};
-    result.size = result.above.size();
-    if (!title.subtitle.empty()) {
-        result.below = drawn(title.subtitle, look, moment, kSubtitle * line, none);
-        result.size = {std::max(result.size.x, result.below->size().x),
-                       result.size.y + result.below->size().y};
+                                                   const FrameMoment& moment, const Vec2& picture) {
+    constexpr double kStep = 0.95;
+    double scale = 1;
+    DrawnTitle result = title_at(scale, title, look, moment, picture);
+    while (result.size.y > room_on(picture).y && scale * kStep > kLeastTextScale) {
+        scale *= kStep;
+        result = title_at(scale, title, look, moment, picture);
     }
     return result;
 }
@@ -180,21 +229,17 @@ const SmallPlan& PictureItems::plan() {
     return *plan_;
 }
 
-void PictureItems::draw_text(const TextAnnotation& text, const Annotation& look,
-                             const FrameMoment& moment, const Vec2& corner, Canvas& canvas) {
-    drawn(text.text, look, moment, height_of(look, kTextSize, canvas.height()), TextBox{})
-        .draw(canvas.context(), corner);
-}
-
 void PictureItems::draw_title(const TitleAnnotation& title, const Annotation& look,
                               const FrameMoment& moment, const Vec2& corner, Canvas& canvas) {
-    const auto& [above, below, size] = drawn_title(title, look, moment, canvas.height());
+    const DrawnTitle drawn = drawn_title(title, look, moment, size_of_canvas(canvas));
     const TextAlign align = alignment_at(place_of(look));
     const double share = align == TextAlign::left ? 0 : align == TextAlign::centre ? 0.5 : 1;
-    above.draw(canvas.context(), corner + Vec2(share * (size.x - above.size().x), 0));
-    if (below) {
-        below->draw(canvas.context(),
-                    corner + Vec2(share * (size.x - below->size().x), above.size().y));
+    const DrawnText& above = drawn.above.text;
+    above.draw(canvas.context(), corner + Vec2(share * (drawn.size.x - above.size().x), 0));
+    if (drawn.below) {
+        const DrawnText& below = drawn.below->text;
+        below.draw(canvas.context(),
+                   corner + Vec2(share * (drawn.size.x - below.size().x), above.size().y));
     }
 }
 

@@ -51,29 +51,41 @@ class PictureItems {
                                                       const FrameMoment& moment,
                                                       const Vec2& picture);
 
+    /// The part of its size at which it is drawn so that it fits on the picture, of one for which
+    /// box_of has a box. Throws Error.
+    [[nodiscard]] double scale_of(const Annotation& annotation, const FrameMoment& moment,
+                                  const Vec2& picture);
+
   private:
     /// A text with the height of a line, and what is behind it by default.
-    [[nodiscard]] DrawnText drawn(const std::string& text, const Annotation& look,
-                                  const FrameMoment& moment, double line_height,
-                                  const TextBox& box);
+    [[nodiscard]] FittedText drawn(const std::string& text, const Annotation& look,
+                                   const FrameMoment& moment, double line_height,
+                                   const TextBox& box, const Vec2& room);
+    [[nodiscard]] FittedText drawn_text(const TextAnnotation& text, const Annotation& look,
+                                        const FrameMoment& moment, const Vec2& picture);
 
     struct DrawnTitle {
-        DrawnText above;
-        std::optional<DrawnText> below;
+        FittedText above;
+        std::optional<FittedText> below;
         Vec2 size{0, 0};
+        double scale = 1;
     };
     [[nodiscard]] DrawnTitle drawn_title(const TitleAnnotation& title, const Annotation& look,
-                                         const FrameMoment& moment, double picture_height);
+                                         const FrameMoment& moment, const Vec2& picture);
+    /// Both lines at a part of their size.
+    [[nodiscard]] DrawnTitle title_at(double scale, const TitleAnnotation& title,
+                                      const Annotation& look, const FrameMoment& moment,
+                                      const Vec2& picture);
     [[nodiscard]] const SmallPlan& plan();
 
-    void draw_text(const TextAnnotation& text, const Annotation& look, const FrameMoment& moment,
-                   const Vec2& corner, Canvas& canvas);
     void draw_title(const TitleAnnotation& title, const Annotation& look, const FrameMoment& moment,
                     const Vec2& corner, Canvas& canvas);
 
     /// Of one on the picture, pixels.
     [[nodiscard]] Vec2 size_of(const Annotation& look, const FrameMoment& moment,
-                               double picture_height);
+                               const Vec2& picture);
+    /// Of a diagram, plan or picture that has not been made smaller, pixels.
+    [[nodiscard]] Vec2 full_size_of(const Annotation& look, double picture_height);
     [[nodiscard]] const Canvas& image_of(const std::string& file);
     [[nodiscard]] std::string filled(const std::string& text, const FrameMoment& moment) const;
 

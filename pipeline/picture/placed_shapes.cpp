@@ -70,6 +70,24 @@ Vec3 normal_of(const std::vector<Vec3>& corners) {
     return normal;
 }
 
+FittedText text_on(const SceneText& text, const Pinhole& view, Fonts& fonts) {
+    const Vec2 picture = view.size();
+    return fitted_text(fonts.of(text.font), text.text,
+                       {text.size * picture.y, text.colour, text.box, TextAlign::centre},
+                       room_on(picture));
+}
+
+/// The corner of a text that stays inside the picture while the place to which it belongs is there,
+/// and leaves the picture with it.
+Vec2 kept_inside(Vec2 corner, const Vec2& size, const Vec2& anchor, const Vec2& picture) {
+    for (int axis = 0; axis < 2; ++axis) {
+        const double beyond = anchor[axis] - std::clamp(anchor[axis], 0.0, picture[axis]);
+        const double most = std::max(0.0, picture[axis] - size[axis]);
+        corner[axis] = std::clamp(corner[axis] - beyond, 0.0, most) + beyond;
+    }
+    return corner;
+}
+
 class Placer {
   public:
     Placer(const Pinhole& view, Fonts& fonts) : view_(view), fonts_(fonts) {}
@@ -122,12 +140,13 @@ class Placer {
             return;
         }
         const double height = view_.size().y;
-        DrawnText drawn(fonts_.of(text.font), text.text,
-                        {text.size * height, text.colour, text.box, TextAlign::centre});
-        const Vec2 centre =
-            view_.project(text.at).place + height * Vec2(text.offset.x, -text.offset.y);
+        DrawnText drawn = text_on(text, view_, fonts_).text;
+        const Vec2 anchor = view_.project(text.at).place;
+        const Vec2 centre = anchor + height * Vec2(text.offset.x, -text.offset.y);
         const Vec2 size = drawn.size();
-        const Vec2 corner = centre - Vec2(0.5 * size.x, (text.is_above ? 1 : 0.5) * size.y);
+        const Vec2 corner =
+            kept_inside(centre - Vec2(0.5 * size.x, (text.is_above ? 1 : 0.5) * size.y), size,
+                        anchor, view_.size());
         const double nearer = std::max(depth - text.nearer, Pinhole::kNearest);
         result.emplace_back(PlacedText{std::move(drawn), corner, 1 / nearer});
     }
@@ -191,6 +210,10 @@ std::vector<PlacedShape> placed_shapes(const SceneShapes& shapes, const Pinhole&
         std::visit([&](const auto& s) { placer.place(s); }, shape);
     }
     return std::move(placer.result);
+}
+
+double scale_on(const SceneText& text, const Pinhole& view, Fonts& fonts) {
+    return text_on(text, view, fonts).scale;
 }
 
 PixelBox box_of(std::span<const PlacedShape> shapes, const Vec2& picture) {

@@ -58,6 +58,9 @@ struct PixelBox {
 [[nodiscard]] std::vector<PlacedShape> placed_shapes(const SceneShapes& shapes, const Pinhole& view,
                                                      Fonts& fonts);
 
+/// The part of its size at which a text is drawn so that it fits on the picture. Throws as above.
+[[nodiscard]] double scale_on(const SceneText& text, const Pinhole& view, Fonts& fonts);
+
 /// The pixels of the picture that the shapes may cover.
 [[nodiscard]] PixelBox box_of(std::span<const PlacedShape> shapes, const Vec2& picture);
 

@@ -1,8 +1,11 @@
 #include "pipeline/picture/shown_annotations.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 #include <variant>
+
+#include "pipeline/camera/shown_frame.h"
 
 namespace carom::pipeline {
 namespace {
@@ -31,8 +34,9 @@ std::vector<ShownAnnotation> shown_annotations(const Shot& shot, const sim::Time
     std::vector<ShownAnnotation> shown;
     for (std::size_t i = 0; i < shot.annotations.size(); ++i) {
         const Annotation& annotation = shot.annotations[i];
-        const double opacity =
-            is_in_scene(annotation) ? opacity_at(annotation, scene_time, values.video_time) : 0;
+        const double opacity = is_in_scene(annotation)
+                                   ? opacity_at(annotation, shown_times(annotation, {}), scene_time)
+                                   : 0;
         if (opacity > 0) {
             shown.push_back({i, opacity, drawn_shapes(annotation, moment)});
         }
@@ -41,12 +45,29 @@ std::vector<ShownAnnotation> shown_annotations(const Shot& shot, const sim::Time
     return shown;
 }
 
-double opacity_at(const Annotation& annotation, double scene_time, double video_time) {
-    const auto since = [&](const AnnotationTime& time) {
-        return (time.is_moment || is_in_scene(annotation) ? scene_time : video_time) - time.seconds;
+ShownTimes shown_times(const Annotation& annotation, std::span<const CameraRig> rigs) {
+    constexpr double kJustBefore = 1e-9;  // s: a text that takes over at the same moment is alone
+    const bool is_on_picture = !is_in_scene(annotation);
+    const auto time_of = [&](const AnnotationTime& time, double sooner) {
+        return time.is_moment && is_on_picture
+                   ? time_reached(time.seconds, rigs)
+                             .value_or(std::numeric_limits<double>::infinity()) -
+                         sooner
+                   : time.seconds;
     };
-    const double shown = annotation.from ? since(*annotation.from) : 0;
-    const double left = annotation.to ? -since(*annotation.to) : 0;
+    ShownTimes times;
+    if (annotation.from) {
+        times.from = time_of(*annotation.from, 0);
+    }
+    if (annotation.to) {
+        times.to = time_of(*annotation.to, kJustBefore);
+    }
+    return times;
+}
+
+double opacity_at(const Annotation& annotation, const ShownTimes& times, double time) {
+    const double shown = times.from ? time - *times.from : 0;
+    const double left = times.to ? *times.to - time : 0;
     if (shown < 0 || left < 0) {
         return 0;
     }

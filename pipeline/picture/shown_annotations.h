@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "pipeline/picture/build_shapes.h"
@@ -22,8 +24,16 @@ struct ShownAnnotation {
                                                              const FrameMoment& values,
                                                              double scene_time);
 
-/// The opacity of an annotation at a scene time and a video time (s), [0, 1]: 0 before `from` and
-/// after `to`, and growing and falling linearly during `fade`.
-[[nodiscard]] double opacity_at(const Annotation& annotation, double scene_time, double video_time);
+/// The times of an annotation on its clock, s: scene times of one in the scene, video times of one
+/// on the picture. There a moment is the video time at which the film has first shown it
+/// (time_reached); infinite if it never does.
+struct ShownTimes {
+    std::optional<double> from{}, to{};
+};
+[[nodiscard]] ShownTimes shown_times(const Annotation& annotation, std::span<const CameraRig> rigs);
+
+/// The opacity of an annotation with these times at a time of its clock (s), [0, 1]: 0 before
+/// `from` and after `to`, and growing and falling linearly during `fade`.
+[[nodiscard]] double opacity_at(const Annotation& annotation, const ShownTimes& times, double time);
 
 }  // namespace carom::pipeline

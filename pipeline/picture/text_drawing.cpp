@@ -47,6 +47,33 @@ void DrawnText::draw(cairo_t* context, const Vec2& corner) const {
     cairo_fill(context);
 }
 
+FittedText fitted_text(const Font& font, const std::string& text, TextLook look, const Vec2& room) {
+    FittedText fitted{{font, text, look}, 1};
+    const double line_height = look.line_height;
+    const auto fits = [&] {
+        const Vec2 size = fitted.text.size();
+        return size.x <= room.x && size.y <= room.y;
+    };
+    constexpr double kStep = 0.97;  // a smaller text may also need fewer lines
+    while (!fits()) {
+        look.line_height = fitted.scale * line_height;
+        const double width = room.x - 2 * fitted.text.margin().x;
+        fitted.text = DrawnText(font, font.wrapped(text, look.line_height, width), look);
+        if (fits() || fitted.scale * kStep < kLeastTextScale) {
+            break;
+        }
+        fitted.scale *= kStep;
+        look.line_height = fitted.scale * line_height;
+        fitted.text = DrawnText(font, text, look);
+    }
+    return fitted;
+}
+
+Vec2 room_on(const Vec2& picture) {
+    const Vec2 margin(kMargin * picture.y);
+    return picture - 2.0 * margin;
+}
+
 Vec2 corner_at(const PicturePlace& place, const Vec2& size, const Vec2& picture) {
     if (!place.is_edge) {
         return place.at * picture - 0.5 * size;

@@ -31,6 +31,24 @@ class DrawnText {
     TextLook look_;
 };
 
+/// A text as it fits into a part of the picture.
+struct FittedText {
+    DrawnText text;
+    double scale = 1;  // of the size that was asked for
+};
+
+/// Smallest scale of a text that does not fit.
+inline constexpr double kLeastTextScale = 0.25;
+
+/// The text with its lines broken between words and, if that is not enough, smaller, so that it
+/// fits into `room` (pixels), unless it is too large at the smallest scale. A text that fits is as
+/// it was written.
+[[nodiscard]] FittedText fitted_text(const Font& font, const std::string& text, TextLook look,
+                                     const Vec2& room);
+
+/// The part of a picture inside its margins, pixels.
+[[nodiscard]] Vec2 room_on(const Vec2& picture);
+
 /// The upper left corner of something of this `size` at that place of the picture, pixels.
 [[nodiscard]] Vec2 corner_at(const PicturePlace& place, const Vec2& size, const Vec2& picture);
 

@@ -1,11 +1,14 @@
 // The annotations of a shot.
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <variant>
 
 #include <fmt/ranges.h>
 
+#include "pipeline/camera/frame_plan.h"
 #include "pipeline/picture/annotation_boxes.h"
+#include "pipeline/picture/shown_annotations.h"
 #include "pipeline/studio/shot_state.h"
 
 namespace carom::studio {
@@ -49,10 +52,19 @@ struct FillAnnotation {
     }
 };
 
-std::optional<AnnotationEnd> end_message(const std::optional<pipeline::AnnotationTime>& time,
-                                         bool in_scene) {
-    return time ? std::optional(AnnotationEnd{time->seconds, in_scene || time->is_moment})
-                : std::nullopt;
+/// `written`: as in the shot, `time`: on the annotation's clock. `film`: how long the film lasts,
+/// s, for a moment that it does not reach.
+std::optional<AnnotationEnd> end_message(const std::optional<pipeline::AnnotationTime>& written,
+                                         const std::optional<double>& time, bool in_scene,
+                                         double film) {
+    if (!written || !time) {
+        return std::nullopt;
+    }
+    AnnotationEnd end{in_scene ? *time : std::min(*time, film), in_scene, {}};
+    if (written->is_moment && !in_scene) {
+        end.moment = written->seconds;
+    }
+    return end;
 }
 
 AnnotationBox box_message(const pipeline::AnnotationBox& box, const Vec2& picture) {
@@ -67,14 +79,17 @@ std::vector<ShotAnnotation> annotation_messages(const pipeline::Shot& shot,
                                                 const sim::Timeline& timeline) {
     const auto boxes = annotation_boxes(shot, timeline);
     const Vec2 picture(shot.render.width, shot.render.height);
+    const double film = static_cast<double>(pipeline::frame_count(shot.cameras, shot.timing)) /
+                        shot.timing.fps.to_double();
     std::vector<ShotAnnotation> messages;
     for (const pipeline::Annotation& annotation : shot.annotations) {
         const bool in_scene = is_in_scene(annotation);
         ShotAnnotation& message = messages.emplace_back();
         message.path = {"annotations", std::to_string(messages.size() - 1)};
         message.kind = kKinds.at(annotation.kind.index());
-        message.from = end_message(annotation.from, in_scene);
-        message.to = end_message(annotation.to, in_scene);
+        const pipeline::ShownTimes times = shown_times(annotation, shot.cameras);
+        message.from = end_message(annotation.from, times.from, in_scene, film);
+        message.to = end_message(annotation.to, times.to, in_scene, film);
         std::visit(FillAnnotation{message}, annotation.kind);
         if (const auto& box = boxes.at(messages.size() - 1)) {
             message.box = box_message(*box, picture);

@@ -5,6 +5,7 @@
 
 #include "core/cpu_time.h"
 #include "pipeline/check/motion_check.h"
+#include "pipeline/check/text_check.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/studio/motion_messages.h"
 #include "pipeline/studio/shot_state.h"
@@ -48,9 +49,10 @@ void LiveMessages::add_motion_problems(std::int64_t v, const pipeline::Shot& sho
         pipeline::simulation_problems(timeline, loaded.source.get());
     using Check = std::vector<pipeline::Problem> (*)(
         const pipeline::Shot&, const pipeline::ShotSource*, const sim::Timeline&);
-    for (const Check check : {Check{pipeline::cloth_problems}, Check{pipeline::stick_problems},
-                              Check{pipeline::annotation_problems},
-                              Check{pipeline::camera_problems}, Check{pipeline::sound_problems}}) {
+    for (const Check check :
+         {Check{pipeline::cloth_problems}, Check{pipeline::stick_problems},
+          Check{pipeline::annotation_problems}, Check{pipeline::camera_problems},
+          Check{pipeline::sound_problems}, Check{pipeline::text_problems}}) {
         std::vector<pipeline::Problem> more = check(shot, loaded.source.get(), timeline);
         std::move(more.begin(), more.end(), std::back_inserter(found));
     }

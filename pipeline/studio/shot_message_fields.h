@@ -95,7 +95,8 @@ constexpr auto fields_of(Describes<ShotEvent>) {
 
 constexpr auto fields_of(Describes<AnnotationEnd>) {
     return fields<AnnotationEnd>(field("time", &AnnotationEnd::time),
-                                 field("is_scene_time", &AnnotationEnd::is_scene_time));
+                                 field("is_scene_time", &AnnotationEnd::is_scene_time),
+                                 field("moment", &AnnotationEnd::moment));
 }
 
 constexpr auto fields_of(Describes<AnnotationBox>) {

@@ -145,6 +145,8 @@ struct ShotEvent {
 struct AnnotationEnd {
     double time = 0;
     bool is_scene_time = false;  // else a time of the film
+    /// Scene time of the moment that the film shows first at `time`.
+    std::optional<double> moment{};
 };
 
 /// The rectangle of the film's picture that an annotation fills when it appears, in fractions of

@@ -451,6 +451,7 @@ export interface ShotEvent {
 export interface AnnotationEnd {
     time: number;
     is_scene_time: boolean;
+    moment?: number;
 }
 
 export interface AnnotationBox {

@@ -135,6 +135,22 @@ const MapSpec<SpinAnnotation>& spin_spec() {
     return spec;
 }
 
+/// A time or `rolling`.
+ValueType<MeasuringTime> measuring_time() {
+    const auto word = convert<MeasuringTime>(choice<bool>({{"rolling", true}}), [](bool) {
+        return MeasuringTime{0, true};
+    });
+    const auto seconds = convert<MeasuringTime>(time(between(0, kLongest)), [](double value) {
+        return MeasuringTime{value, false};
+    });
+    ValueType<MeasuringTime> result =
+        any_of<MeasuringTime>({{is_exactly("rolling"), word}, {is_number, seconds}});
+    result.show = [](const MeasuringTime& value) {
+        return value.is_rolling ? "rolling" : show(value.seconds, Dimension::time);
+    };
+    return result;
+}
+
 const MapSpec<AngleAnnotation>& angle_spec() {
     static const MapSpec<AngleAnnotation> spec = [] {
         MapSpec<AngleAnnotation> s("drawn angle", "An angle, seen from above, with its value.");
@@ -149,9 +165,10 @@ const MapSpec<AngleAnnotation>& angle_spec() {
             },
             "a ball and what it touches (a ball, `cushion`): the angle by which its way turns at "
             "the first contact");
-        s.key("after", &AngleAnnotation::after, time(between(0, kLongest)),
-              "time after the contact at which the ways are measured: a rolling ball needs some "
-              "tenths of a second until its way is straight again");
+        s.key("after", &AngleAnnotation::after, measuring_time(),
+              "time after the contact at which the ways are measured, or `rolling`: as soon as the "
+              "ball rolls, so that its way is straight. A way is measured before the ball's next "
+              "contact in any case");
         s.key("radius", &AngleAnnotation::radius, length(above_up_to(0, 10)), "radius of the arc");
         s.key("value", &AngleAnnotation::value, boolean(),
               "whether the angle in degrees is written beside the arc");
@@ -384,7 +401,8 @@ ValueType<double> lit() {
 void add_times(MapSpec<Annotation>& s) {
     s.key("from", &Annotation::from, annotation_time(),
           "time at which it appears: scene time of annotations in the scene, video time of those "
-          "on the picture; or a moment. The default is the start");
+          "on the picture; or a moment, on the picture as soon as the film has first shown it. The "
+          "default is the start");
     s.key("to", &Annotation::to, annotation_time(),
           "time at which it disappears. The default is the end");
     s.key("fade", &Annotation::fade, time(between(0, kLongest)),

@@ -247,8 +247,10 @@ const MapSpec<CameraRig>& camera_spec() {
         add_lens(s);
         s.key("roll", &CameraRig::roll, eased("roll", angle()),
               "rotation about the viewing axis; like fov");
-        s.key("up", &CameraRig::up, eased("up", vector3(Dimension::none)),
-              "direction that is up in the picture; like fov");
+        s.key(
+            "up", &CameraRig::up, eased("up", vector3(Dimension::none)),
+            "direction that is up in the picture; like fov. Where the camera passes over or under "
+            "its target, the picture stays the same way up");
         add_aids(s);
         s.key("sound", &CameraRig::sound, camera_sound(),
               "`none`, or what differs from the film's own `sound` while this camera films");

@@ -248,7 +248,9 @@ TEST(FramePlan, CameraWithoutAValidView_IsAnErrorWithItsName) {
                  "camera 'a', frame 3: the camera's position and target are the same point");
     rig = make_rig(0, 2);
     rig.up = {{0, -4, 1}, {0, -4, 1}};
-    expect_error(rig, 3, "camera 'a', frame 3: the camera looks straight along its up direction");
+    expect_error(
+        rig, 3,
+        "camera 'a', frame 3: the camera looks straight along its up direction; give another 'up'");
     rig = make_rig(0, 2);
     rig.target = FollowPath{"queue", {0, 0, 0}, 0};
     expect_error(rig, 0, "camera 'a', frame 0: object 'queue' is not in the timeline");

@@ -79,6 +79,42 @@ carom: 's.yaml' has no errors, but 1 warning
 )");
 }
 
+TEST_F(CameraWarnings, CameraThatPassesOverItsTarget_KeepsItsUpDirection) {
+    const std::string view = "    scene: 0 s\n    target: [0, 0, 0]\n    fov: 50 deg\n";
+    EXPECT_EQ(messages(view + "    position: {bezier: [[-0.6, 0, 0.9], [0.63, 0, 0.9]]}\n"), kNone);
+    EXPECT_EQ(messages(view + "    position: {bezier: [[-0.6, 0.001, 0.9], [0.63, 0, 0.9]]}\n"),
+              kNone);
+    const std::string loop =
+        "    position: {orbit: [0, 0, 0], radius: 0.9 m, turn: [90 deg, 0, 0]}\n";
+    EXPECT_EQ(
+        messages(view + loop),
+        R"(s.yaml:11:5: warning: camera 'seat' keeps its up direction where it passes over or under its target, so its picture is upside down from 0.4 s to 0.6 s of the film (frames 8 to 12); 'up' or 'roll' with keys turns it
+   11 |     position: {orbit: [0, 0, 0], radius: 0.9 m, turn: [90 deg, 0, 0]}
+      |     ^~~~~~~~
+carom: 's.yaml' has no errors, but 1 warning
+)");
+    EXPECT_EQ(messages(view + loop + "    up: [0, 1, 0]\n"), kNone);
+}
+
+TEST_F(CameraWarnings, ViewThatTurnsTooFast_IsAWarningWithItsFrames) {
+    const std::string view = "    scene: 0 s\n    fov: 50 deg\n    target: [0, 0, 0]\n";
+    EXPECT_EQ(
+        messages(view + "    position: {bezier: [[-1, 0, 0.5], [1.1, 0, -0.55]]}\n"),
+        R"(s.yaml:10:5: warning: camera 'seat' turns by up to 180 degrees from one frame to the next from 0.45 s to 0.5 s of the film (frames 9 to 10), which looks like a cut
+   10 |     target: [0, 0, 0]
+      |     ^~~~~~
+carom: 's.yaml' has no errors, but 1 warning
+)");
+    EXPECT_EQ(
+        messages(view + "    position: [0, -1, 0.5]\n"
+                        "    roll: {keys: [[0.475 s, 0 deg], [0.525 s, 70 deg]]}\n"),
+        R"(s.yaml:10:5: warning: camera 'seat' turns by up to 35 degrees while the shutter is open at 0.5 s of the film (frame 10), so that the picture is smeared
+   10 |     target: [0, 0, 0]
+      |     ^~~~~~
+carom: 's.yaml' has no errors, but 1 warning
+)");
+}
+
 TEST_F(CameraWarnings, LampBelowAnOverheadCamera_IsAWarning) {
     const std::string above =
         "    scene: [0 s, 1 s]\n    position: [0, 0, 3]\n    target: [0, 0, 0]\n"

@@ -176,6 +176,84 @@ carom: 's.yaml' has no errors, but 3 warnings
 )");
 }
 
+// The cue ball touches the one, then a cushion 0.75 s later, and rolls from 0.35 s after the
+// contact on; at 5 m/s it does not roll before the cushion.
+TEST_F(CheckCommandRun, AngleThatIsMeasuredBeforeItsTime_IsAWarning) {
+    const auto check_angle = [&](const std::string& after, const std::string& speed) {
+        write_text(path("s.yaml"), R"(carom: 1
+simulation: {duration: 2 s}
+include: [tables/pool_9ft.yaml, balls/pool.yaml]
+balls: {cue: {at: [-0.55, -0.10]}, one: {at: [0.20, 0.10]}}
+events:
+  - strike: {ball: cue, at: 0.3 s, direction: 12.8 deg, elevation: 1 deg, ball_speed: )" +
+                                       speed + R"(, tip: [0, 0.4]}
+cameras:
+  - {name: seat, video: [0 s, 2 s], scene: [0 s, 2 s], position: [0, -2, 0.8], target: [0, 0, 0]}
+annotations:
+  - angle: {deflection: [cue, one], after: )" +
+                                       after + "}\n");
+        return messages();
+    };
+    EXPECT_EQ(
+        check_angle("0.8 s", "3 m/s"),
+        R"(s.yaml:10:37: warning: 'cue' touches 'cushion' 0.751 s after 'cue' and 'one' touched, before the 0.8 s of 'after'; its way is measured just before that
+   10 |   - angle: {deflection: [cue, one], after: 0.8 s}
+      |                                     ^~~~~
+carom: 's.yaml' has no errors, but 1 warning
+)");
+    EXPECT_EQ(check_angle("0.7 s", "3 m/s"), "carom: 's.yaml' has no errors\n");
+    EXPECT_EQ(check_angle("rolling", "3 m/s"), "carom: 's.yaml' has no errors\n");
+    EXPECT_THAT(check_angle("rolling", "5 m/s"),
+                HasSubstr("touched, before it rolls; its way is measured just before that"));
+}
+
+TEST_F(CheckCommandRun, TextsThatDoNotFit_AreWarningsWithTheirFrames) {
+    const auto check_text = [&](const std::string& annotation, const std::string& size) {
+        write_text(path("s.yaml"), R"(carom: 1
+simulation: {duration: 1 s}
+table: {kind: cloth}
+balls: {cue: {at: [0, 0], velocity: [0.5, 0]}}
+cameras:
+  - {name: seat, video: [0 s, 1 s], scene: [0 s, 1 s], position: [0, -2, 0.8], target: [0, 0, 0]}
+annotations:
+  - )" + annotation +
+                                       "\nrender: {fps: 10, size: " + size + "}\n");
+        return messages();
+    };
+    const std::string none = "carom: 's.yaml' has no errors\n";
+    const std::string caption = "{text: Watch where the nine ball goes now}";
+    EXPECT_EQ(check_text(caption, "[320, 180]"), none);
+    EXPECT_EQ(check_text(caption, "[180, 320]"), none);
+    EXPECT_EQ(check_text("{title: {text: Bank, subtitle: shot}}", "[180, 320]"), none);
+    EXPECT_EQ(
+        check_text("{text: Wiederholung, size: 0.2, from: 0.5 s}", "[180, 320]"),
+        R"(s.yaml:8:26: warning: the annotation is too large for a picture of 180x320, so it is drawn at 34 % of its size from 0.5 s to 0.9 s of the film (frames 5 to 9)
+    8 |   - {text: Wiederholung, size: 0.2, from: 0.5 s}
+      |                          ^~~~
+carom: 's.yaml' has no errors, but 1 warning
+)");
+    EXPECT_THAT(check_text("{label: {of: cue, text: Wiederholung}, size: 0.2}", "[180, 320]"),
+                HasSubstr("so it is drawn at 36 % of its size from 0 s to 0.9 s"));
+    EXPECT_THAT(
+        check_text("{plan: {}, position: [0.02, 0.5], to: 0.45 s}", "[320, 180]"),
+        HasSubstr("warning: the annotation runs out of the picture of 320x180, 17 pixels beyond "
+                  "the left edge, from 0 s to 0.4 s of the film (frames 0 to 4)"));
+}
+
+TEST_F(CheckCommandRun, TextWhoseMomentIsNotFilmed_IsAWarning) {
+    write_text(path("s.yaml"), R"(carom: 1
+simulation: {duration: 1 s}
+table: {kind: cloth}
+balls: {cue: {at: [0, 0], velocity: [0.5, 0]}, one: {at: [0.34, 0]}}
+cameras:
+  - {name: seat, video: [0 s, 1 s], scene: [0 s, 0.5 s], position: [0, -2, 0.8], target: [0, 0, 0]}
+annotations:
+  - {text: never, from: {contact: [cue, one]}}
+render: {fps: 10}
+)");
+    EXPECT_THAT(messages(), HasSubstr(" s or later, so the annotation never appears"));
+}
+
 /// Steps are counted instead of seconds, so the messages do not depend on the machine or its load.
 TEST_F(CheckCommandRun, SimulationOfManySteps_IsNotRun) {
     std::string shot = "carom: 1\nsimulation: {duration: 0.12 s}\ntable: {kind: cloth}\nobjects:\n";

@@ -281,7 +281,7 @@ struct AnnotationWriter {
                 out.line(name);
             }
         }
-        out.line("angle", angle.after, angle.radius, angle.value);
+        out.line("angle", angle.after.seconds, angle.after.is_rolling, angle.radius, angle.value);
     }
     void operator()(const ZoneAnnotation& zone) {
         for (const Vec2& corner : zone.polygon) {

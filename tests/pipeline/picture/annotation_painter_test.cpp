@@ -1,6 +1,10 @@
 #include "pipeline/picture/annotation_painter.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -188,27 +192,115 @@ TEST(AnnotationPainter, InSceneOnly_LeavesOutTheRest) {
 
 TEST(OpacityAt, Fades_AreInsideTheInterval) {
     Annotation annotation;
-    EXPECT_EQ(opacity_at(annotation, 1e9, 0), 1);
+    EXPECT_EQ(opacity_at(annotation, {}, 1e9), 1);
     annotation.opacity = 0.8;
     annotation.from = AnnotationTime{1};
     annotation.to = AnnotationTime{3};
     annotation.fade = 0.5;
-    EXPECT_EQ(opacity_at(annotation, 0.99, 0), 0);
-    EXPECT_NEAR(opacity_at(annotation, 1.25, 0), 0.4, 1e-12);
-    EXPECT_NEAR(opacity_at(annotation, 2, 0), 0.8, 1e-12);
-    EXPECT_NEAR(opacity_at(annotation, 2.875, 0), 0.2, 1e-12);
-    EXPECT_EQ(opacity_at(annotation, 3.01, 0), 0);
+    const ShownTimes times = shown_times(annotation, {});
+    EXPECT_EQ(opacity_at(annotation, times, 0.99), 0);
+    EXPECT_NEAR(opacity_at(annotation, times, 1.25), 0.4, 1e-12);
+    EXPECT_NEAR(opacity_at(annotation, times, 2), 0.8, 1e-12);
+    EXPECT_NEAR(opacity_at(annotation, times, 2.875), 0.2, 1e-12);
+    EXPECT_EQ(opacity_at(annotation, times, 3.01), 0);
 }
 
-TEST(OpacityAt, Moments_AreOnTheClockOfTheScene) {
+/// A camera that shows [scene_start, scene_end] during [start, end] of the film.
+CameraRig showing(const Rational& start, const Rational& end, const Rational& scene_start,
+                  const Rational& scene_end) {
+    CameraRig rig;
+    rig.video_start = start;
+    rig.video_end = end;
+    rig.time_map = {scene_start, scene_end};
+    return rig;
+}
+
+Annotation text_from_moment(double scene_time) {
     Annotation text;
     text.kind = TextAnnotation{"text"};
-    text.from = AnnotationTime{2};
-    EXPECT_EQ(opacity_at(text, 0, 2.5), 1);
-    EXPECT_EQ(opacity_at(text, 2.5, 0), 0);
-    text.from->is_moment = true;
-    EXPECT_EQ(opacity_at(text, 0, 2.5), 0);
-    EXPECT_EQ(opacity_at(text, 2.5, 0), 1);
+    text.from = AnnotationTime{scene_time, true};
+    return text;
+}
+
+// A ball is potted at 1 s of the scene. The film shows it, then twice as a replay, once of them
+// backwards, and goes on.
+TEST(ShownTimes, Replays_DoNotUndoWhatTheFilmHasShown) {
+    const std::vector<CameraRig> rigs{showing(0, 2, 0, 2), showing(2, 6, {1, 2}, {3, 2}),
+                                      showing(6, 7, {3, 2}, {1, 2}), showing(7, 9, 2, 4)};
+    Annotation after = text_from_moment(1);
+    EXPECT_NEAR(shown_times(after, rigs).from.value(), 1, 1e-8);
+    Annotation before = after;
+    std::swap(before.from, before.to);
+    for (int frame = 0; frame < 9 * 24; ++frame) {
+        const double time = frame / 24.0;
+        const bool is_potted = frame >= 24;
+        EXPECT_EQ(opacity_at(after, shown_times(after, rigs), time), is_potted ? 1 : 0) << frame;
+        EXPECT_EQ(opacity_at(before, shown_times(before, rigs), time), is_potted ? 0 : 1) << frame;
+    }
+    // In the scene, an annotation belongs to the scene's clock and is seen in each replay.
+    Annotation label = after;
+    label.kind = LabelAnnotation{"cue", "text"};
+    EXPECT_EQ(shown_times(label, rigs).from, 1);
+}
+
+TEST(ShownTimes, MomentThatIsLeftOut_ComesWithTheCut) {
+    const std::vector<CameraRig> rigs{showing(0, 1, 0, 1), showing(1, 2, 3, 4)};
+    EXPECT_NEAR(shown_times(text_from_moment(2), rigs).from.value(), 1, 1e-8);
+    EXPECT_NEAR(shown_times(text_from_moment(3), rigs).from.value(), 1, 1e-8);
+    EXPECT_EQ(shown_times(text_from_moment(5), rigs).from, std::numeric_limits<double>::infinity());
+}
+
+TEST(ShownTimes, SpecialTimeMaps_ReachTheMomentWhereTheyShowIt) {
+    // A film that starts at the end has shown everything before.
+    EXPECT_EQ(shown_times(text_from_moment(1), std::vector{showing(0, 2, 2, 0)}).from, 0);
+    // A camera that begins at a moment shows it in its first frame.
+    EXPECT_EQ(shown_times(text_from_moment(1), std::vector{showing(0, 2, 1, 2)}).from, 0);
+    CameraRig ramp = showing(0, 4, 0, 0);
+    ramp.time_map.speeds = {{Rational(0), Rational(1)}, {Rational(4), Rational(-1)}};
+    // The scene time is t - t^2 / 4, at most 1 s.
+    EXPECT_NEAR(shown_times(text_from_moment(0.75), std::vector{ramp}).from.value(), 1, 1e-6);
+    EXPECT_EQ(shown_times(text_from_moment(1.01), std::vector{ramp}).from,
+              std::numeric_limits<double>::infinity());
+    // In a cross-fade the camera counts that is the stronger one.
+    std::vector<CameraRig> faded{showing(0, 3, 0, 0), showing(2, 4, 2, 4)};
+    faded[1].fade = 1;
+    EXPECT_NEAR(shown_times(text_from_moment(2), faded).from.value(), 2.5, 1e-8);
+}
+
+/// The letters' columns that are seen, first and last; none: {0, -1}.
+std::pair<int, int> columns_of(const DrawnPicture& picture) {
+    int first = kWidth;
+    int last = -1;
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            if (alpha_at(picture, x, y) > 0) {
+                first = std::min(first, x);
+                last = std::max(last, x);
+            }
+        }
+    }
+    return {last < 0 ? 0 : first, last};
+}
+
+TEST(AnnotationPainter, LabelAtTheEdge_StaysInsideUntilItsBallLeaves) {
+    Shot shot = drawn_shot();
+    Annotation label;
+    label.kind = LabelAnnotation{"cue", "label"};
+    label.size = 0.1;
+    shot.annotations = {label};
+    const auto [first, last] = columns_of(drawn(shot, frame_at(0.49)));
+    const int width = last - first + 1;
+    // The ball's centre is 4 pixels from the left edge of the picture.
+    const double half = std::tan(kFov / 2) * kWidth / kHeight;
+    const auto at_left_edge = [&](double pixels) {
+        return frame_at(0.5 - (half - pixels * 2 * half / kWidth) / 2);
+    };
+    const auto [left, right] = columns_of(drawn(shot, at_left_edge(4)));
+    EXPECT_NEAR(right - left + 1, width, 1);
+    EXPECT_LE(left, 1);
+    const auto [cut_left, cut_right] = columns_of(drawn(shot, at_left_edge(-10)));
+    EXPECT_NEAR(cut_right - cut_left + 1, width - 10, 2) << "leaves with the ball";
+    EXPECT_EQ(columns_of(drawn(shot, at_left_edge(-kWidth))).second, -1);
 }
 
 TEST(AnnotationPainter, Times_AreSceneTimeInTheSceneAndVideoTimeOnThePicture) {

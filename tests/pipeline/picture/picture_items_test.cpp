@@ -1,6 +1,8 @@
 #include "pipeline/picture/picture_items.h"
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -109,6 +111,86 @@ TEST(PictureItems, Title_IsCentredWithItsSubtitleBelow) {
     title.kind = TitleAnnotation{"The 30-degree rule", "a half-ball hit"};
     Items both;
     EXPECT_GT(both.draw(title).height(), one.height() + 5);
+}
+
+/// The text in a picture of that size: whether it is inside, and its scale.
+struct Fitted {
+    AnnotationBox box;
+    double scale = 1;
+    bool is_inside = false;
+};
+Fitted fitted(const Annotation& annotation, const Vec2& picture) {
+    Items items;
+    PictureItems drawn(items.shot, items.timeline, items.fonts);
+    const FrameMoment moment{7, 1, 0.25, 1};
+    Fitted result;
+    result.box = drawn.box_of(annotation, moment, picture).value();
+    result.scale = drawn.scale_of(annotation, moment, picture);
+    const Vec2 high = result.box.corner + result.box.size;
+    result.is_inside = result.box.corner.x >= 0 && result.box.corner.y >= 0 &&
+                       high.x <= picture.x && high.y <= picture.y;
+    return result;
+}
+
+TEST(PictureItems, TextsThatAreTooWide_AreBrokenBetweenWords) {
+    const std::string caption = "Watch where the nine ball goes now";
+    const std::vector<Vec2> pictures{{320, 180}, {180, 320}, {240, 240}, {100, 400}};
+    for (const Vec2& picture : pictures) {
+        for (const double x : {0.0, 0.5, 1.0}) {
+            Annotation text;
+            text.kind = TextAnnotation{caption};
+            text.place = PicturePlace{{x, 1}, true};
+            const Fitted fit = fitted(text, picture);
+            EXPECT_TRUE(fit.is_inside) << picture.x << "x" << picture.y;
+            EXPECT_GT(fit.scale, 0.5);
+        }
+        Annotation title;
+        title.kind = TitleAnnotation{"A long title of this film", "and what it is about"};
+        EXPECT_TRUE(fitted(title, picture).is_inside) << picture.x << "x" << picture.y;
+    }
+    // As it was written where it fits; else with more lines of the same height.
+    Annotation text;
+    text.kind = TextAnnotation{caption};
+    const Fitted wide = fitted(text, {640, 360});
+    const Fitted narrow = fitted(text, {360, 640});
+    EXPECT_EQ(wide.scale, 1);
+    EXPECT_EQ(narrow.scale, 1);
+    EXPECT_GT(narrow.box.size.y / 640, 1.6 * wide.box.size.y / 360) << "two lines";
+    EXPECT_LE(narrow.box.size.x, 360 - 2 * 0.035 * 640 + 1e-9);
+}
+
+TEST(PictureItems, PositionsAtTheEdge_KeepTextsInsideThePicture) {
+    Annotation text;
+    text.kind = TextAnnotation{"a caption"};
+    for (const Vec2& at : {Vec2(0, 0), Vec2(1, 1), Vec2(0.99, 0.5)}) {
+        text.place = PicturePlace{at, false};
+        EXPECT_TRUE(fitted(text, {320, 180}).is_inside) << at;
+    }
+    text.place = PicturePlace{{0.4, 0.6}, false};
+    const AnnotationBox box = fitted(text, {320, 180}).box;
+    EXPECT_NEAR(box.corner.x + 0.5 * box.size.x, 128, 1e-9) << "as written where it fits";
+    Annotation tip;
+    tip.kind = PlanAnnotation{};
+    tip.place = PicturePlace{{0, 0}, false};
+    EXPECT_FALSE(fitted(tip, {320, 180}).is_inside) << "which check warns of";
+}
+
+TEST(PictureItems, WordsThatAreTooWide_AreSmaller) {
+    Annotation text;
+    text.kind = TextAnnotation{"Wiederholungsaufnahmen"};
+    text.size = 0.1;
+    const Fitted fit = fitted(text, {180, 320});
+    EXPECT_TRUE(fit.is_inside);
+    EXPECT_LT(fit.scale, 0.7);
+    EXPECT_GT(fit.scale, 0.25);
+    // As many lines as there are do not fit at their size.
+    text.kind = TextAnnotation{"a\nb\nc\nd\ne\nf\ng\nh\ni\nj\nk\nl"};
+    EXPECT_TRUE(fitted(text, {320, 180}).is_inside);
+    Annotation plan;
+    plan.kind = PlanAnnotation{};
+    plan.size = 0.9;
+    EXPECT_LT(fitted(plan, {100, 320}).scale, 1);
+    EXPECT_LE(fitted(plan, {100, 320}).box.size.x, 100);
 }
 
 TEST(PictureItems, Tip_IsWhereTheStickHits) {

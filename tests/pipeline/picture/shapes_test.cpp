@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/picture/build_shapes.h"
+#include "pipeline/picture/contact.h"
+#include "pipeline/picture/measured_way.h"
 #include "tests/pipeline/picture/drawn_scene.h"
 
 namespace carom::pipeline {
@@ -163,6 +165,103 @@ TEST(AngleShape, OfPointsWaysAndDeflections) {
     EXPECT_EQ(angle_text(Shapes(deflection)), 90);
     deflection.deflection = {"cue", "cushion"};
     EXPECT_TRUE(Shapes(deflection).at(0).empty());
+}
+
+/// The motion of two_balls(), with more events for "cue" after the contact at 0.5 s, after which it
+/// turns to -x at 0.7 s, 0.2 m below the contact.
+sim::Timeline with_cushion(const std::vector<sim::Event>& events) {
+    sim::Timeline timeline = two_balls();
+    const auto before = timeline.tracks[0].keys();
+    std::vector<sim::Key> keys(before.begin(), before.end());
+    sim::Key turn = keys.back();
+    turn.time = 0.7;
+    turn.position = {0, -0.2, kRadius};
+    turn.velocity_in = {0, -1, 0};
+    turn.velocity_out = {-1, 0, 0};
+    keys.insert(keys.end() - 1, turn);
+    keys.back().position = {-0.3, -0.2, kRadius};
+    keys.back().velocity_in = keys.back().velocity_out = {-1, 0, 0};
+    timeline.tracks[0] = sim::Track("cue", keys);
+    timeline.events.insert(timeline.events.end(), events.begin(), events.end());
+    return timeline;
+}
+
+sim::Event event(sim::EventKind kind, double time, const std::string& b = "") {
+    sim::Event result;
+    result.kind = kind;
+    result.time = time;
+    result.a = "cue";
+    result.b = b;
+    return result;
+}
+
+MeasuredWay way_of_cue(const std::vector<sim::Event>& events, const MeasuringTime& asked) {
+    const sim::Timeline timeline = with_cushion(events);
+    return measured_way(timeline, "cue", first_contact(timeline, "cue", "one").value(), "one",
+                        asked)
+        .value();
+}
+
+TEST(MeasuredWay, AskedTimeBeyondTheNextContact_IsJustBeforeIt) {
+    const MeasuredWay way =
+        way_of_cue({event(sim::EventKind::impact, 0.7, "cushion")}, {0.4, false});
+    EXPECT_TRUE(way.is_cut);
+    EXPECT_EQ(way.end, WayEnd::contact);
+    EXPECT_EQ(way.other, "cushion");
+    EXPECT_EQ(way.end_time, 0.7);
+    EXPECT_NEAR(way.measured, 0.7, 1e-5);
+    EXPECT_NEAR(way.direction->y, -1, 1e-6);
+    const MeasuredWay before =
+        way_of_cue({event(sim::EventKind::impact, 0.7, "cushion")}, {0.1, false});
+    EXPECT_FALSE(before.is_cut);
+    EXPECT_EQ(before.measured, 0.6);
+}
+
+TEST(MeasuredWay, Ends_AreTheNextThingsThatHappenToTheBall) {
+    using enum sim::EventKind;
+    const auto end_of = [](const sim::Event& next) {
+        return way_of_cue({next, event(impact, 0.9, "floor")}, {10, false}).end;
+    };
+    EXPECT_EQ(end_of(event(potted, 0.7, "pocket")), WayEnd::potted);
+    EXPECT_EQ(end_of(event(off_table, 0.7)), WayEnd::off_table);
+    EXPECT_EQ(end_of(event(resting, 0.7)), WayEnd::resting);
+    EXPECT_EQ(end_of(event(strike, 0.7)), WayEnd::moved);
+    EXPECT_EQ(end_of(event(removed, 0.7)), WayEnd::moved);
+    // The cloth and the same contact once more do not count.
+    EXPECT_EQ(way_of_cue({event(impact, 0.502, "one"), event(airborne, 0.51),
+                          event(impact, 0.52, "cloth"), event(rolling, 0.6)},
+                         {10, false})
+                  .end,
+              WayEnd::none);
+    EXPECT_EQ(way_of_cue({event(impact, 0.6, "one")}, {10, false}).end, WayEnd::contact);
+}
+
+TEST(MeasuredWay, Rolling_WaitsForIt) {
+    using enum sim::EventKind;
+    const MeasuredWay rolls = way_of_cue(
+        {event(sliding, 0.5), event(rolling, 0.65), event(impact, 0.7, "cushion")}, {0, true});
+    EXPECT_FALSE(rolls.is_cut);
+    EXPECT_TRUE(rolls.is_rolling);
+    EXPECT_EQ(rolls.measured, 0.65);
+    const MeasuredWay late = way_of_cue(
+        {event(sliding, 0.5), event(impact, 0.7, "cushion"), event(rolling, 0.8)}, {0, true});
+    EXPECT_TRUE(late.is_cut);
+    EXPECT_FALSE(late.is_rolling);
+    EXPECT_NEAR(late.measured, 0.7, 1e-5);
+}
+
+TEST(AngleShape, Legs_EndWhereTheBallNextTouchesSomething) {
+    AngleAnnotation angle;
+    angle.deflection = {"cue", "one"};
+    angle.after.seconds = 0.4;
+    angle.radius = 0.5;
+    Shapes shapes(angle);
+    shapes.timeline = with_cushion({event(sim::EventKind::impact, 0.7, "cushion")});
+    EXPECT_EQ(angle_text(shapes), 90) << "not the way after the cushion";
+    const SceneLine leg = shapes.line_at(0);
+    EXPECT_NEAR((leg.points[1] - Vec3(0, -0.2, kRadius)).length(), 0, 1e-4);
+    const auto arc = std::get<SceneLine>(shapes.at(0).at(2));
+    EXPECT_NEAR((arc.points.front() - leg.points[0]).length(), 0.2 / 1.12, 1e-4);
 }
 
 TEST(ZoneShape, Circle_FollowsABall) {

@@ -100,7 +100,8 @@ TEST(AnnotationMessages, TimesAreOnTheClockOfTheAnnotation) {
     EXPECT_FALSE(all.at(0).to);
     EXPECT_FALSE(all.at(1).from->is_scene_time);
     EXPECT_EQ(all.at(1).from->time, 2);
-    EXPECT_TRUE(all.at(1).to->is_scene_time);
+    EXPECT_FALSE(all.at(1).to->is_scene_time);
+    EXPECT_TRUE(all.at(1).to->moment) << "of the scene, which the film shows at its time";
 }
 
 TEST(AnnotationMessages, HaveTheirBoxIfTheyAreOnThePicture) {

@@ -12,14 +12,20 @@ import { timeChange } from './map_handles';
 
 const kLongest = 3600; // s
 
+/// Whether it is a time of the scene; also that of a moment, which the film shows some time.
+function isOfScene(end: AnnotationEnd): boolean {
+    return end.is_scene_time || end.moment !== undefined;
+}
+
 /// The least and the largest time of an end, so that it stays before or after the other one.
 function limits(annotation: ShotAnnotation, key: 'from' | 'to', step: number): [number, number] {
     const own = annotation[key];
     const other = annotation[key === 'from' ? 'to' : 'from'];
-    if (!own || other?.is_scene_time !== own.is_scene_time) {
+    if (!own || !other || isOfScene(other) !== isOfScene(own)) {
         return [0, kLongest];
     }
-    return key === 'from' ? [0, Math.max(0, other.time - step)] : [other.time + step, kLongest];
+    const time = other.moment ?? other.time;
+    return key === 'from' ? [0, Math.max(0, time - step)] : [time + step, kLongest];
 }
 
 function sceneHandle(
@@ -66,7 +72,9 @@ export function annotationHandles(layout: Layout, shot: ShotState, index: number
     const annotation = shot.annotations[index];
     return annotation ? (['from', 'to'] as const).flatMap((key) => {
         const end = annotation[key];
-        return !end ? [] : [end.is_scene_time ? sceneHandle(layout, annotation, key, end)
+        // A moment is dragged where it is in the scene, whenever the film first shows it.
+        return !end ? [] : [isOfScene(end)
+            ? sceneHandle(layout, annotation, key, { ...end, time: end.moment ?? end.time })
             : filmHandle(layout, annotation, key, end, shot.film.fps)];
     }) : [];
 }
