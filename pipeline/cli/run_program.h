@@ -22,6 +22,12 @@ class InputError : public Error {
     using Error::Error;
 };
 
+/// Nobody reads standard output any more ("carom report … | head -1"): the command ends silently.
+class OutputClosed : public Error {
+  public:
+    OutputClosed() : Error("standard output is closed") {}
+};
+
 /// The environment of a command's handler. Handlers return after success and throw otherwise.
 struct CommandContext {
     Console& console;
