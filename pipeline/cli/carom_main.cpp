@@ -71,6 +71,7 @@ std::optional<int> run_hidden_command(const std::vector<std::string>& words) {
 
 int main(int argument_count, char** arguments) {
     reserve_standard_descriptors();
+    let_too_large_files_fail();
     const std::vector<std::string> words(arguments + 1, arguments + argument_count);
     if (const std::optional<int> exit_code = run_hidden_command(words)) {
         return *exit_code;

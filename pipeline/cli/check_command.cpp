@@ -41,15 +41,10 @@ std::optional<sim::Bake> check_motion(ShotInput& input, const CheckCommand& comm
     add(pipeline::simulation_problems(bake->timeline, input.source.get()));
     add(pipeline::stick_problems(input.shot, input.source.get(), bake->timeline));
     // A moment that never comes is an error of commands that film it.
-    std::vector<Problem> moments =
-        pipeline::resolve_moments(input.shot, input.source, bake->timeline);
-    for (Problem& problem : moments) {
-        problem.severity = pipeline::Severity::warning;
-    }
-    add(std::move(moments));
+    add(pipeline::resolve_known_moments(input.shot, input.source, bake->timeline));
     add(pipeline::cloth_problems(input.shot, input.source.get(), bake->timeline));
-    if (!pipeline::has_open_moments(input.shot)) {
-        add(pipeline::camera_problems(input.shot, input.source.get(), bake->timeline));
+    add(pipeline::camera_problems(input.shot, input.source.get(), bake->timeline));
+    if (!pipeline::has_open_moments(input.shot)) {  // else a part of the film is missing
         add(pipeline::sound_problems(input.shot, input.source.get(), bake->timeline));
     }
     add(pipeline::annotation_problems(input.shot, input.source.get(), bake->timeline));
@@ -195,16 +190,13 @@ std::string json_of(const std::vector<Problem>& problems) {
 }  // namespace
 
 void run(const CheckCommand& command, CommandContext& context) {
-    if (command.input.path == "-" && !command.quick && context.text_problems == nullptr) {
-        throw NeedsProgram("carom-film");  // before the pipe is read
-    }
-    const std::vector<Problem> problems = pipeline::is_sequence_file(command.input.path)
+    const std::vector<Problem> problems = is_sequence(command.input)
                                               ? problems_of_sequence(command, context)
                                               : problems_of_shot(command, context);
     if (command.json) {
         print_text(json_of(problems));
     } else {
-        report_problems(problems, context.console);
+        report_problems(problems, context.console, true);
     }
     const std::string& path = command.input.path;
     if (pipeline::has_errors(problems)) {

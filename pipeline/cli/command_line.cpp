@@ -2,7 +2,9 @@
 // compile.
 #include "pipeline/cli/command_line.h"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <limits>
 
 #include <CLI/CLI.hpp>
@@ -162,8 +164,12 @@ std::variant<CommandLine, EarlyExit> parse_command_line(const std::vector<std::s
 int print(const EarlyExit& early_exit) {
     std::fputs(early_exit.err.c_str(), stderr);
     std::fputs(early_exit.out.c_str(), stdout);
-    const bool is_written = std::fflush(stdout) == 0;
-    return is_written ? early_exit.exit_code : kFailed;
+    if (std::fflush(stdout) != 0) {
+        std::fprintf(stderr, "carom: error: cannot write to standard output: %s\n",
+                     std::strerror(errno));
+        return kFailed;
+    }
+    return early_exit.exit_code;
 }
 
 }  // namespace carom::cli

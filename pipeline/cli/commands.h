@@ -6,6 +6,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -30,6 +32,8 @@ struct InputOptions {
     std::string quality;                 // "draft", "preview", "final"; empty: the shot's own
     std::string camera_file;             // with the cameras to use; empty: the shot's own
     std::string root;  // the folder in which all files of the shot must lie; empty: anywhere
+    /// What was read from standard input (standard_input.h), by its path; else null.
+    std::shared_ptr<const std::map<std::string, std::string>> texts = {};
 };
 
 struct CacheOptions {
@@ -199,6 +203,8 @@ struct ExportCommand {
     std::string events;          // a table of events; empty: none
     std::string contacts;        // a table of lasting contacts; empty: none
     std::optional<double> rate;  // Hz; empty: the keys of each track
+    std::string only;            // comma-separated parts of a .json; empty: all
+    std::string without;         // comma-separated parts
 };
 void describe(ExportCommand& command, CommandDescription& description);
 void run(const ExportCommand& command, CommandContext& context);
@@ -208,7 +214,15 @@ struct ReportCommand {
     CacheOptions cache;
     std::string output;  // empty: standard output, or with `plot` none
     bool json = false;
-    std::string plot;  // a drawing, .svg or .png; empty: none
+    // What is wanted of it; all but the last as typed.
+    std::string only;     // comma-separated words
+    std::string without;  // comma-separated words
+    std::vector<std::string> objects;
+    std::string from;  // scene times
+    std::string to;
+    std::string min_impulse;    // "0.01 N s"
+    bool every_impact = false;  // not one line for many of the same two
+    std::string plot;           // a drawing, .svg or .png; empty: none
     DrawingOptions drawing;
 };
 void describe(ReportCommand& command, CommandDescription& description);

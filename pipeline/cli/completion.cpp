@@ -61,7 +61,9 @@ config::Node shot_tree(const Position& position) {
         return {};
     }
     const std::string& path = position.arguments.front();
-    if (is_bake_file(path)) {
+    InputOptions input;
+    input.path = path;
+    if (is_bake(input)) {
         return config::readable_tree(sim::read_bake(path).shot_text, path);
     }
     std::string text;

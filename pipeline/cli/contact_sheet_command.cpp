@@ -37,7 +37,7 @@ std::string facts_of(const Shot& shot, std::int64_t frames) {
 }  // namespace
 
 void run(const ContactSheetCommand& command, CommandContext& context) {
-    if (pipeline::is_sequence_file(command.input.path)) {
+    if (is_sequence(command.input)) {
         return write_sequence_sheet(command, context);
     }
     InputOptions options = command.input;

@@ -1,13 +1,18 @@
+#include <algorithm>
 #include <filesystem>
+
+#include <fmt/core.h>
 
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/output_file.h"
+#include "pipeline/cli/report_filter.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/export/scene_glb.h"
 #include "pipeline/export/scene_usda.h"
 #include "pipeline/export/timeline_csv.h"
 #include "pipeline/export/timeline_json.h"
+#include "pipeline/sequence/load_sequence.h"
 
 namespace carom::cli {
 
@@ -39,11 +44,12 @@ struct Source {
 };
 
 Source read_source(const ExportCommand& command, bool shot_wanted, CommandContext& context) {
-    if (!shot_wanted && is_bake_file(command.input.path)) {
-        return {std::nullopt, read_timeline_of_bake(command.input.path, context.console)};
+    if (!shot_wanted && is_bake(command.input)) {
+        return {std::nullopt, read_timeline_of_bake(command.input, context.console)};
     }
-    ShotInput input = read_shot_input(command.input, context.console);
-    sim::Timeline timeline = obtain_bake(input, command.input, command.cache, context).timeline;
+    ShotInput input = read_shot_input(command.input, context.console, Subject::motion);
+    sim::Timeline timeline =
+        obtain_bake(input, command.input, command.cache, context, Subject::motion).timeline;
     return {std::move(input.shot), std::move(timeline)};
 }
 
@@ -54,23 +60,57 @@ void check_different(const std::string& path, const std::string& other, const ch
     }
 }
 
-std::string tracks_text(const Source& source, Format format, std::optional<double> rate,
-                        const std::string& path) {
+/// Throws InputError if a word names no part.
+pipeline::JsonParts json_parts(const ExportCommand& command) {
+    std::vector<std::string> names;
+    for (const pipeline::JsonPart& part : pipeline::kJsonParts) {
+        names.emplace_back(part.name);
+    }
+    const std::vector<std::string> only = words_of("--only", command.only, names);
+    const std::vector<std::string> without = words_of("--without", command.without, names);
+    const auto has = [](const std::vector<std::string>& words, const char* name) {
+        return std::ranges::find(words, name) != words.end();
+    };
+    pipeline::JsonParts parts;
+    for (const pipeline::JsonPart& part : pipeline::kJsonParts) {
+        parts.*part.wanted = (only.empty() || has(only, part.name)) && !has(without, part.name);
+    }
+    parts.objects = parts.objects || (parts.meshes && has(only, "meshes"));
+    return parts;
+}
+
+std::string tracks_text(const Source& source, Format format, const ExportCommand& command,
+                        const pipeline::JsonParts& parts, const std::string& path) {
     const sim::Timeline& timeline = source.timeline;
     if (format == Format::csv) {
-        return rate ? pipeline::samples_to_csv(timeline, *rate) : pipeline::keys_to_csv(timeline);
+        return command.rate ? pipeline::samples_to_csv(timeline, *command.rate)
+                            : pipeline::keys_to_csv(timeline);
     }
     const pipeline::ExportScene scene = pipeline::export_scene(*source.shot, timeline);
     const std::string folder = std::filesystem::path(path).parent_path().string();
     return format == Format::json
-               ? pipeline::timeline_json(*source.shot, timeline, scene, rate, folder)
+               ? pipeline::timeline_json(*source.shot, timeline, scene, command.rate, folder, parts)
            : format == Format::glb ? pipeline::scene_to_glb(scene)
                                    : pipeline::scene_to_usda(scene, folder);
+}
+
+/// Says of what a large file consists, if nothing was left out.
+void advise_on_size(const ExportCommand& command, const std::string& text, Console& console) {
+    constexpr std::size_t kLarge = 1'000'000;  // bytes
+    if (text.size() > kLarge && command.only.empty() && command.without.empty()) {
+        console.info(fmt::format(
+            "'{}' has {:.1f} MB; --without meshes,energy or --only tracks,events leave parts out",
+            command.output, static_cast<double>(text.size()) / 1e6));
+    }
 }
 
 }  // namespace
 
 void run(const ExportCommand& command, CommandContext& context) {
+    if (is_sequence(command.input)) {
+        throw InputError("'" + command.input.path +
+                         "' is a film of several shots; export one of those that it names");
+    }
     // With --events or --contacts and without -o only those tables are written.
     const bool tracks_wanted =
         !command.output.empty() || (command.events.empty() && command.contacts.empty());
@@ -85,13 +125,21 @@ void run(const ExportCommand& command, CommandContext& context) {
         }
         check_output_folder(path);
     }
+    if (format != Format::json && !(command.only.empty() && command.without.empty())) {
+        throw InputError("--only and --without leave out parts of a .json");
+    }
+    const pipeline::JsonParts parts = json_parts(command);
     check_different(command.events, command.contacts, "the events and the lasting contacts");
     check_output_folder(command.events);
     check_output_folder(command.contacts);
 
     const Source source = read_source(command, format != Format::csv, context);
     if (tracks_wanted) {
-        write_text_output(path, tracks_text(source, format, command.rate, path));
+        const std::string text = tracks_text(source, format, command, parts, path);
+        write_text_output(path, text);
+        if (format == Format::json) {
+            advise_on_size(command, text, context.console);
+        }
     }
     if (!command.events.empty()) {
         write_text_output(command.events, pipeline::events_to_csv(source.timeline));

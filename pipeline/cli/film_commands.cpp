@@ -166,7 +166,7 @@ std::string numbered_extension(std::int64_t frame) {
 }  // namespace
 
 void run(const RenderCommand& command, CommandContext& context) {
-    if (pipeline::is_sequence_file(command.input.path)) {
+    if (is_sequence(command.input)) {
         return render_sequence(command, context);
     }
     const auto begin = std::chrono::steady_clock::now();
@@ -229,7 +229,7 @@ void film_shot(ShotInput input, const std::string& path, const RenderCommand& co
 }
 
 void run(const MuxCommand& command, CommandContext& context) {
-    if (pipeline::is_sequence_file(command.input.path)) {
+    if (is_sequence(command.input)) {
         return mux_sequence(command, context);
     }
     ShotInput input = read_shot_input(command.input, context.console);
@@ -255,7 +255,7 @@ void run(const MuxCommand& command, CommandContext& context) {
 }
 
 void run(const FrameCommand& command, CommandContext& context) {
-    if (pipeline::is_sequence_file(command.input.path)) {
+    if (is_sequence(command.input)) {
         return write_sequence_frame(command, context);
     }
     const ChosenTier tier(command.tier);

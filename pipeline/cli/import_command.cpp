@@ -97,7 +97,7 @@ void run(const ImportCommand& command, CommandContext& context) {
     options.force_time = command.force_time;
     const pipeline::ImportResult result =
         pipeline::import_scene_file(command.scene, folder, options);
-    report_problems(result.problems, context.console);
+    report_problems(result.problems, context.console, true);
     if (result.yaml.empty()) {
         throw InputError("'" + command.scene + "' has " + count_text(result.problems));
     }
@@ -106,7 +106,7 @@ void run(const ImportCommand& command, CommandContext& context) {
     // The imported shot is checked like by 'carom check'.
     const pipeline::LoadResult shot =
         pipeline::load_shot_text(result.yaml, to_stdout ? folder + "/shot.yaml" : path);
-    report_problems(shot.problems, context.console);
+    report_problems(shot.problems, context.console, true);
     if (!shot.shot) {
         throw InputError("the imported shot has " + count_text(shot.problems) +
                          "; correct the scene or the shot");

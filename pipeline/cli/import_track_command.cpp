@@ -60,7 +60,7 @@ void run(const ImportTrackCommand& command, CommandContext& context) {
         options.error = parse_length(command.error);
     }
     const pipeline::ImportTrackResult result = pipeline::import_track_file(command.table, options);
-    report_problems(result.problems, context.console);
+    report_problems(result.problems, context.console, true);
     if (result.yaml.empty()) {
         throw InputError("'" + command.table + "' has " + count_text(result.problems));
     }

@@ -44,6 +44,27 @@ std::string world_lines(const Shot& shot) {
                             shot.scene.materials.size(), shot.scene.lights.size()));
 }
 
+/// Whether the camera needs a moment whose time is not known.
+bool is_open(const Shot& shot, std::size_t camera) {
+    const std::string path = fmt::format("cameras[{}].", camera);
+    return std::ranges::any_of(shot.moments, [&](const pipeline::ShotMoment& moment) {
+        return !moment.time && moment.key_path.starts_with(path);
+    });
+}
+
+std::string camera_text(const Shot& shot, std::size_t camera) {
+    const pipeline::CameraRig& rig = shot.cameras[camera];
+    const std::string film =
+        rig.name + fmt::format(": {:.6g} s to {:.6g} s of the film, shows ",
+                               rig.video_start.to_double(), rig.video_end.to_double());
+    if (is_open(shot, camera)) {
+        return film + "scene times that are not known";
+    }
+    const pipeline::SceneTimeRange shown = pipeline::shown_scene_times(rig);
+    return film +
+           fmt::format("{:.6g} s to {:.6g} s", shown.first.to_double(), shown.last.to_double());
+}
+
 std::string film_lines(const Shot& shot, std::uint64_t memory) {
     const std::int64_t frames = pipeline::frame_count(shot.cameras, shot.timing);
     const double fps = shot.timing.fps.to_double();
@@ -56,13 +77,8 @@ std::string film_lines(const Shot& shot, std::uint64_t memory) {
                  pipeline::default_extension(shot.output));
     text +=
         line("memory", "about " + pipeline::memory_text(memory) + " to render and encode the film");
-    for (const pipeline::CameraRig& rig : shot.cameras) {
-        const pipeline::SceneTimeRange shown = pipeline::shown_scene_times(rig);
-        text += line(
-            &rig == &shot.cameras.front() ? "cameras" : "",
-            rig.name + fmt::format(": {:.6g} s to {:.6g} s of the film, shows {:.6g} s to {:.6g} s",
-                                   rig.video_start.to_double(), rig.video_end.to_double(),
-                                   shown.first.to_double(), shown.last.to_double()));
+    for (std::size_t i = 0; i < shot.cameras.size(); ++i) {
+        text += line(i == 0 ? "cameras" : "", camera_text(shot, i));
     }
     return text;
 }
@@ -104,7 +120,7 @@ std::string summary(const ShotInput& input, Console& console) {
            world_lines(input.shot) + file_lines(input.shot, *input.source);
 }
 
-/// Gives the moments their times. What is not known is shown as it is written.
+/// Gives the moments their times, as far as they are known.
 void know_moments(ShotInput& input, CommandContext& context) {
     if (!pipeline::has_open_moments(input.shot)) {
         return;
@@ -116,29 +132,38 @@ void know_moments(ShotInput& input, CommandContext& context) {
             "long; run 'carom bake' first");
         return;
     }
-    std::vector<pipeline::Problem> problems =
-        pipeline::resolve_moments(input.shot, input.source, bake->timeline);
-    for (pipeline::Problem& problem : problems) {
-        problem.severity = pipeline::Severity::warning;
+    // With all cameras, since those that cannot be filmed are a part of the film, too.
+    std::vector<pipeline::CameraRig> cameras = input.shot.cameras;
+    report_problems(pipeline::resolve_known_moments(input.shot, input.source, bake->timeline),
+                    context.console);
+    for (pipeline::CameraRig& camera : cameras) {
+        const auto known =
+            std::ranges::find(input.shot.cameras, camera.name, &pipeline::CameraRig::name);
+        if (known != input.shot.cameras.end()) {
+            camera = std::move(*known);
+        }
     }
-    report_problems(problems, context.console);
+    input.shot.cameras = std::move(cameras);
 }
 
 }  // namespace
 
 void run(const InfoCommand& command, CommandContext& context) {
-    if (pipeline::is_sequence_file(command.input.path)) {
+    if (is_sequence(command.input)) {
         return inform_about_sequence(command, context);
     }
     check_output_folder(command.output);
     ShotInput input = read_shot_input(command.input, context.console);
     if (input.bake) {
         report_problems(pipeline::simulation_problems(input.bake->timeline, input.source.get()),
-                        context.console);
+                        context.console, true);
     }
+    const auto written = input.source;
     know_moments(input, context);
-    const std::string text = command.resolved ? pipeline::explained_yaml(*input.source, input.shot)
-                                              : summary(input, context.console);
+    const bool is_known = !pipeline::has_open_moments(input.shot);
+    const std::string text =
+        command.resolved ? pipeline::explained_yaml(is_known ? *input.source : *written, input.shot)
+                         : summary(input, context.console);
     write_text_output(command.output.empty() ? "-" : command.output, text);
 }
 

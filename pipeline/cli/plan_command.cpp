@@ -10,14 +10,14 @@
 namespace carom::cli {
 
 void run(const PlanCommand& command, CommandContext& context) {
-    if (pipeline::is_sequence_file(command.input.path)) {
+    if (is_sequence(command.input)) {
         return plan_sequence(command, context);
     }
     const std::string path = output_or_default(command.output, command.input.path, ".svg");
     check_drawing_path(path, "a plan");
     ShotInput input = read_shot_input(command.input, context.console);
     const sim::Timeline timeline =
-        obtain_bake(input, command.input, command.cache, context).timeline;
+        obtain_bake(input, command.input, command.cache, context, Subject::plan).timeline;
     write_drawing(
         {path, command.drawing.width},
         pipeline::plan_svg(input.shot, timeline,

@@ -36,7 +36,10 @@ void add_common_options(CommandDescription& description, ProgramOptions& options
     if (!description.commands.empty()) {
         return;
     }
-    description.flag("-q,--quiet", options.quiet, "Print only errors and warnings.");
+    description.flag("-q,--quiet", options.quiet,
+                     "Print only errors, and warnings of the simulation, such as of a strike that "
+                     "misses: no progress, no notes and no other warnings about the shot, which "
+                     "'carom check' lists.");
     description
         .option("--log", &options.log, "FORMAT",
                 "The format of messages: text (the default), or json with one object per line.")

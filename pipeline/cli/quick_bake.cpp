@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "pipeline/job/film_job.h"
+#include "pipeline/store/cache_folder.h"
 #include "sim/bake.h"
 
 namespace carom::cli {
@@ -30,7 +31,8 @@ std::optional<sim::Bake> quick_bake(ShotInput& input, const std::string& cache,
         pipeline::add_keyed_motions(*input.bake, input.shot);
         return std::move(input.bake);
     }
-    std::optional<sim::Bake> cached = pipeline::find_cached_bake(input.shot, cache, {});
+    std::optional<sim::Bake> cached =
+        pipeline::find_cached_bake(input.shot, pipeline::readable_cache_folder(cache), {});
     return cached ? std::move(cached) : simulate(input.shot, context.stop);
 }
 

@@ -1,5 +1,6 @@
 #include "pipeline/cli/report_json.h"
 
+#include <limits>
 #include <vector>
 
 #include "core/json_text.h"
@@ -34,8 +35,7 @@ void add_motion(JsonMembers& members, const std::string& which,
     }
 }
 
-/// `heard_at` is nullptr if it is not known when the event is heard.
-std::string event_object(const pipeline::ReportedEvent& row, const std::vector<double>* heard_at) {
+std::string event_object(const pipeline::ReportedEvent& row) {
     const sim::Event& event = row.event;
     JsonMembers members;
     members.add("time", event.time).add("kind", to_string(event.kind)).add("a", event.a);
@@ -62,10 +62,8 @@ std::string event_object(const pipeline::ReportedEvent& row, const std::vector<d
     if (event.vector != Vec3(0, 0, 0)) {
         members.add("vector", {event.vector.x, event.vector.y, event.vector.z});
     }
-    const bool may_sound =
-        event.kind == sim::EventKind::impact || event.kind == sim::EventKind::strike;
-    if (heard_at != nullptr && may_sound) {
-        members.add("heard_at", *heard_at);
+    if (row.heard_at) {
+        members.add("heard_at", *row.heard_at);
     }
     return members.object();
 }
@@ -126,7 +124,11 @@ std::string sample_object(const sim::EnergySample& sample) {
 }
 
 std::string moment_object(const pipeline::ReportedMoment& moment) {
-    return JsonMembers().add("key", moment.key_path).add("time", moment.time).object();
+    const double never = std::numeric_limits<double>::quiet_NaN();  // null
+    return JsonMembers()
+        .add("key", moment.key_path)
+        .add("time", moment.time.value_or(never))
+        .object();
 }
 
 template <typename Item, typename Write>
@@ -141,21 +143,21 @@ std::string array_of(const std::vector<Item>& items, Write write) {
 
 }  // namespace
 
-std::string report_json(const pipeline::ShotReport& report,
-                        const std::vector<std::vector<double>>& heard_at) {
-    std::vector<std::string> events;
-    for (std::size_t i = 0; i < report.events.size(); ++i) {
-        events.push_back(event_object(report.events[i], heard_at.empty() ? nullptr : &heard_at[i]));
-    }
-    const JsonMembers numbers = JsonMembers()
-                                    .add("start_time", report.start_time)
-                                    .add("end_time", report.end_time)
-                                    .add("largest_energy_rise", report.largest_energy_rise);
-    return "{" + numbers.text() + ",\n\"events\":" + array(events) +
-           ",\n\"objects\":" + array_of(report.objects, object_object) +
-           ",\n\"moments\":" + array_of(report.moments, moment_object) +
-           ",\n\"energy\":" + array_of(report.energy, energy_object) +
-           ",\n\"energy_over_time\":" + array_of(report.energy_samples, sample_object) + "}\n";
+std::string report_json(const pipeline::ShotReport& report, const pipeline::ReportParts& parts) {
+    std::string text = "{" + JsonMembers()
+                                 .add("start_time", report.start_time)
+                                 .add("end_time", report.end_time)
+                                 .add("largest_energy_rise", report.largest_energy_rise)
+                                 .text();
+    const auto add = [&text](bool is_shown, const char* name, const auto& items, auto write) {
+        text += is_shown ? ",\n\"" + std::string(name) + "\":" + array_of(items, write) : "";
+    };
+    add(parts.events, "events", report.events, event_object);
+    add(parts.objects, "objects", report.objects, object_object);
+    add(parts.moments, "moments", report.moments, moment_object);
+    add(parts.energy, "energy", report.energy, energy_object);
+    add(parts.energy_over_time, "energy_over_time", report.energy_samples, sample_object);
+    return text + "}\n";
 }
 
 }  // namespace carom::cli

@@ -8,29 +8,14 @@
 #include <vector>
 
 #include "pipeline/cli/moment_text.h"
+#include "pipeline/cli/quantity_option.h"
 #include "pipeline/cli/run_program.h"
-#include "pipeline/config/number_types.h"
 
 namespace carom::cli {
 
 namespace {
 
-namespace config = pipeline::config;
 using pipeline::Rational;
-
-/// The exact value of an option: a plain number, or one with a unit of the dimension `exponents`.
-/// Throws an InputError that says what was `expected`.
-Rational parse_value(std::string_view text, const config::Exponents& exponents,
-                     const std::string& expected) {
-    const auto parsed = config::parse_quantity(text);
-    const auto* quantity = std::get_if<config::Quantity>(&parsed);
-    constexpr double kLargest = 1e6;
-    if (quantity == nullptr || (quantity->has_unit && !(quantity->exponents == exponents)) ||
-        !(quantity->value >= -kLargest && quantity->value <= kLargest)) {
-        throw InputError("'" + std::string(text) + "' is not " + expected);
-    }
-    return config::to_rational(*quantity);
-}
 
 Rational parse_time(std::string_view text) {
     return parse_value(text, {0, 0, 1, 0}, "a time; write 1.25s or 500ms");
@@ -68,7 +53,8 @@ std::vector<pipeline::SpeedKey> parse_ramp(std::string_view text) {
     return ramp;
 }
 
-/// The scene time of an option; empty if it is not given.
+}  // namespace
+
 std::optional<Rational> scene_time_of(const std::string& option, const std::string& text,
                                       const ShotInput& input) {
     if (text.empty()) {
@@ -79,8 +65,6 @@ std::optional<Rational> scene_time_of(const std::string& option, const std::stri
     }
     return Rational::nearest(time_of_moment(option, text, input));
 }
-
-}  // namespace
 
 pipeline::RetimeOptions parse_retime(const RetimeWords& words) {
     pipeline::RetimeOptions options;

@@ -16,6 +16,12 @@ namespace carom::cli {
 /// Whether one of the words is a moment, for which the motion of the shot has to be known.
 [[nodiscard]] bool names_moments(const RetimeWords& words);
 
+/// The scene time of an option: a number, or a moment, for which the motion of the input has to be
+/// known. Empty if it is not given. Throws InputError.
+[[nodiscard]] std::optional<pipeline::Rational> scene_time_of(const std::string& option,
+                                                              const std::string& text,
+                                                              const ShotInput& input);
+
 /// Gives the input's shot the cameras of the new film. If names_moments, its motion has to be known
 /// (know_motion). Throws InputError.
 void retime(const RetimeWords& words, pipeline::RetimeOptions options, ShotInput& input);

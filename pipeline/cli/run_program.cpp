@@ -10,6 +10,8 @@
 
 #include "core/printable.h"
 #include "core/write_all.h"
+#include "pipeline/cli/output_file.h"
+#include "pipeline/cli/standard_input.h"
 #include "pipeline/cli/terminal/interrupts.h"
 #include "pipeline/store/cache_folder.h"
 
@@ -59,6 +61,7 @@ ExitCode run_guarded(const Command& command, const CommandHandler& handler,
                      CommandContext& context) {
     Console& console = context.console;
     try {
+        check_not_input(command);
         handler(command, context);
         return kDone;
     } catch (const Stopped&) {
@@ -69,6 +72,8 @@ ExitCode run_guarded(const Command& command, const CommandHandler& handler,
         console.end_progress();
         console.error(error.what());
         return kWrongUsage;
+    } catch (const OutputClosed&) {
+        console.end_progress();
     } catch (const pipeline::CacheUnusable& error) {
         console.end_progress();
         console.error(std::string(error.what()) + (can_do_without_a_store(command)
@@ -95,6 +100,14 @@ ExitCode run_guarded(const Command& command, const CommandHandler& handler,
 
 ExitCode run_command(const CommandLine& line, const CommandHandler& handler) {
     Console console(console_on_stderr(line.logging.json, line.logging.quiet));
+    Command command = line.command;
+    try {
+        // Before signals are handled, so that Ctrl-C ends the wait for input.
+        take_standard_input(command);
+    } catch (const Error& error) {
+        console.error(error.what());
+        return kWrongUsage;
+    }
     std::optional<Interrupts> interrupts;
     try {
         interrupts.emplace(
@@ -104,11 +117,14 @@ ExitCode run_command(const CommandLine& line, const CommandHandler& handler) {
         return kFailed;
     }
     CommandContext context{console, interrupts->token()};
-    return run_guarded(line.command, handler, context);
+    return run_guarded(command, handler, context);
 }
 
 void print_text(const std::string& text) {
     if (!write_all(STDOUT_FILENO, std::as_bytes(std::span(text)))) {
+        if (errno == EPIPE) {
+            throw OutputClosed();
+        }
         throw Error("cannot write to standard output: " + std::generic_category().message(errno));
     }
 }

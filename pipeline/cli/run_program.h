@@ -32,6 +32,12 @@ using FindTextProblems = std::vector<pipeline::Problem> (*)(const pipeline::Shot
                                                             const pipeline::ShotSource*,
                                                             const sim::Timeline&);
 
+/// Nobody reads standard output any more ("carom report … | head -1"): the command ends silently.
+class OutputClosed : public Error {
+  public:
+    OutputClosed() : Error("standard output is closed") {}
+};
+
 /// The environment of a command's handler. Handlers return after success and throw otherwise.
 struct CommandContext {
     Console& console;

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include <fmt/core.h>
 
+#include "pipeline/camera/shown_frame.h"
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/chosen_tier.h"
 #include "pipeline/cli/film_input.h"
@@ -151,19 +153,69 @@ void mux_sequence(const MuxCommand& command, CommandContext& context) {
     print_path(path);
 }
 
-void write_sequence_frame(const FrameCommand& command, CommandContext& context) {
-    const ChosenTier tier(command.tier);
-    Sequence sequence = read_sequence_input(command.input, context.console);
-    if (is_moment_text(command.at)) {
-        throw InputError("--at takes a moment of one shot; for a film of several give a time");
+namespace {
+
+/// The frame of the film that first shows the moment in the part; empty if it does not. Throws
+/// InputError if the moment never comes.
+std::optional<std::int64_t> frame_in_part(const std::string& text, Sequence& sequence,
+                                          std::size_t index, const sim::Bake& bake) {
+    auto& part = std::get<ShotPart>(sequence.parts[index].content);
+    ShotInput input = input_of(part);
+    input.bake = bake;
+    std::optional<std::int64_t> frame;
+    try {
+        const double time = time_of_moment("--at", text, input);
+        frame = pipeline::first_frame_showing(time, input.shot.cameras, input.shot.timing);
+    } catch (const InputError&) {
+        take_back(std::move(input), part);
+        throw;
     }
-    const std::int64_t frame = command.at.empty()
-                                   ? command.frame.value_or(0)
+    take_back(std::move(input), part);
+    const bool is_shown =
+        frame && *frame >= part.first && *frame < part.first + sequence.parts[index].frames;
+    return is_shown ? std::optional(sequence.starts()[index] + *frame - part.first) : std::nullopt;
+}
+
+/// The first frame that shows the moment, in the first part that does.
+std::int64_t frame_at_moment(const std::string& text, Sequence& sequence,
+                             const SequenceBakes& bakes) {
+    std::string reason = "--at " + text + ": the film does not show that moment";
+    for (const auto& [index, bake] : bakes) {
+        try {
+            if (const auto frame = frame_in_part(text, sequence, index, bake)) {
+                return *frame;
+            }
+        } catch (const InputError& error) {  // the shots have different balls
+            reason = error.what();
+        }
+    }
+    throw InputError(reason);
+}
+
+std::int64_t chosen_frame(const FrameCommand& command, Sequence& sequence,
+                          const SequenceBakes& bakes) {
+    const std::int64_t frame =
+        is_moment_text(command.at) ? frame_at_moment(command.at, sequence, bakes)
+        : command.at.empty()       ? command.frame.value_or(0)
                                    : frame_shown_at(parse_seconds(command.at), sequence.fps);
     if (frame < 0 || frame >= sequence.frames()) {
         throw InputError(fmt::format("frame {} is outside the film, which has the frames 0 to {}",
                                      frame, sequence.frames() - 1));
     }
+    return frame;
+}
+
+}  // namespace
+
+void write_sequence_frame(const FrameCommand& command, CommandContext& context) {
+    const ChosenTier tier(command.tier);
+    Sequence sequence = read_sequence_input(command.input, context.console);
+    SequenceBakes bakes;
+    const bool is_moment = is_moment_text(command.at);
+    if (is_moment) {
+        bakes = obtain_bakes(sequence, command.cache, context);
+    }
+    const std::int64_t frame = chosen_frame(command, sequence, bakes);
     const std::string path =
         output_or_default(command.output, command.input.path, fmt::format(".{:04}.png", frame));
     check_sheet_path(path, "a frame of several shots");
@@ -171,7 +223,9 @@ void write_sequence_frame(const FrameCommand& command, CommandContext& context) 
     pipeline::FilmJobOptions options = job_options(command.cache, {}, {});
     options.threads = command.threads;
     options.factory = context.factory;
-    const SequenceBakes bakes = obtain_bakes(sequence, command.cache, context);
+    if (!is_moment) {
+        bakes = obtain_bakes(sequence, command.cache, context);
+    }
     warn_of_no_store(command.cache, context.console);
     pipeline::for_each_frame(
         sequence, bakes, {frame}, options, make_console_observer(context.console, 1),

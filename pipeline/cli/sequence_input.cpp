@@ -26,9 +26,12 @@ pipeline::SequenceResult load_sequence_input(const InputOptions& input,
         throw InputError("--camera replaces the cameras of one shot, but '" + input.path +
                          "' is a film of several");
     }
-    return pipeline::load_sequence(
-        input.path, {.overrides = input.overrides, .quality = input.quality, .root = input.root},
-        folder_of_shots);
+    return pipeline::load_sequence(input.path,
+                                   {.overrides = input.overrides,
+                                    .quality = input.quality,
+                                    .root = input.root,
+                                    .texts = input.texts.get()},
+                                   folder_of_shots);
 }
 
 Sequence read_sequence_input(const InputOptions& input, Console& console,
@@ -118,9 +121,9 @@ void plan_sequence(const PlanCommand& command, CommandContext& context) {
             continue;
         }
         ShotInput input = input_of(*shot);
-        const sim::Timeline timeline =
-            obtain_bake(input, InputOptions{shot->path, {}, {}, {}, {}}, command.cache, context)
-                .timeline;
+        const sim::Timeline timeline = obtain_bake(input, InputOptions{shot->path, {}, {}, {}, {}},
+                                                   command.cache, context, Subject::plan)
+                                           .timeline;
         const fs::path file = path.parent_path() / fmt::format("{}-{}{}", path.stem().string(),
                                                                ++page, path.extension().string());
         write_drawing({file.string(), command.drawing.width},

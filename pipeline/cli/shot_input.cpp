@@ -12,6 +12,7 @@
 #include "core/text.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/config/bake_shot.h"
+#include "pipeline/sequence/load_sequence.h"
 
 namespace carom::cli {
 
@@ -29,7 +30,13 @@ pipeline::LoadOptions load_options(const InputOptions& input) {
     return {.overrides = input.overrides,
             .quality = input.quality,
             .camera_file = input.camera_file,
-            .root = input.root};
+            .root = input.root,
+            .texts = input.texts.get()};
+}
+
+/// What was read from standard input; nullptr if the shot is a file.
+const std::string* piped(const InputOptions& input) {
+    return input.texts ? &input.texts->begin()->second : nullptr;
 }
 
 /// The shot in a bake, with the options applied. They may change the look but not the physics.
@@ -55,26 +62,47 @@ std::string faulty_file(const InputOptions& input, const std::vector<pipeline::P
     return "'" + (is_camera_file ? input.camera_file : input.path) + "'";
 }
 
+/// Whether it is a warning about what only pictures and sound have.
+bool is_picture_warning(const pipeline::Problem& problem) {
+    constexpr std::array<std::string_view, 7> kSections{
+        "annotations", "cameras", "lights", "materials", "output", "render", "sound"};
+    const std::string_view section =
+        std::string_view(problem.key_path).substr(0, problem.key_path.find_first_of(".["));
+    return problem.severity == pipeline::Severity::warning &&
+           std::ranges::find(kSections, section) != kSections.end();
+}
+
 }  // namespace
 
-bool is_bake_file(const std::string& path) {
-    if (std::filesystem::path(path).extension() == ".bake") {
+bool is_bake(const InputOptions& input) {
+    const auto is_head = [](std::string_view bytes) {
+        return sim::has_bake_identifier(std::as_bytes(std::span(bytes)));
+    };
+    if (const std::string* bytes = piped(input)) {
+        return is_head(*bytes);
+    }
+    if (std::filesystem::path(input.path).extension() == ".bake") {
         return true;
     }
     // Opening a pipe would block until another process writes to it.
     std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored)) {
+    if (!std::filesystem::is_regular_file(input.path, ignored)) {
         return false;
     }
     std::array<char, sim::kBakeHeadBytes> head{};
-    std::ifstream file(path, std::ios::binary);
-    return file.read(head.data(), head.size()) &&
-           sim::has_bake_identifier(std::as_bytes(std::span(head)));
+    std::ifstream file(input.path, std::ios::binary);
+    return file.read(head.data(), head.size()) && is_head({head.data(), head.size()});
 }
 
-sim::Bake read_bake_input(const std::string& path) {
+bool is_sequence(const InputOptions& input) {
+    return pipeline::is_sequence_file(input.path, input.texts.get());
+}
+
+sim::Bake read_bake_input(const InputOptions& input) {
     try {
-        return sim::read_bake(path);
+        const std::string* bytes = piped(input);
+        return bytes != nullptr ? sim::decode_bake(std::as_bytes(std::span(*bytes)), input.path)
+                                : sim::read_bake(input.path);
     } catch (const Error& error) {
         throw InputError(error.what());
     }
@@ -83,8 +111,8 @@ sim::Bake read_bake_input(const std::string& path) {
 CheckedInput load_shot_input(const InputOptions& input) {
     ShotInput result;
     pipeline::LoadResult loaded;
-    if (is_bake_file(input.path)) {
-        result.bake = read_bake_input(input.path);
+    if (is_bake(input)) {
+        result.bake = read_bake_input(input);
         loaded = load_shot_of_bake(*result.bake, input);
     } else {
         loaded = pipeline::load_shot(input.path, load_options(input));
@@ -107,8 +135,12 @@ ShotInput require_shot_input(CheckedInput checked, const InputOptions& input, Co
     return std::move(*checked.input);
 }
 
-ShotInput read_shot_input(const InputOptions& input, Console& console) {
-    return require_shot_input(load_shot_input(input), input, console);
+ShotInput read_shot_input(const InputOptions& input, Console& console, Subject subject) {
+    CheckedInput checked = load_shot_input(input);
+    if (subject == Subject::motion) {
+        std::erase_if(checked.problems, is_picture_warning);
+    }
+    return require_shot_input(std::move(checked), input, console);
 }
 
 JsonMembers members_of(const pipeline::Problem& problem) {
@@ -135,9 +167,11 @@ JsonMembers members_of(const pipeline::Problem& problem) {
     return members;
 }
 
-void report_problems(const std::vector<pipeline::Problem>& problems, Console& console) {
+void report_problems(const std::vector<pipeline::Problem>& problems, Console& console,
+                     bool is_asked) {
     for (const pipeline::Problem& problem : problems) {
-        console.event("problem", members_of(problem), text_of(problem, console), true);
+        console.event("problem", members_of(problem), text_of(problem, console),
+                      is_asked || problem.severity == pipeline::Severity::error);
     }
 }
 

@@ -101,7 +101,7 @@ void read_shot(const SoundCommand& command, CommandContext& context, FilmInput& 
 }
 
 void read_film(const SoundCommand& command, CommandContext& context, FilmInput& film) {
-    if (pipeline::is_sequence_file(command.input.path)) {
+    if (is_sequence(command.input)) {
         read_sequence(command, context, film);
     } else {
         read_shot(command, context, film);

@@ -42,6 +42,9 @@ std::vector<fs::path> candidates(const fs::path& name, const std::string& folder
         return {name};
     }
     std::vector<fs::path> paths{fs::path(folder) / name};
+    if (!folders.folder_of_target.empty() && folder == folders.folder_of_link) {
+        paths.push_back(fs::path(folders.folder_of_target) / name);
+    }
     fs::path relative;  // the part after the last "configs/"
     bool is_in_configs = false;
     for (const fs::path& part : name) {
@@ -87,6 +90,18 @@ ConfigFolders standard_config_folders() {
         if (fs::is_directory(path, code)) {
             folders.folders.push_back(fs::absolute(path).lexically_normal().string());
         }
+    }
+    return folders;
+}
+
+ConfigFolders config_folders_of(const std::string& shot) {
+    ConfigFolders folders = standard_config_folders();
+    std::error_code code;
+    const fs::path named = fs::absolute(shot, code).lexically_normal();
+    const fs::path whole = code ? fs::path() : fs::canonical(named, code);
+    if (!code && whole.parent_path() != fs::canonical(named.parent_path(), code) && !code) {
+        folders.folder_of_link = named.parent_path().string();
+        folders.folder_of_target = whole.parent_path().string();
     }
     return folders;
 }

@@ -20,6 +20,10 @@ struct ConfigFolders {
     /// A shot may use only files inside this folder (or the config folders), with links resolved;
     /// empty: any files.
     std::string root = {};
+    /// If the shot is a symbolic link: the folder of the link, and the folder of the file to which
+    /// it leads, which is searched after it. Empty: it is none.
+    std::string folder_of_link = {};
+    std::string folder_of_target = {};
     /// Texts that are read instead of these files, which need not exist. nullptr: none.
     const OpenTexts* texts = nullptr;
     /// The largest size of a mesh or an image; 0: any.
@@ -28,6 +32,9 @@ struct ConfigFolders {
     /// none.
     std::vector<std::string>* missing = nullptr;
 };
+
+/// The standard folders for a shot of this name, which may be a link.
+[[nodiscard]] ConfigFolders config_folders_of(const std::string& shot);
 
 /// Those of these folders that exist: $CAROM_CONFIGS, share/carom/configs beside the program's own
 /// folder, the configs of the source tree, and those of the installed carom (for programs that link
@@ -39,7 +46,8 @@ struct FoundFile {
     Message problem;   // the reason if `path` is empty
 };
 
-/// Searches for `name` in `folder` and then in the config folders: under the same name, and under
+/// Searches for `name` in `folder`, beside the file to which a linked shot leads, and then in the
+/// config folders: under the same name, and under
 /// the part of the name after its last "configs/". Only regular files are found.
 [[nodiscard]] FoundFile find_config_file(std::string_view name, const std::string& folder,
                                          const ConfigFolders& folders);

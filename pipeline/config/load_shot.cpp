@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -65,25 +67,37 @@ std::string absolute_folder(const std::string& origin) {
     return code ? "." : absolute.lexically_normal().parent_path().string();
 }
 
+/// Builds the shot from the merged tree. After an error it is not complete.
+Shot build_from(const Node& root, const ShotFile& file, const std::string& name, Reader& reader,
+                sim::billiards::TableMemo* tables) {
+    try {
+        Shot shot = build_shot(file, root, name, reader, tables);
+        shot.moments = reader.moments();
+        return shot;
+    } catch (const Error& failure) {  // geometry that the checks of single keys accept
+        reader.error(root.place, failure.what());
+        return {};
+    }
+}
+
+ShotFile read_sections(const Node& root, Reader& reader) {
+    ShotFile file;
+    reader.set_root_place(root.place);
+    shot_spec().read(reader, root, file);
+    return file;
+}
+
 /// Reads the merged tree; empty after an error. `is_whole`: false if a file is missing or an object
 /// could not be repeated, which was reported, so that references must not be checked.
 std::optional<Shot> read_shot(const Node& root, bool is_whole, const std::string& name,
                               Reader& reader, sim::billiards::TableMemo* tables) {
-    ShotFile file;
-    reader.set_root_place(root.place);
-    shot_spec().read(reader, root, file);
+    const ShotFile file = read_sections(root, reader);
     if (!is_whole) {
         return std::nullopt;
     }
-    Shot shot;
-    try {
-        shot = build_shot(file, root, name, reader, tables);
-    } catch (const Error& failure) {  // geometry that the checks of single keys accept
-        reader.error(root.place, failure.what());
-    }
+    Shot shot = build_from(root, file, name, reader, tables);
     if (!reader.has_error()) {
         shot.assets = hash_assets(reader.files(), root, reader);
-        shot.moments = reader.moments();
         shot.resolved_text = emit_yaml(root, reader.replaced());
     }
     return reader.has_error() ? std::nullopt : std::optional(std::move(shot));
@@ -96,7 +110,7 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
     SourceSet sources;
     ProblemList problems(sources);
     LoadResult result;
-    ConfigFolders folders = standard_config_folders();
+    ConfigFolders folders = config_folders_of(origin);
     folders.root = options.root;
     folders.texts = options.texts;
     folders.most_asset_bytes = options.most_asset_bytes;
@@ -142,6 +156,36 @@ bool is_same(const Problem& a, const Problem& b) {
            a.place.column == b.place.column;
 }
 
+/// The problems that were not found when the motion was not known.
+std::vector<Problem> new_problems(ProblemList& problems, const ShotSource& source) {
+    std::vector<Problem> found = problems.take();
+    std::erase_if(found, [&](const Problem& problem) {
+        return std::ranges::any_of(source.problems(),
+                                   [&](const Problem& before) { return is_same(problem, before); });
+    });
+    return found;
+}
+
+/// "cameras[2]" for "cameras[2].scene[0]".
+std::string element_of(const std::string& key_path) {
+    return key_path.substr(0, key_path.find('.'));
+}
+
+/// Removes the cameras of these paths ("cameras[2]") from the shot, and from the tree, so that the
+/// others' numbers remain those of their places.
+Node without_cameras(const std::set<std::string>& paths, Node root, Shot& shot) {
+    Entry* cameras = root.find("cameras");
+    for (std::size_t i = shot.cameras.size(); i-- > 0;) {
+        if (cameras != nullptr && i < cameras->value.items.size() &&
+            paths.contains("cameras[" + std::to_string(i) + "]")) {
+            const auto at = static_cast<std::ptrdiff_t>(i);
+            shot.cameras.erase(shot.cameras.begin() + at);
+            cameras->value.items.erase(cameras->value.items.begin() + at);
+        }
+    }
+    return root;
+}
+
 }  // namespace
 
 bool has_open_moments(const Shot& shot) {
@@ -157,15 +201,11 @@ std::vector<Problem> resolve_moments(Shot& shot, std::shared_ptr<const ShotSourc
         return {};
     }
     ProblemList problems(source->sources());
-    const ConfigFolders folders = standard_config_folders();
+    const ConfigFolders folders = config_folders_of(source->sources().at(0).name);
     const KnownMotion motion{&timeline, &shot.world};
     Reader reader(source->sources(), folders, problems, &motion);
     std::optional<Shot> known = read_shot(source->root(), true, shot.name, reader, tables);
-    std::vector<Problem> found = problems.take();
-    std::erase_if(found, [&](const Problem& problem) {
-        return std::ranges::any_of(source->problems(),
-                                   [&](const Problem& before) { return is_same(problem, before); });
-    });
+    std::vector<Problem> found = new_problems(problems, *source);
     if (known) {
         shot.cameras = std::move(known->cameras);
         keep_up(shot.cameras, timeline);
@@ -174,6 +214,58 @@ std::vector<Problem> resolve_moments(Shot& shot, std::shared_ptr<const ShotSourc
         shot.resolved_text = std::move(known->resolved_text);
         source = std::make_shared<const ShotSource>(source->with_replaced(reader.replaced()));
     }
+    return found;
+}
+
+namespace {
+
+/// What cannot be shown, because it needs a moment that never comes: "cameras[2]".
+std::set<std::string> elements_without_time(const std::vector<ShotMoment>& moments) {
+    std::set<std::string> elements;
+    for (const ShotMoment& moment : moments) {
+        if (!moment.time) {
+            elements.insert(element_of(moment.key_path));
+        }
+    }
+    return elements;
+}
+
+/// Errors become warnings, and their elements are `faulty`, too. Of what is faulty already they are
+/// removed: without its moment it may seem to have other faults.
+void make_warnings(std::vector<Problem>& problems, std::set<std::string>& faulty) {
+    std::erase_if(problems, [&](const Problem& problem) {
+        return problem.severity == Severity::error && faulty.contains(element_of(problem.key_path));
+    });
+    for (Problem& problem : problems) {
+        if (problem.severity == Severity::error) {
+            problem.severity = Severity::warning;
+            faulty.insert(element_of(problem.key_path));
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<Problem> resolve_known_moments(Shot& shot, std::shared_ptr<const ShotSource>& source,
+                                           const sim::Timeline& timeline) {
+    std::vector<Problem> found = resolve_moments(shot, source, timeline);
+    if (!has_open_moments(shot)) {
+        return found;
+    }
+    ProblemList problems(source->sources());
+    const ConfigFolders folders = config_folders_of(source->sources().at(0).name);
+    const KnownMotion motion{&timeline, &shot.world, true};
+    Reader reader(source->sources(), folders, problems, &motion);
+    const ShotFile file = read_sections(source->root(), reader);
+    Shot known = build_from(source->root(), file, shot.name, reader, nullptr);
+    std::set<std::string> faulty = elements_without_time(reader.moments());
+    found = new_problems(problems, *source);
+    make_warnings(found, faulty);
+    shot.cameras = std::move(known.cameras);
+    shot.annotations = std::move(known.annotations);
+    shot.moments = reader.moments();
+    source = std::make_shared<const ShotSource>(source->with_root(
+        std::make_shared<const Node>(without_cameras(faulty, source->root(), shot))));
     return found;
 }
 

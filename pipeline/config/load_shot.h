@@ -80,4 +80,10 @@ struct LoadOptions {
                                                    const sim::Timeline& timeline,
                                                    sim::billiards::TableMemo* tables = nullptr);
 
+/// The same for what only looks at a shot: moments that never come are warnings, and stay open. The
+/// cameras that need them are left out of the shot, and of `source`, which then explains nothing.
+[[nodiscard]] std::vector<Problem> resolve_known_moments(Shot& shot,
+                                                         std::shared_ptr<const ShotSource>& source,
+                                                         const sim::Timeline& timeline);
+
 }  // namespace carom::pipeline

@@ -112,18 +112,27 @@ std::optional<double> Reader::time_of(const sim::Moment& moment, const Node& nod
     }
     const auto found = sim::find_moment(moment, *motion_->timeline, *motion_->world);
     if (const auto* reason = std::get_if<std::string>(&found)) {
-        error(node.place, "this moment never comes: " + *reason);
-        return std::nullopt;
+        return leave_open(node, "this moment never comes: " + *reason);
     }
     const double ticks = static_cast<double>(kMomentTicks);
     const double time = std::round(std::get<double>(found) * ticks) / ticks;
     if (time < 0) {
-        error(node.place, "this moment is " + seconds_text(-time) + " before the shot begins");
-        return std::nullopt;
+        return leave_open(node,
+                          "this moment is " + seconds_text(-time) + " before the shot begins");
     }
     moments_.push_back({key_path(), time});
     replaced_[&node] = seconds_text(time);
     return time;
+}
+
+std::optional<double> Reader::leave_open(const Node& node, const std::string& reason) {
+    if (!motion_->keeps_open) {
+        error(node.place, reason);
+        return std::nullopt;
+    }
+    warning(node.place, reason);
+    moments_.push_back({key_path(), std::nullopt});
+    return 0;
 }
 
 std::string describe(const Node& node) {

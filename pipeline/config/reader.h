@@ -43,6 +43,7 @@ struct Reference {
 struct KnownMotion {
     const sim::Timeline* timeline = nullptr;
     const sim::WorldDescription* world = nullptr;
+    bool keeps_open = false;  // a moment that never comes stays open, with a warning
 };
 
 /// Times of moments are rounded to this fraction of a second, so that they are exact fractions.
@@ -108,8 +109,8 @@ class Reader {
     [[nodiscard]] std::string file(const Node& node);
     [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
 
-    /// The scene time (s) of the moment that `node` describes; 0 if the motion is not known. Empty
-    /// after a problem: it never comes.
+    /// The scene time (s) of the moment that `node` describes; 0 if it is not known. Empty after an
+    /// error: it never comes.
     [[nodiscard]] std::optional<double> time_of(const sim::Moment& moment, const Node& node);
     /// Whether moments have their times.
     [[nodiscard]] bool knows_motion() const { return motion_ != nullptr; }
@@ -123,6 +124,9 @@ class Reader {
     [[nodiscard]] const SourceSet& sources() const { return *sources_; }
 
   private:
+    /// For a moment without a time.
+    std::optional<double> leave_open(const Node& node, const std::string& reason);
+
     struct Step {
         std::string key;  // empty for a list element
         std::size_t index = 0;

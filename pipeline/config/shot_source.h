@@ -34,6 +34,11 @@ class ShotSource {
         return {sources_, root_, std::move(replaced), problems_};
     }
 
+    /// The same texts with another tree, in which nothing is replaced.
+    [[nodiscard]] ShotSource with_root(std::shared_ptr<const config::Node> root) const {
+        return {sources_, std::move(root), {}, problems_};
+    }
+
     /// A problem at the value of that path ({"events", "0", "strike", "tip"}; elements of lists by
     /// their index), or at the last part of the path that the shot has.
     [[nodiscard]] Problem problem_at(const std::vector<std::string>& path, Severity severity,

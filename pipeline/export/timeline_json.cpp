@@ -72,6 +72,7 @@ Json json_of(const T& described) {
 
 struct ShapeJson {
     const std::string& folder;  // of the file
+    bool with_meshes = true;
 
     template <class Shape>
     Json operator()(const Shape& shape) const {
@@ -85,6 +86,9 @@ struct ShapeJson {
     Json operator()(const render::MeshShape& s) const {
         if (!s.file.empty()) {
             return {{"kind", "mesh"}, {"file", exported_path(s.file, folder)}};
+        }
+        if (!with_meshes) {
+            return {{"kind", "mesh"}};
         }
         Json vertices = Json::array();
         for (const Vec3& vertex : s.vertices) {
@@ -102,9 +106,10 @@ Json map_json(const Mat44& map) {
     return rows;
 }
 
-Json object_json(const render::ObjectDescription& object, const std::string& folder) {
+Json object_json(const render::ObjectDescription& object, const std::string& folder,
+                 bool with_meshes) {
     Json result{{"name", object.name},
-                {"shape", std::visit(ShapeJson{folder}, object.shape)},
+                {"shape", std::visit(ShapeJson{folder, with_meshes}, object.shape)},
                 {"material", object.material}};
     result["track"] = object.track.empty() ? Json() : Json(object.track);
     result["map"] = map_json(object.world_from_object);
@@ -188,29 +193,33 @@ std::string lines_of(const Json& document) {
 }  // namespace
 
 std::string timeline_json(const Shot& shot, const sim::Timeline& timeline, const ExportScene& scene,
-                          std::optional<double> rate, const std::string& folder) {
-    Json document{
-        {"carom_export", kVersion},
-        {"name", shot.name},
-        {"units", "m, s, kg, rad; Z up; quaternions w x y z; colours linear Rec.709"},
-        {"start_time", timeline.start_time},
-        {"end_time", timeline.end_time},
-        {"fps", scene.fps},
-        {"tracks",
-         all(timeline.tracks, [&](const sim::Track& t) { return track_json(t, timeline, rate); })},
-        {"objects",
-         all(shot.scene.objects,
-             [&](const render::ObjectDescription& o) { return object_json(o, folder); })},
-        {"materials", all(scene.materials, json_of<ExportMaterial>)},
-        {"events", all(timeline.events, json_of<sim::Event>)},
-        {"energy", all(timeline.energy, json_of<sim::EnergySample>)},
-        {"cameras", all(scene.cameras, camera_json)}};
-    if (!timeline.lasting_contacts.empty()) {
-        document["lasting_contacts"] = all(timeline.lasting_contacts, json_of<sim::LastingContact>);
-    }
-    if (!timeline.put_backs.empty()) {
-        document["put_backs"] = all(timeline.put_backs, json_of<sim::PutBack>);
-    }
+                          std::optional<double> rate, const std::string& folder,
+                          const JsonParts& parts) {
+    Json document{{"carom_export", kVersion},
+                  {"name", shot.name},
+                  {"units", "m, s, kg, rad; Z up; quaternions w x y z; colours linear Rec.709"},
+                  {"start_time", timeline.start_time},
+                  {"end_time", timeline.end_time},
+                  {"fps", scene.fps}};
+    const auto add = [&document](bool is_wanted, const char* name, const auto& values,
+                                 auto function) {
+        if (is_wanted) {
+            document[name] = all(values, function);
+        }
+    };
+    add(parts.tracks, "tracks", timeline.tracks,
+        [&](const sim::Track& track) { return track_json(track, timeline, rate); });
+    add(parts.objects, "objects", shot.scene.objects, [&](const render::ObjectDescription& object) {
+        return object_json(object, folder, parts.meshes);
+    });
+    add(parts.materials, "materials", scene.materials, json_of<ExportMaterial>);
+    add(parts.events, "events", timeline.events, json_of<sim::Event>);
+    add(parts.energy, "energy", timeline.energy, json_of<sim::EnergySample>);
+    add(parts.cameras, "cameras", scene.cameras, camera_json);
+    add(parts.contacts && !timeline.lasting_contacts.empty(), "lasting_contacts",
+        timeline.lasting_contacts, json_of<sim::LastingContact>);
+    add(parts.put_backs && !timeline.put_backs.empty(), "put_backs", timeline.put_backs,
+        json_of<sim::PutBack>);
     return lines_of(document);
 }
 

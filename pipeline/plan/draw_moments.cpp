@@ -18,16 +18,13 @@ double draw_moment_list(PlanDrawing& plan, double y) {
     bool is_any = false;
     plan.svg.open("g", {{"id", "moments"}});
     for (const ShotMoment& moment : plan.shot.moments) {
-        if (!moment.time) {
-            continue;
-        }
         const double width = kTime + text_width(moment.key_path, kText) + 6;
         if (x > kMargin && x + width > kPageWidth - kMargin) {
             x = kMargin;
             y += kLine;
         }
         const std::string line = svg_number(y + kLine / 2 + 0.95);
-        plan.svg.text("text", time_text(*moment.time),
+        plan.svg.text("text", moment.time ? time_text(*moment.time) : "never",
                       {{"class", "end faint"}, {"x", svg_number(x + kTime - 2)}, {"y", line}});
         plan.svg.text("text", moment.key_path, {{"x", svg_number(x + kTime)}, {"y", line}});
         x += width;

@@ -1,45 +1,68 @@
 #include "pipeline/report/report_text.h"
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 #include <fmt/core.h>
+
+#include "pipeline/report/impact_series.h"
 
 namespace carom::pipeline {
 
 namespace {
 
 constexpr double kDegrees = 57.295779513082321;
-constexpr int kWidestWho = 17;
-constexpr int kWidestName = 14;
 
-/// The text, left-aligned in `width` columns; a longer text is shortened.
-std::string in_columns(std::string text, int width) {
-    const auto columns = static_cast<std::size_t>(width);
-    if (text.size() > columns) {
-        text = text.substr(0, columns - 1) + "~";
-    }
-    text.resize(columns, ' ');
-    return text;
+/// The number of characters of UTF-8 text.
+std::size_t columns_of(std::string_view text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+    }));
 }
 
-/// Replaces values that would be printed as -0.000 by 0.
-double without_negative_zero(double value, double unit) {
-    return value > -0.5 * unit && value < 0.5 * unit ? 0 : value;
+/// The text, left-aligned in `width` columns. A longer one is followed by a new line of that many
+/// blanks after `indent` others.
+std::string cell(const std::string& text, int width, int indent = 0) {
+    const auto columns = static_cast<int>(columns_of(text));
+    return columns <= width
+               ? text + std::string(static_cast<std::size_t>(width - columns), ' ')
+               : text + "\n" + std::string(static_cast<std::size_t>(indent + width), ' ');
+}
+
+/// A number with as many decimals as fit, right-aligned.
+std::string number(double value, int width, int decimals) {
+    std::string text;
+    do {
+        text = fmt::format("{:.{}f}", value, decimals);
+        if (text.front() == '-' && text.find_first_not_of("-0.") == std::string::npos) {
+            text.erase(0, 1);  // no -0.000
+        }
+    } while (static_cast<int>(text.size()) > width && --decimals >= 0);
+    return " " + fmt::format("{:>{}}", text, width);
+}
+
+std::string blanks(int width) {
+    return std::string(static_cast<std::size_t>(width), ' ');
 }
 
 std::string place_text(const Vec3& p) {
-    return fmt::format("{:6.3f} {:6.3f} {:6.3f}", without_negative_zero(p.x, 1e-3),
-                       without_negative_zero(p.y, 1e-3), without_negative_zero(p.z, 1e-3));
+    return number(p.x, 6, 3) + number(p.y, 6, 3) + number(p.z, 5, 3);
+}
+
+std::string without_trailing_blanks(std::string line) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    return line + "\n";
 }
 
 /// At a transition between laws of motion the speed does not change, so it is given once. The spin
 /// is the one after the event.
 std::string motion_text(const std::optional<SpeedChange>& speeds, bool is_jump) {
     if (!speeds) {
-        return std::string(20, ' ');
+        return blanks(18);
     }
-    return (is_jump ? fmt::format("{:6.3f}", speeds->before) : std::string(6, ' ')) +
-           fmt::format(" {:6.3f} {:6.1f}", speeds->after, speeds->spin_after.length());
+    return (is_jump ? number(speeds->before, 5, 3) : blanks(6)) + number(speeds->after, 5, 3) +
+           number(speeds->spin_after.length(), 5, 1);
 }
 
 bool is_jump(sim::EventKind kind) {
@@ -56,48 +79,92 @@ bool is_jump(sim::EventKind kind) {
     }
 }
 
+const char* relation_of(sim::EventKind kind) {
+    return kind == sim::EventKind::placed ? " on " : " - ";
+}
+
 std::string who_text(const sim::Event& event) {
-    const char* relation = event.kind == sim::EventKind::placed ? " on " : " - ";
-    return event.b.empty() ? event.a : event.a + relation + event.b;
+    return event.b.empty() ? event.a : event.a + relation_of(event.kind) + event.b;
 }
 
-int width_of_who(const ShotReport& report) {
-    std::size_t width = 3;
-    for (const ReportedEvent& row : report.events) {
-        width = std::max(width, who_text(row.event).size());
+/// The table of events: a line each, and a second one for the other object of an impact.
+class EventTable {
+  public:
+    EventTable(const ShotReport& report, int columns) {
+        constexpr int kNumbers = 45;
+        constexpr int kKind = 8;
+        for (const ReportedEvent& row : report.events) {
+            time_ = std::max(time_, static_cast<int>(fmt::format("{:.5f}", row.event.time).size()));
+        }
+        before_who_ = time_ + 1 + kKind + 1;
+        for (const ReportedEvent& row : report.events) {
+            who_ = std::max(who_, static_cast<int>(columns_of(who_text(row.event))));
+        }
+        who_ = std::min(who_, columns - before_who_ - kNumbers);
     }
-    return std::min(static_cast<int>(width), kWidestWho);
-}
 
-std::string without_trailing_blanks(std::string line) {
-    line.erase(line.find_last_not_of(' ') + 1);
-    return line + "\n";
-}
+    [[nodiscard]] std::string heading() const {
+        return without_trailing_blanks(blanks(before_who_ + who_) + "before after  spin") +
+               fmt::format("{:>{}} event    {:{}}", "time", time_, "who", who_) +
+               "   m/s   m/s rad/s    N s    x m    y m   z m\n";
+    }
 
-std::string events_table(const ShotReport& report) {
-    const int who = width_of_who(report);
-    const bool any_cut = std::any_of(report.events.begin(), report.events.end(),
-                                     [](const ReportedEvent& e) { return e.cut.has_value(); });
-    const std::string blank = in_columns("", who);
-    std::string text = without_trailing_blanks("                    " + blank +
-                                               "  first  m/s    spin second  m/s    spin " +
-                                               (any_cut ? "  cut" : "     ") + " impulse");
-    text +=
-        without_trailing_blanks("     time event     " + in_columns("who", who) +
-                                " before  after  rad/s before  after  rad/s " +
-                                (any_cut ? "  deg" : "     ") + "     N s    x m    y m    z m");
-    for (const ReportedEvent& row : report.events) {
+    [[nodiscard]] std::string lines(const ReportedEvent& row) const {
         const sim::Event& event = row.event;
         const bool has_impulse =
             event.kind == sim::EventKind::impact || event.kind == sim::EventKind::strike;
-        text += without_trailing_blanks(
-            fmt::format("{:9.5f} ", event.time) +
-            in_columns(std::string(to_string(event.kind)), 9) + " " +
-            in_columns(who_text(event), who) + " " + motion_text(row.a, is_jump(event.kind)) + " " +
-            motion_text(row.b, is_jump(event.kind)) + " " +
-            (row.cut ? fmt::format("{:5.1f}", *row.cut * kDegrees) : std::string(5, ' ')) + " " +
-            (has_impulse ? fmt::format("{:7.4f}", event.normal_impulse) : std::string(7, ' ')) +
-            " " + place_text(event.place));
+        std::string who = who_text(event);
+        if (row.b && static_cast<int>(columns_of(who)) > who_) {
+            who = event.a + " -";  // the other one is named in the second line
+        }
+        const bool has_numbers = row.a || has_impulse;
+        std::string text = without_trailing_blanks(
+            start(event) + (has_numbers ? cell(who, who_, before_who_) : who) +
+            motion_text(row.a, is_jump(event.kind)) +
+            (has_impulse ? number(event.normal_impulse, 6, 4) : blanks(7)) +
+            place_text(event.place));
+        if (row.b) {
+            text += without_trailing_blanks(
+                blanks(before_who_) + cell(event.b, who_, before_who_) + motion_text(row.b, true) +
+                (row.cut ? fmt::format("  cut {:.1f} deg", *row.cut * kDegrees) : ""));
+        }
+        return text;
+    }
+
+    [[nodiscard]] std::string lines(const ReportedEvent& first, const ImpactSeries& series) const {
+        return without_trailing_blanks(
+            start(first.event) + cell(who_text(first.event), who_, before_who_) +
+            fmt::format(" {} times until {:.3f} s, up to{} N s", series.count, series.last_time,
+                        number(series.strongest, 6, 4)));
+    }
+
+  private:
+    [[nodiscard]] std::string start(const sim::Event& event) const {
+        return fmt::format("{:{}.5f} {:<8} ", event.time, time_, to_string(event.kind));
+    }
+
+    int time_ = 7;
+    int before_who_ = 0;  // columns
+    int who_ = 3;
+};
+
+std::string events_table(const ShotReport& report, const ReportLook& look) {
+    const EventTable table(report, look.columns);
+    const std::vector<ImpactSeries> series =
+        look.every_impact ? std::vector<ImpactSeries>{} : find_impact_series(report.events);
+    std::vector<const ImpactSeries*> series_of(report.events.size());
+    for (const ImpactSeries& one : series) {
+        for (const std::size_t event : one.events) {
+            series_of[event] = &one;
+        }
+    }
+    std::string text = table.heading();
+    for (std::size_t i = 0; i < report.events.size(); ++i) {
+        if (series_of[i] == nullptr) {
+            text += table.lines(report.events[i]);
+        } else if (series_of[i]->events.front() == i) {
+            text += table.lines(report.events[i], *series_of[i]);
+        }
     }
     return text;
 }
@@ -120,33 +187,42 @@ std::string fate_text(const ReportedObject& object) {
     return {};
 }
 
-std::string objects_table(const ShotReport& report) {
-    std::size_t longest = 6;
+/// How the objects moved, and where they ended.
+std::string objects_tables(const ShotReport& report, int columns) {
+    constexpr int kNumbers = 42;
+    constexpr int kPlace = 22;
+    int name = 10;
+    int fate = 0;
     for (const ReportedObject& object : report.objects) {
-        longest = std::max(longest, object.name.size());
+        name = std::max(name, static_cast<int>(columns_of(object.name)));
+        fate = std::max(fate, static_cast<int>(columns_of(fate_text(object))));
     }
-    const int name = std::min(static_cast<int>(longest), kWidestName);
-    std::string text =
-        in_columns("object", name) +
-        "  path m top m/s     at s rise mm cushions    x m    y m    z m  at the end\n";
+    name = std::min(name, columns - std::max(kNumbers, kPlace + fate));
+    name = std::max(name, 10);
+    std::string text = cell("object", name) + "  path m top m/s     at s rise mm cushions\n";
+    std::string ends = cell("at the end", name) + "    x m    y m   z m\n";
     for (const ReportedObject& object : report.objects) {
-        text += in_columns(object.name, name) +
-                fmt::format(" {:7.3f} {:7.3f} {:8.3f} {:7.1f} {:8} ", object.path, object.top_speed,
-                            object.top_time, 1000 * object.rise, object.cushions) +
-                place_text(object.place) + "  " + fate_text(object) + "\n";
+        text += cell(object.name, name) + number(object.path, 7, 3) +
+                number(object.top_speed, 7, 3) + number(object.top_time, 8, 3) +
+                number(1000 * object.rise, 7, 1) + fmt::format(" {:8}\n", object.cushions);
+        ends +=
+            cell(object.name, name) + place_text(object.place) + "  " + fate_text(object) + "\n";
     }
-    return text;
+    return text + "\n" + ends;
 }
 
-std::string energy_table(const ShotReport& report) {
-    std::string text =
-        in_columns("energy", 30) + "      time   kinetic J potential J     total J\n";
+std::string energy_table(const ShotReport& report, int columns) {
+    constexpr int kNumbers = 46;
+    int when = 6;
+    for (const ReportedEnergy& mark : report.energy) {
+        when = std::max(when, static_cast<int>(columns_of(mark.when)));
+    }
+    when = std::min(when, columns - kNumbers);
+    std::string text = cell("energy", when) + "      time   kinetic J potential J     total J\n";
     for (const ReportedEnergy& mark : report.energy) {
         const sim::EnergySample& sample = mark.sample;
-        text += in_columns(mark.when, 30) +
-                fmt::format(" {:9.5f} {:11.6f} {:11.6f} {:11.6f}\n", sample.time, sample.kinetic,
-                            without_negative_zero(sample.potential, 1e-6),
-                            without_negative_zero(sample.total(), 1e-6));
+        text += cell(mark.when, when) + number(sample.time, 9, 5) + number(sample.kinetic, 11, 6) +
+                number(sample.potential, 11, 6) + number(sample.total(), 11, 6) + "\n";
     }
     if (report.largest_energy_rise == 0) {
         return text + "it never rises between force events\n";
@@ -156,20 +232,40 @@ std::string energy_table(const ShotReport& report) {
 }
 
 std::string moments_table(const ShotReport& report) {
-    std::string text = "\n     time moment\n";
+    std::string text = "     time moment\n";
     for (const ReportedMoment& moment : report.moments) {
-        text += fmt::format("{:9.5f} ", moment.time) + moment.key_path + "\n";
+        text +=
+            (moment.time ? number(*moment.time, 8, 5) : "    never") + " " + moment.key_path + "\n";
     }
     return text;
 }
 
+std::string first_line(const ShotReport& report) {
+    const std::size_t shown = report.events.size();
+    return fmt::format("{:.3f} s to {:.3f} s, {} objects, ", report.start_time, report.end_time,
+                       report.all_objects) +
+           (shown == report.all_events ? "" : fmt::format("{} of ", shown)) +
+           fmt::format("{} events\n", report.all_events);
+}
+
 }  // namespace
 
-std::string report_text(const ShotReport& report) {
-    return fmt::format("{:.3f} s to {:.3f} s, {} objects, {} events\n\n", report.start_time,
-                       report.end_time, report.objects.size(), report.events.size()) +
-           events_table(report) + "\n" + objects_table(report) + "\n" + energy_table(report) +
-           (report.moments.empty() ? "" : moments_table(report));
+std::string report_text(const ShotReport& report, const ReportLook& look) {
+    const ReportParts& parts = look.parts;
+    std::string text = first_line(report);
+    if (parts.events) {
+        text += "\n" + events_table(report, look);
+    }
+    if (parts.objects) {
+        text += "\n" + objects_tables(report, look.columns);
+    }
+    if (parts.energy) {
+        text += "\n" + energy_table(report, look.columns);
+    }
+    if (parts.moments && !report.moments.empty()) {
+        text += "\n" + moments_table(report);
+    }
+    return text;
 }
 
 }  // namespace carom::pipeline

@@ -69,7 +69,7 @@ ReportedEvent reported(const Timeline& timeline, const Event& event) {
     // A spot may have the name of a ball.
     const bool has_other = !event.b.empty() && event.kind != EventKind::placed;
     const Track* b = has_other ? timeline.find(event.b) : nullptr;
-    return {event, speeds_of(a, event.time), speeds_of(b, event.time), cut_of(event, a, b)};
+    return {event, speeds_of(a, event.time), speeds_of(b, event.time), cut_of(event, a, b), {}};
 }
 
 double length_between(const Track& track, const Key& from, const Key& to) {
@@ -260,6 +260,8 @@ ShotReport report_of(const Timeline& timeline) {
         measure_motion(track, object);
         find_fate(timeline, track, object);
     }
+    report.all_events = report.events.size();
+    report.all_objects = report.objects.size();
     report.energy = energies_of(timeline);
     report.energy_samples = timeline.energy;
     report.largest_energy_rise = sim::largest_energy_rise(timeline);

@@ -1,6 +1,7 @@
 // A summary of a timeline: events, the motion and final state of each object, and energy.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,8 @@ struct ReportedEvent {
     /// For two balls the cut angle between relative velocity and line of centres, rad; 0 is a full
     /// hit.
     std::optional<double> cut;
+    /// For impacts and strikes, if the film is known: when it makes them heard, s.
+    std::optional<std::vector<double>> heard_at = {};
 };
 
 enum class Fate { rests, spins, moves, potted, off_table, removed };  // spins: in place
@@ -50,8 +53,8 @@ struct ReportedEnergy {
 
 /// A value of the shot that is a scene time named by what happens.
 struct ReportedMoment {
-    std::string key_path;  // "cameras[0].scene[1]"
-    double time = 0;       // s
+    std::string key_path;        // "cameras[0].scene[1]"
+    std::optional<double> time;  // s; empty: it never comes
 };
 
 struct ShotReport {
@@ -59,6 +62,8 @@ struct ShotReport {
     double end_time = 0;
     std::vector<ReportedEvent> events;
     std::vector<ReportedObject> objects;
+    std::size_t all_events = 0;  // also those that a filter removes (report_parts.h)
+    std::size_t all_objects = 0;
     std::vector<ReportedEnergy>
         energy;  // at the ends, after force events, at about ten regular times
     std::vector<sim::EnergySample> energy_samples;  // all samples of the timeline

@@ -107,7 +107,7 @@ class Loader {
 
   private:
     std::optional<SequenceFile> read_file() {
-        ConfigFolders folders = standard_config_folders();
+        ConfigFolders folders = config_folders_of(path_);
         folders.root = options_.root;
         folders.texts = options_.texts;
         folders.missing = &missing_;
@@ -207,12 +207,23 @@ class Loader {
         return loaded;
     }
 
+    /// The file of a shot that the film names, beside the film, or beside the file to which a
+    /// linked film leads.
+    [[nodiscard]] std::string path_of(const fs::path& name) const {
+        const fs::path beside = fs::path(path_).parent_path() / name;  // or the name, if absolute
+        std::error_code code;
+        const fs::path target = fs::canonical(path_, code).parent_path() / name;
+        const bool is_there = !code && !fs::exists(beside, code) && fs::exists(target, code);
+        return (is_there ? target : beside).string();
+    }
+
     /// Whether the shot's file may be read; else a problem says why not.
     [[nodiscard]] bool may_read(const FilmPartSection& part) {
         if (root_of_shots_.empty()) {
             return true;
         }
-        ConfigFolders folders;
+        ConfigFolders folders = config_folders_of(path_);
+        folders.folders.clear();
         folders.root = root_of_shots_;
         folders.texts = options_.texts;
         folders.missing = &missing_;
@@ -241,9 +252,7 @@ class Loader {
             return;
         }
         ShotPart shot;
-        const fs::path name(*part.shot);
-        shot.path =
-            name.is_absolute() ? name.string() : (fs::path(path_).parent_path() / name).string();
+        shot.path = path_of(*part.shot);
         const LoadOptions options = options_of(film, part);
         shot.own = options.own;
         shot.overrides = options.overrides;
@@ -337,13 +346,11 @@ class Loader {
 
 }  // namespace
 
-bool is_sequence_file(const std::string& path) {
-    std::error_code ignored;
-    if (!fs::is_regular_file(path, ignored) || fs::path(path).extension() == ".bake") {
-        return false;
-    }
+bool is_sequence_file(const std::string& path, const OpenTexts* texts) {
+    ConfigFolders folders;
+    folders.texts = texts;
     std::string text;
-    if (!read_text_file(path, YamlLimits{}.bytes, text)) {
+    if (is_bake(path) || !read_config_text(path, YamlLimits{}.bytes, folders, text)) {
         return false;
     }
     SourceSet sources;

@@ -1,6 +1,7 @@
 // Reads a film of several shots, with all of its shots, and reports all problems together.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,8 +12,9 @@
 namespace carom::pipeline {
 
 /// Whether the file is a film of several shots: a map with the key `film`. False if it cannot be
-/// read.
-[[nodiscard]] bool is_sequence_file(const std::string& path);
+/// read. `texts` as of LoadOptions.
+[[nodiscard]] bool is_sequence_file(const std::string& path,
+                                    const std::map<std::string, std::string>* texts = nullptr);
 
 struct SequenceResult {
     std::optional<Sequence> sequence;  // empty if a problem is an error

@@ -10,19 +10,27 @@ std::string environment(const char* name) {
     return value == nullptr ? std::string() : std::string(value);
 }
 
+/// Relative paths are invalid and have to be ignored (XDG Base Directory Specification 0.8, section
+/// "Basics"): each current folder would have a cache of its own.
+std::string absolute_path(const char* name) {
+    std::string path = environment(name);
+    return path.starts_with('/') ? path : std::string();
+}
+
 }  // namespace
 
 std::string default_cache_folder() {
     if (std::string own = environment("CAROM_CACHE"); !own.empty()) {
         return own;
     }
-    if (const std::string shared = environment("XDG_CACHE_HOME"); !shared.empty()) {
+    if (const std::string shared = absolute_path("XDG_CACHE_HOME"); !shared.empty()) {
         return shared + "/carom";
     }
-    const std::string home = environment("HOME");
+    const std::string home = absolute_path("HOME");
     if (home.empty()) {
         throw CacheUnusable(
-            "there is no folder for the cache; set CAROM_CACHE, XDG_CACHE_HOME or HOME");
+            "there is no folder for the cache; set CAROM_CACHE, or XDG_CACHE_HOME or HOME to an "
+            "absolute path");
     }
     return home + "/.cache/carom";
 }

@@ -20,18 +20,20 @@ namespace {
 constexpr std::size_t kMost = 20;
 constexpr std::size_t kLongestPath = 4096;
 
-std::string environment(const char* name) {
+/// Empty if the variable is not an absolute path: relative ones have to be ignored (XDG Base
+/// Directory Specification 0.8, section "Basics").
+std::string absolute_path(const char* name) {
     const char* value = std::getenv(name);
-    return value == nullptr ? "" : value;
+    return value != nullptr && *value == '/' ? value : "";
 }
 
 }  // namespace
 
 std::string default_state_folder() {
-    if (const std::string state = environment("XDG_STATE_HOME"); !state.empty()) {
+    if (const std::string state = absolute_path("XDG_STATE_HOME"); !state.empty()) {
         return state + "/carom";
     }
-    const std::string home = environment("HOME");
+    const std::string home = absolute_path("HOME");
     return home.empty() ? "" : home + "/.local/state/carom";
 }
 

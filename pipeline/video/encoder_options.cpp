@@ -99,6 +99,12 @@ void set_hevc(AVCodecContext& context, const VideoFormat& format, const OutputSe
     if (std::min(context.width, context.height) < 64) {
         parameters += ":ctu=16:max-tu-size=16";  // the picture must be at least one block large
     }
+    // Its look-ahead works on blocks of 16 x 16 pixels, and its vector code for trees of coding
+    // units (estimateCUPropagate) on four of them: x265 3.5 writes beyond the end of a row of
+    // three, which ends the process.
+    if (context.width <= 48) {
+        parameters += ":cutree=0";
+    }
     if (output.hdr10) {
         parameters += ":" + x265_hdr10(*output.hdr10, light_levels(format, *output.hdr10));
     }

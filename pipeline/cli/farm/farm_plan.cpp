@@ -137,7 +137,7 @@ void tell_forecast(const FarmJob& job, const pipeline::FilmForecast& forecast,
 FarmFilm read_input(const FarmCommand& command, CommandContext& context) {
     FarmFilm film;
     film.options = job_options({store_of(command), "none"}, command.frames, "");
-    if (pipeline::is_sequence_file(command.input.path)) {
+    if (is_sequence(command.input)) {
         FarmFilm::SeveralShots several{read_sequence_input(command.input, context.console), {}};
         (void)count_sequence_frames(several.sequence, film.options, command.frames);
         film.content = std::move(several);

@@ -6,8 +6,10 @@ namespace carom::cli {
 
 void add_input(CommandDescription& description, InputOptions& input) {
     description
-        .argument("SHOT|BAKE", input.path,
-                  "A shot, or a bake, which is a shot that is already simulated.")
+        .argument(
+            "SHOT|BAKE", input.path,
+            "A shot, or a bake, which is a shot that is already simulated; - reads either from "
+            "standard input, and files that it names are then those of the current folder.")
         .offers(Offer::files, {"yaml", "yml", "bake"});
 }
 

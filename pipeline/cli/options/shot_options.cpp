@@ -3,8 +3,11 @@
 
 #include <fmt/core.h>
 
+#include "core/text.h"
 #include "pipeline/cli/options/shared_options.h"
+#include "pipeline/export/json_parts.h"
 #include "pipeline/export/sample_times.h"
+#include "pipeline/report/report_parts.h"
 
 namespace carom::cli {
 
@@ -30,10 +33,13 @@ void describe(BakeCommand& command, CommandDescription& description) {
     description.details = {
         "A bake contains the motion of every object, the events and the shot itself. Every command "
         "that accepts a shot also accepts its bake, and does not simulate it again."};
-    description.argument("SHOT", command.input.path, "The shot.")
+    description.argument("SHOT", command.input.path, "The shot; - reads it from standard input.")
         .offers(Offer::files, {"yaml", "yml"});
     add_changes(description, command.input);
-    add_output(description, command.output, "The bake. The default is the shot's name and .bake.");
+    add_output(
+        description, command.output,
+        "The bake; - writes it to standard output, which must be a pipe or a file. The default "
+        "is the shot's name and .bake.");
     add_cache(description, command.cache);
     description.examples = {{"carom bake break.yaml -o break.bake", "Simulate the shot once."}};
 }
@@ -99,8 +105,22 @@ void describe(ExportCommand& command, CommandDescription& description) {
                 "both objects, beginning and end, mean force and slip. Without -o only this table "
                 "is written.")
         .offers(Offer::files);
+    const std::string parts = [] {
+        std::vector<std::string> names;
+        for (const pipeline::JsonPart& part : pipeline::kJsonParts) {
+            names.emplace_back(part.name);
+        }
+        return join(names, ", ");
+    }();
+    description.option("--only", &command.only, "WORDS",
+                       "Write only these parts of a .json, as a list with commas: " + parts +
+                           ". The meshes of the table are the largest.");
+    description.option("--without", &command.without, "WORDS",
+                       "Leave out these parts of a .json: meshes,energy.");
     add_cache(description, command.cache);
     description.examples = {{"carom export break.yaml -o break.glb", "The scene with its motion."},
+                            {"carom export break.yaml -o break.json --without meshes,energy",
+                             "All data but the largest parts."},
                             {"carom export break.yaml --rate 240 -o tracks.csv --events events.csv",
                              "The motion, 240 times per second, and the events, as tables."}};
 }
@@ -108,9 +128,30 @@ void describe(ExportCommand& command, CommandDescription& description) {
 void describe(ReportCommand& command, CommandDescription& description) {
     description.details = {
         "The report lists the events with speeds, spin and cut angles, how each object moved and "
-        "where it ended, and the energy."};
+        "where it ended, the energy, and the times of moments. It fits 80 columns. Four or more "
+        "impacts of the same two, each within 0.1 s of the one before, are one line.",
+        "Of a film of several shots it is that of each shot.",
+        "The words of --only and --without are " + join(pipeline::report_words(), ", ") +
+            ". 'collisions' are impacts of two objects that move, 'motion' is a change of the kind "
+            "of motion, such as rolling. A word of --without has precedence."};
     add_input(description, command.input);
     add_changes(description, command.input);
+    description.option("--only", &command.only, "WORDS",
+                       "Report only these kinds of events and parts, as a list with commas: "
+                       "pots,strikes or collisions,objects.");
+    description.option("--without", &command.without, "WORDS", "Leave these out: motion,energy.");
+    description.option("--object", &command.objects, "NAME",
+                       "Report only events of this ball or object. The option may be repeated.");
+    description.option("--from", &command.from, "TIME",
+                       "Report only events from this scene time on, a number or a moment such as "
+                       "'{contact: [cue, one], before: 0.2s}'.");
+    description.option("--to", &command.to, "TIME",
+                       "Report only events up to this scene time, written like --from.");
+    description.option("--min-impulse", &command.min_impulse, "NS",
+                       "Leave out impacts and strikes of a smaller impulse, in newton seconds: "
+                       "0.01 is a ball of 170 g at 0.06 m/s.");
+    description.flag("--every-impact", command.every_impact,
+                     "List every impact on a line of its own.");
     add_output(description, command.output, "Write to this file instead of standard output.");
     description.flag("--json", command.json,
                      "Print one JSON object, with all digits, and the times in the film at which "
@@ -123,6 +164,11 @@ void describe(ReportCommand& command, CommandDescription& description) {
     add_drawing(description, command.drawing);
     add_cache(description, command.cache);
     description.examples = {{"carom report break.yaml", "The whole report."},
+                            {"carom report break.yaml --only pots,strikes", "Only these events."},
+                            {"carom report break.yaml --object cue --from 1s --without motion",
+                             "What happens to the cue ball later."},
+                            {"carom report break.yaml --json --without energy_over_time",
+                             "All of it as data, without the energy of every sample."},
                             {"carom report break.yaml --plot speeds.svg", "Only the plot."}};
 }
 

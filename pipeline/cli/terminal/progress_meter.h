@@ -13,7 +13,7 @@ struct ProgressSnapshot {
     double fraction = 0;              // of the stage, [0, 1]
     std::int64_t frames_total = 0;    // 0: the stage has no frames to count
     std::int64_t frames_done = 0;     // rendered or found
-    std::int64_t frames_found = 0;    // of these, frames that an earlier run finished
+    std::int64_t frames_found = 0;    // of these, frames whose picture was stored or is shown again
     double elapsed = 0;               // s since the stage began
     std::optional<double> left;       // s; empty until it can be estimated
     std::optional<double> rays_rate;  // per second of the stage

@@ -82,7 +82,7 @@ std::string progress_line(const ProgressSnapshot& snapshot) {
         text += fmt::format("{} of {} frames ({} %", snapshot.frames_done, snapshot.frames_total,
                             percent(snapshot.fraction));
         if (snapshot.frames_found > 0) {
-            text += fmt::format(", {} from an earlier run", snapshot.frames_found);
+            text += fmt::format(", {} stored or shown again", snapshot.frames_found);
         }
         text += ")";
     } else {

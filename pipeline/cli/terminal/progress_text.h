@@ -13,7 +13,7 @@ namespace carom::cli {
 /// If it does not fit, first the bar shrinks, then texts are omitted from the right.
 [[nodiscard]] std::string progress_bar(const ProgressSnapshot& snapshot, int columns);
 
-/// The progress as a line of a log: "render: 12 of 240 frames (5 %, 3 from an earlier run), 1 min
+/// The progress as a line of a log: "render: 12 of 240 frames (5 %, 3 stored or shown again), 1 min
 /// 20 s left, 8.12 Mrays/s".
 [[nodiscard]] std::string progress_line(const ProgressSnapshot& snapshot);
 

@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include <fcntl.h>
+#include <signal.h>
 #include <unistd.h>
 
 namespace carom::cli {
@@ -18,6 +19,10 @@ void reserve_standard_descriptors() {
         const int wrong_mode = descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY;
         static_cast<void>(::open("/dev/null", wrong_mode));
     }
+}
+
+void let_too_large_files_fail() {
+    ::signal(SIGXFSZ, SIG_IGN);
 }
 
 }  // namespace carom::cli

@@ -1,4 +1,4 @@
-// Reserves standard input, output and error in a process that was started without them.
+// What a process arranges before it opens files.
 #pragma once
 
 namespace carom::cli {
@@ -7,5 +7,9 @@ namespace carom::cli {
 /// fail. Otherwise the next file that is opened would get this descriptor, and messages would be
 /// written to a film. Must be called before anything is opened.
 void reserve_standard_descriptors();
+
+/// A write beyond the limit of a file's size (ulimit -f) fails with EFBIG, like one beyond a quota,
+/// instead of ending the process. Programs that the process executes inherit this.
+void let_too_large_files_fail();
 
 }  // namespace carom::cli

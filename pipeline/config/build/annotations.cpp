@@ -137,6 +137,7 @@ void check_annotation(Builder& builder, const Annotation& annotation, const std:
 }  // namespace
 
 void build_annotations(Builder& builder) {
+    const Reader::Scope scope(builder.reader, "annotations", {});
     builder.shot.annotations = builder.file.annotations;
     for (std::size_t i = 0; i < builder.shot.annotations.size(); ++i) {
         check_annotation(builder, builder.shot.annotations[i], fmt::format("{}", i));

@@ -146,6 +146,7 @@ void check_exposure(Builder& builder) {
     const double exposure = timing.shutter.exposure.to_double();
     const double frame = 1 / timing.fps.to_double();
     if (timing.shutter.clock == ShutterClock::video && exposure > frame * (1 + 1e-9)) {
+        const Reader::Scope scope(builder.reader, "render", {});
         builder.reader.warning(builder.place_of({"render", "shutter"}),
                                "the shutter is open for " + show(exposure, Dimension::time) +
                                    ", longer than a frame lasts (" + show(frame, Dimension::time) +
@@ -174,6 +175,23 @@ void apply_short_side(Builder& builder) {
     render.height = size.height;
 }
 
+void build_cameras(Builder& builder) {
+    const Reader::Scope scope(builder.reader, "cameras", builder.file.cameras_place);
+    add_cameras(builder);
+    if (builder.reader.has_error()) {
+        return;
+    }
+    if (builder.shot.cameras.empty()) {
+        builder.reader.warning(builder.file.cameras_place,
+                               "the shot has no camera: it can be baked, but not filmed");
+        return;
+    }
+    check_sequence(builder);
+    if (!builder.reader.has_error()) {
+        check_scene_times(builder);
+    }
+}
+
 }  // namespace
 
 void build_film(Builder& builder) {
@@ -190,19 +208,9 @@ void build_film(Builder& builder) {
     apply_denoise(builder);
     check_output(builder);
     check_exposure(builder);
-    add_cameras(builder);
-    if (builder.reader.has_error()) {
-        return;
-    }
-    if (shot.cameras.empty()) {
-        builder.reader.warning(builder.file.cameras_place,
-                               "the shot has no camera: it can be baked, but not filmed");
-    } else {
-        check_sequence(builder);
-        if (!builder.reader.has_error()) {
-            check_scene_times(builder);
-            check_poster(builder);
-        }
+    build_cameras(builder);
+    if (!builder.reader.has_error() && !shot.cameras.empty()) {
+        check_poster(builder);
     }
 }
 

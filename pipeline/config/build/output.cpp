@@ -96,6 +96,7 @@ void apply_denoise(Builder& builder) {
 /// The size of the picture is not checked here: whether it is possible depends on the type of the
 /// output file, which only the command knows.
 void check_output(Builder& builder) {
+    const Reader::Scope scope(builder.reader, "output", {});
     const Shot& shot = builder.shot;
     const std::string film = "film" + default_extension(shot.output);
     const std::string problem = check_video_format({1280, 720, shot.timing.fps}, shot.output, film);
@@ -109,6 +110,7 @@ void check_output(Builder& builder) {
 }
 
 void check_poster(Builder& builder) {
+    const Reader::Scope scope(builder.reader, "output", {});
     const Shot& shot = builder.shot;
     const double end =
         static_cast<double>(frame_count(shot.cameras, shot.timing)) / shot.timing.fps.to_double();

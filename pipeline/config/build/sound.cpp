@@ -97,6 +97,7 @@ void check_listener(Builder& builder, const CameraSound& sound, const Path& path
 }  // namespace
 
 void build_sound(Builder& builder) {
+    const Reader::Scope scope(builder.reader, "sound", {});
     const SoundSettings& sound = builder.shot.sound = builder.file.sound;
     const std::set<std::string> solids = materials_of(builder.shot.world);
     for (const SoundMaterial& material : sound.materials) {

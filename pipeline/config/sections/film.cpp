@@ -129,7 +129,7 @@ const MapSpec<FilmSection>& film_spec() {
         s.key("size", &FilmSection::size, picture_size(),
               "width and height of the film, instead of those of the shots. They have to agree "
               "without it");
-        s.key("fps", &FilmSection::fps, exact(Dimension::frequency, above_up_to(0, 1000)),
+        s.key("fps", &FilmSection::fps, frame_rate(),
               "frames per second, instead of those of the shots. They have to agree without it");
         s.key(
              "shots", &FilmSection::parts, list_of(part(), 1, 1000),

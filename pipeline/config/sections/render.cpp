@@ -234,8 +234,9 @@ const MapSpec<RenderSection>& render_spec() {
               "`size` is kept, and both sides are rounded to even numbers. The quality presets use "
               "this key. A `size` that replaces it, in a file that includes it or by `--set`, is "
               "used unchanged");
-        s.key("fps", &RenderSection::fps, exact(Dimension::frequency, above_up_to(0, 1000)),
-              "frames per second of video, exact: 24000/1001 is not rounded");
+        s.key("fps", &RenderSection::fps, frame_rate(),
+              "frames per second of video, exact: 24000/1001 is not rounded, and is also what "
+              "23.976 and 23.98 mean; likewise 29.97, 59.94 and so on");
         s.key(
             "shutter", &RenderSection::shutter,
             any_of<ShutterSection>({{is_scalar, bare_shutter()}, {is_map, record(shutter_spec())}}),

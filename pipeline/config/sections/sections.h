@@ -37,6 +37,10 @@ struct NotStored {};
 /// `none`, for a silent film, or the keys of the section `sound`.
 [[nodiscard]] ValueType<SoundSettings> film_sound();
 
+/// Frames per second. A decimal number such as 29.97 is read as the fraction that it abbreviates,
+/// 30000/1001, with a warning.
+[[nodiscard]] ValueType<Rational> frame_rate();
+
 /// Whether the cue stick of a strike is seen.
 [[nodiscard]] ValueType<bool> shown_or_hidden();
 

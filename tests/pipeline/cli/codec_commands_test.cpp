@@ -71,5 +71,16 @@ TEST_F(CodecCommands, SequenceInAVideoFormat_IsRejectedBeforeTheWork) {
     EXPECT_EQ(stored_frames(), 0);
 }
 
+/// x265 3.5 would write beyond the end of its rows of blocks (encoder_options.cpp).
+TEST_F(CodecCommands, HevcOfANarrowPicture_IsWritten) {
+    for (const char* size : {"16,16", "48,36", "48,64", "50,36"}) {
+        const RunResult result =
+            run({"render", "tiny.yaml", "-o", "a.mp4", "--set", "output.codec=hevc", "--set",
+                 std::string("render.size=[") + size + "]"});
+        EXPECT_EQ(result.exit_code, 0) << size << ": " << result.err;
+        EXPECT_EQ(decode_video(path("a.mp4")).frames.size(), 6U) << size;
+    }
+}
+
 }  // namespace
 }  // namespace carom::cli

@@ -203,7 +203,7 @@ TEST_F(LightCommands, ReportOfShotAndOfItsBake_IsTheSameText) {
     const RunResult of_shot = run({"report", "tiny.yaml"});
     EXPECT_EQ(of_shot.exit_code, 0) << of_shot.err;
     EXPECT_THAT(of_shot.out, StartsWith("0.000 s to 0.600 s, 2 objects, "));
-    EXPECT_THAT(of_shot.out, HasSubstr("impact    cue - one"));
+    EXPECT_THAT(of_shot.out, HasSubstr("impact   cue - one"));
     EXPECT_THAT(of_shot.out, HasSubstr("\nafter the strike on cue"));
     EXPECT_THAT(results(), IsEmpty());
     ASSERT_EQ(run({"bake", "tiny.yaml"}).exit_code, 0);
@@ -240,16 +240,69 @@ TEST_F(LightCommands, ReportAsJson_IsOneObject) {
               std::count(result.out.begin(), result.out.end(), '}'));
 }
 
-TEST_F(LightCommands, ReportOfTheExample_Fits120ColumnsAndListsTheBreak) {
+TEST_F(LightCommands, ReportOfTheExample_Fits80ColumnsAndListsTheBreak) {
     const RunResult result = run({"report", CAROM_SOURCE_DIR "/examples/nine_ball_break.yaml"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_THAT(result.out, HasSubstr("strike    cue"));
-    EXPECT_THAT(result.out, HasSubstr("impact    one - cue"));
+    EXPECT_THAT(result.out, HasSubstr("strike   cue"));
+    EXPECT_THAT(result.out, HasSubstr("impact   one - cue"));
     EXPECT_THAT(result.out, HasSubstr("\nnine "));
     std::istringstream lines(result.out);
     for (std::string line; std::getline(lines, line);) {
-        EXPECT_LE(line.size(), 120U) << line;
+        EXPECT_LE(line.size(), 80U) << line;
     }
+}
+
+TEST_F(LightCommands, ReportWithFilters_HasWhatIsAskedFor) {
+    const auto report = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {"report", "tiny.yaml", "-q"});
+        return run(arguments);
+    };
+    const RunResult result = report({"--only", "strikes, collisions", "--object", "one", "--from",
+                                     "{strike: cue}", "--min-impulse", "0.001 N s"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("impact   cue - one"));
+    EXPECT_THAT(result.out, Not(HasSubstr("strike  ")));
+    const RunResult json = report({"--json", "--without", "energy_over_time,motion"});
+    EXPECT_THAT(json.out, HasSubstr("\"energy\":["));
+    EXPECT_THAT(json.out, Not(HasSubstr("energy_over_time")));
+    EXPECT_THAT(json.out, Not(HasSubstr("rolling")));
+    for (const auto& [wrong, message] :
+         std::vector<std::pair<std::vector<std::string>, std::string>>{
+             {{"--only", "pot"},
+              "--only: there is no 'pot' (did you mean 'pots'?); the words are "},
+             {{"--object", "oen"},
+              "--object: nothing in the report is called 'oen' (did you mean 'one'?)"},
+             {{"--from", "1", "--to", "0.5"}, "--to is before --from"},
+             {{"--min-impulse", "2 m"}, "'2 m' is not an impulse; write 0.01 or '0.01 N s'"}}) {
+        const RunResult refused = report(wrong);
+        EXPECT_EQ(refused.exit_code, 2);
+        EXPECT_THAT(refused.err, HasSubstr(message));
+    }
+}
+
+TEST_F(LightCommands, ExportAsJson_LeavesPartsOut) {
+    write_text(path("table.yaml"),
+               "carom: 1\ninclude: [tables/pool_9ft.yaml, balls/pool.yaml]\n"
+               "simulation: {duration: 0.1 s}\nballs: {cue: {at: [0, 0]}}\n");
+    const RunResult whole = run({"export", "table.yaml", "-o", "whole.json"});
+    EXPECT_EQ(whole.exit_code, 0);
+    EXPECT_THAT(whole.err, HasSubstr("MB; --without meshes,energy or --only tracks,events"));
+    ASSERT_EQ(run({"export", "table.yaml", "-o", "small.json", "--without", "meshes"}).exit_code,
+              0);
+    EXPECT_LT(text_of("small.json").size(), text_of("whole.json").size() / 20);
+    EXPECT_THAT(text_of("small.json"), HasSubstr("\"kind\":\"mesh\"}"));
+    ASSERT_EQ(run({"export", "table.yaml", "-o", "tracks.json", "--only", "tracks"}).exit_code, 0);
+    EXPECT_THAT(text_of("tracks.json"), Not(HasSubstr("\"objects\"")));
+    EXPECT_THAT(run({"export", "table.yaml", "-o", "t.json", "--only", "trakcs"}).err,
+                HasSubstr("--only: there is no 'trakcs' (did you mean 'tracks'?)"));
+    EXPECT_THAT(run({"export", "table.yaml", "-o", "t.glb", "--only", "tracks"}).err,
+                HasSubstr("leave out parts of a .json"));
+    // A film is not asked for, so that it need not be possible.
+    for (const std::string command : {"report", "export", "bake"}) {
+        EXPECT_THAT(run({command, "table.yaml"}).err, Not(HasSubstr("no camera"))) << command;
+        EXPECT_EQ(run({command, "table.yaml", "-q"}).err, "") << command;
+    }
+    EXPECT_THAT(run({"check", "table.yaml"}).err, HasSubstr("the shot has no camera"));
 }
 
 TEST_F(LightCommands, MissingFolderOfTheOutput_IsReportedBeforeTheWork) {

@@ -8,6 +8,7 @@ using carom::testing::EndToEnd;
 using carom::testing::RunResult;
 using carom::testing::write_text;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// A shot of 0.8 s in which the cue ball touches the one at about 0.23 s.
 class MomentRun : public EndToEnd {
@@ -54,6 +55,52 @@ TEST_F(MomentRun, ThatNeverComes_IsAWarningOfCheckAndAnErrorOfRender) {
     EXPECT_NE(render.exit_code, 0);
     EXPECT_THAT(render.err, HasSubstr("s.yaml:8:45: error" + message));
     EXPECT_THAT(render.err, HasSubstr("'s.yaml' has 1 error"));
+}
+
+/// The second camera can be filmed, the first and the annotation cannot.
+TEST_F(MomentRun, ThatNeverComes_StopsOnlyCommandsThatFilm) {
+    write_shot("[{contact: [two, one]}, 0.5 s]");
+    std::string text = text_of("s.yaml");
+    text.insert(text.find("render:"),
+                R"(  - {name: near, video: [1 s, 2 s], scene: [{contact: [cue, one]}, 0.8 s],
+     position: [0.1, 0, 0.029], target: [0, 0, 0]}
+annotations:
+  - {text: hit, from: {strike: cue}, to: {potted: one}}
+)");
+    write_text(path("s.yaml"), text);
+    for (const std::vector<std::string>& diagnosis :
+         std::vector<std::vector<std::string>>{{"report", "s.yaml"},
+                                               {"report", "s.yaml", "--json", "-o", "s.json"},
+                                               {"report", "s.yaml", "--plot", "r.svg"},
+                                               {"plan", "s.yaml"},
+                                               {"export", "s.yaml", "-o", "s.csv"},
+                                               {"export", "s.yaml", "-o", "s.glb"},
+                                               {"export", "s.yaml", "-o", "s.usda"},
+                                               {"bake", "s.yaml"},
+                                               {"check", "s.yaml"},
+                                               {"info", "s.yaml"},
+                                               {"info", "s.yaml", "--resolved"}}) {
+        const RunResult result = run(diagnosis);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_THAT(result.err, HasSubstr("s.yaml:8:45: warning: this moment never comes: 'two'"));
+        EXPECT_THAT(result.err, HasSubstr("s.yaml:12:42: warning: this moment never comes: 'one'"));
+    }
+    for (const std::string film : {"render", "frame", "contact-sheet", "sound"}) {
+        EXPECT_EQ(run({film, "s.yaml"}).exit_code, 2) << film;
+    }
+    const std::string report = run({"report", "s.yaml", "-q"}).out;
+    EXPECT_THAT(report, HasSubstr("   never cameras[0].scene[0]\n"));
+    EXPECT_THAT(report, ::testing::ContainsRegex(" 0\\.2[0-9]+ cameras\\[1\\]\\.scene"));
+    EXPECT_THAT(text_of("s.json"), HasSubstr("{\"key\":\"cameras[0].scene[0]\",\"time\":null}"));
+    EXPECT_THAT(text_of("s.svg"), HasSubstr(">never<"));
+    EXPECT_THAT(text_of("s.usda"), HasSubstr("near_lens"));
+    EXPECT_THAT(text_of("s.usda"), Not(HasSubstr("seat_lens")));
+    EXPECT_THAT(run({"info", "s.yaml"}).out,
+                HasSubstr("seat: 0 s to 1 s of the film, shows scene times that are not known"));
+    // The place of the other camera's problem is its own.
+    EXPECT_THAT(run({"check", "s.yaml"}).err,
+                HasSubstr("s.yaml:10:6: warning: camera 'near' is inside 'one'"));
+    EXPECT_EQ(run({"export", "s.yaml", "-q"}).err, "");
 }
 
 TEST_F(MomentRun, AsAnOption_IsATime) {

@@ -47,7 +47,7 @@ TEST(ProgressLine, Snapshot_IsFormattedAsALine) {
     snapshot.frames_found = 12;
     snapshot.left.reset();
     snapshot.rays_rate.reset();
-    EXPECT_EQ(progress_line(snapshot), "render: 72 of 240 frames (30 %, 12 from an earlier run)");
+    EXPECT_EQ(progress_line(snapshot), "render: 72 of 240 frames (30 %, 12 stored or shown again)");
     snapshot = {};
     snapshot.stage = "bake";
     snapshot.fraction = 0.999;

@@ -75,6 +75,17 @@ TEST_F(SequenceRun, Render_MakesOneFilmOfAllParts) {
     EXPECT_EQ(film.frames[11].rgb, b.frames[5].rgb);
 }
 
+TEST_F(SequenceRun, Report_IsThatOfEachShot) {
+    const RunResult report = must_run({"report", "film.yaml", "--only", "collisions"});
+    EXPECT_THAT(report.out, HasSubstr("part 1, a.yaml\n0.000 s to 0.600 s, 2 objects, 1 of "));
+    EXPECT_THAT(report.out, HasSubstr("\n\npart 3, b.yaml\n"));
+    EXPECT_THAT(must_run({"report", "film.yaml", "--json", "--only", "pots"}).out,
+                ::testing::StartsWith("[{\"start_time\":0,"));
+    EXPECT_EQ(run({"report", "film.yaml", "--plot", "p.svg"}).exit_code, 2);
+    EXPECT_THAT(run({"export", "film.yaml"}).err,
+                HasSubstr("'film.yaml' is a film of several shots; export one"));
+}
+
 TEST_F(SequenceRun, Render_GoesOnWhereItWas) {
     EXPECT_THAT(must_run({"render", "film.yaml", "--chunk", "1/2"}).err,
                 HasSubstr("6 of them rendered now"));
@@ -161,6 +172,13 @@ TEST_F(SequenceRun, OtherCommands_KnowTheFilm) {
     EXPECT_TRUE(exists("frame.png"));
     EXPECT_THAT(run({"retime", "film.yaml", "--speed", "1/2"}).err,
                 HasSubstr("this is a film of several shots, where a single shot is needed"));
+    // The contact is at 0.24 s of the scene, which the first part shows as it is.
+    EXPECT_EQ(must_run({"frame", "film.yaml", "--at", "{contact: [cue, one]}"}).out,
+              "film.0002.png\n");
+    EXPECT_THAT(run({"frame", "film.yaml", "--at", "{potted: one}"}).err,
+                HasSubstr("--at: this moment never comes: 'one' was never potted"));
+    EXPECT_THAT(run({"frame", "film.yaml", "--at", "{strike: cue, after: 2 s}"}).err,
+                HasSubstr("the film does not show that moment"));
     EXPECT_THAT(run({"frame", "film.yaml", "--frame", "12"}).err,
                 HasSubstr("frame 12 is outside the film, which has the frames 0 to 11"));
     EXPECT_THAT(run({"render", "film.yaml", "-o", "f.####.png"}).err,

@@ -233,9 +233,39 @@ FilmTiming read_timing(const std::string& render) {
 
 TEST(Render, Fps_IsExact) {
     EXPECT_EQ(read_timing("{fps: 24000/1001}").fps, Rational(24000, 1001));
-    EXPECT_EQ(read_timing("{fps: 23.976}").fps, Rational(2997, 125));
+    EXPECT_EQ(read_timing("{fps: 2997/125}").fps, Rational(2997, 125));
     EXPECT_EQ(read_timing("{fps: 25 fps}").fps, Rational(25));
     EXPECT_EQ(read_timing("{}").fps, Rational(24));
+}
+
+TEST(Render, DecimalFps_IsTheFractionThatItAbbreviates) {
+    const auto shot = [](const std::string& rate) {
+        return "carom: 1\n" + kCamera + "render: {fps: " + rate + "}\n";
+    };
+    const auto fps = [&](const std::string& rate) {
+        const LoadResult result = load_shot_text(shot(rate), "t.yaml");
+        return result.shot ? result.shot->timing.fps : Rational(0);
+    };
+    const std::vector<std::pair<std::string, std::int64_t>> rates{
+        {"23.976", 24}, {"23.98", 24},  {"23.976024", 24}, {"29.97", 30},  {"29.97 Hz", 30},
+        {"59.94", 60},  {"47.952", 48}, {"119.88", 120},   {"14.985", 15}, {"23.97", 24}};
+    for (const auto& [text, whole] : rates) {
+        EXPECT_EQ(fps(text), Rational(whole * 1000, 1001)) << text;
+    }
+    for (const auto& [text, fraction] :
+         std::vector<std::pair<std::string, Rational>>{{"23.9", {239, 10}},
+                                                       {"24.98", {1249, 50}},
+                                                       {"12.5", {25, 2}},
+                                                       {"24.00", {24, 1}},
+                                                       {"29.5", {59, 2}},
+                                                       {"29.96", {749, 25}}}) {
+        EXPECT_EQ(fps(text), fraction) << text;
+    }
+    EXPECT_EQ(
+        first_problem(shot("23.976")),
+        "23.976 frames per second are read as 24000/1001, the exact rate of such films; write "
+        "24000/1001 to say so");
+    EXPECT_EQ(first_problem(shot("24000/1001")), "");
 }
 
 TEST(Render, Shutter_IsAnAngleATimeOrAMap) {

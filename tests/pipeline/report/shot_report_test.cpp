@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "pipeline/report/report_parts.h"
 #include "pipeline/report/report_text.h"
 
 namespace carom::pipeline {
@@ -16,6 +17,7 @@ using sim::Event;
 using sim::EventKind;
 using sim::Key;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr double kRadius = 0.03;
 
@@ -84,15 +86,15 @@ TEST(ShotReport, Impact_HasSpeedsAndCutAngle) {
 
 TEST(ShotReport, StrikeAndImpact_HaveTheirImpulses) {
     const std::string text = report_text(report_of(cut_shot()));
-    EXPECT_THAT(text, HasSubstr("  0.3400  "));
-    EXPECT_THAT(text, HasSubstr("  0.2500  "));
+    EXPECT_THAT(text, HasSubstr(" 0.3400 "));
+    EXPECT_THAT(text, HasSubstr(" 0.2500 "));
 }
 
 TEST(ShotReport, Impact_HasTheSpinBeforeAndAfter) {
     const ShotReport report = report_of(cut_shot());
     EXPECT_EQ(report.events[1].a->spin_before, Vec3(0, 60, 0));
     EXPECT_EQ(report.events[1].a->spin_after, Vec3(0, 30, 40));
-    EXPECT_THAT(report_text(report), HasSubstr(" 2.000  1.000   50.0  0.000  1.732    0.0  30.0"));
+    EXPECT_THAT(report_text(report), HasSubstr(" 2.000 1.000  50.0 "));
 }
 
 TEST(ShotReport, Objects_HavePathSpeedAndEnd) {
@@ -183,23 +185,107 @@ TEST(ShotReport, EmptyTimeline_GivesAnEmptyReport) {
     EXPECT_THAT(report_text(report), HasSubstr("0 objects, 0 events"));
 }
 
-TEST(ReportText, LongNames_AreShortenedToFitTheTable) {
+void expect_lines_up_to(std::size_t columns, const std::string& text) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_LE(line.size(), columns) << line;
+        EXPECT_TRUE(line.empty() || line.back() != ' ') << line;
+    }
+}
+
+TEST(ReportText, LongNames_AreWholeAndEveryTableFits80Columns) {
     sim::Timeline timeline = cut_shot();
     const std::string name = "a ball with quite a long name";
     timeline.tracks.emplace_back(
-        name, std::vector<Key>{key(0, {-1234.5678, 1, 0}, {0, 0, 0}, {0, 0, 0})});
+        name, std::vector<Key>{key(0, {-1234.5678, 1, 0}, {0, 0, 0}, {0, 0, 0}),
+                               key(2, {-1234.5678, 1, 0}, {0, 0, 0}, {0, 0, 0})});
+    timeline.events.push_back(event(EventKind::impact, 1.8, "one", name));
     timeline.events.push_back(event(EventKind::off_table, 1.9, name));
+    timeline.events[3].b = "corner_left_front";
     const std::string text = report_text(report_of(timeline));
-    EXPECT_THAT(text, HasSubstr("impact    cue - one"));
-    EXPECT_THAT(text, HasSubstr("  30.0  0.2500 "));
-    EXPECT_THAT(text, HasSubstr("potted at 1.750 s: top left"));
+    EXPECT_THAT(text, HasSubstr("impact   cue - one "));
+    EXPECT_THAT(text, HasSubstr("cut 30.0 deg\n"));
+    EXPECT_THAT(text, HasSubstr("potted   one - corner_left_front\n"));
+    EXPECT_THAT(text, HasSubstr("potted at 1.750 s: corner_left_front\n"));
     EXPECT_THAT(text, HasSubstr("off the table at 1.900 s"));
-    EXPECT_THAT(text, HasSubstr("a ball with q~"));
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) {
-        EXPECT_LE(line.size(), 126U) << line;  // six more columns for a position a kilometre away
-        EXPECT_TRUE(line.empty() || line.back() != ' ') << line;
+    EXPECT_THAT(text, HasSubstr("off_table a ball with quite a long name\n"));
+    EXPECT_THAT(text, HasSubstr("-1235  1.000 0.000  off the table"));
+    expect_lines_up_to(80, text);
+    EXPECT_THAT(report_text(report_of(timeline), {.columns = 120}),
+                HasSubstr("impact   one - a ball with quite a long name 1.732"));
+}
+
+/// The second ball's numbers are in a line of their own.
+TEST(ReportText, Impact_HasALineForEachOfTwoObjects) {
+    const std::string text = report_text(report_of(cut_shot()));
+    EXPECT_THAT(text, HasSubstr(R"(
+   time event    who              m/s   m/s rad/s    N s    x m    y m   z m
+0.00000 strike   cue            0.000 2.000   0.0 0.3400  0.000  0.000 0.000
+1.00000 impact   cue - one      2.000 1.000  50.0 0.2500  0.000  0.000 0.000
+                 one            0.000 1.732   0.0  cut 30.0 deg
+1.50000 impact   one - cushion)"));
+}
+
+/// As of a block that comes to rest on another one.
+TEST(ReportText, ManyImpactsOfTheSameTwo_AreOneLine) {
+    sim::Timeline timeline = cut_shot();
+    timeline.events.clear();
+    for (int i = 0; i < 20; ++i) {
+        timeline.events.push_back(event(EventKind::impact, 1 + 0.05 * i, "cue", "cloth"));
+        timeline.events.back().normal_impulse = i == 3 ? 0.02 : 0.001;
     }
+    timeline.events.push_back(event(EventKind::impact, 1.5, "one", "cloth"));
+    timeline.events.push_back(event(EventKind::impact, 1.7, "one", "cloth"));
+    ShotReport report = report_of(timeline);
+    const std::string text = report_text(report);
+    EXPECT_THAT(text, HasSubstr("\n1.00000 impact   cue - cloth 20 times until 1.950 s, up to "
+                                "0.0200 N s\n"));
+    EXPECT_THAT(text, HasSubstr("\n1.70000 impact   one - cloth"));
+    EXPECT_THAT(text, HasSubstr("22 events"));
+    const std::string whole = report_text(report, {.every_impact = true});
+    EXPECT_THAT(whole, HasSubstr("\n1.95000 impact   cue - cloth"));
+}
+
+std::string text_with(const ReportFilter& filter) {
+    sim::Timeline timeline = cut_shot();
+    timeline.events.push_back(event(EventKind::rolling, 1.8, "cue"));
+    ShotReport report = report_of(timeline);
+    ReportLook look;
+    look.parts = apply(filter, report);
+    return report_text(report, look);
+}
+
+TEST(ReportFilter, Words_ChooseEventsAndParts) {
+    const std::string pots = text_with({.only = {"pots"}});
+    EXPECT_THAT(pots, HasSubstr("3 objects, 1 of 5 events\n"));
+    EXPECT_THAT(pots, HasSubstr("potted   one - top left "));
+    EXPECT_THAT(pots, Not(HasSubstr("object ")));
+    EXPECT_THAT(pots, Not(HasSubstr("energy")));
+    const std::string two = text_with({.only = {"collisions", "objects"}});
+    EXPECT_THAT(two, HasSubstr("1 of 5 events"));
+    EXPECT_THAT(two, HasSubstr("cue - one"));
+    EXPECT_THAT(two, HasSubstr("\nobject "));
+    EXPECT_THAT(text_with({.only = {"cushions", "strike"}}), HasSubstr("2 of 5 events"));
+    EXPECT_THAT(text_with({.only = {"energy"}}), Not(HasSubstr("time event")));
+    const std::string without = text_with({.without = {"impacts", "motion", "energy"}});
+    EXPECT_THAT(without, HasSubstr("2 of 5 events"));
+    EXPECT_THAT(without, Not(HasSubstr("energy")));
+    EXPECT_THAT(text_with({.only = {"events"}, .without = {"rolling"}}),
+                HasSubstr("4 of 5 events"));
+}
+
+TEST(ReportFilter, NamesTimesAndImpulses_ChooseEvents) {
+    const std::string cue = text_with({.objects = {"cue"}});
+    EXPECT_THAT(cue, HasSubstr("3 objects, 3 of 5 events"));
+    EXPECT_THAT(cue, Not(HasSubstr("\ntwo ")));
+    EXPECT_THAT(text_with({.objects = {"cushion"}}), HasSubstr("1 of 5 events"));
+    EXPECT_THAT(text_with({.from = 1, .to = 1.5}), HasSubstr("2 of 5 events"));
+    EXPECT_THAT(text_with({.min_impulse = 0.3}), HasSubstr("3 of 5 events"));
+}
+
+TEST(ReportFilter, ItsWords_AreTheGroupsThePartsAndAllKinds) {
+    const std::vector<std::string> words = report_words();
+    EXPECT_THAT(words, ::testing::IsSupersetOf({"pots", "moments", "impact", "removed"}));
 }
 
 }  // namespace

@@ -47,6 +47,11 @@ TEST(CacheFolder, EnvironmentVariables_AreUsedInOrder) {
     EXPECT_EQ(default_cache_folder(), "/b/carom");
     ::setenv("XDG_CACHE_HOME", "", 1);
     EXPECT_EQ(default_cache_folder(), "/c/.cache/carom");
+    ::setenv("XDG_CACHE_HOME", "relative/cache", 1);
+    EXPECT_EQ(default_cache_folder(), "/c/.cache/carom");
+    ::setenv("HOME", "relative", 1);
+    EXPECT_THROW((void)default_cache_folder(), Error);
+    ::setenv("HOME", "/c", 1);
     ::unsetenv("HOME");
     EXPECT_THROW((void)default_cache_folder(), Error);
 }

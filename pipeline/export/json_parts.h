@@ -1,0 +1,34 @@
+// The parts of an export as JSON, which can be left out.
+#pragma once
+
+#include <array>
+
+namespace carom::pipeline {
+
+struct JsonParts {
+    bool tracks = true;
+    bool objects = true;
+    bool meshes = true;  // the vertices and triangles of objects
+    bool materials = true;
+    bool events = true;
+    bool contacts = true;  // lasting_contacts
+    bool put_backs = true;
+    bool energy = true;
+    bool cameras = true;
+};
+
+struct JsonPart {
+    const char* name;
+    bool JsonParts::*wanted;
+};
+
+/// All of them with the words that name them.
+inline constexpr std::array kJsonParts{
+    JsonPart{"tracks", &JsonParts::tracks},       JsonPart{"objects", &JsonParts::objects},
+    JsonPart{"meshes", &JsonParts::meshes},       JsonPart{"materials", &JsonParts::materials},
+    JsonPart{"events", &JsonParts::events},       JsonPart{"contacts", &JsonParts::contacts},
+    JsonPart{"put_backs", &JsonParts::put_backs}, JsonPart{"energy", &JsonParts::energy},
+    JsonPart{"cameras", &JsonParts::cameras},
+};
+
+}  // namespace carom::pipeline
