@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "pipeline/cli/bake_input.h"
+#include "pipeline/cli/named_files.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
@@ -42,7 +43,7 @@ Source read_source(const ExportCommand& command, bool shot_wanted, CommandContex
     if (!shot_wanted && is_bake_file(command.input.path)) {
         return {std::nullopt, read_timeline_of_bake(command.input.path, context.console)};
     }
-    ShotInput input = read_shot_input(command.input, context.console);
+    ShotInput input = read_checked_input(command.input, FileReading::usual, context);
     sim::Timeline timeline = obtain_bake(input, command.input, command.cache, context).timeline;
     return {std::move(input.shot), std::move(timeline)};
 }

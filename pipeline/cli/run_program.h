@@ -31,6 +31,8 @@ struct CommandContext {
     /// decoder.
     sound::AddedSound (*music)(const pipeline::MusicSettings& settings,
                                std::int64_t film_samples) = nullptr;
+    /// Prepares the view of a film, and throws Error if it cannot be used; null likewise.
+    void (*view)(const pipeline::OutputSettings& output) = nullptr;
 };
 
 /// Runs a command of the programs `here`. Commands of other programs are not linked; for these it

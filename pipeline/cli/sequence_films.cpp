@@ -94,7 +94,7 @@ void print_status(const Sequence& sequence, const SequenceBakes& bakes,
 void render_sequence(const RenderCommand& command, CommandContext& context) {
     const auto begin = std::chrono::steady_clock::now();
     const ChosenTier tier(command.tier);
-    Sequence sequence = read_sequence_input(command.input, context.console);
+    Sequence sequence = read_checked_sequence(command.input, FileReading::usual, context);
     const bool makes_film = command.chunk.empty();
     const std::string path = makes_film
                                  ? output_or_default(command.output, command.input.path,
@@ -131,7 +131,7 @@ void render_sequence(const RenderCommand& command, CommandContext& context) {
 }
 
 void mux_sequence(const MuxCommand& command, CommandContext& context) {
-    Sequence sequence = read_sequence_input(command.input, context.console);
+    Sequence sequence = read_checked_sequence(command.input, FileReading::usual, context);
     const std::string path = output_or_default(command.output, command.input.path,
                                                pipeline::default_extension(sequence.output));
     check_sequence_file(sequence, path);
@@ -153,7 +153,7 @@ void mux_sequence(const MuxCommand& command, CommandContext& context) {
 
 void write_sequence_frame(const FrameCommand& command, CommandContext& context) {
     const ChosenTier tier(command.tier);
-    Sequence sequence = read_sequence_input(command.input, context.console);
+    Sequence sequence = read_checked_sequence(command.input, FileReading::usual, context);
     if (is_moment_text(command.at)) {
         throw InputError("--at takes a moment of one shot; for a film of several give a time");
     }
@@ -218,7 +218,7 @@ void write_sequence_sheet(const ContactSheetCommand& command, CommandContext& co
     check_sheet_path(sheet.path, "a contact sheet");
     check_output_folder(sheet.path);
     const ChosenTier tier(command.tier);
-    Sequence sequence = read_sequence_input(input, context.console);
+    Sequence sequence = read_checked_sequence(input, FileReading::usual, context);
     pipeline::FilmJobOptions options = job_options(command.cache, {}, {});
     options.threads = command.threads;
     options.factory = context.factory;

@@ -89,7 +89,7 @@ CheckedInput load_shot_input(const InputOptions& input) {
     } else {
         loaded = pipeline::load_shot(input.path, load_options(input));
     }
-    CheckedInput checked{std::move(loaded.problems), {}};
+    CheckedInput checked{std::move(loaded.problems), {}, std::move(loaded.named_files)};
     if (loaded.shot) {
         result.shot = std::move(*loaded.shot);
         result.source = std::move(loaded.source);

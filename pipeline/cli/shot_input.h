@@ -8,6 +8,7 @@
 
 #include "pipeline/cli/commands.h"
 #include "pipeline/cli/terminal/console.h"
+#include "pipeline/config/named_file.h"
 #include "pipeline/config/problem.h"
 #include "pipeline/config/shot_source.h"
 #include "pipeline/shot/shot.h"
@@ -26,6 +27,7 @@ struct ShotInput {
 struct CheckedInput {
     std::vector<pipeline::Problem> problems;
     std::optional<ShotInput> input;
+    std::vector<pipeline::NamedFile> files{};  // that it names, also if there is no input
 };
 
 /// Reads the input like read_shot_input, but returns its problems. Throws InputError if the options
