@@ -49,9 +49,8 @@ namespace carom::pipeline {
                                                      const WorkContext& context = {});
 
 /// Warnings about objects that are far too large or too small, so that their unit is probably
-/// another one, about a picture on a mesh without uv, about materials of a mesh file that its
-/// object does not have, and about what is ignored in such a file. Files of more than 64 MB are not
-/// read. `source`: as above.
+/// another one, about a picture on a mesh without uv, and about materials of a mesh file that its
+/// object does not have. Files of more than 64 MB are not read. `source`: as above.
 [[nodiscard]] std::vector<Problem> object_problems(const Shot& shot, const ShotSource* source);
 
 /// Warnings about cameras that are inside an object (solid_check.h), that are focused on an object

@@ -53,7 +53,6 @@ class ObjectChecker {
                 for (const Vec3& vertex : reading->mesh.vertices) {
                     box.extendBy(vertex);
                 }
-                tell_blemishes(object, *reading, mesh->file);
                 check_size(object, box, !mesh->file.empty());
                 check_picture(object, *reading);
                 check_materials(object, *reading);
@@ -76,15 +75,6 @@ class ObjectChecker {
     void add(Problem problem, const std::string& what) {
         if (places_.insert({problem.place.line, what}).second) {
             problems_.push_back(std::move(problem));
-        }
-    }
-
-    void tell_blemishes(const render::ObjectDescription& object, const render::MeshReading& reading,
-                        const std::string& file) {
-        for (const render::MeshRemark& warning : reading.warnings) {
-            const std::string text = render::text_of(file, warning);
-            add(placed_problem(source_, {"objects", object.name, "mesh"}, Severity::warning, text),
-                text);
         }
     }
 

@@ -123,6 +123,14 @@ TEST_F(FileCheck, FontThatEndsTooEarly_IsAnError) {
     }
 }
 
+TEST_F(FileCheck, WhatIsIgnoredInAMesh_IsTold) {
+    write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn nan 0 0\nf 1//1 2//1 3//1\n");
+    EXPECT_THAT(messages({named("a.obj", FileKind::mesh)}),
+                ElementsAre("warning: '" + path("a.obj") +
+                            "': line 4: a normal has no length or is not three numbers; it is "
+                            "ignored"));
+}
+
 TEST_F(FileCheck, BlemishesOfAPicture_AreCounted) {
     write_picture("a.exr", 4, 1, 3, {1, 1, 1, -1, 1, 1, std::nanf(""), -2, 1, 1, INFINITY, 1});
     for (const FileKind kind : {FileKind::environment, FileKind::texture}) {

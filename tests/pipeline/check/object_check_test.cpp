@@ -107,14 +107,6 @@ TEST_F(ObjectCheck, MaterialsOfTheFileAndPictureWithoutUv_AreTold) {
                           "its triangles shows half of the picture of material 'photo'"));
 }
 
-TEST_F(ObjectCheck, WhatIsIgnoredInTheFile_IsTold) {
-    std::ofstream(path_, std::ios::app) << "vn nan 0 0\n";
-    add(file(), Vec3(0, 0, 0), Vec3(0.001, 0.001, 0.001));
-    EXPECT_THAT(warnings(), HasSubstr("'" + path_ +
-                                      "': line 17: a normal has no length or is not three "
-                                      "numbers; it is ignored\n"));
-}
-
 TEST_F(ObjectCheck, CameraInsideAClosedShape_IsFound) {
     const Vec3 in(1, 1, 1);
     const Vec3 out(1, 1, 2.6);
