@@ -3,6 +3,8 @@
 #include "lab/structures/make_structure.h"
 #include "pipeline/cli/command_line.h"
 #include "pipeline/cli/run_program.h"
+#include "pipeline/video/music_source.h"
+#include "pipeline/video/view_transform.h"
 
 namespace {
 
@@ -10,6 +12,8 @@ using namespace carom::cli;
 
 void run_in_laboratory(const Command& command, CommandContext& context) {
     context.factory = carom::render::make_structure;
+    context.music = carom::pipeline::music_of;
+    context.view = carom::pipeline::try_view;
     run_here<Program::film, Program::lab>(command, context);
 }
 

@@ -12,7 +12,7 @@
 namespace carom::cli {
 
 void run_for_shot(const CacheCommand& command, CommandContext& context) {
-    ShotInput input = read_film_input(command.input, context);
+    ShotInput input = read_film_input(command.input, FileReading::none, context);
     const pipeline::FilmJobOptions options = job_options(command.cache, command.frames, {});
     (void)count_job_frames(input.shot, options, command.frames, context.console);
     // The keys of the frames follow from the motion.

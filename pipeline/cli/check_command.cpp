@@ -9,6 +9,7 @@
 #include "pipeline/check/motion_check.h"
 #include "pipeline/cli/film_music.h"
 #include "pipeline/cli/helper_program.h"
+#include "pipeline/cli/named_files.h"
 #include "pipeline/cli/quick_bake.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/sequence_input.h"
@@ -114,6 +115,12 @@ void check_loudness(const pipeline::Sequence& film,
     }
 }
 
+void inform_about_headers(const std::string& sentence, CommandContext& context) {
+    if (!sentence.empty()) {
+        context.console.info(sentence);
+    }
+}
+
 /// Checks the size for the film that `carom render` writes by default. It is a warning, because
 /// images and other codecs may support the size.
 void check_film_file(const ShotInput& input, std::vector<Problem>& problems) {
@@ -127,8 +134,13 @@ void check_film_file(const ShotInput& input, std::vector<Problem>& problems) {
     }
 }
 
+FileReading reading_of(const CheckCommand& command) {
+    return command.full ? FileReading::full : FileReading::usual;
+}
+
 std::vector<Problem> problems_of_shot(const CheckCommand& command, CommandContext& context) {
     CheckedInput checked = load_shot_input(command.input);
+    inform_about_headers(check_files(checked, reading_of(command), context), context);
     std::vector<Problem>& problems = checked.problems;
     if (checked.input) {
         check_film_file(*checked.input, problems);
@@ -151,6 +163,7 @@ std::vector<Problem> problems_of_shot(const CheckCommand& command, CommandContex
 /// Those of the film's own file and of its shots.
 std::vector<Problem> problems_of_sequence(const CheckCommand& command, CommandContext& context) {
     pipeline::SequenceResult loaded = load_sequence_input(command.input);
+    inform_about_headers(check_files(loaded, reading_of(command), context), context);
     if (!loaded.sequence || command.quick) {
         return std::move(loaded.problems);
     }

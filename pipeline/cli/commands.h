@@ -192,6 +192,7 @@ struct CheckCommand {
     CacheOptions cache;
     bool json = false;
     bool quick = false;  // skip checks that need a simulation
+    bool full = false;   // read also large files whole
 };
 void describe(CheckCommand& command, CommandDescription& description);
 void run(const CheckCommand& command, CommandContext& context);

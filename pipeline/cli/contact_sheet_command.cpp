@@ -48,7 +48,7 @@ void run(const ContactSheetCommand& command, CommandContext& context) {
     check_sheet_path(path, "a contact sheet");
     check_output_folder(path);
     const ChosenTier tier(command.tier);
-    ShotInput input = read_film_input(options, context);
+    ShotInput input = read_film_input(options, FileReading::usual, context);
     Shot& shot = input.shot;
     set_picture_width(shot, command.width);
     if (command.input.quality.empty()) {

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "pipeline/cli/bake_input.h"
+#include "pipeline/cli/named_files.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/report_filter.h"
 #include "pipeline/cli/run_program.h"
@@ -47,7 +48,8 @@ Source read_source(const ExportCommand& command, bool shot_wanted, CommandContex
     if (!shot_wanted && is_bake(command.input)) {
         return {std::nullopt, read_timeline_of_bake(command.input, context.console)};
     }
-    ShotInput input = read_shot_input(command.input, context.console, Subject::motion);
+    ShotInput input =
+        read_checked_input(command.input, FileReading::usual, context, Subject::motion);
     sim::Timeline timeline =
         obtain_bake(input, command.input, command.cache, context, Subject::motion).timeline;
     return {std::move(input.shot), std::move(timeline)};

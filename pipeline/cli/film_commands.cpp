@@ -170,7 +170,7 @@ void run(const RenderCommand& command, CommandContext& context) {
         return render_sequence(command, context);
     }
     const auto begin = std::chrono::steady_clock::now();
-    ShotInput input = read_film_input(command.input, context);
+    ShotInput input = read_film_input(command.input, FileReading::usual, context);
     const bool makes_film = command.chunk.empty() || !command.output.empty();
     const std::string path = makes_film ? film_path(command.output, command.input, input.shot) : "";
     film_shot(std::move(input), path, command, begin, context);
@@ -232,7 +232,7 @@ void run(const MuxCommand& command, CommandContext& context) {
     if (is_sequence(command.input)) {
         return mux_sequence(command, context);
     }
-    ShotInput input = read_shot_input(command.input, context.console);
+    ShotInput input = read_checked_input(command.input, FileReading::usual, context);
     const std::string path = film_path(command.output, command.input, input.shot);
     check_film(input, path, context.console);
     FilmJobOptions options = job_options(command.cache, command.frames, {});
@@ -259,7 +259,7 @@ void run(const FrameCommand& command, CommandContext& context) {
         return write_sequence_frame(command, context);
     }
     const ChosenTier tier(command.tier);
-    ShotInput input = read_film_input(command.input, context);
+    ShotInput input = read_film_input(command.input, FileReading::usual, context);
     if (is_moment_text(command.at)) {
         know_motion(input, command.input, command.cache, context);
     }
@@ -268,7 +268,7 @@ void run(const FrameCommand& command, CommandContext& context) {
         output_or_default(command.output, command.input.path, numbered_extension(frame));
     check_picture_path(path);
     check_output_folder(path);
-    const pipeline::DisplayView view(input.shot.output);  // may fail, so before rendering
+    const pipeline::DisplayView view(input.shot.output);
 
     FilmJobOptions options = job_options(command.cache, {}, {});
     options.threads = command.threads;

@@ -5,24 +5,22 @@
 #include <fmt/core.h>
 
 #include "pipeline/camera/frame_plan.h"
-#include "pipeline/cli/film_music.h"
 #include "pipeline/cli/helper_program.h"
 #include "pipeline/cli/output_file.h"
-#include "pipeline/video/sound_decoder.h"
 #include "pipeline/video/video_format.h"
-#include "pipeline/video/view_transform.h"
 
 namespace carom::cli {
 
 using pipeline::FilmJobOptions;
 using pipeline::Shot;
 
-ShotInput read_film_input(const InputOptions& input, CommandContext& context) {
+ShotInput read_film_input(const InputOptions& input, FileReading reading, CommandContext& context) {
     CheckedInput checked = load_shot_input(input);
     if (checked.input &&
         render::find_problem(checked.input->shot.render.acceleration, context.factory)) {
         throw NeedsProgram(render::kComparisonProgram);
     }
+    check_files(checked, reading, context);
     return require_shot_input(std::move(checked), input, context.console);
 }
 
@@ -79,23 +77,6 @@ std::string film_path(const std::string& given, const InputOptions& input, const
     return output_or_default(given, input.path, pipeline::default_extension(shot.output));
 }
 
-namespace {
-
-/// Reports music that cannot be read at its place in the shot.
-void check_music(const ShotInput& input, Console& console) {
-    const pipeline::OutputSettings& output = input.shot.output;
-    if (!output.music || output.audio == pipeline::AudioCodec::none) {
-        return;
-    }
-    try {
-        const pipeline::SoundDecoder music(output.music->file);
-    } catch (const Error& error) {
-        refuse_music(input, error.what(), console);
-    }
-}
-
-}  // namespace
-
 void check_film(const ShotInput& input, const std::string& path, Console& console) {
     const Shot& shot = input.shot;
     const pipeline::VideoFormat format{shot.render.width, shot.render.height, shot.timing.fps};
@@ -110,8 +91,6 @@ void check_film(const ShotInput& input, const std::string& path, Console& consol
         throw InputError(problem);
     }
     check_output_folder(path);
-    check_music(input, console);
-    static_cast<void>(pipeline::DisplayView(shot.output));  // may fail, so before rendering
 }
 
 }  // namespace carom::cli

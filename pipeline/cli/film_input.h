@@ -4,15 +4,17 @@
 #include <cstdint>
 #include <string>
 
+#include "pipeline/cli/named_files.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/job/film_job.h"
 
 namespace carom::cli {
 
-/// Like read_shot_input, but throws NeedsProgram, before anything is reported, if the shot names an
-/// acceleration structure that this program does not have.
-[[nodiscard]] ShotInput read_film_input(const InputOptions& input, CommandContext& context);
+/// Like read_checked_input, but throws NeedsProgram, before anything is reported, if the shot names
+/// an acceleration structure that this program does not have.
+[[nodiscard]] ShotInput read_film_input(const InputOptions& input, FileReading reading,
+                                        CommandContext& context);
 
 /// The folder and the limit of the cache, the frames and the chunk. Throws InputError if one of
 /// them cannot be parsed.

@@ -6,6 +6,7 @@
 #include "pipeline/cli/helper_program.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/video/music_source.h"
+#include "pipeline/video/view_transform.h"
 
 #ifdef __GLIBC__  // which the headers above define
 #include <malloc.h>
@@ -40,8 +41,12 @@ int main(int argument_count, char** arguments) {
                 }
                 context.music = carom::pipeline::music_of;
                 context.text_problems = carom::pipeline::text_problems;
+                context.view = carom::pipeline::try_view;
                 if (const auto* check = std::get_if<CheckCommand>(&command)) {
                     return run(*check, context);
+                }
+                if (const auto* exported = std::get_if<ExportCommand>(&command)) {
+                    return run(*exported, context);
                 }
                 if (const auto* sound = std::get_if<SoundCommand>(&command)) {
                     return needs_encoder(*sound) ? write_encoded_sound(*sound, context)

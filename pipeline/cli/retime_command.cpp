@@ -21,7 +21,7 @@ void run(const RetimeCommand& command, CommandContext& context) {
         throw InputError(
             "no change is given; use --speed, --from, --to, --reverse, --ramp or --rig");
     }
-    ShotInput input = read_film_input(command.render.input, context);
+    ShotInput input = read_film_input(command.render.input, FileReading::usual, context);
     if (names_moments(command.retime) || pipeline::has_open_moments(input.shot)) {
         know_motion(input, command.render.input, command.render.cache, context);
     }

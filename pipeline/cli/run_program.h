@@ -49,6 +49,8 @@ struct CommandContext {
                                std::int64_t film_samples) = nullptr;
     /// Null in the program that lays out no text.
     FindTextProblems text_problems = nullptr;
+    /// Prepares the view of a film, and throws Error if it cannot be used; null likewise.
+    void (*view)(const pipeline::OutputSettings& output) = nullptr;
 };
 
 /// Runs a command of the programs `here`. Commands of other programs are not linked; for these it

@@ -96,7 +96,7 @@ void print_status(const Sequence& sequence, const SequenceBakes& bakes,
 void render_sequence(const RenderCommand& command, CommandContext& context) {
     const auto begin = std::chrono::steady_clock::now();
     const ChosenTier tier(command.tier);
-    Sequence sequence = read_sequence_input(command.input, context.console);
+    Sequence sequence = read_checked_sequence(command.input, FileReading::usual, context);
     const bool makes_film = command.chunk.empty();
     const std::string path = makes_film
                                  ? output_or_default(command.output, command.input.path,
@@ -133,7 +133,7 @@ void render_sequence(const RenderCommand& command, CommandContext& context) {
 }
 
 void mux_sequence(const MuxCommand& command, CommandContext& context) {
-    Sequence sequence = read_sequence_input(command.input, context.console);
+    Sequence sequence = read_checked_sequence(command.input, FileReading::usual, context);
     const std::string path = output_or_default(command.output, command.input.path,
                                                pipeline::default_extension(sequence.output));
     check_sequence_file(sequence, path);
@@ -209,7 +209,7 @@ std::int64_t chosen_frame(const FrameCommand& command, Sequence& sequence,
 
 void write_sequence_frame(const FrameCommand& command, CommandContext& context) {
     const ChosenTier tier(command.tier);
-    Sequence sequence = read_sequence_input(command.input, context.console);
+    Sequence sequence = read_checked_sequence(command.input, FileReading::usual, context);
     SequenceBakes bakes;
     const bool is_moment = is_moment_text(command.at);
     if (is_moment) {
@@ -272,7 +272,7 @@ void write_sequence_sheet(const ContactSheetCommand& command, CommandContext& co
     check_sheet_path(sheet.path, "a contact sheet");
     check_output_folder(sheet.path);
     const ChosenTier tier(command.tier);
-    Sequence sequence = read_sequence_input(input, context.console);
+    Sequence sequence = read_checked_sequence(input, FileReading::usual, context);
     pipeline::FilmJobOptions options = job_options(command.cache, {}, {});
     options.threads = command.threads;
     options.factory = context.factory;

@@ -36,7 +36,11 @@ pipeline::SequenceResult load_sequence_input(const InputOptions& input,
 
 Sequence read_sequence_input(const InputOptions& input, Console& console,
                              const std::string& folder_of_shots) {
-    pipeline::SequenceResult loaded = load_sequence_input(input, folder_of_shots);
+    return require_sequence(load_sequence_input(input, folder_of_shots), input, console);
+}
+
+Sequence require_sequence(pipeline::SequenceResult loaded, const InputOptions& input,
+                          Console& console) {
     report_problems(loaded.problems, console);
     if (!loaded.sequence) {
         throw InputError("'" + input.path + "' has " + count_text(loaded.problems));

@@ -12,8 +12,12 @@ namespace carom::cli {
 [[nodiscard]] pipeline::SequenceResult load_sequence_input(const InputOptions& input,
                                                            const std::string& folder_of_shots = {});
 
-/// The same; all problems are reported on the console. Throws InputError if one of them is an
-/// error.
+/// Reports all problems on the console; throws InputError if one of them is an error.
+[[nodiscard]] pipeline::Sequence require_sequence(pipeline::SequenceResult loaded,
+                                                  const InputOptions& input, Console& console);
+
+/// The same as both; all problems are reported on the console. Throws InputError if one of them is
+/// an error.
 [[nodiscard]] pipeline::Sequence read_sequence_input(const InputOptions& input, Console& console,
                                                      const std::string& folder_of_shots = {});
 

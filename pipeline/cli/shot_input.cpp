@@ -117,7 +117,7 @@ CheckedInput load_shot_input(const InputOptions& input) {
     } else {
         loaded = pipeline::load_shot(input.path, load_options(input));
     }
-    CheckedInput checked{std::move(loaded.problems), {}};
+    CheckedInput checked{std::move(loaded.problems), {}, std::move(loaded.named_files)};
     if (loaded.shot) {
         result.shot = std::move(*loaded.shot);
         result.source = std::move(loaded.source);
@@ -126,7 +126,11 @@ CheckedInput load_shot_input(const InputOptions& input) {
     return checked;
 }
 
-ShotInput require_shot_input(CheckedInput checked, const InputOptions& input, Console& console) {
+ShotInput require_shot_input(CheckedInput checked, const InputOptions& input, Console& console,
+                             Subject subject) {
+    if (subject == Subject::motion) {
+        std::erase_if(checked.problems, is_picture_warning);
+    }
     report_problems(checked.problems, console);
     if (!checked.input) {
         throw InputError(faulty_file(input, checked.problems) + " has " +
@@ -136,11 +140,7 @@ ShotInput require_shot_input(CheckedInput checked, const InputOptions& input, Co
 }
 
 ShotInput read_shot_input(const InputOptions& input, Console& console, Subject subject) {
-    CheckedInput checked = load_shot_input(input);
-    if (subject == Subject::motion) {
-        std::erase_if(checked.problems, is_picture_warning);
-    }
-    return require_shot_input(std::move(checked), input, console);
+    return require_shot_input(load_shot_input(input), input, console, subject);
 }
 
 JsonMembers members_of(const pipeline::Problem& problem) {

@@ -8,6 +8,7 @@
 
 #include "pipeline/cli/commands.h"
 #include "pipeline/cli/terminal/console.h"
+#include "pipeline/config/named_file.h"
 #include "pipeline/config/problem.h"
 #include "pipeline/config/shot_source.h"
 #include "pipeline/shot/shot.h"
@@ -33,6 +34,7 @@ enum class Subject {
 struct CheckedInput {
     std::vector<pipeline::Problem> problems;
     std::optional<ShotInput> input;
+    std::vector<pipeline::NamedFile> files{};  // that it names, also if there is no input
 };
 
 /// Reads the input like read_shot_input, but returns its problems. Throws InputError if the options
@@ -48,9 +50,10 @@ struct CheckedInput {
 /// Reads and verifies a bake. Throws InputError.
 [[nodiscard]] sim::Bake read_bake_input(const InputOptions& input);
 
-/// Reports all problems on the console; throws InputError if one of them is an error.
+/// Reports the problems that concern the subject on the console; throws InputError if one of them
+/// is an error.
 [[nodiscard]] ShotInput require_shot_input(CheckedInput checked, const InputOptions& input,
-                                           Console& console);
+                                           Console& console, Subject subject = Subject::film);
 
 /// Reads the shot, or the bake and the shot in it. The problems that concern the subject are
 /// reported on the console. Throws InputError if one of them is an error, or if the options change

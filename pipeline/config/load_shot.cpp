@@ -28,12 +28,16 @@ using namespace config;
 
 namespace {
 
-std::vector<sim::Asset> hash_assets(const std::vector<std::string>& files, const Node& root,
+/// Each file once.
+std::vector<sim::Asset> hash_assets(const std::vector<NamedFile>& files, const Node& root,
                                     Reader& reader) {
     std::vector<sim::Asset> assets;
-    for (const std::string& path : files) {
+    for (const NamedFile& file : files) {
+        if (std::ranges::find(assets, file.path, &sim::Asset::path) != assets.end()) {
+            continue;
+        }
         try {
-            assets.push_back({path, hash_file(path)});
+            assets.push_back({file.path, hash_file(file.path)});
         } catch (const Error& failure) {
             reader.error(root.place, failure.what());
         }
@@ -97,7 +101,7 @@ std::optional<Shot> read_shot(const Node& root, bool is_whole, const std::string
     }
     Shot shot = build_from(root, file, name, reader, tables);
     if (!reader.has_error()) {
-        shot.assets = hash_assets(reader.files(), root, reader);
+        shot.assets = hash_assets(reader.named_files(), root, reader);
         shot.resolved_text = emit_yaml(root, reader.replaced());
     }
     return reader.has_error() ? std::nullopt : std::optional(std::move(shot));
@@ -135,6 +139,7 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
         result.shot = read_shot(*root, gathered.is_complete && has_all_objects,
                                 fs::path(origin).stem().string(), reader, options.tables);
         replaced = reader.replaced();
+        result.named_files = reader.named_files();
     }
     if (problems.has_error()) {
         result.shot.reset();

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/config/named_file.h"
 #include "pipeline/config/problem.h"
 #include "pipeline/shot/shot.h"
 
@@ -33,6 +34,7 @@ struct LoadResult {
     std::shared_ptr<const ShotSource> source;  // null if there is no shot
     std::vector<ReadFile> files{};             // in the order of reading, also if there is no shot
     std::vector<std::string> missing{};        // absolute paths of files that do not exist
+    std::vector<NamedFile> named_files{};      // other files, also if there is no shot
 };
 
 /// What changes a shot while it is loaded, and what it may read.

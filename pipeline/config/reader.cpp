@@ -1,12 +1,14 @@
 #include "pipeline/config/reader.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include "core/text.h"
 #include "pipeline/config/text.h"
@@ -82,11 +84,16 @@ void Reader::refer(ReferenceKind kind, const Node& node) {
     references_.push_back({kind, node.text, node.place, key_path()});
 }
 
-std::string Reader::file(const Node& node) {
+std::string Reader::file(const Node& node, FileKind kind) {
     const std::string& folder = sources_->at(node.place.source).folder;
     const FoundFile found = find_config_file(node.text, folder, *folders_);
     if (found.path.empty()) {
         error(node.place, found.problem);
+        return {};
+    }
+    if (::access(found.path.c_str(), R_OK) != 0 && errno == EACCES) {
+        error(node.place, "file " + quote(node.text) +
+                              " cannot be read: " + std::generic_category().message(EACCES));
         return {};
     }
     std::error_code ignored;
@@ -98,11 +105,36 @@ std::string Reader::file(const Node& node) {
                               "render' reads it");
         return {};
     }
-    if (std::find(files_.begin(), files_.end(), found.path) == files_.end()) {
-        files_.push_back(found.path);
+    if (std::ranges::find(files_, &node, &FileOfNode::node) == files_.end()) {
+        files_.push_back({&node, kind, found.path, key_path(), false});
     }
     replaced_[&node] = found.path;
     return found.path;
+}
+
+void Reader::set_background(const Node& node) {
+    const auto file = std::ranges::find(files_, &node, &FileOfNode::node);
+    if (file != files_.end()) {
+        file->has_background = true;
+    }
+}
+
+std::vector<NamedFile> Reader::named_files() const {
+    std::vector<NamedFile> named;
+    named.reserve(files_.size());
+    for (const FileOfNode& file : files_) {
+        const Place& place = file.node->place;
+        named.push_back({file.kind,
+                         file.path,
+                         {Severity::error,
+                          sources_->describe(place),
+                          file.key_path,
+                          {},
+                          sources_->line_of(place),
+                          sources_->include_chain(place)},
+                         file.has_background});
+    }
+    return named;
 }
 
 std::optional<double> Reader::time_of(const sim::Moment& moment, const Node& node) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "pipeline/config/config_files.h"
+#include "pipeline/config/named_file.h"
 #include "pipeline/config/node.h"
 #include "pipeline/config/problem_list.h"
 #include "pipeline/shot/shot.h"
@@ -106,8 +107,11 @@ class Reader {
 
     /// The absolute path of the existing regular file whose name is `node`; empty after a problem.
     /// The file becomes an asset of the shot.
-    [[nodiscard]] std::string file(const Node& node);
-    [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
+    [[nodiscard]] std::string file(const Node& node, FileKind kind);
+    /// Says that the shot chooses the background of the texture that `node` names.
+    void set_background(const Node& node);
+    /// In the order of reading.
+    [[nodiscard]] std::vector<NamedFile> named_files() const;
 
     /// The scene time (s) of the moment that `node` describes; 0 if it is not known. Empty after an
     /// error: it never comes.
@@ -142,7 +146,14 @@ class Reader {
     bool is_partial_ = false;
     Place root_place_;
     std::vector<Reference> references_;
-    std::vector<std::string> files_;
+    struct FileOfNode {
+        const Node* node = nullptr;
+        FileKind kind = FileKind::mesh;
+        std::string path;
+        std::string key_path;
+        bool has_background = false;
+    };
+    std::vector<FileOfNode> files_;
     std::map<const Node*, std::string> replaced_;
     std::vector<ShotMoment> moments_;
 };

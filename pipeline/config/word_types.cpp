@@ -104,16 +104,16 @@ ValueType<std::string> name_of(ReferenceKind kind) {
     return result;
 }
 
-ValueType<std::string> file() {
+ValueType<std::string> file(FileKind kind) {
     ValueType<std::string> result;
     result.info.kind = TypeInfo::Kind::file;
     const TypeInfo type = result.info;
-    result.read = [type](Reader& reader, const Node& node) -> std::optional<std::string> {
+    result.read = [type, kind](Reader& reader, const Node& node) -> std::optional<std::string> {
         if (!node.is_scalar()) {
             reader.wrong_type(node, describe(type));
             return std::nullopt;
         }
-        std::string path = reader.file(node);
+        std::string path = reader.file(node, kind);
         return path.empty() ? std::nullopt : std::optional(std::move(path));
     };
     return result;

@@ -23,7 +23,7 @@ namespace carom::pipeline::config {
 [[nodiscard]] ValueType<std::string> name_of(ReferenceKind kind);
 
 /// The absolute path of an existing file.
-[[nodiscard]] ValueType<std::string> file();
+[[nodiscard]] ValueType<std::string> file(FileKind kind);
 
 /// The index of the scalar in `type.choices`.
 [[nodiscard]] std::optional<std::size_t> read_choice(Reader& reader, const Node& node,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pipeline/picture/colours.h"
+#include "render/image_files/picture_light.h"
 #include "render/image_files/read_picture.h"
 
 namespace carom::pipeline {
@@ -19,16 +20,12 @@ Canvas image_canvas(const std::string& file) {
     const render::RawPicture picture = render::read_picture(file);
     Canvas canvas(picture.width, picture.height);
     const std::span<std::uint32_t> pixels = canvas.pixels();
-    const auto channels = static_cast<std::size_t>(picture.channels);
-    const bool is_grey = channels < 3;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const float* value = &picture.values[i * channels];
-        Vec3 colour(value[0], value[is_grey ? 0 : 1], value[is_grey ? 0 : 2]);
-        if (picture.is_floating_point) {
-            colour = encoded_srgb(colour);
-        }
-        const double alpha =
-            channels % 2 == 0 ? std::clamp(static_cast<double>(value[channels - 1]), 0.0, 1.0) : 1;
+        const render::PixelLight light = render::pixel_light(picture, i, false);
+        const double alpha = light.alpha;
+        // What shines without covering anything cannot be drawn over a picture.
+        const Vec3 straight = alpha > 0 ? Vec3(light.colour) / alpha : Vec3(0);
+        const Vec3 colour = encoded_srgb(straight);
         pixels[i] = byte_of(alpha) << 24 | byte_of(alpha * colour.x) << 16 |
                     byte_of(alpha * colour.y) << 8 | byte_of(alpha * colour.z);
     }

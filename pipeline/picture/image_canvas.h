@@ -7,8 +7,8 @@
 
 namespace carom::pipeline {
 
-/// The picture of an image file, with its transparency. The values of files with integers count as
-/// sRGB-encoded, those of files with floating-point numbers as linear. Throws Error.
+/// The picture of an image file, with its transparency; its colours are those of pixel_light
+/// (render/image_files/picture_light.h). Throws Error.
 [[nodiscard]] Canvas image_canvas(const std::string& file);
 
 /// Draws the canvas, `scale` times as large, with its upper left corner at `corner`.

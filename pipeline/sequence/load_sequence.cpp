@@ -102,6 +102,8 @@ class Loader {
         std::move(of_shots_.begin(), of_shots_.end(), std::back_inserter(result.problems));
         result.files = std::move(files_);
         result.missing = std::move(missing_);
+        result.named_files = std::move(named_files_);
+        result.output_place = std::move(output_place_);
         return result;
     }
 
@@ -135,7 +137,11 @@ class Loader {
         sequence_spec().read(reader, *gathered.root, file);
         if (const Entry* output = gathered.root->find("output")) {
             file.output_text = emit_flow(output->value);
+            output_place_.place = sources_.describe(output->key_place);
+            output_place_.source_line = sources_.line_of(output->key_place);
+            output_place_.key_path = "output";
         }
+        named_files_ = reader.named_files();
         if (file.output.hdr10) {
             reader.error(gathered.root->find("output")->key_place,
                          "a film of several shots cannot be written as 'hdr10' yet");
@@ -240,6 +246,10 @@ class Loader {
             add_files(loaded.files);
         }
         missing_.insert(missing_.end(), loaded.missing.begin(), loaded.missing.end());
+        for (NamedFile& file : loaded.named_files) {
+            file.where.included_by.push_back(sources_.describe(part.shot_place));
+            named_files_.push_back(std::move(file));
+        }
         for (Problem& problem : loaded.problems) {
             problem.included_by.push_back(sources_.describe(part.shot_place));
             of_shots_.push_back(std::move(problem));
@@ -341,6 +351,8 @@ class Loader {
     std::vector<Problem> of_shots_;
     std::vector<ReadFile> files_;
     std::vector<std::string> missing_;
+    std::vector<NamedFile> named_files_;
+    Problem output_place_;
     std::string first_;  // the shot that decides about size and rate
 };
 

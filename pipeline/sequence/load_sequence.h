@@ -20,7 +20,9 @@ struct SequenceResult {
     std::optional<Sequence> sequence;  // empty if a problem is an error
     std::vector<Problem> problems;  // those of the film's own file first, then those of its shots
     std::vector<ReadFile> files{};  // texts that were read, each once, the film's own first
-    std::vector<std::string> missing{};  // absolute paths of files that do not exist
+    std::vector<std::string> missing{};    // absolute paths of files that do not exist
+    std::vector<NamedFile> named_files{};  // other files, of the film and of its shots
+    Problem output_place{};  // a problem at the film's output settings, without a message
 };
 
 /// `options.overrides` and `options.quality` are for all shots. The shots' moments are open, and

@@ -8,6 +8,7 @@
 
 #include "core/cpu_time.h"
 #include "core/error.h"
+#include "pipeline/check/file_check.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/picture/lit_annotations.h"
 #include "pipeline/studio/live_bake.h"
@@ -20,6 +21,8 @@
 namespace carom::studio {
 
 namespace {
+
+constexpr std::uintmax_t kMostBytesRead = 8'000'000;
 
 LiveOptions with_defaults(LiveOptions options) {
     if (!options.clock) {
@@ -88,6 +91,7 @@ class LiveShot::Worker {
             return;
         }
         pipeline::LoadResult loaded = load(request.texts);
+        add_file_problems(loaded);
         output_.files(v, loaded.files, loaded.missing);
         messages_.tell_problems(v, loaded, !loaded.shot);
         if (!loaded.shot) {
@@ -216,6 +220,15 @@ class LiveShot::Worker {
         return pipeline::load_shot(texts.shot, load_options(texts));
     }
 
+    /// Large files are read by their headers, so that the page does not wait for them.
+    void add_file_problems(pipeline::LoadResult& loaded) {
+        pipeline::FileCheckOptions options;
+        options.most_bytes = kMostBytesRead;
+        pipeline::FileReport report = files_.check(loaded.named_files, options);
+        std::move(report.problems.begin(), report.problems.end(),
+                  std::back_inserter(loaded.problems));
+    }
+
     pipeline::LoadOptions load_options(const TextsOfVersion& texts) {
         return {.overrides = options_.overrides,
                 .quality = options_.quality,
@@ -234,6 +247,7 @@ class LiveShot::Worker {
 
     // Of the thread.
     sim::billiards::TableMemo tables_;
+    pipeline::FileChecker files_;
     std::optional<sim::Timeline> timeline_;  // without keyed motions
     Hash128 baked_;
     std::optional<Hash128> too_long_;

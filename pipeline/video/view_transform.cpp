@@ -223,4 +223,8 @@ std::vector<std::uint8_t> DisplayView::rows_to_8(const render::Film& glowing, in
     return dithered(rows_to_16(glowing, first, end), glowing.width, first);
 }
 
+void try_view(const OutputSettings& output) {
+    static_cast<void>(DisplayView(output));
+}
+
 }  // namespace carom::pipeline

@@ -40,4 +40,7 @@ class DisplayView {
     std::optional<render::OcioView> ocio_;
 };
 
+/// Throws Error if the view of these settings cannot be used.
+void try_view(const OutputSettings& output);
+
 }  // namespace carom::pipeline

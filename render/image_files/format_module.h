@@ -40,6 +40,8 @@ struct ColourTransformNames {
 struct FormatModule {
     /// Any format of OpenImageIO. check_picture_size is called before the pixels are read.
     RawPicture (*read)(const std::string& path);
+    /// By the header alone.
+    PictureSize (*read_size)(const std::string& path);
     /// The bytes of an 8-bit RGB picture in the format of the path's extension; no file is written.
     std::vector<std::byte> (*encode)(std::span<const std::uint8_t> rgb, int width, int height,
                                      const std::string& path,

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,12 +13,15 @@ namespace carom::render {
 /// Whether a file that begins with these bytes is a Radiance picture.
 [[nodiscard]] bool is_radiance(std::string_view head);
 
-/// Reads a picture of the usual kind: RGB with a common exponent (Ward 1991, "Real pixels",
-/// Graphics Gems II, section II.5), rows from the top, each compressed by run lengths (Radiance,
-/// "Picture file format"). EXPOSURE and GAMMA are ignored, as by OpenImageIO. Empty for all other
-/// kinds, which OpenImageIO reads. `path` is for messages. Throws Error if the file is damaged or
-/// too large.
-[[nodiscard]] std::optional<RawPicture> decode_radiance(std::span<const std::byte> bytes,
-                                                        const std::string& path);
+/// Reads a picture: RGB with a common exponent (Ward 1991, "Real pixels", Graphics Gems II, section
+/// II.5), with any order of rows and columns, compressed or not (Radiance, "Picture file format").
+/// Its colours are divided by EXPOSURE and COLORCORR, which the program that wrote them had
+/// multiplied them by; if there are several, by all. GAMMA, PIXASPECT and PRIMARIES are ignored.
+/// Colours as XYZ are refused. `path` is for messages. Throws Error if the file is damaged or too
+/// large.
+[[nodiscard]] RawPicture decode_radiance(std::span<const std::byte> bytes, const std::string& path);
+
+/// The size that its header says. `bytes`: the whole file, or its beginning. Throws Error.
+[[nodiscard]] PictureSize radiance_size(std::span<const std::byte> bytes, const std::string& path);
 
 }  // namespace carom::render

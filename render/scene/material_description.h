@@ -18,7 +18,11 @@ struct ImageTexture {
     std::optional<Vec2> size{};  // instead of `scale`: width and height of the picture, m
     Vec2 offset{0, 0};           // translation along u and v, in widths and heights of the picture
     double rotation = 0;         // about uv (0, 0), rad, counter-clockwise
+    std::optional<Vec3> background{};  // shown where it is transparent; none: kTransparentColour
 };
+
+/// The colour of a material without one of its own.
+inline constexpr Vec3 kTransparentColour{0.8, 0.8, 0.8};
 
 /// A billiard ball, painted in object axes: solid or striped, with a number in a white disc at both
 /// ends of the x axis; 0 means no number.

@@ -10,7 +10,8 @@ constexpr auto fields_of(Describes<ImageTexture>) {
     using T = ImageTexture;
     return fields<T>(file_field("file", &T::file), field("scale", &T::scale),
                      field("is_linear", &T::is_linear), field("size", &T::size),
-                     field("offset", &T::offset), field("rotation", &T::rotation));
+                     field("offset", &T::offset), field("rotation", &T::rotation),
+                     field("background", &T::background));
 }
 
 constexpr auto fields_of(Describes<BallTexture>) {

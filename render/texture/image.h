@@ -15,13 +15,15 @@ struct LinearImage {
     int width = 0;
     int height = 0;
     std::vector<V3f> pixels;
+    std::size_t clamped = 0;      // pixels with a negative, infinite or undefined value in the file
+    std::size_t transparent = 0;  // pixels through which the background is seen
 };
 
-/// Reads any format of render/image_files/read_picture.h. Grey pictures become colours; alpha is
-/// ignored. If `is_linear` is false, 8- and 16-bit values are decoded from sRGB (IEC 61966-2-1);
-/// floating-point files always contain linear light. Throws Error with the file's name if it is
-/// unreadable, larger than 65536 on a side, or contains NaN, infinite or negative values.
-[[nodiscard]] LinearImage read_linear_image(const std::string& path, bool is_linear);
+/// Reads any format of render/image_files/read_picture.h. Grey pictures become colours, which are
+/// pixel_light (render/image_files/picture_light.h) over the background. Throws Error with the
+/// file's name if it is unreadable or too large.
+[[nodiscard]] LinearImage read_linear_image(const std::string& path, bool is_linear,
+                                            const V3f& background = V3f(0));
 
 /// Half-float storage: 8 bytes per texel.
 struct HalfColourCodec {
@@ -40,7 +42,7 @@ struct HalfColourCodec {
 using ImagePyramid = MipPyramid<HalfColourCodec>;
 
 /// Of a picture that repeats.
-[[nodiscard]] std::shared_ptr<const ImagePyramid> load_image_pyramid(const std::string& path,
-                                                                     bool is_linear);
+[[nodiscard]] std::shared_ptr<const ImagePyramid> load_image_pyramid(
+    const std::string& path, bool is_linear, const V3f& background = V3f(0));
 
 }  // namespace carom::render

@@ -21,8 +21,11 @@ scalar::TexturePointOf<scalar::One> texture_point(const SurfacePoint& point) {
 
 }  // namespace
 
-std::shared_ptr<const ImagePyramid> ImageCache::file(const std::string& path, bool is_linear) {
-    return images_.get({path, is_linear}, [&] { return load_image_pyramid(path, is_linear); });
+std::shared_ptr<const ImagePyramid> ImageCache::file(const ImageTexture& image) {
+    const Vec3 colour = image.background.value_or(kTransparentColour);
+    return images_.get(
+        {image.file, image.is_linear, Background{colour.x, colour.y, colour.z}},
+        [&] { return load_image_pyramid(image.file, image.is_linear, V3f(colour)); });
 }
 
 std::shared_ptr<const CoverageMask> ImageCache::number(int number) {
@@ -45,7 +48,7 @@ Texture::Texture(const ColourSource& source, ImageCache& images) {
         pictures_ = number;
     };
     const auto set_image = [&](const ImageTexture& image) {
-        const auto picture = images.file(image.file, image.is_linear);
+        const auto picture = images.file(image);
         const Vec2 repeats = image.size ? Vec2(1, 1) / *image.size : image.scale;
         const Vec2 turn(cosine(image.rotation), sine(image.rotation));
         data_ = ImageParameters{picture->tables(), V2f(repeats), image.size.has_value(),

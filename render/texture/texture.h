@@ -1,10 +1,11 @@
 // A material's colour, ready to be evaluated: a ColourSource with its files read.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <variant>
 
 #include "core/once_map.h"
@@ -22,13 +23,14 @@ namespace carom::render {
 class ImageCache {
   public:
     /// Throws Error with the file's name.
-    [[nodiscard]] std::shared_ptr<const ImagePyramid> file(const std::string& path, bool is_linear);
+    [[nodiscard]] std::shared_ptr<const ImagePyramid> file(const ImageTexture& image);
     /// Throws Error if the font is missing.
     [[nodiscard]] std::shared_ptr<const CoverageMask> number(int number);
     [[nodiscard]] std::shared_ptr<const ClothTiles> cloth_tiles();
 
   private:
-    OnceMap<std::pair<std::string, bool>, std::shared_ptr<const ImagePyramid>> images_;
+    using Background = std::array<double, 3>;
+    OnceMap<std::tuple<std::string, bool, Background>, std::shared_ptr<const ImagePyramid>> images_;
     OnceMap<int, std::shared_ptr<const CoverageMask>> numbers_;
     OnceMap<int, std::shared_ptr<const ClothTiles>> cloth_tiles_;  // only one
 };

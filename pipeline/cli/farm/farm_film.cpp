@@ -121,7 +121,7 @@ std::variant<FarmFilm::OneShot, FarmFilm::SeveralShots> read_content(const FarmJ
         return film;
     }
     input.path = farm::bake_path(job);
-    FarmFilm::OneShot film{read_film_input(input, context), {}};
+    FarmFilm::OneShot film{read_film_input(input, FileReading::none, context), {}};
     film.bake = obtain_bake(film.input, input, cache, context);
     return film;
 }

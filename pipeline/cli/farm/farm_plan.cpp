@@ -138,14 +138,15 @@ FarmFilm read_input(const FarmCommand& command, CommandContext& context) {
     FarmFilm film;
     film.options = job_options({store_of(command), "none"}, command.frames, "");
     if (is_sequence(command.input)) {
-        FarmFilm::SeveralShots several{read_sequence_input(command.input, context.console), {}};
+        FarmFilm::SeveralShots several{
+            read_checked_sequence(command.input, FileReading::full, context), {}};
         (void)count_sequence_frames(several.sequence, film.options, command.frames);
         film.content = std::move(several);
         check_sequence_file(std::get<FarmFilm::SeveralShots>(film.content).sequence,
                             film_of(command, film));
         return film;
     }
-    FarmFilm::OneShot one{read_film_input(command.input, context), {}};
+    FarmFilm::OneShot one{read_film_input(command.input, FileReading::full, context), {}};
     check_film(one.input, film_path(command.output, command.input, one.input.shot),
                context.console);
     (void)count_job_frames(one.input.shot, film.options, command.frames, context.console);

@@ -49,6 +49,8 @@ void describe(CheckCommand& command, CommandDescription& description) {
         "An error is something that carom cannot use. A warning is about something valid that is "
         "probably a mistake: a strike that misses, a camera inside a ball. To find these, the shot "
         "is simulated, for about 2 s at most, unless the cache has its bake.",
+        "The files that the shot names are opened and read: meshes, pictures, fonts, music and the "
+        "configuration of OpenColorIO.",
         "The exit code is 0 if the shot can be rendered, with or without warnings, and 2 if not."};
     add_input(description, command.input);
     add_changes(description, command.input);
@@ -57,6 +59,10 @@ void describe(CheckCommand& command, CommandDescription& description) {
                      "Print the problems as a JSON array on standard output, for editors.");
     description.flag("--quick", command.quick,
                      "Report only what can be known without simulating the shot.");
+    description.flag(
+        "--full", command.full,
+        "Read also large files whole. Without it, files are read whole that have up to "
+        "64 MB together, and of larger ones only the headers.");
     add_cache(description, command.cache);
     description.examples = {
         {"carom check break.yaml", "All errors and warnings, each with file, line and column."},

@@ -1,8 +1,6 @@
 // The keys of the section `annotations`.
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <fstream>
 #include <string_view>
 #include <utility>
 
@@ -244,30 +242,6 @@ const MapSpec<PlanAnnotation>& plan_spec() {
     return spec;
 }
 
-/// Whether a file begins like a TrueType or OpenType font or a collection of them (Microsoft,
-/// "OpenType font file", table directory and font collections).
-bool is_font_file(const std::string& path) {
-    std::array<char, 4> start{};
-    std::ifstream(path, std::ios::binary).read(start.data(), start.size());
-    const std::string_view tag(start.data(), start.size());
-    return tag == std::string_view("\0\1\0\0", 4) || tag == "OTTO" || tag == "true" ||
-           tag == "ttcf";
-}
-
-ValueType<std::string> font_file() {
-    ValueType<std::string> type = file();
-    type.read = [read = type.read](Reader& reader, const Node& node) -> std::optional<std::string> {
-        std::optional<std::string> path = read(reader, node);
-        if (path && !is_font_file(*path)) {
-            reader.error(node.place,
-                         "the file " + quote(node.text) + " is not a TrueType or OpenType font");
-            return std::nullopt;
-        }
-        return path;
-    };
-    return type;
-}
-
 /// A word for one of the installed fonts, or a file.
 ValueType<std::string> font() {
     std::vector<std::pair<std::string, std::string>> choices;
@@ -291,7 +265,7 @@ ValueType<std::string> font() {
                    return named.name == node.text;
                });
     };
-    return any_of<std::string>({{is_named, word}, {is_scalar, font_file()}});
+    return any_of<std::string>({{is_named, word}, {is_scalar, file(FileKind::font)}});
 }
 
 /// `true`, `false` or a colour.
@@ -358,10 +332,11 @@ void add_kinds(MapSpec<Annotation>& s) {
     add_kind(s, "title", record(title_spec()), "on the picture: a title");
     add_kind(s, "tip", record(tip_spec()), "on the picture: where the stick hits a ball");
     add_kind(s, "plan", record(plan_spec()), "on the picture: the table from above");
-    add_kind(s, "image",
-             convert<ImageAnnotation>(
-                 file(), [](std::string path) { return ImageAnnotation{std::move(path)}; }),
-             "on the picture: the picture of a file, such as a logo");
+    add_kind(
+        s, "image",
+        convert<ImageAnnotation>(file(FileKind::annotation_picture),
+                                 [](std::string path) { return ImageAnnotation{std::move(path)}; }),
+        "on the picture: the picture of a file, such as a logo");
     std::vector<std::string> all = kScene;
     all.insert(all.end(), kPicture.begin(), kPicture.end());
     s.exactly_one_of(all);

@@ -56,9 +56,10 @@ const MapSpec<render::Sky>& sky_spec() {
 }
 
 ValueType<EnvironmentSection> environment() {
-    const auto image = convert<EnvironmentSection>(file(), [](std::string path) {
-        return EnvironmentSection{std::move(path), {}, {}};
-    });
+    const auto image =
+        convert<EnvironmentSection>(file(FileKind::environment), [](std::string path) {
+            return EnvironmentSection{std::move(path), {}, {}};
+        });
     const auto sky = convert<EnvironmentSection>(record(sky_spec()), [](const render::Sky& s) {
         return EnvironmentSection{{}, {}, s};
     });

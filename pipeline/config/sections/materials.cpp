@@ -27,7 +27,8 @@ const MapSpec<render::Coat>& coat_spec() {
 const MapSpec<render::ImageTexture>& image_spec() {
     static const MapSpec<render::ImageTexture> spec = [] {
         MapSpec<render::ImageTexture> s("image", "A picture, placed by the surface's uv.");
-        s.key("file", &render::ImageTexture::file, file(), "the picture").required();
+        s.key("file", &render::ImageTexture::file, file(FileKind::texture), "the picture")
+            .required();
         s.key("scale", &render::ImageTexture::scale, vector2(Dimension::none, above_up_to(0, 1e4)),
               "numbers of repetitions along u and v");
         s.key("size", &render::ImageTexture::size, vector2(Dimension::length, above_up_to(0, 1e4)),
@@ -38,8 +39,18 @@ const MapSpec<render::ImageTexture>& image_spec() {
         s.key("rotate", &render::ImageTexture::rotation, angle(),
               "rotation of the picture, counter-clockwise about the corner where u and v are 0");
         s.key("is_linear", &render::ImageTexture::is_linear, boolean(),
-              "whether the values of the picture are linear instead of sRGB-encoded");
+              "whether the values of the picture are linear, whatever its file says. Otherwise "
+              "integers are sRGB-encoded unless the file names another gamma, and floating-point "
+              "numbers are linear");
+        s.key("background", &render::ImageTexture::background, colour(between(0, 1)),
+              "colour that is seen where the picture is transparent. The default is 0.8, with a "
+              "warning");
         s.at_most_one_of({"scale", "size"});
+        s.check([](Reader& reader, const Node& node, render::ImageTexture& image) {
+            if (image.background) {
+                reader.set_background(node.find("file")->value);
+            }
+        });
         return s;
     }();
     return spec;
@@ -92,11 +103,12 @@ const MapSpec<render::CheckerTexture>& checker_spec() {
 }
 
 ValueType<render::ImageTexture> image() {
-    const auto by_file = convert<render::ImageTexture>(file(), [](std::string path) {
-        render::ImageTexture texture;
-        texture.file = std::move(path);
-        return texture;
-    });
+    const auto by_file =
+        convert<render::ImageTexture>(file(FileKind::texture), [](std::string path) {
+            render::ImageTexture texture;
+            texture.file = std::move(path);
+            return texture;
+        });
     return any_of<render::ImageTexture>({{is_scalar, by_file}, {is_map, record(image_spec())}});
 }
 

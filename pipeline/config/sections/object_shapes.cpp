@@ -209,7 +209,7 @@ void add_shapes(MapSpec<ObjectSection>& s) {
         s, "plane", choice<bool>({{"infinite", true}}), [](bool) { return render::PlaneShape{}; },
         "the infinite plane that faces +z");
     add_shape(
-        s, "mesh", file(),
+        s, "mesh", file(FileKind::mesh),
         [](const std::string& path) {
             render::MeshShape mesh;
             mesh.file = path;

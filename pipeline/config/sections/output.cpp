@@ -45,7 +45,7 @@ ValueType<double> bit_rate() {
 const MapSpec<MusicSettings>& music_spec() {
     static const MapSpec<MusicSettings> spec = [] {
         MapSpec<MusicSettings> s("music", "A file that is mixed with the film's sound.");
-        s.key("file", &MusicSettings::file, file(),
+        s.key("file", &MusicSettings::file, file(FileKind::music),
               "a file with sound: .flac, .wav, .mp3, .m4a, .ogg and others; more than two channels "
               "are mixed to two")
             .required();
@@ -60,7 +60,7 @@ const MapSpec<MusicSettings>& music_spec() {
 
 /// The name of a file alone, or a map.
 ValueType<MusicSettings> music() {
-    const auto name = convert<MusicSettings>(file(), [](std::string path) {
+    const auto name = convert<MusicSettings>(file(FileKind::music), [](std::string path) {
         MusicSettings settings;
         settings.file = std::move(path);
         return settings;

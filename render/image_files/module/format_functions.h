@@ -10,6 +10,7 @@ namespace carom::render::formats {
 [[nodiscard]] std::string one_line(std::string library_text);
 
 [[nodiscard]] RawPicture read(const std::string& path);
+[[nodiscard]] PictureSize read_size(const std::string& path);
 
 [[nodiscard]] std::vector<std::byte> encode(std::span<const std::uint8_t> rgb, int width,
                                             int height, const std::string& path,

@@ -63,7 +63,7 @@ TEST(ReadLinearImage, FloatFile_IsTakenAsLinear) {
 
 TEST(ReadLinearImage, GreyWithAlpha_BecomesGrey) {
     const TemporaryFile file(".png");
-    file.write<std::uint8_t>(1, 1, 2, OIIO::TypeDesc::UINT8, {255, 7});
+    file.write<std::uint8_t>(1, 1, 2, OIIO::TypeDesc::UINT8, {255, 255});
     EXPECT_EQ(read_linear_image(file.path(), false).pixels[0], V3f(1, 1, 1));
 }
 
@@ -76,15 +76,26 @@ TEST(ReadLinearImage, MissingFile_IsNamed) {
     }
 }
 
-TEST(ReadLinearImage, NegativeValue_IsNamedWithItsPixel) {
+TEST(ReadLinearImage, ValuesThatLightCannotHave_AreClampedAndCounted) {
     const TemporaryFile file(".exr");
-    file.write<float>(2, 1, 3, OIIO::TypeDesc::FLOAT, {0, 0, 0, 0, -1, 0});
-    try {
-        (void)read_linear_image(file.path(), false);
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr("at pixel (1, 0)"));
-    }
+    file.write<float>(3, 1, 3, OIIO::TypeDesc::FLOAT, {0, 0, 1, 2, -1, 0, INFINITY, 0, 0});
+    const LinearImage image = read_linear_image(file.path(), false);
+    EXPECT_EQ(image.pixels[1], V3f(2, 0, 0));
+    EXPECT_EQ(image.pixels[2], V3f(65504, 0, 0));
+    EXPECT_EQ(image.clamped, 2u);
+    EXPECT_EQ(image.transparent, 0u);
+}
+
+TEST(ReadLinearImage, TransparentPixels_ShowTheBackground) {
+    const TemporaryFile file(".png");
+    file.write<std::uint8_t>(3, 1, 4, OIIO::TypeDesc::UINT8,
+                             {255, 0, 0, 255, 255, 0, 0, 51, 9, 9, 9, 0});
+    const LinearImage image = read_linear_image(file.path(), false, V3f(0, 0.5f, 1));
+    EXPECT_EQ(image.pixels[0], V3f(1, 0, 0));
+    EXPECT_NEAR(image.pixels[1].x, 0.2f, 1e-6f);
+    EXPECT_NEAR(image.pixels[1].y, 0.4f, 1e-6f);
+    EXPECT_EQ(image.pixels[2], V3f(0, 0.5f, 1));
+    EXPECT_EQ(image.transparent, 2u);
 }
 
 TEST(MipPyramid, AtTexelCentres_GivesTheTexels) {

@@ -1,0 +1,29 @@
+// The files that a shot names besides the texts it consists of.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "pipeline/config/problem.h"
+
+namespace carom::pipeline {
+
+/// What a file is used for, which decides what must be in it.
+enum class FileKind : std::uint8_t {
+    mesh,
+    texture,             // a picture on a surface
+    environment,         // a picture around the scene
+    annotation_picture,  // a picture over the frames
+    font,
+    music,
+};
+
+struct NamedFile {
+    FileKind kind = FileKind::mesh;
+    std::string path;  // absolute
+    Problem where;     // a problem at the value that names the file, without a message
+    /// Whether the shot says which colour is seen where a texture is transparent.
+    bool has_background = false;
+};
+
+}  // namespace carom::pipeline
