@@ -115,12 +115,6 @@ void check_loudness(const pipeline::Sequence& film,
     }
 }
 
-void inform_about_headers(const std::string& sentence, CommandContext& context) {
-    if (!sentence.empty()) {
-        context.console.info(sentence);
-    }
-}
-
 /// Checks the size for the film that `carom render` writes by default. It is a warning, because
 /// images and other codecs may support the size.
 void check_film_file(const ShotInput& input, std::vector<Problem>& problems) {
@@ -138,9 +132,11 @@ FileReading reading_of(const CheckCommand& command) {
     return command.full ? FileReading::full : FileReading::usual;
 }
 
-std::vector<Problem> problems_of_shot(const CheckCommand& command, CommandContext& context) {
+/// `by_header` gets a sentence about files of which only the headers were read.
+std::vector<Problem> problems_of_shot(const CheckCommand& command, CommandContext& context,
+                                      std::string& by_header) {
     CheckedInput checked = load_shot_input(command.input);
-    inform_about_headers(check_files(checked, reading_of(command), context), context);
+    by_header = check_files(checked, reading_of(command), context);
     std::vector<Problem>& problems = checked.problems;
     if (checked.input) {
         check_film_file(*checked.input, problems);
@@ -161,9 +157,10 @@ std::vector<Problem> problems_of_shot(const CheckCommand& command, CommandContex
 }
 
 /// Those of the film's own file and of its shots.
-std::vector<Problem> problems_of_sequence(const CheckCommand& command, CommandContext& context) {
+std::vector<Problem> problems_of_sequence(const CheckCommand& command, CommandContext& context,
+                                          std::string& by_header) {
     pipeline::SequenceResult loaded = load_sequence_input(command.input);
-    inform_about_headers(check_files(loaded, reading_of(command), context), context);
+    by_header = check_files(loaded, reading_of(command), context);
     if (!loaded.sequence || command.quick) {
         return std::move(loaded.problems);
     }
@@ -203,13 +200,17 @@ std::string json_of(const std::vector<Problem>& problems) {
 }  // namespace
 
 void run(const CheckCommand& command, CommandContext& context) {
+    std::string by_header;
     const std::vector<Problem> problems = is_sequence(command.input)
-                                              ? problems_of_sequence(command, context)
-                                              : problems_of_shot(command, context);
+                                              ? problems_of_sequence(command, context, by_header)
+                                              : problems_of_shot(command, context, by_header);
     if (command.json) {
         print_text(json_of(problems));
     } else {
         report_problems(problems, context.console, true);
+    }
+    if (!by_header.empty()) {
+        context.console.info(by_header);
     }
     const std::string& path = command.input.path;
     if (pipeline::has_errors(problems)) {
