@@ -12,7 +12,7 @@ namespace {
 /// Comparisons for every file, which take about 1 s, and for each corner of its polygons. Outlines
 /// of gears and letters with 1000 corners need about 50 for each.
 constexpr std::size_t kWorkOfFile = 200'000'000;
-constexpr std::size_t kWorkOfCorner = 500;
+constexpr std::size_t kWorkOfCorner = 200;
 
 /// Up to so many corners all are compared with a triangle. Of larger polygons only those at which
 /// the outline turns to the right, because one of these is in the triangle if any corner is.
