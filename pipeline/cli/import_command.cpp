@@ -48,7 +48,7 @@ void import_mesh(const ImportCommand& command, const std::string& path, CommandC
         to_stdout ? std::filesystem::path(command.scene).stem().string() + ".yaml" : path;
     const pipeline::ImportMeshResult result =
         pipeline::import_mesh(command.scene, yaml_path, options);
-    report_problems(result.problems, context.console);
+    report_problems(result.problems, context.console, true);
     if (result.yaml.empty()) {
         throw InputError("'" + command.scene + "' has " + count_text(result.problems));
     }
