@@ -6,8 +6,9 @@
 
 namespace carom::studio {
 
-/// The absolute path without links, "." and "..", as far as it exists. Where the system does not
-/// tell, "." and ".." are taken out of the text only.
+/// The absolute path without links, "." and "..": where a file is written that is named so, also if
+/// it does not exist yet, or a link has no target yet. Where the system does not tell, "." and ".."
+/// are taken out of the text only.
 [[nodiscard]] std::string whole_path(const std::filesystem::path& path);
 
 /// Whether there is a file, a folder, or a link, also one without a target.

@@ -234,8 +234,8 @@ struct SceneMeshes {
 struct Deferred {
     static constexpr const char* kName = "deferred";
     std::int64_t v = 0;
-    std::string reason{};   // "dragging": it follows when the drag ends, because simulating this
-                            // shot takes long; "limit": only after Simulate
+    std::string reason{};  // "dragging": it follows within a second, or when the drag ends, because
+                           // simulating this shot takes long; "limit": only after Simulate
     std::string message{};  // a sentence for the user
 };
 
