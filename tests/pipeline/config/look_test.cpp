@@ -146,6 +146,27 @@ TEST(Gallery, EveryPictureOnThePage_ExistsWithItsShot) {
     EXPECT_LT(bytes, 6'000'000u);
 }
 
+TEST(ScenesOfTexts, AllHaveASmallPictureOnTheirPage) {
+    namespace fs = std::filesystem;
+    const std::string root = CAROM_SOURCE_DIR;
+    std::string pages;
+    for (const char* page : {"distributed", "laboratory"}) {
+        std::ifstream stream(root + "/docs/developers/" + page + ".md");
+        pages.append(std::istreambuf_iterator<char>(stream), {});
+    }
+    int scenes = 0;
+    for (const auto& entry : fs::directory_iterator(root + "/examples/texts")) {
+        if (entry.path().extension() == ".yaml") {
+            const std::string picture = "images/texts/" + entry.path().stem().string() + ".jpg";
+            EXPECT_NE(pages.find("(../" + picture + ")"), std::string::npos) << picture;
+            ASSERT_TRUE(fs::exists(root + "/docs/" + picture)) << picture;
+            EXPECT_LT(fs::file_size(root + "/docs/" + picture), 100'000u) << picture;
+            scenes += 1;
+        }
+    }
+    EXPECT_EQ(scenes, 17);
+}
+
 TEST(Materials, Phong_FillsEveryField) {
     const Shot shot = load_sections(
         "render: {integrator: distributed}\n"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -497,6 +498,13 @@ TEST(ImportOfTheManualsExample, ShowsItsBallByBothMeaningsOfFov) {
     options.field_of_view = FieldOfView::formula;
     const Shot wide = shot_of(import_scene_file(scene, "/nowhere", options));
     EXPECT_EQ(frames_with_whole_sphere(wide, "BallRed", 0.04), 7);
+}
+
+TEST(ImportOfTheManualsExample, IsTheExampleShot) {
+    const std::string folder = CAROM_SOURCE_DIR "/examples/texts";
+    std::ifstream stream(folder + "/manual.yaml");
+    const std::string shot{std::istreambuf_iterator<char>(stream), {}};
+    EXPECT_EQ(import_scene_file(folder + "/manual.txt", folder).yaml, shot);
 }
 
 TEST(ImportOfTheManualsExample, HasTheNumberOfRaysOfItsFormula) {
