@@ -60,8 +60,9 @@ std::optional<AnnotationEnd> end_message(const std::optional<pipeline::Annotatio
     if (!written || !time) {
         return std::nullopt;
     }
-    AnnotationEnd end{in_scene ? *time : std::min(*time, film), in_scene, {}};
+    AnnotationEnd end{*time, in_scene, {}};
     if (written->is_moment && !in_scene) {
+        end.time = std::min(*time, film);
         end.moment = written->seconds;
     }
     return end;

@@ -37,7 +37,7 @@ double rays_by_classic_formula(const DistributedSettings& settings, std::size_t 
 }
 
 double rays_without_distribution(int generations, std::size_t lights) {
-    return 2.0 * static_cast<double>(lights) * (std::exp2(generations) - 1);
+    return 2.0 * static_cast<double>(lights) * (std::ldexp(1.0, generations) - 1);
 }
 
 RayFormulas ray_formulas(const RenderStatistics& count, const RenderSettings& settings,

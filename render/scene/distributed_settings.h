@@ -7,7 +7,8 @@ namespace carom::render {
 
 /// A count of 1 switches its effect off: it uses the pixel's centre, the middle of the exposure,
 /// the centre of the lens or of the light, or the exact reflected or refracted direction. With all
-/// counts at 1 it is the ray tracer of Whitted 1980. Each count lies in [1, 1024].
+/// counts at 1 it is the ray tracer of Whitted 1980. Each count lies in [1, 1024]; those of
+/// reflection and refraction may be 0, which sends no such rays at all.
 struct DistributedSettings {
     /// A pixel takes the product of these three, at most 65536, as one set of well-spread points.
     int pixel_samples = 4;
@@ -26,8 +27,11 @@ struct DistributedSettings {
 
 /// The number of samples `generation` generations after the camera's rays.
 [[nodiscard]] constexpr int samples_at(int count, int generation, bool falloff) {
-    if (!falloff || generation >= 31) {
-        return falloff ? 1 : count;
+    if (!falloff || count == 0) {
+        return count;
+    }
+    if (generation >= 31) {
+        return 1;
     }
     const int divisor = 1 << generation;
     return count / divisor + (count % divisor != 0 ? 1 : 0);

@@ -32,7 +32,11 @@ std::int64_t abbreviated(double rate, int decimals) {
     const std::int64_t whole = std::llround(rate * 1.001);
     const double exact = static_cast<double>(whole) * 1000 / 1001;
     const bool is_usual = whole > 0 && (whole % 12 == 0 || whole % 15 == 0);
-    const bool is_near = std::abs(rate - exact) < std::pow(10.0, -decimals);
+    double last_digit = 1;  // what the last written digit counts
+    for (int i = 0; i < decimals; ++i) {
+        last_digit /= 10;
+    }
+    const bool is_near = std::abs(rate - exact) < last_digit;
     return decimals >= kLeastDecimals && is_usual && is_near ? whole : 0;
 }
 

@@ -37,7 +37,9 @@ function message(t: string, fields: object): void {
 }
 
 async function open(text = kText): Promise<void> {
-    Object.assign(globalThis, { WebSocket: Listening, location: { protocol: 'http:', host: 'x' } });
+    Object.assign(globalThis, {
+        WebSocket: Listening, location: { protocol: 'http:', host: 'x' }, localStorage: { getItem: () => 'k' },
+    });
     connect();
     await Promise.resolve();
     buffers.value = [];

@@ -280,7 +280,7 @@ TEST_F(Help, Installation_IsComplete) {
     const RunResult made = installed({"new", "shot.yaml", "--template", "bank"});
     EXPECT_EQ(made.exit_code, 0) << made.err;
     EXPECT_THAT(text_of("shot.yaml"),
-                HasSubstr("/usr local/share/carom/configs/carom.schema.json\n"));
+                HasSubstr("$schema=usr local/share/carom/configs/carom.schema.json\n"));
     const RunResult checked = installed({"check", "shot.yaml"});
     EXPECT_EQ(checked.exit_code, 0) << checked.err;
     const RunResult frame = installed({"frame", "tiny.yaml", "-o", "f.png"});

@@ -185,7 +185,7 @@ TEST_F(PictureCommands, OcioWithoutAConfiguration_IsAnErrorBeforeTheWork) {
     for (const std::string command : {"frame", "render"}) {
         const RunResult result =
             run_carom({command, "tiny.yaml", "--set", "output.view=ocio"}, without);
-        EXPECT_EQ(result.exit_code, 1) << command;
+        EXPECT_EQ(result.exit_code, 2) << command;
         EXPECT_THAT(result.err, HasSubstr("there is no OpenColorIO configuration "
                                           "'/no/such/config.ocio'"));
     }
