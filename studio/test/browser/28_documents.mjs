@@ -10,7 +10,7 @@ export const shot = 'bank_shot.yaml';
 export async function check({ page, path, folder, carom }) {
     const cache = join(folder, 'other');
     const direct = (words, name) => {
-        const file = join(folder, `direct_${name}`);
+        const file = join(dirname(path), `direct_${name}`);  // an export names files as seen from its own folder
         execFileSync(carom, [...words, file, '--cache', cache, '-q', path], { stdio: 'ignore' });
         return readFileSync(file);
     };
