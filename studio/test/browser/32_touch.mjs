@@ -33,7 +33,7 @@ const placeOf = (page, name) => page.evaluate((one) =>
 export async function check({ browser, address }) {
     const context = await browser.newContext(
         { hasTouch: true, viewport: { width: 1280, height: 720 }, deviceScaleFactor: 1 });
-    const { page, complaints } = await open({ newPage: () => context.newPage() }, address);
+    const { page, complaints } = await open({ newContext: () => context }, address);
     await page.waitForFunction(() => window.studio.view.meshes.node('cue'));
     const hand = await fingers(page);
     const before = await textOf(page);
