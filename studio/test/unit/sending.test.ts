@@ -1,48 +1,16 @@
 /// What is sent to the server, over a socket that only listens.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { receive } from '../../src/connection/receive';
-import { connect } from '../../src/connection/socket';
 import type { Problem } from '../../src/protocol';
 import { textUnderWay, textVersion, tooLongFile } from '../../src/state/state';
 import { buffers, setChangeListener, textOf, typeStep } from '../../src/text/buffers';
 import { marksOf } from '../../src/text/problem_marks';
 import { sendSoon, watchAnswers } from '../../src/text/sending';
 import { undoTitle } from '../../src/text/steps';
-import { takeFiles } from '../../src/text/take_files';
+import { openText, sent, tell } from './listening';
 
 const kText = 'balls: {cue: {att: [0, 0]}}\n';
-const sent: { t: string; v: number; text: string }[] = [];
-
-class Listening {
-    static readonly OPEN = 1;
-    readonly readyState = 1;
-    onopen: (() => void) | null = null;
-    constructor() {
-        queueMicrotask(() => this.onopen?.());
-    }
-    send(text: string): void {
-        sent.push(JSON.parse(text));
-    }
-}
-
-function tell(t: string, message: object): void {
-    receive(JSON.stringify({ t, ...message }));
-}
-
-async function open(writable = true): Promise<void> {
-    Object.assign(globalThis, {
-        WebSocket: Listening, location: { protocol: 'http:', host: 'x' }, localStorage: { getItem: () => 'k' },
-    });
-    connect();
-    await Promise.resolve();
-    buffers.value = [];
-    tell('welcome', { protocol: '', version: '', v: 1, shot: '/a.yaml', root: '/', output: '' });
-    const files = [{ file: '/a.yaml', name: 'a', text: kText, hash: 'a', writable, changed: false }];
-    tell('files', { v: 1, files });
-    takeFiles(files);
-    sent.length = 0;
-}
+const open = (writable = true): Promise<void> => openText(kText, writable);
 
 async function type(insert: string): Promise<void> {
     typeStep([{ file: '/a.yaml', changes: { from: 0, insert } }]);
