@@ -8,7 +8,6 @@
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/check/motion_check.h"
 #include "pipeline/cli/film_music.h"
-#include "pipeline/cli/helper_program.h"
 #include "pipeline/cli/named_files.h"
 #include "pipeline/cli/quick_bake.h"
 #include "pipeline/cli/run_program.h"
@@ -53,13 +52,6 @@ std::optional<sim::Bake> check_motion(ShotInput& input, const CheckCommand& comm
         add(context.text_problems(input.shot, input.source.get(), bake->timeline));
     }
     return bake;
-}
-
-/// Leaves a shot with annotations to a program that lays out text, before anything is simulated.
-void require_texts(const pipeline::Shot& shot, const CommandContext& context) {
-    if (!shot.annotations.empty() && context.text_problems == nullptr) {
-        throw NeedsProgram("carom-film");
-    }
 }
 
 bool asks_for_loudness(const pipeline::Shot& shot) {
@@ -144,9 +136,9 @@ std::vector<Problem> problems_of_shot(const CheckCommand& command, CommandContex
             pipeline::object_problems(checked.input->shot, checked.input->source.get()),
             std::back_inserter(problems));
         if (!command.quick && !pipeline::has_errors(problems)) {
-            require_texts(checked.input->shot, context);
+            require_film_program(!checked.input->shot.annotations.empty(), context);
             if (asks_for_loudness(checked.input->shot)) {
-                require_decoder(checked.input->shot.output, context);
+                require_film_program(checked.input->shot.output.music.has_value(), context);
             }
             if (const auto bake = check_motion(*checked.input, command, context, problems)) {
                 check_loudness(*checked.input, *bake, context, problems);
@@ -170,11 +162,11 @@ std::vector<Problem> problems_of_sequence(const CheckCommand& command, CommandCo
         return shot != nullptr && asks_for_loudness(shot->shot);
     };
     if (std::ranges::any_of(parts, asks)) {
-        require_decoder(loaded.sequence->output, context);
+        require_film_program(loaded.sequence->output.music.has_value(), context);
     }
     for (const pipeline::SequencePart& part : parts) {
         if (const auto* shot = std::get_if<pipeline::ShotPart>(&part.content)) {
-            require_texts(shot->shot, context);
+            require_film_program(!shot->shot.annotations.empty(), context);
         }
     }
     std::map<std::size_t, std::optional<sim::Bake>> bakes;

@@ -2,15 +2,8 @@
 
 #include "core/assert.h"
 #include "core/error.h"
-#include "pipeline/cli/helper_program.h"
 
 namespace carom::cli {
-
-void require_decoder(const pipeline::OutputSettings& output, const CommandContext& context) {
-    if (output.music && context.music == nullptr) {
-        throw NeedsProgram("carom-film");
-    }
-}
 
 sound::AddedSound film_music(const pipeline::OutputSettings& output, std::int64_t film_samples,
                              const CommandContext& context) {

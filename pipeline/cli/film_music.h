@@ -11,10 +11,6 @@
 
 namespace carom::cli {
 
-/// Throws NeedsProgram if there is music and this program cannot read it. Callers report nothing
-/// before, since the other program does.
-void require_decoder(const pipeline::OutputSettings& output, const CommandContext& context);
-
 /// The music of a film of so many samples, to be mixed with its sound; empty if there is none. The
 /// program must be able to read it. Throws InputError if the file cannot be played; of a shot, this
 /// is reported at its place.

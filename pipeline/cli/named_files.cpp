@@ -55,13 +55,6 @@ pipeline::FileReport report_of(std::span<const NamedFile> files, FileReading rea
     return pipeline::FileChecker().check(files, options);
 }
 
-/// `is_needed`: the program that makes films.
-void require_film_program(bool is_needed, const CommandContext& context) {
-    if (is_needed && (context.music == nullptr || context.view == nullptr)) {
-        throw NeedsProgram("carom-film");
-    }
-}
-
 bool has_music(std::span<const NamedFile> files) {
     return std::ranges::find(files, FileKind::music, &NamedFile::kind) != files.end();
 }
@@ -102,6 +95,12 @@ void try_view(const ShotInput& input, const CommandContext& context,
 }
 
 }  // namespace
+
+void require_film_program(bool is_needed, const CommandContext& context) {
+    if (is_needed && context.music == nullptr) {
+        throw NeedsProgram("carom-film");
+    }
+}
 
 std::string check_files(CheckedInput& checked, FileReading reading, const CommandContext& context) {
     if (reading == FileReading::none) {

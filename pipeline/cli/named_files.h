@@ -15,6 +15,10 @@ enum class FileReading {
     full,
 };
 
+/// Throws NeedsProgram if the program that decodes music, lays out text and opens views is needed,
+/// and is not this one. Callers report nothing before, since the other program does.
+void require_film_program(bool is_needed, const CommandContext& context);
+
 /// Opens the files that the input names, and prepares the view of its film, and adds the problems
 /// to those of the input, which is lost if one of them is an error. Throws NeedsProgram, before
 /// anything is reported, if that needs libraries that this program does not have. Returns a

@@ -13,6 +13,7 @@
 #include "pipeline/cli/film_music.h"
 #include "pipeline/cli/heard_table.h"
 #include "pipeline/cli/job_observer.h"
+#include "pipeline/cli/named_files.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/retime_words.h"
 #include "pipeline/cli/sequence_input.h"
@@ -52,7 +53,7 @@ void read_sequence(const SoundCommand& command, CommandContext& context, FilmInp
             "one of its shots");
     }
     if (const auto loaded = load_sequence_input(command.input); loaded.sequence) {
-        require_decoder(loaded.sequence->output, context);
+        require_film_program(loaded.sequence->output.music.has_value(), context);
     }
     film.sequence = read_sequence_input(command.input, context.console);
     std::vector<pipeline::SequencePart>& parts = film.sequence->parts;
@@ -81,7 +82,7 @@ void read_shot(const SoundCommand& command, CommandContext& context, FilmInput& 
     pipeline::RetimeOptions options = parse_retime(command.retime);
     CheckedInput checked = load_shot_input(command.input);
     if (checked.input) {
-        require_decoder(checked.input->shot.output, context);
+        require_film_program(checked.input->shot.output.music.has_value(), context);
     }
     film.shot = require_shot_input(std::move(checked), command.input, context.console);
     if (film.shot->shot.sound.is_silent && !film.shot->shot.output.music) {
