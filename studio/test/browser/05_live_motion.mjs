@@ -1,6 +1,6 @@
-// While a ball is dragged its motion follows, also while a picture refines: answers come during the
-// drag, none is older than the one before, and the last one is of the last text. How quickly they
-// come is measured by bench/studio.
+// While a ball is dragged its motion follows, also while a picture refines and while a film is made:
+// answers come during the drag, none is older than the one before, and the last one is of the last
+// text. How quickly they come is measured by bench/studio.
 import { equal, pixelOf, settle } from './harness.mjs';
 
 const kMoves = 24;
@@ -49,6 +49,23 @@ async function drag(page, what) {
     return `${during} motions came during ${moves} moves`;
 }
 
+/// The same beside a film, which is being made from before the drag until after it.
+async function dragBesideFilm(page) {
+    const film = () => page.evaluate(() => window.studio.films.film.value);
+    const openFilms = () => page.getByRole('button', { name: /^Make a film/ }).click();
+    await openFilms();
+    await page.getByLabel('Quality').selectOption('draft');
+    await page.getByRole('button', { name: 'Render', exact: true }).click();
+    await page.waitForFunction(() => window.studio.films.film.value?.finished >= 1, null, { timeout: 120_000 });
+    await page.keyboard.press('Escape');
+    const dragged = await drag(page, 'beside a film');
+    equal((await film()).state, 'running', 'the film after the drag');
+    await openFilms();
+    await page.getByRole('button', { name: 'Stop' }).click();
+    await page.waitForFunction(() => window.studio.films.film.value.state === 'stopped', null, { timeout: 120_000 });
+    return dragged;
+}
+
 export async function check({ page }) {
     await page.waitForFunction(() => window.studio.view.context.meshNode('cue'));
     await page.locator('canvas[aria-label="The scene"]').focus();
@@ -58,5 +75,7 @@ export async function check({ page }) {
     const refining = await drag(page, 'with a picture');
     await page.waitForFunction(() => window.studio.state.picture.value.head.v
         === window.studio.state.textVersion.value);
-    return `${plain}; while a picture refines, ${refining}`;
+    await page.keyboard.press('r');
+    const filming = await dragBesideFilm(page);
+    return `${plain}; while a picture refines, ${refining}; while a film is made, ${filming}`;
 }

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 
 #include "core/error.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "tests/pipeline/cli/program_run.h"
 #include "tests/pipeline/cli/tiny_shot.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::testing {
 

@@ -6,7 +6,7 @@
 #include "pipeline/cli/run_program.h"
 #include "tests/pipeline/cli/ode_calls.h"
 #include "tests/pipeline/cli/tiny_shot.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::cli {
 namespace {

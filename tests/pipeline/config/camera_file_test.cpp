@@ -3,26 +3,24 @@
 #include <fstream>
 
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include "tests/pipeline/config/load.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
 
-class CameraFile : public testing::Test {
+class CameraFile : public ::testing::Test {
   protected:
-    CameraFile()
-        : folder_(fs::temp_directory_path() / ("carom_camera_file_" + std::to_string(getpid()))) {
+    CameraFile() {
         fs::create_directories(folder_ / "parts");
         write("shot.yaml",
               "carom: 1\nballs: {cue: {at: [0, 0]}}\nlights: {lamp: {sphere: 1 cm, radiance: 9}}\n"
               "render: {samples: 8, fps: 30}\n" +
                   kCamera);
     }
-    ~CameraFile() override { fs::remove_all(folder_); }
 
     void write(const std::string& name, const std::string& text) const {
         std::ofstream(folder_ / name) << text;
@@ -41,7 +39,8 @@ class CameraFile : public testing::Test {
         return all;
     }
 
-    fs::path folder_;
+    carom::testing::ScratchFolder scratch_;
+    fs::path folder_{scratch_.path()};
 };
 
 const std::string kOther =

@@ -15,7 +15,7 @@
 #include "sim/bake.h"
 #include "tests/pipeline/config/load.h"
 #include "tests/pipeline/config/shot_text.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

@@ -13,7 +13,7 @@
 #include "tests/pipeline/config/load.h"
 #include "tests/pipeline/config/shot_text.h"
 #include "tests/pipeline/film_of_shots.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

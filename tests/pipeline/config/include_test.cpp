@@ -6,23 +6,18 @@
 #include <stdlib.h>
 
 #include "tests/pipeline/config/load.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// A temporary folder for each test.
-class Include : public testing::Test {
+class Include : public ::testing::Test {
   protected:
-    Include() : folder_(fs::temp_directory_path() / ("carom_include_" + std::to_string(getpid()))) {
-        fs::create_directories(folder_);
-    }
-    ~Include() override {
-        unsetenv("CAROM_CONFIGS");
-        fs::remove_all(folder_);
-    }
+    ~Include() override { unsetenv("CAROM_CONFIGS"); }
     std::string write(const std::string& name, const std::string& text) const {
         fs::create_directories((folder_ / name).parent_path());
         std::ofstream(folder_ / name) << text;
@@ -35,7 +30,8 @@ class Include : public testing::Test {
         return result.shot ? std::move(*result.shot) : Shot{};
     }
 
-    fs::path folder_;
+    carom::testing::ScratchFolder scratch_;
+    fs::path folder_{scratch_.path()};
 };
 
 TEST_F(Include, LaterFiles_HavePrecedence) {

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/pipeline/config/load.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {
@@ -12,15 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A temporary folder for each test.
-class OpenTexts : public testing::Test {
+class OpenTexts : public ::testing::Test {
   protected:
-    OpenTexts()
-        : folder_(fs::canonical(fs::temp_directory_path()) /
-                  ("carom_texts_" + std::to_string(getpid()))) {
-        fs::create_directories(folder_);
-    }
-    ~OpenTexts() override { fs::remove_all(folder_); }
-
     std::string path(const std::string& name) const { return (folder_ / name).string(); }
     std::string write(const std::string& name, const std::string& text) const {
         std::ofstream(path(name)) << text;
@@ -34,7 +28,8 @@ class OpenTexts : public testing::Test {
         return names;
     }
 
-    fs::path folder_;
+    carom::testing::ScratchFolder scratch_;
+    fs::path folder_{fs::canonical(scratch_.path())};
     std::map<std::string, std::string> texts_;
 };
 
@@ -55,7 +50,7 @@ TEST_F(OpenTexts, OpenText_NeedsNoFile) {
     EXPECT_EQ(all_problems(result), "");
     ASSERT_TRUE(result.shot);
     EXPECT_EQ(result.shot->render.samples, 7);
-    EXPECT_THAT(names(result), testing::ElementsAre("shot.yaml", "part.yaml"));
+    EXPECT_THAT(names(result), ::testing::ElementsAre("shot.yaml", "part.yaml"));
 }
 
 TEST_F(OpenTexts, OpenTextOutsideTheRoot_IsNotRead) {
@@ -65,7 +60,7 @@ TEST_F(OpenTexts, OpenTextOutsideTheRoot_IsNotRead) {
         write("below/shot.yaml", "carom: 1\ninclude: ../part.yaml\n" + kCamera);
     const LoadResult result = load_shot(shot, {.root = path("below"), .texts = &texts_});
     EXPECT_FALSE(result.shot);
-    EXPECT_THAT(all_problems(result), testing::HasSubstr("is outside"));
+    EXPECT_THAT(all_problems(result), ::testing::HasSubstr("is outside"));
 }
 
 TEST_F(OpenTexts, Files_AreListedAlsoWithErrors) {
@@ -75,7 +70,7 @@ TEST_F(OpenTexts, Files_AreListedAlsoWithErrors) {
     write("deep.yaml", "render: {samples: [\n");
     const LoadResult result = load_shot(shot);
     EXPECT_FALSE(result.shot);
-    EXPECT_THAT(names(result), testing::ElementsAre("shot.yaml", "part.yaml", "deep.yaml"));
+    EXPECT_THAT(names(result), ::testing::ElementsAre("shot.yaml", "part.yaml", "deep.yaml"));
 }
 
 TEST_F(OpenTexts, Files_HaveTheNamesOfProblems) {

@@ -10,7 +10,7 @@
 #include "pipeline/config/reference_examples.h"
 #include "pipeline/config/sections/sections.h"
 #include "tests/pipeline/config/load.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "pipeline/farm/worker_file.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::farm {
 namespace {

@@ -9,7 +9,7 @@
 #include "pipeline/farm/program.h"
 #include "pipeline/farm/shell_text.h"
 #include "pipeline/farm/task_environment.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::farm {
 namespace {

@@ -3,18 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/config/load_shot.h"
 #include "render/integrator/distributed_ray_counts.h"
 #include "sim/bake.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {
@@ -277,25 +276,21 @@ TEST(Import, MissingImages_AreReplacedByTheColourAndNoted) {
 /// A shot with a picture of the given scale on objects, and the note of its import.
 class PictureImport {
   public:
-    explicit PictureImport(const std::string& scale, const std::string& objects, double unit = 0.01)
-        : folder_(std::filesystem::temp_directory_path() /
-                  ("carom_import_test_" + std::to_string(getpid()))) {
-        std::filesystem::create_directories(folder_);
-        std::ofstream(folder_ / "ball.tga") << "any";
+    explicit PictureImport(const std::string& scale, const std::string& objects,
+                           double unit = 0.01) {
+        const std::string folder = folder_.path();
+        std::ofstream(folder_.path("ball.tga")) << "any";
         ImportOptions options;
         options.unit = unit;
         result = import_scene(kCamera +
                                   "texture T { filename ball.tga } phong_info P { diffuse { 1 0 0 "
                                   "} } material_texture M { phong_info P texture T " +
                                   scale + " }" + objects,
-                              "scene.txt", folder_.string(), folder_.string(), options);
-        const LoadResult loaded = load_shot_text(result.yaml, (folder_ / "shot.yaml").string());
+                              "scene.txt", folder, folder, options);
+        const LoadResult loaded = load_shot_text(result.yaml, folder_.path("shot.yaml"));
         EXPECT_TRUE(loaded.shot) << result.yaml;
         shot = loaded.shot.value_or(Shot{});
     }
-    ~PictureImport() { std::filesystem::remove_all(folder_); }
-    PictureImport(const PictureImport&) = delete;
-    PictureImport& operator=(const PictureImport&) = delete;
 
     [[nodiscard]] render::ImageTexture on(const std::string& name) const {
         for (const render::MaterialDescription& material : shot.scene.materials) {
@@ -310,7 +305,7 @@ class PictureImport {
     Shot shot;
 
   private:
-    std::filesystem::path folder_;
+    carom::testing::ScratchFolder folder_;
 };
 
 TEST(Import, ImagesOnSpheres_RepeatAccordingToTheirScale) {
@@ -382,8 +377,9 @@ TEST(Import, Accents_AreLeftOut_AndNamesStayDifferent) {
                          sphere_text("kř") + sphere_text("Größe") + sphere_text("kc") +
                          sphere_text("шар") + sphere_text("мяч") + sphere_text("A\u0301bc"),
                      "scene.txt", "/nowhere", "/nowhere");
-    EXPECT_THAT(object_names(result), testing::ElementsAre("skleneny_material", "kc_2", "kr",
-                                                           "Grosse", "kc", "___", "____2", "Abc"));
+    EXPECT_THAT(object_names(result),
+                ::testing::ElementsAre("skleneny_material", "kc_2", "kr", "Grosse", "kc", "___",
+                                       "____2", "Abc"));
     EXPECT_TRUE(has_note(result, "object 'kč' is called kc_2 in the shot"));
     EXPECT_FALSE(has_note(result, "object 'kc' "));
 }
@@ -392,7 +388,7 @@ TEST(Import, TextsThatAreNotUtf8_AreReadAsWindows1250) {
     // "kč" and "kř" in Windows-1250, whose second letters are not UTF-8.
     const ImportResult result = import_scene(kCamera + sphere_text("k\xe8") + sphere_text("k\xf8"),
                                              "scene.txt", "/nowhere", "/nowhere");
-    EXPECT_THAT(object_names(result), testing::ElementsAre("kc", "kr"));
+    EXPECT_THAT(object_names(result), ::testing::ElementsAre("kc", "kr"));
     EXPECT_TRUE(has_note(result, "it was read as Windows-1250"));
 }
 

@@ -8,7 +8,7 @@
 #include "pipeline/job/film_job.h"
 #include "sim/bake.h"
 #include "tests/pipeline/job/tiny_shot.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 #include "tests/sim/timeline/earlier_version.h"
 
 namespace carom::pipeline {

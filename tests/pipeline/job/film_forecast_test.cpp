@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "pipeline/job/film_status.h"
 #include "tests/pipeline/job/tiny_shot.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

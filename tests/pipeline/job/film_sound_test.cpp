@@ -16,7 +16,7 @@
 #include "tests/pipeline/job/tiny_shot.h"
 #include "tests/pipeline/video/click_source.h"
 #include "tests/pipeline/video/decoded_sound.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

@@ -10,7 +10,7 @@
 #include "pipeline/job/film_plan.h"
 #include "pipeline/store/frame_store.h"
 #include "tests/pipeline/job/tiny_shot.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

@@ -12,7 +12,7 @@
 #include "pipeline/job/film_status.h"
 #include "render/frame/frame_sums_data.h"
 #include "tests/pipeline/job/tiny_shot.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

@@ -10,7 +10,7 @@
 #include "render/frame/frame.h"
 #include "render/frame/progressive_frame.h"
 #include "tests/pipeline/job/example_frames.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

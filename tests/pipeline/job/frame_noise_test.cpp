@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/pipeline/job/example_frames.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

@@ -16,7 +16,7 @@
 
 #include "tests/pipeline/job/logged_job.h"
 #include "tests/pipeline/store/child_process.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

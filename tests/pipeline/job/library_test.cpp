@@ -10,7 +10,7 @@
 #include "pipeline/config/load_shot.h"
 #include "pipeline/job/film_job.h"
 #include "tests/pipeline/film_of_shots.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

@@ -8,7 +8,7 @@
 #include "pipeline/video/overlay_extent.h"
 #include "render/film/image_file.h"
 #include "tests/pipeline/job/tiny_shot.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

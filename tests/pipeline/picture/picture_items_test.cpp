@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "render/film/image_file.h"
 #include "tests/pipeline/picture/drawn_scene.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

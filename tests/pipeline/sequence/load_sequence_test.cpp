@@ -9,7 +9,7 @@
 #include "pipeline/job/film_job.h"
 #include "pipeline/sequence/sequence_text.h"
 #include "sim/timeline/bake_file.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

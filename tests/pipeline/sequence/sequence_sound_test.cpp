@@ -8,7 +8,7 @@
 #include "pipeline/sequence/sequence_job.h"
 #include "tests/pipeline/video/click_source.h"
 #include "tests/pipeline/video/decoded_sound.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

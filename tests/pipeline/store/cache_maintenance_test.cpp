@@ -11,7 +11,7 @@
 #include "pipeline/store/frame_store.h"
 #include "pipeline/store/pins.h"
 #include "sim/timeline/bake_file.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 #include "tests/sim/timeline/earlier_version.h"
 
 namespace carom::pipeline {

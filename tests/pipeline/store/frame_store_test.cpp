@@ -11,7 +11,7 @@
 #include "pipeline/store/frame_checksum.h"
 #include "tests/pipeline/store/child_process.h"
 #include "tests/pipeline/store/sample_frames.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

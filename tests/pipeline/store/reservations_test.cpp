@@ -10,7 +10,7 @@
 #include "pipeline/store/cache_entry.h"
 #include "pipeline/store/claim_note.h"
 #include "pipeline/store/pins.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

@@ -4,7 +4,7 @@
 #include "pipeline/store/frame_key.h"
 #include "render/scene/scene_fields.h"
 #include "tests/core/field_changes.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

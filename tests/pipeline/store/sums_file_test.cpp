@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "render/frame/frame_sums_data.h"
 #include "tests/pipeline/store/sample_frames.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

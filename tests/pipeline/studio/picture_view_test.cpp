@@ -14,7 +14,7 @@
 #include "pipeline/job/frame_graphics.h"
 #include "pipeline/video/view_transform.h"
 #include "tests/pipeline/job/tiny_shot.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::studio {
 namespace {

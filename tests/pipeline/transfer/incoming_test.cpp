@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

@@ -10,7 +10,7 @@
 #include "tests/pipeline/video/click_source.h"
 #include "tests/pipeline/video/decoded_sound.h"
 #include "tests/pipeline/video/file_size_limit.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

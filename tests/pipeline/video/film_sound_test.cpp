@@ -17,8 +17,8 @@
 #include "tests/pipeline/video/click_source.h"
 #include "tests/pipeline/video/decoded_sound.h"
 #include "tests/pipeline/video/decoded_video.h"
-#include "tests/pipeline/video/scratch_folder.h"
 #include "tests/pipeline/video/test_film.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

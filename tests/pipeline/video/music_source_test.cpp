@@ -13,8 +13,8 @@
 #include "core/error.h"
 #include "pipeline/video/audio_file.h"
 #include "tests/pipeline/video/click_source.h"
-#include "tests/pipeline/video/scratch_folder.h"
 #include "tests/pipeline/video/test_film.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "pipeline/video/video_writer.h"
-#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::testing {
 

@@ -6,8 +6,8 @@
 #include "tests/pipeline/video/click_source.h"
 #include "tests/pipeline/video/decoded_video.h"
 #include "tests/pipeline/video/file_size_limit.h"
-#include "tests/pipeline/video/scratch_folder.h"
 #include "tests/pipeline/video/test_film.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

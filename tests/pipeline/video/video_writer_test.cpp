@@ -9,8 +9,8 @@
 #include "core/error.h"
 #include "pipeline/video/codec_info.h"
 #include "tests/pipeline/video/decoded_video.h"
-#include "tests/pipeline/video/scratch_folder.h"
 #include "tests/pipeline/video/test_film.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {

@@ -1,7 +1,6 @@
 #include "render/integrator/direct_light.h"
 
 #include <cmath>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -9,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/render/integrator/integrator_scene.h"
+#include "tests/scratch_folder.h"
 
 namespace carom::render {
 namespace {
@@ -96,7 +96,6 @@ TEST(DirectLight, Together_TheyBeatEitherAlone) {
 class SkyPicture {
   public:
     SkyPicture() {
-        path_ = (std::filesystem::temp_directory_path() / "carom_direct_light_sky.exr").string();
         std::vector<float> pixels;
         for (int i = 0; i < kWidth * kHeight; ++i) {
             const bool patch = i % kWidth > 8 && i % kWidth < 12 && i / kWidth == 2;
@@ -109,14 +108,14 @@ class SkyPicture {
     }
     SkyPicture(const SkyPicture&) = delete;
     SkyPicture& operator=(const SkyPicture&) = delete;
-    ~SkyPicture() { std::filesystem::remove(path_); }
 
     [[nodiscard]] const std::string& path() const { return path_; }
 
   private:
     static constexpr int kWidth = 16;
     static constexpr int kHeight = 8;
-    std::string path_;
+    carom::testing::ScratchFolder folder_;
+    std::string path_ = folder_.path("sky.exr");
 };
 
 // The lamp has a thousand times the importance of the sky, which is thus sampled at one vertex in
