@@ -46,10 +46,10 @@ parts_run() {
   { timing=$(
     set +e
     TIMEFORMAT='%0R %0U %0S'
-    { time (
+    { time { (
       set -e
       "part_${1//-/_}"
-    ) >&5 2>&6; } 2>&1
+    ) >&5 2>&6; }; } 2>&1
     echo "$?"
   ); } 5>&1 6>&2
   status=${timing##*$'\n'}

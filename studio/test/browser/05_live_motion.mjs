@@ -55,7 +55,7 @@ async function dragBesideFilm(page) {
     const openFilms = () => page.getByRole('button', { name: /^Make a film/ }).click();
     await openFilms();
     await page.getByLabel('Quality').selectOption('draft');
-    await page.getByRole('button', { name: 'Render', exact: true }).click();
+    await page.getByRole('button', { name: 'Save and render', exact: true }).click();
     await page.waitForFunction(() => window.studio.films.film.value?.finished >= 1, null, { timeout: 120_000 });
     await page.keyboard.press('Escape');
     const dragged = await drag(page, 'beside a film');
