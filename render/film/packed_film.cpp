@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <string>
 
 #include "core/assert.h"
@@ -74,8 +75,9 @@ Film take_header(std::span<const std::byte>& bytes) {
         film.aovs.push_back({std::move(name), {}, take_value<std::uint8_t>(bytes) != 0});
     }
     const std::int64_t pixels = std::int64_t{film.width} * film.height;
+    const auto planes = 4 + std::ssize(film.aovs);  // of a byte per pixel at least
     if (film.width <= 0 || film.height <= 0 || pixels > kMostPixels ||
-        pixels > kMostPacked * static_cast<std::int64_t>(bytes.size())) {
+        pixels > kMostPacked * static_cast<std::int64_t>(bytes.size()) / planes) {
         throw Error("it is too short for its pixels");
     }
     return film;

@@ -117,5 +117,20 @@ TEST(PackedFilm, SizeThatTheBytesCannotHave_IsRefusedBeforeMemoryIsTaken) {
                 testing::ThrowsMessage<Error>("it is no packed film"));
 }
 
+// Zstandard packs a plane of equal bytes 32768 times at most, and the film has a plane per channel.
+TEST(PackedFilm, ChannelsThatTheBytesCannotHave_AreRefusedBeforeMemoryIsTaken) {
+    Film film;
+    film.width = film.height = 1;
+    film.rgba.assign(4, 0.5f);
+    film.aovs.assign(60, {"depth", {1.0f}, true});
+    std::vector<std::byte> bytes = pack_film(film, "film");
+    const auto edge =
+        static_cast<std::int32_t>(std::sqrt(32'768.0 * 0.1 * static_cast<double>(bytes.size())));
+    std::memcpy(bytes.data() + 8, &edge, sizeof(edge));
+    std::memcpy(bytes.data() + 12, &edge, sizeof(edge));
+    EXPECT_THAT([&] { (void)unpack_film(bytes); },
+                testing::ThrowsMessage<Error>("it is too short for its pixels"));
+}
+
 }  // namespace
 }  // namespace carom::render
