@@ -131,6 +131,30 @@ void LinearKeys::add(double time, const Vec3& position, Quat orientation) {
     orientations.push_back(orientation);
 }
 
+LinearKeys LinearKeys::from(double time) const {
+    const auto first =
+        static_cast<std::size_t>(std::ranges::lower_bound(times, time) - times.begin());
+    LinearKeys rest;
+    if (first == size() || (first > 0 && times[first] > time)) {
+        const std::size_t before = first - 1;
+        if (first == size() || jumps_to(first)) {
+            rest.add(time, positions[before], orientations[before]);
+        } else {
+            const double s = (time - times[before]) / (times[first] - times[before]);
+            rest.add(
+                time, positions[before] + s * (positions[first] - positions[before]),
+                Imath::slerpShortestArc(orientations[before], orientations[first], s).normalized());
+        }
+    }
+    for (std::size_t i = first; i < size(); ++i) {
+        if (rest.size() > 0 && jumps_to(i)) {
+            rest.jumps.push_back(rest.size());
+        }
+        rest.add(times[i], positions[i], orientations[i]);
+    }
+    return rest;
+}
+
 LinearKeys linear_keys(const sim::Track& track, std::size_t most,
                        const LinearTolerance& tolerance) {
     return KeyInserter(track, most, tolerance).run();

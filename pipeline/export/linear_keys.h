@@ -34,6 +34,9 @@ struct LinearKeys {
     [[nodiscard]] std::size_t size() const { return times.size(); }
     /// Whether all keys have the same position and orientation.
     [[nodiscard]] bool is_constant() const;
+    /// The keys from a time on. Unless one is there or all are later, the first is what programs
+    /// interpolate for it.
+    [[nodiscard]] LinearKeys from(double time) const;
     void add(double time, const Vec3& position, Quat orientation);
 };
 

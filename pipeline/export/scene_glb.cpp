@@ -199,7 +199,10 @@ class GlbWriter {
     /// Whether the node's contents were converted to Y up, or have axes that glTF prescribes.
     enum class Axes { turned, of_gltf };
 
-    void add_node(Json node, const LinearKeys& keys, Axes axes = Axes::turned) {
+    /// Times in a file are positive (glTF 2.0, 5.8), so what a cue stick or a motion by keys does
+    /// before the scene begins is left out.
+    void add_node(Json node, const LinearKeys& all_keys, Axes axes = Axes::turned) {
+        const LinearKeys keys = all_keys.from(scene_.start_time);
         const auto turn_of = [&](const Quat& q) {
             return floats(axes == Axes::turned ? y_up(q) : kYUp * q);
         };

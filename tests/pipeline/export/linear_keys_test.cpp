@@ -1,5 +1,7 @@
 #include "pipeline/export/linear_keys.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include "core/error.h"
@@ -96,6 +98,28 @@ TEST(LinearKeys, Jump_IsBetweenTwoNeighbouringTimes) {
     EXPECT_EQ(keys.times, (std::vector<double>{0, 1, landed, 2}));
     EXPECT_EQ(keys.positions, (std::vector<Vec3>{{0, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 1, 0}}));
     EXPECT_EQ(keys.jumps, std::vector<std::size_t>{2});
+}
+
+TEST(LinearKeys, KeysFromATime_ShowTheSameFromThenOn) {
+    LinearKeys keys;
+    keys.add(-2, {0, 0, 0}, Quat());
+    keys.add(1, {3, 0, 0}, Quat(std::cos(0.3), 0, 0, std::sin(0.3)));
+    keys.jumps.push_back(2);
+    keys.add(1.5, {9, 0, 0}, Quat());
+    keys.add(2, {9, 1, 0}, Quat());
+    const LinearKeys rest = keys.from(0);
+    EXPECT_EQ(rest.times, (std::vector<double>{0, 1, 1.5, 2}));
+    EXPECT_NEAR((rest.positions[0] - Vec3(2, 0, 0)).length(), 0, 1e-15);
+    EXPECT_NEAR(sim::angle_between(rest.orientations[0], Quat()), 0.4, 1e-12);
+    EXPECT_EQ(rest.jumps, std::vector<std::size_t>{2});
+    EXPECT_EQ(keys.from(-3).times, keys.times);
+    EXPECT_EQ(keys.from(1).times, (std::vector<double>{1, 1.5, 2}));
+    EXPECT_EQ(keys.from(1).jumps, std::vector<std::size_t>{1});
+    // Before a jump the object stays where it was.
+    EXPECT_EQ(keys.from(1.25).positions.front(), Vec3(3, 0, 0));
+    EXPECT_EQ(keys.from(1.25).jumps, std::vector<std::size_t>{1});
+    EXPECT_EQ(keys.from(1.5).jumps, std::vector<std::size_t>{});
+    EXPECT_EQ(keys.from(3).positions, (std::vector<Vec3>{{9, 1, 0}}));
 }
 
 }  // namespace

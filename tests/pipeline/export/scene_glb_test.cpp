@@ -115,6 +115,28 @@ TEST(SceneGlb, Motion_IsThatOfTheTimelineWithYUp) {
     }
 }
 
+TEST(SceneGlb, MotionBeforeTheScene_IsLeftOut) {
+    ExportScene scene = sample().scene;
+    for (ExportPart& object : scene.parts) {
+        for (double& time : object.keys.times) {
+            time -= 0.25;
+        }
+    }
+    const Glb file(scene_to_glb(scene));
+    for (const std::string name : {"cue", "wheel"}) {
+        const Glb::Channel now = file.channel(name, "translation");
+        ASSERT_FALSE(now.times.empty()) << name;
+        EXPECT_EQ(now.times.front(), 0) << name;
+        const sim::Track& track = *sample().timeline.find(name);
+        for (const std::size_t i : {std::size_t{0}, now.times.size() - 1}) {
+            EXPECT_LT((z_up(now.values.data() + 3 * i) - track.sample(now.times[i] + 0.25).position)
+                          .length(),
+                      1e-4)
+                << name;
+        }
+    }
+}
+
 TEST(SceneGlb, TurnsBetweenKeys_AreSmall) {
     const Glb::Channel turns = glb().channel("wheel", "rotation");
     double turned = 0;

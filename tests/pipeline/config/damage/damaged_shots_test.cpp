@@ -58,13 +58,15 @@ bool refers_to_name(const Problem& problem, const Damage& damage) {
             damage.old_line.find(suggested) == std::string::npos);
 }
 
-/// Whether the message is that the damaged ball overlaps another. The problem points to the later
-/// one.
+/// Whether the message is that the damaged ball or object overlaps another. The problem points to
+/// one of them, of two balls the later one.
 bool names_overlapping(const Problem& problem, const Damage& damage) {
     const auto is_named = [&](const std::string& name) {
         return !name.empty() && problem.message.find("'" + name + "'") != std::string::npos;
     };
-    return problem.message.find(" overlap by ") != std::string::npos &&
+    const bool is_overlap = problem.message.find(" overlap by ") != std::string::npos ||
+                            problem.message.find(" overlaps '") != std::string::npos;
+    return is_overlap &&
            (is_named(key_of(damage.parent_line)) || is_named(key_of(damage.old_line)));
 }
 
