@@ -1,9 +1,9 @@
 // Every control point of every camera is dragged: it is then where the pointer was, and the text has
 // no error. All examples with CAROM_STUDIO_ALL=1, or the one that it names.
 import { spawnSync } from 'node:child_process';
-import { readdirSync, writeFileSync } from 'node:fs';
+import { writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import { equal, open, serve, settle, textOf } from './harness.mjs';
+import { equal, exampleShots, open, serve, settle, textOf } from './harness.mjs';
 
 const kFew = ['bullet_time.yaml']; // an orbit with an offset, points of objects, aliases
 const kMoves = 3;
@@ -115,7 +115,7 @@ async function checkShot(page, carom, path) {
 export const ownPage = true; // it opens one itself
 
 export async function check({ browser, folder, carom }) {
-    const all = readdirSync(join(folder, 'examples')).filter((name) => name.endsWith('.yaml'));
+    const all = exampleShots(folder);
     const named = process.env.CAROM_STUDIO_ALL;
     const names = !named ? kFew : named === '1' ? all : [named];
     let count = 0;

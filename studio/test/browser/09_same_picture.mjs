@@ -2,9 +2,8 @@
 // overlap by at least 97 %, or their outlines are on average less than a third of a pixel apart, which
 // is less than 97 % of a thin object. Some frames of two shots; 20 frames of each example with
 // CAROM_STUDIO_ALL=1, or of the example that it names.
-import { readdirSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import { equal, open, serve } from './harness.mjs';
+import { equal, exampleShots, open, serve } from './harness.mjs';
 
 const kFew = [['jump_shot.yaml', 1], ['park.yaml', 1]];
 const kMost = 20;    // frames of each shot
@@ -78,8 +77,8 @@ export const ownPage = true; // it opens one itself
 
 export async function check({ browser, folder, carom }) {
     const named = process.env.CAROM_STUDIO_ALL;
-    const all = readdirSync(join(folder, 'examples')).filter((name) => name.endsWith('.yaml')
-        && (named === '1' || named === name)).map((name) => [name, kMost]);
+    const all = exampleShots(folder).filter((name) => named === '1' || named === name)
+        .map((name) => [name, kMost]);
     let compared = 0;
     let thin = 0;
     let frames = 0;

@@ -1,6 +1,8 @@
 // Runs the real program, the real page and a real browser for the checks beside this file.
 import { spawn } from 'node:child_process';
-import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import {
+    cpSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync,
+} from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
@@ -141,6 +143,12 @@ export async function openText({ browser, carom, folder }, name, text, size) {
         await served.end();
         throw error;
     }
+}
+
+/// The names of all examples that are one shot, not a film of several.
+export function exampleShots(folder) {
+    return readdirSync(join(folder, 'examples')).filter((name) => name.endsWith('.yaml')
+        && !/^film:/m.test(readFileSync(join(folder, 'examples', name), 'utf8')));
 }
 
 /// Where a point of the scene is on the page, CSS pixels.
