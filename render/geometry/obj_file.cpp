@@ -162,7 +162,7 @@ class ObjReader {
     }
 
     /// A word that must be a number; NaN for one that is none in the words of other programs.
-    double number(std::string_view word) const {
+    [[nodiscard]] double number(std::string_view word) const {
         const auto value = number_of(word);
         if (!value) {
             refuse(statements_.line(), not_a_number(word));
