@@ -26,9 +26,11 @@ class SkipSystemHeaders : public clang::tidy::ClangTidyCheck {
 
     void check(const MatchFinder::MatchResult& found) override {
         std::vector<clang::Decl*> own;
-        for (clang::Decl* declaration : found.Context->getTranslationUnitDecl()->decls())
-            if (!found.SourceManager->isInSystemHeader(declaration->getLocation()))
+        for (clang::Decl* declaration : found.Context->getTranslationUnitDecl()->decls()) {
+            if (!found.SourceManager->isInSystemHeader(declaration->getLocation())) {
                 own.push_back(declaration);
+            }
+        }
         found.Context->setTraversalScope(own);
     }
 };

@@ -51,7 +51,6 @@ async function drag(page, what) {
 
 /// The same beside a film, which is being made from before the drag until after it.
 async function dragBesideFilm(page) {
-    const film = () => page.evaluate(() => window.studio.films.film.value);
     const openFilms = () => page.getByRole('button', { name: /^Make a film/ }).click();
     await openFilms();
     await page.getByLabel('Quality').selectOption('draft');
@@ -59,7 +58,7 @@ async function dragBesideFilm(page) {
     await page.waitForFunction(() => window.studio.films.film.value?.finished >= 1, null, { timeout: 120_000 });
     await page.keyboard.press('Escape');
     const dragged = await drag(page, 'beside a film');
-    equal((await film()).state, 'running', 'the film after the drag');
+    equal(await page.evaluate(() => window.studio.films.film.value.state), 'running', 'the film after the drag');
     await openFilms();
     await page.getByRole('button', { name: 'Stop' }).click();
     await page.waitForFunction(() => window.studio.films.film.value.state === 'stopped', null, { timeout: 120_000 });
