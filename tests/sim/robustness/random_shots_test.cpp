@@ -69,7 +69,9 @@ void add_placing(WorldDescription& world, std::uint64_t number) {
 TEST(RandomShots_WithBallsPutSomewhere, EndWithoutFaults) {
     int placed = 0;
     int respotted = 0;
-    for (std::uint64_t number = 0; number < number_from("CAROM_RANDOM_SHOTS", 150); ++number) {
+    const std::uint64_t first = number_from("CAROM_FIRST_SHOT", 0);
+    const std::uint64_t count = number_from("CAROM_RANDOM_SHOTS", 150);
+    for (std::uint64_t number = first; number < first + count; ++number) {
         WorldDescription world = random_shot(number);
         const bool has_other_bodies =
             std::any_of(world.bodies.begin(), world.bodies.end(), [](const Body& body) {
@@ -95,8 +97,10 @@ TEST(RandomShots_WithBallsPutSomewhere, EndWithoutFaults) {
             ADD_FAILURE() << "shot " << number << ": " << error.what();
         }
     }
-    EXPECT_GT(placed, 100);
-    EXPECT_GT(respotted, 0);
+    if (count >= 150) {
+        EXPECT_GT(placed, 100);
+        EXPECT_GT(respotted, 0);
+    }
 }
 
 // An elastic ball between two fixed balls with a tiny gap has ten million impacts per second.
