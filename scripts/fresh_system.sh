@@ -53,5 +53,5 @@ put_sources() {
   fi
   npm_words
   # ccache distinguishes the languages of compiler messages.
-  build_words=(${LANG:+LANG="$LANG"} CCACHE_DIR=/ccache CCACHE_BASEDIR=/srv/carom CCACHE_NOHASHDIR=1 "${npm_config[@]}")
+  build_words=(${LANG:+LANG="$LANG"} CCACHE_DIR=/ccache "${npm_config[@]}")
 }

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "tests/folders.h"
 #include "tests/pipeline/cli/end_to_end.h"
 
 namespace carom::testing {

@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include "tests/folders.h"
 #include "tests/pipeline/cli/end_to_end.h"
 
 namespace carom::testing {

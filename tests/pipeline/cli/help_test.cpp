@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <regex>
 
+#include "tests/folders.h"
 #include "tests/pipeline/cli/end_to_end.h"
 
 namespace carom::cli {

@@ -1,6 +1,7 @@
 // End-to-end tests of the program itself and of check, bake, export, report and import.
 #include <filesystem>
 
+#include "tests/folders.h"
 #include "tests/pipeline/cli/end_to_end.h"
 
 namespace carom::cli {

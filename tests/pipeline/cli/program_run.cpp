@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/folders.h"
 #include "tests/scratch_folder.h"
 
 namespace carom::testing {

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "tests/folders.h"
 #include "tests/pipeline/cli/end_to_end.h"
 #include "tests/pipeline/cli/sound_files.h"
 

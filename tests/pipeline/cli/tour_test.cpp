@@ -1,6 +1,7 @@
 // Follows docs/tour.md exactly: writes its files, runs its commands and compares their output.
 #include <fstream>
 
+#include "tests/folders.h"
 #include "tests/pipeline/cli/end_to_end.h"
 
 namespace carom::cli {

@@ -10,6 +10,7 @@
 
 #include "pipeline/config/reference_examples.h"
 #include "sim/bake.h"
+#include "tests/folders.h"
 #include "tests/pipeline/config/load.h"
 #include "tests/pipeline/config/shot_text.h"
 #include "tests/pipeline/film_of_shots.h"

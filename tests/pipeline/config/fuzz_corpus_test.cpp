@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/config/load_shot.h"
+#include "tests/folders.h"
 
 namespace carom::pipeline {
 namespace {

@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/folders.h"
 #include "tests/pipeline/config/load.h"
 #include "tests/pipeline/film_of_shots.h"
 

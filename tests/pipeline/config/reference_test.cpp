@@ -9,6 +9,7 @@
 #include "pipeline/config/parse_yaml.h"
 #include "pipeline/config/reference_examples.h"
 #include "pipeline/config/sections/sections.h"
+#include "tests/folders.h"
 #include "tests/pipeline/config/load.h"
 #include "tests/scratch_folder.h"
 

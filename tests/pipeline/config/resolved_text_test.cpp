@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/folders.h"
 #include "tests/pipeline/config/load.h"
 #include "tests/pipeline/config/shot_text.h"
 #include "tests/pipeline/film_of_shots.h"

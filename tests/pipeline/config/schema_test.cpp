@@ -18,6 +18,7 @@
 #include "pipeline/config/load_shot.h"
 #include "pipeline/config/parse_yaml.h"
 #include "pipeline/config/shot_source.h"
+#include "tests/folders.h"
 
 namespace carom::pipeline {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/folders.h"
 #include "tests/pipeline/config/load.h"
 
 namespace carom::pipeline {

@@ -7,6 +7,7 @@
 
 #include "pipeline/config/load_shot.h"
 #include "pipeline/import/import_scene.h"
+#include "tests/folders.h"
 
 namespace carom::pipeline {
 namespace {

@@ -13,6 +13,7 @@
 #include "pipeline/config/load_shot.h"
 #include "render/integrator/distributed_ray_counts.h"
 #include "sim/bake.h"
+#include "tests/folders.h"
 #include "tests/scratch_folder.h"
 
 namespace carom::pipeline {

@@ -7,6 +7,7 @@
 #include "pipeline/config/load_shot.h"
 #include "pipeline/job/film_job.h"
 #include "render/frame/frame.h"
+#include "tests/folders.h"
 #include "tests/pipeline/film_of_shots.h"
 
 namespace carom::testing {

@@ -10,6 +10,7 @@
 #include "pipeline/config/load_shot.h"
 #include "sim/bake.h"
 #include "sim/timeline/energy.h"
+#include "tests/folders.h"
 
 namespace carom::pipeline {
 namespace {

@@ -9,6 +9,7 @@
 #include "render/acceleration/vector_tier.h"
 #include "render/frame/frame.h"
 #include "render/frame/progressive_frame.h"
+#include "tests/folders.h"
 #include "tests/pipeline/job/example_frames.h"
 #include "tests/scratch_folder.h"
 

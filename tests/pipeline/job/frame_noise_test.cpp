@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/folders.h"
 #include "tests/pipeline/job/example_frames.h"
 #include "tests/scratch_folder.h"
 

@@ -14,6 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/folders.h"
 #include "tests/pipeline/job/logged_job.h"
 #include "tests/pipeline/store/child_process.h"
 #include "tests/scratch_folder.h"

@@ -9,6 +9,7 @@
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/config/load_shot.h"
 #include "pipeline/job/film_job.h"
+#include "tests/folders.h"
 #include "tests/pipeline/film_of_shots.h"
 #include "tests/scratch_folder.h"
 

@@ -12,6 +12,7 @@
 #include "pipeline/plan/numbered_events.h"
 #include "pipeline/plan/report_plot.h"
 #include "sim/bake.h"
+#include "tests/folders.h"
 
 namespace carom::pipeline {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "pipeline/store/frame_checksum.h"
+#include "tests/folders.h"
 #include "tests/pipeline/store/child_process.h"
 #include "tests/pipeline/store/sample_frames.h"
 #include "tests/scratch_folder.h"

@@ -16,7 +16,7 @@ class StudioDocuments : public StudioSession {
   protected:
     void start_simulated() {
         SessionOptions all = options();
-        all.program = CAROM_PROGRAM;
+        all.program = CAROM_BINARY_DIR "/bin/carom";
         StudioSession::start(std::move(all));
         wait_for<Problems>([](const Problems& problems) { return problems.complete; });
     }
@@ -39,7 +39,7 @@ class StudioDocuments : public StudioSession {
 
     /// What the command line writes into a file of that name.
     std::string written(const std::string& words, const std::string& name) {
-        const std::string command = std::string(CAROM_PROGRAM) + " " + words + " " +
+        const std::string command = std::string(CAROM_BINARY_DIR "/bin/carom ") + words + " " +
                                     path("direct_" + name) + " -q --cache " + path("other") + " " +
                                     path("shot.yaml") + " > /dev/null";
         EXPECT_EQ(std::system(command.c_str()), 0) << command;  // NOLINT: a fixed command

@@ -10,6 +10,7 @@
 #include "pipeline/studio/shot_parts.h"
 #include "pipeline/studio/shot_root.h"
 #include "pipeline/studio/start_page.h"
+#include "tests/folders.h"
 #include "tests/pipeline/studio/session_fixture.h"
 
 namespace carom::studio {

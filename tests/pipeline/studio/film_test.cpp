@@ -47,7 +47,7 @@ class StudioFilm : public StudioSession {
     void start_with(int samples) {
         write_file(path("shot.yaml"), shot_text(samples));
         SessionOptions all = options();
-        all.program = CAROM_PROGRAM;
+        all.program = CAROM_BINARY_DIR "/bin/carom";
         StudioSession::start(std::move(all));
     }
 
@@ -104,7 +104,7 @@ output: {preset: ultrafast}
     write_file(path("shot.yaml"), shot_text(1));
     SessionOptions all = options();
     all.shot = path("film.yaml");
-    all.program = CAROM_PROGRAM;
+    all.program = CAROM_BINARY_DIR "/bin/carom";
     StudioSession::start(std::move(all));
     constexpr std::size_t kAll = 5 + 6 - 2 + 8;
     say(StartFilm{});
@@ -128,7 +128,7 @@ TEST_F(StudioFilm, FilmOfSeveralShots_CannotBePictures) {
     write_file(path("shot.yaml"), shot_text(1));
     SessionOptions all = options();
     all.shot = path("film.yaml");
-    all.program = CAROM_PROGRAM;
+    all.program = CAROM_BINARY_DIR "/bin/carom";
     StudioSession::start(std::move(all));
     say(StartFilm{.output = "frame_####.png"});
     EXPECT_EQ(wait_for<Failed>().message,
@@ -141,7 +141,7 @@ TEST_F(StudioFilm, ShotWithAMoment_HasPicturesOfItsFrames) {
     text.replace(text.find(scene), scene.size(), "scene: [{contact: [cue, one]}, 0.8 s]");
     write_file(path("shot.yaml"), text);
     SessionOptions all = options();
-    all.program = CAROM_PROGRAM;
+    all.program = CAROM_BINARY_DIR "/bin/carom";
     StudioSession::start(std::move(all));
     say(StartFilm{.frames = "0-1"});
     const auto frame = wait_for<FilmFrame>([](const FilmFrame& one) { return one.frame == 1; });

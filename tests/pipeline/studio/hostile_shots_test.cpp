@@ -2,6 +2,7 @@
 // them, and says what is wrong.
 #include <cstdint>
 
+#include "tests/folders.h"
 #include "tests/pipeline/studio/session_fixture.h"
 
 namespace carom::studio {

@@ -13,6 +13,7 @@
 
 #include "core/error.h"
 #include "sim/bake.h"
+#include "tests/folders.h"
 
 namespace carom::studio {
 namespace {

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "pipeline/studio/message_json.h"
 #include "pipeline/studio/protocol_types.h"
+#include "tests/folders.h"
 
 namespace carom::studio {
 namespace {

@@ -12,6 +12,7 @@
 #include "pipeline/studio/disturbance.h"
 #include "pipeline/studio/fan_message.h"
 #include "sim/bake.h"
+#include "tests/folders.h"
 
 namespace carom::studio {
 namespace {

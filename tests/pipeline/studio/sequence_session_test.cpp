@@ -8,6 +8,7 @@
 #include "pipeline/config/load_shot.h"
 #include "sim/bake.h"
 #include "sim/timeline/bake_file.h"
+#include "tests/folders.h"
 #include "tests/pipeline/studio/session_fixture.h"
 
 namespace carom::studio {

@@ -20,6 +20,7 @@
 
 #include "pipeline/studio/message_json.h"
 #include "pipeline/studio/session.h"
+#include "tests/folders.h"
 
 namespace carom::studio {
 

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <set>
 
+#include "tests/folders.h"
 #include "tests/pipeline/studio/session_fixture.h"
 
 namespace carom::studio {

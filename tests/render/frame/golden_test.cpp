@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "render/film/image_file.h"
+#include "tests/folders.h"
 #include "tests/render/frame/golden_scenes.h"
 #include "tests/render/statistics.h"
 

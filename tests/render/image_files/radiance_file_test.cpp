@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "render/image_files/read_picture.h"
+#include "tests/folders.h"
 #include "tests/render/image_files/by_openimageio.h"
 
 namespace carom::render {

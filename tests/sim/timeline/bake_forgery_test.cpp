@@ -12,6 +12,7 @@
 #include "bake_helpers.h"
 #include "core/error.h"
 #include "sim/timeline/bake_format.h"
+#include "tests/folders.h"
 
 namespace carom::sim {
 namespace {

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/folders.h"
 #include "tests/pipeline/config/damage/damage.h"
 #include "tests/pipeline/config/damage/difference.h"
 #include "tests/pipeline/config/damage/random_shot.h"
