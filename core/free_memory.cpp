@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -53,7 +54,7 @@ Bytes free_in_control_groups(const std::string& root) {
     std::string group = control_group(root);
     Bytes free;
     while (!group.empty()) {
-        const std::string folder = root + "/sys/fs/cgroup" + group + "/";
+        const std::string folder = fmt::format("{}/sys/fs/cgroup{}/", root, group);
         const Bytes limit = number_in(folder + "memory.max");
         const Bytes used = number_in(folder + "memory.current");
         if (limit && used) {

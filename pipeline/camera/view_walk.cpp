@@ -153,7 +153,7 @@ class PathWalk {
     [[nodiscard]] std::optional<ViewNode> nearest_to_axis(double low, double high) const {
         constexpr int kRounds = 60;
         for (int round = 0; round < kRounds; ++round) {
-            const std::optional<ViewNode> a = node_at((2 * low + high) / 3);
+            std::optional<ViewNode> a = node_at((2 * low + high) / 3);
             const std::optional<ViewNode> b = node_at((low + 2 * high) / 3);
             if (!a || !b) {
                 return std::nullopt;

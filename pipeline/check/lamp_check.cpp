@@ -168,8 +168,10 @@ std::map<std::string, double> LampCheck::hidden_shares(const render::CameraState
     std::map<std::string, double> hidden;
     double seen = 0;
     for (int i = 0; i < kColumns * kRows; ++i) {
-        const Vec3 point(table.length * ((i % kColumns + 0.5) / kColumns - 0.5),
-                         table.width * ((i / kColumns + 0.5) / kRows - 0.5), 0);
+        const int row = i / kColumns;
+        const int column = i % kColumns;
+        const Vec3 point(table.length * ((column + 0.5) / kColumns - 0.5),
+                         table.width * ((row + 0.5) / kRows - 0.5), 0);
         if (!is_in_picture(camera, aspect, point, 0)) {
             continue;
         }

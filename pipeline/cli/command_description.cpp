@@ -59,15 +59,15 @@ Option& CommandDescription::option(const std::string& names, Target target, std:
     return options.emplace_back(std::move(added));
 }
 
-Option& CommandDescription::argument(std::string argument_name, std::string& target,
+Option& CommandDescription::argument(const std::string& argument_name, std::string& target,
                                      std::string help) {
     Option& added = option(argument_name, &target, "", std::move(help));
     added.is_required = true;
     return added;
 }
 
-Option& CommandDescription::argument(std::string argument_name, std::vector<std::string>& target,
-                                     std::string help) {
+Option& CommandDescription::argument(const std::string& argument_name,
+                                     std::vector<std::string>& target, std::string help) {
     Option& added = option(argument_name, &target, "", std::move(help));
     added.is_required = true;
     return added;

@@ -69,9 +69,10 @@ struct CommandDescription {
     Option& flag(const std::string& names, bool& target, std::string help);
     Option& option(const std::string& names, Target target, std::string value, std::string help);
     /// A required word without a dash.
-    Option& argument(std::string name, std::string& target, std::string help);
+    Option& argument(const std::string& argument_name, std::string& target, std::string help);
     /// One or more such words.
-    Option& argument(std::string name, std::vector<std::string>& target, std::string help);
+    Option& argument(const std::string& argument_name, std::vector<std::string>& target,
+                     std::string help);
 
     /// Adds a subcommand.
     CommandDescription& command(std::string command_name, std::string command_summary);

@@ -73,6 +73,7 @@ config::Node shot_tree(const Position& position) {
 
 std::vector<Candidate> candidates_of(std::vector<std::string> words) {
     std::vector<Candidate> candidates;
+    candidates.reserve(words.size());
     for (std::string& word : words) {
         candidates.push_back({std::move(word), {}});
     }

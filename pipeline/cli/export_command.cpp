@@ -64,10 +64,7 @@ void check_different(const std::string& path, const std::string& other, const ch
 
 /// Throws InputError if a word names no part.
 pipeline::JsonParts json_parts(const ExportCommand& command) {
-    std::vector<std::string> names;
-    for (const pipeline::JsonPart& part : pipeline::kJsonParts) {
-        names.emplace_back(part.name);
-    }
+    const std::vector<std::string> names = pipeline::json_part_names();
     const std::vector<std::string> only = words_of("--only", command.only, names);
     const std::vector<std::string> without = words_of("--without", command.without, names);
     const auto has = [](const std::vector<std::string>& words, const char* name) {

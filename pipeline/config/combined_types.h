@@ -60,11 +60,9 @@ inline bool is_word(const Node& node) {
     return node.is_scalar() && !looks_like_number(node.text);
 }
 
-/// Accepts only this word, so that other words are told all alternatives.
-inline std::function<bool(const Node&)> is_exactly(std::string word) {
-    return [word = std::move(word)](const Node& node) {
-        return node.is_scalar() && node.text == word;
-    };
+/// Accepts only this word, so that other words are told all alternatives. `word` is kept.
+inline std::function<bool(const Node&)> is_exactly(const char* word) {
+    return [word](const Node& node) { return node.is_scalar() && node.text == word; };
 }
 
 /// A type whose values are those of `from`, converted to another C++ type.

@@ -2,6 +2,7 @@
 
 namespace carom::pipeline::config {
 
+// NOLINTNEXTLINE(readability-function-size): a table
 const std::map<std::string, std::string>& reference_examples() {
     static const std::map<std::string, std::string> examples{
         {"shot", R"(include: [tables/pool_9ft.yaml, balls/pool.yaml, looks/club.yaml]

@@ -41,6 +41,7 @@ std::vector<RepeatPlace> along_curve(const Curve& curve, int pieces, const Vec3&
 
 std::vector<RepeatPlace> along_line(const Vec3& start, const Vec3& step, int count) {
     std::vector<RepeatPlace> places;
+    places.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
         places.push_back({start + step * i, heading_of(step, 0)});
     }

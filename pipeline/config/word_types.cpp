@@ -58,7 +58,8 @@ namespace {
 ValueType<std::string> text_of_type(TypeInfo type) {
     ValueType<std::string> result;
     result.info = type;
-    result.read = [type](Reader& reader, const Node& node) -> std::optional<std::string> {
+    result.read = [type = std::move(type)](Reader& reader,
+                                           const Node& node) -> std::optional<std::string> {
         if (!node.is_scalar()) {
             reader.wrong_type(node, describe(type));
             return std::nullopt;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <string>
+#include <vector>
 
 namespace carom::pipeline {
 
@@ -30,5 +32,15 @@ inline constexpr std::array kJsonParts{
     JsonPart{"put_backs", &JsonParts::put_backs}, JsonPart{"energy", &JsonParts::energy},
     JsonPart{"cameras", &JsonParts::cameras},
 };
+
+/// The words, in the order of the parts.
+[[nodiscard]] inline std::vector<std::string> json_part_names() {
+    std::vector<std::string> names;
+    names.reserve(kJsonParts.size());
+    for (const JsonPart& part : kJsonParts) {
+        names.emplace_back(part.name);
+    }
+    return names;
+}
 
 }  // namespace carom::pipeline

@@ -18,7 +18,7 @@ void Conversion::note(const std::string& text) {
 }
 
 std::string Conversion::name(const char* kind, const std::string& given, Names& names) {
-    const std::string made = names.claim(given);
+    std::string made = names.claim(given);
     if (made != given) {
         note(std::string(kind) + " " + config::quote(given) + " is called " + made +
              " in the shot");

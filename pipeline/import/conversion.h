@@ -52,6 +52,7 @@ struct Conversion {
 template <class Element>
 [[nodiscard]] std::vector<std::string> names_of(const std::vector<Element>& elements) {
     std::vector<std::string> names;
+    names.reserve(elements.size());
     for (const Element& element : elements) {
         names.push_back(element.name.text);
     }

@@ -212,9 +212,10 @@ std::string MaterialTable::use(std::size_t index, const Object* object) {
     std::map<std::string, std::string>& names = written_[index];
     std::string& name = names[image];
     if (name.empty()) {
-        name = names.size() == 1 ? conversion_.name("material", material.name.text, names_)
-                                 : names_.claim(material.name.text + "_on_" +
-                                                kKinds[static_cast<int>(object->kind)]);
+        name = object == nullptr || names.size() == 1
+                   ? conversion_.name("material", material.name.text, names_)
+                   : names_.claim(material.name.text + "_on_" +
+                                  kKinds[static_cast<int>(object->kind)]);
         PhongText phong(conversion_.scene.phong_infos[material.phong], conversion_);
         text_ += "  " + name + ":\n    phong: {" + phong(image) + "}\n";
     }

@@ -209,7 +209,7 @@ class MeshImport {
         } else if (found == library_.end()) {
             note("material " + quote(name) + " is not defined; it is a plain grey");
         }
-        const std::string claimed = material_names_.claim(name.empty() ? stem_ : name);
+        std::string claimed = material_names_.claim(name.empty() ? stem_ : name);
         materials_ += "  " + claimed + ": {standard: {" + standard(name, material, part) + "}}\n";
         return claimed;
     }

@@ -1,5 +1,6 @@
 // Renders single frames to memory, without a store.
 #include <memory>
+#include <utility>
 
 #include "pipeline/job/denoised_picture.h"
 #include "pipeline/job/exported_frame.h"
@@ -29,8 +30,8 @@ RenderFunction make_picture_renderer(const Shot& shot, int threads) {
     if (!denoises(shot)) {
         return render;
     }
-    return [&shot, threads, render](const FrameInputs& inputs, const WorkContext& context,
-                                    render::FrameSums* sums) {
+    return [&shot, threads, render = std::move(render)](
+               const FrameInputs& inputs, const WorkContext& context, render::FrameSums* sums) {
         const render::Film noisy = render(inputs, context, sums);
         render::ThreadArena arena(threads);
         render::Film film = arena.execute([&] {
@@ -45,8 +46,8 @@ RenderFunction make_picture_renderer(const Shot& shot, int threads) {
 
 FrameRenderer make_frame_renderer(const Shot& shot, const sim::Timeline& timeline, int threads) {
     const auto source = std::make_shared<const FilmSource>(shot, timeline);
-    return [source, render = make_picture_renderer(shot, threads)](std::int64_t frame,
-                                                                   const WorkContext& context) {
+    RenderFunction render = make_picture_renderer(shot, threads);
+    return [source, render = std::move(render)](std::int64_t frame, const WorkContext& context) {
         const std::vector<PlannedFrame> layers = source->layers(frame);
         render::Film film =
             render(source->inputs(layers[0]), step_of(context, 0, layers.size()), nullptr);

@@ -65,8 +65,11 @@ class RulerPainter {
         draw_lines(ticks, "tick");
         std::string long_ticks;
         const double step = ruler.time_step;
-        for (double time = step * std::ceil(start / step - 1e-6);
-             time < start + film_length(rig_) + 1e-6; time += step) {
+        const auto first_step = static_cast<std::int64_t>(std::ceil(start / step - 1e-6));
+        const auto last_step =
+            static_cast<std::int64_t>(std::floor((start + film_length(rig_)) / step + 1e-6));
+        for (std::int64_t n = first_step; n <= last_step; ++n) {
+            const double time = step * static_cast<double>(n);
             add_tick(time, kLongTick, long_ticks);
             const Place place = place_at(time);
             if ((place.at - last_arrow_).length() >= kNearestArrows) {

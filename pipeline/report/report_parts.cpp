@@ -80,6 +80,7 @@ bool is_wanted(const ReportFilter& filter, const ReportedEvent& row) {
 
 std::vector<std::string> report_words() {
     std::vector<std::string> words;
+    words.reserve(std::size(kGroups));
     for (const EventGroup& group : kGroups) {
         words.emplace_back(group.word);
     }

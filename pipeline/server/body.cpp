@@ -13,6 +13,20 @@ namespace carom::server {
 Body::Body(std::shared_ptr<const std::string> bytes)
     : bytes_(std::move(bytes)), size_(bytes_->size()), left_{0, size_} {}
 
+/// A descriptor, which is closed at the end.
+class Body::OpenFile {
+  public:
+    explicit OpenFile(int descriptor) : descriptor_(descriptor) {}
+    ~OpenFile() { ::close(descriptor_); }
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+
+    [[nodiscard]] int descriptor() const { return descriptor_; }
+
+  private:
+    int descriptor_;
+};
+
 std::optional<Body> Body::open(const std::string& path) {
     // O_NONBLOCK: opening a pipe must not wait for its other end.
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
@@ -20,10 +34,7 @@ std::optional<Body> Body::open(const std::string& path) {
         return std::nullopt;
     }
     Body body;
-    body.descriptor_ = std::shared_ptr<const int>(new int(descriptor), [](const int* opened) {
-        ::close(*opened);
-        delete opened;
-    });
+    body.file_ = std::make_shared<const OpenFile>(descriptor);
     struct stat status {};
     if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
         return std::nullopt;
@@ -43,9 +54,9 @@ std::size_t Body::read(std::span<char> bytes) {
     }
     ssize_t count = 0;
     do {
-        count = descriptor_
-                    ? ::pread(*descriptor_, bytes.data(), wanted, static_cast<off_t>(left_.begin))
-                    : 0;
+        count = file_ ? ::pread(file_->descriptor(), bytes.data(), wanted,
+                                static_cast<off_t>(left_.begin))
+                      : 0;
     } while (count < 0 && errno == EINTR);
     const auto read = static_cast<std::size_t>(std::max<ssize_t>(count, 0));
     left_.begin += read;

@@ -31,8 +31,10 @@ class Body {
     [[nodiscard]] std::size_t read(std::span<char> bytes);
 
   private:
+    class OpenFile;
+
     std::shared_ptr<const std::string> bytes_;
-    std::shared_ptr<const int> descriptor_;  // closed by its deleter
+    std::shared_ptr<const OpenFile> file_;
     std::uint64_t size_ = 0;
     ByteRange left_;
 };

@@ -50,10 +50,13 @@ std::string page_text(const std::string& address) {
 
 PrivatePage::PrivatePage(const std::string& address) {
     const char* runtime_folder = std::getenv("XDG_RUNTIME_DIR");
-    if (!is_private_folder(runtime_folder)) {
-        folder_ = make_folder();
+    std::string name;
+    if (is_private_folder(runtime_folder)) {
+        name = runtime_folder;
+    } else {
+        name = folder_ = make_folder();
     }
-    std::string name = (folder_.empty() ? runtime_folder : folder_) + "/carom_studio_XXXXXX.html";
+    name += "/carom_studio_XXXXXX.html";
     const int descriptor = ::mkostemps(name.data(), 5, O_CLOEXEC);  // with mode 0600
     const std::string text = page_text(address);
     const bool is_written =

@@ -69,7 +69,7 @@ std::string path_for_writing(const std::string& name, const std::string& root) {
     if (!is_shot(path)) {
         path += ".yaml";
     }
-    const std::string file = whole_path(path);
+    std::string file = whole_path(path);
     std::error_code code;
     if (!is_writable(file, root) || !is_shot(file)) {
         throw Error(quote(name) + " cannot be written: shots are written below " + quote(root) +

@@ -146,7 +146,7 @@ class Journal::Writer {
     std::jthread thread_;
 };
 
-Journal::Journal(const std::string& shot, JournalOptions options) {
+Journal::Journal(const std::string& shot, const JournalOptions& options) {
     try {
         if (std::optional<Place> place = find_place(shot, options.folder)) {
             found_ = read_journal(place->path);

@@ -19,7 +19,7 @@ struct JournalOptions {
 /// own. A journal that cannot be written is none; nothing else fails then.
 class Journal {
   public:
-    Journal(const std::string& shot, JournalOptions options);
+    Journal(const std::string& shot, const JournalOptions& options);
     /// Writes what waits. The file of texts that are not saved remains.
     ~Journal();
     Journal(const Journal&) = delete;

@@ -17,7 +17,7 @@ std::string output_path(const std::string& given, const std::string& shot,
     if (!path.has_extension()) {
         path += extension;
     }
-    const std::string result = whole_path(path);
+    std::string result = whole_path(path);
     if (!is_below(result, whole_path(base)) && !is_below(result, root)) {
         throw Error("files can be written below '" + root + "' only, not '" + path.string() + "'");
     }

@@ -38,8 +38,8 @@ void LightMeter::add(std::span<const std::uint16_t> signal) {
         sum += highest;
         brightest_ = std::max(brightest_, highest);
     }
-    const double pixels = std::max(1.0, static_cast<double>(signal.size() / 3));
-    brightest_mean_ = std::max(brightest_mean_, sum / pixels);
+    const std::size_t pixels = std::max<std::size_t>(1, signal.size() / 3);
+    brightest_mean_ = std::max(brightest_mean_, sum / static_cast<double>(pixels));
 }
 
 LightLevels LightMeter::levels() const {

@@ -64,7 +64,7 @@ std::vector<std::string> further_channels(const Imf::ChannelList& channels) {
 }
 
 void check_kind(const Imf::Header& header, const std::string& path) {
-    const Imath::Box2i window = header.dataWindow();
+    const Imath::Box2i& window = header.dataWindow();
     const long long width = static_cast<long long>(window.max.x) - window.min.x + 1;
     const long long height = static_cast<long long>(window.max.y) - window.min.y + 1;
     std::size_t count = 0;

@@ -38,7 +38,7 @@ class PictureFile {
         if (!file_) {
             refuse_by_system(path, errno);
         }
-        file_.read(magic_.data(), magic_.size());
+        file_.read(magic_.data(), static_cast<std::streamsize>(magic_.size()));
         magic_size_ = static_cast<std::size_t>(file_.gcount());
         if (magic_size_ == 0) {
             refuse_image(path, "the file is empty");

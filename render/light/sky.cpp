@@ -163,6 +163,7 @@ LinearImage sky_picture(const Sky& sky) {
     picture.pixels.resize(std::size_t{kColumns} * kRows);
     // The mapping of Environment: the middle column towards +x, columns to its right towards -y.
     std::vector<SinCos> around;
+    around.reserve(kColumns);
     for (int column = 0; column < kColumns; ++column) {
         around.push_back(sin_cos(kPi64 - 2 * kPi64 * (column + 0.5) / kColumns));
     }

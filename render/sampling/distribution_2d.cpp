@@ -82,10 +82,11 @@ Distribution2D::Distribution2D(std::span<const float> weights, int width, int he
 }
 
 Distribution2D::Sample Distribution2D::sample(const V2f& u) const {
-    if (mean_ <= 0) {
+    const DistributionTables cells = tables();
+    if (cells.density == nullptr) {
         return {V2f(0, 0), 0};
     }
-    const auto place = scalar::sample_cells<scalar::One>(tables(), scalar::two(u));
+    const auto place = scalar::sample_cells<scalar::One>(cells, scalar::two(u));
     return {scalar::vector_of(place.uv), place.pdf};
 }
 

@@ -84,8 +84,9 @@ void mark_passing(const std::vector<Event>& events, const Trains& trains,
         }
         const auto after = next.find(events[i].a);
         const ImpulseTrain* train = train_at(trains, events[i]);
-        is_dropped[i] = train != nullptr && after != next.end() &&
-                        train->has_passed(events[i].time, events[after->second].time);
+        const bool has_passed = train != nullptr && after != next.end() &&
+                                train->has_passed(events[i].time, events[after->second].time);
+        is_dropped[i] = has_passed ? 1 : 0;
         next[events[i].a] = i;
     }
 }
@@ -99,8 +100,9 @@ void mark_repeated(const std::vector<Event>& events, const Trains& trains,
             continue;
         }
         const auto before = state.find(events[i].a);
-        is_dropped[i] = before != state.end() && before->second == events[i].kind &&
-                        train_at(trains, events[i]) != nullptr;
+        const bool is_repeated = before != state.end() && before->second == events[i].kind &&
+                                 train_at(trains, events[i]) != nullptr;
+        is_dropped[i] = is_repeated ? 1 : 0;
         state[events[i].a] = events[i].kind;
     }
 }

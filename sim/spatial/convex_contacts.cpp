@@ -46,10 +46,12 @@ class Separation {
     void snap_to_sides() {
         const Vec3 found = normal_;
         const double gap = gap_;
-        if (const auto side = a_.shape->facing_normal(to_body(a_.pose.orientation, -found)))
+        if (const auto side = a_.shape->facing_normal(to_body(a_.pose.orientation, -found))) {
             consider(-to_world(a_.pose.orientation, *side));
-        if (const auto side = b_.shape->facing_normal(to_body(b_.pose.orientation, found)))
+        }
+        if (const auto side = b_.shape->facing_normal(to_body(b_.pose.orientation, found))) {
             consider(to_world(b_.pose.orientation, *side));
+        }
         is_flat_ = gap_ > gap;
     }
     /// True if the normal is that of a flat side.

@@ -107,7 +107,7 @@ void StaticMesh::prepare(const Part& part) {
         for (const MeshFeature& feature : part.features) {
             boxes.push_back(bounds_of(feature));
         }
-        part.tree = AabbTree(std::move(boxes));
+        part.tree = AabbTree(boxes);
     });
 }
 

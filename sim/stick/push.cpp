@@ -96,8 +96,8 @@ class Push {
     /// The state after the part of `increment` at whose end `value` is 0; after all of it there is
     /// `state`.
     template <typename Value>
-    PushState end_within(Value value, double increment, double at_low, double at_high,
-                         PushState state) const {
+    [[nodiscard]] PushState end_within(Value value, double increment, double at_low, double at_high,
+                                       PushState state) const {
         false_position({0, at_low}, {increment, at_high}, 1e-15 * at_low, [&](double part) {
             state = after(part, last_, part / increment);
             return value(state);

@@ -111,13 +111,7 @@ void describe(ExportCommand& command, CommandDescription& description) {
                 "both objects, beginning and end, mean force and slip. Without -o only this table "
                 "is written.")
         .offers(Offer::files);
-    const std::string parts = [] {
-        std::vector<std::string> names;
-        for (const pipeline::JsonPart& part : pipeline::kJsonParts) {
-            names.emplace_back(part.name);
-        }
-        return join(names, ", ");
-    }();
+    const std::string parts = join(pipeline::json_part_names(), ", ");
     description.option("--only", &command.only, "WORDS",
                        "Write only these parts of a .json, as a list with commas: " + parts +
                            ". The meshes of the table are the largest.");

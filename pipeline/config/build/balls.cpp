@@ -205,6 +205,7 @@ void build_balls(Builder& builder) {
     std::vector<Ball> balls = racked_balls(builder);
     add_given_balls(builder, balls);
     std::vector<sim::Body> bodies;
+    bodies.reserve(balls.size());
     for (const Ball& ball : balls) {
         bodies.push_back(make_body(ball, builder));
     }

@@ -30,10 +30,10 @@ void add_start(MapSpec<ForceEvent>& s) {
 }
 
 template <class Action>
-MapSpec<ForceEvent> event_of(std::string name, std::string description) {
+MapSpec<ForceEvent> event_of(std::string_view name, std::string_view description) {
     ForceEvent prototype;
     prototype.action.emplace<Action>();
-    return {std::move(name), std::move(description), prototype};
+    return {name, description, prototype};
 }
 
 void add_object(MapSpec<ForceEvent>& s) {

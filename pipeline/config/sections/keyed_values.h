@@ -33,6 +33,7 @@ void warn_about_unreached_keys(Reader& reader, const Node& camera, const CameraR
 template <class V>
 std::vector<Rational> times_of(const std::vector<ValueKey<V>>& keys) {
     std::vector<Rational> times;
+    times.reserve(keys.size());
     for (const ValueKey<V>& key : keys) {
         times.push_back(key.video_time);
     }
