@@ -60,7 +60,7 @@ inline bool is_word(const Node& node) {
     return node.is_scalar() && !looks_like_number(node.text);
 }
 
-/// Accepts only this word, so that other words are told all alternatives. `word` is kept.
+/// Accepts only this word, so that other words are told all alternatives. `word`: a literal.
 inline std::function<bool(const Node&)> is_exactly(const char* word) {
     return [word](const Node& node) { return node.is_scalar() && node.text == word; };
 }
