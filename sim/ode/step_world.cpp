@@ -75,6 +75,18 @@ Vec3 friction_direction(const Vec3& slip, const Vec3& normal) {
     return sideways / length(sideways);
 }
 
+/// The speed (m/s) at which a contact may close after the midpoint of a step.
+///
+/// A gap may close by the middle of the next step, but no further: if it closed within this step,
+/// it would open again half a step later, and so on. Where the normal turns, as at a ball that tips
+/// over an edge, it may close as fast as it opened: then its force does no work, and the end of the
+/// step is the start reflected in the normal, on the same curve. By the middle of a step that
+/// begins without a gap such a contact opens by a quarter of `turning` times the duration, so that
+/// three quarters more are allowed.
+double closing_speed(const StepContact& contact, double duration) {
+    return std::max(-contact.depth / duration + 0.75 * contact.turning, 0.0);
+}
+
 struct Attempt {
     int number = 0;
 
@@ -215,9 +227,7 @@ void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
     }
     surface.soft_cfm = attempt.softness() * inverse_mass * duration;
     surface.slip1 = surface.slip2 = surface.soft_cfm;
-    // A gap at the midpoint may close by the middle of the next step, but no further. (If it closed
-    // within this step, it would open again half a step later, and so on.)
-    surface.motionN = std::min(from.depth, 0.0) / duration + attempt.separation_speed(number);
+    surface.motionN = attempt.separation_speed(number) - closing_speed(from, duration);
     // A slipping ball has no rolling resistance yet.
     const bool is_rolling = length(slip) < 4 * from.friction * length(velocity_by_gravity) + 1e-6;
     if (attempt.has_friction() &&

@@ -21,6 +21,7 @@ struct StepContact {
     double friction = 0;
     double rolling_lever = 0;   // rolling moment / normal force, m
     double spinning_lever = 0;  // moment about the normal / normal force, m
+    double turning = 0;  // m/s: how fast it opens since the step's start because its normal turns
 };
 
 struct StepImpulse {

@@ -24,8 +24,10 @@ constexpr double kShortestStep = 1e-5;
 
 }  // namespace
 
-void StepTrial::attempt(double start, double end) {
+void StepTrial::attempt(double start, double end,
+                        const std::vector<BodyContact>& contacts_at_start) {
     start_ = start;
+    collect_normals_at_start(contacts_at_start);
     end_ = end;
     placed_ = bodies_;
     collect_moving();
@@ -100,6 +102,7 @@ void StepTrial::advance_to_midpoint() {
     step_contacts_.clear();
     for (BodyContact& found : contacts_) {
         found.contact.restitution = 0;
+        found.contact.turning = turning(found);
         step_contacts_.push_back(found.contact);
     }
 }
@@ -113,6 +116,33 @@ void StepTrial::solve() {
             motions_[slot].end = body.path->at(end_);
         }
     }
+}
+
+/// A ball touches a part of the static environment in one point; a mesh perhaps in several, of
+/// which none is taken.
+void StepTrial::collect_normals_at_start(const std::vector<BodyContact>& contacts) {
+    normals_at_start_.clear();
+    std::set<std::pair<int, int>> several;
+    for (const BodyContact& found : contacts) {
+        if (bodies_[static_cast<std::size_t>(found.contact.first)].is_ball && found.other < 0 &&
+            !normals_at_start_.emplace(found.pair(), found.contact.normal).second) {
+            several.insert(found.pair());
+        }
+    }
+    for (const std::pair<int, int>& pair : several) {
+        normals_at_start_.erase(pair);
+    }
+}
+
+/// The speed (m/s) at which a ball's contact opens at the midpoint, but did not at the start,
+/// because its normal has turned.
+double StepTrial::turning(const BodyContact& found) const {
+    const auto at_start = normals_at_start_.find(found.pair());
+    if (at_start == normals_at_start_.end()) {
+        return 0;
+    }
+    const StepBody& ball = placed_[static_cast<std::size_t>(found.contact.first)];
+    return std::max(ball.state.velocity.dot(found.contact.normal - at_start->second), 0.0);
 }
 
 /// At the midpoint: a contact that was open at the start and closes fast is an impact, not a

@@ -1,6 +1,8 @@
 // A trial step of ODE, which may be shortened before it is committed.
 #pragma once
 
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "sim/ode/step_world.h"
@@ -18,9 +20,9 @@ class StepTrial {
               const Vec3& gravity, const std::vector<StepBody>& bodies)
         : world_(world), finder_(finder), bounces_(bounces), gravity_(gravity), bodies_(bodies) {}
 
-    /// Tries a step of all awake bodies from `start` to `end`. It is shortened to the first impact
-    /// or new contact.
-    void attempt(double start, double end);
+    /// Tries a step of all awake bodies from `start` to `end`, with the contacts found at `start`.
+    /// It is shortened to the first impact or new contact.
+    void attempt(double start, double end, const std::vector<BodyContact>& contacts_at_start);
 
     /// Repeats the step up to an earlier end; false if no time is left in it.
     bool shorten(double end);
@@ -42,6 +44,8 @@ class StepTrial {
     void solve();
     void drop_impacts();
     void drop_immovable_pairs();
+    void collect_normals_at_start(const std::vector<BodyContact>& contacts);
+    [[nodiscard]] double turning(const BodyContact& found) const;
     [[nodiscard]] MotionState state_after(std::size_t slot, double time) const;
     [[nodiscard]] double relative_sinking() const;
     [[nodiscard]] double fraction_until_contact();
@@ -55,6 +59,7 @@ class StepTrial {
     double start_ = 0;
     double end_ = 0;
     std::vector<StepBody> placed_;  // the bodies at some instant of the step
+    std::map<std::pair<int, int>, Vec3> normals_at_start_;  // of balls on what is static
     std::vector<int> moving_;
     std::vector<MotionState> midpoint_states_;
     std::vector<BodyContact> contacts_;

@@ -102,7 +102,7 @@ double SteppedBodies::try_step(double now, double until) {
         contacts = finder_.find(bodies_);
     }
     bounces_.resolve(contacts, now);
-    trial_.attempt(now, until);
+    trial_.attempt(now, until, contacts);
     publish_trial_paths();
     return trial_.end();
 }

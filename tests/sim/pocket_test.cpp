@@ -5,6 +5,7 @@
 
 #include "shots.h"
 #include "sim/billiards/table.h"
+#include "sim/timeline/energy.h"
 
 namespace carom::sim::test {
 namespace {
@@ -92,6 +93,24 @@ TEST(Pocket_SlowBallAtTheEdge, RollsOverItWithoutAJump) {
             std::sqrt(std::pow(pocket.radius - from_axis.length(), 2) + p.z * p.z);
         if (p.z > 0 && from_axis.length() < pocket.radius) {
             EXPECT_GT(to_rim, kRadius - 3e-5) << t;
+        }
+    }
+}
+
+TEST(Pocket_SlowBallAtTheEdge, GainsNoEnergyWhileItTips) {
+    for (const billiards::Pocket& pocket : pockets_of(kTables[0])) {
+        for (const double speed : {0.05, 0.1, 0.15}) {
+            WorldDescription world = shot_at(kTables[0], pocket, pocket.radius + 0.02, speed);
+            world.contact_law.ball_cloth.rolling_friction = 0;
+            const Timeline whole = bake(world);
+            const Track& track = *whole.find("one");
+            double tipped = 0;
+            while (track.sample(tipped).position.z > 0.8 * kRadius) {
+                tipped += 1e-3;
+                ASSERT_LT(tipped, world.duration) << pocket.name << " " << speed;
+            }
+            world.duration = tipped;
+            EXPECT_LT(largest_energy_gain(bake(world)), 1e-9) << pocket.name << " " << speed;
         }
     }
 }
