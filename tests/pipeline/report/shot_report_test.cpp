@@ -121,7 +121,7 @@ TEST(ShotReport, KeyedObjectAfterItsLastKey_IsAtRest) {
     timeline.tracks.emplace_back("pusher",
                                  std::vector<Key>{key(0.5, {0, 0, 0}, {0, 0, 0}, {2, 0, 0}),
                                                   key(0.75, {0.5, 0, 0}, {2, 0, 0}, {0, 0, 0})});
-    const ReportedObject& pusher = report_of(timeline).objects.back();
+    const ReportedObject pusher = report_of(timeline).objects.back();
     EXPECT_EQ(pusher.fate, Fate::rests);
     EXPECT_EQ(pusher.fate_time, 0.75);
     EXPECT_EQ(pusher.speed, 0);
@@ -135,7 +135,7 @@ TEST(ShotReport, KeyedObject_HasItsTopSpeedBetweenTwoKeys) {
                                  std::vector<Key>{key(0, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}),
                                                   key(1, {0, 0, 0.4}, {0, 0, 0}, {0, 0, 0}),
                                                   key(2, {0, 0, 0.4}, {0, 0, 0}, {0, 0, 0})});
-    const ReportedObject& lift = report_of(timeline).objects.back();
+    const ReportedObject lift = report_of(timeline).objects.back();
     EXPECT_NEAR(lift.top_speed, 0.6, 1e-3);
     EXPECT_NEAR(lift.top_time, 0.5, 0.02);
     EXPECT_EQ(lift.fate_time, 1);
