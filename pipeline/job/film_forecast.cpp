@@ -131,7 +131,8 @@ FilmForecast forecast_film(const Shot& shot, const sim::Bake& bake,
         forecast.preparation_seconds = process_cpu_seconds() - begin;
         FilmProbe probe(source, plan, pictures);
         probe.measure(scene, has_sequences(shot, options.output),
-                      seconds - forecast.preparation_seconds, limit.token());
+                      {settings.cpu_at_least, seconds - forecast.preparation_seconds},
+                      limit.token());
         if (stop.stop_requested()) {
             throw Stopped();
         }

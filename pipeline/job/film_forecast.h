@@ -37,7 +37,8 @@ struct FilmForecast {
 };
 
 struct ForecastSettings {
-    double cpu_limit = 20;  // s, that the forecast may take
+    double cpu_limit = 20;    // s, that the forecast may take
+    double cpu_at_least = 1;  // s, that it may take however short the film; below the limit
 };
 
 /// Renders small blocks of some frames of each camera; nothing is stored. `missing`: the frames to

@@ -15,8 +15,7 @@ constexpr std::array kPlans{BlockPlan{64, 2, 6, 20}, BlockPlan{32, 4, 12, 64},
 constexpr double kMostFrames = 1000;   // in sequences, of all sites
 constexpr int kSequence = 4;           // pictures
 constexpr double kCertain = 0.01;      // relative standard error of a frame's time
-constexpr double kPart = 0.1;          // of a film's time that its forecast may take ...
-constexpr double kLeastSeconds = 1;    // ... but always as much as this, s
+constexpr double kPart = 0.1;          // of a film's time that its forecast may take
 constexpr double kSequencePart = 0.7;  // of the forecast's time
 
 /// The number of places in the film where a camera's pictures are measured.
@@ -149,7 +148,7 @@ void FilmProbe::extend_sequences(const render::PreparedScene& scene, std::size_t
 
 /// Measures a few small blocks of each site, replaces them by blocks of a size that the budget
 /// allows, and returns the budget in CPU seconds.
-double FilmProbe::scout(const render::PreparedScene& scene, double seconds,
+double FilmProbe::scout(const render::PreparedScene& scene, const CpuBudget& allowed,
                         const std::stop_token& limit) {
     for (SiteMeasurement& site : sites_) {
         if (!limit.stop_requested() && open_frame(site, scene)) {
@@ -157,7 +156,7 @@ double FilmProbe::scout(const render::PreparedScene& scene, double seconds,
         }
     }
     const double film = film_seconds();
-    const double budget = std::min(seconds, std::max(kLeastSeconds, kPart * film));
+    const double budget = std::min(allowed.most, std::max(allowed.least, kPart * film));
     double pictures = 0;
     for (const ProbeCamera& camera : cameras_) {
         pictures += static_cast<double>(camera.pictures.size());
@@ -183,10 +182,10 @@ double FilmProbe::scout(const render::PreparedScene& scene, double seconds,
     return budget;
 }
 
-void FilmProbe::measure(const render::PreparedScene& scene, bool sequences, double seconds,
-                        const std::stop_token& limit) {
+void FilmProbe::measure(const render::PreparedScene& scene, bool sequences,
+                        const CpuBudget& allowed, const std::stop_token& limit) {
     const double begin = process_cpu_seconds();
-    const double budget = scout(scene, seconds, limit);
+    const double budget = scout(scene, allowed, limit);
     if (sequences && per_frame_ > 0) {
         const double frames = kSequencePart * budget / per_frame_;
         extend_sequences(scene, static_cast<std::size_t>(std::min(frames, kMostFrames)), limit);

@@ -33,6 +33,12 @@ struct SiteMeasurement {
     [[nodiscard]] std::size_t common_blocks() const;
 };
 
+/// CPU seconds that may be used: a part of what the film will take, but within these bounds.
+struct CpuBudget {
+    double least = 1;
+    double most = 20;
+};
+
 /// Blocks of one size, and how many of them are measured of a frame.
 struct BlockPlan {
     int size = 0;     // pixels a side
@@ -49,9 +55,9 @@ class FilmProbe {
               const std::vector<std::size_t>& pictures);
 
     /// Measures until `limit` is requested, or earlier if the times are certain. `sequences`:
-    /// whether several pictures in a row are wanted, for the size of the film. `seconds`: of CPU
-    /// time that may be used. Throws Error.
-    void measure(const render::PreparedScene& scene, bool sequences, double seconds,
+    /// whether several pictures in a row are wanted, for the size of the film. Throws
+    /// Error.
+    void measure(const render::PreparedScene& scene, bool sequences, const CpuBudget& allowed,
                  const std::stop_token& limit);
 
     /// Of the blocks, pixels a side.
@@ -65,7 +71,8 @@ class FilmProbe {
     void choose_sites();
     bool open_frame(SiteMeasurement& site, const render::PreparedScene& scene);
     [[nodiscard]] double film_seconds() const;
-    double scout(const render::PreparedScene& scene, double seconds, const std::stop_token& limit);
+    double scout(const render::PreparedScene& scene, const CpuBudget& allowed,
+                 const std::stop_token& limit);
     void extend_sequences(const render::PreparedScene& scene, std::size_t frames,
                           const std::stop_token& limit);
     void add_blocks(SiteMeasurement& site, int count, const std::stop_token& limit);

@@ -33,7 +33,9 @@ struct ForecastFixture {
     [[nodiscard]] FilmForecast forecast(const std::string& output,
                                         const std::stop_token& stop = {}) const {
         const FilmStatus status = film_status(shot, bake, options(output), {});
-        return forecast_film(shot, bake, status.missing, options(output), stop);
+        // As large blocks on a slow machine or with sanitizers as elsewhere.
+        const ForecastSettings settings{.cpu_limit = 1000, .cpu_at_least = 900};
+        return forecast_film(shot, bake, status.missing, options(output), stop, settings);
     }
     /// The files below the folder, without empty folders.
     [[nodiscard]] std::vector<std::string> files() const {
@@ -180,8 +182,9 @@ TEST(FilmForecast, LimitOfCpuTime_EndsIt) {
     film.shot.render.height = 360;
     film.shot.render.samples = 65'536;  // hours
     const FilmStatus status = film_status(film.shot, film.bake, film.options(""), {});
-    const FilmForecast forecast = forecast_film(film.shot, film.bake, status.missing,
-                                                film.options(""), {}, ForecastSettings{0.5});
+    const FilmForecast forecast =
+        forecast_film(film.shot, film.bake, status.missing, film.options(""), {},
+                      ForecastSettings{.cpu_limit = 0.5});
     EXPECT_EQ(forecast.pictures, 9);
     EXPECT_GT(forecast.cpu_seconds(), forecast.probe_seconds);
     EXPECT_GT(forecast.store_bytes, 0U) << "not one block was finished";
