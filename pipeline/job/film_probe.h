@@ -35,8 +35,8 @@ struct SiteMeasurement {
 
 /// CPU seconds that may be used: a part of what the film will take, but within these bounds.
 struct CpuBudget {
-    double least = 1;
-    double most = 20;
+    double least = 0;
+    double most = 0;
 };
 
 /// Blocks of one size, and how many of them are measured of a frame.
@@ -55,8 +55,7 @@ class FilmProbe {
               const std::vector<std::size_t>& pictures);
 
     /// Measures until `limit` is requested, or earlier if the times are certain. `sequences`:
-    /// whether several pictures in a row are wanted, for the size of the film. Throws
-    /// Error.
+    /// whether several pictures in a row are wanted, for the size of the film. Throws Error.
     void measure(const render::PreparedScene& scene, bool sequences, const CpuBudget& allowed,
                  const std::stop_token& limit);
 

@@ -1,6 +1,7 @@
 #include "sim/scheduler/step_trial.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -118,27 +119,21 @@ void StepTrial::solve() {
     }
 }
 
-/// A ball touches a part of the static environment in one point; a mesh perhaps in several, of
-/// which none is taken.
 void StepTrial::collect_normals_at_start(const std::vector<BodyContact>& contacts) {
     normals_at_start_.clear();
-    std::set<std::pair<int, int>> several;
     for (const BodyContact& found : contacts) {
-        if (bodies_[static_cast<std::size_t>(found.contact.first)].is_ball && found.other < 0 &&
-            !normals_at_start_.emplace(found.pair(), found.contact.normal).second) {
-            several.insert(found.pair());
+        if (bodies_[static_cast<std::size_t>(found.contact.first)].is_ball && found.other < 0) {
+            normals_at_start_.emplace(found.pair(), found.contact.normal);
         }
-    }
-    for (const std::pair<int, int>& pair : several) {
-        normals_at_start_.erase(pair);
     }
 }
 
 /// The speed (m/s) at which a ball's contact opens at the midpoint, but did not at the start,
-/// because its normal has turned.
+/// because its normal has turned; 0 if the ball touched that part in several points, as it may a
+/// mesh.
 double StepTrial::turning(const BodyContact& found) const {
-    const auto at_start = normals_at_start_.find(found.pair());
-    if (at_start == normals_at_start_.end()) {
+    const auto [at_start, end] = normals_at_start_.equal_range(found.pair());
+    if (std::distance(at_start, end) != 1) {
         return 0;
     }
     const StepBody& ball = placed_[static_cast<std::size_t>(found.contact.first)];

@@ -59,7 +59,7 @@ class StepTrial {
     double start_ = 0;
     double end_ = 0;
     std::vector<StepBody> placed_;  // the bodies at some instant of the step
-    std::map<std::pair<int, int>, Vec3> normals_at_start_;  // of balls on what is static
+    std::multimap<std::pair<int, int>, Vec3> normals_at_start_;  // of balls on what is static
     std::vector<int> moving_;
     std::vector<MotionState> midpoint_states_;
     std::vector<BodyContact> contacts_;
