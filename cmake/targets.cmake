@@ -113,7 +113,8 @@ endfunction()
 
 # carom_test(NAME SOURCES a_test.cpp … LIBS libs… [TIMEOUT s] [SHARDS n]): makes a test program. CTest runs all its cases in one
 # process, because starting a process with carom's libraries takes up to a quarter of a second, or in SHARDS processes, so that
-# several cores share a long program. A case that takes longer than TIMEOUT ends the process (tests/test_main.cpp).
+# several cores share a long program. A case that takes longer than TIMEOUT ends the process (tests/test_main.cpp); with sanitizers
+# than ten times of it.
 function(carom_test name)
   cmake_parse_arguments(ARG "" "TIMEOUT;SHARDS" "SOURCES;LIBS" ${ARGN})
   carom_program(${name} SOURCES ${ARG_SOURCES} LIBS ${ARG_LIBS} GTest::gmock carom_test_main)
@@ -123,6 +124,9 @@ function(carom_test name)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
+  endif()
+  if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")  # programs are up to ten times slower
+    math(EXPR ARG_TIMEOUT "10 * ${ARG_TIMEOUT}")
   endif()
   if(NOT ARG_SHARDS)
     set(ARG_SHARDS 1)
