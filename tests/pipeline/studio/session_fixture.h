@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -33,11 +34,18 @@ inline void write_file(const std::string& path, const std::string& text) {
     std::ofstream(path, std::ios::binary) << text;
 }
 
-class StudioSession : public testing::Test {
+class StudioSession : public ::testing::Test {
   protected:
+    /// In a process that another test has started, in the folder of that test.
     StudioSession()
-        : folder_(std::filesystem::canonical(std::filesystem::temp_directory_path()) /
-                  ("carom_session_" + std::to_string(getpid()))) {
+        : StudioSession(is_started_by_test()
+                            ? std::filesystem::path(std::getenv(kFolderVariable))
+                            : std::filesystem::canonical(std::filesystem::temp_directory_path()) /
+                                  ("carom_session_" + std::to_string(getpid()))) {}
+    explicit StudioSession(std::filesystem::path folder) : folder_(std::move(folder)) {
+        if (is_started_by_test()) {
+            return;
+        }
         std::filesystem::remove_all(folder_);
         std::filesystem::create_directories(folder_);
         std::filesystem::copy_file(CAROM_SOURCE_DIR "/examples/bank_shot.yaml", path("shot.yaml"));
@@ -45,6 +53,11 @@ class StudioSession : public testing::Test {
     ~StudioSession() override {
         session_.reset();
         std::filesystem::remove_all(folder_);
+    }
+
+    static constexpr const char* kFolderVariable = "CAROM_SESSION_FOLDER";
+    [[nodiscard]] static bool is_started_by_test() {
+        return std::getenv(kFolderVariable) != nullptr;
     }
 
     [[nodiscard]] std::string path(const std::string& name) const {
