@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tests/patience.h"
+
 namespace carom::testing {
 
 using server::Resource;
@@ -36,7 +38,7 @@ void RecordingSite::add(std::string event) {
 
 std::string RecordingSite::next_event() {
     std::unique_lock lock(mutex_);
-    if (!changed_.wait_for(lock, std::chrono::seconds(30), [&] { return !events_.empty(); })) {
+    if (!changed_.wait_for(lock, kPatience, [&] { return !events_.empty(); })) {
         return "nothing";
     }
     std::string event = events_.front();

@@ -12,6 +12,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/patience.h"
+
 namespace carom::testing {
 
 /// Starts a program with posix_spawn, since fork() would run the handlers that libraries of the
@@ -59,11 +61,11 @@ class ChildProcess {
         return status_;
     }
 
-    /// Checks `condition` every millisecond while the process runs, for at most 100 s. Returns
+    /// Checks `condition` every millisecond while the process runs, for at most kPatience. Returns
     /// whether it became true.
     template <class Predicate>
     [[nodiscard]] bool wait_until(const Predicate& condition) {
-        const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(100);
+        const auto deadline = std::chrono::steady_clock::now() + kPatience;
         while (!condition()) {
             if (!is_running() || std::chrono::steady_clock::now() > deadline) {
                 return condition();

@@ -13,6 +13,7 @@
 #include "pipeline/picture/fonts.h"
 #include "pipeline/studio/message_json.h"
 #include "pipeline/studio/scene_annotations.h"
+#include "tests/patience.h"
 #include "tests/pipeline/picture/drawn_scene.h"
 
 namespace carom::studio {
@@ -220,7 +221,7 @@ class SceneAnnotationsWork : public ::testing::Test {
 
     std::vector<std::string> wait_for(std::size_t count) {
         std::unique_lock lock(mutex_);
-        wake_.wait_for(lock, std::chrono::seconds(60), [&] { return told_.size() >= count; });
+        wake_.wait_for(lock, kPatience, [&] { return told_.size() >= count; });
         return told_;
     }
 

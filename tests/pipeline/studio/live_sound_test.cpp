@@ -25,6 +25,7 @@
 #include "sim/bake.h"
 #include "sound/file/wav_file.h"
 #include "sound/mix/film_sound.h"
+#include "tests/patience.h"
 
 namespace carom::studio {
 namespace {
@@ -81,7 +82,7 @@ class LiveSoundTest : public testing::Test {
     /// Waits for the last state of that version: there is all of the sound, or none.
     SoundState last_of(std::int64_t v) {
         std::unique_lock lock(mutex_);
-        const bool came = wake_.wait_for(lock, std::chrono::seconds(60), [&] {
+        const bool came = wake_.wait_for(lock, kPatience, [&] {
             return !states_.empty() && states_.back().v == v &&
                    (states_.back().ready == states_.back().samples ||
                     !states_.back().reason.empty());

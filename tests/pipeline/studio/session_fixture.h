@@ -22,6 +22,7 @@
 #include "pipeline/studio/message_json.h"
 #include "pipeline/studio/session.h"
 #include "tests/folders.h"
+#include "tests/patience.h"
 
 namespace carom::studio {
 
@@ -124,8 +125,6 @@ class StudioSession : public ::testing::Test {
         }
         return texts;
     }
-
-    static constexpr std::chrono::seconds kPatience{60};
 
     template <class Message>
     Message wait_for() {
