@@ -21,7 +21,10 @@ namespace carom::studio {
 
 namespace {
 
-constexpr std::size_t kMostFiles = 4;
+// While meshes are dragged, a page may ask for those of some versions ago.
+constexpr std::size_t kLeastFiles = 4;
+constexpr std::size_t kMostFiles = 32;
+constexpr std::size_t kMostBytes = std::size_t{64} << 20;  // beyond kLeastFiles
 
 void add_material(FieldHasher& hasher, const render::MaterialDescription& material) {
     const pipeline::ExportMaterial plain = pipeline::plain_material(material);
@@ -104,8 +107,10 @@ std::string MeshFiles::add(const pipeline::Shot& shot) {
     lighten(scene);
     auto bytes = std::make_shared<const std::string>(pipeline::scene_to_glb(scene));
     const std::lock_guard lock(mutex_);
+    bytes_ += bytes->size();
     files_.push_back({hash, std::move(bytes)});
-    if (files_.size() > kMostFiles) {
+    while (files_.size() > kMostFiles || (files_.size() > kLeastFiles && bytes_ > kMostBytes)) {
+        bytes_ -= files_.front().bytes->size();
         files_.pop_front();
     }
     return hash;

@@ -1,6 +1,7 @@
 // The meshes of shots for the view, by the hash of what they show.
 #pragma once
 
+#include <cstddef>
 #include <deque>
 #include <memory>
 #include <mutex>
@@ -36,6 +37,7 @@ class MeshFiles {
     };
     mutable std::mutex mutex_;
     std::deque<File> files_;  // the last used ones at the end
+    std::size_t bytes_ = 0;   // of all
 };
 
 }  // namespace carom::studio
