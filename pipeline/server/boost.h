@@ -2,6 +2,10 @@
 // include this one, because it takes 20 s to compile.
 #pragma once
 
+#ifdef __SANITIZE_THREAD__
+#define BOOST_ASIO_DISABLE_FENCED_BLOCK  // the thread sanitizer knows no fences
+#endif
+
 #include <chrono>
 
 #include <boost/asio/ip/tcp.hpp>
