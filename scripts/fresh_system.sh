@@ -47,11 +47,13 @@ put_sources() {
   local cache
   mkdir -p "$tree/srv/carom"
   git archive HEAD | tar -x -C "$tree/srv/carom"
+  npm_words
+  # ccache distinguishes the languages of compiler messages.
+  build_words=(${LANG:+LANG="$LANG"} "${npm_config[@]}")
   if cache=$(ccache -k cache_dir 2>/dev/null); then
     mkdir -p "$tree/ccache"
     mount --bind "$cache" "$tree/ccache"
+    # It finds what was built here if it knows the compiler in the same way: by its content, or by its time.
+    build_words+=(CCACHE_DIR=/ccache CCACHE_COMPILERCHECK="$(ccache -k compiler_check)")
   fi
-  npm_words
-  # ccache distinguishes the languages of compiler messages.
-  build_words=(${LANG:+LANG="$LANG"} CCACHE_DIR=/ccache "${npm_config[@]}")
 }
