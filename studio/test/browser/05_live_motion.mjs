@@ -1,7 +1,7 @@
 // While a ball is dragged its motion follows, also while a picture refines and while a film is made:
 // answers come during the drag, none is older than the one before, and the last one is of the last
 // text. How quickly they come is measured by bench/studio.
-import { equal, pixelOf, settle } from './harness.mjs';
+import { kPatience, equal, pixelOf, settle } from './harness.mjs';
 
 const kMoves = 24;
 const kMostMoves = 2000;  // where other programs keep the processor busy
@@ -55,13 +55,13 @@ async function dragBesideFilm(page) {
     await openFilms();
     await page.getByLabel('Quality').selectOption('draft');
     await page.getByRole('button', { name: 'Save and render', exact: true }).click();
-    await page.waitForFunction(() => window.studio.films.film.value?.finished >= 1, null, { timeout: 120_000 });
+    await page.waitForFunction(() => window.studio.films.film.value?.finished >= 1, null, { timeout: kPatience });
     await page.keyboard.press('Escape');
     const dragged = await drag(page, 'beside a film');
     equal(await page.evaluate(() => window.studio.films.film.value.state), 'running', 'the film after the drag');
     await openFilms();
     await page.getByRole('button', { name: 'Stop' }).click();
-    await page.waitForFunction(() => window.studio.films.film.value.state === 'stopped', null, { timeout: 120_000 });
+    await page.waitForFunction(() => window.studio.films.film.value.state === 'stopped', null, { timeout: kPatience });
     return dragged;
 }
 

@@ -1,7 +1,7 @@
 // A film is made at draft, stopped, and goes on with the frames that are missing. It plays in the
 // page, also frame by frame, and 5 s is the frame that the film has there.
 import { existsSync, readFileSync, statSync, writeFileSync } from 'node:fs';
-import { equal, openText, textOf } from './harness.mjs';
+import { kPatience, equal, openText, textOf } from './harness.mjs';
 
 export const shot = 'bank_shot.yaml';
 const kFrames = 5;  // when it is stopped
@@ -9,7 +9,7 @@ const kWanted = 60;  // at 5 s
 
 const filmState = (page) => page.evaluate(() => window.studio.films.film.value);
 const waitFor = (page, state) => page.waitForFunction(
-    (name) => window.studio.films.film.value?.state === name, state, { timeout: 120_000 });
+    (name) => window.studio.films.film.value?.state === name, state, { timeout: kPatience });
 
 /// The numbers of red in the picture of the video, in a grid.
 function shownPicture(page) {
@@ -51,7 +51,7 @@ export async function check(context) {
     await page.getByRole('button', { name: 'Render', exact: true }).click();
     await page.getByRole('button', { name: 'Overwrite' }).click();
     await page.waitForFunction((count) => window.studio.films.film.value?.finished >= count, kFrames,
-        { timeout: 120_000 });
+        { timeout: kPatience });
     await page.keyboard.press('Escape');
     equal(await page.getByRole('dialog').count(), 0, 'open dialogs after Escape');
     await page.getByRole('button', { name: /^Make a film/ }).click();

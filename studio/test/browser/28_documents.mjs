@@ -3,7 +3,7 @@
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
-import { equal } from './harness.mjs';
+import { kPatience, equal } from './harness.mjs';
 
 export const shot = 'bank_shot.yaml';
 
@@ -46,7 +46,7 @@ export async function check({ page, path, folder, carom }) {
     equal(await page.getByText('Stop').count(), 0, 'what is being made');
     await page.getByRole('button', { name: 'Save and make' }).click();
     await page.waitForFunction(() => document.querySelector('img.contact_sheet')?.naturalWidth > 0,
-        null, { timeout: 120_000 });
+        null, { timeout: kPatience });
     const width = await page.evaluate(() => document.querySelector('img.contact_sheet').naturalWidth);
     equal(readFileSync(path, 'utf8') !== saved, true, 'whether the shot was saved for the sheet');
     equal(width > 1280, true, `width of the contact sheet (${width})`);
@@ -64,7 +64,7 @@ export async function check({ page, path, folder, carom }) {
         await page.getByLabel('File (in the shot\'s folder)').fill(name);
         await page.getByRole('button', { name: 'Write', exact: true }).click();
         const file = join(dirname(path), name);
-        await page.getByText(`${file} was written.`).first().waitFor({ timeout: 60_000 });
+        await page.getByText(`${file} was written.`).first().waitFor({ timeout: kPatience });
         equal(readFileSync(file).equals(direct(words, name)), true, `the bytes of ${name}`);
         count.written += 1;
     }

@@ -1,7 +1,7 @@
 // Two windows on one server: edits of both alternate, a drag in one is a step in the other, both end
 // with the last edit, and undo in each takes the last change back. A drag goes on while the other window
 // types or drags something else.
-import { equal, open, pixelOf, settle, textOf } from './harness.mjs';
+import { kPatience, equal, open, pixelOf, settle, textOf } from './harness.mjs';
 
 function edit(page, value) {
     return page.evaluate((to) => window.studio.edit.applyChanges(
@@ -81,7 +81,7 @@ function drag(page) {
 async function agree(pages, text, what) {
     for (const page of pages) {
         await page.waitForFunction((expected) => window.studio.edit.text() === expected, text,
-            { timeout: 30_000 }).catch(async () => equal(await textOf(page), text, what));
+            { timeout: kPatience }).catch(async () => equal(await textOf(page), text, what));
         await settle(page);
     }
     // Nothing comes after it.

@@ -2,7 +2,7 @@
 // edited there, one undo each, and the shot of a part is opened.
 import { join } from 'node:path';
 import { faults } from './axe.mjs';
-import { changedLines, dragPixels, equal, settle, textOf, undo } from './harness.mjs';
+import { kPatience, changedLines, dragPixels, equal, settle, textOf, undo } from './harness.mjs';
 import { handleOf, pixelOfHandle, pixelOnStrip } from './strip_harness.mjs';
 
 export const shot = 'lesson.yaml';
@@ -162,7 +162,7 @@ async function film(page) {
     await page.getByLabel('Frames').fill('40-79');
     await page.getByRole('button', { name: 'Render', exact: true }).click();
     await page.waitForFunction(() => ['done', 'failed'].includes(window.studio.films.film.value?.state),
-        null, { timeout: 120_000 });
+        null, { timeout: kPatience });
     const state = await page.evaluate(() => window.studio.films.film.value);
     equal([state.state, state.message, state.frames, state.finished], ['done', '', 40, 40], 'the film');
     await page.waitForFunction(() => [...window.studio.films.thumbnails.value.values()]

@@ -2,7 +2,7 @@
 // mesh that is too large to read, a picture of 16384 x 16384. The page answers, says what is wrong, and goes on.
 import { readFileSync, truncateSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { equal, openText, settle, textOf } from './harness.mjs';
+import { kPatience, equal, openText, settle, textOf } from './harness.mjs';
 
 const kText = `carom: 1
 simulation: {duration: 1000 s}
@@ -35,7 +35,7 @@ export async function check(context) {
     const { page, complaints, end } = await openText(context, 'hostile.yaml', kText);
 
     // The simulation is left for a button, and the shot is shown as it stands at the start.
-    await page.getByRole('button', { name: 'Simulate' }).waitFor({ timeout: 60_000 });
+    await page.getByRole('button', { name: 'Simulate' }).waitFor({ timeout: kPatience });
     equal(await page.evaluate(() => window.studio.state.shot.value.objects.length > 90), true,
         'whether all boxes are shown');
 
@@ -79,7 +79,7 @@ export async function check(context) {
     // A shot of a usual size moves again.
     await replace('duration: 1000 s', 'duration: 0.2 s');
     await page.waitForFunction(() => window.studio.state.timeline.value?.head.end === 0.2, null,
-        { timeout: 60_000 });
+        { timeout: kPatience });
 
     // The picture of its 268 million pixels begins small.
     await page.locator('canvas[aria-label="The scene"]').focus();
@@ -87,7 +87,7 @@ export async function check(context) {
         window.firstHead ??= picture?.head;
     }));
     await page.keyboard.press('r');
-    await page.waitForFunction(() => window.firstHead, null, { timeout: 60_000 });
+    await page.waitForFunction(() => window.firstHead, null, { timeout: kPatience });
     const { width, height } = await page.evaluate(() => window.firstHead);
     equal(width * height <= 360_000, true, `the size of the first picture (${width}x${height})`);
     await page.keyboard.press('r');

@@ -70,6 +70,9 @@ export async function serve(carom, shot, folder, more = []) {
     return { address, pid: server.pid, end: () => stop('SIGTERM'), kill: () => stop('SIGKILL') };
 }
 
+/// ms, of a wait for a film, a document or another answer that takes a while: a machine may be busy.
+export const kPatience = 300_000;
+
 /// Opens the page and waits until it shows the shot, or the start page. `complaints` of the result
 /// are what the page wrote to the console as errors.
 export async function open(browser, address, size = { width: 1280, height: 720 }) {
