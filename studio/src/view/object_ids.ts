@@ -24,20 +24,21 @@ function paint(object: Object3D, id: number, before: Map<Mesh, Material | Materi
     });
 }
 
-/// 1 + the index in `shot.objects`, or 0, for each pixel from the upper left corner. `through` looks as
-/// the camera with that pose does; its field of view is replaced by the film's.
+/// 1 + the index in `shot.objects` and, after them, `shot.lights`, or 0, for each pixel from the upper left
+/// corner. `through` looks as the camera with that pose does; its field of view is replaced by the film's.
 export function objectIds(
     renderer: WebGLRenderer, meshes: SceneMeshes, shot: ShotState, through: PerspectiveCamera,
     pose: CameraPose, width: number, height: number,
 ): Uint16Array {
     const before = new Map<Mesh, Material | Material[]>();
-    shot.objects.forEach((object, i) => {
-        const node = meshes.node(object.name);
+    const nodes = [...shot.objects.map(({ name }) => meshes.node(name)),
+        ...shot.lights.map(({ name }) => meshes.lamp(name))];
+    nodes.forEach((node, i) => {
         if (node) {
             paint(node, i + 1, before);
         }
     });
-    paint(meshes.group, 0, before); // lamps
+    paint(meshes.group, 0, before); // what else there is
     const scene = new Scene();
     const parent = meshes.group.parent;
     scene.add(meshes.group);

@@ -1,6 +1,6 @@
-// The view through a camera shows every object where the renderer does: of an object's pixels less than
-// 3 % have its outline more than a third of a pixel elsewhere. Some frames of two shots; 20 frames of each example with
-// CAROM_STUDIO_ALL=1, or of the example that it names.
+// The view through a camera shows every object and lamp where the renderer does: of an object's pixels
+// less than 3 % have its outline more than a third of a pixel elsewhere. Some frames of two shots; 20
+// frames of each example with CAROM_STUDIO_ALL=1, or of the example that it names.
 import { join, resolve } from 'node:path';
 import { equal, exampleShots, open, serve } from './harness.mjs';
 
@@ -48,7 +48,8 @@ function compare(page) {
         const counts = new Map();
         const count = (key) => counts.set(key, (counts.get(key) ?? 0) + 1);
         colours.forEach((colour, i) => { count(colour); count(`${colour} ${shown[i][0]}`); });
-        const objects = window.studio.state.shot.value.objects;
+        const { objects, lights } = window.studio.state.shot.value;
+        const names = [...objects, ...lights].map(({ name }) => name);
         const bad = [];
         let compared = 0;
         for (const [colour, size] of counts) {
@@ -61,7 +62,7 @@ function compare(page) {
                 ? !shown[i].includes(id) : shown[i].every((one) => one === id)).length;
             compared += 1;
             if (off > mostOff * size) {
-                bad.push(`${objects[id - 1]?.name} ${(off / size).toFixed(3)} of ${size}`);
+                bad.push(`${names[id - 1]} ${(off / size).toFixed(3)} of ${size}`);
             }
         }
         return { bad, compared };
