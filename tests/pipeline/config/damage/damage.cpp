@@ -78,7 +78,12 @@ void find_construct(const std::string& text, Damage& damage) {
     while (last < count && (indent_of(lines[last]) < 0 || indent_of(lines[last]) > parent)) {
         ++last;
     }
-    damage.parent_line = lines[first];
+    for (int line = first, indent = own; line >= 0; --line) {
+        if (indent_of(lines[line]) >= 0 && indent_of(lines[line]) < indent) {
+            indent = indent_of(lines[line]);
+            damage.enclosing.push_back(lines[line]);
+        }
+    }
     damage.old_line = lines[at];
     damage.new_line = lines_of(damage.text)[at];
     damage.first_line = first + 1;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "tests/random_films/dice.h"
 
@@ -17,7 +18,7 @@ struct Damage {
     /// noticed only there. They are all lines of the text if the damaged line has no parent.
     int first_line = 0;
     int last_line = 0;
-    std::string parent_line;  // the first of them
+    std::vector<std::string> enclosing;  // the parent and its parents, outwards
     std::string old_line;
     std::string new_line;
 };

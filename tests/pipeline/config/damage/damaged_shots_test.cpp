@@ -1,6 +1,7 @@
 // A shot with one damaged character means the same as before, or an error or a warning points to
 // the damage. CAROM_DAMAGED_SHOTS is the number of damages, CAROM_FIRST_DAMAGED_SHOT the first
 // shot.
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -46,29 +47,47 @@ std::string key_of(const std::string& line) {
     return first < colon && colon != std::string::npos ? line.substr(first, colon - first) : "";
 }
 
+/// The texts in front of the colons of a line, without quotes: "ball_1" and "at" of
+/// "  ball_1: {at: ...". They are its keys, and more where a colon stands in a text.
+std::set<std::string> keys_of(const std::string& line) {
+    std::set<std::string> keys;
+    for (std::size_t colon = line.find(':'); colon != std::string::npos;
+         colon = line.find(':', colon + 1)) {
+        const std::string before = line.substr(0, colon);
+        const bool is_quoted = before.ends_with('\'') || before.ends_with('"');
+        const std::string text = before.substr(0, before.size() - (is_quoted ? 1 : 0));
+        keys.insert(text.substr(text.find_last_of(" {,'\"") + 1));
+    }
+    keys.erase("");
+    return keys;
+}
+
 /// Whether the message refers to a name that the damage removed ("there is no ball 'ball_1'") or
 /// suggests the name that it created ("did you mean 'ball-_1'?"). A missing name is reported where
 /// it is used.
 bool refers_to_name(const Problem& problem, const Damage& damage) {
-    const std::string old_key = key_of(damage.old_line);
     const std::string& suggested = problem.suggestion;
-    const bool is_missing = old_key != key_of(damage.new_line) && !old_key.empty() &&
-                            problem.message.find("'" + old_key + "'") != std::string::npos;
-    return is_missing ||
+    const std::set<std::string> new_keys = keys_of(damage.new_line);
+    const auto is_missing = [&](const std::string& key) {
+        return !new_keys.contains(key) &&
+               problem.message.find("'" + key + "'") != std::string::npos;
+    };
+    return std::ranges::any_of(keys_of(damage.old_line), is_missing) ||
            (!suggested.empty() && damage.new_line.find(suggested) != std::string::npos &&
             damage.old_line.find(suggested) == std::string::npos);
 }
 
-/// Whether the message is that the damaged ball or object overlaps another. The problem points to
-/// one of them, of two balls the later one.
+/// Whether the message is that the damaged ball or object overlaps another or a rail. The problem
+/// points to the name of one of them, of two balls the later one.
 bool names_overlapping(const Problem& problem, const Damage& damage) {
-    const auto is_named = [&](const std::string& name) {
+    const auto is_named = [&](const std::string& line) {
+        const std::string name = key_of(line);
         return !name.empty() && problem.message.find("'" + name + "'") != std::string::npos;
     };
     const bool is_overlap = problem.message.find(" overlap by ") != std::string::npos ||
-                            problem.message.find(" overlaps '") != std::string::npos;
+                            problem.message.find(" overlaps ") != std::string::npos;
     return is_overlap &&
-           (is_named(key_of(damage.parent_line)) || is_named(key_of(damage.old_line)));
+           (is_named(damage.old_line) || std::ranges::any_of(damage.enclosing, is_named));
 }
 
 /// Whether one of the problems points into the damaged construct or names something in it.
