@@ -40,8 +40,9 @@ namespace carom::pipeline {
                                                   const sim::Timeline& timeline);
 
 /// A warning if the film does not reach the loudness that it asks for, or only if the limiter turns
-/// its loudest sounds down by more than 12 dB. `music`: of the film; empty: none. Hears the whole
-/// film some six times. `source`: of the shot that asks, as above. Throws Stopped, and what the
+/// its loudest sounds down by more than 12 dB, and one if its fixed gain is so high that they have
+/// to be turned down. `music`: of the film; empty: none. Hears the whole film some six times, with
+/// a fixed gain once. `source`: of the shot that asks, as above. Throws Stopped, and what the
 /// music throws.
 [[nodiscard]] std::vector<Problem> loudness_problems(const sound::SoundScene& film,
                                                      const ShotSource* source,

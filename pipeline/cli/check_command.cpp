@@ -54,8 +54,9 @@ std::optional<sim::Bake> check_motion(ShotInput& input, const CheckCommand& comm
     return bake;
 }
 
+/// Also by a fixed gain.
 bool asks_for_loudness(const pipeline::Shot& shot) {
-    return !shot.sound.is_silent && shot.sound.loudness;
+    return !shot.sound.is_silent && (shot.sound.loudness || shot.sound.full_scale);
 }
 
 /// `source`: of the shot that asks for a loudness.

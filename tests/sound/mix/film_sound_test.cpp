@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <stop_token>
 #include <vector>
@@ -211,6 +212,31 @@ TEST(FilmSound, LoudnessOfASingleClack_IsMissedAndToldAsItIs) {
     EXPECT_LT(levels.limited, kMostLimited + 0.2);
     film.scene.loudness = levels.loudness - 1;
     EXPECT_NEAR(levels_of(film.scene).loudness, *film.scene.loudness, 0.1);
+}
+
+// What a film could have with some limiting is found only for quiet ones with an automatic gain.
+TEST(FilmSound, QuietFilm_KnowsHowLoudItCouldBe) {
+    SmallFilm film;
+    film.collide(0.5, 5);
+    film.show(0, 1, 0, 1);
+    film.scene.frames = 3LL * kSampleRate;
+    film.scene.full_scale.reset();
+    const FilmGain gain = FilmSound(film.scene).gain();
+    ASSERT_TRUE(gain.gentle);
+    EXPECT_LT(levels_of(film.scene).loudness, kQuietFilm);
+    const AddedSound music = sine(1, 997, film.scene.frames);
+    EXPECT_FALSE(FilmSound(film.scene, {.added = music}).gain().gentle);
+    film.scene.full_scale = gain.full_scale * std::pow(10, -kGentlyLimited / 20);
+    const SoundLevels limited = levels_of(film.scene);
+    EXPECT_NEAR(limited.limited, kGentlyLimited, 0.2);
+    EXPECT_NEAR(limited.loudness, *gain.gentle, 0.02);
+    EXPECT_FALSE(FilmSound(film.scene).gain().gentle);
+    film.scene.loudness = -30;
+    EXPECT_FALSE(FilmSound(film.scene).gain().gentle);
+    SoundScene music_alone;
+    music_alone.frames = kSampleRate;
+    const FilmSoundOptions quiet{.added = sine(0.01, 997, kSampleRate)};
+    EXPECT_FALSE(FilmSound(music_alone, quiet).gain().gentle);
 }
 
 TEST(FilmSound, Loudness_OfSilenceAndOfVeryShortFilms_IsNone) {
