@@ -70,15 +70,15 @@ std::string dull_sound_note(const sound::SoundScene& scene, const sound::FilmGai
         whole_lufs(*gain.found->gentle));
 }
 
-std::string quiet_film_note(const sound::FilmGain& gain, const sound::SoundLevels& levels) {
-    if (!gain.gentle || !(levels.loudness < sound::kQuietFilm)) {
+std::string quiet_film_note(double loudness, std::optional<double> gentle) {
+    if (!gentle) {
         return {};
     }
-    const double louder = std::min(*gain.gentle, kPlatformLoudness);
+    const double louder = std::min(*gentle, kPlatformLoudness);
     return fmt::format(
-        "the film has {}, and platforms play films at -14 to {}; {}", lufs(levels.loudness),
+        "the film has {}, and platforms play films at -14 to {}; {}", lufs(loudness),
         lufs(kPlatformLoudness),
-        louder < levels.loudness + kWorthAsking
+        louder < loudness + kWorthAsking
             ? "its loudest sounds are short and far above the rest: a higher 'dynamics', up to 4, "
               "brings them nearer to it, and then 'loudness' can make the film louder"
             : fmt::format("'sound: {{loudness: {}}}' makes it louder", whole_lufs(louder)));

@@ -1,6 +1,7 @@
 // Sentences about the gain of a film.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "sound/mix/film_gain.h"
@@ -21,8 +22,8 @@ namespace carom::pipeline {
 
 /// Empty, or a sentence that says that a film which asks for no loudness is far quieter than what
 /// platforms play, and what to ask for: at most kPlatformLoudness, and no more than sounds good.
-[[nodiscard]] std::string quiet_film_note(const sound::FilmGain& gain,
-                                          const sound::SoundLevels& levels);
+/// `gentle`: FilmSound::gentle_loudness().
+[[nodiscard]] std::string quiet_film_note(double loudness, std::optional<double> gentle);
 
 /// What platforms bring films and music to, LUFS, the quieter of two: Spotify and others -14, Apple
 /// -16 (docs/sound.md says where that is written).

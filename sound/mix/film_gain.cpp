@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "sound/level/decibels.h"
 #include "sound/level/loudness.h"
+#include "sound/level/true_peak.h"
 #include "sound/mix/film_samples.h"
 
 namespace carom::sound {
@@ -42,11 +43,8 @@ class GainSearch {
     GainSearch(const SoundScene& scene, FilmBlocks& blocks, const WorkContext& context)
         : scene_(scene), blocks_(blocks), context_(context) {}
 
-    /// The full scale with which the true peak of the film is at its limit, Pa.
-    [[nodiscard]] double full_scale_for_peak();
-
-    /// After that, as FilmGain::gentle.
-    [[nodiscard]] std::optional<double> gentle_loudness(double full_scale);
+    /// The highest true peak of the film, Pa.
+    [[nodiscard]] double peak();
 
     /// The full scale for the scene's loudness, with a limiter, and the loudness with it.
     [[nodiscard]] FilmGain with_loudness(double added);
@@ -54,7 +52,6 @@ class GainSearch {
   private:
     template <class Sink>
     void hear(const Sink& sink);
-    double loudness_at(double full_scale);
     std::optional<double> level_without_limiter();
     [[nodiscard]] Trial trial_at(double level);
     [[nodiscard]] Trial nearest(double start, double lowest);
@@ -63,9 +60,8 @@ class GainSearch {
     const SoundScene& scene_;
     FilmBlocks& blocks_;
     const WorkContext& context_;
-    double peak_ = 0;      // Pa
-    double loudness_ = 0;  // of full_scale_for_peak(), LUFS with a full scale of 20 uPa
-    int passes_ = 0;       // so far
+    double peak_ = 0;  // Pa
+    int passes_ = 0;   // so far
 };
 
 /// How many passes there will be is not known, so each takes a part of what is left.
@@ -96,45 +92,36 @@ void GainSearch::hear(const Sink& sink) {
     ++passes_;
 }
 
-/// Measures the film with this full scale: its peak (Pa) and its loudness, LUFS. The meter leaves
-/// out what is below -70 LUFS, so its result depends on the full scale.
-double GainSearch::loudness_at(double full_scale) {
-    LoudnessMeter meter;
+double GainSearch::peak() {
+    TruePeakMeter left_meter;
+    TruePeakMeter right_meter;
     hear([&](std::span<double> left, std::span<double> right) {
-        for (const std::span<double> channel : {left, right}) {
-            std::ranges::transform(channel, channel.begin(),
-                                   [full_scale](double x) { return x / full_scale; });
-        }
-        meter.add(left, right);
+        left_meter.add(left);
+        right_meter.add(right);
     });
-    peak_ = meter.true_peak() * full_scale;
-    return meter.integrated();
-}
-
-double GainSearch::full_scale_for_peak() {
-    loudness_ = loudness_at(kLeastFullScale) + level_of(kLeastFullScale);
-    return std::max(kLeastFullScale, pressure_of(rounded(level_for_peak(peak_))));
-}
-
-std::optional<double> GainSearch::gentle_loudness(double full_scale) {
-    const double loudness = loudness_ - level_of(full_scale);
-    if (!std::isfinite(loudness) || loudness >= kQuietFilm) {
-        return std::nullopt;
-    }
-    return trial_at(rounded(level_for_peak(peak_) - kGentlyLimited)).loudness;
+    return std::max(left_meter.peak(), right_meter.peak());
 }
 
 /// Returns the level of the full scale for the loudness if no limiter is needed; empty if the film
-/// has no loudness at all. The second measurement uses what the first has found, and a film that is
-/// too quiet for the first is measured with its peak at the limit.
+/// has no loudness at all. The meter leaves out what is below -70 LUFS, so its result depends on
+/// the full scale with which it measures: the second measurement uses what the first has found, and
+/// a film that is too quiet for the first is measured with its peak at the limit.
 std::optional<double> GainSearch::level_without_limiter() {
     double full_scale = kLeastFullScale;
     std::optional<double> level;
     for (int i = 0; i < 3; ++i) {
-        const double loudness = loudness_at(full_scale);
+        LoudnessMeter meter;
+        hear([&](std::span<double> left, std::span<double> right) {
+            for (const std::span<double> channel : {left, right}) {
+                std::ranges::transform(channel, channel.begin(),
+                                       [full_scale](double x) { return x / full_scale; });
+            }
+            meter.add(left, right);
+        });
+        peak_ = meter.true_peak() * full_scale;
         const bool is_second = level.has_value();
-        if (std::isfinite(loudness)) {
-            level = rounded(level_of(full_scale) + loudness - *scene_.loudness);
+        if (std::isfinite(meter.integrated())) {
+            level = rounded(level_of(full_scale) + meter.integrated() - *scene_.loudness);
             full_scale = pressure_of(*level);
         } else if (i == 0 && peak_ > 0) {
             full_scale = pressure_of(level_for_peak(peak_));
@@ -219,30 +206,26 @@ FilmGain GainSearch::with_loudness(double added) {
     return gain;
 }
 
-bool has_sounds(const SoundScene& scene) {
-    return std::ranges::any_of(scene.shots,
-                               [](const SoundShot& shot) { return !shot.passages.empty(); });
-}
-
 }  // namespace
 
 FilmGain find_gain(const SoundScene& scene, FilmBlocks& blocks, const AddedSound& added,
                    const WorkContext& context) {
     GainSearch search(scene, blocks, context);
+    const auto full_scale_for_peak = [&search] {
+        const double peak = search.peak() / factor_of(kHighestTruePeak);
+        return peak > kLeastFullScale ? pressure_of(rounded(level_of(peak))) : kLeastFullScale;
+    };
     FilmGain gain;
     if (scene.full_scale) {
         gain = {.full_scale = *scene.full_scale, .added = *scene.full_scale, .limits = true};
     } else if (added || !scene.loudness) {
-        gain.added = gain.full_scale = search.full_scale_for_peak();
+        gain.added = gain.full_scale = full_scale_for_peak();
     }
     blocks.add(added, gain.added);
     if (scene.loudness) {
         gain = search.with_loudness(gain.added);
     } else if (added && !scene.full_scale) {
-        gain.full_scale = std::max(gain.full_scale, search.full_scale_for_peak());
-    }
-    if (!scene.loudness && !scene.full_scale && has_sounds(scene)) {
-        gain.gentle = search.gentle_loudness(gain.full_scale);
+        gain.full_scale = std::max(gain.full_scale, full_scale_for_peak());
     }
     if (context.progress) {
         context.progress(1);

@@ -18,9 +18,6 @@ inline constexpr double kHighestTruePeak = -1;  // dBTP, of every film
 inline constexpr double kMostLimited = 30;
 inline constexpr double kGentlyLimited = 12;
 
-/// The loudness of films for television, LUFS (EBU R 128, 2023); a film below it is quiet anywhere.
-inline constexpr double kQuietFilm = -23;
-
 /// What became of a loudness that was asked for.
 struct FoundLoudness {
     /// LUFS, of the film with its gain; minus infinity if it has none, because it is silent or
@@ -38,8 +35,6 @@ struct FilmGain {
     double added = 0.2;                    // Pa of a sample of 1 of the added sound
     bool limits = false;                   // a limiter keeps the true peak below its limit
     std::optional<FoundLoudness> found{};  // empty unless the scene asks for a loudness
-    /// Of a film whose gain is automatic, and which has less than kQuietFilm: as in FoundLoudness.
-    std::optional<double> gentle{};
 };
 
 /// The gain that the scene asks for, of all that is heard, with the added sound, which is added to
