@@ -11,8 +11,8 @@ using Coefficients = std::array<double, kPulseSines>;
 
 constexpr Coefficients kElastic{1.65316, -0.21389, -0.03908, -0.01612, -0.00849};
 /// The last one takes the slope away, k b_k in sum.
-constexpr Coefficients kSoft{1.6672, -0.22082, -0.05718, -0.04399,
-                             -(1.6672 - 3 * 0.22082 - 5 * 0.05718 - 7 * 0.04399) / 9};
+constexpr Coefficients kSoft{1.71278, -0.37235, -0.06589, -0.02489,
+                             -(1.71278 - 3 * 0.37235 - 5 * 0.06589 - 7 * 0.02489) / 9};
 
 Coefficients with_area_one(Coefficients b) {
     double area = 0;

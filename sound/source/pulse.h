@@ -16,8 +16,9 @@ namespace carom::sound {
 ///
 /// What it radiates follows the slope of the force, which begins and ends at once there: over a
 /// contact of some milliseconds that is a tick at both ends. The force of something soft, such as a
-/// cushion under its cloth, is the same fit with sum_k k b_k = 0, so that it begins and ends
-/// without a slope, within 4.4 % of the peak.
+/// cushion under its cloth, begins and ends without a slope: sum_k k b_k = 0. It is a fit to the
+/// force of a contact of 0.9 T, smoothed by a raised cosine over 0.1 T (tuned). Up to the frequency
+/// 8 / T its spectrum is that of the elastic one within 3 dB, and from 15 / T on 20 dB lower.
 inline constexpr std::size_t kPulseSines = 5;
 enum class PulseShape { elastic, soft };
 
