@@ -198,6 +198,29 @@ TEST(FrameStore, FolderThatCannotBeCreated_IsAnErrorWithItsName) {
     }
 }
 
+// A folder in place of the file cannot be read even by root, who can read all files.
+TEST(FrameStore, FileThatCannotBeRead_IsMissingToWhomOnlyReads) {
+    const ScratchFolder folder;
+    const FrameStore store(folder.path());
+    const Hash128 key = make_key(1);
+    const std::string file = store.path_of(key);
+    const std::string noisy = store.file_of(key, ".noisy");
+    fs::create_directories(file);
+    fs::create_directories(noisy);
+    const auto is_unreadable = [](const std::string& path) {
+        return ::testing::ThrowsMessage<Error>("'" + path +
+                                               "': the frame cannot be read: Is a directory");
+    };
+    EXPECT_THAT([&] { (void)store.read(key); }, is_unreadable(file));
+    EXPECT_THAT([&] { (void)store.read_noisy(key); }, is_unreadable(noisy));
+    EXPECT_THAT([&] { (void)store.is_intact(key); }, is_unreadable(file));
+    const auto fail = [](const std::string&, const std::string&) { FAIL(); };
+    const FrameStore reader(folder.path(), fail, {}, StoreAccess::only_read);
+    EXPECT_FALSE(reader.read(key));
+    EXPECT_FALSE(reader.read_noisy(key));
+    EXPECT_FALSE(reader.is_intact(key));
+}
+
 TEST(FrameClaim, SecondClaim_IsDeniedUntilTheFirstEnds) {
     const ScratchFolder folder;
     const FrameStore store(folder.path());
