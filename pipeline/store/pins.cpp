@@ -18,6 +18,7 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/write_all.h"
+#include "pipeline/store/cache_folder.h"
 #include "pipeline/store/claim_note.h"
 
 namespace carom::pipeline {
@@ -96,17 +97,33 @@ PinState state_of(const std::string& cache_folder, const fs::path& path, const P
 
 }  // namespace
 
+namespace {
+
+/// A cache that cannot be written to is not pruned either.
+void require_no_pin_in(const std::string& cache_folder, const std::string& problem) {
+    if (::access(cache_folder.c_str(), W_OK) == 0) {
+        throw CacheUnusable(problem +
+                            "; without a pin there, other jobs may prune the files of "
+                            "this one");
+    }
+}
+
+}  // namespace
+
 Pin::Pin(const std::string& cache_folder, std::span<const Hash128> keys, std::uint64_t bytes_each) {
     static std::atomic<std::uint64_t> count{0};
     try {
         create_folder(pins_folder(cache_folder));
-    } catch (const Error&) {
+    } catch (const Error& error) {
+        require_no_pin_in(cache_folder, error.what());
         return;
     }
     name_ = fmt::format("{}{}-{}", host_prefix(), ::getpid(), ++count);
     path_ = pins_folder(cache_folder) + "/" + name_;
     lock_ = FileDescriptor(::open(path_.c_str(), O_CREAT | O_TRUNC | O_RDWR | O_CLOEXEC, 0666));
-    if (lock_.is_open()) {
+    if (!lock_.is_open()) {
+        require_no_pin_in(cache_folder, system_problem(path_, "the file cannot be written"));
+    } else {
         (void)::flock(lock_.get(), LOCK_EX);  // where there are no locks, the time has to suffice
         const std::string text =
             text_of({process_text(), {}, bytes_each, {keys.begin(), keys.end()}});
