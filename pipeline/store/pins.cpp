@@ -95,16 +95,14 @@ PinState state_of(const std::string& cache_folder, const fs::path& path, const P
     return age < kFreshFor ? PinState::fresh : PinState::old;
 }
 
-}  // namespace
-
-namespace {
-
-/// A cache that cannot be written to is not pruned either.
-void require_no_pin_in(const std::string& cache_folder, const std::string& problem) {
-    if (::access(cache_folder.c_str(), W_OK) == 0) {
+/// Throws CacheUnusable if only the folder of the pins cannot be written to. A cache that cannot be
+/// written to at all is not pruned either, and a full disk ends those jobs that need room.
+void check_pins_folder(const std::string& cache_folder, const std::string& problem) {
+    const std::string inside = pins_folder(cache_folder) + "/.";
+    if (::access(cache_folder.c_str(), W_OK) == 0 && ::access(inside.c_str(), W_OK) != 0 &&
+        errno != ENOENT) {
         throw CacheUnusable(problem +
-                            "; without a pin there, other jobs may prune the files of "
-                            "this one");
+                            "; without a pin there, other jobs may prune the files of this one");
     }
 }
 
@@ -115,14 +113,14 @@ Pin::Pin(const std::string& cache_folder, std::span<const Hash128> keys, std::ui
     try {
         create_folder(pins_folder(cache_folder));
     } catch (const Error& error) {
-        require_no_pin_in(cache_folder, error.what());
+        check_pins_folder(cache_folder, error.what());
         return;
     }
     name_ = fmt::format("{}{}-{}", host_prefix(), ::getpid(), ++count);
     path_ = pins_folder(cache_folder) + "/" + name_;
     lock_ = FileDescriptor(::open(path_.c_str(), O_CREAT | O_TRUNC | O_RDWR | O_CLOEXEC, 0666));
     if (!lock_.is_open()) {
-        require_no_pin_in(cache_folder, system_problem(path_, "the file cannot be written"));
+        check_pins_folder(cache_folder, system_problem(path_, "the file cannot be written"));
     } else {
         (void)::flock(lock_.get(), LOCK_EX);  // where there are no locks, the time has to suffice
         const std::string text =

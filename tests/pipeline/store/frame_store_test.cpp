@@ -198,18 +198,19 @@ TEST(FrameStore, FolderThatCannotBeCreated_IsAnErrorWithItsName) {
     }
 }
 
-// A folder in place of the file cannot be read even by root, who can read all files.
+// A link to itself cannot be read even by root, who can read all files.
 TEST(FrameStore, FileThatCannotBeRead_IsMissingToWhomOnlyReads) {
     const ScratchFolder folder;
     const FrameStore store(folder.path());
     const Hash128 key = make_key(1);
     const std::string file = store.path_of(key);
     const std::string noisy = store.file_of(key, ".noisy");
-    fs::create_directories(file);
-    fs::create_directories(noisy);
+    fs::create_directories(fs::path(file).parent_path());
+    fs::create_symlink(file, file);
+    fs::create_symlink(noisy, noisy);
     const auto is_unreadable = [](const std::string& path) {
-        return ::testing::ThrowsMessage<Error>("'" + path +
-                                               "': the frame cannot be read: Is a directory");
+        return ::testing::ThrowsMessage<Error>(
+            "'" + path + "': the frame cannot be read: Too many levels of symbolic links");
     };
     EXPECT_THAT([&] { (void)store.read(key); }, is_unreadable(file));
     EXPECT_THAT([&] { (void)store.read_noisy(key); }, is_unreadable(noisy));
