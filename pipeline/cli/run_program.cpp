@@ -10,6 +10,7 @@
 
 #include "core/printable.h"
 #include "core/write_all.h"
+#include "pipeline/camera/no_view.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/standard_input.h"
 #include "pipeline/cli/terminal/interrupts.h"
@@ -69,6 +70,10 @@ ExitCode run_guarded(const Command& command, const CommandHandler& handler,
         console.warning(interruption_message(command));
         return kInterrupted;
     } catch (const InputError& error) {
+        console.end_progress();
+        console.error(error.what());
+        return kWrongUsage;
+    } catch (const pipeline::NoView& error) {  // only known when the motion is
         console.end_progress();
         console.error(error.what());
         return kWrongUsage;

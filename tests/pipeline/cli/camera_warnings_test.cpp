@@ -30,6 +30,9 @@ class CameraWarnings : public EndToEnd {
     }
 };
 
+/// What is seen from below, too, instead of a cloth.
+const std::string kPost = "objects: {post: {box: [0.02, 0.02, 0.02], at: [0, 0, 0]}}\n";
+
 const std::string kNone = "carom: 's.yaml' has no errors\n";
 
 TEST_F(CameraWarnings, FocusOutOfThePictureForMostOfItsTime_IsAWarning) {
@@ -87,19 +90,19 @@ TEST_F(CameraWarnings, CameraThatPassesOverItsTarget_KeepsItsUpDirection) {
     const std::string loop =
         "    position: {orbit: [0, 0, 0], radius: 0.9 m, turn: [90 deg, 0, 0]}\n";
     EXPECT_EQ(
-        messages(view + loop),
+        messages(view + loop, kPost),
         R"(s.yaml:11:5: warning: camera 'seat' keeps its up direction where it passes over or under its target, so its picture is upside down from 0.4 s to 0.6 s of the film (frames 8 to 12); 'up' or 'roll' with keys turns it
    11 |     position: {orbit: [0, 0, 0], radius: 0.9 m, turn: [90 deg, 0, 0]}
       |     ^~~~~~~~
 carom: 's.yaml' has no errors, but 1 warning
 )");
-    EXPECT_EQ(messages(view + loop + "    up: [0, 1, 0]\n"), kNone);
+    EXPECT_EQ(messages(view + loop + "    up: [0, 1, 0]\n", kPost), kNone);
 }
 
 TEST_F(CameraWarnings, ViewThatTurnsTooFast_IsAWarningWithItsFrames) {
     const std::string view = "    scene: 0 s\n    fov: 50 deg\n    target: [0, 0, 0]\n";
     EXPECT_EQ(
-        messages(view + "    position: {bezier: [[-1, 0, 0.5], [1.1, 0, -0.55]]}\n"),
+        messages(view + "    position: {bezier: [[-1, 0, 0.5], [1.1, 0, -0.55]]}\n", kPost),
         R"(s.yaml:10:5: warning: camera 'seat' turns by up to 180 degrees from one frame to the next from 0.45 s to 0.5 s of the film (frames 9 to 10), which looks like a cut
    10 |     target: [0, 0, 0]
       |     ^~~~~~

@@ -83,7 +83,7 @@ TEST_F(MomentRun, ThatIsAnErrorOfRender_IsTheSameErrorOfCheck) {
     write_text(path("s.yaml"),
                text_of("s.yaml") +
                    "annotations:\n  - {text: a, from: {contact: [cue, one]}, to: {strike: cue}}\n");
-    const std::string message = R"(s.yaml:11:52: error: 'to' must be after 'from'
+    const std::string message = R"(s.yaml:11:48: error: 'to' must be after 'from'
    11 |   - {text: a, from: {contact: [cue, one]}, to: {strike: cue}}
       |                                                ^
 )";

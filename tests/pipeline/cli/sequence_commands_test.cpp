@@ -199,7 +199,7 @@ TEST_F(SequenceRun, Check_HasTheVerdictOfRender) {
     const RunResult check = run({"check", "film.yaml"});
     EXPECT_EQ(check.exit_code, 2);
     const std::string message =
-        "b.yaml:10:21: error: this moment never comes: 'one' was never potted; nothing was "
+        "b.yaml:11:21: error: this moment never comes: 'one' was never potted; nothing was "
         "potted\n";
     EXPECT_THAT(check.err, HasSubstr(message));
     const RunResult render = run({"render", "film.yaml"});
