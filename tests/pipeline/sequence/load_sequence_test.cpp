@@ -135,13 +135,13 @@ TEST_F(LoadSequence, BracesOfATitle_AreThoseOfTextsOnFrames) {
     EXPECT_TRUE(result.sequence);
     ASSERT_EQ(result.problems.size(), 1U);
     EXPECT_EQ(result.problems[0].severity, Severity::warning);
-    EXPECT_EQ(result.problems[0].place.column, 29);
+    EXPECT_EQ(result.problems[0].place.column, 30);
     EXPECT_EQ(problem("  shots: [a.yaml, {title: \"{{a}}\"}]\n"), "");
 }
 
 TEST_F(LoadSequence, OutputThatNoFilmCanHave_IsAnErrorAtTheSetting) {
-    EXPECT_EQ(problem("  shots: [a.yaml]\noutput: {codec: vp9, preset: fast}\n"),
-              "film.yaml:4: presets are for codecs h264 and hevc, not vp9");
+    EXPECT_EQ(problem("  shots: [a.yaml]\noutput: {codec: h264, crf: 60}\n"),
+              "film.yaml:4: crf must be from 0 (lossless) to 51 (worst)");
 }
 
 TEST_F(LoadSequence, Bakes_AreShotsWithTheirMotion) {
