@@ -1,12 +1,12 @@
 #include "sound/source/settling.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string_view>
 #include <unordered_map>
 #include <variant>
 
+#include "core/elementary.h"
 #include "sim/timeline/track.h"
 
 namespace carom::sound {
@@ -20,7 +20,7 @@ double reach_of(const SoundBody& body) {
     if (const auto* box = std::get_if<BoxShape>(&body.shape)) {
         return box->size.length() / 2;
     }
-    return std::cbrt(std::get<OtherShape>(body.shape).volume);
+    return power(std::get<OtherShape>(body.shape).volume, 1.0 / 3);
 }
 
 /// How a body or a surface is at an instant.
