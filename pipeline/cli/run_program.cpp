@@ -61,6 +61,11 @@ const char* interruption_message(const Command& command) {
 ExitCode run_guarded(const Command& command, const CommandHandler& handler,
                      CommandContext& context) {
     Console& console = context.console;
+    const auto refuse = [&](const Error& error) {
+        console.end_progress();
+        console.error(error.what());
+        return kWrongUsage;
+    };
     try {
         check_not_input(command);
         handler(command, context);
@@ -70,13 +75,9 @@ ExitCode run_guarded(const Command& command, const CommandHandler& handler,
         console.warning(interruption_message(command));
         return kInterrupted;
     } catch (const InputError& error) {
-        console.end_progress();
-        console.error(error.what());
-        return kWrongUsage;
+        return refuse(error);
     } catch (const pipeline::NoView& error) {  // only known when the motion is
-        console.end_progress();
-        console.error(error.what());
-        return kWrongUsage;
+        return refuse(error);
     } catch (const OutputClosed&) {
         console.end_progress();
     } catch (const pipeline::CacheUnusable& error) {

@@ -1,6 +1,7 @@
 #include "sound/source/settling.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string_view>
 #include <unordered_map>
