@@ -37,7 +37,7 @@ void BallPlacer::remove(std::size_t event, std::uint32_t ball, double time) {
     end_wait(ball, event);
     const Ball& taken = balls_.all()[ball];
     recorder_.log(EventKind::removed, time, taken.name, taken.segment.position_at(time));
-    stepped_.wake_around(ball, time);
+    stepped_.wake(ball, time);
     balls_.take_off(ball, time, hidden_place(ball));
     done_.push_back(event);
 }
@@ -124,7 +124,7 @@ std::string BallPlacer::obstacle(std::uint32_t ball, const Vec2& place, double t
 void BallPlacer::put_down(std::uint32_t ball, const Vec2& place, const std::string& spot,
                           double time) {
     const Ball& put = balls_.all()[ball];
-    stepped_.wake_around(ball, time);
+    stepped_.wake(ball, time);
     balls_.put_down(ball, time, place);
     recorder_.log(EventKind::placed, time, put.name, put.segment.state.position, spot);
 }

@@ -34,6 +34,7 @@ struct Ball {
     MotionSegment segment;
     Ground ground = Ground::none;  // the surface on which it moves in closed form
     bool is_lying = false;         // at rest where ODE left it, not on a Ground
+    bool has_lain = false;         // since it last moved in closed form
     bool is_potted = false;
     bool is_off_table = false;
     /// Height (m) of the centre at which the ball stops, if it has left a pocket through the floor.

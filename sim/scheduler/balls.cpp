@@ -124,7 +124,7 @@ void Balls::resolve_ground_impact(Ball& ball, double time, MotionState& state) {
 void Balls::begin_segment(Ball& ball, double time, const MotionState& state) {
     const MotionKind kind = ball.segment.kind;
     set_segment(ball, next_segment(ball, time, state, environment_));
-    ball.is_lying = false;
+    ball.is_lying = ball.has_lain = false;
     if (ball.segment.kind == MotionKind::flying && kind != MotionKind::flying) {
         ball.flight_event = recorder_.events().size();
     }
@@ -299,14 +299,20 @@ void Balls::warn_of_balls_in_pocket_mouths() const {
 
 void Balls::put_to_rest(std::uint32_t index, double time, MotionState state) {
     Ball& ball = balls_[index];
+    const bool is_new = !ball.has_lain || ball.has_moved_since_rest();
+    const Vec3 rested_at = ball.rested_at;
     state.velocity = state.angular_velocity = {0, 0, 0};
     set_stepped_state(index, time, state);
     MotionSegment still = ball.segment;
     still.kind = MotionKind::resting;
     set_segment(ball, still);
-    ball.is_lying = true;
+    ball.is_lying = ball.has_lain = true;
     recorder_.add_key(ball.track, time, state);
-    recorder_.log(EventKind::resting, time, ball.name, state.position);
+    if (is_new) {
+        recorder_.log(EventKind::resting, time, ball.name, state.position);
+    } else {
+        ball.rested_at = rested_at;
+    }
     const int pocket = environment_.pocket_below(state.position);
     if (pocket >= 0 && !ball.is_potted && !ball.is_off_table) {
         return_.note_blocked(index, static_cast<std::size_t>(pocket), time);

@@ -67,10 +67,8 @@ void ForceApplier::set_state(std::uint32_t body, double time, const MotionState&
                              const MotionState& after) {
     if (stepped_.all()[body].is_ball) {
         const Ball& ball = balls_.all()[body];
-        if (ball.is_lying) {
-            stepped_.wake_near(before.position, ball.radius, time);
-        }
-        if (ball.is_lying || ball.is_stepped()) {
+        stepped_.wake(body, time);
+        if (ball.is_stepped()) {
             balls_.change_stepped_state(body, time, before, after);
         } else {
             balls_.change_state(body, time, before, after);

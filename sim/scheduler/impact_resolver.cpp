@@ -134,8 +134,8 @@ void ImpactResolver::resolve_ball_impact(const PredictedEvent& event) {
         stays_in_contact(a, separation, normal) || stays_in_contact(b, separation, normal);
     const bool first_lies = lies_in_pocket(a);
     const bool second_lies = lies_in_pocket(b);
-    wake_neighbours(event.first, event.time);
-    wake_neighbours(event.second, event.time);
+    stepped_.wake(event.first, event.time);
+    stepped_.wake(event.second, event.time);
     balls_.change_state(event.first, event.time, before_a, body_a.state);
     balls_.change_state(event.second, event.time, before_b, body_b.state);
     if (stays || first_lies) {
@@ -143,13 +143,6 @@ void ImpactResolver::resolve_ball_impact(const PredictedEvent& event) {
     }
     if (stays || second_lies) {
         balls_.activate(event.second, event.time);
-    }
-}
-
-void ImpactResolver::wake_neighbours(std::uint32_t index, double time) {
-    const Ball& ball = balls_[index];
-    if (ball.is_lying) {
-        stepped_.wake_near(ball.segment.state.position, ball.radius, time);
     }
 }
 

@@ -29,7 +29,6 @@ class ImpactResolver {
     void enter_pocket(const PredictedEvent& event);
     void cross_below_cloth(const PredictedEvent& event);
     void land(const PredictedEvent& event);
-    void wake_neighbours(std::uint32_t index, double time);
     void bounce(const PredictedEvent& event, const SurfaceContact& contact,
                 const SurfaceInfo& info);
 

@@ -109,7 +109,7 @@ void Scheduler::run_window() {
 /// Between two steps of ODE, because a ball that leaves may be part of one.
 void Scheduler::return_balls() {
     for (const BallReturn::Leaving& leaving : balls_.take_returned()) {
-        stepped_.wake_around(leaving.ball, now_);
+        stepped_.wake(leaving.ball, now_);
         balls_.leave_table(leaving, now_);
     }
 }

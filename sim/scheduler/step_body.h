@@ -46,6 +46,8 @@ struct StepBody {
     /// Least value of max_point_speed() since then, m/s.
     double least_speed = std::numeric_limits<double>::infinity();
     Pose rested_at;                       // where it last rested, or its start; not for a ball
+    bool has_rested = false;              // not for a ball
+    std::uint32_t island = 0;             // with which it last fell asleep
     const KinematicPath* path = nullptr;  // for a kinematic body
     int free_steps = 0;  // for a ball: steps since it last touched more than a Ground
 

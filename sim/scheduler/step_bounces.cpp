@@ -213,9 +213,6 @@ void StepBounces::set_velocities(StepBody& body, const ode::Velocities& velociti
     if (body.is_kinematic()) {
         return;
     }
-    if (!body.is_awake) {
-        sleep_.wake(body, time);
-    }
     const MotionState before = body.state;
     body.state.velocity = velocities.linear;
     body.state.angular_velocity = velocities.angular;

@@ -11,7 +11,6 @@
 #include "sim/scheduler/contact_finder.h"
 #include "sim/scheduler/recorder.h"
 #include "sim/scheduler/step_body.h"
-#include "sim/scheduler/step_sleep.h"
 
 namespace carom::sim {
 
@@ -23,18 +22,14 @@ inline constexpr double kClosedGap = 2e-6;
 
 class StepBounces {
   public:
-    StepBounces(std::vector<StepBody>& bodies, StepSleep& sleep, const ContactFinder& finder,
-                ode::StepWorld& world, Balls& balls, Recorder& recorder)
-        : bodies_(bodies),
-          sleep_(sleep),
-          finder_(finder),
-          world_(world),
-          balls_(balls),
-          recorder_(recorder) {}
+    StepBounces(std::vector<StepBody>& bodies, const ContactFinder& finder, ode::StepWorld& world,
+                Balls& balls, Recorder& recorder)
+        : bodies_(bodies), finder_(finder), world_(world), balls_(balls), recorder_(recorder) {}
 
     /// Resolves impacts pair by pair, the fastest first, until no pair approaches fast enough to
     /// bounce: restitution in one solve for all contacts would add energy. ODE's step handles the
-    /// remaining contacts. `contacts`: all contacts of the bodies in their present state.
+    /// remaining contacts. `contacts`: all contacts of the bodies in their present state; those
+    /// that can move are awake.
     void resolve(const std::vector<BodyContact>& contacts, double time);
 
     /// True if one body of the contact is caught between a kinematic body and an obstacle that does
@@ -66,7 +61,6 @@ class StepBounces {
     };
 
     std::vector<StepBody>& bodies_;
-    StepSleep& sleep_;
     const ContactFinder& finder_;
     ode::StepWorld& world_;
     Balls& balls_;

@@ -1,8 +1,8 @@
 #include "sim/scheduler/step_sleep.h"
 
 #include <algorithm>
-
-#include "core/length.h"
+#include <numeric>
+#include <utility>
 
 namespace carom::sim {
 namespace {
@@ -16,31 +16,51 @@ constexpr double kSolidSleepDelay = 0.12;
 constexpr double kLeaningSleepDelay = 0.5;
 /// A body whose speed has risen by more than this (m/s) in the meantime is about to move.
 constexpr double kRisingSpeed = 5e-4;
-/// A sleeping body wakes when another one moves against it faster than this (m/s).
-constexpr double kWakeSpeed = 0.01;
+
+/// The islands of an instant, as a forest whose roots stand for them.
+class Islands {
+  public:
+    explicit Islands(std::size_t count) : parents_(count) {
+        std::iota(parents_.begin(), parents_.end(), 0);
+    }
+
+    void join(int a, int b) { parents_[index(root(a))] = root(b); }
+
+    [[nodiscard]] int root(int number) {
+        while (parents_[index(number)] != number) {
+            number = parents_[index(number)] = parents_[index(parents_[index(number)])];
+        }
+        return number;
+    }
+
+  private:
+    [[nodiscard]] static std::size_t index(int number) { return static_cast<std::size_t>(number); }
+
+    std::vector<int> parents_;
+};
 
 }  // namespace
 
-void StepSleep::wake(StepBody& body, double time) {
-    body.is_awake = true;
-    body.restart_rest_timer(time);
-    body.free_steps = 0;
-    recorder_.add_key(body.track, time, body.with_own_axes(body.state));
-    if (body.is_ball) {
-        balls_.activate(static_cast<std::uint32_t>(&body - bodies_.data()), time);
+void StepSleep::wake(const StepBody& body, double time) {
+    const auto sleeps = [](const StepBody& b) {
+        return b.is_in_ode && !b.is_awake && !b.is_kinematic();
+    };
+    if (!sleeps(body)) {
+        return;
     }
-}
-
-void StepSleep::wake_near(const Vec3& position, double distance, double time) {
-    constexpr double kNear = 1e-3;  // m
-    for (StepBody& body : bodies_) {
-        const bool sleeps = body.is_in_ode && !body.is_awake && !body.is_kinematic();
-        if (!sleeps ||
-            length(body.state.position - position) > distance + body.bounding_radius() + kNear) {
+    const std::uint32_t island = body.island;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        StepBody& member = bodies_[i];
+        if (!sleeps(member) || member.island != island) {
             continue;
         }
-        wake(body, time);
-        wake_near(body.state.position, body.bounding_radius(), time);
+        member.is_awake = true;
+        member.restart_rest_timer(time);
+        member.free_steps = 0;
+        recorder_.add_key(member.track, time, member.with_own_axes(member.state));
+        if (member.is_ball) {
+            balls_.activate(static_cast<std::uint32_t>(i), time);
+        }
     }
 }
 
@@ -50,80 +70,97 @@ bool StepSleep::wake_by_contact(const std::vector<BodyContact>& contacts, double
         if (found.other < 0) {
             continue;
         }
-        StepBody& a = bodies_[static_cast<std::size_t>(found.contact.first)];
-        StepBody& b = bodies_[static_cast<std::size_t>(found.other)];
-        if (a.is_awake == b.is_awake || (a.is_awake ? b : a).is_kinematic()) {
-            continue;
+        const StepBody& a = bodies_[static_cast<std::size_t>(found.contact.first)];
+        const StepBody& b = bodies_[static_cast<std::size_t>(found.other)];
+        const StepBody& sleeper = a.is_awake ? b : a;
+        if (a.is_awake != b.is_awake && !sleeper.is_kinematic()) {
+            wake(sleeper, time);
+            is_changed = true;
         }
-        const Vec3 relative =
-            a.velocity_at(found.contact.point) - b.velocity_at(found.contact.point);
-        // A kinematic body does not give way, however slow it is.
-        const bool is_moved = (a.is_awake ? a : b).is_kinematic();
-        if (length(relative) < kWakeSpeed && !is_moved) {
-            continue;
-        }
-        wake(a.is_awake ? b : a, time);
-        is_changed = true;
     }
     return is_changed;
 }
 
-bool StepSleep::is_slow_in_contact(const StepBody& body, int number,
-                                   const SolvedContacts& solved) const {
-    bool has_contact = false;
-    bool is_slow = body.max_point_speed() < kSleepSpeed;
+bool StepSleep::is_movable(int number) const {
+    return number >= 0 && !bodies_[static_cast<std::size_t>(number)].is_kinematic();
+}
+
+/// A body has to be slow, and in contact, but neither with a kinematic body that moves nor with a
+/// sleeping one, which is about to wake.
+void StepSleep::update_rest_timers(const std::vector<int>& moving, const SolvedContacts& solved,
+                                   double time) {
+    std::vector<char> rests(bodies_.size(), 0);
+    std::vector<char> is_disturbed(bodies_.size(), 0);
     for (const BodyContact& found : solved.contacts) {
-        if (found.contact.first != number && found.other != number) {
+        const int first = found.contact.first;
+        rests[static_cast<std::size_t>(first)] = 1;
+        if (found.other < 0) {
             continue;
         }
-        has_contact = true;
-        const int partner = found.contact.first == number ? found.other : found.contact.first;
-        if (partner < 0) {
-            continue;
-        }
-        const StepBody& other = bodies_[static_cast<std::size_t>(partner)];
-        const bool is_moved = other.is_kinematic() && other.is_awake;
-        is_slow = is_slow && !is_moved && other.max_point_speed() < kSleepSpeed;
-    }
-    return is_slow && has_contact;
-}
-
-/// True if the body and all bodies that it touches have stable support.
-bool StepSleep::is_supported_with_neighbours(const StepBody& body, int number,
-                                             const SolvedContacts& solved) const {
-    if (!is_stably_supported(body, number, solved, gravity_)) {
-        return false;
-    }
-    return std::all_of(
-        solved.contacts.begin(), solved.contacts.end(), [&](const BodyContact& found) {
-            if (found.contact.first != number && found.other != number) {
-                return true;
-            }
-            const int partner = found.contact.first == number ? found.other : found.contact.first;
-            if (partner < 0) {
-                return true;
-            }
+        rests[static_cast<std::size_t>(found.other)] = 1;
+        for (const auto& [number, partner] : {found.pair(), std::pair(found.other, first)}) {
             const StepBody& other = bodies_[static_cast<std::size_t>(partner)];
-            return !other.is_awake || other.is_kinematic() ||
-                   is_stably_supported(other, partner, solved, gravity_);
-        });
+            if (other.is_kinematic() == other.is_awake) {
+                is_disturbed[static_cast<std::size_t>(number)] = 1;
+            }
+        }
+    }
+    for (const int number : moving) {
+        const auto i = static_cast<std::size_t>(number);
+        StepBody& body = bodies_[i];
+        const double speed = body.max_point_speed();
+        if (rests[i] == 0 || is_disturbed[i] != 0 || speed >= kSleepSpeed) {
+            body.restart_rest_timer(time);
+        }
+        body.least_speed = std::min(body.least_speed, speed);
+    }
 }
 
-bool StepSleep::can_fall_asleep(StepBody& body, const SolvedContacts& solved, double time) const {
-    const int number = static_cast<int>(&body - bodies_.data());
-    const double speed = body.max_point_speed();
-    if (!is_slow_in_contact(body, number, solved)) {
-        body.restart_rest_timer(time);
-    }
-    body.least_speed = std::min(body.least_speed, speed);
+bool StepSleep::is_held(int number, const SolvedContacts& solved, double time) const {
+    const StepBody& body = bodies_[static_cast<std::size_t>(number)];
     const double rested = time - body.slow_since;
-    if (rested <= (body.is_ball ? kBallSleepDelay : kSolidSleepDelay)) {
-        return false;
+    const bool is_rising = body.max_point_speed() > body.least_speed + kRisingSpeed;
+    const bool is_supported = is_stably_supported(body, number, solved, gravity_) ||
+                              (rested > kLeaningSleepDelay && leans(number, solved, gravity_));
+    return (!is_rising && is_supported) || rested > time_to_tip(body, gravity_);
+}
+
+std::vector<int> StepSleep::falling_asleep(const std::vector<int>& moving,
+                                           const SolvedContacts& solved, double time) {
+    update_rest_timers(moving, solved, time);
+    Islands islands(bodies_.size());
+    for (const BodyContact& found : solved.contacts) {
+        if (is_movable(found.contact.first) && is_movable(found.other)) {
+            islands.join(found.contact.first, found.other);
+        }
     }
-    const bool is_rising = speed > body.least_speed + kRisingSpeed;
-    const bool is_held = is_supported_with_neighbours(body, number, solved) ||
-                         (rested > kLeaningSleepDelay && leans(number, solved, gravity_));
-    return (!is_rising && is_held) || rested > time_to_tip(body, gravity_);
+    std::vector<int> candidates;
+    std::vector<char> stays_awake(bodies_.size(), 0);  // by the root of an island
+    for (const int number : moving) {
+        if (!is_movable(number)) {
+            continue;
+        }
+        candidates.push_back(number);
+        const StepBody& body = bodies_[static_cast<std::size_t>(number)];
+        if (time - body.slow_since <= (body.is_ball ? kBallSleepDelay : kSolidSleepDelay)) {
+            stays_awake[static_cast<std::size_t>(islands.root(number))] = 1;
+        }
+    }
+    for (const int number : candidates) {
+        char& stays = stays_awake[static_cast<std::size_t>(islands.root(number))];
+        if (stays == 0 && !is_held(number, solved, time)) {
+            stays = 1;
+        }
+    }
+    std::erase_if(candidates, [&](int number) {
+        return stays_awake[static_cast<std::size_t>(islands.root(number))] != 0;
+    });
+    for (const int number : candidates) {
+        bodies_[static_cast<std::size_t>(number)].island =
+            island_count_ + static_cast<std::uint32_t>(islands.root(number));
+    }
+    island_count_ += candidates.empty() ? 0 : static_cast<std::uint32_t>(bodies_.size());
+    return candidates;
 }
 
 }  // namespace carom::sim

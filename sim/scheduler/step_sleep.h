@@ -1,6 +1,7 @@
 // Decides which of the bodies in ODE sleep and which are awake.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "sim/scheduler/balls.h"
@@ -11,36 +12,38 @@
 
 namespace carom::sim {
 
+/// Bodies that touch each other, directly or through others, are an island. It falls asleep and
+/// wakes as one, so that no sleeping body rests on one that moves (the rule of box3d,
+/// src/solver_set.c). Kinematic bodies and the static environment belong to no island.
 class StepSleep {
   public:
     StepSleep(std::vector<StepBody>& bodies, Balls& balls, Recorder& recorder, const Vec3& gravity)
         : bodies_(bodies), balls_(balls), recorder_(recorder), gravity_(gravity) {}
 
-    /// Wakes a body; a key says that it rested until then.
-    void wake(StepBody& body, double time);
+    /// Wakes a sleeping body and its island; a key of each says that it rested until then. Has no
+    /// effect on other bodies.
+    void wake(const StepBody& body, double time);
 
-    /// Wakes the sleeping bodies within `distance` of `position`, and their neighbours.
-    void wake_near(const Vec3& position, double distance, double time);
-
-    /// Wakes sleeping bodies that a waking one approaches in contact; true if there were any.
+    /// Wakes the islands that a waking body touches, however slowly; true if there were any.
     bool wake_by_contact(const std::vector<BodyContact>& contacts, double time);
 
-    /// True if a body has hardly moved, in contact with something, for long enough at `time`. A
-    /// body that is only balanced, or touches one that is, has to stay for as long as it would take
-    /// to fall.
-    [[nodiscard]] bool can_fall_asleep(StepBody& body, const SolvedContacts& solved,
-                                       double time) const;
+    /// The islands of `moving` that fall asleep at `time`, the end of a step: each body of them has
+    /// hardly moved, in contact with something, for long enough. A body that is only balanced has
+    /// to stay for as long as it would take to fall. Returns their bodies in ascending order.
+    [[nodiscard]] std::vector<int> falling_asleep(const std::vector<int>& moving,
+                                                  const SolvedContacts& solved, double time);
 
   private:
-    [[nodiscard]] bool is_slow_in_contact(const StepBody& body, int number,
-                                          const SolvedContacts& solved) const;
-    [[nodiscard]] bool is_supported_with_neighbours(const StepBody& body, int number,
-                                                    const SolvedContacts& solved) const;
+    void update_rest_timers(const std::vector<int>& moving, const SolvedContacts& solved,
+                            double time);
+    [[nodiscard]] bool is_movable(int number) const;
+    [[nodiscard]] bool is_held(int number, const SolvedContacts& solved, double time) const;
 
     std::vector<StepBody>& bodies_;
     Balls& balls_;
     Recorder& recorder_;
     Vec3 gravity_;
+    std::uint32_t island_count_ = 0;  // that have fallen asleep
 };
 
 }  // namespace carom::sim

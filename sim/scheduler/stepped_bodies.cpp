@@ -22,7 +22,7 @@ SteppedBodies::SteppedBodies(const WorldDescription& world, const StaticEnvironm
       solids_(make_step_solids(world)),
       bodies_(make_step_bodies(balls.all(), solids_, environment.contacts)),
       sleep_(bodies_, balls, recorder, environment.gravity),
-      bounces_(bodies_, sleep_, finder_, world_, balls, recorder),
+      bounces_(bodies_, finder_, world_, balls, recorder),
       trial_(world_, finder_, bounces_, environment.gravity, bodies_) {
     for (const StepBody& body : bodies_) {
         world_.add({body.mass, body.inertia, body.is_kinematic()});
@@ -89,16 +89,11 @@ void SteppedBodies::adopt_balls(double time) {
     }
 }
 
-void SteppedBodies::wake_around(std::uint32_t ball, double time) {
-    adopt_balls(time);
-    sleep_.wake_near(balls_.all()[ball].segment.position_at(time), balls_.all()[ball].radius, time);
-}
-
 double SteppedBodies::try_step(double now, double until) {
     adopt_balls(now);
     has_trial_step_ = true;
     std::vector<BodyContact> contacts = finder_.find(bodies_);
-    if (sleep_.wake_by_contact(contacts, now)) {
+    while (sleep_.wake_by_contact(contacts, now)) {
         contacts = finder_.find(bodies_);
     }
     bounces_.resolve(contacts, now);
@@ -135,12 +130,14 @@ void SteppedBodies::commit(double end) {
     for (std::size_t slot = 0; slot < trial_.moving().size(); ++slot) {
         bodies_[static_cast<std::size_t>(trial_.moving()[slot])].state = trial_.motions()[slot].end;
     }
+    const std::vector<int> asleep = sleep_.falling_asleep(trial_.moving(), trial_.solved(), end);
     for (const int number : trial_.moving()) {
         StepBody& body = bodies_[static_cast<std::size_t>(number)];
+        const bool falls_asleep = std::binary_search(asleep.begin(), asleep.end(), number);
         if (body.is_ball) {
-            finish_ball_step(body, end);
+            finish_ball_step(body, end, falls_asleep);
         } else if (!body.is_kinematic()) {
-            finish_solid_step(body, end);
+            finish_solid_step(body, end, falls_asleep);
         }
     }
 }
@@ -169,16 +166,18 @@ void SteppedBodies::log_contacts() {
     }
 }
 
-void SteppedBodies::finish_solid_step(StepBody& body, double end) {
-    if (sleep_.can_fall_asleep(body, trial_.solved(), end)) {
+/// A body that was woken and has not moved visibly has rested all the time.
+void SteppedBodies::finish_solid_step(StepBody& body, double end, bool falls_asleep) {
+    recorder_.add_sample(body.track, end, body.with_own_axes(body.state));
+    if (falls_asleep) {
+        if (!body.has_rested || body.has_moved_since_rest()) {
+            recorder_.log(EventKind::resting, end, *body.name, body.state.position);
+            body.has_rested = true;
+            body.rested_at = {body.state.position, body.state.orientation};
+        }
         body.is_awake = false;
-        body.rested_at = {body.state.position, body.state.orientation};
-        recorder_.add_sample(body.track, end, body.with_own_axes(body.state));
         body.state.velocity = body.state.angular_velocity = {0, 0, 0};
         recorder_.add_key(body.track, end, body.with_own_axes(body.state));
-        recorder_.log(EventKind::resting, end, *body.name, body.state.position);
-    } else {
-        recorder_.add_sample(body.track, end, body.with_own_axes(body.state));
     }
     body.motion = {body.shape, end, body.state};
 }
@@ -203,9 +202,8 @@ Ground SteppedBodies::ground_under(const StepBody& ball, bool& touches_other) co
     return ground;
 }
 
-void SteppedBodies::finish_ball_step(StepBody& body, double end) {
+void SteppedBodies::finish_ball_step(StepBody& body, double end, bool falls_asleep) {
     const auto number = static_cast<std::uint32_t>(&body - bodies_.data());
-    const bool can_fall_asleep = sleep_.can_fall_asleep(body, trial_.solved(), end);
     bool touches_other = false;
     const Ground ground = ground_under(body, touches_other);
     MotionState& state = body.state;
@@ -225,9 +223,10 @@ void SteppedBodies::finish_ball_step(StepBody& body, double end) {
         balls_.deactivate(number, end, state, ground);
     } else if (is_free && ground == Ground::none) {
         balls_.deactivate(number, end, state, Ground::none);
-    } else if (can_fall_asleep) {
+    } else if (falls_asleep) {
         recorder_.add_sample(body.track, end, state);
         balls_.put_to_rest(number, end, state);
+        body.is_awake = false;
     } else {
         recorder_.add_sample(body.track, end, state);
         balls_.set_stepped_state(number, end, state);
@@ -246,9 +245,7 @@ void SteppedBodies::change_solid_velocity(std::uint32_t number, double time, con
     recorder_.add_break(body.track, time, body.with_own_axes(before),
                         body.with_own_axes(body.state));
     body.motion = {body.shape, time, body.state};
-    if (!body.is_awake) {
-        sleep_.wake(body, time);
-    }
+    sleep_.wake(body, time);
     body.restart_rest_timer(time);
 }
 

@@ -50,12 +50,8 @@ class SteppedBodies {
     void change_solid_velocity(std::uint32_t body, double time, const Vec3& velocity,
                                const Vec3& angular_velocity);
 
-    /// Wakes the sleeping bodies within `distance` of `position`, and their neighbours.
-    void wake_near(const Vec3& position, double distance, double time) {
-        sleep_.wake_near(position, distance, time);
-    }
-    /// Wakes the balls and solids that rest on a ball which leaves the table.
-    void wake_around(std::uint32_t ball, double time);
+    /// Wakes the body and its island (StepSleep) if it sleeps.
+    void wake(std::uint32_t body, double time) { sleep_.wake(bodies_[body], time); }
 
     void add_energy(EnergySample& sample) const;
     [[nodiscard]] bool are_all_at_rest() const;
@@ -66,8 +62,8 @@ class SteppedBodies {
     void publish_trial_paths();
     void cancel_step(double time);
     void log_contacts();
-    void finish_solid_step(StepBody& body, double end);
-    void finish_ball_step(StepBody& body, double end);
+    void finish_solid_step(StepBody& body, double end, bool falls_asleep);
+    void finish_ball_step(StepBody& body, double end, bool falls_asleep);
     [[nodiscard]] Ground ground_under(const StepBody& ball, bool& touches_other) const;
 
     const StaticEnvironment& environment_;
