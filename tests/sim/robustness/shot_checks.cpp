@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/finite.h"
+#include "rest_checks.h"
 #include "sim/billiards/table.h"
 #include "sim/timeline/energy.h"
 
@@ -278,6 +279,22 @@ void check_contacts(const Timeline& timeline, std::vector<std::string>& faults) 
     }
 }
 
+/// Whatever is at rest is held, at five instants.
+void check_rest(const WorldDescription& world, const Timeline& timeline,
+                std::vector<std::string>& faults) {
+    for (int k = 1; k <= 5; ++k) {
+        const double time = world.duration * k / 5;
+        const auto takes_part = [&](const Body& body, const Vec3& place) {
+            const auto* sphere = std::get_if<Sphere>(&body.shape);
+            return sphere == nullptr || (!is_taken_off(timeline, body.name, time) &&
+                                         !is_returned(world, place, sphere->radius));
+        };
+        for (const std::string& fault : find_unheld(world, timeline, time, takes_part)) {
+            faults.push_back(fault + text(" at %.4f s", time));
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> find_faults(const WorldDescription& world, const Timeline& timeline) {
@@ -288,6 +305,7 @@ std::vector<std::string> find_faults(const WorldDescription& world, const Timeli
     check_pairs(world, timeline, faults);
     check_energy(world, timeline, faults);
     check_contacts(timeline, faults);
+    check_rest(world, timeline, faults);
     return faults;
 }
 

@@ -9,8 +9,8 @@
 namespace carom::sim::test {
 
 /// All faults of a bake of `world`, one sentence each: warnings about the limit of impacts or from
-/// ODE, values that are not finite, balls inside of solids, gains of energy, and lasting contacts
-/// that overlap or are too many.
+/// ODE, values that are not finite, balls inside of solids, gains of energy, lasting contacts
+/// that overlap or are too many, and bodies at rest that nothing holds.
 [[nodiscard]] std::vector<std::string> find_faults(const WorldDescription& world,
                                                    const Timeline& timeline);
 
