@@ -1,7 +1,7 @@
 #include "sim/solid_shape.h"
 
+#include "core/rigid.h"
 #include "sim/shape/mass_properties.h"
-#include "sim/spatial/axes.h"
 
 namespace carom::sim {
 namespace {

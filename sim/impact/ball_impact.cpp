@@ -8,30 +8,27 @@
 namespace carom::sim {
 namespace {
 
-ode::ImpactBody impact_body(const BallBody& ball) {
-    ode::ImpactBody body;
-    body.mass = ball.mass;
-    const double inertia = 0.4 * ball.mass * ball.radius * ball.radius;
-    body.inertia = Vec3(inertia);
-    body.pose.position = ball.state.position;
-    body.velocities = {ball.state.velocity, ball.state.angular_velocity};
+/// The ball in ODE's axes: its orientation has no effect but on the last bits.
+RigidBody unturned(const RigidBody& ball) {
+    RigidBody body = ball;
+    body.state.orientation = Quat();
     return body;
 }
 
-void set_velocities(BallBody& ball, const ode::Velocities& velocities) {
+void set_velocities(RigidBody& ball, const ode::Velocities& velocities) {
     ball.state.velocity = velocities.linear;
     ball.state.angular_velocity = velocities.angular;
 }
 
 }  // namespace
 
-ImpulsePair ball_ball_impact(ode::ImpactSolver& solver, BallBody& a, BallBody& b,
+ImpulsePair ball_ball_impact(ode::ImpactSolver& solver, RigidBody& a, RigidBody& b,
                              const Vec3& normal, double restitution, double friction) {
     ImpulsePair impulse;
     if ((a.state.velocity - b.state.velocity).dot(normal) < 0) {
         const ode::ImpactContact contact{a.state.position - normal * a.radius, normal, restitution,
                                          friction};
-        const ode::ImpactResult result = solver.solve(impact_body(a), impact_body(b), contact);
+        const ode::ImpactResult result = solver.solve(unturned(a), unturned(b), contact);
         set_velocities(a, result.first);
         set_velocities(b, result.second);
         impulse = {result.normal_impulse, result.tangential_impulse};
@@ -46,13 +43,13 @@ ImpulsePair ball_ball_impact(ode::ImpactSolver& solver, BallBody& a, BallBody& b
     return impulse;
 }
 
-ImpulsePair ball_static_impact(ode::ImpactSolver& solver, BallBody& ball, const Vec3& normal,
+ImpulsePair ball_static_impact(ode::ImpactSolver& solver, RigidBody& ball, const Vec3& normal,
                                double restitution, double friction) {
     ImpulsePair impulse;
     if (ball.state.velocity.dot(normal) < 0) {
         const ode::ImpactContact contact{ball.state.position - normal * ball.radius, normal,
                                          restitution, friction};
-        const ode::ImpactResult result = solver.solve_static(impact_body(ball), contact);
+        const ode::ImpactResult result = solver.solve_static(unturned(ball), contact);
         set_velocities(ball, result.first);
         impulse = {result.normal_impulse, result.tangential_impulse};
     }
@@ -64,7 +61,7 @@ ImpulsePair ball_static_impact(ode::ImpactSolver& solver, BallBody& ball, const 
     return impulse;
 }
 
-ImpulsePair lining_impact(BallBody& ball, const Vec3& normal, double restitution,
+ImpulsePair lining_impact(RigidBody& ball, const Vec3& normal, double restitution,
                           double absorption) {
     MotionState& state = ball.state;
     const double approach = -state.velocity.dot(normal);
@@ -89,7 +86,7 @@ double ball_friction(const BallBall& law, double slip_speed) {
     return law.friction_factor * law.friction;
 }
 
-Vec3 contact_slip(const BallBody& a, const BallBody& b, const Vec3& normal) {
+Vec3 contact_slip(const RigidBody& a, const RigidBody& b, const Vec3& normal) {
     const Vec3 velocity =
         a.state.velocity - b.state.velocity -
         (a.state.angular_velocity * a.radius + b.state.angular_velocity * b.radius).cross(normal);

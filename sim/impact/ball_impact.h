@@ -7,13 +7,6 @@
 
 namespace carom::sim {
 
-/// The properties and state of a ball in an impact.
-struct BallBody {
-    double mass = 0;    // kg
-    double radius = 0;  // m
-    MotionState state;
-};
-
 /// Least separation speed after every impact, m/s. Without it, a ball that its spin presses against
 /// another ball or a cushion would bounce infinitely often in a finite time (Zeno behaviour). A
 /// bounce at this speed is a nanometre high; its energy is 2e-10 J for a pool ball.
@@ -26,11 +19,11 @@ struct ImpulsePair {
 
 /// Impact of two balls: restitution along `normal` (unit, from b towards a), Coulomb friction
 /// against the tangential relative surface velocity. Changes both velocities.
-ImpulsePair ball_ball_impact(ode::ImpactSolver& solver, BallBody& a, BallBody& b,
+ImpulsePair ball_ball_impact(ode::ImpactSolver& solver, RigidBody& a, RigidBody& b,
                              const Vec3& normal, double restitution, double friction);
 
 /// Impact of a ball with a static surface; `normal`: from the surface towards the ball.
-ImpulsePair ball_static_impact(ode::ImpactSolver& solver, BallBody& ball, const Vec3& normal,
+ImpulsePair ball_static_impact(ode::ImpactSolver& solver, RigidBody& ball, const Vec3& normal,
                                double restitution, double friction);
 
 /// Impact of a ball with the lining of a pocket: hanging leather or rubber, which yields.
@@ -38,13 +31,13 @@ ImpulsePair ball_static_impact(ode::ImpactSolver& solver, BallBody& ball, const 
 /// velocity along the wall and of the spin is lost. Nothing lifts the ball: on a stiff smooth wall
 /// its spin would carry it up and out, and its speed around the wall and out, which the lining of
 /// real pockets prevents.
-ImpulsePair lining_impact(BallBody& ball, const Vec3& normal, double restitution,
+ImpulsePair lining_impact(RigidBody& ball, const Vec3& normal, double restitution,
                           double absorption);
 
 /// Friction coefficient of two balls whose surfaces slip at `slip_speed` (m/s).
 [[nodiscard]] double ball_friction(const BallBall& law, double slip_speed);
 
 /// Tangential velocity of a's surface relative to b's at the contact point, m/s.
-[[nodiscard]] Vec3 contact_slip(const BallBody& a, const BallBody& b, const Vec3& normal);
+[[nodiscard]] Vec3 contact_slip(const RigidBody& a, const RigidBody& b, const Vec3& normal);
 
 }  // namespace carom::sim

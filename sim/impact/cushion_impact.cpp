@@ -9,7 +9,7 @@ namespace carom::sim {
 namespace {
 
 /// Restitution along the horizontal normal; spin and the velocity along the cushion do not change.
-ImpulsePair mirror(BallBody& ball, const Vec3& inward, double restitution) {
+ImpulsePair mirror(RigidBody& ball, const Vec3& inward, double restitution) {
     const double approach = -ball.state.velocity.dot(inward);
     const double change = (1 + restitution) * std::max(approach, 0.0);
     ball.state.velocity += inward * change;
@@ -22,7 +22,8 @@ ImpulsePair mirror(BallBody& ball, const Vec3& inward, double restitution) {
 /// speed along n; the tangential impulse is the one that stops the slip s, |s| / A with A = 7/(2m),
 /// or Coulomb's mu J_n if that is less. Written with vectors, it is the impact of a sphere with a
 /// fixed point.
-ImpulsePair han2005(BallBody& ball, const Vec3& normal, double restitution, double friction_limit) {
+ImpulsePair han2005(RigidBody& ball, const Vec3& normal, double restitution,
+                    double friction_limit) {
     MotionState& state = ball.state;
     const double approach = -state.velocity.dot(normal);
     if (approach <= 0) {
@@ -45,7 +46,7 @@ ImpulsePair han2005(BallBody& ball, const Vec3& normal, double restitution, doub
 
 }  // namespace
 
-ImpulsePair cushion_impact(BallBody& ball, const Vec3& inward, const Vec3& contact_normal,
+ImpulsePair cushion_impact(RigidBody& ball, const Vec3& inward, const Vec3& contact_normal,
                            const BallCushion& cushion, double cloth_friction) {
     const double approach = std::max(-ball.state.velocity.dot(inward), 0.0);
     const double restitution = restitution_at(cushion, approach);

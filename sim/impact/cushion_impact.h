@@ -10,7 +10,7 @@ namespace carom::sim {
 /// is that for the ball's speed along `inward`, in every model. `cloth_friction`: sliding friction
 /// of the ball on the cloth. Changes the ball's velocities; the vertical part is kept as the model
 /// computes it.
-ImpulsePair cushion_impact(BallBody& ball, const Vec3& inward, const Vec3& contact_normal,
+ImpulsePair cushion_impact(RigidBody& ball, const Vec3& inward, const Vec3& contact_normal,
                            const BallCushion& cushion, double cloth_friction);
 
 }  // namespace carom::sim

@@ -215,8 +215,8 @@ double integrate_until(CushionContact& contact, Motion& motion, double approach,
 
 }  // namespace
 
-ImpulsePair mathavan_impact(BallBody& ball, const Vec3& normal, double restitution, double friction,
-                            double cloth_friction) {
+ImpulsePair mathavan_impact(RigidBody& ball, const Vec3& normal, double restitution,
+                            double friction, double cloth_friction) {
     MotionState& state = ball.state;
     const double approach = -state.velocity.dot(normal);
     if (approach <= 0) {

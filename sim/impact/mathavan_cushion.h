@@ -16,7 +16,7 @@ namespace carom::sim {
 /// `normal`: unit, from the nose to the centre of the ball. `cloth_friction`: sliding friction of
 /// the ball on the cloth. Changes the velocities; a ball lifted by friction at the nose has
 /// velocity.z > 0.
-ImpulsePair mathavan_impact(BallBody& ball, const Vec3& normal, double restitution, double friction,
-                            double cloth_friction);
+ImpulsePair mathavan_impact(RigidBody& ball, const Vec3& normal, double restitution,
+                            double friction, double cloth_friction);
 
 }  // namespace carom::sim

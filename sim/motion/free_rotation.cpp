@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/rigid.h"
 #include "sim/numeric/rotation.h"
 
 namespace carom::sim {
@@ -10,7 +11,7 @@ namespace {
 
 constexpr double kMaxTurn = 0.05;  // rad
 
-Vec3 rotated(const Quat& q, const Vec3& v) {
+Vec3 to_world(const Quat& q, const Vec3& v) {
     const Vec3 t = q.v.cross(v) * 2;
     return v + t * q.r + q.v.cross(t);
 }
@@ -56,17 +57,17 @@ Rotation rotate_freely(const Rotation& from, const Vec3& inertia, double duratio
     const double h = duration / count;
     Quat q = from.orientation;
     // The angular momentum in world axes is constant; that in body axes follows from it.
-    const Vec3 body_omega = rotated(Quat(q.r, -q.v), from.angular_velocity);
-    const Vec3 momentum = rotated(
+    const Vec3 body_omega = to_body(q, from.angular_velocity);
+    const Vec3 momentum = to_world(
         q, Vec3(body_omega.x * inertia.x, body_omega.y * inertia.y, body_omega.z * inertia.z));
     for (int i = 0; i < count; ++i) {
-        const Vec3 in_body = rotated(Quat(q.r, -q.v), momentum);
+        const Vec3 in_body = to_body(q, momentum);
         q = q * cayley(midpoint_velocity(in_body, inertia, h), h);
     }
     const double norm = std::sqrt(q.r * q.r + q.v.dot(q.v));
     q = {q.r / norm, q.v / norm};
-    const Vec3 omega = divided(rotated(Quat(q.r, -q.v), momentum), inertia);
-    return {q, rotated(q, omega)};
+    const Vec3 omega = divided(to_body(q, momentum), inertia);
+    return {q, to_world(q, omega)};
 }
 
 MotionState drift(const MotionState& from, const Vec3& inertia, double duration) {

@@ -6,7 +6,7 @@
 #include <ode/ode.h>
 
 #include "core/error.h"
-#include "core/vectors.h"
+#include "sim/motion/rigid_body.h"
 
 namespace carom::sim::ode {
 
@@ -45,6 +45,25 @@ class World {
 
 /// Declare it after its world, so that it is destroyed first.
 using JointGroup = std::unique_ptr<dxJointGroup, JointGroupDeleter>;
+
+inline void set_state(dBodyID body, const MotionState& state) {
+    const Vec3& p = state.position;
+    const Quat& o = state.orientation;
+    const Vec3& v = state.velocity;
+    const Vec3& w = state.angular_velocity;
+    const dQuaternion q = {o.r, o.v.x, o.v.y, o.v.z};
+    dBodySetPosition(body, p.x, p.y, p.z);
+    dBodySetQuaternion(body, q);
+    dBodySetLinearVel(body, v.x, v.y, v.z);
+    dBodySetAngularVel(body, w.x, w.y, w.z);
+}
+
+inline void set_mass(dBodyID body, const RigidBody& from) {
+    dMass mass;
+    dMassSetParameters(&mass, from.mass, 0, 0, 0, from.inertia.x, from.inertia.y, from.inertia.z, 0,
+                       0, 0);
+    dBodySetMass(body, &mass);
+}
 
 inline Vec3 to_vec3(const dReal* v) {
     return {v[0], v[1], v[2]};

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/assert.h"
+#include "core/rigid.h"
 #include "sim/ode/handles.h"
 
 namespace carom::sim::ode {
@@ -11,23 +12,9 @@ namespace {
 // Impulses do not depend on the step; a power of two keeps the products with it exact.
 constexpr double kStep = 1.0 / 1024;
 
-Vec3 velocity_at(const ImpactBody& body, const Vec3& point) {
-    return body.velocities.linear + body.velocities.angular.cross(point - body.pose.position);
-}
-
-void load(dBodyID body, const ImpactBody& from) {
-    dMass mass;
-    dMassSetParameters(&mass, from.mass, 0, 0, 0, from.inertia.x, from.inertia.y, from.inertia.z, 0,
-                       0, 0);
-    dBodySetMass(body, &mass);
-    const Pose& pose = from.pose;
-    dBodySetPosition(body, pose.position.x, pose.position.y, pose.position.z);
-    const dQuaternion q = {pose.orientation.r, pose.orientation.v.x, pose.orientation.v.y,
-                           pose.orientation.v.z};
-    dBodySetQuaternion(body, q);
-    const Velocities& v = from.velocities;
-    dBodySetLinearVel(body, v.linear.x, v.linear.y, v.linear.z);
-    dBodySetAngularVel(body, v.angular.x, v.angular.y, v.angular.z);
+void load(dBodyID body, const RigidBody& from) {
+    set_mass(body, from);
+    set_state(body, from.state);
 }
 
 Velocities velocities_of(dBodyID body) {
@@ -61,8 +48,8 @@ dContact contact_of(const ImpactContact& from, const Vec3& relative_velocity) {
     return contact;
 }
 
-void measure_impulse(const ImpactBody& first, const Vec3& normal, ImpactResult& result) {
-    const Vec3 impulse = (result.first.linear - first.velocities.linear) * first.mass;
+void measure_impulse(const RigidBody& first, const Vec3& normal, ImpactResult& result) {
+    const Vec3 impulse = (result.first.linear - first.state.velocity) * first.mass;
     result.normal_impulse = impulse.dot(normal);
     const Vec3 across = impulse - normal * result.normal_impulse;
     result.tangential_impulse = std::sqrt(across.dot(across));
@@ -94,9 +81,10 @@ ImpactSolver::ImpactSolver() : state_(std::make_unique<State>()) {
 
 ImpactSolver::~ImpactSolver() = default;
 
-ImpactResult ImpactSolver::solve(const ImpactBody& first, const ImpactBody& second,
+ImpactResult ImpactSolver::solve(const RigidBody& first, const RigidBody& second,
                                  const ImpactContact& contact) {
-    const Vec3 relative = velocity_at(first, contact.point) - velocity_at(second, contact.point);
+    const Vec3 relative =
+        velocity_at(first.state, contact.point) - velocity_at(second.state, contact.point);
     CAROM_ASSERT(relative.dot(contact.normal) < 0);
     load(state_->first, first);
     load(state_->second, second);
@@ -109,8 +97,8 @@ ImpactResult ImpactSolver::solve(const ImpactBody& first, const ImpactBody& seco
     return result;
 }
 
-ImpactResult ImpactSolver::solve_static(const ImpactBody& first, const ImpactContact& contact) {
-    const Vec3 relative = velocity_at(first, contact.point);
+ImpactResult ImpactSolver::solve_static(const RigidBody& first, const ImpactContact& contact) {
+    const Vec3 relative = velocity_at(first.state, contact.point);
     CAROM_ASSERT(relative.dot(contact.normal) < 0);
     load(state_->first, first);
     dBodyDisable(state_->second);
@@ -121,10 +109,10 @@ ImpactResult ImpactSolver::solve_static(const ImpactBody& first, const ImpactCon
     return result;
 }
 
-ImpactResult ImpactSolver::solve_kinematic(const ImpactBody& first, const Vec3& velocity,
+ImpactResult ImpactSolver::solve_kinematic(const RigidBody& first, const Vec3& velocity,
                                            const ImpactContact& contact) {
-    ImpactBody relative = first;
-    relative.velocities.linear -= velocity;
+    RigidBody relative = first;
+    relative.state.velocity -= velocity;
     ImpactResult result = solve_static(relative, contact);
     result.first.linear += velocity;
     return result;

@@ -3,21 +3,13 @@
 
 #include <memory>
 
-#include "core/pose.h"
+#include "sim/motion/rigid_body.h"
 
 namespace carom::sim::ode {
 
 struct Velocities {
     Vec3 linear{0, 0, 0};   // m/s
     Vec3 angular{0, 0, 0};  // rad/s, world axes
-};
-
-/// The properties and state of a body in an impact.
-struct ImpactBody {
-    double mass = 1;        // kg
-    Vec3 inertia{1, 1, 1};  // principal moments, kg m^2
-    Pose pose;              // body axes are the principal ones
-    Velocities velocities;
 };
 
 struct ImpactContact {
@@ -44,14 +36,14 @@ class ImpactSolver {
     ImpactSolver& operator=(const ImpactSolver&) = delete;
 
     /// The velocities after the impact. The bodies have to approach each other at the contact.
-    [[nodiscard]] ImpactResult solve(const ImpactBody& first, const ImpactBody& second,
+    [[nodiscard]] ImpactResult solve(const RigidBody& first, const RigidBody& second,
                                      const ImpactContact& contact);
 
     /// Impact with a static obstacle; `second` of the result is zero.
-    [[nodiscard]] ImpactResult solve_static(const ImpactBody& first, const ImpactContact& contact);
+    [[nodiscard]] ImpactResult solve_static(const RigidBody& first, const ImpactContact& contact);
 
     /// Impact with a kinematic body, which moves at `velocity` (m/s) at the contact and keeps it.
-    [[nodiscard]] ImpactResult solve_kinematic(const ImpactBody& first, const Vec3& velocity,
+    [[nodiscard]] ImpactResult solve_kinematic(const RigidBody& first, const Vec3& velocity,
                                                const ImpactContact& contact);
 
   private:

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/finite.h"
 #include "core/length.h"
+#include "core/rigid.h"
 #include "sim/motion/free_rotation.h"
 #include "sim/ode/handles.h"
 #include "sim/ode/process.h"
@@ -35,18 +36,6 @@ constexpr int kMaxAttempts = 4;
 constexpr double kSeparationSpeed = 1e-7;
 constexpr double kGoldenRatio = 0.6180339887498949;
 
-void load(dBodyID body, const MotionState& state) {
-    CAROM_ASSERT(is_finite(state));
-    const Vec3& p = state.position;
-    const Quat& o = state.orientation;
-    const dQuaternion q = {o.r, o.v.x, o.v.y, o.v.z};
-    dBodySetPosition(body, p.x, p.y, p.z);
-    dBodySetQuaternion(body, q);
-    dBodySetLinearVel(body, state.velocity.x, state.velocity.y, state.velocity.z);
-    dBodySetAngularVel(body, state.angular_velocity.x, state.angular_velocity.y,
-                       state.angular_velocity.z);
-}
-
 Vec3 velocity_at(dBodyID body, const Vec3& point) {
     dVector3 v = {0, 0, 0, 0};
     dBodyGetPointVel(body, point.x, point.y, point.z, v);
@@ -55,10 +44,6 @@ Vec3 velocity_at(dBodyID body, const Vec3& point) {
 
 Vec3 velocity_at(const MotionState& state, const Velocities& velocities, const Vec3& point) {
     return velocities.linear + velocities.angular.cross(point - state.position);
-}
-
-Vec3 across(const Vec3& v, const Vec3& normal) {
-    return v - normal * v.dot(normal);
 }
 
 /// Slip slower than this (m/s) is due to rounding and has no direction.
@@ -111,7 +96,11 @@ struct StepWorld::State {
     std::unique_ptr<World> world;
     JointGroup group;
     std::vector<dBodyID> bodies;
-    std::vector<BodyInertia> masses;
+    struct Properties {
+        RigidBody body;  // its state has no meaning
+        bool is_kinematic = false;
+    };
+    std::vector<Properties> properties;
     std::vector<char> is_moving;
     std::vector<dJointFeedback> feedback;
     std::vector<Vec3> directions;  // of friction, per contact
@@ -126,12 +115,12 @@ struct StepWorld::State {
     }
 
     [[nodiscard]] bool is_kinematic(int number) const {
-        return masses[static_cast<std::size_t>(number)].is_kinematic;
+        return properties[static_cast<std::size_t>(number)].is_kinematic;
     }
     [[nodiscard]] double gravity_factor(int number) const { return is_kinematic(number) ? 0 : 1; }
 
     void rebuild();
-    void create(const BodyInertia& from);
+    void create(const Properties& from);
     void prepare(std::span<const int> moving, std::span<const MotionState> states,
                  std::span<const StepContact> contacts);
     [[nodiscard]] bool solve(const Attempt& attempt, double duration, const Vec3& gravity,
@@ -162,17 +151,14 @@ void StepWorld::State::rebuild() {
     group.reset(dJointGroupCreate(0));
     dWorldSetContactMaxCorrectingVel(world->get(), kCorrectingSpeed);
     bodies.clear();
-    for (const BodyInertia& mass : masses) {
-        create(mass);
+    for (const Properties& from : properties) {
+        create(from);
     }
 }
 
-void StepWorld::State::create(const BodyInertia& from) {
+void StepWorld::State::create(const Properties& from) {
     dBodyID body = dBodyCreate(world->get());
-    dMass mass;
-    dMassSetParameters(&mass, from.mass, 0, 0, 0, from.inertia.x, from.inertia.y, from.inertia.z, 0,
-                       0, 0);
-    dBodySetMass(body, &mass);
+    set_mass(body, from.body);
     if (from.is_kinematic) {
         dBodySetKinematic(body);
     }
@@ -187,10 +173,9 @@ StepWorld::StepWorld() : state_(std::make_unique<State>()) {
 
 StepWorld::~StepWorld() = default;
 
-int StepWorld::add(const BodyInertia& body) {
-    state_->masses.push_back(body);
-    state_->create(body);
-    return static_cast<int>(state_->masses.size()) - 1;
+void StepWorld::add(const RigidBody& body, bool is_kinematic) {
+    state_->properties.push_back({body, is_kinematic});
+    state_->create(state_->properties.back());
 }
 
 void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
@@ -222,7 +207,7 @@ void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
     double inverse_mass = 0;
     for (const int body : {from.first, from.second}) {
         if (moving_body(body) != nullptr && !is_kinematic(body)) {
-            inverse_mass += 1 / masses[static_cast<std::size_t>(body)].mass;
+            inverse_mass += 1 / properties[static_cast<std::size_t>(body)].body.mass;
         }
     }
     surface.soft_cfm = attempt.softness() * inverse_mass * duration;
@@ -250,14 +235,15 @@ void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
 
 void StepWorld::State::prepare(std::span<const int> moving, std::span<const MotionState> states,
                                std::span<const StepContact> contacts) {
-    is_moving.assign(masses.size(), 0);
-    slots.assign(masses.size(), -1);
+    is_moving.assign(properties.size(), 0);
+    slots.assign(properties.size(), -1);
     feedback.assign(contacts.size(), dJointFeedback{});
     for (std::size_t i = 0; i < moving.size(); ++i) {
         const auto number = static_cast<std::size_t>(moving[i]);
         is_moving[number] = 1;
         slots[number] = static_cast<int>(i);
-        load(bodies[number], states[i]);
+        CAROM_ASSERT(is_finite(states[i]));
+        set_state(bodies[number], states[i]);
         dBodyEnable(bodies[number]);
     }
 }
@@ -375,7 +361,7 @@ void StepWorld::step(double duration, const Vec3& gravity, std::span<const int> 
         motion.after = midpoints[i];
         motion.after.velocity = after[i].linear;
         motion.after.angular_velocity = after[i].angular;
-        const Vec3& inertia = state_->masses[static_cast<std::size_t>(moving[i])].inertia;
+        const Vec3& inertia = state_->properties[static_cast<std::size_t>(moving[i])].body.inertia;
         motion.end = drift(motion.after, inertia, 0.5 * duration);
     }
 }

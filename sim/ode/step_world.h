@@ -36,12 +36,6 @@ struct StepMotion {
     MotionState end;
 };
 
-struct BodyInertia {
-    double mass = 1;
-    Vec3 inertia{1, 1, 1};
-    bool is_kinematic = false;  // keeps its velocities in all contacts
-};
-
 /// Below this approach speed (m/s) a contact does not bounce; otherwise stacks would never rest.
 inline constexpr double kBounceSpeed = 0.02;
 
@@ -52,8 +46,8 @@ class StepWorld {
     StepWorld(const StepWorld&) = delete;
     StepWorld& operator=(const StepWorld&) = delete;
 
-    /// Returns the index of the body, counted from 0.
-    int add(const BodyInertia& body);
+    /// Adds a body; its index counts from 0. A kinematic one keeps its velocities in all contacts.
+    void add(const RigidBody& body, bool is_kinematic);
 
     /// Steps the bodies with the indices `moving` over `duration`. `midpoints` (same order): their
     /// states after half of it without forces; the contacts are those found there. dWorldStep

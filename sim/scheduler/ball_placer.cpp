@@ -35,22 +35,22 @@ void BallPlacer::place(std::size_t event, std::uint32_t ball, double time) {
 
 void BallPlacer::remove(std::size_t event, std::uint32_t ball, double time) {
     end_wait(ball, event);
-    const Ball& taken = balls_.all()[ball];
-    recorder_.log(EventKind::removed, time, taken.name, taken.segment.position_at(time));
-    stepped_.wake(ball, time);
-    balls_.take_off(ball, time, hidden_place(ball));
+    const MovingBody& taken = bodies_.balls()[ball];
+    recorder_.log(EventKind::removed, time, taken.name(), taken.segment.position_at(time));
+    bodies_.wake(ball, time);
+    bodies_.take_off(ball, time, hidden_place(ball));
     done_.push_back(event);
 }
 
 /// A place of its own for each ball, in a row below the slate.
 Vec3 BallPlacer::hidden_place(std::uint32_t ball) const {
     double largest = 0;
-    for (const Ball& other : balls_.all()) {
+    for (const MovingBody& other : bodies_.balls()) {
         largest = std::max(largest, other.radius);
     }
-    const double middle = 0.5 * (static_cast<double>(balls_.all().size()) - 1);
+    const double middle = 0.5 * (static_cast<double>(bodies_.balls().size()) - 1);
     return {(ball - middle) * kSpacing * 2 * largest, 0,
-            kSlateUnderside - kBelowSlate - balls_.all()[ball].radius};
+            kSlateUnderside - kBelowSlate - bodies_.balls()[ball].radius};
 }
 
 bool BallPlacer::can_place_waiting(double time) const {
@@ -83,39 +83,38 @@ std::optional<billiards::FreePlace> BallPlacer::find_place(const Waiting& waitin
     }
     const auto next =
         billiards::next_place(lying_balls(waiting.ball, time), *world_.table, action.at,
-                              action.spot, balls_.all()[waiting.ball].radius);
+                              action.spot, bodies_.balls()[waiting.ball].radius);
     return next && obstacle(waiting.ball, next->place, time).empty() ? next : std::nullopt;
 }
 
 billiards::FreePlaces BallPlacer::lying_balls(std::uint32_t except, double time) const {
     std::vector<billiards::LyingBall> lying;
-    for (std::uint32_t i = 0; i < balls_.all().size(); ++i) {
-        const Ball& ball = balls_.all()[i];
+    for (std::uint32_t i = 0; i < bodies_.balls().size(); ++i) {
+        const MovingBody& ball = bodies_.balls()[i];
         const Vec3 centre = ball.segment.position_at(time);
-        if (i != except && !ball.is_returned() && centre.z > 0) {
-            lying.push_back({ball.name, {centre.x, centre.y}, ball.radius});
+        if (i != except && !ball.is_gone() && centre.z > 0) {
+            lying.push_back({ball.name(), {centre.x, centre.y}, ball.radius});
         }
     }
     return {*world_.table, std::move(lying)};
 }
 
 std::string BallPlacer::obstacle(std::uint32_t ball, const Vec2& place, double time) const {
-    const double radius = balls_.all()[ball].radius;
+    const double radius = bodies_.balls()[ball].radius;
     const Vec3 centre(place.x, place.y, radius);
-    for (std::uint32_t i = 0; i < balls_.all().size(); ++i) {
-        const Ball& other = balls_.all()[i];
+    for (std::uint32_t i = 0; i < bodies_.balls().size(); ++i) {
+        const MovingBody& other = bodies_.balls()[i];
         const double reach = other.radius + radius + billiards::FreePlaces::kApart;
-        if (i != ball && !other.is_returned() &&
+        if (i != ball && !other.is_gone() &&
             length(other.segment.position_at(time) - centre) < reach) {
-            return other.name;
+            return other.name();
         }
     }
-    for (std::size_t i = balls_.all().size(); i < stepped_.all().size(); ++i) {
-        const StepBody& solid = stepped_.all()[i];
+    for (const MovingBody& solid : bodies_.solids()) {
         const Pose pose{solid.state.position, solid.state.orientation};
         if (convex_contact(*solid.shape, pose, centre, radius).depth >
             -billiards::FreePlaces::kApart) {
-            return *solid.name;
+            return solid.name();
         }
     }
     return {};
@@ -123,10 +122,10 @@ std::string BallPlacer::obstacle(std::uint32_t ball, const Vec2& place, double t
 
 void BallPlacer::put_down(std::uint32_t ball, const Vec2& place, const std::string& spot,
                           double time) {
-    const Ball& put = balls_.all()[ball];
-    stepped_.wake(ball, time);
-    balls_.put_down(ball, time, place);
-    recorder_.log(EventKind::placed, time, put.name, put.segment.state.position, spot);
+    const MovingBody& put = bodies_.balls()[ball];
+    bodies_.wake(ball, time);
+    bodies_.put_down(ball, time, place);
+    recorder_.log(EventKind::placed, time, put.name(), put.segment.state.position, spot);
 }
 
 void BallPlacer::end_wait(std::uint32_t ball, std::size_t by_event) {

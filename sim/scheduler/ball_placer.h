@@ -10,9 +10,8 @@
 
 #include "core/diagnostic.h"
 #include "sim/billiards/free_place.h"
-#include "sim/scheduler/balls.h"
+#include "sim/scheduler/bodies.h"
 #include "sim/scheduler/recorder.h"
-#include "sim/scheduler/stepped_bodies.h"
 
 namespace carom::sim {
 
@@ -21,9 +20,8 @@ namespace carom::sim {
 /// the same ball ends the wait. Call it between two steps of ODE only.
 class BallPlacer {
   public:
-    BallPlacer(const WorldDescription& world, Balls& balls, SteppedBodies& stepped,
-               Recorder& recorder)
-        : world_(world), balls_(balls), stepped_(stepped), recorder_(recorder) {}
+    BallPlacer(const WorldDescription& world, Bodies& bodies, Recorder& recorder)
+        : world_(world), bodies_(bodies), recorder_(recorder) {}
 
     /// Event `event` of the world puts the ball down, now or later.
     void place(std::size_t event, std::uint32_t ball, double time);
@@ -62,8 +60,7 @@ class BallPlacer {
     [[nodiscard]] std::string never_happened(std::size_t event, const std::string& why) const;
 
     const WorldDescription& world_;
-    Balls& balls_;
-    SteppedBodies& stepped_;
+    Bodies& bodies_;
     Recorder& recorder_;
     std::vector<Waiting> waiting_;
     std::vector<std::size_t> done_;

@@ -14,15 +14,15 @@ constexpr double kBelowFloor = 0.02;
 
 }  // namespace
 
-BallReturn::BallReturn(const StaticEnvironment& environment, const std::vector<Ball>& balls)
-    : environment_(environment), balls_(balls), potted_(environment.table().pockets.size()) {
-    // Without gravity straight down, nothing falls through a floor.
-    if (!environment.has_ball_return || environment.downward_gravity <= 0 || balls.empty()) {
-        return;
+BallReturn::BallReturn(const StaticEnvironment& environment, const std::vector<MovingBody>& bodies)
+    : environment_(environment), bodies_(bodies), potted_(environment.table().pockets.size()) {
+    double largest = 0;  // of the balls: the radius of all other bodies is 0
+    for (const MovingBody& body : bodies) {
+        largest = std::max(largest, body.radius);
     }
-    double largest = 0;
-    for (const Ball& ball : balls) {
-        largest = std::max(largest, ball.radius);
+    // Without gravity straight down, nothing falls through a floor.
+    if (!environment.has_ball_return || environment.downward_gravity <= 0 || largest == 0) {
+        return;
     }
     for (const billiards::Pocket& pocket : environment.table().pockets) {
         capacity_.push_back(capacity(pocket.radius, pocket.drop, largest));
@@ -43,12 +43,12 @@ std::size_t BallReturn::capacity(double pocket_radius, double drop, double ball_
 std::vector<std::uint32_t> BallReturn::balls_in(std::size_t pocket, double time) const {
     std::vector<std::uint32_t> inside;
     for (const std::uint32_t index : potted_[pocket]) {
-        const Ball& ball = balls_[index];
+        const MovingBody& ball = bodies_[index];
         const Vec3 centre = ball.segment.position_at(time);
-        const bool is_leaving = ball.is_returned() || std::any_of(due_.begin(), due_.end(),
-                                                                  [index](const Leaving& leaving) {
-                                                                      return leaving.ball == index;
-                                                                  });
+        const bool is_leaving = ball.is_gone() || std::any_of(due_.begin(), due_.end(),
+                                                              [index](const Leaving& leaving) {
+                                                                  return leaving.ball == index;
+                                                              });
         // A ball may have bounced out again; one that is just falling in is at height 0.
         constexpr double kClose = 1e-6;  // m
         if (!is_leaving && centre.z < kClose &&
@@ -61,7 +61,7 @@ std::vector<std::uint32_t> BallReturn::balls_in(std::size_t pocket, double time)
 
 void BallReturn::let_go(std::uint32_t ball, std::size_t pocket) {
     const double drop = environment_.table().pockets[pocket].drop;
-    due_.push_back({ball, -drop - balls_[ball].radius - kBelowFloor});
+    due_.push_back({ball, -drop - bodies_[ball].radius - kBelowFloor});
 }
 
 void BallReturn::note_potted(std::uint32_t ball, std::size_t pocket, double time) {
@@ -81,9 +81,9 @@ void BallReturn::note_blocked(std::uint32_t ball, std::size_t pocket, double tim
     }
     constexpr double kNear = 1e-3;  // m
     const std::vector<std::uint32_t> inside = balls_in(pocket, time);
-    const Ball& blocked = balls_[ball];
+    const MovingBody& blocked = bodies_[ball];
     const bool lies_on_one = std::any_of(inside.begin(), inside.end(), [&](std::uint32_t index) {
-        const Ball& lower = balls_[index];
+        const MovingBody& lower = bodies_[index];
         return length(lower.segment.position_at(time) - blocked.segment.position_at(time)) <
                lower.radius + blocked.radius + kNear;
     });

@@ -4,16 +4,17 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/scheduler/ball_state.h"
+#include "sim/scheduler/moving_body.h"
 #include "sim/scheduler/static_environment.h"
 
 namespace carom::sim {
 
 /// A pocket keeps the last balls that fell in, as many as lie well below the cloth. Where another
-/// one falls in, the earliest of them leaves through the pocket's floor. `balls` must outlive this.
+/// one falls in, the earliest of them leaves through the pocket's floor. `bodies` must outlive
+/// this.
 class BallReturn {
   public:
-    BallReturn(const StaticEnvironment& environment, const std::vector<Ball>& balls);
+    BallReturn(const StaticEnvironment& environment, const std::vector<MovingBody>& bodies);
 
     /// The centre of the ball has sunk below the cloth in that pocket, for the first time.
     void note_potted(std::uint32_t ball, std::size_t pocket, double time);
@@ -42,7 +43,7 @@ class BallReturn {
     void let_go(std::uint32_t ball, std::size_t pocket);
 
     const StaticEnvironment& environment_;
-    const std::vector<Ball>& balls_;
+    const std::vector<MovingBody>& bodies_;
     std::vector<std::size_t> capacity_;               // per pocket; empty without a ball return
     std::vector<std::vector<std::uint32_t>> potted_;  // per pocket, the earliest first
     std::vector<Leaving> due_;

@@ -1,13 +1,14 @@
 // Finds the contacts of the bodies in ODE, with each other and with the static environment.
 #pragma once
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "sim/ode/step_world.h"
+#include "sim/scheduler/moving_body.h"
 #include "sim/scheduler/static_environment.h"
-#include "sim/scheduler/step_body.h"
 
 namespace carom::sim {
 
@@ -25,29 +26,55 @@ struct BodyContact {
     [[nodiscard]] std::pair<int, int> pair() const { return {contact.first, other}; }
 };
 
+/// Where a body is at an instant of a step, and in which mode it was when the step began.
+struct Placement {
+    MotionState state;
+    Mode mode = Mode::gone;
+
+    [[nodiscard]] bool is_in_solver() const { return mode == Mode::solver; }
+    [[nodiscard]] bool is_collidable() const { return is_in_solver() || mode == Mode::asleep; }
+};
+
+/// Where the bodies are now.
+[[nodiscard]] std::vector<Placement> placements_of(std::span<const MovingBody> bodies);
+
 class ContactFinder {
   public:
     explicit ContactFinder(const StaticEnvironment& environment) : environment_(environment) {}
 
-    /// All contacts of awake bodies, in a fixed order.
-    [[nodiscard]] std::vector<BodyContact> find(const std::vector<StepBody>& bodies) const;
+    /// All contacts of the bodies in the solver, in a fixed order. `placed`: the bodies'
+    /// placements, in the same order.
+    [[nodiscard]] std::vector<BodyContact> find(std::span<const MovingBody> bodies,
+                                                std::span<const Placement> placed) const;
+    /// Likewise where the bodies are now.
+    [[nodiscard]] std::vector<BodyContact> find(std::span<const MovingBody> bodies) const {
+        return find(bodies, placements_of(bodies));
+    }
 
     /// Name and material of the part of the static environment that a contact's `other` stands for.
     [[nodiscard]] SurfaceInfo info(int other) const;
 
   private:
-    void find_for_ball(int number, const StepBody& ball, std::vector<BodyContact>& found) const;
-    void find_for_solid(int number, const StepBody& body, std::vector<BodyContact>& found) const;
-    void find_box_meshes(int number, const StepBody& box, const Aabb& bounds,
+    /// A body in a state.
+    struct Placed {
+        int number;
+        const MovingBody& body;
+        const MotionState& state;
+
+        [[nodiscard]] PlacedShape shape() const { return body.placed(state); }
+    };
+    void find_for_ball(const Placed& ball, std::vector<BodyContact>& found) const;
+    void find_for_solid(const Placed& solid, std::vector<BodyContact>& found) const;
+    void find_box_meshes(const Placed& box, const Aabb& bounds,
                          std::vector<BodyContact>& found) const;
-    void find_meshes(int number, const StepBody& body, const Aabb& bounds,
+    void find_meshes(const Placed& solid, const Aabb& bounds,
                      std::vector<BodyContact>& found) const;
-    void find_on_ground(int number, const StepBody& body, std::vector<BodyContact>& found) const;
+    void find_on_ground(const Placed& solid, std::vector<BodyContact>& found) const;
     [[nodiscard]] static std::vector<SurfaceContact> solid_contacts(const PlacedShape& a,
                                                                     const PlacedShape& b);
-    void find_between(int a, const StepBody& first, int b, const StepBody& second,
+    void find_between(const Placed& first, const Placed& second,
                       std::vector<BodyContact>& found) const;
-    void add(int number, const StepBody& body, int other, MaterialId other_material,
+    void add(const Placed& placed, int other, MaterialId other_material,
              const SurfaceContact& contact, std::vector<BodyContact>& found) const;
 
     const StaticEnvironment& environment_;

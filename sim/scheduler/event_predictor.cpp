@@ -15,7 +15,7 @@ Vec3 in_space(const Vec2& v, double z) {
     return {v.x, v.y, z};
 }
 
-void push(PredictedEventQueue& queue, const Ball& ball, std::uint32_t index,
+void push(PredictedEventQueue& queue, const MovingBody& ball, std::uint32_t index,
           PredictedEventKind kind, std::size_t other, std::optional<double> time,
           std::uint32_t second_version = 0) {
     if (time) {
@@ -26,16 +26,16 @@ void push(PredictedEventQueue& queue, const Ball& ball, std::uint32_t index,
 
 /// Twice the largest ball's diameter. Wider cells mean more pairs to test, narrower ones more
 /// crossings.
-double cell_width(const std::vector<Ball>& balls) {
+double cell_width(std::span<const MovingBody> balls) {
     double largest = 0;
-    for (const Ball& ball : balls) {
+    for (const MovingBody& ball : balls) {
         largest = std::max(largest, ball.radius);
     }
     return std::max(4 * largest, 16 * kCellMargin);
 }
 
 /// The time in which the ball moves by about its own radius.
-double search_duration(const Ball& ball, double now) {
+double search_duration(const MovingBody& ball, double now) {
     constexpr double kShortest = 1.0 / 2000;  // s
     constexpr double kLongest = 1.0 / 60;
     const Vec3 v = ball.segment.velocity_at(now);
@@ -69,14 +69,13 @@ double nose_contact_distance(double radius, double z, double nose_height) {
     return square > 0 ? std::sqrt(square) : 0;
 }
 
-EventPredictor::EventPredictor(const StaticEnvironment& environment, const std::vector<Ball>& balls,
-                               const std::vector<StepBody>& bodies)
+EventPredictor::EventPredictor(const StaticEnvironment& environment, const Bodies& bodies)
     : environment_(environment),
-      balls_(balls),
-      bodies_(bodies),
-      grid_(cell_width(balls), balls.size()),
-      next_search_(balls.size(), kNever),
-      last_predicted_(balls.size(), 0) {}
+      balls_(bodies.balls()),
+      bodies_(bodies.all()),
+      grid_(cell_width(balls_), balls_.size()),
+      next_search_(balls_.size(), kNever),
+      last_predicted_(balls_.size(), 0) {}
 
 void EventPredictor::predict(const std::vector<std::uint32_t>& changed,
                              const SearchHorizon& horizon, PredictedEventQueue& queue) {
@@ -91,15 +90,15 @@ void EventPredictor::predict(const std::vector<std::uint32_t>& changed,
 
 void EventPredictor::predict_ball(std::uint32_t index, const SearchHorizon& horizon,
                                   PredictedEventQueue& queue) {
-    const Ball& ball = balls_[index];
+    const MovingBody& ball = balls_[index];
     const double now = horizon.now;
-    const double end = ball.is_stepped() ? horizon.step_end : horizon.end;
+    const double end = ball.is_in_solver() ? horizon.step_end : horizon.end;
     const double until = std::min(end, ball.segment.end);
     if (ball.segment.end <= end) {
         push(queue, ball, index, PredictedEventKind::segment_end, 0,
              std::max(now, ball.segment.end));
     }
-    if (ball.is_returned()) {
+    if (ball.is_gone()) {
         next_search_[index] = kNever;
         return;
     }
@@ -113,7 +112,7 @@ void EventPredictor::predict_ball(std::uint32_t index, const SearchHorizon& hori
     last_predicted_[index] = predict_count_;
     predict_cell_crossing(index, now, until, queue);
     search_obstacles(index, horizon, queue);
-    const bool moves_freely = !ball.is_still() && !ball.is_stepped();
+    const bool moves_freely = !ball.is_still() && !ball.is_in_solver();
     if (!moves_freely || ball.segment.kind == MotionKind::spinning) {
         return;
     }
@@ -125,7 +124,7 @@ void EventPredictor::predict_ball(std::uint32_t index, const SearchHorizon& hori
 
 void EventPredictor::predict_cell_crossing(std::uint32_t index, double now, double until,
                                            PredictedEventQueue& queue) const {
-    const Ball& ball = balls_[index];
+    const MovingBody& ball = balls_[index];
     if (ball.is_still() || ball.segment.kind == MotionKind::spinning) {
         return;
     }
@@ -138,9 +137,9 @@ void EventPredictor::predict_cell_crossing(std::uint32_t index, double now, doub
 void EventPredictor::enter_cell(const PredictedEvent& crossing, const SearchHorizon& horizon,
                                 PredictedEventQueue& queue) {
     const std::uint32_t index = crossing.first;
-    const Ball& ball = balls_[index];
+    const MovingBody& ball = balls_[index];
     const auto side = static_cast<CellGrid::Side>(crossing.second);
-    const double end = ball.is_stepped() ? horizon.step_end : horizon.end;
+    const double end = ball.is_in_solver() ? horizon.step_end : horizon.end;
     const double until = std::min(end, ball.segment.end);
     grid_.cross(index, side);
     grid_.find_ahead(index, side, neighbours_);
@@ -152,15 +151,14 @@ void EventPredictor::enter_cell(const PredictedEvent& crossing, const SearchHori
 
 void EventPredictor::predict_ball_impact(std::uint32_t index, std::uint32_t other, double now,
                                          double until, PredictedEventQueue& queue) const {
-    const Ball& ball = balls_[index];
-    const Ball& other_ball = balls_[other];
-    if ((ball.is_still() && other_ball.is_still()) || ball.is_returned() ||
-        other_ball.is_returned()) {
+    const MovingBody& ball = balls_[index];
+    const MovingBody& other_ball = balls_[other];
+    if ((ball.is_still() && other_ball.is_still()) || ball.is_gone() || other_ball.is_gone()) {
         return;
     }
     // ODE handles pairs in which it has both balls.
-    if ((ball.is_stepped() && (other_ball.is_stepped() || other_ball.is_lying)) ||
-        (ball.is_lying && other_ball.is_stepped())) {
+    if ((ball.is_in_solver() && (other_ball.is_in_solver() || other_ball.is_asleep())) ||
+        (ball.is_asleep() && other_ball.is_in_solver())) {
         return;
     }
     const double end = std::min(until, other_ball.segment.end);
@@ -178,9 +176,9 @@ void EventPredictor::predict_ball_impact(std::uint32_t index, std::uint32_t othe
 /// ahead.
 void EventPredictor::search_obstacles(std::uint32_t index, const SearchHorizon& horizon,
                                       PredictedEventQueue& queue) {
-    const Ball& ball = balls_[index];
+    const MovingBody& ball = balls_[index];
     next_search_[index] = kNever;
-    if (ball.is_stepped() || ball.is_lying) {
+    if (ball.is_in_solver() || ball.is_asleep()) {
         return;
     }
     const bool is_flying = ball.ground == Ground::none && !ball.is_still();
@@ -216,8 +214,8 @@ void EventPredictor::predict_all_solid_impacts(const SearchHorizon& horizon,
                                                PredictedEventQueue& queue) {
     ++solid_version_;
     for (std::uint32_t i = 0; i < balls_.size(); ++i) {
-        const Ball& ball = balls_[i];
-        if (ball.is_stepped() || ball.is_lying || ball.is_returned()) {
+        const MovingBody& ball = balls_[i];
+        if (ball.is_in_solver() || ball.is_asleep() || ball.is_gone()) {
             continue;
         }
         // Without a next search the prediction extends to the end of the segment.
@@ -228,12 +226,12 @@ void EventPredictor::predict_all_solid_impacts(const SearchHorizon& horizon,
 
 void EventPredictor::predict_solid_impacts(std::uint32_t index, double now, double until,
                                            PredictedEventQueue& queue) const {
-    const Ball& ball = balls_[index];
+    const MovingBody& ball = balls_[index];
     for (std::size_t i = balls_.size(); i < bodies_.size(); ++i) {
-        const StepBody& solid = bodies_[i];
-        if (!ball.is_still() || solid.is_awake) {
+        const MovingBody& solid = bodies_[i];
+        if (!ball.is_still() || solid.is_in_solver()) {
             push(queue, ball, index, PredictedEventKind::solid, i,
-                 convex_impact_time(ball.segment, ball.radius, solid.motion, now, until),
+                 convex_impact_time(ball.segment, ball.radius, solid.motion(), now, until),
                  solid_version_);
         }
     }
@@ -241,7 +239,7 @@ void EventPredictor::predict_solid_impacts(std::uint32_t index, double now, doub
 
 void EventPredictor::predict_scenery_impacts(std::uint32_t index, double now, double until,
                                              PredictedEventQueue& queue) const {
-    const Ball& ball = balls_[index];
+    const MovingBody& ball = balls_[index];
     if (ball.segment.kind == MotionKind::spinning) {
         return;
     }
@@ -269,7 +267,7 @@ void EventPredictor::predict_scenery_impacts(std::uint32_t index, double now, do
 
 void EventPredictor::predict_fixed_sphere_impacts(std::uint32_t index, double now, double until,
                                                   PredictedEventQueue& queue) const {
-    const Ball& ball = balls_[index];
+    const MovingBody& ball = balls_[index];
     for (std::size_t i = 0; i < environment_.spheres.size(); ++i) {
         const FixedSphere& sphere = environment_.spheres[i];
         push(queue, ball, index, PredictedEventKind::fixed_sphere, i,
@@ -280,7 +278,7 @@ void EventPredictor::predict_fixed_sphere_impacts(std::uint32_t index, double no
 
 void EventPredictor::predict_cloth_events(std::uint32_t index, double now, double until,
                                           PredictedEventQueue& queue) const {
-    const Ball& ball = balls_[index];
+    const MovingBody& ball = balls_[index];
     const double z = ball.segment.state.position.z;
     const double distance = nose_contact_distance(ball.radius, z, environment_.nose_height);
     const billiards::TableGeometry& table = environment_.table();
@@ -304,7 +302,7 @@ void EventPredictor::predict_cloth_events(std::uint32_t index, double now, doubl
 
 void EventPredictor::predict_flight_events(std::uint32_t index, double now, double until,
                                            PredictedEventQueue& queue) const {
-    const Ball& ball = balls_[index];
+    const MovingBody& ball = balls_[index];
     // A ball under the table does not land on the cloth.
     constexpr double kDeepest = 1e-4;  // m
     const double height = ball.segment.position_at(now).z;

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "sim/scheduler/ball_state.h"
+#include "sim/scheduler/bodies.h"
 #include "sim/scheduler/predicted_event.h"
 #include "sim/scheduler/static_environment.h"
-#include "sim/scheduler/step_body.h"
 #include "sim/spatial/cell_grid.h"
 
 namespace carom::sim {
@@ -25,8 +25,7 @@ struct SearchHorizon {
 /// tested before it can touch, and most pairs never are.
 class EventPredictor {
   public:
-    EventPredictor(const StaticEnvironment& environment, const std::vector<Ball>& balls,
-                   const std::vector<StepBody>& bodies);
+    EventPredictor(const StaticEnvironment& environment, const Bodies& bodies);
 
     /// Predicts all events of the balls in `changed`, which have begun new segments.
     void predict(const std::vector<std::uint32_t>& changed, const SearchHorizon& horizon,
@@ -67,8 +66,8 @@ class EventPredictor {
                                PredictedEventQueue& queue) const;
 
     const StaticEnvironment& environment_;
-    const std::vector<Ball>& balls_;
-    const std::vector<StepBody>& bodies_;
+    std::span<const MovingBody> balls_;
+    std::span<const MovingBody> bodies_;
     CellGrid grid_;
     std::vector<std::uint32_t> neighbours_;      // of the ball being handled
     std::vector<double> next_search_;            // per ball: when `search_again` is due

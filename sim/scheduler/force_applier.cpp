@@ -23,16 +23,14 @@ std::string seconds(double time) {
 }  // namespace
 
 ForceApplier::ForceApplier(const WorldDescription& world, const StaticEnvironment& environment,
-                           Balls& balls, SteppedBodies& stepped, Recorder& recorder,
-                           BallPlacer& placer)
+                           Bodies& bodies, Recorder& recorder, BallPlacer& placer)
     : world_(world),
       environment_(environment),
-      balls_(balls),
-      stepped_(stepped),
+      bodies_(bodies),
       recorder_(recorder),
       placer_(placer) {
-    for (std::uint32_t i = 0; i < stepped.all().size(); ++i) {
-        index_by_name_.emplace(*stepped.all()[i].name, i);
+    for (std::uint32_t i = 0; i < bodies.all().size(); ++i) {
+        index_by_name_.emplace(bodies.all()[i].name(), i);
     }
 }
 
@@ -50,87 +48,66 @@ void ForceApplier::apply(const DueAction& due) {
     }
 }
 
-MotionState ForceApplier::state_of(std::uint32_t body, double time) const {
-    const StepBody& entry = stepped_.all()[body];
-    return entry.is_ball ? balls_.all()[body].segment.state_at(time) : entry.state;
-}
-
 Quat ForceApplier::orientation_of(std::uint32_t body, double time) const {
-    return stepped_.all()[body].with_own_axes(state_of(body, time)).orientation;
-}
-
-const std::string& ForceApplier::name_of(std::uint32_t body) const {
-    return *stepped_.all()[body].name;
-}
-
-void ForceApplier::set_state(std::uint32_t body, double time, const MotionState& before,
-                             const MotionState& after) {
-    if (stepped_.all()[body].is_ball) {
-        const Ball& ball = balls_.all()[body];
-        stepped_.wake(body, time);
-        if (ball.is_stepped()) {
-            balls_.change_stepped_state(body, time, before, after);
-        } else {
-            balls_.change_state(body, time, before, after);
-        }
-    } else {
-        stepped_.change_solid_velocity(body, time, after.velocity, after.angular_velocity);
-    }
+    const MovingBody& turned = bodies_.all()[body];
+    return turned.with_own_axes(turned.state_at(time)).orientation;
 }
 
 void ForceApplier::apply(const Force& force, const DueAction& due, std::uint32_t body) {
-    const MotionState state = state_of(body, due.time);
-    recorder_.log_action(EventKind::force, due.time, due.time + force.duration, name_of(body),
-                         state.position,
+    const MotionState state = bodies_[body].state_at(due.time);
+    recorder_.log_action(EventKind::force, due.time, due.time + force.duration,
+                         bodies_[body].name(), state.position,
                          in_world(force.axes, orientation_of(body, due.time), force.newtons));
 }
 
 void ForceApplier::apply(const Torque& torque, const DueAction& due, std::uint32_t body) {
-    const MotionState state = state_of(body, due.time);
+    const MotionState state = bodies_[body].state_at(due.time);
     recorder_.log_action(
-        EventKind::torque, due.time, due.time + torque.duration, name_of(body), state.position,
+        EventKind::torque, due.time, due.time + torque.duration, bodies_[body].name(),
+        state.position,
         in_world(torque.axes, orientation_of(body, due.time), torque.newton_metres));
 }
 
 void ForceApplier::apply(const Impulse& impulse, const DueAction& due, std::uint32_t body) {
-    const MotionState state = state_of(body, due.time);
+    const MotionState state = bodies_[body].state_at(due.time);
     const Vec3 p = in_world(impulse.axes, orientation_of(body, due.time), impulse.newton_seconds);
     const Vec3 arm = in_world(impulse.axes, orientation_of(body, due.time), impulse.at_point);
-    recorder_.log_action(EventKind::impulse, due.time, due.time, name_of(body), state.position, p);
+    recorder_.log_action(EventKind::impulse, due.time, due.time, bodies_[body].name(),
+                         state.position, p);
     apply_impulse(body, due.time, p, arm.cross(p));
 }
 
 void ForceApplier::apply(const SetVelocity& velocity, const DueAction& due, std::uint32_t body) {
-    const MotionState before = state_of(body, due.time);
+    const MotionState before = bodies_[body].state_at(due.time);
     MotionState after = before;
     after.velocity = velocity.linear.value_or(before.velocity);
     after.angular_velocity = velocity.angular.value_or(before.angular_velocity);
-    recorder_.log_action(EventKind::velocity, due.time, due.time, name_of(body), before.position,
-                         after.velocity);
-    set_state(body, due.time, before, after);
+    recorder_.log_action(EventKind::velocity, due.time, due.time, bodies_[body].name(),
+                         before.position, after.velocity);
+    bodies_.change_velocities(body, due.time, before, after);
 }
 
 void ForceApplier::apply(const Strike& strike, const DueAction& due, std::uint32_t body) {
-    const Ball& struck = balls_[body];
+    const MovingBody& struck = bodies_[body];
     const MotionState before = struck.segment.state_at(due.time);
     const Vec3 aim = aim_direction(strike, before.position, due.time);
     if (aim == Vec3(0, 0, 0)) {
         recorder_.warn(
             {Subject::event(due.event), "toward",
-             "strike on '" + struck.name + "' at " + seconds(due.time) +
+             "strike on '" + struck.name() + "' at " + seconds(due.time) +
                  ": the target is straight above or below the ball; the strike is skipped"});
         return;
     }
     if (strike.tip.dot(strike.tip) > kMiscueOffset * kMiscueOffset) {
         recorder_.warn({Subject::event(due.event), "tip",
-                        "strike on '" + struck.name + "' at " + seconds(due.time) +
+                        "strike on '" + struck.name() + "' at " + seconds(due.time) +
                             ": the tip is more than half a radius off centre, where it would "
                             "slip off the ball (a miscue)"});
     }
     if (strike.toward) {
-        aimed_strikes_.push_back({struck.name, *strike.toward, due.time, due.event});
+        aimed_strikes_.push_back({struck.name(), *strike.toward, due.time, due.event});
     }
-    TouchingBalls touching = find_touching_balls(balls_.all(), body, due.time, environment_);
+    TouchingBalls touching = find_touching_balls(bodies_.balls(), body, due.time, environment_);
     if (touching.indices.size() == 1) {
         strike_free(strike, aim, due.time, body);
     } else {
@@ -148,35 +125,37 @@ void ForceApplier::apply(const RemoveBall& /*remove*/, const DueAction& due, std
 
 void ForceApplier::strike_free(const Strike& strike, const Vec3& aim, double time,
                                std::uint32_t body) {
-    const Ball& struck = balls_[body];
+    const MovingBody& struck = bodies_[body];
     const MotionState before = struck.segment.state_at(time);
     const StrikeResult result = strike_ball(strike, aim, struck.mass, struck.radius);
     MotionState after = before;
     after.velocity += result.velocity;
     after.angular_velocity += result.angular_velocity;
-    recorder_.log_strike(time, struck.name, before.position, result.velocity,
+    recorder_.log_strike(time, struck.name(), before.position, result.velocity,
                          struck.mass * length(result.velocity));
-    set_state(body, time, before, after);
+    bodies_.change_velocities(body, time, before, after);
 }
 
 void ForceApplier::strike_group(const Strike& strike, const Vec3& aim, double time,
                                 TouchingBalls touching) {
     TouchingGroup& group = touching.group;
-    const std::vector<BallBody> before = group.balls;
+    const std::vector<RigidBody> before = group.balls;
     const PushResult push = push_balls(group, strike, aim, environment_.law.ball_ball);
     part_balls(group, push);
-    const auto ball_of = [&](std::size_t i) -> const Ball& { return balls_[touching.indices[i]]; };
-    recorder_.log_strike(time, ball_of(group.struck).name, before[group.struck].state.position,
+    const auto ball_of = [&](std::size_t i) -> const MovingBody& {
+        return bodies_[touching.indices[i]];
+    };
+    recorder_.log_strike(time, ball_of(group.struck).name(), before[group.struck].state.position,
                          push.velocity, push.impulse);
     std::vector<std::uint32_t> lasting;
     for (std::size_t i = 0; i < group.contacts.size(); ++i) {
         const PushContact& contact = group.contacts[i];
-        const BallBody& a = group.balls[contact.first];
-        const BallBody& b = group.balls[contact.second];
+        const RigidBody& a = group.balls[contact.first];
+        const RigidBody& b = group.balls[contact.second];
         if (push.contacts[i].normal * (1 / a.mass + 1 / b.mass) > kLeastLoggedSpeed) {
-            recorder_.log_impact(time, ball_of(contact.first).name, ball_of(contact.second).name,
-                                 a.state.position - contact.normal * a.radius, contact.normal,
-                                 push.contacts[i]);
+            recorder_.log_impact(
+                time, ball_of(contact.first).name(), ball_of(contact.second).name(),
+                a.state.position - contact.normal * a.radius, contact.normal, push.contacts[i]);
         }
         const double separation = (a.state.velocity - b.state.velocity).dot(contact.normal);
         if (stays_in_contact(ball_of(contact.first), separation, contact.normal) ||
@@ -186,11 +165,11 @@ void ForceApplier::strike_group(const Strike& strike, const Vec3& aim, double ti
         }
     }
     for (std::size_t i = 0; i < group.balls.size(); ++i) {
-        set_state(touching.indices[i], time, before[i].state, group.balls[i].state);
+        bodies_.change_velocities(touching.indices[i], time, before[i].state, group.balls[i].state);
     }
     for (const std::uint32_t ball : lasting) {
-        if (!balls_[ball].is_stepped()) {
-            balls_.activate(ball, time);
+        if (!bodies_[ball].is_in_solver()) {
+            bodies_.enter_solver(ball, time);
         }
     }
 }
@@ -212,15 +191,15 @@ void ForceApplier::apply_kick(const DueAction& due, std::uint32_t body) {
 
 void ForceApplier::apply_impulse(std::uint32_t body, double time, const Vec3& impulse,
                                  const Vec3& angular_impulse) {
-    const StepBody& pushed = stepped_.all()[body];
-    const MotionState before = state_of(body, time);
+    const MovingBody& pushed = bodies_[body];
+    const MotionState before = bodies_[body].state_at(time);
     MotionState after = before;
     after.velocity += impulse / pushed.mass;
     const Vec3 turned = to_body(before.orientation, angular_impulse);
     after.angular_velocity +=
         to_world(before.orientation, Vec3(turned.x / pushed.inertia.x, turned.y / pushed.inertia.y,
                                           turned.z / pushed.inertia.z));
-    set_state(body, time, before, after);
+    bodies_.change_velocities(body, time, before, after);
 }
 
 Vec3 ForceApplier::aim_direction(const Strike& strike, const Vec3& from, double time) const {
@@ -238,7 +217,7 @@ Vec3 ForceApplier::aim_direction(const Strike& strike, const Vec3& from, double 
 Vec3 ForceApplier::position_of(const std::string& name, double time) const {
     const auto found = index_by_name_.find(name);
     if (found != index_by_name_.end()) {
-        return state_of(found->second, time).position;
+        return bodies_.all()[found->second].state_at(time).position;
     }
     for (const Body& body : world_.bodies) {
         if (body.name == name) {

@@ -6,17 +6,16 @@
 #include <vector>
 
 #include "sim/scheduler/ball_placer.h"
-#include "sim/scheduler/balls.h"
+#include "sim/scheduler/bodies.h"
 #include "sim/scheduler/force_schedule.h"
-#include "sim/scheduler/stepped_bodies.h"
 #include "sim/scheduler/touching_balls.h"
 
 namespace carom::sim {
 
 class ForceApplier {
   public:
-    ForceApplier(const WorldDescription& world, const StaticEnvironment& environment, Balls& balls,
-                 SteppedBodies& stepped, Recorder& recorder, BallPlacer& placer);
+    ForceApplier(const WorldDescription& world, const StaticEnvironment& environment,
+                 Bodies& bodies, Recorder& recorder, BallPlacer& placer);
 
     void apply(const DueAction& action);
 
@@ -36,11 +35,7 @@ class ForceApplier {
     void apply_kick(const DueAction& due, std::uint32_t body);
     void apply_impulse(std::uint32_t body, double time, const Vec3& impulse,
                        const Vec3& angular_impulse);
-    void set_state(std::uint32_t body, double time, const MotionState& before,
-                   const MotionState& after);
-    [[nodiscard]] MotionState state_of(std::uint32_t body, double time) const;
     [[nodiscard]] Quat orientation_of(std::uint32_t body, double time) const;
-    [[nodiscard]] const std::string& name_of(std::uint32_t body) const;
     [[nodiscard]] Vec3 aim_direction(const Strike& strike, const Vec3& from, double time) const;
     [[nodiscard]] Vec3 position_of(const std::string& name, double time) const;
 
@@ -52,11 +47,10 @@ class ForceApplier {
 
     const WorldDescription& world_;
     const StaticEnvironment& environment_;
-    Balls& balls_;
-    SteppedBodies& stepped_;
+    Bodies& bodies_;
     Recorder& recorder_;
     BallPlacer& placer_;
-    std::map<std::string, std::uint32_t> index_by_name_;  // indices in SteppedBodies
+    std::map<std::string, std::uint32_t> index_by_name_;  // indices in Bodies
     std::vector<AimedStrike> aimed_strikes_;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/length.h"
+#include "core/rigid.h"
 #include "sim/impact/cushion_impact.h"
 #include "sim/scheduler/contact_table.h"
 #include "sim/scheduler/event_predictor.h"
@@ -14,8 +15,8 @@ namespace {
 const std::string kCushion = "cushion";
 
 /// Restitution and friction of two balls that collide.
-ContactNumbers pair_law(const StaticEnvironment& environment, const Ball& a, const Ball& b,
-                        double slip_speed) {
+ContactNumbers pair_law(const StaticEnvironment& environment, const MovingBody& a,
+                        const MovingBody& b, double slip_speed) {
     ContactNumbers law = environment.contacts.between(a.material, b.material);
     if (a.material == MaterialId::ball && b.material == MaterialId::ball) {
         law.friction = ball_friction(environment.law.ball_ball, slip_speed);
@@ -34,16 +35,16 @@ Vec2 nearest_on(const billiards::CushionCorner& corner, const Vec2& point) {
 }
 
 /// A ball with the means of its velocities before and after an impact.
-BallBody mean_body(const BallBody& after, const MotionState& before) {
-    BallBody mean = after;
+RigidBody mean_body(const RigidBody& after, const MotionState& before) {
+    RigidBody mean = after;
     mean.state.velocity = (before.velocity + after.state.velocity) * 0.5;
     mean.state.angular_velocity = (before.angular_velocity + after.state.angular_velocity) * 0.5;
     return mean;
 }
 
 /// What a ball hits, as a body without a radius: only the velocity of its surface counts.
-BallBody surface_moving_at(const Vec3& velocity) {
-    BallBody body;
+RigidBody surface_moving_at(const Vec3& velocity) {
+    RigidBody body;
     body.state.velocity = velocity;
     return body;
 }
@@ -51,14 +52,14 @@ BallBody surface_moving_at(const Vec3& velocity) {
 /// A ball in a pocket that touches more than the ball which strikes it. In closed form it could
 /// sink through the floor: a ball that overlaps a surface by rounding and separates from it more
 /// slowly than it falls never comes apart from it.
-bool lies_in_pocket(const Ball& ball) {
-    return (ball.is_stepped() || ball.is_lying) && ball.segment.state.position.z < 0;
+bool lies_in_pocket(const MovingBody& ball) {
+    return (ball.is_in_solver() || ball.is_asleep()) && ball.segment.state.position.z < 0;
 }
 
 }  // namespace
 
 void ImpactResolver::resolve(const PredictedEvent& event) {
-    const Vec3 centre = balls_[event.first].segment.position_at(event.time);
+    const Vec3 centre = bodies_[event.first].segment.position_at(event.time);
     const Vec2 level(centre.x, centre.y);
     switch (event.kind) {
         case PredictedEventKind::ball:
@@ -86,7 +87,7 @@ void ImpactResolver::resolve(const PredictedEvent& event) {
         case PredictedEventKind::below_cloth:
             return cross_below_cloth(event);
         case PredictedEventKind::segment_end:
-            return balls_.begin_next_segment(event.first, event.time);
+            return bodies_.begin_next_segment(event.first, event.time);
         case PredictedEventKind::path:
         case PredictedEventKind::cell_crossing:
         case PredictedEventKind::search_again:  // handled by the scheduler
@@ -100,8 +101,8 @@ void ImpactResolver::record(const Impact& impact) {
         return recorder_.log_impact(impact.time, impact.a, impact.b, impact.place, impact.normal,
                                     impact.impulse);
     }
-    const BallBody& a = impact.first;
-    const BallBody& b = impact.second;
+    const RigidBody& a = impact.first;
+    const RigidBody& b = impact.second;
     const double radius = b.radius > 0 ? std::min(a.radius, b.radius) : a.radius;
     recorder_.contacts().add(
         impact.a, impact.b,
@@ -110,98 +111,95 @@ void ImpactResolver::record(const Impact& impact) {
 }
 
 void ImpactResolver::resolve_ball_impact(const PredictedEvent& event) {
-    Ball& a = balls_[event.first];
-    Ball& b = balls_[event.second];
-    BallBody body_a = a.body_at(event.time);
-    BallBody body_b = b.body_at(event.time);
+    MovingBody& a = bodies_[event.first];
+    MovingBody& b = bodies_[event.second];
+    RigidBody body_a = a.rigid_at(event.time);
+    RigidBody body_b = b.rigid_at(event.time);
     const MotionState before_a = body_a.state;
     const MotionState before_b = body_b.state;
     const Vec3 normal = unit(before_a.position - before_b.position);
     const double approach = -(before_a.velocity - before_b.velocity).dot(normal);
     const Vec3 slip = contact_slip(body_a, body_b, normal);
     const ContactNumbers law = pair_law(environment_, a, b, std::sqrt(slip.dot(slip)));
-    const ImpulsePair impulse =
-        ball_ball_impact(balls_.solver(), body_a, body_b, normal, law.restitution, law.friction);
+    const ImpulsePair impulse = ball_ball_impact(bodies_.impact_solver(), body_a, body_b, normal,
+                                                 law.restitution, law.friction);
     // The reference models omit the vertical impulse, which would make balls on the cloth hop.
     if (!environment_.law.hop && a.ground != Ground::none && b.ground != Ground::none) {
         body_a.state.velocity.z = 0;
         body_b.state.velocity.z = 0;
     }
-    record({event.time, approach, a.name, b.name, before_a.position - normal * a.radius, normal,
+    record({event.time, approach, a.name(), b.name(), before_a.position - normal * a.radius, normal,
             impulse, mean_body(body_a, before_a), mean_body(body_b, before_b)});
     const double separation = (body_a.state.velocity - body_b.state.velocity).dot(normal);
     const bool stays =
         stays_in_contact(a, separation, normal) || stays_in_contact(b, separation, normal);
     const bool first_lies = lies_in_pocket(a);
     const bool second_lies = lies_in_pocket(b);
-    stepped_.wake(event.first, event.time);
-    stepped_.wake(event.second, event.time);
-    balls_.change_state(event.first, event.time, before_a, body_a.state);
-    balls_.change_state(event.second, event.time, before_b, body_b.state);
+    bodies_.wake(event.first, event.time);
+    bodies_.wake(event.second, event.time);
+    bodies_.change_state(event.first, event.time, before_a, body_a.state);
+    bodies_.change_state(event.second, event.time, before_b, body_b.state);
     if (stays || first_lies) {
-        balls_.activate(event.first, event.time);
+        bodies_.enter_solver(event.first, event.time);
     }
     if (stays || second_lies) {
-        balls_.activate(event.second, event.time);
+        bodies_.enter_solver(event.second, event.time);
     }
 }
 
 void ImpactResolver::resolve_solid_impact(const PredictedEvent& event) {
-    const Ball& ball = balls_[event.first];
-    const StepBody& solid = stepped_.all()[event.second];
-    BallBody body = ball.body_at(event.time);
+    const MovingBody& ball = bodies_[event.first];
+    const MovingBody& solid = bodies_[event.second];
+    RigidBody body = ball.rigid_at(event.time);
     const MotionState before = body.state;
+    const MotionState solid_before = solid.state;
     const Pose solid_pose{solid.state.position, solid.state.orientation};
     const SurfaceContact contact =
         convex_contact(*solid.shape, solid_pose, before.position, ball.radius);
-    const auto separation = [&](const Vec3& ball_velocity,
-                                const ode::Velocities& solid_velocities) {
+    const auto separation = [&](const Vec3& ball_velocity, const MotionState& solid_state) {
         const Vec3 arm = contact.point - solid_pose.position;
-        return (ball_velocity - solid_velocities.linear - solid_velocities.angular.cross(arm))
+        return (ball_velocity - solid_state.velocity - solid_state.angular_velocity.cross(arm))
             .dot(contact.normal);
     };
-    const ode::Velocities solid_before{solid.state.velocity, solid.state.angular_velocity};
     const double approach = -separation(before.velocity, solid_before);
     if (approach <= 0) {
-        return balls_.activate(event.first, event.time);
+        return bodies_.enter_solver(event.first, event.time);
     }
     const ContactNumbers& law = environment_.contacts.between(ball.material, solid.material);
-    const ode::ImpactBody ball_part{ball.mass,
-                                    Vec3(0.4 * ball.mass * ball.radius * ball.radius),
-                                    {before.position, Quat()},
-                                    {before.velocity, before.angular_velocity}};
-    const ode::ImpactBody solid_part{solid.mass, solid.inertia, solid_pose, solid_before};
+    RigidBody unturned = body;
+    unturned.state.orientation = Quat();
     const ode::ImpactContact impact{contact.point, contact.normal, law.restitution, law.friction};
     ode::ImpactResult result;
+    MotionState solid_after = solid_before;
     if (solid.is_kinematic()) {
-        result =
-            balls_.solver().solve_kinematic(ball_part, solid.velocity_at(contact.point), impact);
-        result.second = solid_before;
+        result = bodies_.impact_solver().solve_kinematic(
+            unturned, velocity_at(solid_before, contact.point), impact);
     } else {
-        result = balls_.solver().solve(ball_part, solid_part, impact);
+        result = bodies_.impact_solver().solve(unturned, solid, impact);
+        solid_after.velocity = result.second.linear;
+        solid_after.angular_velocity = result.second.angular;
     }
     body.state.velocity = result.first.linear;
     body.state.angular_velocity = result.first.angular;
     record({event.time,
             approach,
-            ball.name,
-            *solid.name,
+            ball.name(),
+            solid.name(),
             contact.point,
             contact.normal,
             {result.normal_impulse, result.tangential_impulse},
             mean_body(body, before),
-            surface_moving_at(solid.velocity_at(contact.point))});
-    const bool stays = separation(result.first.linear, result.second) < kLandingSpeed;
-    stepped_.change_solid_velocity(event.second, event.time, result.second.linear,
-                                   result.second.angular);
-    balls_.change_state(event.first, event.time, before, body.state);
+            surface_moving_at(velocity_at(solid_before, contact.point))});
+    const bool stays = separation(body.state.velocity, solid_after) < kLandingSpeed;
+    bodies_.change_velocities(event.second, event.time, solid_before, solid_after);
+    bodies_.change_state(event.first, event.time, before, body.state);
     if (stays) {
-        balls_.activate(event.first, event.time);
+        bodies_.enter_solver(event.first, event.time);
     }
 }
 
 void ImpactResolver::resolve_surface_impact(const PredictedEvent& event) {
-    const Ball& ball = balls_[event.first];
+    const MovingBody& ball = bodies_[event.first];
     const Vec3 centre = ball.segment.position_at(event.time);
     if (event.kind == PredictedEventKind::rim) {
         bounce(event, environment_.collided->rims[event.second].contact(centre, ball.radius),
@@ -223,7 +221,7 @@ void ImpactResolver::resolve_surface_impact(const PredictedEvent& event) {
 
 /// The slate is taken to be as hard as the rails' wood.
 void ImpactResolver::resolve_slate_impact(const PredictedEvent& event) {
-    const Ball& ball = balls_[event.first];
+    const MovingBody& ball = bodies_[event.first];
     const Vec3 down(0, 0, -1);
     const Vec3 top = ball.segment.position_at(event.time) - down * ball.radius;
     bounce(event, {top, down, 0, 0}, {"rail", MaterialId::rail});
@@ -231,26 +229,26 @@ void ImpactResolver::resolve_slate_impact(const PredictedEvent& event) {
 
 void ImpactResolver::bounce(const PredictedEvent& event, const SurfaceContact& contact,
                             const SurfaceInfo& info) {
-    const Ball& ball = balls_[event.first];
-    BallBody body = ball.body_at(event.time);
+    const MovingBody& ball = bodies_[event.first];
+    RigidBody body = ball.rigid_at(event.time);
     const MotionState before = body.state;
     const double approach = -before.velocity.dot(contact.normal);
     const ContactNumbers& law = environment_.contacts.between(ball.material, info.material);
     const ImpulsePair impulse =
         is_lining(info.material, contact.normal)
             ? lining_impact(body, contact.normal, law.restitution, law.friction)
-            : ball_static_impact(balls_.solver(), body, contact.normal, law.restitution,
+            : ball_static_impact(bodies_.impact_solver(), body, contact.normal, law.restitution,
                                  law.friction);
     if (!environment_.law.hop && ball.ground != Ground::none && std::abs(contact.normal.z) < 1e-6) {
         body.state.velocity.z = 0;
     }
-    record({event.time, approach, ball.name, info.name, contact.point, contact.normal, impulse,
+    record({event.time, approach, ball.name(), info.name, contact.point, contact.normal, impulse,
             mean_body(body, before), surface_moving_at({0, 0, 0})});
     const bool stays =
         stays_in_contact(ball, body.state.velocity.dot(contact.normal), contact.normal);
-    balls_.change_state(event.first, event.time, before, body.state);
+    bodies_.change_state(event.first, event.time, before, body.state);
     if (stays) {
-        balls_.activate(event.first, event.time);
+        bodies_.enter_solver(event.first, event.time);
     }
 }
 
@@ -262,8 +260,8 @@ void ImpactResolver::resolve_face_impact(const PredictedEvent& event, const Vec2
 
 void ImpactResolver::resolve_cushion_impact(const PredictedEvent& event, const Vec2& nearest,
                                             const BallCushion& cushion) {
-    const Ball& ball = balls_[event.first];
-    BallBody body = ball.body_at(event.time);
+    const MovingBody& ball = bodies_[event.first];
+    RigidBody body = ball.rigid_at(event.time);
     const MotionState before = body.state;
     const Vec3 nose(nearest.x, nearest.y, environment_.nose_height);
     const Vec3 normal = unit(before.position - nose);
@@ -276,7 +274,7 @@ void ImpactResolver::resolve_cushion_impact(const PredictedEvent& event, const V
     } else {
         const ContactNumbers& numbers =
             environment_.contacts.between(ball.material, MaterialId::cushion);
-        impulse = ball_static_impact(balls_.solver(), body, normal, numbers.restitution,
+        impulse = ball_static_impact(bodies_.impact_solver(), body, normal, numbers.restitution,
                                      numbers.friction);
     }
     if (!environment_.law.hop) {
@@ -289,35 +287,35 @@ void ImpactResolver::resolve_cushion_impact(const PredictedEvent& event, const V
             impulse.normal += body.mass * (kLeastSeparation - separation);
         }
     }
-    record({event.time, approach, ball.name, kCushion, nose, normal, impulse,
+    record({event.time, approach, ball.name(), kCushion, nose, normal, impulse,
             mean_body(body, before), surface_moving_at({0, 0, 0})});
-    balls_.change_state(event.first, event.time, before, body.state);
+    bodies_.change_state(event.first, event.time, before, body.state);
 }
 
 /// A ball that passes the edge faster than sqrt(g R) leaves it immediately: the edge would have to
 /// pull it down. A slower ball first rolls over the edge.
 void ImpactResolver::enter_pocket(const PredictedEvent& event) {
-    const Ball& ball = balls_[event.first];
+    const MovingBody& ball = bodies_[event.first];
     const Vec3 centre = ball.segment.position_at(event.time);
     const billiards::Pocket& pocket = environment_.table().pockets[event.second];
     const Vec3 inward = unit(Vec3(pocket.centre.x - centre.x, pocket.centre.y - centre.y, 0));
     const double speed = ball.segment.velocity_at(event.time).dot(inward);
     if (speed * speed > environment_.downward_gravity * ball.radius) {
-        balls_.leave_ground(event.first, event.time);
+        bodies_.leave_ground(event.first, event.time);
     } else {
         recorder_.add_key(ball.track, event.time, ball.segment.state_at(event.time));
-        balls_.activate(event.first, event.time);
+        bodies_.enter_solver(event.first, event.time);
     }
 }
 
 void ImpactResolver::cross_below_cloth(const PredictedEvent& event) {
-    const Ball& ball = balls_[event.first];
-    balls_.log_below_cloth(event.first, event.time, ball.segment.position_at(event.time));
-    balls_.begin_next_segment(event.first, event.time);
+    const MovingBody& ball = bodies_[event.first];
+    bodies_.log_below_cloth(event.first, event.time, ball.segment.position_at(event.time));
+    bodies_.begin_next_segment(event.first, event.time);
 }
 
 void ImpactResolver::land(const PredictedEvent& event) {
-    Ball& ball = balls_[event.first];
+    MovingBody& ball = bodies_[event.first];
     const auto ground = static_cast<Ground>(event.second);
     const MotionState before = ball.segment.state_at(event.time);
     if (environment_.downward_gravity <= 0) {
@@ -328,7 +326,7 @@ void ImpactResolver::land(const PredictedEvent& event) {
         return;
     }
     ball.ground = ground;
-    balls_.change_state(event.first, event.time, before, before);
+    bodies_.change_state(event.first, event.time, before, before);
 }
 
 }  // namespace carom::sim

@@ -3,17 +3,15 @@
 
 #include <string>
 
-#include "sim/scheduler/balls.h"
+#include "sim/scheduler/bodies.h"
 #include "sim/scheduler/predicted_event.h"
-#include "sim/scheduler/stepped_bodies.h"
 
 namespace carom::sim {
 
 class ImpactResolver {
   public:
-    ImpactResolver(const StaticEnvironment& environment, Balls& balls, SteppedBodies& stepped,
-                   Recorder& recorder)
-        : environment_(environment), balls_(balls), stepped_(stepped), recorder_(recorder) {}
+    ImpactResolver(const StaticEnvironment& environment, Bodies& bodies, Recorder& recorder)
+        : environment_(environment), bodies_(bodies), recorder_(recorder) {}
 
     /// Changes the balls of the event; their versions count up.
     void resolve(const PredictedEvent& event);
@@ -39,13 +37,12 @@ class ImpactResolver {
         const std::string& b;
         Vec3 place, normal;  // as in Event
         ImpulsePair impulse;
-        BallBody first, second;  // with the means of their velocities before and after it
+        RigidBody first, second;  // with the means of their velocities before and after it
     };
     void record(const Impact& impact);
 
     const StaticEnvironment& environment_;
-    Balls& balls_;
-    SteppedBodies& stepped_;
+    Bodies& bodies_;
     Recorder& recorder_;
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "sim/spatial/axes.h"
+#include "core/rigid.h"
 
 namespace carom::sim {
 namespace {

@@ -25,7 +25,7 @@ Vec2 level(const Vec3& v) {
 }  // namespace
 
 PathTriggers::PathTriggers(const std::vector<ForceEvent>& events,
-                           const std::vector<StepBody>& bodies) {
+                           const std::vector<MovingBody>& bodies) {
     for (std::size_t i = 0; i < events.size(); ++i) {
         const std::optional<Trigger>& trigger = events[i].trigger;
         if (!trigger ||
@@ -33,7 +33,7 @@ PathTriggers::PathTriggers(const std::vector<ForceEvent>& events,
             continue;
         }
         const auto body = std::find_if(bodies.begin(), bodies.end(),
-                                       [&](const StepBody& b) { return *b.name == trigger->a; });
+                                       [&](const MovingBody& b) { return b.name() == trigger->a; });
         if (body == bodies.end()) {
             continue;
         }
@@ -55,37 +55,20 @@ PathTriggers::PathTriggers(const std::vector<ForceEvent>& events,
     waiting_ = watches_.size();
 }
 
-void PathTriggers::predict(std::uint32_t number, const Ball& ball, double now, double until,
-                           PredictedEventQueue& queue) {
-    const PredictedEvent event{0, PredictedEventKind::path, number, 0, ball.version, 0};
-    predict(event, ball.segment, now, std::min(until, ball.segment.end), queue);
-}
-
-void PathTriggers::predict(std::uint32_t number, const StepBody& body, double now, double until,
+void PathTriggers::predict(std::uint32_t number, const MovingBody& body, double now, double until,
                            std::uint32_t window_number, PredictedEventQueue& queue) {
-    MotionSegment path;
-    path.kind = MotionKind::stepped;
-    path.start = body.motion.start;
-    path.state = body.motion.state;
-    predict({0, PredictedEventKind::path, number, 0, 0, window_number}, path, now, until, queue);
-}
-
-void PathTriggers::predict(const PredictedEvent& event, const MotionSegment& path, double now,
-                           double until, PredictedEventQueue& queue) {
+    until = std::min(until, body.segment.end);
     for (std::uint32_t i = 0; i < watches_.size(); ++i) {
         Watch& watch = watches_[i];
-        if (!watch.is_waiting() || watch.body != event.first) {
+        if (!watch.is_waiting() || watch.body != number) {
             continue;
         }
-        const auto time = watch.is_apex ? first_apex(watch, path, now, until)
-                                        : first_crossing(watch, path, now, until);
+        const auto time = watch.is_apex ? first_apex(watch, body.segment, now, until)
+                                        : first_crossing(watch, body.segment, now, until);
         if (!time) {
             continue;
         }
-        PredictedEvent found = event;
-        found.time = *time;
-        found.second = i;
-        queue.push(found);
+        queue.push({*time, PredictedEventKind::path, number, i, body.version, window_number});
     }
 }
 

@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "sim/motion/motion_segment.h"
-#include "sim/scheduler/ball_state.h"
+#include "sim/scheduler/moving_body.h"
 #include "sim/scheduler/predicted_event.h"
-#include "sim/scheduler/step_body.h"
 #include "sim/world.h"
 
 namespace carom::sim {
@@ -20,14 +19,12 @@ namespace carom::sim {
 /// and begins to fall.
 class PathTriggers {
   public:
-    PathTriggers(const std::vector<ForceEvent>& events, const std::vector<StepBody>& bodies);
+    PathTriggers(const std::vector<ForceEvent>& events, const std::vector<MovingBody>& bodies);
 
     [[nodiscard]] bool is_empty() const { return waiting_ == 0; }
-    /// Adds to the queue the occurrences for which triggers wait on the path of a ball, or of a
-    /// body that ODE steps, in [now, until]. `number`: index of the ball or body.
-    void predict(std::uint32_t number, const Ball& ball, double now, double until,
-                 PredictedEventQueue& queue);
-    void predict(std::uint32_t number, const StepBody& body, double now, double until,
+    /// Adds to the queue the occurrences for which triggers wait on the path of a body in
+    /// [now, until]. `number`: its index; `window_number`: of the scheduler's window.
+    void predict(std::uint32_t number, const MovingBody& body, double now, double until,
                  std::uint32_t window_number, PredictedEventQueue& queue);
 
     /// What `trigger` waits for has occurred. Returns the index of the world's event whose trigger
@@ -35,9 +32,6 @@ class PathTriggers {
     [[nodiscard]] std::optional<std::size_t> count(std::uint32_t trigger, double time);
 
   private:
-    void predict(const PredictedEvent& event, const MotionSegment& path, double now, double until,
-                 PredictedEventQueue& queue);
-
     struct Watch {
         std::size_t event = 0;
         std::uint32_t body = 0;

@@ -10,7 +10,7 @@ namespace carom::sim {
 
 enum class PredictedEventKind : std::uint8_t {
     ball,             // ball `first` hits ball `second`
-    solid,            // it hits moving solid `second` (an index in SteppedBodies)
+    solid,            // it hits moving solid `second` (an index in Bodies)
     cushion_face,     // on the cloth, it hits face `second` of the table
     cushion_corner,   // on the cloth, it hits corner `second` of the table
     pocket_edge,      // on the cloth, its centre passes over the edge of pocket `second`
@@ -23,7 +23,7 @@ enum class PredictedEventKind : std::uint8_t {
     slate_underside,  // rising under the table, it hits the slate from below
     below_cloth,      // its centre sinks below the cloth
     segment_end,      // its law of motion changes
-    path,             // body `first` (an index in SteppedBodies) does what trigger `second` awaits
+    path,             // body `first` (an index in Bodies) does what trigger `second` awaits
     cell_crossing,    // it enters the next cell of the grid, through CellGrid::Side `second`
     search_again,     // the search for obstacles has ended here and has to continue
 };

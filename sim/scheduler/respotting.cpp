@@ -4,9 +4,9 @@
 
 namespace carom::sim {
 
-Respotting::Respotting(const WorldDescription& world, const Balls& balls, const Recorder& recorder,
-                       BallPlacer& placer)
-    : balls_(balls), recorder_(recorder), placer_(placer) {
+Respotting::Respotting(const WorldDescription& world, const Bodies& bodies,
+                       const Recorder& recorder, BallPlacer& placer)
+    : bodies_(bodies), recorder_(recorder), placer_(placer) {
     if (world.respot && world.table) {
         referee_.emplace(*world.respot, *world.table);
         has_cue_ball_ = *world.respot != billiards::Game::carom;
@@ -16,16 +16,16 @@ Respotting::Respotting(const WorldDescription& world, const Balls& balls, const 
 
 void Respotting::note_balls_on_table() {
     on_table_.clear();
-    for (const Ball& ball : balls_.all()) {
+    for (const MovingBody& ball : bodies_.balls()) {
         if (ball.is_on_table()) {
-            on_table_.insert(ball.name);
+            on_table_.insert(ball.name());
         }
     }
 }
 
 std::uint32_t Respotting::index_of(const std::string& ball) const {
-    const auto found = std::ranges::find(balls_.all(), ball, &Ball::name);
-    return static_cast<std::uint32_t>(found - balls_.all().begin());
+    const auto found = std::ranges::find(bodies_.balls(), ball, &MovingBody::name);
+    return static_cast<std::uint32_t>(found - bodies_.balls().begin());
 }
 
 /// Without a strike the cue ball is the one that has its name.
@@ -33,7 +33,7 @@ billiards::PlayedShot Respotting::played_shot() const {
     billiards::PlayedShot shot;
     shot.on_table = on_table_;
     for (const char* name : {"white", "cue"}) {
-        if (has_cue_ball_ && index_of(name) < balls_.all().size()) {
+        if (has_cue_ball_ && index_of(name) < bodies_.balls().size()) {
             shot.cue_ball = name;
         }
     }
@@ -52,7 +52,7 @@ billiards::PlayedShot Respotting::played_shot() const {
             continue;
         }
         for (const auto& [a, b] : {std::pair(&event.a, &event.b), std::pair(&event.b, &event.a)}) {
-            if (*a == shot.cue_ball && index_of(*b) < balls_.all().size()) {
+            if (*a == shot.cue_ball && index_of(*b) < bodies_.balls().size()) {
                 shot.first_hit = *b;
             }
         }
@@ -63,10 +63,10 @@ billiards::PlayedShot Respotting::played_shot() const {
 /// A ball that was taken off is no longer part of the game.
 std::vector<billiards::GameBall> Respotting::game_balls(double time) const {
     std::vector<billiards::GameBall> balls;
-    for (const Ball& ball : balls_.all()) {
+    for (const MovingBody& ball : bodies_.balls()) {
         if (!ball.is_removed) {
             const Vec3 centre = ball.segment.position_at(time);
-            balls.push_back({ball.name, ball.radius, ball.is_on_table(), {centre.x, centre.y}});
+            balls.push_back({ball.name(), ball.radius, ball.is_on_table(), {centre.x, centre.y}});
         }
     }
     return balls;

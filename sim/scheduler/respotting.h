@@ -10,7 +10,7 @@
 #include "core/diagnostic.h"
 #include "sim/billiards/referee.h"
 #include "sim/scheduler/ball_placer.h"
-#include "sim/scheduler/balls.h"
+#include "sim/scheduler/bodies.h"
 #include "sim/scheduler/recorder.h"
 
 namespace carom::sim {
@@ -18,7 +18,7 @@ namespace carom::sim {
 /// Does nothing if the world has no such rule.
 class Respotting {
   public:
-    Respotting(const WorldDescription& world, const Balls& balls, const Recorder& recorder,
+    Respotting(const WorldDescription& world, const Bodies& bodies, const Recorder& recorder,
                BallPlacer& placer);
 
     /// Whether the log has grown since the last time, so that a shot may have been played.
@@ -39,7 +39,7 @@ class Respotting {
     void note_balls_on_table();
     void put_back(const billiards::PutDown& put, double time);
 
-    const Balls& balls_;
+    const Bodies& bodies_;
     const Recorder& recorder_;
     BallPlacer& placer_;
     std::optional<billiards::Referee> referee_;

@@ -19,12 +19,12 @@ constexpr double kLongestCoarseStep = 1.0 / 240;
 /// some hundreds.
 constexpr std::size_t kMaxEventsPerBall = 2000;
 
-std::string cap_warning(std::size_t most, const PredictedEvent& event, const Ball& ball) {
+std::string cap_warning(std::size_t most, const PredictedEvent& event, const MovingBody& ball) {
     const Vec3 p = ball.segment.position_at(event.time);
     return fmt::format(
         "more than {} impacts at {:.6f} s near '{}' at ({:.4f}, {:.4f}, {:.4f}): "
         "impacts are ignored for up to 1/60 s",
-        most, event.time, ball.name, p.x, p.y, p.z);
+        most, event.time, ball.name(), p.x, p.y, p.z);
 }
 
 }  // namespace
@@ -33,15 +33,15 @@ Scheduler::Scheduler(const WorldDescription& world)
     : world_(world),
       environment_(world),
       recorder_(world),
-      balls_(world, environment_, recorder_),
-      stepped_(world, environment_, balls_, recorder_),
-      predictor_(environment_, balls_.all(), stepped_.all()),
-      resolver_(environment_, balls_, stepped_, recorder_),
+      bodies_(world, environment_, recorder_),
+      stepper_(environment_, bodies_, recorder_),
+      predictor_(environment_, bodies_),
+      resolver_(environment_, bodies_, recorder_),
       schedule_(world.events),
-      placer_(world, balls_, stepped_, recorder_),
-      respotting_(world, balls_, recorder_, placer_),
-      force_applier_(world, environment_, balls_, stepped_, recorder_, placer_),
-      path_triggers_(world.events, stepped_.all()) {}
+      placer_(world, bodies_, recorder_),
+      respotting_(world, bodies_, recorder_, placer_),
+      force_applier_(world, environment_, bodies_, recorder_, placer_),
+      path_triggers_(world.events, bodies_.all()) {}
 
 bool Scheduler::run(const WorkContext& context, std::uint64_t max_steps) {
     const auto overlaps =
@@ -54,8 +54,7 @@ bool Scheduler::run(const WorkContext& context, std::uint64_t max_steps) {
     if (!places.empty()) {
         throw Error(places[0].sentence);
     }
-    balls_.start(0);
-    stepped_.start(0);
+    bodies_.start(0);
     double reported = 0;
     while (now_ < world_.duration) {
         if (context.stop.stop_requested()) {
@@ -82,21 +81,21 @@ void Scheduler::run_window() {
     ++window_number_;
     reset_event_count();
     sample_energy();
-    stepped_.move_kinematic_bodies(now_);
+    bodies_.move_kinematic_bodies(now_);
     apply_due_actions();
-    if (stepped_.is_active()) {
+    if (bodies_.is_solver_active()) {
         const double fine = std::min(world_.step, kLongestCoarseStep) / 4;
         // Equal parts, so that the last one is not mere rounding error.
         const double parts = std::ceil((window_end_ - now_) / fine * (1 - 1e-9));
-        window_end_ = stepped_.try_step(now_, now_ + (window_end_ - now_) / std::max(parts, 1.0));
+        window_end_ = stepper_.try_step(now_, now_ + (window_end_ - now_) / std::max(parts, 1.0));
     }
     predict();
     predict_solid_impacts();
     predict_solid_path_triggers();
     const std::optional<PredictedEvent> last = process_events();
-    if (stepped_.has_trial_step()) {
-        steps_ += stepped_.step_size();
-        stepped_.commit(window_end_);
+    if (stepper_.has_trial_step()) {
+        steps_ += stepper_.step_size();
+        stepper_.commit(window_end_);
     }
     now_ = window_end_;
     if (last) {
@@ -108,9 +107,9 @@ void Scheduler::run_window() {
 
 /// Between two steps of ODE, because a ball that leaves may be part of one.
 void Scheduler::return_balls() {
-    for (const BallReturn::Leaving& leaving : balls_.take_returned()) {
-        stepped_.wake(leaving.ball, now_);
-        balls_.leave_table(leaving, now_);
+    for (const BallReturn::Leaving& leaving : bodies_.take_returned()) {
+        bodies_.wake(leaving.ball, now_);
+        bodies_.leave_table(leaving, now_);
     }
 }
 
@@ -146,12 +145,12 @@ bool Scheduler::needs_step(const PredictedEvent& event) const {
     if (event.kind == PredictedEventKind::solid) {
         return true;
     }
-    return event.kind == PredictedEventKind::ball &&
-           (balls_.all()[event.first].is_stepped() || balls_.all()[event.second].is_stepped());
+    return event.kind == PredictedEventKind::ball && (bodies_.all()[event.first].is_in_solver() ||
+                                                      bodies_.all()[event.second].is_in_solver());
 }
 
 double Scheduler::window_end_from(double now) const {
-    double end = std::min(world_.duration, stepped_.next_key_time(now));
+    double end = std::min(world_.duration, bodies_.next_key_time(now));
     if (next_energy_time_ > now) {
         end = std::min(end, next_energy_time_);
     }
@@ -213,11 +212,11 @@ bool Scheduler::is_respotting_due() const {
 }
 
 SearchHorizon Scheduler::horizon() const {
-    return {now_, world_.duration, stepped_.has_trial_step() ? window_end_ : world_.duration};
+    return {now_, world_.duration, stepper_.has_trial_step() ? window_end_ : world_.duration};
 }
 
 void Scheduler::predict() {
-    const std::vector<std::uint32_t> changed = balls_.take_changed();
+    const std::vector<std::uint32_t> changed = bodies_.take_changed();
     predictor_.predict(changed, horizon(), queue_);
     if (!path_triggers_.is_empty()) {
         predict_path_triggers(changed);
@@ -227,19 +226,20 @@ void Scheduler::predict() {
 void Scheduler::predict_path_triggers(const std::vector<std::uint32_t>& changed) {
     const SearchHorizon limits = horizon();
     for (const std::uint32_t index : changed) {
-        const Ball& ball = balls_.all()[index];
-        path_triggers_.predict(index, ball, now_, ball.is_stepped() ? limits.step_end : limits.end,
+        const MovingBody& ball = bodies_[index];
+        path_triggers_.predict(index, ball, now_,
+                               ball.is_in_solver() ? limits.step_end : limits.end, window_number_,
                                queue_);
     }
 }
 
 /// Bodies other than balls move only while ODE steps them.
 void Scheduler::predict_solid_path_triggers() {
-    if (path_triggers_.is_empty() || !stepped_.has_trial_step()) {
+    if (path_triggers_.is_empty() || !stepper_.has_trial_step()) {
         return;
     }
-    for (std::size_t i = balls_.all().size(); i < stepped_.all().size(); ++i) {
-        path_triggers_.predict(static_cast<std::uint32_t>(i), stepped_.all()[i], now_, window_end_,
+    for (std::size_t i = bodies_.balls().size(); i < bodies_.all().size(); ++i) {
+        path_triggers_.predict(static_cast<std::uint32_t>(i), bodies_.all()[i], now_, window_end_,
                                window_number_, queue_);
     }
 }
@@ -249,7 +249,7 @@ void Scheduler::count_on_path(const PredictedEvent& event) {
     if (const auto waiting = path_triggers_.count(event.second, event.time)) {
         schedule_.count_on_path(*waiting, event.time);
     }
-    if (event.first < balls_.all().size()) {  // the ball may cross the same line again
+    if (event.first < bodies_.balls().size()) {  // the ball may cross the same line again
         predict_path_triggers({event.first});
     }
     window_end_ = std::max(now_, std::min(window_end_, schedule_.next_time()));
@@ -266,11 +266,11 @@ void Scheduler::extend_search(const PredictedEvent& event) {
 
 /// The known motion of solids is valid for ODE's current step; at rest it is valid indefinitely.
 void Scheduler::predict_solid_impacts() {
-    const bool has_solids = stepped_.all().size() > balls_.all().size();
-    if (has_solids && (stepped_.has_trial_step() || was_stepping_)) {
+    const bool has_solids = !bodies_.solids().empty();
+    if (has_solids && (stepper_.has_trial_step() || was_stepping_)) {
         predictor_.predict_all_solid_impacts(horizon(), queue_);
     }
-    was_stepping_ = stepped_.has_trial_step();
+    was_stepping_ = stepper_.has_trial_step();
 }
 
 /// Events are counted per window. Impacts that were ignored may be long past, so everything is
@@ -281,11 +281,11 @@ void Scheduler::reset_event_count() {
         return;
     }
     is_capped_ = false;
-    balls_.invalidate_predictions();
+    bodies_.invalidate_predictions();
 }
 
 bool Scheduler::is_valid(const PredictedEvent& event) const {
-    const std::vector<Ball>& balls = balls_.all();
+    const std::span<const MovingBody> balls = bodies_.balls();
     if (event.first >= balls.size()) {  // a body other than a ball crosses a line
         return event.second_version == window_number_;
     }
@@ -301,22 +301,22 @@ bool Scheduler::is_valid(const PredictedEvent& event) const {
 
 void Scheduler::process(const PredictedEvent& event) {
     const bool is_segment_end = event.kind == PredictedEventKind::segment_end;
-    const std::size_t most = kMaxEventsPerBall * std::max<std::size_t>(balls_.all().size(), 10);
+    const std::size_t most = kMaxEventsPerBall * std::max<std::size_t>(bodies_.balls().size(), 10);
     if (++events_in_window_ > most && !is_segment_end) {
         if (!is_capped_) {
-            recorder_.warn({{}, "", cap_warning(most, event, balls_.all()[event.first])});
+            recorder_.warn({{}, "", cap_warning(most, event, bodies_.balls()[event.first])});
         }
         is_capped_ = true;
         return;
     }
     now_ = event.time;
-    const bool was_stepping = stepped_.is_active();
+    const bool was_stepping = bodies_.is_solver_active();
     resolver_.resolve(event);
     predict();
     check_triggers();
     // A ball that was just activated is stepped by ODE from here on, in a new window.
-    const bool was_activated = balls_.all()[event.first].is_stepped() || !was_stepping;
-    if ((stepped_.is_active() && was_activated) || balls_.is_return_due()) {
+    const bool was_activated = bodies_[event.first].is_in_solver() || !was_stepping;
+    if ((bodies_.is_solver_active() && was_activated) || bodies_.is_return_due()) {
         window_end_ = now_;
     }
 }
@@ -350,28 +350,16 @@ bool Scheduler::is_resting(const std::string& name) const {
     if (schedule_.has_kicks_left(name)) {
         return false;
     }
-    if (name.empty()) {
-        return balls_.are_all_at_rest() && stepped_.are_all_at_rest();
-    }
-    for (std::size_t i = 0; i < stepped_.all().size(); ++i) {
-        if (*stepped_.all()[i].name == name) {
-            return i < balls_.all().size() ? balls_.all()[i].is_still()
-                                           : !stepped_.all()[i].is_awake;
-        }
-    }
-    return true;  // fixed bodies
+    return name.empty() ? bodies_.are_all_at_rest()
+                        : std::ranges::all_of(bodies_.all(), [&](const MovingBody& body) {
+                              return body.name() != name || body.is_still();
+                          });
 }
 
 bool Scheduler::is_moving(const std::string& name) const {
-    const std::vector<StepBody>& bodies = stepped_.all();
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const bool is_named = name.empty() || *bodies[i].name == name;
-        if (is_named && (i < balls_.all().size() ? balls_.all()[i].has_moved_since_rest()
-                                                 : bodies[i].has_moved_since_rest())) {
-            return true;
-        }
-    }
-    return false;
+    return std::ranges::any_of(bodies_.all(), [&](const MovingBody& body) {
+        return (name.empty() || body.name() == name) && body.has_moved_since_rest();
+    });
 }
 
 void Scheduler::sample_energy() {
@@ -385,16 +373,14 @@ void Scheduler::sample_energy() {
 void Scheduler::add_energy() {
     EnergySample sample;
     sample.time = now_;
-    balls_.add_energy(now_, sample);
-    stepped_.add_energy(sample);
+    bodies_.add_energy(now_, sample);
     recorder_.add_energy(sample);
 }
 
 void Scheduler::finish() {
     apply_due_actions();
     add_energy();
-    balls_.finish(now_);
-    stepped_.finish(now_);
+    bodies_.finish(now_);
     for (Diagnostic& missed : force_applier_.missed_strikes()) {
         recorder_.warn(std::move(missed));
     }
@@ -407,7 +393,7 @@ void Scheduler::finish() {
     for (Diagnostic& unmet : schedule_.triggers_never_met()) {
         recorder_.warn(std::move(unmet));
     }
-    balls_.warn_of_balls_in_pocket_mouths();
+    bodies_.warn_of_balls_in_pocket_mouths();
     for (const std::string& sentence : guard_.messages()) {
         recorder_.warn({{}, "", sentence});
     }

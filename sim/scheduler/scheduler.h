@@ -9,7 +9,7 @@
 #include "core/progress.h"
 #include "sim/ode/process.h"
 #include "sim/scheduler/ball_placer.h"
-#include "sim/scheduler/balls.h"
+#include "sim/scheduler/bodies.h"
 #include "sim/scheduler/event_predictor.h"
 #include "sim/scheduler/force_applier.h"
 #include "sim/scheduler/force_schedule.h"
@@ -19,7 +19,7 @@
 #include "sim/scheduler/recorder.h"
 #include "sim/scheduler/respotting.h"
 #include "sim/scheduler/static_environment.h"
-#include "sim/scheduler/stepped_bodies.h"
+#include "sim/scheduler/stepper.h"
 
 namespace carom::sim {
 
@@ -67,8 +67,8 @@ class Scheduler {
     const WorldDescription& world_;
     StaticEnvironment environment_;
     Recorder recorder_;
-    Balls balls_;
-    SteppedBodies stepped_;
+    Bodies bodies_;
+    Stepper stepper_;
     EventPredictor predictor_;
     ImpactResolver resolver_;
     ForceSchedule schedule_;

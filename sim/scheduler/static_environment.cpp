@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "sim/spatial/axes.h"
+#include "core/rigid.h"
 
 namespace carom::sim {
 namespace {

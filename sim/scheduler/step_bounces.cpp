@@ -9,27 +9,19 @@
 
 namespace carom::sim {
 
-double approach_speed(const std::vector<StepBody>& bodies, const BodyContact& found) {
-    const ode::StepContact& contact = found.contact;
-    Vec3 relative = bodies[static_cast<std::size_t>(contact.first)].velocity_at(contact.point);
-    if (found.other >= 0) {
-        relative -= bodies[static_cast<std::size_t>(found.other)].velocity_at(contact.point);
-    }
-    return -relative.dot(contact.normal);
-}
-
 void StepBounces::resolve(const std::vector<BodyContact>& contacts, double time) {
     constexpr int kMaxBounces = 1000;
     forget_jams(contacts);
+    const auto state_of = [this](int number) -> const MotionState& { return body(number).state; };
     for (int i = 0; i < kMaxBounces; ++i) {
         const BodyContact* fastest = nullptr;
         double speed = ode::kBounceSpeed;
         for (const BodyContact& found : contacts) {
-            const bool is_ball = bodies_[static_cast<std::size_t>(found.contact.first)].is_ball;
+            const bool is_ball = body(found.contact.first).is_ball();
             if ((!is_ball && found.contact.depth < -kClosedGap) || is_jammed(found)) {
                 continue;
             }
-            const double candidate = approach_speed(bodies_, found);
+            const double candidate = approach_speed(found, state_of);
             if (candidate > speed) {
                 speed = candidate;
                 fastest = &found;
@@ -38,7 +30,7 @@ void StepBounces::resolve(const std::vector<BodyContact>& contacts, double time)
         if (fastest == nullptr) {
             break;
         }
-        if (bodies_[static_cast<std::size_t>(fastest->contact.first)].is_ball) {
+        if (body(fastest->contact.first).is_ball()) {
             bounce_ball(*fastest, time);
         } else {
             bounce_pair(contacts, *fastest, time);
@@ -62,53 +54,53 @@ void StepBounces::count_impact(const BodyContact& found, double time) {
     if (found.other < 0) {
         return;
     }
-    const StepBody& first = bodies_[static_cast<std::size_t>(found.contact.first)];
-    const StepBody& second = bodies_[static_cast<std::size_t>(found.other)];
+    const MovingBody& first = body(found.contact.first);
+    const MovingBody& second = body(found.other);
     if (!(first.is_kinematic() || second.is_kinematic()) ||
         ++kinematic_impact_counts_[found.pair()] < kMaxImpacts) {
         return;
     }
     jams_.insert(found.pair());
-    const StepBody& moved = first.is_kinematic() ? first : second;
-    const StepBody& caught = first.is_kinematic() ? second : first;
+    const MovingBody& moved = first.is_kinematic() ? first : second;
+    const MovingBody& caught = first.is_kinematic() ? second : first;
     if (!warned_pairs_.insert(found.pair()).second) {
         return;
     }
     recorder_.warn(
-        {Subject::body(*moved.name), "motion",
+        {Subject::body(moved.name()), "motion",
          fmt::format("at {:.3f} s the path of '{}' leaves no room for '{}', which gets stuck: "
                      "change the path or move '{}'",
-                     time, *moved.name, *caught.name, *caught.name)});
+                     time, moved.name(), caught.name(), caught.name())});
 }
 
 void StepBounces::bounce_ball(const BodyContact& found, double time) {
     const ode::StepContact& contact = found.contact;
-    StepBody& ball = bodies_[static_cast<std::size_t>(contact.first)];
-    StepBody* other = found.other >= 0 ? &bodies_[static_cast<std::size_t>(found.other)] : nullptr;
+    MovingBody& ball = body(contact.first);
+    MovingBody* other = found.other >= 0 ? &body(found.other) : nullptr;
     const ode::ImpactContact impact{contact.point, contact.normal, contact.restitution,
                                     contact.friction};
     ode::ImpactResult result;
     if (other != nullptr && other->is_kinematic()) {
-        result = balls_.solver().solve_kinematic(ball.impact_body(),
-                                                 other->velocity_at(contact.point), impact);
+        result = bodies_.impact_solver().solve_kinematic(
+            ball, velocity_at(other->state, contact.point), impact);
     } else if (other != nullptr) {
-        result = balls_.solver().solve(ball.impact_body(), other->impact_body(), impact);
+        result = bodies_.impact_solver().solve(ball, *other, impact);
     } else if (is_lining(finder_.info(found.other).material, contact.normal)) {
-        BallBody body{ball.mass, ball.radius, ball.state};
+        RigidBody body = ball;
         const ImpulsePair pair =
             lining_impact(body, contact.normal, contact.restitution, contact.friction);
         result.first = {body.state.velocity, body.state.angular_velocity};
         result.normal_impulse = pair.normal;
         result.tangential_impulse = pair.tangential;
     } else {
-        result = balls_.solver().solve_static(ball.impact_body(), impact);
+        result = bodies_.impact_solver().solve_static(ball, impact);
     }
     set_velocities(ball, result.first, time);
     if (other != nullptr) {
         set_velocities(*other, result.second, time);
     }
     recorder_.log_impact(
-        time, *ball.name, other != nullptr ? *other->name : finder_.info(found.other).name,
+        time, ball.name(), other != nullptr ? other->name() : finder_.info(found.other).name,
         contact.point, contact.normal, {result.normal_impulse, result.tangential_impulse});
 }
 
@@ -131,17 +123,16 @@ void StepBounces::bounce_pair(const std::vector<BodyContact>& contacts, const Bo
     std::vector<ode::Velocities> after;
     const ImpulsePair impulse = solve_impact(moving, struck, after);
     for (std::size_t i = 0; i < moving.size(); ++i) {
-        set_velocities(bodies_[static_cast<std::size_t>(moving[i])], after[i], time);
+        set_velocities(body(moving[i]), after[i], time);
     }
     add_to_log(fastest, impulse);
 }
 
 /// The state of the kinematic body of a pair, if any: it does no work in its own frame.
-MotionState StepBounces::kinematic_frame(const std::vector<int>& moving) const {
+MotionState StepBounces::kinematic_frame(const std::vector<int>& moving) {
     for (const int number : moving) {
-        const StepBody& body = bodies_[static_cast<std::size_t>(number)];
-        if (body.is_kinematic()) {
-            return body.state;
+        if (body(number).is_kinematic()) {
+            return body(number).state;
         }
     }
     return {};
@@ -157,18 +148,17 @@ ImpulsePair StepBounces::solve_impact(const std::vector<int>& moving,
     const MotionState frame = kinematic_frame(moving);
     double energy = 0;
     for (const int number : moving) {
-        const StepBody& body = bodies_[static_cast<std::size_t>(number)];
-        states.push_back(body.state);
-        energy += body.kinetic_energy_in(frame);
+        states.push_back(body(number).state);
+        energy += body(number).kinetic_energy_in(frame);
     }
     std::vector<ode::StepImpulse> impulses;
     world_.solve_impact(moving, states, contacts, after, impulses);
     double left = 0;
     for (std::size_t i = 0; i < moving.size(); ++i) {
-        StepBody body = bodies_[static_cast<std::size_t>(moving[i])];
-        body.state.velocity = after[i].linear;
-        body.state.angular_velocity = after[i].angular;
-        left += body.kinetic_energy_in(frame);
+        RigidBody struck = body(moving[i]);
+        struck.state.velocity = after[i].linear;
+        struck.state.angular_velocity = after[i].angular;
+        left += struck.kinetic_energy_in(frame);
     }
     if (left > energy) {
         for (ode::StepContact& contact : contacts) {
@@ -199,8 +189,7 @@ void StepBounces::add_to_log(const BodyContact& found, const ImpulsePair& impuls
 void StepBounces::log_impacts(double time) {
     for (const LoggedImpact& impact : impacts_) {
         const auto name = [&](int number) {
-            return number >= 0 ? *bodies_[static_cast<std::size_t>(number)].name
-                               : finder_.info(number).name;
+            return number >= 0 ? body(number).name() : finder_.info(number).name;
         };
         const ode::StepContact& contact = impact.contact.contact;
         recorder_.log_impact(time, name(contact.first), name(impact.contact.other), contact.point,
@@ -209,7 +198,7 @@ void StepBounces::log_impacts(double time) {
     impacts_.clear();
 }
 
-void StepBounces::set_velocities(StepBody& body, const ode::Velocities& velocities, double time) {
+void StepBounces::set_velocities(MovingBody& body, const ode::Velocities& velocities, double time) {
     if (body.is_kinematic()) {
         return;
     }

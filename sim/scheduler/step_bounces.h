@@ -6,25 +6,34 @@
 #include <utility>
 #include <vector>
 
+#include "core/rigid.h"
 #include "sim/ode/step_world.h"
-#include "sim/scheduler/balls.h"
+#include "sim/scheduler/bodies.h"
 #include "sim/scheduler/contact_finder.h"
 #include "sim/scheduler/recorder.h"
-#include "sim/scheduler/step_body.h"
 
 namespace carom::sim {
 
-/// Speed at which the two bodies of a contact approach each other there, m/s.
-[[nodiscard]] double approach_speed(const std::vector<StepBody>& bodies, const BodyContact& found);
+/// Speed at which the two bodies of a contact approach each other there, m/s. `state_of`: the state
+/// of a body, by its number.
+template <class StateOf>
+[[nodiscard]] double approach_speed(const BodyContact& found, const StateOf& state_of) {
+    const ode::StepContact& contact = found.contact;
+    Vec3 relative = velocity_at(state_of(contact.first), contact.point);
+    if (found.other >= 0) {
+        relative -= velocity_at(state_of(found.other), contact.point);
+    }
+    return -relative.dot(contact.normal);
+}
 
 /// Gaps up to this (m) count as closed in an impact.
 inline constexpr double kClosedGap = 2e-6;
 
 class StepBounces {
   public:
-    StepBounces(std::vector<StepBody>& bodies, const ContactFinder& finder, ode::StepWorld& world,
-                Balls& balls, Recorder& recorder)
-        : bodies_(bodies), finder_(finder), world_(world), balls_(balls), recorder_(recorder) {}
+    StepBounces(Bodies& bodies, const ContactFinder& finder, ode::StepWorld& world,
+                Recorder& recorder)
+        : bodies_(bodies), finder_(finder), world_(world), recorder_(recorder) {}
 
     /// Resolves impacts pair by pair, the fastest first, until no pair approaches fast enough to
     /// bounce: restitution in one solve for all contacts would add energy. ODE's step handles the
@@ -43,11 +52,11 @@ class StepBounces {
     void bounce_ball(const BodyContact& found, double time);
     void bounce_pair(const std::vector<BodyContact>& contacts, const BodyContact& fastest,
                      double time);
-    [[nodiscard]] MotionState kinematic_frame(const std::vector<int>& moving) const;
+    [[nodiscard]] MotionState kinematic_frame(const std::vector<int>& moving);
     ImpulsePair solve_impact(const std::vector<int>& moving,
                              std::vector<ode::StepContact>& contacts,
                              std::vector<ode::Velocities>& after);
-    void set_velocities(StepBody& body, const ode::Velocities& velocities, double time);
+    void set_velocities(MovingBody& body, const ode::Velocities& velocities, double time);
     void add_to_log(const BodyContact& found, const ImpulsePair& impulse);
     void log_impacts(double time);
     void forget_jams(const std::vector<BodyContact>& contacts);
@@ -60,10 +69,13 @@ class StepBounces {
         ImpulsePair impulse;
     };
 
-    std::vector<StepBody>& bodies_;
+    [[nodiscard]] MovingBody& body(int number) {
+        return bodies_[static_cast<std::uint32_t>(number)];
+    }
+
+    Bodies& bodies_;
     const ContactFinder& finder_;
     ode::StepWorld& world_;
-    Balls& balls_;
     Recorder& recorder_;
     std::vector<LoggedImpact> impacts_;
     std::map<std::pair<int, int>, int> kinematic_impact_counts_;  // in this instant, per pair

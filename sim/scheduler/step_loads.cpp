@@ -37,7 +37,7 @@ class MeanMotion {
     Vec3 turning_{0, 0, 0};
 };
 
-double smaller_radius(const std::vector<StepBody>& bodies, const BodyContact& found) {
+double smaller_radius(const std::vector<MovingBody>& bodies, const BodyContact& found) {
     const double first = bodies[static_cast<std::size_t>(found.contact.first)].bounding_radius();
     return found.other < 0
                ? first
@@ -46,7 +46,7 @@ double smaller_radius(const std::vector<StepBody>& bodies, const BodyContact& fo
 
 }  // namespace
 
-std::vector<PairLoad> pair_loads(const StepTrial& trial, const std::vector<StepBody>& bodies) {
+std::vector<PairLoad> pair_loads(const StepTrial& trial, const std::vector<MovingBody>& bodies) {
     std::vector<PairLoad> loads;
     std::map<std::pair<int, int>, std::size_t> places;
     const SolvedContacts solved = trial.solved();

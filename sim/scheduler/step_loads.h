@@ -18,6 +18,6 @@ struct PairLoad {
 /// contacts. The points of contact of a pair are summed; their slips are weighted with their
 /// impulses. `bodies`: those of the trial.
 [[nodiscard]] std::vector<PairLoad> pair_loads(const StepTrial& trial,
-                                               const std::vector<StepBody>& bodies);
+                                               const std::vector<MovingBody>& bodies);
 
 }  // namespace carom::sim

@@ -41,56 +41,32 @@ class Islands {
 
 }  // namespace
 
-void StepSleep::wake(const StepBody& body, double time) {
-    const auto sleeps = [](const StepBody& b) {
-        return b.is_in_ode && !b.is_awake && !b.is_kinematic();
-    };
-    if (!sleeps(body)) {
-        return;
-    }
-    const std::uint32_t island = body.island;
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        StepBody& member = bodies_[i];
-        if (!sleeps(member) || member.island != island) {
-            continue;
-        }
-        member.is_awake = true;
-        member.restart_rest_timer(time);
-        member.free_steps = 0;
-        recorder_.add_key(member.track, time, member.with_own_axes(member.state));
-        if (member.is_ball) {
-            balls_.activate(static_cast<std::uint32_t>(i), time);
-        }
-    }
-}
-
 bool StepSleep::wake_by_contact(const std::vector<BodyContact>& contacts, double time) {
     bool is_changed = false;
     for (const BodyContact& found : contacts) {
         if (found.other < 0) {
             continue;
         }
-        const StepBody& a = bodies_[static_cast<std::size_t>(found.contact.first)];
-        const StepBody& b = bodies_[static_cast<std::size_t>(found.other)];
-        const StepBody& sleeper = a.is_awake ? b : a;
-        if (a.is_awake != b.is_awake && !sleeper.is_kinematic()) {
-            wake(sleeper, time);
+        const bool is_first_awake = body(found.contact.first).is_in_solver();
+        const int sleeper = is_first_awake ? found.other : found.contact.first;
+        if (is_first_awake != body(found.other).is_in_solver() && is_movable(sleeper)) {
+            bodies_.wake(static_cast<std::uint32_t>(sleeper), time);
             is_changed = true;
         }
     }
     return is_changed;
 }
 
-bool StepSleep::is_movable(int number) const {
-    return number >= 0 && !bodies_[static_cast<std::size_t>(number)].is_kinematic();
+bool StepSleep::is_movable(int number) {
+    return number >= 0 && !body(number).is_kinematic();
 }
 
 /// A body has to be slow, and in contact, but neither with a kinematic body that moves nor with a
 /// sleeping one, which is about to wake.
 void StepSleep::update_rest_timers(const std::vector<int>& moving, const SolvedContacts& solved,
                                    double time) {
-    std::vector<char> rests(bodies_.size(), 0);
-    std::vector<char> is_disturbed(bodies_.size(), 0);
+    std::vector<char> rests(bodies_.all().size(), 0);
+    std::vector<char> is_disturbed(bodies_.all().size(), 0);
     for (const BodyContact& found : solved.contacts) {
         const int first = found.contact.first;
         rests[static_cast<std::size_t>(first)] = 1;
@@ -99,50 +75,50 @@ void StepSleep::update_rest_timers(const std::vector<int>& moving, const SolvedC
         }
         rests[static_cast<std::size_t>(found.other)] = 1;
         for (const auto& [number, partner] : {found.pair(), std::pair(found.other, first)}) {
-            const StepBody& other = bodies_[static_cast<std::size_t>(partner)];
-            if (other.is_kinematic() == other.is_awake) {
+            const MovingBody& other = body(partner);
+            if (other.is_kinematic() == other.is_in_solver()) {
                 is_disturbed[static_cast<std::size_t>(number)] = 1;
             }
         }
     }
     for (const int number : moving) {
         const auto i = static_cast<std::size_t>(number);
-        StepBody& body = bodies_[i];
-        const double speed = body.max_point_speed();
+        MovingBody& moved = body(number);
+        const double speed = moved.max_point_speed();
         if (rests[i] == 0 || is_disturbed[i] != 0 || speed >= kSleepSpeed) {
-            body.restart_rest_timer(time);
+            moved.restart_rest_timer(time);
         }
-        body.least_speed = std::min(body.least_speed, speed);
+        moved.least_speed = std::min(moved.least_speed, speed);
     }
 }
 
-bool StepSleep::is_held(int number, const SolvedContacts& solved, double time) const {
-    const StepBody& body = bodies_[static_cast<std::size_t>(number)];
-    const double rested = time - body.slow_since;
-    const bool is_rising = body.max_point_speed() > body.least_speed + kRisingSpeed;
-    const bool is_supported = is_stably_supported(body, number, solved, gravity_) ||
+bool StepSleep::is_held(int number, const SolvedContacts& solved, double time) {
+    const MovingBody& held = body(number);
+    const double rested = time - held.slow_since;
+    const bool is_rising = held.max_point_speed() > held.least_speed + kRisingSpeed;
+    const bool is_supported = is_stably_supported(held, number, solved, gravity_) ||
                               (rested > kLeaningSleepDelay && leans(number, solved, gravity_));
-    return (!is_rising && is_supported) || rested > time_to_tip(body, gravity_);
+    return (!is_rising && is_supported) || rested > time_to_tip(held, gravity_);
 }
 
 std::vector<int> StepSleep::falling_asleep(const std::vector<int>& moving,
                                            const SolvedContacts& solved, double time) {
     update_rest_timers(moving, solved, time);
-    Islands islands(bodies_.size());
+    Islands islands(bodies_.all().size());
     for (const BodyContact& found : solved.contacts) {
         if (is_movable(found.contact.first) && is_movable(found.other)) {
             islands.join(found.contact.first, found.other);
         }
     }
     std::vector<int> candidates;
-    std::vector<char> stays_awake(bodies_.size(), 0);  // by the root of an island
+    std::vector<char> stays_awake(bodies_.all().size(), 0);  // by the root of an island
     for (const int number : moving) {
         if (!is_movable(number)) {
             continue;
         }
         candidates.push_back(number);
-        const StepBody& body = bodies_[static_cast<std::size_t>(number)];
-        if (time - body.slow_since <= (body.is_ball ? kBallSleepDelay : kSolidSleepDelay)) {
+        const double delay = body(number).is_ball() ? kBallSleepDelay : kSolidSleepDelay;
+        if (time - body(number).slow_since <= delay) {
             stays_awake[static_cast<std::size_t>(islands.root(number))] = 1;
         }
     }
@@ -156,10 +132,9 @@ std::vector<int> StepSleep::falling_asleep(const std::vector<int>& moving,
         return stays_awake[static_cast<std::size_t>(islands.root(number))] != 0;
     });
     for (const int number : candidates) {
-        bodies_[static_cast<std::size_t>(number)].island =
-            island_count_ + static_cast<std::uint32_t>(islands.root(number));
+        body(number).island = island_count_ + static_cast<std::uint32_t>(islands.root(number));
     }
-    island_count_ += candidates.empty() ? 0 : static_cast<std::uint32_t>(bodies_.size());
+    island_count_ += candidates.empty() ? 0 : static_cast<std::uint32_t>(bodies_.all().size());
     return candidates;
 }
 

@@ -4,10 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/scheduler/balls.h"
+#include "sim/scheduler/bodies.h"
 #include "sim/scheduler/contact_finder.h"
-#include "sim/scheduler/recorder.h"
-#include "sim/scheduler/step_body.h"
 #include "sim/scheduler/support.h"
 
 namespace carom::sim {
@@ -17,12 +15,7 @@ namespace carom::sim {
 /// src/solver_set.c). Kinematic bodies and the static environment belong to no island.
 class StepSleep {
   public:
-    StepSleep(std::vector<StepBody>& bodies, Balls& balls, Recorder& recorder, const Vec3& gravity)
-        : bodies_(bodies), balls_(balls), recorder_(recorder), gravity_(gravity) {}
-
-    /// Wakes a sleeping body and its island; a key of each says that it rested until then. Has no
-    /// effect on other bodies.
-    void wake(const StepBody& body, double time);
+    StepSleep(Bodies& bodies, const Vec3& gravity) : bodies_(bodies), gravity_(gravity) {}
 
     /// Wakes the islands that a waking body touches, however slowly; true if there were any.
     bool wake_by_contact(const std::vector<BodyContact>& contacts, double time);
@@ -36,12 +29,14 @@ class StepSleep {
   private:
     void update_rest_timers(const std::vector<int>& moving, const SolvedContacts& solved,
                             double time);
-    [[nodiscard]] bool is_movable(int number) const;
-    [[nodiscard]] bool is_held(int number, const SolvedContacts& solved, double time) const;
+    [[nodiscard]] bool is_movable(int number);
+    [[nodiscard]] bool is_held(int number, const SolvedContacts& solved, double time);
 
-    std::vector<StepBody>& bodies_;
-    Balls& balls_;
-    Recorder& recorder_;
+    [[nodiscard]] MovingBody& body(int number) {
+        return bodies_[static_cast<std::uint32_t>(number)];
+    }
+
+    Bodies& bodies_;
     Vec3 gravity_;
     std::uint32_t island_count_ = 0;  // that have fallen asleep
 };

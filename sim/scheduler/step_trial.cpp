@@ -30,7 +30,7 @@ void StepTrial::attempt(double start, double end,
     start_ = start;
     collect_normals_at_start(contacts_at_start);
     end_ = end;
-    placed_ = bodies_;
+    placed_ = placements_of(bodies_);
     collect_moving();
     advance_to_midpoint();
     for (int i = 0; i < kMaxHalvings && relative_sinking() > 1; ++i) {
@@ -54,19 +54,25 @@ double StepTrial::relative_sinking() const {
         if (number < 0) {
             return false;
         }
-        const StepBody& body = bodies_[static_cast<std::size_t>(number)];
-        return !body.is_ball && body.shape->kind() == ConvexShape::Kind::cylinder;
+        const MovingBody& body = bodies_[static_cast<std::size_t>(number)];
+        return !body.is_ball() && body.shape->kind() == ConvexShape::Kind::cylinder;
     };
     double most = 0;
     for (const BodyContact& found : contacts_) {
         if (found.contact.depth <= 0 || bounces_.is_jammed(found)) {
             continue;
         }
-        const double sunk = approach_speed(placed_, found) * 0.5 * (end_ - start_);
+        const double sunk = approach(found) * 0.5 * (end_ - start_);
         const bool is_rim = has_rim(found.contact.first) || has_rim(found.other);
         most = std::max(most, sunk / (is_rim ? kMaxRimSinking : kMaxSinking));
     }
     return most;
+}
+
+double StepTrial::approach(const BodyContact& found) const {
+    return approach_speed(found, [this](int number) -> const MotionState& {
+        return placed_[static_cast<std::size_t>(number)].state;
+    });
 }
 
 bool StepTrial::shorten(double end) {
@@ -81,7 +87,7 @@ bool StepTrial::shorten(double end) {
 void StepTrial::collect_moving() {
     moving_.clear();
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        if (bodies_[i].is_in_ode && bodies_[i].is_awake) {
+        if (bodies_[i].is_in_solver()) {
             moving_.push_back(static_cast<int>(i));
         }
     }
@@ -90,14 +96,14 @@ void StepTrial::collect_moving() {
 void StepTrial::advance_to_midpoint() {
     midpoint_states_.clear();
     for (const int number : moving_) {
-        StepBody& body = placed_[static_cast<std::size_t>(number)];
+        const MovingBody& body = bodies_[static_cast<std::size_t>(number)];
         const double half = 0.5 * (end_ - start_);
-        body.state = body.is_kinematic() ? body.path->at(start_ + half)
-                                         : drift(bodies_[static_cast<std::size_t>(number)].state,
-                                                 body.inertia, half);
-        midpoint_states_.push_back(body.state);
+        MotionState& state = placed_[static_cast<std::size_t>(number)].state;
+        state = body.is_kinematic() ? body.path->at(start_ + half)
+                                    : drift(body.state, body.inertia, half);
+        midpoint_states_.push_back(state);
     }
-    contacts_ = finder_.find(placed_);
+    contacts_ = finder_.find(bodies_, placed_);
     drop_impacts();
     drop_immovable_pairs();
     step_contacts_.clear();
@@ -112,7 +118,7 @@ void StepTrial::solve() {
     world_.step(end_ - start_, gravity_, moving_, midpoint_states_, step_contacts_, motions_,
                 impulses_);
     for (std::size_t slot = 0; slot < moving_.size(); ++slot) {
-        const StepBody& body = bodies_[static_cast<std::size_t>(moving_[slot])];
+        const MovingBody& body = bodies_[static_cast<std::size_t>(moving_[slot])];
         if (body.is_kinematic()) {
             motions_[slot].end = body.path->at(end_);
         }
@@ -122,7 +128,7 @@ void StepTrial::solve() {
 void StepTrial::collect_normals_at_start(const std::vector<BodyContact>& contacts) {
     normals_at_start_.clear();
     for (const BodyContact& found : contacts) {
-        if (bodies_[static_cast<std::size_t>(found.contact.first)].is_ball && found.other < 0) {
+        if (bodies_[static_cast<std::size_t>(found.contact.first)].is_ball() && found.other < 0) {
             normals_at_start_.emplace(found.pair(), found.contact.normal);
         }
     }
@@ -136,8 +142,8 @@ double StepTrial::turning(const BodyContact& found) const {
     if (std::distance(at_start, end) != 1) {
         return 0;
     }
-    const StepBody& ball = placed_[static_cast<std::size_t>(found.contact.first)];
-    return std::max(ball.state.velocity.dot(found.contact.normal - at_start->second), 0.0);
+    const MotionState& ball = placed_[static_cast<std::size_t>(found.contact.first)].state;
+    return std::max(ball.velocity.dot(found.contact.normal - at_start->second), 0.0);
 }
 
 /// At the midpoint: a contact that was open at the start and closes fast is an impact, not a
@@ -147,9 +153,9 @@ void StepTrial::drop_impacts() {
     std::map<std::pair<int, int>, double> fastest;
     std::vector<double> speeds;
     for (const BodyContact& found : contacts_) {
-        const double approach = bounces_.is_jammed(found) ? 0 : approach_speed(placed_, found);
-        const double gap_at_start = 0.5 * (end_ - start_) * approach - found.contact.depth;
-        speeds.push_back(gap_at_start > kClosedGap ? approach : 0);
+        const double speed = bounces_.is_jammed(found) ? 0 : approach(found);
+        const double gap_at_start = 0.5 * (end_ - start_) * speed - found.contact.depth;
+        speeds.push_back(gap_at_start > kClosedGap ? speed : 0);
         double& most = fastest[found.pair()];
         most = std::max(most, speeds.back());
     }
@@ -169,8 +175,8 @@ void StepTrial::drop_immovable_pairs() {
         if (number < 0) {
             return false;
         }
-        const StepBody& body = placed_[static_cast<std::size_t>(number)];
-        return body.is_awake && !body.is_kinematic();
+        const auto i = static_cast<std::size_t>(number);
+        return placed_[i].is_in_solver() && !bodies_[i].is_kinematic();
     };
     std::erase_if(contacts_, [&](const BodyContact& found) {
         return !can_move(found.contact.first) && !can_move(found.other);
@@ -179,7 +185,7 @@ void StepTrial::drop_immovable_pairs() {
 
 /// State of the body of that slot, `time` after the step's start.
 MotionState StepTrial::state_after(std::size_t slot, double time) const {
-    const StepBody& body = bodies_[static_cast<std::size_t>(moving_[slot])];
+    const MovingBody& body = bodies_[static_cast<std::size_t>(moving_[slot])];
     const double half = 0.5 * (end_ - start_);
     if (body.is_kinematic()) {
         return body.path->at(start_ + time);
@@ -204,10 +210,9 @@ double StepTrial::fraction_until_contact() {
     const auto deepest_at = [&](double fraction) {
         move_to(fraction);
         double deepest = 0;
-        for (const BodyContact& found : finder_.find(placed_)) {
+        for (const BodyContact& found : finder_.find(bodies_, placed_)) {
             if (found.contact.depth > deepest && !bounces_.is_jammed(found) &&
-                (!known.contains(found.pair()) ||
-                 approach_speed(placed_, found) > ode::kBounceSpeed)) {
+                (!known.contains(found.pair()) || approach(found) > ode::kBounceSpeed)) {
                 deepest = found.contact.depth;
             }
         }

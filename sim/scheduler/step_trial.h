@@ -7,7 +7,7 @@
 
 #include "sim/ode/step_world.h"
 #include "sim/scheduler/contact_finder.h"
-#include "sim/scheduler/step_body.h"
+#include "sim/scheduler/moving_body.h"
 #include "sim/scheduler/step_bounces.h"
 #include "sim/scheduler/support.h"
 
@@ -17,7 +17,7 @@ namespace carom::sim {
 class StepTrial {
   public:
     StepTrial(ode::StepWorld& world, const ContactFinder& finder, const StepBounces& bounces,
-              const Vec3& gravity, const std::vector<StepBody>& bodies)
+              const Vec3& gravity, const std::vector<MovingBody>& bodies)
         : world_(world), finder_(finder), bounces_(bounces), gravity_(gravity), bodies_(bodies) {}
 
     /// Tries a step of all awake bodies from `start` to `end`, with the contacts found at `start`.
@@ -45,6 +45,7 @@ class StepTrial {
     void drop_impacts();
     void drop_immovable_pairs();
     void collect_normals_at_start(const std::vector<BodyContact>& contacts);
+    [[nodiscard]] double approach(const BodyContact& found) const;
     [[nodiscard]] double turning(const BodyContact& found) const;
     [[nodiscard]] MotionState state_after(std::size_t slot, double time) const;
     [[nodiscard]] double relative_sinking() const;
@@ -55,10 +56,10 @@ class StepTrial {
     const ContactFinder& finder_;
     const StepBounces& bounces_;
     Vec3 gravity_;
-    const std::vector<StepBody>& bodies_;
+    const std::vector<MovingBody>& bodies_;
     double start_ = 0;
     double end_ = 0;
-    std::vector<StepBody> placed_;  // the bodies at some instant of the step
+    std::vector<Placement> placed_;  // of the bodies, at some instant of the step
     std::multimap<std::pair<int, int>, Vec3> normals_at_start_;  // of balls on what is static
     std::vector<int> moving_;
     std::vector<MotionState> midpoint_states_;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/length.h"
-#include "sim/spatial/axes.h"
+#include "core/rigid.h"
 
 namespace carom::sim {
 namespace {
@@ -94,8 +94,8 @@ bool is_inside(const Vec2& p, const std::vector<Vec2>& hull) {
 }
 
 /// True if the body may roll without rising or sinking.
-bool is_round_below(const StepBody& body, const Vec3& up) {
-    if (body.is_ball) {
+bool is_round_below(const MovingBody& body, const Vec3& up) {
+    if (body.is_ball()) {
         return true;
     }
     const ConvexShape::Kind kind = body.shape->kind();
@@ -107,7 +107,7 @@ bool is_round_below(const StepBody& body, const Vec3& up) {
 
 }  // namespace
 
-bool is_stably_supported(const StepBody& body, int number, const SolvedContacts& solved,
+bool is_stably_supported(const MovingBody& body, int number, const SolvedContacts& solved,
                          const Vec3& gravity) {
     const double strength = length(gravity);
     if (strength == 0) {
@@ -164,7 +164,7 @@ bool leans(int number, const SolvedContacts& solved, const Vec3& gravity) {
     return false;
 }
 
-double time_to_tip(const StepBody& body, const Vec3& gravity) {
+double time_to_tip(const MovingBody& body, const Vec3& gravity) {
     constexpr double kGrowth = 34.5;  // e^34.5 = 10^15
     // The length of a rod is twice its bounding radius.
     return kGrowth * std::sqrt(4 * body.bounding_radius() / (3 * length(gravity)));

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/scheduler/contact_finder.h"
-#include "sim/scheduler/step_body.h"
+#include "sim/scheduler/moving_body.h"
 
 namespace carom::sim {
 
@@ -23,7 +23,7 @@ struct SolvedContacts {
 /// may also rest on one point or line straight below: it is then in neutral equilibrium, and
 /// rolling resistance may hold it slightly beside that point. A body that is balanced there
 /// exactly, within rounding, also stands. `number`: index of the body. Always true without gravity.
-[[nodiscard]] bool is_stably_supported(const StepBody& body, int number,
+[[nodiscard]] bool is_stably_supported(const MovingBody& body, int number,
                                        const SolvedContacts& solved, const Vec3& gravity);
 
 /// True if the body leans on something: a contact that supports it pushes sideways as well as up.
@@ -36,6 +36,6 @@ struct SolvedContacts {
 /// Upper bound for the time (s) that a balanced body takes to fall: rounding errors grow by a
 /// factor of 10^15 in this time. A slender rod of length L on its end tips at the rate sqrt(3 g /
 /// (2 L)); all other bodies of that size tip more slowly by a small factor.
-[[nodiscard]] double time_to_tip(const StepBody& body, const Vec3& gravity);
+[[nodiscard]] double time_to_tip(const MovingBody& body, const Vec3& gravity);
 
 }  // namespace carom::sim

@@ -19,7 +19,7 @@ bool touch(const MotionState& a, const MotionState& b, double distance) {
            std::abs((a.velocity - b.velocity).dot(unit(d))) <= kTouchingSpeed;
 }
 
-PushContact contact_of(const Ball& a, const Ball& b, const Vec3& normal,
+PushContact contact_of(const MovingBody& a, const MovingBody& b, const Vec3& normal,
                        const StaticEnvironment& environment) {
     PushContact contact;
     contact.normal = normal;
@@ -32,15 +32,15 @@ PushContact contact_of(const Ball& a, const Ball& b, const Vec3& normal,
 
 }  // namespace
 
-TouchingBalls find_touching_balls(const std::vector<Ball>& balls, std::uint32_t struck, double time,
-                                  const StaticEnvironment& environment) {
+TouchingBalls find_touching_balls(std::span<const MovingBody> balls, std::uint32_t struck,
+                                  double time, const StaticEnvironment& environment) {
     TouchingBalls found;
     std::vector<std::uint32_t>& indices = found.indices;
     indices.push_back(struck);
     std::vector<char> is_found(balls.size(), 0);
     is_found[struck] = 1;
     for (std::size_t next = 0; next < indices.size(); ++next) {
-        const Ball& ball = balls[indices[next]];
+        const MovingBody& ball = balls[indices[next]];
         const MotionState state = ball.segment.state_at(time);
         for (std::uint32_t other = 0; other < balls.size(); ++other) {
             if (is_found[other] == 0 && touch(state, balls[other].segment.state_at(time),
@@ -52,14 +52,14 @@ TouchingBalls find_touching_balls(const std::vector<Ball>& balls, std::uint32_t 
     }
     std::sort(indices.begin(), indices.end());
     for (std::size_t i = 0; i < indices.size(); ++i) {
-        const Ball& ball = balls[indices[i]];
-        found.group.balls.push_back(ball.body_at(time));
-        const BallBody& body = found.group.balls.back();
+        const MovingBody& ball = balls[indices[i]];
+        found.group.balls.push_back(ball.rigid_at(time));
+        const RigidBody& body = found.group.balls.back();
         if (indices[i] == struck) {
             found.group.struck = i;
         }
         for (std::size_t k = 0; k < i; ++k) {
-            const BallBody& other = found.group.balls[k];
+            const RigidBody& other = found.group.balls[k];
             if (touch(body.state, other.state, body.radius + other.radius)) {
                 const Vec3 normal = unit(other.state.position - body.state.position);
                 found.group.contacts.push_back(

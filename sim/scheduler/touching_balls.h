@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "sim/scheduler/balls.h"
+#include "sim/scheduler/bodies.h"
 #include "sim/stick/push.h"
 
 namespace carom::sim {
@@ -14,13 +15,13 @@ namespace carom::sim {
 inline constexpr double kTouchingGap = 5e-5;
 
 struct TouchingBalls {
-    std::vector<std::uint32_t> indices;  // ascending, in Balls
+    std::vector<std::uint32_t> indices;  // ascending, in Bodies
     TouchingGroup group;                 // in the same order; the struck ball's contacts come first
 };
 
 /// The ball `struck` and the balls that touch it at `time`, directly or through others. Balls that
 /// approach or leave each other do not count as touching.
-[[nodiscard]] TouchingBalls find_touching_balls(const std::vector<Ball>& balls,
+[[nodiscard]] TouchingBalls find_touching_balls(std::span<const MovingBody> balls,
                                                 std::uint32_t struck, double time,
                                                 const StaticEnvironment& environment);
 

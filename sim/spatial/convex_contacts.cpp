@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/length.h"
-#include "sim/spatial/axes.h"
+#include "core/rigid.h"
 
 namespace carom::sim {
 namespace {

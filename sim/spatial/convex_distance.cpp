@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "sim/spatial/axes.h"
+#include "core/rigid.h"
 
 namespace carom::sim {
 namespace {

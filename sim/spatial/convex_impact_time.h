@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "core/rigid.h"
 #include "sim/motion/motion_segment.h"
 #include "sim/shape/convex_shape.h"
-#include "sim/spatial/axes.h"
 #include "sim/spatial/static_mesh.h"
 
 namespace carom::sim {

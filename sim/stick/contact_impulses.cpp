@@ -63,8 +63,8 @@ void ContactImpulses::add(const std::vector<ContactImpulse>& impulses,
         const Vec3 impulse = without_vertical(
             contact.normal * impulses[i].normal + impulses[i].friction, contact.is_level);
         const Vec3 turn = impulses[i].friction.cross(contact.normal) * 2.5;
-        const BallBody& a = group_.balls[contact.first];
-        const BallBody& b = group_.balls[contact.second];
+        const RigidBody& a = group_.balls[contact.first];
+        const RigidBody& b = group_.balls[contact.second];
         velocities[contact.first].linear += impulse / a.mass;
         velocities[contact.second].linear -= impulse / b.mass;
         velocities[contact.first].angular += turn / (a.mass * a.radius);

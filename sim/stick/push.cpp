@@ -24,7 +24,7 @@ struct PushState {
 
 std::vector<BallVelocity> velocities_of(const TouchingGroup& group) {
     std::vector<BallVelocity> velocities;
-    for (const BallBody& ball : group.balls) {
+    for (const RigidBody& ball : group.balls) {
         velocities.push_back({ball.state.velocity, ball.state.angular_velocity});
     }
     return velocities;
@@ -85,7 +85,7 @@ class Push {
 
     [[nodiscard]] bool is_proportional() const {
         const bool rests =
-            std::all_of(group_.balls.begin(), group_.balls.end(), [](const BallBody& ball) {
+            std::all_of(group_.balls.begin(), group_.balls.end(), [](const RigidBody& ball) {
                 return ball.state.velocity == Vec3(0, 0, 0) &&
                        ball.state.angular_velocity == Vec3(0, 0, 0);
             });
@@ -116,7 +116,7 @@ class Push {
     /// and after it.
     [[nodiscard]] PushState after(double increment, const std::vector<ContactImpulse>& guess,
                                   double guess_part) const {
-        const BallBody& struck = group_.balls[group_.struck];
+        const RigidBody& struck = group_.balls[group_.struck];
         std::vector<BallVelocity> free = state_.velocities;
         free[group_.struck].linear += tip_.direction * (increment / struck.mass);
         free[group_.struck].angular +=
@@ -177,7 +177,7 @@ class Push {
 
 PushResult push_balls(TouchingGroup& group, const Strike& strike, const Vec3& aim,
                       const BallBall& law) {
-    const BallBody& struck = group.balls[group.struck];
+    const RigidBody& struck = group.balls[group.struck];
     const TipContact tip = tip_contact(strike, aim, struck.radius);
     const StrikeResult free = strike_ball(strike, aim, struck.mass, struck.radius);
     Push push(group, tip, strike, law);

@@ -20,7 +20,7 @@ struct PushContact {
 
 /// A struck ball and all balls that touch it, directly or through others.
 struct TouchingGroup {
-    std::vector<BallBody> balls;
+    std::vector<RigidBody> balls;
     std::size_t struck = 0;
     std::vector<PushContact> contacts;
 };

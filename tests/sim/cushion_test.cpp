@@ -117,7 +117,7 @@ TEST(Cushion_Mathavan, IsTheImpactOfItsModel) {
         const Event* impact = find_event(timeline, EventKind::impact, "cue", "cushion");
         ASSERT_NE(impact, nullptr);
         const Key key = key_at(timeline, "cue", impact->time);
-        BallBody ball{kMass, kRadius, {}};
+        RigidBody ball = RigidBody::ball(kMass, kRadius);
         ball.state.velocity = key.velocity_in;
         ball.state.angular_velocity = key.angular_velocity_in;
         const ImpulsePair impulse =

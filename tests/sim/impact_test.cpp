@@ -14,15 +14,15 @@ namespace {
 constexpr double kRadius = 0.028575;
 constexpr double kMass = 0.170097;
 
-BallBody ball(const Vec3& position, const Vec3& velocity, const Vec3& spin = {0, 0, 0}) {
-    BallBody body{kMass, kRadius, {}};
+RigidBody ball(const Vec3& position, const Vec3& velocity, const Vec3& spin = {0, 0, 0}) {
+    RigidBody body = RigidBody::ball(kMass, kRadius);
     body.state.position = position;
     body.state.velocity = velocity;
     body.state.angular_velocity = spin;
     return body;
 }
 
-double energy(const BallBody& b) {
+double energy(const RigidBody& b) {
     return 0.5 * b.mass *
            (b.state.velocity.dot(b.state.velocity) +
             0.4 * b.radius * b.radius * b.state.angular_velocity.dot(b.state.angular_velocity));
@@ -39,10 +39,10 @@ TEST_F(Impact, BallBall_AnyCutAndSpin_GivesTheImpulsesOfTheFormula) {
         for (const double spin : {-80.0, 0.0, 35.0}) {
             const double angle = cut * std::numbers::pi / 180;
             const Vec3 normal(-std::cos(angle), -std::sin(angle), 0);
-            BallBody a = ball({0, 0, kRadius}, {3, 0, 0}, {20, 50, spin});
-            BallBody b = ball(a.state.position - normal * (2 * kRadius), {0, 0, 0});
+            RigidBody a = ball({0, 0, kRadius}, {3, 0, 0}, {20, 50, spin});
+            RigidBody b = ball(a.state.position - normal * (2 * kRadius), {0, 0, 0});
             const Vec3 slip = contact_slip(a, b, normal);
-            const BallBody before = a;
+            const RigidBody before = a;
             const ImpulsePair impulse = ball_ball_impact(solver_, a, b, normal, 0.95, 0.06);
             const double along = 0.5 * kMass * 1.95 * 3 * std::cos(angle);
             const double across = std::min(0.06 * along, kMass * slip.length() / 7);
@@ -59,9 +59,9 @@ TEST_F(Impact, BallBall_AnyCutAndSpin_GivesTheImpulsesOfTheFormula) {
 }
 
 TEST_F(Impact, BallBall_ElasticWithoutFriction_KeepsEnergyAndMomentum) {
-    BallBody a = ball({0, 0, 0}, {2, 1, 0.3}, {5, 6, 7});
+    RigidBody a = ball({0, 0, 0}, {2, 1, 0.3}, {5, 6, 7});
     const Vec3 direction = Vec3(0.6, 0.64, 0.48);
-    BallBody b = ball(direction * (2 * kRadius), {-1, 0.4, 0}, {-3, 0, 9});
+    RigidBody b = ball(direction * (2 * kRadius), {-1, 0.4, 0}, {-3, 0, 9});
     const double before = energy(a) + energy(b);
     const Vec3 momentum = a.state.velocity + b.state.velocity;
     ball_ball_impact(solver_, a, b, -direction, 1, 0);
@@ -70,8 +70,8 @@ TEST_F(Impact, BallBall_ElasticWithoutFriction_KeepsEnergyAndMomentum) {
 }
 
 TEST_F(Impact, BallBall_UnequalMasses_ObeyRestitution) {
-    BallBody a = ball({0, 0, 0}, {2, 0, 0});
-    BallBody b = ball({2 * kRadius, 0, 0}, {0, 0, 0});
+    RigidBody a = ball({0, 0, 0}, {2, 0, 0});
+    RigidBody b = ball({2 * kRadius, 0, 0}, {0, 0, 0});
     b.mass = 3 * kMass;
     ball_ball_impact(solver_, a, b, {-1, 0, 0}, 0.5, 0.1);
     EXPECT_NEAR(b.state.velocity.x - a.state.velocity.x, 1, 1e-12);
@@ -79,14 +79,14 @@ TEST_F(Impact, BallBall_UnequalMasses_ObeyRestitution) {
 }
 
 TEST_F(Impact, BallBall_BarelyApproaching_StillSeparates) {
-    BallBody a = ball({0, 0, 0}, {1e-14, 0, 0});
-    BallBody b = ball({2 * kRadius, 0, 0}, {0, 0, 0});
+    RigidBody a = ball({0, 0, 0}, {1e-14, 0, 0});
+    RigidBody b = ball({2 * kRadius, 0, 0}, {0, 0, 0});
     ball_ball_impact(solver_, a, b, {-1, 0, 0}, 0.9, 0.1);
     EXPECT_NEAR(b.state.velocity.x - a.state.velocity.x, kLeastSeparation, 1e-12);
 }
 
 TEST_F(Impact, BallOnSlate_WithSpin_BouncesWithFriction) {
-    BallBody a = ball({0, 0, kRadius}, {1, 0, -2}, {0, 0, 0});
+    RigidBody a = ball({0, 0, kRadius}, {1, 0, -2}, {0, 0, 0});
     const ImpulsePair impulse = ball_static_impact(solver_, a, {0, 0, 1}, 0.5, 0.2);
     EXPECT_NEAR(a.state.velocity.z, 1, 1e-12);
     // Sticking would remove 2/7 of the slip; Coulomb's limit 0.2 * 3 m/s is larger.
@@ -142,7 +142,7 @@ TEST(CushionImpact_Han2005, AgreesWithThePapersEquations) {
         for (const double side : {-60.0, 0.0, 60.0}) {
             for (const double follow : {-40.0, 0.0, 70.0}) {
                 const Vec3 spin(5, follow, side);
-                BallBody b = ball({0, 0, kRadius}, {2, vy, 0}, spin);
+                RigidBody b = ball({0, 0, kRadius}, {2, vy, 0}, spin);
                 cushion_impact(b, inward, normal, law, 0.2);
                 const HanAnswer expected = han(2, vy, spin, law.restitution, law.friction);
                 EXPECT_NEAR(b.state.velocity.x, expected.vx, 1e-12);
@@ -155,7 +155,7 @@ TEST(CushionImpact_Han2005, AgreesWithThePapersEquations) {
 
 TEST(CushionImpact_Mirror, ReversesOnlyTheNormalVelocity) {
     const BallCushion law{CushionModel::mirror, 0.7, 0};
-    BallBody b = ball({0, 0, kRadius}, {2, -1, 0}, {3, 4, 5});
+    RigidBody b = ball({0, 0, kRadius}, {2, -1, 0}, {3, 4, 5});
     cushion_impact(b, {-1, 0, 0}, {-1, 0, 0}, law, 0.2);
     EXPECT_EQ(b.state.velocity, Vec3(2 - 1.7 * 2, -1, 0));
     EXPECT_EQ(b.state.angular_velocity, Vec3(3, 4, 5));

@@ -95,7 +95,7 @@ PaperState ours(const Equipment& e, const Shot& shot, double turn = 0.7) {
     const Vec3 x(std::cos(turn), std::sin(turn), 0);
     const Vec3 y(-x.y, x.x, 0);
     const double sine = e.nose_height / e.radius - 1;
-    BallBody ball{e.mass, e.radius, {}};
+    RigidBody ball = RigidBody::ball(e.mass, e.radius);
     ball.state.velocity = x * q.x + y * q.y;
     ball.state.angular_velocity = x * q.wx + y * q.wy + Vec3(0, 0, q.wz);
     const Vec3 normal = y * -std::sqrt(1 - sine * sine) - Vec3(0, 0, sine);
@@ -179,7 +179,7 @@ TEST(Mathavan_ArbitraryParameters, EndsWithoutGainingEnergy) {
         const Vec3 normal(0, -std::sqrt(1 - sine * sine), -sine);
         const double scale = std::pow(10.0, -4 + 5 * random_fraction(seed));
         const auto speed = [&] { return scale * (2 * random_fraction(seed) - 1); };
-        BallBody ball{0.17, 0.03, {}};
+        RigidBody ball = RigidBody::ball(0.17, 0.03);
         ball.state.velocity = {speed(), scale * random_fraction(seed), 0};
         ball.state.angular_velocity = Vec3(speed(), speed(), speed()) * (3 / ball.radius);
         const auto energy_of = [](const MotionState& state, double radius) {

@@ -18,14 +18,14 @@ constexpr double kMass = 0.170097;
 constexpr double kDegree = std::numbers::pi / 180;
 const BallBall kConstant{0.95, 0.05, BallFriction::constant};
 
-BallBody ball_at(double x, double y, double z = 0) {
-    BallBody ball{kMass, kRadius, {}};
+RigidBody ball_at(double x, double y, double z = 0) {
+    RigidBody ball = RigidBody::ball(kMass, kRadius);
     ball.state.position = {x, y, z};
     return ball;
 }
 
 /// A group with contacts between all balls that touch.
-TouchingGroup group_of(std::vector<BallBody> balls, std::optional<double> friction = {},
+TouchingGroup group_of(std::vector<RigidBody> balls, std::optional<double> friction = {},
                        bool is_level = true) {
     TouchingGroup group;
     group.balls = std::move(balls);
@@ -58,7 +58,7 @@ Vec3 towards(double angle) {
 
 double energy(const TouchingGroup& group) {
     double sum = 0;
-    for (const BallBody& b : group.balls) {
+    for (const RigidBody& b : group.balls) {
         const Vec3& v = b.state.velocity;
         const Vec3& w = b.state.angular_velocity;
         sum += 0.5 * b.mass * (v.dot(v) + 0.4 * b.radius * b.radius * w.dot(w));
@@ -68,13 +68,13 @@ double energy(const TouchingGroup& group) {
 
 Vec3 momentum(const TouchingGroup& group) {
     Vec3 sum(0, 0, 0);
-    for (const BallBody& b : group.balls) {
+    for (const RigidBody& b : group.balls) {
         sum += b.state.velocity * b.mass;
     }
     return sum;
 }
 
-double direction_of(const BallBody& ball) {
+double direction_of(const RigidBody& ball) {
     return std::atan2(ball.state.velocity.y, ball.state.velocity.x);
 }
 
@@ -112,7 +112,7 @@ TEST(Push_Straight, GivesBothBallsTheSameSpeed) {
         TouchingGroup group = frozen_pair(0.05);
         push_balls(group, strike, {1, 0, 0}, kConstant);
         const double expected = (1 + e) * 4 / (1 + 2 * kMass / strike.stick_mass);
-        for (const BallBody& ball : group.balls) {
+        for (const RigidBody& ball : group.balls) {
             EXPECT_NEAR((ball.state.velocity - Vec3(expected, 0, 0)).length(), 0, 1e-13);
             EXPECT_EQ(ball.state.angular_velocity, Vec3(0, 0, 0));
         }
@@ -126,7 +126,7 @@ TEST(Push_AlongALineOfThree, GivesAllTheSameSpeed) {
     const Strike strike = level_strike(4);
     push_balls(group, strike, {1, 0, 0}, {0.95, 0.05, BallFriction::alciatore});
     const double expected = 1.73 * 4 / (1 + 3 * kMass / strike.stick_mass);
-    for (const BallBody& ball : group.balls) {
+    for (const RigidBody& ball : group.balls) {
         EXPECT_NEAR((ball.state.velocity - Vec3(expected, 0, 0)).length(), 0, 1e-12);
     }
 }
@@ -241,8 +241,8 @@ TEST(Push_OnABallOfExtremeMass, HasTheLimitsOfNoneAndOfAWall) {
 }
 
 /// Rows of 1, 2, ... balls behind each other, in the direction of +x, the first at the origin.
-std::vector<BallBody> rack(int rows) {
-    std::vector<BallBody> balls;
+std::vector<RigidBody> rack(int rows) {
+    std::vector<RigidBody> balls;
     for (int row = 0; row < rows; ++row) {
         for (int k = 0; k <= row; ++k) {
             balls.push_back(ball_at(row * std::sqrt(3) * kRadius, (2 * k - row) * kRadius));
@@ -253,7 +253,7 @@ std::vector<BallBody> rack(int rows) {
 
 TEST(Push_OnARack, IsSymmetric) {
     for (const int rows : {2, 3, 4, 5}) {
-        std::vector<BallBody> balls = rack(rows);
+        std::vector<RigidBody> balls = rack(rows);
         balls.push_back(ball_at(-2 * kRadius, 0));
         TouchingGroup group = group_of(balls);
         group.struck = balls.size() - 1;
@@ -284,13 +284,13 @@ struct RandomPush {
 /// A random part of a frozen lattice with a ball on top now and then, a random strike and friction.
 RandomPush random_push(std::uint64_t seed) {
     SplitMix64 random(seed * 0x9E3779B97F4A7C15U + 77);
-    std::vector<BallBody> lattice = rack(5);
+    std::vector<RigidBody> lattice = rack(5);
     const std::size_t count = 2 + random.next() % 14;
     const double turn = random.between(0, 6.3);
-    std::vector<BallBody> balls;
+    std::vector<RigidBody> balls;
     while (balls.size() < count) {
         const std::size_t pick = random.next() % lattice.size();
-        BallBody ball = lattice[pick];
+        RigidBody ball = lattice[pick];
         lattice.erase(lattice.begin() + static_cast<std::ptrdiff_t>(pick));
         const Vec3 p = ball.state.position;
         ball.state.position = {p.x * std::cos(turn) - p.y * std::sin(turn),
@@ -378,7 +378,7 @@ TEST(Push_Random, TurnsWithTheShot) {
         }
         push_balls(first.group, first.strike, first.aim, first.law);
         push_balls(second.group, second.strike, second.aim, second.law);
-        for (BallBody& ball : first.group.balls) {
+        for (RigidBody& ball : first.group.balls) {
             ball.state.velocity = turned(ball.state.velocity);
             ball.state.angular_velocity = turned(ball.state.angular_velocity);
         }

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/rigid.h"
 #include "sim/numeric/rotation.h"
 #include "sim/shape/convex_shape.h"
 #include "sim/shape/mass_properties.h"
-#include "sim/spatial/axes.h"
 #include "sim/spatial/convex_contacts.h"
 
 namespace carom::sim {

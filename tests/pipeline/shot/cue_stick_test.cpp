@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/rigid.h"
 #include "sim/bake.h"
-#include "sim/spatial/axes.h"
 
 namespace carom::pipeline {
 namespace {
@@ -62,7 +62,7 @@ Played play(std::vector<sim::Body> bodies, std::vector<sim::ForceEvent> events,
 
 /// The stick's axis: from the front of the tip towards the butt.
 Vec3 axis_of(const MotionState& state) {
-    return sim::to_world(state.orientation, Vec3(0, 0, 1));
+    return to_world(state.orientation, Vec3(0, 0, 1));
 }
 
 TEST(CueStick, AtTheContact_TouchesTheBallWithTheSpeedOfTheStrike) {

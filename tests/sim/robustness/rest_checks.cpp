@@ -63,13 +63,11 @@ class RestingBodies {
     RestingBodies(const WorldDescription& world, const Timeline& timeline, double time,
                   const std::function<bool(const Body&, const Vec3&)>& takes_part)
         : environment_(world),
-          balls_(make_balls(world, environment_)),
-          solids_(make_step_solids(world)),
-          bodies_(make_step_bodies(balls_, solids_, environment_.contacts)),
+          bodies_(make_moving_bodies(world, environment_)),
           islands_(bodies_.size()) {
         std::iota(islands_.begin(), islands_.end(), 0);
-        for (StepBody& body : bodies_) {
-            place(body, world, timeline, time, takes_part);
+        for (MovingBody& body : bodies_) {
+            place(body, timeline, time, takes_part);
         }
         contacts_ = ContactFinder(environment_).find(bodies_);
         for (const BodyContact& found : contacts_) {
@@ -84,7 +82,7 @@ class RestingBodies {
         for (const BodyContact& found : contacts_) {
             if (found.contact.depth > kAllowedOverlap) {
                 faults.push_back(fmt::format("'{}' rests {:.3f} mm inside of '{}'",
-                                             *body(found.contact.first).name,
+                                             body(found.contact.first).name(),
                                              found.contact.depth * 1e3, name(found.other)));
             }
         }
@@ -97,34 +95,31 @@ class RestingBodies {
     }
 
   private:
-    static void place(StepBody& body, const WorldDescription& world, const Timeline& timeline,
-                      double time,
+    static void place(MovingBody& body, const Timeline& timeline, double time,
                       const std::function<bool(const Body&, const Vec3&)>& takes_part) {
-        body.is_in_ode = true;
         if (body.is_kinematic()) {
             body.state = body.path->at(time);
-            body.is_awake = body.path->is_moving_from(time);
+            body.mode = body.path->is_moving_from(time) ? Mode::solver : Mode::asleep;
             return;
         }
-        const MotionState state = timeline.find(*body.name)->sample(time);
-        const auto description = std::find_if(world.bodies.begin(), world.bodies.end(),
-                                              [&](const Body& b) { return b.name == *body.name; });
         constexpr double kStill = 1e-9;  // m/s, rad/s
-        body.is_awake = body.is_in_ode = length(state.velocity) < kStill &&
-                                         length(state.angular_velocity) < kStill &&
-                                         takes_part(*description, state.position);
+        const MotionState state = timeline.find(body.name())->sample(time);
+        const bool rests = length(state.velocity) < kStill &&
+                           length(state.angular_velocity) < kStill &&
+                           takes_part(*body.description, state.position);
+        body.mode = rests ? Mode::solver : Mode::gone;
         body.state = state;
         body.state.orientation = state.orientation * body.principal;
     }
 
-    [[nodiscard]] const StepBody& body(int number) const {
+    [[nodiscard]] const MovingBody& body(int number) const {
         return bodies_[static_cast<std::size_t>(number)];
     }
     [[nodiscard]] std::string name(int number) const {
-        return number >= 0 ? *body(number).name : ContactFinder(environment_).info(number).name;
+        return number >= 0 ? body(number).name() : ContactFinder(environment_).info(number).name;
     }
     [[nodiscard]] bool is_free(int number) const {
-        return number >= 0 && body(number).is_in_ode && !body(number).is_kinematic();
+        return number >= 0 && body(number).is_in_solver() && !body(number).is_kinematic();
     }
     [[nodiscard]] int root(int number) const {
         while (islands_[static_cast<std::size_t>(number)] != number) {
@@ -144,7 +139,7 @@ class RestingBodies {
         if (row == rows.end()) {
             return;
         }
-        const StepBody& b = body(number);
+        const MovingBody& b = body(number);
         const double weight = b.mass * length(environment_.gravity);
         const Vec3 about =
             (moment + (point - b.state.position).cross(force)) / (weight * b.bounding_radius());
@@ -192,7 +187,7 @@ class RestingBodies {
                 faults.push_back(
                     fmt::format("'{}' rests without being held: {:.4f} of its weight is missing, "
                                 "in an island of {}",
-                                *body(number).name, std::sqrt(square), rows.size()));
+                                body(number).name(), std::sqrt(square), rows.size()));
                 return;
             }
         }
@@ -200,9 +195,7 @@ class RestingBodies {
 
     ode::ThreadGuard guard_;
     StaticEnvironment environment_;
-    std::vector<Ball> balls_;
-    std::vector<StepSolid> solids_;
-    std::vector<StepBody> bodies_;
+    std::vector<MovingBody> bodies_;
     std::vector<int> islands_;
     std::vector<BodyContact> contacts_;
 };
