@@ -8,15 +8,12 @@
 
 #include "sim/force_event.h"
 #include "sim/numeric/polynomial.h"
+#include "sim/numeric/tolerances.h"
 
 namespace carom::sim {
 namespace {
 
-/// An object closer to the line than this (m) is on neither side.
-constexpr double kOnLine = 1e-11;
-constexpr double kLeastDisplacement = 2e-4;  // m, of a visible motion
-constexpr double kLeastSpeed = 0.01;         // m/s
-constexpr double kLeastSpin = 0.5;           // rad/s
+constexpr double kLeastSpin = 0.5;  // rad/s, of a visible motion
 
 int sign(double value) {
     return value > 0 ? 1 : value < 0 ? -1 : 0;
@@ -89,7 +86,7 @@ bool is_visible(std::span<const Key> keys, std::size_t first, std::size_t last) 
                                       i < last ? key.velocity_out.length() : 0);
         const double spin = std::max(i > first ? key.angular_velocity_in.length() : 0,
                                      i < last ? key.angular_velocity_out.length() : 0);
-        if (speed > kLeastSpeed || spin > kLeastSpin) {
+        if (speed > kVisibleSpeed || spin > kLeastSpin) {
             return true;
         }
     }

@@ -194,8 +194,7 @@ void check_solids(const Ball& ball, const WorldDescription& world, DeepestOverla
             continue;
         }
         const Pose pose{body.pose.position, body.pose.orientation * solid->principal};
-        const SurfaceContact contact =
-            convex_contact(*solid->shape, pose, ball.centre, ball.radius);
+        const Contact contact = convex_contact(*solid->shape, pose, ball.centre, ball.radius);
         deepest.consider(contact.depth, kRounding, "'" + body.name + "'");
     }
 }

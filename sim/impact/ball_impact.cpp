@@ -15,23 +15,18 @@ RigidBody unturned(const RigidBody& ball) {
     return body;
 }
 
-void set_velocities(RigidBody& ball, const ode::Velocities& velocities) {
-    ball.state.velocity = velocities.linear;
-    ball.state.angular_velocity = velocities.angular;
-}
-
 }  // namespace
 
 ImpulsePair ball_ball_impact(ode::ImpactSolver& solver, RigidBody& a, RigidBody& b,
                              const Vec3& normal, double restitution, double friction) {
     ImpulsePair impulse;
     if ((a.state.velocity - b.state.velocity).dot(normal) < 0) {
-        const ode::ImpactContact contact{a.state.position - normal * a.radius, normal, restitution,
-                                         friction};
-        const ode::ImpactResult result = solver.solve(unturned(a), unturned(b), contact);
-        set_velocities(a, result.first);
-        set_velocities(b, result.second);
-        impulse = {result.normal_impulse, result.tangential_impulse};
+        const Contact contact{a.state.position - normal * a.radius, normal, 0};
+        const ode::ImpactResult result =
+            solver.solve(unturned(a), unturned(b), contact, restitution, friction);
+        a.set(result.first);
+        b.set(result.second);
+        impulse = result.impulse;
     }
     const double separation = (a.state.velocity - b.state.velocity).dot(normal);
     if (separation < kLeastSeparation) {
@@ -47,11 +42,11 @@ ImpulsePair ball_static_impact(ode::ImpactSolver& solver, RigidBody& ball, const
                                double restitution, double friction) {
     ImpulsePair impulse;
     if (ball.state.velocity.dot(normal) < 0) {
-        const ode::ImpactContact contact{ball.state.position - normal * ball.radius, normal,
-                                         restitution, friction};
-        const ode::ImpactResult result = solver.solve_static(unturned(ball), contact);
-        set_velocities(ball, result.first);
-        impulse = {result.normal_impulse, result.tangential_impulse};
+        const Contact contact{ball.state.position - normal * ball.radius, normal, 0};
+        const ode::ImpactResult result =
+            solver.solve_static(unturned(ball), contact, restitution, friction);
+        ball.set(result.first);
+        impulse = result.impulse;
     }
     const double separation = ball.state.velocity.dot(normal);
     if (separation < kLeastSeparation) {

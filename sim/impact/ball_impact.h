@@ -3,19 +3,10 @@
 
 #include "core/pose.h"
 #include "sim/contact_law.h"
+#include "sim/numeric/tolerances.h"
 #include "sim/ode/impact_solver.h"
 
 namespace carom::sim {
-
-/// Least separation speed after every impact, m/s. Without it, a ball that its spin presses against
-/// another ball or a cushion would bounce infinitely often in a finite time (Zeno behaviour). A
-/// bounce at this speed is a nanometre high; its energy is 2e-10 J for a pool ball.
-inline constexpr double kLeastSeparation = 5e-5;
-
-struct ImpulsePair {
-    double normal = 0;      // N s
-    double tangential = 0;  // N s
-};
 
 /// Impact of two balls: restitution along `normal` (unit, from b towards a), Coulomb friction
 /// against the tangential relative surface velocity. Changes both velocities.

@@ -5,6 +5,11 @@
 
 namespace carom::sim {
 
+struct Velocities {
+    Vec3 linear{0, 0, 0};   // m/s
+    Vec3 angular{0, 0, 0};  // rad/s, world axes
+};
+
 struct RigidBody {
     double mass = 1;        // kg
     Vec3 inertia{1, 1, 1};  // principal moments, kg m^2
@@ -15,6 +20,10 @@ struct RigidBody {
         return {mass, Vec3(0.4 * mass * radius * radius), radius, state};
     }
 
+    void set(const Velocities& velocities) {
+        state.velocity = velocities.linear;
+        state.angular_velocity = velocities.angular;
+    }
     [[nodiscard]] bool is_ball() const { return radius > 0; }
     /// J, of translation and rotation.
     [[nodiscard]] double kinetic_energy() const;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "sim/numeric/tolerances.h"
+
 namespace carom::sim {
 namespace {
 

@@ -8,9 +8,6 @@
 
 namespace carom::sim {
 
-/// Gaps below this (m) count as closed: a thousand times the rounding error of a located impact.
-inline constexpr double kContactDistance = 1e-12;
-
 // All functions return the first time in [now, until] at which a gap closes, or `now` if the gap is
 // closed and still closing. A pair that touches and separates has to come apart before it can touch
 // again. Times are scene times.

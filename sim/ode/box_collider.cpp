@@ -7,6 +7,7 @@
 
 #include "core/assert.h"
 #include "core/error.h"
+#include "sim/numeric/tolerances.h"
 #include "sim/ode/handles.h"
 
 namespace carom::sim::ode {
@@ -39,22 +40,22 @@ Geom make_box(const Vec3& size, const Pose& pose, double skin) {
     return geom;
 }
 
-void collide(dGeomID a, dGeomID b, int most, std::vector<BoxContact>& contacts) {
+void collide(dGeomID a, dGeomID b, int most, std::vector<Contact>& contacts) {
     std::array<dContactGeom, 8> found{};
     const int count = dCollide(a, b, most, found.data(), sizeof(dContactGeom));
     for (int i = 0; i < count; ++i) {
         const dContactGeom& contact = found[static_cast<std::size_t>(i)];
         contacts.push_back(
-            {to_vec3(contact.pos), to_vec3(contact.normal), contact.depth - kBoxMargin});
+            {to_vec3(contact.pos), to_vec3(contact.normal), contact.depth - kSolidMargin});
     }
 }
 
 }  // namespace
 
 void collide_boxes(const Vec3& size_a, const Pose& a, const Vec3& size_b, const Pose& b,
-                   std::vector<BoxContact>& contacts) {
-    const Geom first = make_box(size_a, a, 0.5 * kBoxMargin);
-    const Geom second = make_box(size_b, b, 0.5 * kBoxMargin);
+                   std::vector<Contact>& contacts) {
+    const Geom first = make_box(size_a, a, 0.5 * kSolidMargin);
+    const Geom second = make_box(size_b, b, 0.5 * kSolidMargin);
     collide(first.get(), second.get(), 4, contacts);
 }
 
@@ -99,8 +100,8 @@ TriangleSurface::~TriangleSurface() {
 TriangleSurface::TriangleSurface(TriangleSurface&&) noexcept = default;
 
 void TriangleSurface::collide(const Vec3& size, const Pose& box,
-                              std::vector<BoxContact>& contacts) const {
-    const Geom geom = make_box(size, box, kBoxMargin);
+                              std::vector<Contact>& contacts) const {
+    const Geom geom = make_box(size, box, kSolidMargin);
     const std::scoped_lock lock(triangle_lock());
     ode::collide(geom.get(), state_->geom.get(), 8, contacts);
 }

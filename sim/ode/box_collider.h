@@ -7,22 +7,13 @@
 #include <vector>
 
 #include "core/pose.h"
+#include "sim/motion/contact.h"
 
 namespace carom::sim::ode {
 
-struct BoxContact {
-    Vec3 point{0, 0, 0};
-    Vec3 normal{0, 0, 1};  // unit, from the second towards the first
-    double depth = 0;
-};
-
-/// Gaps up to this (m) between boxes count as contacts of negative depth, so that a stack keeps all
-/// four corners of every face in contact.
-inline constexpr double kBoxMargin = 1e-4;
-
-/// Up to four contacts of two boxes.
+/// Up to four contacts of two boxes with gaps up to kSolidMargin, with normals from b towards a.
 void collide_boxes(const Vec3& size_a, const Pose& a, const Vec3& size_b, const Pose& b,
-                   std::vector<BoxContact>& contacts);
+                   std::vector<Contact>& contacts);
 
 /// A triangle surface for collisions with boxes. ODE's triangle code keeps process-wide state in
 /// Debian's build, so all calls share one lock.
@@ -37,7 +28,7 @@ class TriangleSurface {
     TriangleSurface& operator=(const TriangleSurface&) = delete;
 
     /// Up to eight contacts, normals towards the box.
-    void collide(const Vec3& size, const Pose& box, std::vector<BoxContact>& contacts) const;
+    void collide(const Vec3& size, const Pose& box, std::vector<Contact>& contacts) const;
 
   private:
     struct State;

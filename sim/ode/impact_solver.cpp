@@ -1,9 +1,9 @@
 #include "sim/ode/impact_solver.h"
 
-#include <cmath>
-
 #include "core/assert.h"
+#include "core/length.h"
 #include "core/rigid.h"
+#include "sim/numeric/tolerances.h"
 #include "sim/ode/handles.h"
 
 namespace carom::sim::ode {
@@ -21,25 +21,14 @@ Velocities velocities_of(dBodyID body) {
     return {to_vec3(dBodyGetLinearVel(body)), to_vec3(dBodyGetAngularVel(body))};
 }
 
-/// The direction of the slip, or any tangential direction if there is no slip.
-Vec3 friction_direction(const Vec3& relative_velocity, const Vec3& normal) {
-    const Vec3 slip = relative_velocity - normal * relative_velocity.dot(normal);
-    const double speed = std::sqrt(slip.dot(slip));
-    if (speed > 1e-12) {
-        return slip / speed;
-    }
-    const Vec3 axis = std::abs(normal.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
-    const Vec3 across = normal.cross(axis);
-    return across / std::sqrt(across.dot(across));
-}
-
-dContact contact_of(const ImpactContact& from, const Vec3& relative_velocity) {
+dContact contact_of(const Contact& from, double restitution, double friction,
+                    const Vec3& relative_velocity) {
     dContact contact{};
     contact.surface.mode =
         dContactBounce | dContactSoftERP | dContactSoftCFM | dContactApprox1 | dContactFDir1;
-    contact.surface.mu = from.friction;
-    contact.surface.bounce = from.restitution;
-    const Vec3 direction = friction_direction(relative_velocity, from.normal);
+    contact.surface.mu = friction;
+    contact.surface.bounce = restitution;
+    const Vec3 direction = direction_across(relative_velocity, from.normal, kLeastImpactSlip);
     for (int i = 0; i < 3; ++i) {
         contact.geom.pos[i] = from.point[i];
         contact.geom.normal[i] = from.normal[i];
@@ -50,9 +39,8 @@ dContact contact_of(const ImpactContact& from, const Vec3& relative_velocity) {
 
 void measure_impulse(const RigidBody& first, const Vec3& normal, ImpactResult& result) {
     const Vec3 impulse = (result.first.linear - first.state.velocity) * first.mass;
-    result.normal_impulse = impulse.dot(normal);
-    const Vec3 across = impulse - normal * result.normal_impulse;
-    result.tangential_impulse = std::sqrt(across.dot(across));
+    result.impulse.normal = impulse.dot(normal);
+    result.impulse.tangential = length(impulse - normal * result.impulse.normal);
 }
 
 }  // namespace
@@ -82,14 +70,14 @@ ImpactSolver::ImpactSolver() : state_(std::make_unique<State>()) {
 ImpactSolver::~ImpactSolver() = default;
 
 ImpactResult ImpactSolver::solve(const RigidBody& first, const RigidBody& second,
-                                 const ImpactContact& contact) {
+                                 const Contact& contact, double restitution, double friction) {
     const Vec3 relative =
         velocity_at(first.state, contact.point) - velocity_at(second.state, contact.point);
     CAROM_ASSERT(relative.dot(contact.normal) < 0);
     load(state_->first, first);
     load(state_->second, second);
     dBodyEnable(state_->second);
-    state_->step(contact_of(contact, relative), state_->second);
+    state_->step(contact_of(contact, restitution, friction, relative), state_->second);
     ImpactResult result;
     result.first = velocities_of(state_->first);
     result.second = velocities_of(state_->second);
@@ -97,12 +85,13 @@ ImpactResult ImpactSolver::solve(const RigidBody& first, const RigidBody& second
     return result;
 }
 
-ImpactResult ImpactSolver::solve_static(const RigidBody& first, const ImpactContact& contact) {
+ImpactResult ImpactSolver::solve_static(const RigidBody& first, const Contact& contact,
+                                        double restitution, double friction) {
     const Vec3 relative = velocity_at(first.state, contact.point);
     CAROM_ASSERT(relative.dot(contact.normal) < 0);
     load(state_->first, first);
     dBodyDisable(state_->second);
-    state_->step(contact_of(contact, relative), nullptr);
+    state_->step(contact_of(contact, restitution, friction, relative), nullptr);
     ImpactResult result;
     result.first = velocities_of(state_->first);
     measure_impulse(first, contact.normal, result);
@@ -110,10 +99,11 @@ ImpactResult ImpactSolver::solve_static(const RigidBody& first, const ImpactCont
 }
 
 ImpactResult ImpactSolver::solve_kinematic(const RigidBody& first, const Vec3& velocity,
-                                           const ImpactContact& contact) {
+                                           const Contact& contact, double restitution,
+                                           double friction) {
     RigidBody relative = first;
     relative.state.velocity -= velocity;
-    ImpactResult result = solve_static(relative, contact);
+    ImpactResult result = solve_static(relative, contact, restitution, friction);
     result.first.linear += velocity;
     return result;
 }

@@ -3,26 +3,14 @@
 
 #include <memory>
 
+#include "sim/motion/contact.h"
 #include "sim/motion/rigid_body.h"
 
 namespace carom::sim::ode {
 
-struct Velocities {
-    Vec3 linear{0, 0, 0};   // m/s
-    Vec3 angular{0, 0, 0};  // rad/s, world axes
-};
-
-struct ImpactContact {
-    Vec3 point{0, 0, 0};
-    Vec3 normal{0, 0, 1};  // unit, from the second body towards the first
-    double restitution = 0;
-    double friction = 0;
-};
-
 struct ImpactResult {
     Velocities first, second;
-    double normal_impulse = 0;      // N s
-    double tangential_impulse = 0;  // N s
+    ImpulsePair impulse;
 };
 
 /// Solves impacts in a small ODE world of its own (docs/physics.md): exact normal, depth 0, no
@@ -37,14 +25,16 @@ class ImpactSolver {
 
     /// The velocities after the impact. The bodies have to approach each other at the contact.
     [[nodiscard]] ImpactResult solve(const RigidBody& first, const RigidBody& second,
-                                     const ImpactContact& contact);
+                                     const Contact& contact, double restitution, double friction);
 
     /// Impact with a static obstacle; `second` of the result is zero.
-    [[nodiscard]] ImpactResult solve_static(const RigidBody& first, const ImpactContact& contact);
+    [[nodiscard]] ImpactResult solve_static(const RigidBody& first, const Contact& contact,
+                                            double restitution, double friction);
 
     /// Impact with a kinematic body, which moves at `velocity` (m/s) at the contact and keeps it.
     [[nodiscard]] ImpactResult solve_kinematic(const RigidBody& first, const Vec3& velocity,
-                                               const ImpactContact& contact);
+                                               const Contact& contact, double restitution,
+                                               double friction);
 
   private:
     struct State;

@@ -9,6 +9,7 @@
 #include "core/length.h"
 #include "core/rigid.h"
 #include "sim/motion/free_rotation.h"
+#include "sim/numeric/tolerances.h"
 #include "sim/ode/handles.h"
 #include "sim/ode/process.h"
 
@@ -19,9 +20,6 @@ namespace {
 // fraction per step and speed.
 constexpr double kErrorRate = 200;
 constexpr double kErrorReduction = 0.2;
-// Depths up to this (m) are not corrected: impacts are detected that late, and a correction would
-// add energy.
-constexpr double kSlop = 5e-6;
 constexpr double kCorrectingSpeed = 0.1;  // m/s
 // ODE's constraint force mixing, as a fraction of the inverse mass at a contact: it distributes the
 // load, and the friction, among redundant contacts. Without it rounding decides, which turns
@@ -44,20 +42,6 @@ Vec3 velocity_at(dBodyID body, const Vec3& point) {
 
 Vec3 velocity_at(const MotionState& state, const Velocities& velocities, const Vec3& point) {
     return velocities.linear + velocities.angular.cross(point - state.position);
-}
-
-/// Slip slower than this (m/s) is due to rounding and has no direction.
-constexpr double kLeastSlip = 1e-6;
-
-/// The direction of `slip`, so that the friction pyramid is exact along it.
-Vec3 friction_direction(const Vec3& slip, const Vec3& normal) {
-    const double speed = length(slip);
-    if (speed > kLeastSlip) {
-        return slip / speed;
-    }
-    const Vec3 axis = std::abs(normal.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
-    const Vec3 sideways = normal.cross(axis);
-    return sideways / length(sideways);
 }
 
 /// The speed (m/s) at which a contact may close after the midpoint of a step.
@@ -137,8 +121,8 @@ struct StepWorld::State {
                                std::vector<Velocities>& after);
     void solve_all(double duration, const Vec3& gravity, std::span<const int> moving,
                    std::span<const MotionState> states, std::span<const StepContact> contacts,
-                   std::vector<Velocities>& after, std::vector<StepImpulse>& impulses);
-    [[nodiscard]] StepImpulse impulse_of(const StepContact& contact,
+                   std::vector<Velocities>& after, std::vector<ImpulsePair>& impulses);
+    [[nodiscard]] ImpulsePair impulse_of(const StepContact& contact,
                                          const dJointFeedback& feedback_of_contact,
                                          double duration) const;
 };
@@ -194,7 +178,8 @@ void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
     }
     const Vec3 slip = across(relative, from.normal);
     if (number >= directions.size()) {
-        directions.push_back(friction_direction(slip, from.normal));
+        // The friction pyramid is exact along its direction.
+        directions.push_back(direction_across(relative, from.normal, kLeastStepSlip));
     }
     dContact contact{};
     dSurfaceParameters& surface = contact.surface;
@@ -216,11 +201,11 @@ void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
     // A slipping ball has no rolling resistance yet.
     const bool is_rolling = length(slip) < 4 * from.friction * length(velocity_by_gravity) + 1e-6;
     if (attempt.has_friction() &&
-        (from.spinning_lever > 0 || (from.rolling_lever > 0 && is_rolling))) {
+        (from.torsional_arm > 0 || (from.rolling_arm > 0 && is_rolling))) {
         surface.mode |= dContactRolling | dContactAxisDep;
         surface.mu2 = from.friction;
-        surface.rho = surface.rho2 = is_rolling ? from.rolling_lever : 0;
-        surface.rhoN = from.spinning_lever;
+        surface.rho = surface.rho2 = is_rolling ? from.rolling_arm : 0;
+        surface.rhoN = from.torsional_arm;
     }
     for (int i = 0; i < 3; ++i) {
         contact.geom.pos[i] = from.point[i];
@@ -272,7 +257,7 @@ bool StepWorld::State::solve(const Attempt& attempt, double duration, const Vec3
     return capture.messages().empty();
 }
 
-StepImpulse StepWorld::State::impulse_of(const StepContact& contact,
+ImpulsePair StepWorld::State::impulse_of(const StepContact& contact,
                                          const dJointFeedback& feedback_of_contact,
                                          double duration) const {
     const bool is_on_first = moving_body(contact.first) != nullptr;
@@ -337,7 +322,7 @@ void StepWorld::State::solve_all(double duration, const Vec3& gravity, std::span
                                  std::span<const MotionState> states,
                                  std::span<const StepContact> contacts,
                                  std::vector<Velocities>& after,
-                                 std::vector<StepImpulse>& impulses) {
+                                 std::vector<ImpulsePair>& impulses) {
     directions.clear();
     solve_with_directions(duration, gravity, moving, states, contacts, after);
     if (update_friction_directions(states, contacts, after)) {
@@ -352,7 +337,7 @@ void StepWorld::State::solve_all(double duration, const Vec3& gravity, std::span
 
 void StepWorld::step(double duration, const Vec3& gravity, std::span<const int> moving,
                      std::span<const MotionState> midpoints, std::span<const StepContact> contacts,
-                     std::vector<StepMotion>& motions, std::vector<StepImpulse>& impulses) {
+                     std::vector<StepMotion>& motions, std::vector<ImpulsePair>& impulses) {
     std::vector<Velocities> after;
     state_->solve_all(duration, gravity, moving, midpoints, contacts, after, impulses);
     motions.resize(moving.size());
@@ -368,7 +353,7 @@ void StepWorld::step(double duration, const Vec3& gravity, std::span<const int> 
 
 void StepWorld::solve_impact(std::span<const int> moving, std::span<const MotionState> states,
                              std::span<const StepContact> contacts, std::vector<Velocities>& after,
-                             std::vector<StepImpulse>& impulses) {
+                             std::vector<ImpulsePair>& impulses) {
     // Impulses depend on the duration only through ODE's softness.
     constexpr double kDuration = 1.0 / 1024;  // s
     state_->solve_all(kDuration, Vec3(0, 0, 0), moving, states, contacts, after, impulses);

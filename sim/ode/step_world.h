@@ -10,23 +10,15 @@
 
 namespace carom::sim::ode {
 
-/// One point of contact during one step.
-struct StepContact {
+/// One point of contact during one step; a gap may close during it.
+struct StepContact : Contact {
     int first = 0;
     int second = -1;  // another body; -1: the static environment
-    Vec3 point{0, 0, 0};
-    Vec3 normal{0, 0, 1};  // unit, from the second towards the first
-    double depth = 0;      // m; negative: a gap that may close during the step
     double restitution = 0;
     double friction = 0;
-    double rolling_lever = 0;   // rolling moment / normal force, m
-    double spinning_lever = 0;  // moment about the normal / normal force, m
+    double rolling_arm = 0;    // rolling moment / normal force, m
+    double torsional_arm = 0;  // moment about the normal / normal force, m
     double turning = 0;  // m/s: how fast it opens since the step's start because its normal turns
-};
-
-struct StepImpulse {
-    double normal = 0;      // N s, during the step
-    double tangential = 0;  // N s
 };
 
 /// The motion of a body in a step: its velocities change at the midpoint, then it moves freely to
@@ -35,9 +27,6 @@ struct StepMotion {
     MotionState after;  // at the midpoint, after the change
     MotionState end;
 };
-
-/// Below this approach speed (m/s) a contact does not bounce; otherwise stacks would never rest.
-inline constexpr double kBounceSpeed = 0.02;
 
 class StepWorld {
   public:
@@ -58,13 +47,13 @@ class StepWorld {
     /// not moving, which act like walls.
     void step(double duration, const Vec3& gravity, std::span<const int> moving,
               std::span<const MotionState> midpoints, std::span<const StepContact> contacts,
-              std::vector<StepMotion>& motions, std::vector<StepImpulse>& impulses);
+              std::vector<StepMotion>& motions, std::vector<ImpulsePair>& impulses);
 
     /// The velocities after an impact with these contacts and their restitution. No other force
     /// acts, and the poses do not change.
     void solve_impact(std::span<const int> moving, std::span<const MotionState> states,
                       std::span<const StepContact> contacts, std::vector<Velocities>& after,
-                      std::vector<StepImpulse>& impulses);
+                      std::vector<ImpulsePair>& impulses);
 
   private:
     struct State;

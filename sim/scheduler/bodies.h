@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/numeric/tolerances.h"
 #include "sim/ode/impact_solver.h"
 #include "sim/scheduler/ball_return.h"
 #include "sim/scheduler/moving_body.h"
@@ -12,12 +13,6 @@
 
 namespace carom::sim {
 
-/// A ball that would leave a level surface more slowly than this (m/s) stays on it: it would rise
-/// by 5 micrometres.
-inline constexpr double kLandingSpeed = 0.01;
-/// Impacts slower than this (m/s) are not logged: a ball that its spin presses against something
-/// makes thousands.
-inline constexpr double kLeastLoggedSpeed = 4 * kLeastSeparation;
 /// A flight that ends in ODE after less than this (s) is removed from the log: a hop of 0.1 mm
 /// takes as long.
 inline constexpr double kLeastFlight = 0.01;

@@ -4,25 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "sim/numeric/tolerances.h"
 #include "sim/spatial/convex_contacts.h"
 #include "sim/spatial/mesh_contacts.h"
 
 namespace carom::sim {
-namespace {
-
-/// Gaps up to this (m) count as contact, so that a ball at rest does not keep losing contact.
-constexpr double kMargin = 1e-5;
-
-SurfaceContact from_ode(const ode::BoxContact& contact) {
-    return {contact.point, contact.normal, contact.depth, 0};
-}
-
-SurfaceContact from_convex(const ConvexContact& contact) {
-    return {contact.point, contact.normal, contact.depth, 0};
-}
-
-}  // namespace
-
 std::vector<Placement> placements_of(std::span<const MovingBody> bodies) {
     std::vector<Placement> placed;
     placed.reserve(bodies.size());
@@ -59,35 +45,34 @@ std::vector<BodyContact> ContactFinder::find(std::span<const MovingBody> bodies,
     return found;
 }
 
-SurfaceInfo ContactFinder::info(int other) const {
-    if (other == kCloth) {
-        return {"cloth", MaterialId::cloth};
+SurfaceInfo ContactFinder::info(const ContactPartner& partner) const {
+    if (const auto* surface = std::get_if<StaticSurface>(&partner)) {
+        return environment_.surfaces[surface->index];
     }
-    if (other == kFloor) {
-        return {"floor", MaterialId::floor};
+    if (const auto* sphere = std::get_if<StaticSphere>(&partner)) {
+        return environment_.spheres[sphere->index].info;
     }
-    if (other <= kFirstFixed) {
-        return environment_.spheres[static_cast<std::size_t>(kFirstFixed - other)].info;
-    }
-    return environment_.surfaces[static_cast<std::size_t>(kFirstSurface - other)];
+    return std::get<Ground>(partner) == Ground::floor ? SurfaceInfo{"floor", MaterialId::floor}
+                                                      : SurfaceInfo{"cloth", MaterialId::cloth};
 }
 
-void ContactFinder::add(const Placed& placed, int other, MaterialId other_material,
-                        const SurfaceContact& contact, std::vector<BodyContact>& found) const {
-    const ContactNumbers& numbers =
-        environment_.contacts.between(placed.body.material, other_material);
-    BodyContact result;
-    result.other = other;
-    result.contact = {placed.number,
-                      std::max(other, -1),
-                      contact.point,
-                      contact.normal,
-                      contact.depth,
-                      numbers.restitution,
-                      numbers.friction,
-                      numbers.rolling_lever * placed.body.radius,
-                      numbers.spinning_lever * placed.body.radius};
-    found.push_back(result);
+std::string ContactFinder::name_of(const ContactPartner& partner,
+                                   std::span<const MovingBody> bodies) const {
+    const auto* other = std::get_if<OtherBody>(&partner);
+    return other != nullptr ? bodies[static_cast<std::size_t>(other->index)].name()
+                            : info(partner).name;
+}
+
+void ContactFinder::add(const Placed& placed, const ContactPartner& partner,
+                        MaterialId partner_material, const Contact& contact,
+                        std::vector<BodyContact>& found) const {
+    const ContactCoefficients& law =
+        environment_.contacts.between(placed.body.material, partner_material);
+    const auto* other = std::get_if<OtherBody>(&partner);
+    found.push_back({{contact, placed.number, other != nullptr ? other->index : -1, law.restitution,
+                      law.friction, law.rolling_arm * placed.body.radius,
+                      law.torsional_arm * placed.body.radius},
+                     partner});
 }
 
 void ContactFinder::find_for_ball(const Placed& ball, std::vector<BodyContact>& found) const {
@@ -95,30 +80,30 @@ void ContactFinder::find_for_ball(const Placed& ball, std::vector<BodyContact>& 
     const double radius = ball.body.radius;
     if (environment_.has_cloth && centre.z > -radius) {
         const int pocket = environment_.pocket_below(centre);
-        SurfaceContact contact;
+        Contact contact;
         contact.depth = -1;
         if (pocket >= 0) {
             contact = environment_.collided->rims[static_cast<std::size_t>(pocket)].contact(centre,
                                                                                             radius);
         } else if (environment_.is_over_cloth(centre)) {
-            contact = {Vec3(centre.x, centre.y, 0), Vec3(0, 0, 1), radius - centre.z, 0};
+            contact = {Vec3(centre.x, centre.y, 0), Vec3(0, 0, 1), radius - centre.z};
         }
-        if (contact.depth > -kMargin) {
-            add(ball, kCloth, MaterialId::cloth, contact, found);
+        if (contact.depth > -kBallMargin) {
+            add(ball, Ground::cloth, MaterialId::cloth, contact, found);
         }
     }
     if (environment_.floor_height) {
         const double height = centre.z - *environment_.floor_height;
-        if (radius - height > -kMargin) {
-            add(ball, kFloor, MaterialId::floor,
+        if (radius - height > -kBallMargin) {
+            add(ball, Ground::floor, MaterialId::floor,
                 {Vec3(centre.x, centre.y, *environment_.floor_height), Vec3(0, 0, 1),
-                 radius - height, 0},
+                 radius - height},
                 found);
         }
     }
     for (const StaticMesh* mesh : {&environment_.collided->mesh, &environment_.scenery_mesh}) {
-        for (const SurfaceContact& contact : mesh->contacts(centre, radius, kMargin)) {
-            add(ball, kFirstSurface - static_cast<int>(contact.surface),
+        for (const SurfaceContact& contact : mesh->contacts(centre, radius, kBallMargin)) {
+            add(ball, StaticSurface{contact.surface},
                 environment_.surfaces[contact.surface].material, contact, found);
         }
     }
@@ -126,10 +111,9 @@ void ContactFinder::find_for_ball(const Placed& ball, std::vector<BodyContact>& 
         if (solid.has_mesh) {
             continue;
         }
-        const SurfaceContact contact = convex_contact(*solid.shape, solid.pose, centre, radius);
-        if (contact.depth > -kMargin) {
-            add(ball, kFirstSurface - static_cast<int>(solid.surface), solid.info.material, contact,
-                found);
+        const Contact contact = convex_contact(*solid.shape, solid.pose, centre, radius);
+        if (contact.depth > -kBallMargin) {
+            add(ball, StaticSurface{solid.surface}, solid.info.material, contact, found);
         }
     }
     for (std::size_t i = 0; i < environment_.spheres.size(); ++i) {
@@ -137,9 +121,9 @@ void ContactFinder::find_for_ball(const Placed& ball, std::vector<BodyContact>& 
         const Vec3 d = centre - sphere.centre;
         const double distance = std::sqrt(d.dot(d));
         const double depth = radius + sphere.radius - distance;
-        if (depth > -kMargin && distance > 1e-9) {
-            add(ball, kFirstFixed - static_cast<int>(i), sphere.info.material,
-                {sphere.centre + d * (sphere.radius / distance), d / distance, depth, 0}, found);
+        if (depth > -kBallMargin && distance > 1e-9) {
+            add(ball, StaticSphere{static_cast<std::uint32_t>(i)}, sphere.info.material,
+                {sphere.centre + d * (sphere.radius / distance), d / distance, depth}, found);
         }
     }
 }
@@ -147,15 +131,14 @@ void ContactFinder::find_for_ball(const Placed& ball, std::vector<BodyContact>& 
 void ContactFinder::find_for_solid(const Placed& solid, std::vector<BodyContact>& found) const {
     find_on_ground(solid, found);
     Aabb bounds = bounds_of(solid.shape());
-    bounds.grow(ode::kBoxMargin);
+    bounds.grow(kSolidMargin);
     for (const FixedSolid& fixed : environment_.solids) {
         if (!bounds.overlaps(fixed.bounds)) {
             continue;
         }
-        for (const SurfaceContact& contact :
+        for (const Contact& contact :
              solid_contacts(solid.shape(), {fixed.shape.get(), fixed.pose})) {
-            add(solid, kFirstSurface - static_cast<int>(fixed.surface), fixed.info.material,
-                contact, found);
+            add(solid, StaticSurface{fixed.surface}, fixed.info.material, contact, found);
         }
     }
     if (solid.body.is_box()) {
@@ -165,27 +148,27 @@ void ContactFinder::find_for_solid(const Placed& solid, std::vector<BodyContact>
     }
     for (std::size_t i = 0; i < environment_.spheres.size(); ++i) {
         const FixedSphere& sphere = environment_.spheres[i];
-        SurfaceContact contact =
+        Contact contact =
             convex_contact(*solid.body.shape, solid.shape().pose, sphere.centre, sphere.radius);
         contact.normal = -contact.normal;
-        if (contact.depth > -kMargin) {
-            add(solid, kFirstFixed - static_cast<int>(i), sphere.info.material, contact, found);
+        if (contact.depth > -kBallMargin) {
+            add(solid, StaticSphere{static_cast<std::uint32_t>(i)}, sphere.info.material, contact,
+                found);
         }
     }
 }
 
 void ContactFinder::find_box_meshes(const Placed& box, const Aabb& bounds,
                                     std::vector<BodyContact>& found) const {
-    std::vector<ode::BoxContact> contacts;
+    std::vector<Contact> contacts;
     for (const BoxObstacle& obstacle : environment_.box_obstacles) {
         if (!bounds.overlaps(obstacle.bounds)) {
             continue;
         }
         contacts.clear();
         obstacle.surface.collide(box.body.shape->half_size() * 2, box.shape().pose, contacts);
-        for (const ode::BoxContact& contact : contacts) {
-            add(box, kFirstSurface - static_cast<int>(obstacle.number), obstacle.info.material,
-                from_ode(contact), found);
+        for (const Contact& contact : contacts) {
+            add(box, StaticSurface{obstacle.number}, obstacle.info.material, contact, found);
         }
     }
 }
@@ -194,7 +177,7 @@ void ContactFinder::find_meshes(const Placed& solid, const Aabb& bounds,
                                 std::vector<BodyContact>& found) const {
     for (const StaticMesh* mesh : {&environment_.collided->mesh, &environment_.scenery_mesh}) {
         for (const SurfaceContact& contact :
-             mesh_contacts(solid.shape(), *mesh, bounds, ode::kBoxMargin)) {
+             mesh_contacts(solid.shape(), *mesh, bounds, kSolidMargin)) {
             // Solids with flat sides are tested as solids, not as meshes.
             const bool is_solid = std::any_of(
                 environment_.solids.begin(), environment_.solids.end(),
@@ -202,7 +185,7 @@ void ContactFinder::find_meshes(const Placed& solid, const Aabb& bounds,
                     return mesh == &environment_.scenery_mesh && fixed.surface == contact.surface;
                 });
             if (!is_solid) {
-                add(solid, kFirstSurface - static_cast<int>(contact.surface),
+                add(solid, StaticSurface{contact.surface},
                     environment_.surfaces[contact.surface].material, contact, found);
             }
         }
@@ -214,75 +197,65 @@ void ContactFinder::find_on_ground(const Placed& solid, std::vector<BodyContact>
     const Quat& turn = solid.state.orientation;
     std::vector<Vec3> points;
     solid.body.shape->resting_points(to_body(turn, -up), points);
-    std::vector<ConvexContact> on_cloth;
-    std::vector<ConvexContact> on_floor;
+    std::vector<Contact> on_cloth;
+    std::vector<Contact> on_floor;
     for (const Vec3& point : points) {
         const Vec3 corner = solid.state.position + to_world(turn, point);
-        if (environment_.has_cloth && corner.z < ode::kBoxMargin &&
+        if (environment_.has_cloth && corner.z < kSolidMargin &&
             corner.z > -solid.body.bounding_radius() && environment_.is_over_cloth(corner)) {
             on_cloth.push_back({corner, up, -corner.z});
         }
-        if (environment_.floor_height && corner.z - *environment_.floor_height < ode::kBoxMargin) {
+        if (environment_.floor_height && corner.z - *environment_.floor_height < kSolidMargin) {
             on_floor.push_back({corner, up, *environment_.floor_height - corner.z});
         }
     }
     reduce_contacts(on_cloth);
     reduce_contacts(on_floor);
-    for (const ConvexContact& contact : on_cloth) {
-        add(solid, kCloth, MaterialId::cloth, from_convex(contact), found);
+    for (const Contact& contact : on_cloth) {
+        add(solid, Ground::cloth, MaterialId::cloth, contact, found);
     }
-    for (const ConvexContact& contact : on_floor) {
-        add(solid, kFloor, MaterialId::floor, from_convex(contact), found);
+    for (const Contact& contact : on_floor) {
+        add(solid, Ground::floor, MaterialId::floor, contact, found);
     }
 }
 
 /// ODE finds the contacts of two boxes, convex_contacts() those of all other pairs.
-std::vector<SurfaceContact> ContactFinder::solid_contacts(const PlacedShape& a,
-                                                          const PlacedShape& b) {
-    std::vector<SurfaceContact> result;
+std::vector<Contact> ContactFinder::solid_contacts(const PlacedShape& a, const PlacedShape& b) {
+    std::vector<Contact> contacts;
     if (a.shape->is_box() && b.shape->is_box()) {
-        std::vector<ode::BoxContact> contacts;
         ode::collide_boxes(a.shape->half_size() * 2, a.pose, b.shape->half_size() * 2, b.pose,
                            contacts);
-        for (const ode::BoxContact& contact : contacts) {
-            result.push_back(from_ode(contact));
-        }
-        return result;
+    } else {
+        convex_contacts(a, b, kSolidMargin, contacts);
     }
-    std::vector<ConvexContact> contacts;
-    convex_contacts(a, b, ode::kBoxMargin, contacts);
-    for (const ConvexContact& contact : contacts) {
-        result.push_back(from_convex(contact));
-    }
-    return result;
+    return contacts;
 }
 
 void ContactFinder::find_between(const Placed& first, const Placed& second,
                                  std::vector<BodyContact>& found) const {
     const Vec3 d = first.state.position - second.state.position;
     const double least_distance =
-        first.body.bounding_radius() + second.body.bounding_radius() + ode::kBoxMargin;
+        first.body.bounding_radius() + second.body.bounding_radius() + kSolidMargin;
     if (d.dot(d) > least_distance * least_distance) {
         return;
     }
     if (first.body.is_ball() && second.body.is_ball()) {
         const double distance = std::sqrt(d.dot(d));
         const double depth = first.body.radius + second.body.radius - distance;
-        if (depth > -kMargin && distance > 1e-9) {
-            add(first, second.number, second.body.material,
-                {second.state.position + d * (second.body.radius / distance), d / distance, depth,
-                 0},
+        if (depth > -kBallMargin && distance > 1e-9) {
+            add(first, OtherBody{second.number}, second.body.material,
+                {second.state.position + d * (second.body.radius / distance), d / distance, depth},
                 found);
         }
     } else if (first.body.is_ball()) {
-        const SurfaceContact contact = convex_contact(*second.body.shape, second.shape().pose,
-                                                      first.state.position, first.body.radius);
-        if (contact.depth > -kMargin) {
-            add(first, second.number, second.body.material, contact, found);
+        const Contact contact = convex_contact(*second.body.shape, second.shape().pose,
+                                               first.state.position, first.body.radius);
+        if (contact.depth > -kBallMargin) {
+            add(first, OtherBody{second.number}, second.body.material, contact, found);
         }
     } else {
-        for (const SurfaceContact& contact : solid_contacts(first.shape(), second.shape())) {
-            add(first, second.number, second.body.material, contact, found);
+        for (const Contact& contact : solid_contacts(first.shape(), second.shape())) {
+            add(first, OtherBody{second.number}, second.body.material, contact, found);
         }
     }
 }

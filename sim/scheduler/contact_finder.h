@@ -1,9 +1,12 @@
 // Finds the contacts of the bodies in ODE, with each other and with the static environment.
 #pragma once
 
+#include <compare>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "sim/ode/step_world.h"
@@ -12,18 +15,34 @@
 
 namespace carom::sim {
 
-/// Negative numbers that stand for the static environment as the second body of a contact.
-inline constexpr int kCloth = -1;
-inline constexpr int kFloor = -2;
-inline constexpr int kFirstSurface = -10;     // - index into StaticEnvironment::surfaces
-inline constexpr int kFirstFixed = -1000000;  // - index of a fixed sphere
+/// A triangle surface or solid, an index into StaticEnvironment::surfaces.
+struct StaticSurface {
+    std::uint32_t index = 0;
+    auto operator<=>(const StaticSurface&) const = default;
+};
+/// A fixed sphere, an index into StaticEnvironment::spheres.
+struct StaticSphere {
+    std::uint32_t index = 0;
+    auto operator<=>(const StaticSphere&) const = default;
+};
+/// Another moving body, an index in Bodies.
+struct OtherBody {
+    int index = 0;
+    auto operator<=>(const OtherBody&) const = default;
+};
+/// What a body touches.
+using ContactPartner = std::variant<Ground, StaticSurface, StaticSphere, OtherBody>;
 
-/// A contact of a body in ODE with another one or with the static environment.
+/// The number of a body, and what it touches.
+using ContactPair = std::pair<int, ContactPartner>;
+
+/// A contact of a body in the solver.
 struct BodyContact {
-    ode::StepContact contact;  // `second` is -1 for the static environment
-    int other = kCloth;        // the second body, or one of the numbers above
+    ode::StepContact contact;
+    ContactPartner partner;
 
-    [[nodiscard]] std::pair<int, int> pair() const { return {contact.first, other}; }
+    [[nodiscard]] ContactPair pair() const { return {contact.first, partner}; }
+    [[nodiscard]] bool is_between_bodies() const { return contact.second >= 0; }
 };
 
 /// Where a body is at an instant of a step, and in which mode it was when the step began.
@@ -51,8 +70,11 @@ class ContactFinder {
         return find(bodies, placements_of(bodies));
     }
 
-    /// Name and material of the part of the static environment that a contact's `other` stands for.
-    [[nodiscard]] SurfaceInfo info(int other) const;
+    /// Name and material of a part of the static environment.
+    [[nodiscard]] SurfaceInfo info(const ContactPartner& partner) const;
+    /// Name of what a body touches.
+    [[nodiscard]] std::string name_of(const ContactPartner& partner,
+                                      std::span<const MovingBody> bodies) const;
 
   private:
     /// A body in a state.
@@ -70,12 +92,12 @@ class ContactFinder {
     void find_meshes(const Placed& solid, const Aabb& bounds,
                      std::vector<BodyContact>& found) const;
     void find_on_ground(const Placed& solid, std::vector<BodyContact>& found) const;
-    [[nodiscard]] static std::vector<SurfaceContact> solid_contacts(const PlacedShape& a,
-                                                                    const PlacedShape& b);
+    [[nodiscard]] static std::vector<Contact> solid_contacts(const PlacedShape& a,
+                                                             const PlacedShape& b);
     void find_between(const Placed& first, const Placed& second,
                       std::vector<BodyContact>& found) const;
-    void add(const Placed& placed, int other, MaterialId other_material,
-             const SurfaceContact& contact, std::vector<BodyContact>& found) const;
+    void add(const Placed& placed, const ContactPartner& partner, MaterialId partner_material,
+             const Contact& contact, std::vector<BodyContact>& found) const;
 
     const StaticEnvironment& environment_;
 };

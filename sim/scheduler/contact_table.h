@@ -24,11 +24,11 @@ enum class MaterialId : std::uint32_t {
 };
 
 /// Coefficients of a pair of materials in contact.
-struct ContactNumbers {
+struct ContactCoefficients {
     double restitution = 0;
     double friction = 0;
-    double rolling_lever = 0;   // as a fraction of the ball's radius
-    double spinning_lever = 0;  // likewise
+    double rolling_arm = 0;    // as a fraction of the ball's radius
+    double torsional_arm = 0;  // likewise
 };
 
 class ContactTable {
@@ -39,14 +39,14 @@ class ContactTable {
 
     /// The coefficients of two materials, in either order. A ball follows the billiard laws on the
     /// cloth, a ball or a cushion; all other pairs follow the law of the pair.
-    [[nodiscard]] const ContactNumbers& between(MaterialId a, MaterialId b) const;
+    [[nodiscard]] const ContactCoefficients& between(MaterialId a, MaterialId b) const;
 
   private:
-    void set(const std::string& a, const std::string& b, const ContactNumbers& numbers);
+    void set(const std::string& a, const std::string& b, const ContactCoefficients& numbers);
 
     std::map<std::string, MaterialId> ids_;
-    std::map<std::pair<MaterialId, MaterialId>, ContactNumbers> pairs_;
-    ContactNumbers otherwise_;
+    std::map<std::pair<MaterialId, MaterialId>, ContactCoefficients> pairs_;
+    ContactCoefficients otherwise_;
 };
 
 /// Whether a surface of this material and normal is a pocket's lining (ball_impact.h).

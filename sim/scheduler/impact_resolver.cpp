@@ -15,9 +15,9 @@ namespace {
 const std::string kCushion = "cushion";
 
 /// Restitution and friction of two balls that collide.
-ContactNumbers pair_law(const StaticEnvironment& environment, const MovingBody& a,
-                        const MovingBody& b, double slip_speed) {
-    ContactNumbers law = environment.contacts.between(a.material, b.material);
+ContactCoefficients pair_law(const StaticEnvironment& environment, const MovingBody& a,
+                             const MovingBody& b, double slip_speed) {
+    ContactCoefficients law = environment.contacts.between(a.material, b.material);
     if (a.material == MaterialId::ball && b.material == MaterialId::ball) {
         law.friction = ball_friction(environment.law.ball_ball, slip_speed);
     }
@@ -120,7 +120,7 @@ void ImpactResolver::resolve_ball_impact(const PredictedEvent& event) {
     const Vec3 normal = unit(before_a.position - before_b.position);
     const double approach = -(before_a.velocity - before_b.velocity).dot(normal);
     const Vec3 slip = contact_slip(body_a, body_b, normal);
-    const ContactNumbers law = pair_law(environment_, a, b, std::sqrt(slip.dot(slip)));
+    const ContactCoefficients law = pair_law(environment_, a, b, std::sqrt(slip.dot(slip)));
     const ImpulsePair impulse = ball_ball_impact(bodies_.impact_solver(), body_a, body_b, normal,
                                                  law.restitution, law.friction);
     // The reference models omit the vertical impulse, which would make balls on the cloth hop.
@@ -154,8 +154,7 @@ void ImpactResolver::resolve_solid_impact(const PredictedEvent& event) {
     const MotionState before = body.state;
     const MotionState solid_before = solid.state;
     const Pose solid_pose{solid.state.position, solid.state.orientation};
-    const SurfaceContact contact =
-        convex_contact(*solid.shape, solid_pose, before.position, ball.radius);
+    const Contact contact = convex_contact(*solid.shape, solid_pose, before.position, ball.radius);
     const auto separation = [&](const Vec3& ball_velocity, const MotionState& solid_state) {
         const Vec3 arm = contact.point - solid_pose.position;
         return (ball_velocity - solid_state.velocity - solid_state.angular_velocity.cross(arm))
@@ -165,30 +164,24 @@ void ImpactResolver::resolve_solid_impact(const PredictedEvent& event) {
     if (approach <= 0) {
         return bodies_.enter_solver(event.first, event.time);
     }
-    const ContactNumbers& law = environment_.contacts.between(ball.material, solid.material);
+    const ContactCoefficients& law = environment_.contacts.between(ball.material, solid.material);
     RigidBody unturned = body;
     unturned.state.orientation = Quat();
-    const ode::ImpactContact impact{contact.point, contact.normal, law.restitution, law.friction};
     ode::ImpactResult result;
     MotionState solid_after = solid_before;
     if (solid.is_kinematic()) {
-        result = bodies_.impact_solver().solve_kinematic(
-            unturned, velocity_at(solid_before, contact.point), impact);
+        result = bodies_.impact_solver().solve_kinematic(unturned,
+                                                         velocity_at(solid_before, contact.point),
+                                                         contact, law.restitution, law.friction);
     } else {
-        result = bodies_.impact_solver().solve(unturned, solid, impact);
+        result =
+            bodies_.impact_solver().solve(unturned, solid, contact, law.restitution, law.friction);
         solid_after.velocity = result.second.linear;
         solid_after.angular_velocity = result.second.angular;
     }
-    body.state.velocity = result.first.linear;
-    body.state.angular_velocity = result.first.angular;
-    record({event.time,
-            approach,
-            ball.name(),
-            solid.name(),
-            contact.point,
-            contact.normal,
-            {result.normal_impulse, result.tangential_impulse},
-            mean_body(body, before),
+    body.set(result.first);
+    record({event.time, approach, ball.name(), solid.name(), contact.point, contact.normal,
+            result.impulse, mean_body(body, before),
             surface_moving_at(velocity_at(solid_before, contact.point))});
     const bool stays = separation(body.state.velocity, solid_after) < kLandingSpeed;
     bodies_.change_velocities(event.second, event.time, solid_before, solid_after);
@@ -207,7 +200,7 @@ void ImpactResolver::resolve_surface_impact(const PredictedEvent& event) {
     } else if (event.kind == PredictedEventKind::fixed_sphere) {
         const FixedSphere& sphere = environment_.spheres[event.second];
         const Vec3 normal = unit(centre - sphere.centre);
-        bounce(event, {sphere.centre + normal * sphere.radius, normal, 0, 0}, sphere.info);
+        bounce(event, {sphere.centre + normal * sphere.radius, normal, 0}, sphere.info);
     } else if (event.kind == PredictedEventKind::fixed_solid) {
         const FixedSolid& solid = environment_.solids[event.second];
         bounce(event, convex_contact(*solid.shape, solid.pose, centre, ball.radius), solid.info);
@@ -224,16 +217,16 @@ void ImpactResolver::resolve_slate_impact(const PredictedEvent& event) {
     const MovingBody& ball = bodies_[event.first];
     const Vec3 down(0, 0, -1);
     const Vec3 top = ball.segment.position_at(event.time) - down * ball.radius;
-    bounce(event, {top, down, 0, 0}, {"rail", MaterialId::rail});
+    bounce(event, {top, down, 0}, {"rail", MaterialId::rail});
 }
 
-void ImpactResolver::bounce(const PredictedEvent& event, const SurfaceContact& contact,
+void ImpactResolver::bounce(const PredictedEvent& event, const Contact& contact,
                             const SurfaceInfo& info) {
     const MovingBody& ball = bodies_[event.first];
     RigidBody body = ball.rigid_at(event.time);
     const MotionState before = body.state;
     const double approach = -before.velocity.dot(contact.normal);
-    const ContactNumbers& law = environment_.contacts.between(ball.material, info.material);
+    const ContactCoefficients& law = environment_.contacts.between(ball.material, info.material);
     const ImpulsePair impulse =
         is_lining(info.material, contact.normal)
             ? lining_impact(body, contact.normal, law.restitution, law.friction)
@@ -272,7 +265,7 @@ void ImpactResolver::resolve_cushion_impact(const PredictedEvent& event, const V
         impulse = cushion_impact(body, inward, normal, cushion,
                                  environment_.law.ball_cloth.sliding_friction);
     } else {
-        const ContactNumbers& numbers =
+        const ContactCoefficients& numbers =
             environment_.contacts.between(ball.material, MaterialId::cushion);
         impulse = ball_static_impact(bodies_.impact_solver(), body, normal, numbers.restitution,
                                      numbers.friction);
@@ -321,7 +314,7 @@ void ImpactResolver::land(const PredictedEvent& event) {
     if (environment_.downward_gravity <= 0) {
         const Vec3 up(0, 0, 1);
         bounce(
-            event, {before.position - up * ball.radius, up, 0, 0},
+            event, {before.position - up * ball.radius, up, 0},
             {ground_name(ground), ground == Ground::floor ? MaterialId::floor : MaterialId::cloth});
         return;
     }

@@ -27,8 +27,7 @@ class ImpactResolver {
     void enter_pocket(const PredictedEvent& event);
     void cross_below_cloth(const PredictedEvent& event);
     void land(const PredictedEvent& event);
-    void bounce(const PredictedEvent& event, const SurfaceContact& contact,
-                const SurfaceInfo& info);
+    void bounce(const PredictedEvent& event, const Contact& contact, const SurfaceInfo& info);
 
     struct Impact {
         double time = 0;

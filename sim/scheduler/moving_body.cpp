@@ -6,12 +6,10 @@
 #include <utility>
 
 #include "core/length.h"
+#include "sim/numeric/tolerances.h"
 
 namespace carom::sim {
 namespace {
-
-/// A ball stepped by ODE counts as spinning in place if its surface is faster than this (m/s).
-constexpr double kLeastSurfaceSpeed = 0.01;
 
 GroundLaw ground_law(const PairContact& pair) {
     return {{pair.friction, pair.rolling_friction, 0}, pair.restitution, pair.friction};
@@ -102,7 +100,7 @@ bool MovingBody::has_moved_since_rest() const {
     if (is_ball()) {
         const Vec3& spin = segment.state.angular_velocity;
         return displacement.dot(displacement) > kLeastDisplacement * kLeastDisplacement ||
-               spin.dot(spin) * radius * radius > kLeastSurfaceSpeed * kLeastSurfaceSpeed;
+               spin.dot(spin) * radius * radius > kVisibleSpeed * kVisibleSpeed;
     }
     const Quat turn = state.orientation * rested_at.orientation.inverse();
     return length(displacement) + 2 * bounding_radius() * length(turn.v) > kLeastDisplacement;

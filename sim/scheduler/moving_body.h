@@ -32,10 +32,6 @@ enum class Mode : std::uint8_t {
     gone,         // a ball that was taken off or leaves through a pocket's floor: touches nothing
 };
 
-/// A body stepped by ODE counts as moved when a point of it is this far (m) from where it last
-/// rested: more than a body that is put down sinks or closes a gap.
-inline constexpr double kLeastDisplacement = 2e-4;
-
 /// Its `state` is meaningful in the solver and asleep: at the start of the current window.
 struct MovingBody : RigidBody {
     const Body* description = nullptr;

@@ -5,12 +5,11 @@
 #include <cmath>
 
 #include "sim/numeric/polynomial.h"
+#include "sim/numeric/tolerances.h"
 
 namespace carom::sim {
 namespace {
 
-/// A body closer to the line than this (m), many times the rounding error, is on neither side.
-constexpr double kOnLine = 1e-11;
 /// Two predictions of one occurrence differ by less than this (s).
 constexpr double kSameTime = 1e-9;
 

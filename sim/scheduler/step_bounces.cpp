@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "sim/numeric/tolerances.h"
 #include "sim/scheduler/contact_table.h"
 
 namespace carom::sim {
@@ -15,7 +16,7 @@ void StepBounces::resolve(const std::vector<BodyContact>& contacts, double time)
     const auto state_of = [this](int number) -> const MotionState& { return body(number).state; };
     for (int i = 0; i < kMaxBounces; ++i) {
         const BodyContact* fastest = nullptr;
-        double speed = ode::kBounceSpeed;
+        double speed = kBounceSpeed;
         for (const BodyContact& found : contacts) {
             const bool is_ball = body(found.contact.first).is_ball();
             if ((!is_ball && found.contact.depth < -kClosedGap) || is_jammed(found)) {
@@ -42,7 +43,7 @@ void StepBounces::resolve(const std::vector<BodyContact>& contacts, double time)
 
 void StepBounces::forget_jams(const std::vector<BodyContact>& contacts) {
     kinematic_impact_counts_.clear();
-    std::erase_if(jams_, [&](const std::pair<int, int>& jam) {
+    std::erase_if(jams_, [&](const ContactPair& jam) {
         return std::none_of(contacts.begin(), contacts.end(),
                             [&](const BodyContact& found) { return found.pair() == jam; });
     });
@@ -51,11 +52,11 @@ void StepBounces::forget_jams(const std::vector<BodyContact>& contacts) {
 /// Repeated impacts between two free bodies die away, but a kinematic body never slows down.
 void StepBounces::count_impact(const BodyContact& found, double time) {
     constexpr int kMaxImpacts = 50;
-    if (found.other < 0) {
+    if (!found.is_between_bodies()) {
         return;
     }
     const MovingBody& first = body(found.contact.first);
-    const MovingBody& second = body(found.other);
+    const MovingBody& second = body(found.contact.second);
     if (!(first.is_kinematic() || second.is_kinematic()) ||
         ++kinematic_impact_counts_[found.pair()] < kMaxImpacts) {
         return;
@@ -76,32 +77,29 @@ void StepBounces::count_impact(const BodyContact& found, double time) {
 void StepBounces::bounce_ball(const BodyContact& found, double time) {
     const ode::StepContact& contact = found.contact;
     MovingBody& ball = body(contact.first);
-    MovingBody* other = found.other >= 0 ? &body(found.other) : nullptr;
-    const ode::ImpactContact impact{contact.point, contact.normal, contact.restitution,
-                                    contact.friction};
+    MovingBody* other = found.is_between_bodies() ? &body(found.contact.second) : nullptr;
     ode::ImpactResult result;
     if (other != nullptr && other->is_kinematic()) {
-        result = bodies_.impact_solver().solve_kinematic(
-            ball, velocity_at(other->state, contact.point), impact);
+        result =
+            bodies_.impact_solver().solve_kinematic(ball, velocity_at(other->state, contact.point),
+                                                    contact, contact.restitution, contact.friction);
     } else if (other != nullptr) {
-        result = bodies_.impact_solver().solve(ball, *other, impact);
-    } else if (is_lining(finder_.info(found.other).material, contact.normal)) {
+        result = bodies_.impact_solver().solve(ball, *other, contact, contact.restitution,
+                                               contact.friction);
+    } else if (is_lining(finder_.info(found.partner).material, contact.normal)) {
         RigidBody body = ball;
-        const ImpulsePair pair =
-            lining_impact(body, contact.normal, contact.restitution, contact.friction);
+        result.impulse = lining_impact(body, contact.normal, contact.restitution, contact.friction);
         result.first = {body.state.velocity, body.state.angular_velocity};
-        result.normal_impulse = pair.normal;
-        result.tangential_impulse = pair.tangential;
     } else {
-        result = bodies_.impact_solver().solve_static(ball, impact);
+        result = bodies_.impact_solver().solve_static(ball, contact, contact.restitution,
+                                                      contact.friction);
     }
     set_velocities(ball, result.first, time);
     if (other != nullptr) {
         set_velocities(*other, result.second, time);
     }
-    recorder_.log_impact(
-        time, ball.name(), other != nullptr ? other->name() : finder_.info(found.other).name,
-        contact.point, contact.normal, {result.normal_impulse, result.tangential_impulse});
+    recorder_.log_impact(time, ball.name(), finder_.name_of(found.partner, bodies_.all()),
+                         contact.point, contact.normal, result.impulse);
 }
 
 /// All contacts of the pair are solved together, including those with a gap below the margin, so
@@ -110,8 +108,8 @@ void StepBounces::bounce_ball(const BodyContact& found, double time) {
 void StepBounces::bounce_pair(const std::vector<BodyContact>& contacts, const BodyContact& fastest,
                               double time) {
     std::vector<int> moving{fastest.contact.first};
-    if (fastest.other >= 0) {
-        moving.push_back(fastest.other);
+    if (fastest.is_between_bodies()) {
+        moving.push_back(fastest.contact.second);
     }
     std::vector<ode::StepContact> struck;
     for (const BodyContact& found : contacts) {
@@ -120,7 +118,7 @@ void StepBounces::bounce_pair(const std::vector<BodyContact>& contacts, const Bo
             struck.back().depth = 0;
         }
     }
-    std::vector<ode::Velocities> after;
+    std::vector<Velocities> after;
     const ImpulsePair impulse = solve_impact(moving, struck, after);
     for (std::size_t i = 0; i < moving.size(); ++i) {
         set_velocities(body(moving[i]), after[i], time);
@@ -143,7 +141,7 @@ MotionState StepBounces::kinematic_frame(const std::vector<int>& moving) {
 /// would add energy is therefore solved without restitution.
 ImpulsePair StepBounces::solve_impact(const std::vector<int>& moving,
                                       std::vector<ode::StepContact>& contacts,
-                                      std::vector<ode::Velocities>& after) {
+                                      std::vector<Velocities>& after) {
     std::vector<MotionState> states;
     const MotionState frame = kinematic_frame(moving);
     double energy = 0;
@@ -151,13 +149,12 @@ ImpulsePair StepBounces::solve_impact(const std::vector<int>& moving,
         states.push_back(body(number).state);
         energy += body(number).kinetic_energy_in(frame);
     }
-    std::vector<ode::StepImpulse> impulses;
+    std::vector<ImpulsePair> impulses;
     world_.solve_impact(moving, states, contacts, after, impulses);
     double left = 0;
     for (std::size_t i = 0; i < moving.size(); ++i) {
         RigidBody struck = body(moving[i]);
-        struck.state.velocity = after[i].linear;
-        struck.state.angular_velocity = after[i].angular;
+        struck.set(after[i]);
         left += struck.kinetic_energy_in(frame);
     }
     if (left > energy) {
@@ -167,7 +164,7 @@ ImpulsePair StepBounces::solve_impact(const std::vector<int>& moving,
         world_.solve_impact(moving, states, contacts, after, impulses);
     }
     ImpulsePair sum;
-    for (const ode::StepImpulse& impulse : impulses) {
+    for (const ImpulsePair& impulse : impulses) {
         sum.normal += impulse.normal;
         sum.tangential += impulse.tangential;
     }
@@ -188,23 +185,20 @@ void StepBounces::add_to_log(const BodyContact& found, const ImpulsePair& impuls
 
 void StepBounces::log_impacts(double time) {
     for (const LoggedImpact& impact : impacts_) {
-        const auto name = [&](int number) {
-            return number >= 0 ? body(number).name() : finder_.info(number).name;
-        };
         const ode::StepContact& contact = impact.contact.contact;
-        recorder_.log_impact(time, name(contact.first), name(impact.contact.other), contact.point,
+        recorder_.log_impact(time, body(contact.first).name(),
+                             finder_.name_of(impact.contact.partner, bodies_.all()), contact.point,
                              contact.normal, impact.impulse);
     }
     impacts_.clear();
 }
 
-void StepBounces::set_velocities(MovingBody& body, const ode::Velocities& velocities, double time) {
+void StepBounces::set_velocities(MovingBody& body, const Velocities& velocities, double time) {
     if (body.is_kinematic()) {
         return;
     }
     const MotionState before = body.state;
-    body.state.velocity = velocities.linear;
-    body.state.angular_velocity = velocities.angular;
+    body.set(velocities);
     recorder_.add_break(body.track, time, body.with_own_axes(before),
                         body.with_own_axes(body.state));
 }

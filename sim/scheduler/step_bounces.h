@@ -20,14 +20,11 @@ template <class StateOf>
 [[nodiscard]] double approach_speed(const BodyContact& found, const StateOf& state_of) {
     const ode::StepContact& contact = found.contact;
     Vec3 relative = velocity_at(state_of(contact.first), contact.point);
-    if (found.other >= 0) {
-        relative -= velocity_at(state_of(found.other), contact.point);
+    if (found.is_between_bodies()) {
+        relative -= velocity_at(state_of(found.contact.second), contact.point);
     }
     return -relative.dot(contact.normal);
 }
-
-/// Gaps up to this (m) count as closed in an impact.
-inline constexpr double kClosedGap = 2e-6;
 
 class StepBounces {
   public:
@@ -55,8 +52,8 @@ class StepBounces {
     [[nodiscard]] MotionState kinematic_frame(const std::vector<int>& moving);
     ImpulsePair solve_impact(const std::vector<int>& moving,
                              std::vector<ode::StepContact>& contacts,
-                             std::vector<ode::Velocities>& after);
-    void set_velocities(MovingBody& body, const ode::Velocities& velocities, double time);
+                             std::vector<Velocities>& after);
+    void set_velocities(MovingBody& body, const Velocities& velocities, double time);
     void add_to_log(const BodyContact& found, const ImpulsePair& impulse);
     void log_impacts(double time);
     void forget_jams(const std::vector<BodyContact>& contacts);
@@ -78,9 +75,9 @@ class StepBounces {
     ode::StepWorld& world_;
     Recorder& recorder_;
     std::vector<LoggedImpact> impacts_;
-    std::map<std::pair<int, int>, int> kinematic_impact_counts_;  // in this instant, per pair
-    std::set<std::pair<int, int>> jams_;
-    std::set<std::pair<int, int>> warned_pairs_;
+    std::map<ContactPair, int> kinematic_impact_counts_;  // in this instant, per pair
+    std::set<ContactPair> jams_;
+    std::set<ContactPair> warned_pairs_;
 };
 
 }  // namespace carom::sim

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/length.h"
+#include "core/rigid.h"
 
 namespace carom::sim {
 namespace {
@@ -39,16 +40,17 @@ class MeanMotion {
 
 double smaller_radius(const std::vector<MovingBody>& bodies, const BodyContact& found) {
     const double first = bodies[static_cast<std::size_t>(found.contact.first)].bounding_radius();
-    return found.other < 0
+    return !found.is_between_bodies()
                ? first
-               : std::min(first, bodies[static_cast<std::size_t>(found.other)].bounding_radius());
+               : std::min(first,
+                          bodies[static_cast<std::size_t>(found.contact.second)].bounding_radius());
 }
 
 }  // namespace
 
 std::vector<PairLoad> pair_loads(const StepTrial& trial, const std::vector<MovingBody>& bodies) {
     std::vector<PairLoad> loads;
-    std::map<std::pair<int, int>, std::size_t> places;
+    std::map<ContactPair, std::size_t> places;
     const SolvedContacts solved = trial.solved();
     for (std::size_t i = 0; i < solved.contacts.size(); ++i) {
         const BodyContact& found = solved.contacts[i];
@@ -57,7 +59,7 @@ std::vector<PairLoad> pair_loads(const StepTrial& trial, const std::vector<Movin
             continue;
         }
         const MeanMotion first(trial, found.contact.first);
-        const MeanMotion second(trial, found.other);
+        const MeanMotion second(trial, found.contact.second);
         const Vec3& point = found.contact.point;
         const Vec3& normal = found.contact.normal;
         const Vec3 relative = first.velocity_at(point) - second.velocity_at(point);
@@ -66,11 +68,11 @@ std::vector<PairLoad> pair_loads(const StepTrial& trial, const std::vector<Movin
             const double turning =
                 length(first.turning() - second.turning()) * smaller_radius(bodies, found);
             loads.push_back(
-                {found.contact.first, found.other, {trial.start(), trial.end(), 0, 0, turning}});
+                {found.contact.first, found.partner, {trial.start(), trial.end(), 0, 0, turning}});
         }
         ContactLoad& load = loads[place->second].load;
         load.normal_impulse += impulse;
-        load.slip += impulse * length(relative - normal * relative.dot(normal));
+        load.slip += impulse * length(across(relative, normal));
     }
     for (PairLoad& pair : loads) {
         pair.load.slip /= pair.load.normal_impulse;

@@ -10,7 +10,7 @@ namespace carom::sim {
 
 struct PairLoad {
     int first = 0;
-    int other = kCloth;  // a body, or a part of the static environment as in BodyContact
+    ContactPartner partner;
     ContactLoad load;
 };
 

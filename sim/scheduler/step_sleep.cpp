@@ -4,18 +4,17 @@
 #include <numeric>
 #include <utility>
 
+#include "sim/numeric/tolerances.h"
+
 namespace carom::sim {
 namespace {
 
-/// A body whose points move more slowly than this (m/s) for that long (s) falls asleep.
-constexpr double kSleepSpeed = 0.01;
+/// A body that is slow (kSleepSpeed) for this long (s) falls asleep.
 constexpr double kBallSleepDelay = 0.1;
 constexpr double kSolidSleepDelay = 0.12;
 /// A body that leans on something without stable support, and does not slide for this long (s), is
 /// held by friction.
 constexpr double kLeaningSleepDelay = 0.5;
-/// A body whose speed has risen by more than this (m/s) in the meantime is about to move.
-constexpr double kRisingSpeed = 5e-4;
 
 /// The islands of an instant, as a forest whose roots stand for them.
 class Islands {
@@ -44,12 +43,12 @@ class Islands {
 bool StepSleep::wake_by_contact(const std::vector<BodyContact>& contacts, double time) {
     bool is_changed = false;
     for (const BodyContact& found : contacts) {
-        if (found.other < 0) {
+        if (!found.is_between_bodies()) {
             continue;
         }
         const bool is_first_awake = body(found.contact.first).is_in_solver();
-        const int sleeper = is_first_awake ? found.other : found.contact.first;
-        if (is_first_awake != body(found.other).is_in_solver() && is_movable(sleeper)) {
+        const int sleeper = is_first_awake ? found.contact.second : found.contact.first;
+        if (is_first_awake != body(found.contact.second).is_in_solver() && is_movable(sleeper)) {
             bodies_.wake(static_cast<std::uint32_t>(sleeper), time);
             is_changed = true;
         }
@@ -70,11 +69,12 @@ void StepSleep::update_rest_timers(const std::vector<int>& moving, const SolvedC
     for (const BodyContact& found : solved.contacts) {
         const int first = found.contact.first;
         rests[static_cast<std::size_t>(first)] = 1;
-        if (found.other < 0) {
+        if (!found.is_between_bodies()) {
             continue;
         }
-        rests[static_cast<std::size_t>(found.other)] = 1;
-        for (const auto& [number, partner] : {found.pair(), std::pair(found.other, first)}) {
+        const int second = found.contact.second;
+        rests[static_cast<std::size_t>(second)] = 1;
+        for (const auto& [number, partner] : {std::pair(first, second), std::pair(second, first)}) {
             const MovingBody& other = body(partner);
             if (other.is_kinematic() == other.is_in_solver()) {
                 is_disturbed[static_cast<std::size_t>(number)] = 1;
@@ -106,8 +106,8 @@ std::vector<int> StepSleep::falling_asleep(const std::vector<int>& moving,
     update_rest_timers(moving, solved, time);
     Islands islands(bodies_.all().size());
     for (const BodyContact& found : solved.contacts) {
-        if (is_movable(found.contact.first) && is_movable(found.other)) {
-            islands.join(found.contact.first, found.other);
+        if (is_movable(found.contact.first) && is_movable(found.contact.second)) {
+            islands.join(found.contact.first, found.contact.second);
         }
     }
     std::vector<int> candidates;

@@ -7,13 +7,11 @@
 #include <utility>
 
 #include "sim/motion/free_rotation.h"
+#include "sim/numeric/tolerances.h"
 
 namespace carom::sim {
 namespace {
 
-/// Impacting bodies and new contacts may overlap by this much (m) at a step's end. Otherwise the
-/// step is shortened so that they overlap by between a quarter of this and this.
-constexpr double kContactDepth = 4e-6;
 /// Lasting contacts may get deeper by this much (m) in the first half of a step; those of cylinder
 /// rims, whose contact points move fastest, by less. Otherwise the step is halved, up to so many
 /// times.
@@ -63,7 +61,7 @@ double StepTrial::relative_sinking() const {
             continue;
         }
         const double sunk = approach(found) * 0.5 * (end_ - start_);
-        const bool is_rim = has_rim(found.contact.first) || has_rim(found.other);
+        const bool is_rim = has_rim(found.contact.first) || has_rim(found.contact.second);
         most = std::max(most, sunk / (is_rim ? kMaxRimSinking : kMaxSinking));
     }
     return most;
@@ -128,7 +126,8 @@ void StepTrial::solve() {
 void StepTrial::collect_normals_at_start(const std::vector<BodyContact>& contacts) {
     normals_at_start_.clear();
     for (const BodyContact& found : contacts) {
-        if (bodies_[static_cast<std::size_t>(found.contact.first)].is_ball() && found.other < 0) {
+        if (bodies_[static_cast<std::size_t>(found.contact.first)].is_ball() &&
+            !found.is_between_bodies()) {
             normals_at_start_.emplace(found.pair(), found.contact.normal);
         }
     }
@@ -150,7 +149,7 @@ double StepTrial::turning(const BodyContact& found) const {
 /// lasting contact. Contacts of a pair that close at similar speeds are classified together, so
 /// that rounding cannot split them and turn the bodies.
 void StepTrial::drop_impacts() {
-    std::map<std::pair<int, int>, double> fastest;
+    std::map<ContactPair, double> fastest;
     std::vector<double> speeds;
     for (const BodyContact& found : contacts_) {
         const double speed = bounces_.is_jammed(found) ? 0 : approach(found);
@@ -162,7 +161,7 @@ void StepTrial::drop_impacts() {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         const double most = fastest[contacts_[i].pair()];
-        if (most <= ode::kBounceSpeed || speeds[i] < 0.5 * most) {
+        if (most <= kBounceSpeed || speeds[i] < 0.5 * most) {
             contacts_[kept++] = contacts_[i];
         }
     }
@@ -179,7 +178,7 @@ void StepTrial::drop_immovable_pairs() {
         return placed_[i].is_in_solver() && !bodies_[i].is_kinematic();
     };
     std::erase_if(contacts_, [&](const BodyContact& found) {
-        return !can_move(found.contact.first) && !can_move(found.other);
+        return !can_move(found.contact.first) && !can_move(found.contact.second);
     });
 }
 
@@ -203,7 +202,7 @@ void StepTrial::move_to(double fraction) {
 
 /// The fraction of the step that passes before the first impact or new contact.
 double StepTrial::fraction_until_contact() {
-    std::set<std::pair<int, int>> known;
+    std::set<ContactPair> known;
     for (const BodyContact& found : contacts_) {
         known.insert(found.pair());
     }
@@ -212,7 +211,7 @@ double StepTrial::fraction_until_contact() {
         double deepest = 0;
         for (const BodyContact& found : finder_.find(bodies_, placed_)) {
             if (found.contact.depth > deepest && !bounces_.is_jammed(found) &&
-                (!known.contains(found.pair()) || approach(found) > ode::kBounceSpeed)) {
+                (!known.contains(found.pair()) || approach(found) > kBounceSpeed)) {
                 deepest = found.contact.depth;
             }
         }

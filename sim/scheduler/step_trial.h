@@ -60,13 +60,13 @@ class StepTrial {
     double start_ = 0;
     double end_ = 0;
     std::vector<Placement> placed_;  // of the bodies, at some instant of the step
-    std::multimap<std::pair<int, int>, Vec3> normals_at_start_;  // of balls on what is static
+    std::multimap<ContactPair, Vec3> normals_at_start_;  // of balls on what is static
     std::vector<int> moving_;
     std::vector<MotionState> midpoint_states_;
     std::vector<BodyContact> contacts_;
     std::vector<ode::StepContact> step_contacts_;
     std::vector<ode::StepMotion> motions_;
-    std::vector<ode::StepImpulse> impulses_;
+    std::vector<ImpulsePair> impulses_;
 };
 
 }  // namespace carom::sim

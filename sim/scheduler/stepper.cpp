@@ -97,10 +97,7 @@ void Stepper::commit(double end) {
 void Stepper::log_contacts() {
     for (const PairLoad& pair : pair_loads(trial_, bodies_.all())) {
         recorder_.contacts().add(bodies_[static_cast<std::uint32_t>(pair.first)].name(),
-                                 pair.other < 0
-                                     ? finder_.info(pair.other).name
-                                     : bodies_[static_cast<std::uint32_t>(pair.other)].name(),
-                                 pair.load);
+                                 finder_.name_of(pair.partner, bodies_.all()), pair.load);
     }
 }
 
@@ -120,12 +117,12 @@ Ground Stepper::ground_under(std::uint32_t ball, bool& touches_other) const {
     Ground ground = Ground::none;
     touches_other = false;
     for (const BodyContact& found : trial_.contacts()) {
-        if (found.contact.first != number && found.other != number) {
+        if (found.contact.first != number && found.contact.second != number) {
             continue;
         }
-        const bool is_cloth =
-            found.other == kCloth && environment_.is_over_cloth(bodies_[ball].state.position);
-        if (is_cloth || found.other == kFloor) {
+        const bool is_cloth = found.partner == ContactPartner(Ground::cloth) &&
+                              environment_.is_over_cloth(bodies_[ball].state.position);
+        if (is_cloth || found.partner == ContactPartner(Ground::floor)) {
             ground = is_cloth ? Ground::cloth : Ground::floor;
         } else {
             touches_other = true;

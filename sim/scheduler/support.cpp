@@ -123,14 +123,14 @@ bool is_stably_supported(const MovingBody& body, int number, const SolvedContact
     std::vector<Vec2> points;
     for (std::size_t i = 0; i < solved.contacts.size(); ++i) {
         const ode::StepContact& contact = solved.contacts[i].contact;
-        if (contact.first != number && solved.contacts[i].other != number) {
+        if (contact.first != number && contact.second != number) {
             continue;
         }
         points.push_back(project(contact.point));
         const double rise = contact.normal.dot(up) * (contact.first == number ? 1 : -1);
         if (rise > -kLoadSlope) {
             is_carried = true;
-            lever = std::max(lever, contact.rolling_lever);
+            lever = std::max(lever, contact.rolling_arm);
         } else {
             const double load = -rise * std::max(solved.impulses[i].normal, 0.0);
             weight += load;
@@ -152,7 +152,7 @@ bool leans(int number, const SolvedContacts& solved, const Vec3& gravity) {
     const double strength = length(gravity);
     for (std::size_t i = 0; i < solved.contacts.size(); ++i) {
         const ode::StepContact& contact = solved.contacts[i].contact;
-        if (contact.first != number && solved.contacts[i].other != number) {
+        if (contact.first != number && contact.second != number) {
             continue;
         }
         const double sign = contact.first == number ? 1 : -1;

@@ -11,8 +11,8 @@ namespace carom::sim {
 /// The contacts of one step and the impulses that were solved for them.
 struct SolvedContacts {
     const std::vector<BodyContact>& contacts;
-    const std::vector<ode::StepImpulse>& impulses;  // in the same order
-    double duration = 0;                            // of the step, s
+    const std::vector<ImpulsePair>& impulses;  // in the same order
+    double duration = 0;                       // of the step, s
 };
 
 /// True if something supports the body and, seen along gravity, the convex hull of its contact

@@ -4,19 +4,16 @@
 #include <cmath>
 
 #include "core/length.h"
+#include "sim/numeric/tolerances.h"
 
 namespace carom::sim {
 namespace {
 
-/// During a push, about 2 ms, balls that approach or separate more slowly than this (m/s) change
-/// their gap by no more than kTouchingGap.
-constexpr double kTouchingSpeed = 0.01;
-
 bool touch(const MotionState& a, const MotionState& b, double distance) {
     const Vec3 d = a.position - b.position;
-    const double reach = distance + kTouchingGap;
+    const double reach = distance + kFrozenGap;
     return d.dot(d) <= reach * reach &&
-           std::abs((a.velocity - b.velocity).dot(unit(d))) <= kTouchingSpeed;
+           std::abs((a.velocity - b.velocity).dot(unit(d))) <= kFrozenSpeed;
 }
 
 PushContact contact_of(const MovingBody& a, const MovingBody& b, const Vec3& normal,

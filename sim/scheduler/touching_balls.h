@@ -10,10 +10,6 @@
 
 namespace carom::sim {
 
-/// Gaps up to this (m) count as contact in a strike. While the tip presses, a ball moves ten times
-/// as far. Coordinates rounded to 0.01 mm leave 14 micrometres, the balls of a rack about 30.
-inline constexpr double kTouchingGap = 5e-5;
-
 struct TouchingBalls {
     std::vector<std::uint32_t> indices;  // ascending, in Bodies
     TouchingGroup group;                 // in the same order; the struck ball's contacts come first

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/numeric/tolerances.h"
+
 namespace carom::sim {
 namespace {
 
@@ -56,7 +58,7 @@ std::optional<double> first_closing(const Gap& gap_at, double speed, double now,
         return std::nullopt;
     }
     Instant from{now, gap_at(now)};
-    if (from.gap <= kTouchingGap) {
+    if (from.gap <= kClosedBySearch) {
         if (gap_at(now + kProbeInterval) < from.gap - kGapError) {
             return now;
         }

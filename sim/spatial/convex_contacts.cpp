@@ -136,7 +136,7 @@ std::vector<Vec3> clip(std::vector<Vec3> points, const FacingFeature& side) {
 
 /// Adds the ends of the common section of two nearly parallel lines.
 bool add_parallel(const FacingFeature& a, const FacingFeature& b, const Vec3& normal, double margin,
-                  std::vector<ConvexContact>& contacts) {
+                  std::vector<Contact>& contacts) {
     constexpr double kParallel = 0.02;  // sine of the angle
     const Vec3 along_a = a.points[1] - a.points[0];
     const Vec3 along_b = b.points[1] - b.points[0];
@@ -165,7 +165,7 @@ bool add_parallel(const FacingFeature& a, const FacingFeature& b, const Vec3& no
 
 /// Adds the points of `other` over the flat side; `sign`: +1 if the side belongs to b.
 void add_over_side(const FacingFeature& side, const FacingFeature& other, const Vec3& normal,
-                   double margin, double sign, std::vector<ConvexContact>& contacts) {
+                   double margin, double sign, std::vector<Contact>& contacts) {
     for (const Vec3& p : clip(other.points, side)) {
         const double gap = sign * normal.dot(p - side.points.front());
         if (gap <= margin) {
@@ -209,34 +209,32 @@ Separation separation_of(const PlacedShape& a, const PlacedShape& b,
 
 /// Keeps the deepest contact (among equals the farthest from the middle), the farthest from that,
 /// and the farthest from their line on either side. Of points along a line two remain.
-void reduce_contacts(std::vector<ConvexContact>& contacts) {
+void reduce_contacts(std::vector<Contact>& contacts) {
     if (contacts.size() <= 2) {
         return;
     }
     constexpr double kAsDeep = 1e-7;  // m
     Vec3 middle(0, 0, 0);
     double deepest = contacts.front().depth;
-    for (const ConvexContact& c : contacts) {
+    for (const Contact& c : contacts) {
         middle += c.point / static_cast<double>(contacts.size());
         deepest = std::max(deepest, c.depth);
     }
     const auto largest = [&](const auto& measure) {
-        return *std::max_element(contacts.begin(), contacts.end(),
-                                 [&](const ConvexContact& a, const ConvexContact& b) {
-                                     return measure(a) < measure(b) - 1e-12;
-                                 });
+        return *std::max_element(
+            contacts.begin(), contacts.end(),
+            [&](const Contact& a, const Contact& b) { return measure(a) < measure(b) - 1e-12; });
     };
-    const ConvexContact first = largest([&](const ConvexContact& c) {
+    const Contact first = largest([&](const Contact& c) {
         return c.depth > deepest - kAsDeep ? length(c.point - middle) : -1;
     });
-    const ConvexContact second =
-        largest([&](const ConvexContact& c) { return length(c.point - first.point); });
+    const Contact second = largest([&](const Contact& c) { return length(c.point - first.point); });
     const Vec3 along = second.point - first.point;
     const Vec3 aside = first.normal.cross(along);
-    const auto left = [&](const ConvexContact& c) { return aside.dot(c.point - first.point); };
-    const auto right = [&](const ConvexContact& c) { return -left(c); };
-    const ConvexContact third = largest(left);
-    const ConvexContact fourth = largest(right);
+    const auto left = [&](const Contact& c) { return aside.dot(c.point - first.point); };
+    const auto right = [&](const Contact& c) { return -left(c); };
+    const Contact third = largest(left);
+    const Contact fourth = largest(right);
     constexpr double kSlender = 1e-3;  // of the line's length
     const double least = kSlender * along.dot(along);
     contacts = {first};
@@ -252,7 +250,7 @@ void reduce_contacts(std::vector<ConvexContact>& contacts) {
 }
 
 void convex_contacts(const PlacedShape& a, const PlacedShape& b, double margin,
-                     std::vector<ConvexContact>& contacts) {
+                     std::vector<Contact>& contacts) {
     contacts.clear();
     const double far = margin + a.shape->core_gap() + b.shape->core_gap();
     const std::optional<ClosestPoints> closest = closest_points(a, b, far);

@@ -14,11 +14,11 @@ Pose ConvexMotion::pose_at(double time) const {
             rotation_by(state.angular_velocity * t) * state.orientation};
 }
 
-SurfaceContact convex_contact(const ConvexShape& shape, const Pose& pose, const Vec3& centre,
-                              double radius) {
+Contact convex_contact(const ConvexShape& shape, const Pose& pose, const Vec3& centre,
+                       double radius) {
     const NearestPoint found =
         nearest_point(shape, to_body(pose.orientation, centre - pose.position));
-    SurfaceContact contact;
+    Contact contact;
     contact.point = pose.position + to_world(pose.orientation, found.point);
     contact.normal = to_world(pose.orientation, found.normal);
     contact.depth = radius - found.distance;

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "core/rigid.h"
+#include "sim/motion/contact.h"
 #include "sim/motion/motion_segment.h"
 #include "sim/shape/convex_shape.h"
-#include "sim/spatial/static_mesh.h"
 
 namespace carom::sim {
 
@@ -20,8 +20,8 @@ struct ConvexMotion {
 };
 
 /// Contact of a ball with a solid; the ball's centre may be inside the solid.
-[[nodiscard]] SurfaceContact convex_contact(const ConvexShape& shape, const Pose& pose,
-                                            const Vec3& centre, double radius);
+[[nodiscard]] Contact convex_contact(const ConvexShape& shape, const Pose& pose, const Vec3& centre,
+                                     double radius);
 
 /// The time in [now, until] at which the ball hits the solid, by the rules of time_of_impact.h.
 [[nodiscard]] std::optional<double> convex_impact_time(const MotionSegment& ball, double radius,

@@ -12,7 +12,7 @@ namespace {
 /// The contacts with one plane of one surface.
 struct Group {
     std::uint32_t surface = 0;
-    std::vector<ConvexContact> contacts;
+    std::vector<Contact> contacts;
 };
 
 /// The triangle as a solid without thickness, with its centre as origin.
@@ -27,23 +27,22 @@ PlacedShape flat_solid(const StaticMesh::Triangle& triangle, std::optional<Conve
     return {&*store, {middle, Quat()}};
 }
 
-bool is_on_side(const ConvexContact& contact, const StaticMesh::Triangle& triangle) {
+bool is_on_side(const Contact& contact, const StaticMesh::Triangle& triangle) {
     constexpr double kSame = 0.9998;  // 1.1 degrees
     return std::abs(contact.normal.dot(triangle.normal)) > kSame;
 }
 
 /// True if the contact lies in the plane of a flat side's contact, which already supports the
 /// solid.
-bool is_on_contact_plane(const ConvexContact& edge, const std::vector<Group>& sides,
-                         double margin) {
+bool is_on_contact_plane(const Contact& edge, const std::vector<Group>& sides, double margin) {
     return std::any_of(sides.begin(), sides.end(), [&](const Group& side) {
-        const ConvexContact& on_side = side.contacts.front();
+        const Contact& on_side = side.contacts.front();
         return std::abs(on_side.normal.dot(edge.point - on_side.point)) < 4 * margin;
     });
 }
 
 void add_to(std::vector<Group>& groups, std::uint32_t surface,
-            const std::vector<ConvexContact>& contacts) {
+            const std::vector<Contact>& contacts) {
     constexpr double kSamePlane = 0.9998;
     for (Group& group : groups) {
         if (group.surface == surface &&
@@ -61,7 +60,7 @@ std::vector<SurfaceContact> mesh_contacts(const PlacedShape& solid, const Static
                                           const Aabb& bounds, double margin) {
     std::vector<Group> sides;
     std::vector<Group> edges;
-    std::vector<ConvexContact> contacts;
+    std::vector<Contact> contacts;
     std::optional<ConvexShape> store;
     for (const StaticMesh::Triangle& triangle : mesh.triangles_near(bounds)) {
         // Most nearby triangles lie in planes that the solid does not touch.
@@ -77,7 +76,7 @@ std::vector<SurfaceContact> mesh_contacts(const PlacedShape& solid, const Static
         }
     }
     for (Group& edge : edges) {
-        std::erase_if(edge.contacts, [&](const ConvexContact& contact) {
+        std::erase_if(edge.contacts, [&](const Contact& contact) {
             return is_on_contact_plane(contact, sides, margin);
         });
         if (!edge.contacts.empty()) {
@@ -87,8 +86,8 @@ std::vector<SurfaceContact> mesh_contacts(const PlacedShape& solid, const Static
     std::vector<SurfaceContact> result;
     for (Group& group : sides) {
         reduce_contacts(group.contacts);
-        for (const ConvexContact& contact : group.contacts) {
-            result.push_back({contact.point, contact.normal, contact.depth, group.surface});
+        for (const Contact& contact : group.contacts) {
+            result.push_back({contact, group.surface});
         }
     }
     return result;

@@ -7,11 +7,11 @@
 
 namespace carom::sim {
 
-SurfaceContact Rim::contact(const Vec3& ball_centre, double ball_radius) const {
+Contact Rim::contact(const Vec3& ball_centre, double ball_radius) const {
     Vec3 outwards(ball_centre.x - centre.x, ball_centre.y - centre.y, 0);
     const double from_axis = length(outwards);
     outwards = from_axis > 1e-12 ? outwards / from_axis : Vec3(1, 0, 0);
-    SurfaceContact contact;
+    Contact contact;
     contact.point = centre + outwards * radius;
     const Vec3 d = ball_centre - contact.point;
     const double distance = length(d);

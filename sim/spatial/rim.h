@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "sim/motion/contact.h"
 #include "sim/motion/motion_segment.h"
-#include "sim/spatial/static_mesh.h"
 
 namespace carom::sim {
 
@@ -12,7 +12,7 @@ struct Rim {
     Vec3 centre{0, 0, 0};
     double radius = 0;  // of the horizontal circle, m
 
-    [[nodiscard]] SurfaceContact contact(const Vec3& ball_centre, double ball_radius) const;
+    [[nodiscard]] Contact contact(const Vec3& ball_centre, double ball_radius) const;
     [[nodiscard]] std::optional<double> impact_time(const MotionSegment& ball, double ball_radius,
                                                     double now, double until) const;
 };

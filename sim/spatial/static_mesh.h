@@ -8,17 +8,15 @@
 #include <optional>
 #include <vector>
 
+#include "sim/motion/contact.h"
 #include "sim/motion/motion_segment.h"
 #include "sim/spatial/aabb_tree.h"
 #include "sim/spatial/mesh_features.h"
 
 namespace carom::sim {
 
-/// A point at which a ball touches a surface, or nearly does.
-struct SurfaceContact {
-    Vec3 point{0, 0, 0};
-    Vec3 normal{0, 0, 1};  // unit, towards the ball's centre
-    double depth = 0;      // penetration, m; negative: a gap
+/// A contact with a surface; the normal points towards the body that touches it.
+struct SurfaceContact : Contact {
     std::uint32_t surface = 0;
 };
 

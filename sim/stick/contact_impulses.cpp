@@ -46,9 +46,9 @@ ContactImpulses::ContactImpulses(const TouchingGroup& group) : group_(group) {
 }
 
 ContactImpulses::Relative ContactImpulses::relative_velocity(
-    const PushContact& contact, const std::vector<BallVelocity>& velocities) const {
-    const BallVelocity& a = velocities[contact.first];
-    const BallVelocity& b = velocities[contact.second];
+    const PushContact& contact, const std::vector<Velocities>& velocities) const {
+    const Velocities& a = velocities[contact.first];
+    const Velocities& b = velocities[contact.second];
     const Vec3 centres = without_vertical(a.linear - b.linear, contact.is_level);
     const Vec3 spin = a.angular * group_.balls[contact.first].radius +
                       b.angular * group_.balls[contact.second].radius;
@@ -57,7 +57,7 @@ ContactImpulses::Relative ContactImpulses::relative_velocity(
 }
 
 void ContactImpulses::add(const std::vector<ContactImpulse>& impulses,
-                          std::vector<BallVelocity>& velocities) const {
+                          std::vector<Velocities>& velocities) const {
     for (std::size_t i = 0; i < impulses.size(); ++i) {
         const PushContact& contact = group_.contacts[i];
         const Vec3 impulse = without_vertical(
@@ -72,7 +72,7 @@ void ContactImpulses::add(const std::vector<ContactImpulse>& impulses,
     }
 }
 
-double ContactImpulses::descend(const std::vector<BallVelocity>& velocities,
+double ContactImpulses::descend(const std::vector<Velocities>& velocities,
                                 const std::vector<double>& friction,
                                 const std::vector<ContactImpulse>& from,
                                 std::vector<ContactImpulse>& to) const {
@@ -99,10 +99,10 @@ double ContactImpulses::descend(const std::vector<BallVelocity>& velocities,
 /// (O'Donoghue and Candes, Adaptive restart for accelerated gradient schemes, 2015, section 3.2).
 /// Unlike the sequential method of Gauss and Seidel it treats all contacts alike: the result does
 /// not depend on their order, not even in a rack whose impulses rigid contacts leave undetermined.
-void ContactImpulses::solve(std::vector<BallVelocity>& velocities,
+void ContactImpulses::solve(std::vector<Velocities>& velocities,
                             const std::vector<double>& friction,
                             std::vector<ContactImpulse>& impulses) const {
-    const std::vector<BallVelocity> free = velocities;
+    const std::vector<Velocities> free = velocities;
     double enough = 0;
     for (const PushContact& contact : group_.contacts) {
         const Relative relative = relative_velocity(contact, free);

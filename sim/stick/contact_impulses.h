@@ -8,11 +8,6 @@
 
 namespace carom::sim {
 
-struct BallVelocity {
-    Vec3 linear{0, 0, 0};   // m/s
-    Vec3 angular{0, 0, 0};  // rad/s
-};
-
 /// On the first ball of a contact, N s.
 struct ContactImpulse {
     double normal = 0;
@@ -28,7 +23,7 @@ class ContactImpulses {
 
     /// Changes `velocities`, which are those without contacts, and `impulses`, which are first
     /// guesses. `friction`: one coefficient for each contact.
-    void solve(std::vector<BallVelocity>& velocities, const std::vector<double>& friction,
+    void solve(std::vector<Velocities>& velocities, const std::vector<double>& friction,
                std::vector<ContactImpulse>& impulses) const;
 
     /// From now on a contact counts as closing if it opens more slowly than this, m/s.
@@ -41,13 +36,13 @@ class ContactImpulses {
         Vec3 slip{0, 0, 0};
     };
     [[nodiscard]] Relative relative_velocity(const PushContact& contact,
-                                             const std::vector<BallVelocity>& velocities) const;
+                                             const std::vector<Velocities>& velocities) const;
 
   private:
     void add(const std::vector<ContactImpulse>& impulses,
-             std::vector<BallVelocity>& velocities) const;
+             std::vector<Velocities>& velocities) const;
     /// One step of projected gradient descent from `from`; returns the largest change, m/s.
-    double descend(const std::vector<BallVelocity>& velocities, const std::vector<double>& friction,
+    double descend(const std::vector<Velocities>& velocities, const std::vector<double>& friction,
                    const std::vector<ContactImpulse>& from, std::vector<ContactImpulse>& to) const;
 
     const TouchingGroup& group_;

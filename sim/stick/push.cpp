@@ -16,24 +16,23 @@ constexpr double kGrowth = 1.02;
 constexpr int kMaxIncrements = 2000;  // for groups much heavier than the stick
 
 struct PushState {
-    std::vector<BallVelocity> velocities;
+    std::vector<Velocities> velocities;
     std::vector<ContactImpulse> contacts;  // since the start
     double impulse = 0;                    // of the tip, N s
     double work = 0;                       // of the tip's compression, J
 };
 
-std::vector<BallVelocity> velocities_of(const TouchingGroup& group) {
-    std::vector<BallVelocity> velocities;
+std::vector<Velocities> velocities_of(const TouchingGroup& group) {
+    std::vector<Velocities> velocities;
     for (const RigidBody& ball : group.balls) {
         velocities.push_back({ball.state.velocity, ball.state.angular_velocity});
     }
     return velocities;
 }
 
-void set_velocities(TouchingGroup& group, const std::vector<BallVelocity>& velocities) {
+void set_velocities(TouchingGroup& group, const std::vector<Velocities>& velocities) {
     for (std::size_t i = 0; i < group.balls.size(); ++i) {
-        group.balls[i].state.velocity = velocities[i].linear;
-        group.balls[i].state.angular_velocity = velocities[i].angular;
+        group.balls[i].set(velocities[i]);
     }
 }
 
@@ -72,7 +71,7 @@ class Push {
 
     /// The speed of the tip relative to the struck point, whose motion before the push it shares.
     [[nodiscard]] double closing_speed(const PushState& state) const {
-        const BallVelocity& struck = state.velocities[group_.struck];
+        const Velocities& struck = state.velocities[group_.struck];
         const double point = tip_.direction.dot(struck.linear - start_.linear) +
                              tip_.lever.dot(struck.angular - start_.angular);
         return strike_.speed.value_or(0) - state.impulse / strike_.stick_mass - point;
@@ -117,7 +116,7 @@ class Push {
     [[nodiscard]] PushState after(double increment, const std::vector<ContactImpulse>& guess,
                                   double guess_part) const {
         const RigidBody& struck = group_.balls[group_.struck];
-        std::vector<BallVelocity> free = state_.velocities;
+        std::vector<Velocities> free = state_.velocities;
         free[group_.struck].linear += tip_.direction * (increment / struck.mass);
         free[group_.struck].angular +=
             tip_.lever * (2.5 * increment / (struck.mass * struck.radius * struck.radius));
@@ -148,7 +147,7 @@ class Push {
     }
 
     [[nodiscard]] std::vector<double> coefficients(
-        const std::vector<BallVelocity>& velocities) const {
+        const std::vector<Velocities>& velocities) const {
         std::vector<double> result;
         for (const PushContact& contact : group_.contacts) {
             result.push_back(
@@ -169,7 +168,7 @@ class Push {
                    std::any_of(group_.contacts.begin(), group_.contacts.end(),
                                [](const PushContact& contact) { return !contact.friction; });
     PushState state_;
-    BallVelocity start_;                // of the struck ball
+    Velocities start_;                  // of the struck ball
     std::vector<ContactImpulse> last_;  // those of the last increment, as guesses
 };
 
@@ -212,7 +211,7 @@ void part_balls(TouchingGroup& group, const PushResult& push) {
     }
     ContactImpulses contacts(group);
     contacts.set_least_separations(std::move(least));
-    std::vector<BallVelocity> velocities = velocities_of(group);
+    std::vector<Velocities> velocities = velocities_of(group);
     std::vector<ContactImpulse> impulses(group.contacts.size());
     contacts.solve(velocities, std::vector<double>(group.contacts.size(), 0), impulses);
     set_velocities(group, velocities);

@@ -166,17 +166,17 @@ TEST(ConvexContacts_OfASolidOnABox, AreEnoughToRestOn) {
           ContactCase{"capsule lying", ConvexShape::capsule(0.03, 0.06), lying, 0.03, 2},
           ContactCase{"capsule upright", ConvexShape::capsule(0.03, 0.06), {}, 0.09, 1}}) {
         for (const double gap : {-1e-5, 0.0, 5e-5}) {
-            std::vector<ConvexContact> contacts;
+            std::vector<Contact> contacts;
             const PlacedShape above{&c.above, {{0.1, 0.2, 0.1 + c.height + gap}, c.turn}};
             convex_contacts(above, {&table, {}}, 1e-4, contacts);
             ASSERT_EQ(contacts.size(), c.contacts) << c.name << gap;
-            for (const ConvexContact& contact : contacts) {
+            for (const Contact& contact : contacts) {
                 EXPECT_NEAR(contact.depth, -gap, 1e-12) << c.name;
                 EXPECT_LT((contact.normal - Vec3(0, 0, 1)).length(), 1e-12) << c.name;
                 EXPECT_NEAR(contact.point.z, 0.1 + gap / 2, 1e-12) << c.name;
             }
             // For the exchanged bodies the points are the same, with reversed normals.
-            std::vector<ConvexContact> swapped;
+            std::vector<Contact> swapped;
             convex_contacts({&table, {}}, above, 1e-4, swapped);
             ASSERT_EQ(swapped.size(), c.contacts) << c.name;
             EXPECT_NEAR(swapped.front().normal.z, -1, 1e-12) << c.name;
@@ -189,7 +189,7 @@ TEST(ConvexContacts_OfRoundSolids, AreTheClosestPoints) {
     const ConvexShape cylinder = ConvexShape::cylinder(0.02, 0.1);
     const Quat along_x = rotation_by({0, kPi / 2, 0});
     const Quat along_y = rotation_by({kPi / 2, 0, 0});
-    std::vector<ConvexContact> contacts;
+    std::vector<Contact> contacts;
     for (const ConvexShape* lower : {&capsule, &cylinder}) {
         for (const ConvexShape* upper : {&capsule, &cylinder}) {
             // Crossed solids touch at one point between the axes.

@@ -43,11 +43,11 @@ struct Wrench {
 /// The edges of the cone of all wrenches that the contact can exert.
 std::vector<Wrench> wrenches_of(const ode::StepContact& contact) {
     std::vector<Vec3> moments;
-    for (const Vec3& rolling : contact.rolling_lever > 0
-                                   ? edges_around(contact.normal, contact.rolling_lever, 8)
+    for (const Vec3& rolling : contact.rolling_arm > 0
+                                   ? edges_around(contact.normal, contact.rolling_arm, 8)
                                    : std::vector<Vec3>{{0, 0, 0}}) {
-        moments.push_back(rolling + contact.normal * contact.spinning_lever);
-        moments.push_back(rolling - contact.normal * contact.spinning_lever);
+        moments.push_back(rolling + contact.normal * contact.torsional_arm);
+        moments.push_back(rolling - contact.normal * contact.torsional_arm);
     }
     std::vector<Wrench> wrenches;
     for (const Vec3& friction : edges_around(contact.normal, contact.friction, kSides)) {
@@ -69,10 +69,10 @@ class RestingBodies {
         for (MovingBody& body : bodies_) {
             place(body, timeline, time, takes_part);
         }
-        contacts_ = ContactFinder(environment_).find(bodies_);
+        contacts_ = finder().find(bodies_);
         for (const BodyContact& found : contacts_) {
-            if (is_free(found.contact.first) && is_free(found.other)) {
-                join(found.contact.first, found.other);
+            if (is_free(found.contact.first) && is_free(found.contact.second)) {
+                join(found.contact.first, found.contact.second);
             }
         }
     }
@@ -81,9 +81,9 @@ class RestingBodies {
         std::vector<std::string> faults;
         for (const BodyContact& found : contacts_) {
             if (found.contact.depth > kAllowedOverlap) {
-                faults.push_back(fmt::format("'{}' rests {:.3f} mm inside of '{}'",
-                                             body(found.contact.first).name(),
-                                             found.contact.depth * 1e3, name(found.other)));
+                faults.push_back(fmt::format(
+                    "'{}' rests {:.3f} mm inside of '{}'", body(found.contact.first).name(),
+                    found.contact.depth * 1e3, finder().name_of(found.partner, bodies_)));
             }
         }
         for (int number = 0; number < static_cast<int>(bodies_.size()); ++number) {
@@ -115,9 +115,7 @@ class RestingBodies {
     [[nodiscard]] const MovingBody& body(int number) const {
         return bodies_[static_cast<std::size_t>(number)];
     }
-    [[nodiscard]] std::string name(int number) const {
-        return number >= 0 ? body(number).name() : ContactFinder(environment_).info(number).name;
-    }
+    [[nodiscard]] ContactFinder finder() const { return ContactFinder(environment_); }
     [[nodiscard]] bool is_free(int number) const {
         return number >= 0 && body(number).is_in_solver() && !body(number).is_kinematic();
     }
@@ -158,7 +156,7 @@ class RestingBodies {
         }
         std::vector<std::vector<double>> columns;
         for (const BodyContact& found : contacts_) {
-            if (!rows.contains(found.contact.first) && !rows.contains(found.other)) {
+            if (!rows.contains(found.contact.first) && !rows.contains(found.contact.second)) {
                 continue;
             }
             for (const Wrench& wrench : wrenches_of(found.contact)) {
@@ -167,7 +165,8 @@ class RestingBodies {
                 const Vec3 moment = wrench.moment * weight;
                 columns.emplace_back(6 * rows.size(), 0);
                 add(found.contact.first, found.contact.point, force, moment, rows, columns.back());
-                add(found.other, found.contact.point, -force, -moment, rows, columns.back());
+                add(found.contact.second, found.contact.point, -force, -moment, rows,
+                    columns.back());
             }
         }
         std::vector<double> load(6 * rows.size(), 0);
