@@ -1,68 +1,41 @@
 #include "sim/path_occurrences.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
 
-#include "sim/force_event.h"
-#include "sim/numeric/polynomial.h"
 #include "sim/numeric/tolerances.h"
+#include "sim/path_detectors.h"
 
 namespace carom::sim {
 namespace {
 
 constexpr double kLeastSpin = 0.5;  // rad/s, of a visible motion
 
-int sign(double value) {
-    return value > 0 ? 1 : value < 0 ? -1 : 0;
-}
-
-/// The component of the Hermite curve along `axis` as a polynomial of the time since its start.
-Quartic component(const PathSegment& segment, const Vec3& axis) {
+/// The Hermite curve of the segment as a polynomial.
+PathPiece piece_of(const PathSegment& segment) {
     const double h = segment.end - segment.start;
-    const double p0 = segment.p0.dot(axis);
-    const double v0 = segment.v0.dot(axis);
-    const double v1 = segment.v1.dot(axis);
-    const double mean = (segment.p1.dot(axis) - p0) / h;
-    return {p0, v0, (3 * mean - 2 * v0 - v1) / h, (v0 + v1 - 2 * mean) / (h * h), 0};
+    const Vec3 mean = (segment.p1 - segment.p0) / h;
+    return {h,
+            {segment.p0, segment.v0, (mean * 3 - segment.v0 * 2 - segment.v1) / h,
+             (segment.v0 + segment.v1 - mean * 2) / (h * h)}};
 }
 
-Quartic derivative(const Quartic& c) {
-    return {c[1], 2 * c[2], 3 * c[3], 4 * c[4], 0};
-}
-
-/// Follows the sign of a function that is a polynomial on each segment, and calls `changed(segment,
-/// time since its start, sign)` where it becomes positive or negative. `sign_of` returns the sign
-/// of a value; the function keeps its sign while it is 0.
-template <class Function, class SignOf, class Changed>
-void follow_sign(const std::vector<PathSegment>& segments, const Function& function,
-                 const SignOf& sign_of, const Changed& changed) {
-    int last = 0;
-    for (const PathSegment& segment : segments) {
-        const double length = segment.end - segment.start;
-        if (length <= 0) {
+/// The scene times at which something happens on the track.
+template <class Detector>
+std::vector<double> times_on(const Track& track, Detector detector) {
+    std::vector<double> times;
+    for (const PathSegment& segment :
+         track.segments(track.keys().front().time, track.keys().back().time)) {
+        if (segment.end <= segment.start) {
             continue;
         }
-        const Quartic polynomial = function(segment);
-        std::array<double, 4> roots{};
-        const std::size_t count = sign_changes(polynomial, 0, length, roots);
-        double from = 0;
-        for (std::size_t i = 0; i <= count; ++i) {
-            const double to = i < count ? roots[i] : length;
-            const int now = sign_of(evaluate(polynomial, 0.5 * (from + to)));
-            if (now != 0 && now != last) {
-                changed(segment, from, now);
-                last = now;
-            }
-            from = to;
+        for (const double time : detector.follow(piece_of(segment))) {
+            times.push_back(segment.start + time);
         }
     }
-}
-
-std::vector<PathSegment> all_segments(const Track& track) {
-    return track.segments(track.keys().front().time, track.keys().back().time);
+    return times;
 }
 
 /// A time during which an object moves.
@@ -136,48 +109,11 @@ std::vector<double> ends(const std::vector<Motion>& motions) {
 }  // namespace
 
 std::vector<double> line_crossings(const Track& track, const Vec2& from, const Vec2& to) {
-    const Vec2 span = to - from;
-    const double length = std::sqrt(span.dot(span));
-    const Vec3 along(span.x / length, span.y / length, 0);
-    const Vec3 across(-along.y, along.x, 0);
-    const Vec3 origin(from.x, from.y, 0);
-    std::vector<double> times;
-    bool is_first = true;
-    follow_sign(
-        all_segments(track),
-        [&](const PathSegment& segment) {
-            Quartic distance = component(segment, across);
-            distance[0] -= origin.dot(across);
-            return distance;
-        },
-        [](double distance) { return std::abs(distance) < kOnLine ? 0 : sign(distance); },
-        [&](const PathSegment& segment, double time, int /*side*/) {
-            const double position = evaluate(component(segment, along), time) - origin.dot(along);
-            if (!is_first && position >= 0 && position <= length) {
-                times.push_back(segment.start + time);
-            }
-            is_first = false;
-        });
-    return times;
+    return times_on(track, LineDetector(from, to));
 }
 
 std::vector<double> apexes(const Track& track) {
-    const Vec3 up(0, 0, 1);
-    std::vector<double> times;
-    double rises_from = std::numeric_limits<double>::infinity();
-    follow_sign(
-        all_segments(track),
-        [&](const PathSegment& segment) { return derivative(component(segment, up)); },
-        [](double speed) { return speed > 0 ? 1 : -1; },
-        [&](const PathSegment& segment, double time, int direction) {
-            const double height = evaluate(component(segment, up), time);
-            if (direction > 0) {
-                rises_from = height;
-            } else if (height - rises_from >= kLeastRise) {
-                times.push_back(segment.start + time);
-            }
-        });
-    return times;
+    return times_on(track, ApexDetector());
 }
 
 std::vector<double> rests(const Track& track) {

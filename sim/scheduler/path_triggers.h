@@ -4,19 +4,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <variant>
 #include <vector>
 
-#include "sim/motion/motion_segment.h"
+#include "sim/path_detectors.h"
 #include "sim/scheduler/moving_body.h"
 #include "sim/scheduler/predicted_event.h"
 #include "sim/world.h"
 
 namespace carom::sim {
 
-/// The crossing and apex triggers of a world. A body crosses a line when its centre, seen from
-/// above, passes through the line segment from one side to the other. A body that starts on the
-/// line does not cross it by leaving. A body is at an apex when it has risen by at least kLeastRise
-/// and begins to fall.
+/// The crossing and apex triggers of a world (LineDetector, ApexDetector).
 class PathTriggers {
   public:
     PathTriggers(const std::vector<ForceEvent>& events, const std::vector<MovingBody>& bodies);
@@ -35,24 +33,13 @@ class PathTriggers {
     struct Watch {
         std::size_t event = 0;
         std::uint32_t body = 0;
-        bool is_apex = false;
         double since = 0;  // scene time from which occurrences count
         int left = 1;      // occurrences until the trigger fires
         double last = -1;  // scene time of the last one
-        // Crossing:
-        Vec2 from{0, 0}, along{1, 0}, across{0, 1};  // `along` and `across` are unit
-        double length = 0;
-        int side = 0;  // side on which the body last was clearly; 0: neither yet
-        // Apex:
-        std::optional<double> rises_from;  // height (m) at which the body began to rise
+        std::variant<ApexDetector, LineDetector> detector;
 
         [[nodiscard]] bool is_waiting() const { return left > 0; }
     };
-    [[nodiscard]] static std::optional<double> first_crossing(Watch& line,
-                                                              const MotionSegment& path, double now,
-                                                              double until);
-    [[nodiscard]] static std::optional<double> first_apex(Watch& apex, const MotionSegment& path,
-                                                          double now, double until);
 
     std::vector<Watch> watches_;
     std::size_t waiting_ = 0;
