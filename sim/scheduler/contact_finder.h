@@ -1,7 +1,6 @@
 // Finds the contacts of the bodies in ODE, with each other and with the static environment.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -18,17 +17,20 @@ namespace carom::sim {
 /// A triangle surface or solid, an index into StaticEnvironment::surfaces.
 struct StaticSurface {
     std::uint32_t index = 0;
-    auto operator<=>(const StaticSurface&) const = default;
+    bool operator==(const StaticSurface&) const = default;
+    [[nodiscard]] bool operator<(const StaticSurface& other) const { return index < other.index; }
 };
 /// A fixed sphere, an index into StaticEnvironment::spheres.
 struct StaticSphere {
     std::uint32_t index = 0;
-    auto operator<=>(const StaticSphere&) const = default;
+    bool operator==(const StaticSphere&) const = default;
+    [[nodiscard]] bool operator<(const StaticSphere& other) const { return index < other.index; }
 };
 /// Another moving body, an index in Bodies.
 struct OtherBody {
     int index = 0;
-    auto operator<=>(const OtherBody&) const = default;
+    bool operator==(const OtherBody&) const = default;
+    [[nodiscard]] bool operator<(const OtherBody& other) const { return index < other.index; }
 };
 /// What a body touches.
 using ContactPartner = std::variant<Ground, StaticSurface, StaticSphere, OtherBody>;
