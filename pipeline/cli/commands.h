@@ -96,7 +96,7 @@ void run_for_shot(const CacheCommand& command, CommandContext& context);
 
 /// Films on a cluster. Strings are as typed.
 struct FarmCommand {
-    enum class Action { submit, export_job, status, cancel, logs, resume, work, finish };
+    enum class Action { submit, export_job, status, cancel, change, logs, resume, work, finish };
     Action action = Action::submit;
     InputOptions input;
     std::string store;   // the cache that all machines share; empty: the default
@@ -110,11 +110,14 @@ struct FarmCommand {
     std::string account;
     std::string time;
     std::string memory = "auto";
-    std::string budget = "10 min";
+    std::string budget;  // empty: what the format needs
     std::string dead_after = "30 s";
     int workers = 0;        // 0: as many as the film has work for
     int tasks_at_once = 0;  // 0: as many as the cluster has room for
     int processors = 1;
+    std::optional<std::int64_t> priority;
+    std::string exec_after;                   // a command of the shell
+    std::vector<std::string> engine_options;  // after --
     bool dry_run = false;
     bool wait = false;
     bool is_shared = false;

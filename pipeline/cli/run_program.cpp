@@ -72,6 +72,14 @@ ExitCode run_guarded(const Command& command, const CommandHandler& handler,
         console.end_progress();
         console.error(error.what());
         return kWrongUsage;
+    } catch (const TryAgain& error) {
+        console.end_progress();
+        console.error(error.what());
+        return kTryAgain;
+    } catch (const OutOfTime& error) {
+        console.end_progress();
+        console.warning(error.what());
+        return kOutOfTime;
     } catch (const OutputClosed&) {
         console.end_progress();
     } catch (const pipeline::CacheUnusable& error) {

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;
 constexpr int kMostJobs = 10000;  // of one film in one store
 
 std::string farm_folder(const std::string& store) {
@@ -55,6 +55,10 @@ void keep_entries_of_owners(const std::string& folder) {
     }
 }
 
+std::string option_name(std::size_t index) {
+    return fmt::format("engine_option_{}", index + 1);
+}
+
 std::string text_of(const std::optional<Record>& record, const char* name) {
     return record->text(name);
 }
@@ -80,11 +84,16 @@ void write_job(const FarmJob& job) {
         .add("dead_after_seconds", job.dead_after)
         .add("partition", job.partition)
         .add("account", job.account)
-        .add("time", job.time)
-        .add("film_time", job.film_time)
+        .add("priority", job.priority)
+        .add("time_minutes", job.time)
+        .add("film_time_minutes", job.film_time)
+        .add("exec_after", job.exec_after)
         .add("engine", job.engine)
         .add("sequence", job.is_sequence ? 1 : 0)
         .add("portable", job.is_portable ? 1 : 0);
+    for (std::size_t i = 0; i < job.engine_options.size(); ++i) {
+        members.add(option_name(i), job.engine_options[i]);
+    }
     write_record(job.folder + "/job.json", members);
 }
 
@@ -121,8 +130,14 @@ FarmJob read_job(const std::string& folder) {
     job.dead_after = record->number("dead_after_seconds");
     job.partition = text_of(record, "partition");
     job.account = text_of(record, "account");
-    job.time = text_of(record, "time");
-    job.film_time = text_of(record, "film_time");
+    job.priority = record->integer("priority");
+    job.time = record->integer("time_minutes");
+    job.film_time = record->integer("film_time_minutes");
+    job.exec_after = text_of(record, "exec_after");
+    for (std::string option = text_of(record, option_name(0).c_str()); !option.empty();
+         option = text_of(record, option_name(job.engine_options.size()).c_str())) {
+        job.engine_options.push_back(option);
+    }
     job.engine = text_of(record, "engine");
     job.is_sequence = record->integer("sequence") != 0;
     job.is_portable = record->integer("portable") != 0;
@@ -143,7 +158,7 @@ std::string sequence_path(const FarmJob& job) {
 }
 
 std::string part_folder_name(std::size_t part) {
-    return fmt::format("part-{}", part + 1);
+    return fmt::format("{}{}", kPartFolder, part + 1);
 }
 
 std::vector<std::string> job_folders(const std::string& store) {
@@ -185,34 +200,6 @@ std::string make_job_folder(const std::string& store, const std::string& film, b
         }
     }
     throw Error("'" + farm + "' has too many jobs of this film; remove the old ones");
-}
-
-JsonMembers members_of(const SlurmJobs& jobs) {
-    JsonMembers members;
-    for (std::size_t i = 0; i < jobs.numbers.size(); ++i) {
-        members.add(stages()[i].name, jobs.numbers[i]);
-    }
-    return members;
-}
-
-void write_slurm_jobs(const FarmJob& job, const SlurmJobs& jobs) {
-    JsonMembers members = members_of(jobs);
-    members.add("round", jobs.round).add("missing", jobs.missing);
-    write_record(job.folder + "/slurm.json", members);
-}
-
-std::optional<SlurmJobs> read_slurm_jobs(const FarmJob& job) {
-    const std::optional<Record> record = Record::read(job.folder + "/slurm.json");
-    if (!record) {
-        return std::nullopt;
-    }
-    SlurmJobs jobs;
-    for (std::size_t i = 0; i < jobs.numbers.size(); ++i) {
-        jobs.numbers[i] = record->integer(stages()[i].name);
-    }
-    jobs.round = record->integer("round");
-    jobs.missing = record->integer("missing");
-    return jobs;
 }
 
 void write_end(const FarmJob& job, const JobEnd& end) {

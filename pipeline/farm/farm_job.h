@@ -2,19 +2,18 @@
 //   FOLDER/job.json      this file
 //   FOLDER/NAME.bake     the motion, with the shot's text; NAME is the shot's, which films tell
 //   FOLDER/NAME.yaml     of a film of several shots instead, with FOLDER/part-1/SHOT.bake and so on
+//   FOLDER/spare/        copies of these, in case that they are damaged
 //   FOLDER/workers/      what each worker does now
 //   FOLDER/logs/         what the tasks print
-//   FOLDER/slurm.json    the numbers of the tasks in Slurm's queue
-//   FOLDER/end.json      how the job ended
+//   FOLDER/locks/        the claim on writing the film
+//   FOLDER/round.json    the numbers of the tasks in the engine's queue, and what was learned
+//   (round.h) FOLDER/end.json      how the job ended
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "core/json_text.h"
-#include "pipeline/farm/stages.h"
 
 namespace carom::farm {
 
@@ -34,13 +33,16 @@ struct FarmJob {
     std::int64_t frame_bytes = 0;    // that a frame is expected to take in the store
     double budget = 600;             // of each, seconds
     double dead_after = 30;          // seconds without a heartbeat
-    std::string partition;           // Slurm's; empty: its default
+    std::string partition;           // of the engine; empty: its default
     std::string account;
-    std::string time;              // the limit of a task; empty: what the budget needs
-    std::string film_time;         // the limit of the task that writes the film
-    std::string engine = "slurm";  // or "parallel", which submits nothing by itself
-    bool is_sequence = false;      // a film of several shots
-    bool is_portable = false;      // the folder may be copied: its scripts and paths are relative
+    std::int64_t priority = 0;                // among the jobs of the engine, higher is sooner
+    std::int64_t time = 0;                    // the first limit of a worker, minutes
+    std::int64_t film_time = 0;               // and of the task that writes the film
+    std::vector<std::string> engine_options;  // words for the engine's own program that submits
+    std::string exec_after;                   // a command of the shell when the film is there
+    std::string engine = "slurm";             // or what else starts the tasks (engine.h)
+    bool is_sequence = false;                 // a film of several shots
+    bool is_portable = false;  // the folder may be copied: its scripts and paths are relative
 
     bool operator==(const FarmJob&) const = default;
 };
@@ -57,8 +59,8 @@ void write_job(const FarmJob& job);
 /// Of a film of several shots: the film's file, and the folder beside it that has the bake of a
 /// part, by its index from 0.
 [[nodiscard]] std::string sequence_path(const FarmJob& job);
+inline constexpr const char* kPartFolder = "part-";  // and a number from 1
 [[nodiscard]] std::string part_folder_name(std::size_t part);
-[[nodiscard]] std::string worker_log_pattern(const FarmJob& job);
 
 /// The folders of all jobs of a store, the newest first.
 [[nodiscard]] std::vector<std::string> job_folders(const std::string& store);
@@ -71,21 +73,6 @@ void make_store(const std::string& store, bool is_private);
 /// others. The mask of the process (umask) changes neither. Throws Error.
 [[nodiscard]] std::string make_job_folder(const std::string& store, const std::string& film,
                                           bool is_private);
-
-/// The jobs that Slurm runs for a job, and in which round: after each one that leaves frames
-/// missing another is submitted.
-struct SlurmJobs {
-    std::vector<std::int64_t> numbers = std::vector<std::int64_t>(stages().size());  // of stages()
-    std::int64_t round = 1;
-    std::int64_t missing = 0;  // frames, when the round began
-
-    bool operator==(const SlurmJobs&) const = default;
-};
-/// The numbers by the names of the stages.
-[[nodiscard]] JsonMembers members_of(const SlurmJobs& jobs);
-void write_slurm_jobs(const FarmJob& job, const SlurmJobs& jobs);
-/// Empty if the job was never submitted. Throws Error.
-[[nodiscard]] std::optional<SlurmJobs> read_slurm_jobs(const FarmJob& job);
 
 /// How a job ended.
 struct JobEnd {

@@ -1,16 +1,15 @@
 #include "pipeline/farm/slurm.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
-#include <cmath>
+#include <filesystem>
 #include <set>
 #include <sstream>
 
 #include <fmt/core.h>
-#include <sys/stat.h>
 
-#include "core/atomic_file.h"
 #include "core/error.h"
-#include "core/hash.h"
 #include "pipeline/farm/program.h"
 #include "pipeline/farm/shell_text.h"
 #include "pipeline/farm/task_environment.h"
@@ -18,13 +17,14 @@
 namespace carom::farm {
 namespace {
 
-// Seconds between Slurm's wish that a task ends and its end by force: the worker puts its frame
-// down meanwhile.
-constexpr int kGrace = 30;
+// Options that say what a task of carom is; what the user says instead would break the job.
+constexpr std::array<std::string_view, 11> kOwnOptions{
+    "--array",  "--comment", "--dependency", "--job-name", "--output",    "--open-mode",
+    "--signal", "--wrap",    "--parsable",   "--requeue",  "--no-requeue"};
 
-/// Of a stage's job in the queue.
-std::string name_of(const Stage& stage) {
-    return "carom-" + stage.name;
+/// Of a stage's job in the queue: the film first, since queues show few letters.
+std::string name_of(const FarmJob& job, const Stage& stage) {
+    return simple_name(std::filesystem::path(job.film).stem().string()) + "-" + stage.name;
 }
 
 /// A path in a pattern of Slurm, where % begins a replacement.
@@ -61,97 +61,183 @@ void refuse_backslash(const FarmJob& job) {
     }
 }
 
-std::int64_t submit(const std::vector<std::string>& words) {
-    const ProgramResult result = run_program(words, task_environment());
-    if (result.exit_code != 0) {
-        throw Error("Slurm did not take the job: " + complaint(result));
-    }
-    // "12" or, with several clusters, "12;name".
+/// The number at the beginning of a text; 0 if there is none.
+std::int64_t number_in(std::string_view text) {
     std::int64_t number = 0;
-    const char* text = result.output.data();
-    const auto [end, error] = std::from_chars(text, text + result.output.size(), number);
-    if (error != std::errc() || number <= 0) {
-        throw Error("sbatch printed no number of a job: " + trimmed(result.output));
-    }
+    (void)std::from_chars(text.data(), text.data() + text.size(), number);
     return number;
 }
 
-/// Tells the job's tasks from all others in the queue, also if Slurm has lost its numbers and gives
-/// them to others.
-std::string tag_of(const FarmJob& job) {
-    return "carom-" + hash_bytes(std::as_bytes(std::span(job.folder))).to_string();
+std::vector<std::string> split(const std::string& line, char separator) {
+    std::vector<std::string> parts;
+    std::istringstream text(line);
+    for (std::string part; std::getline(text, part, separator);) {
+        parts.push_back(trimmed(part));
+    }
+    return parts;
 }
 
-struct QueuedTask {
-    std::string number;  // of the job
-    std::string state;
-};
+/// The stage whose jobs have this name, or nullptr.
+const Stage* stage_named(const FarmJob& job, const std::string& name) {
+    const auto found = std::ranges::find_if(
+        stages(), [&](const Stage& stage) { return name_of(job, stage) == name; });
+    return found == stages().end() ? nullptr : &*found;
+}
 
-/// Empty if Slurm does not answer.
-std::optional<std::vector<QueuedTask>> tasks_of(const FarmJob& job, std::string& problem) {
-    std::string names;
-    for (const Stage& stage : stages()) {
-        names += (names.empty() ? "" : ",") + name_of(stage);
+/// `code` and `signal`: with which the task's program ended.
+TaskState state_of(const std::string& name, std::int64_t code, std::int64_t signal) {
+    constexpr std::int64_t kKilled = 9;
+    constexpr std::int64_t kShellKilled = 128 + kKilled;
+    const auto is_any = [&](std::initializer_list<std::string_view> names) {
+        return std::ranges::any_of(names, [&](std::string_view one) {
+            return name.starts_with(one);  // "CANCELLED by 1000"
+        });
+    };
+    if (is_any({"PENDING", "REQUEUE", "SUSPENDED", "RESV_DEL_HOLD", "SPECIAL_EXIT"})) {
+        return TaskState::waiting;
     }
-    const ProgramResult result =
-        run_program({"squeue", "--noheader", "--array", "--name=" + names, "--format=%F %T %k"});
-    if (result.exit_code != 0) {
-        problem = complaint(result);
-        return std::nullopt;
+    if (is_any({"COMPLETED"})) {
+        return TaskState::done;
     }
-    std::vector<QueuedTask> tasks;
-    std::istringstream lines(result.output);
-    for (std::string line; std::getline(lines, line);) {
-        std::istringstream words(line);
-        QueuedTask task;
-        std::string tag;
-        words >> task.number >> task.state >> tag;
-        if (tag == tag_of(job)) {
-            tasks.push_back(std::move(task));
+    if (is_any({"TIMEOUT"}) || (is_any({"FAILED"}) && code == kOutOfTime)) {
+        return TaskState::out_of_time;
+    }
+    if (is_any({"OUT_OF_MEMORY"}) ||
+        (is_any({"FAILED"}) && (signal == kKilled || code == kShellKilled))) {
+        return TaskState::out_of_memory;
+    }
+    if (is_any({"FAILED", "BOOT_FAIL", "NODE_FAIL", "DEADLINE"})) {
+        return TaskState::failed;
+    }
+    if (is_any({"CANCELLED", "PREEMPTED", "REVOKED"})) {
+        return TaskState::cancelled;
+    }
+    return TaskState::running;  // also CONFIGURING, COMPLETING, STOPPED ...
+}
+
+/// A time of Slurm: "30:00", "1:00:00", "2-00:00:00"; 0 for "infinite" and what is no time.
+std::int64_t minutes_in(const std::string& text) {
+    const std::size_t dash = text.find('-');
+    std::int64_t minutes = dash == std::string::npos ? 0 : 24 * 60 * number_in(text);
+    const std::vector<std::string> parts =
+        split(dash == std::string::npos ? text : text.substr(dash + 1), ':');
+    if (parts.size() == 3) {
+        minutes += 60 * number_in(parts[0]) + number_in(parts[1]);
+    } else if (parts.size() == 2) {
+        minutes += number_in(parts[0]);
+    }
+    return minutes;
+}
+
+/// The round with the factors that the partition has room for.
+Round within_partition(const FarmJob& job, Round round, const Stage& stage) {
+    if (round.time_factor == 1 && round.memory_factor == 1) {
+        return round;  // the first limits are what the user wants, or sbatch refuses them
+    }
+    const ProgramResult result = run_program({"sinfo", "--noheader", "--format=%P|%l|%m"});
+    const PartitionLimits most = parse_partitions(result.output, job.partition);
+    while (round.time_factor > 1 && most.minutes > 0 && time_of(job, round, stage) > most.minutes) {
+        round.time_factor /= kLimitFactor;
+    }
+    while (round.memory_factor > 1 && most.megabytes > 0 &&
+           memory_of(job, round) > most.megabytes) {
+        round.memory_factor /= kLimitFactor;
+    }
+    return round;
+}
+
+/// Of the tasks of the job's newest round, also of those that the controller has forgotten. Empty
+/// where Slurm keeps no accounts.
+std::vector<Task> ask_accounting(const FarmJob& job) {
+    const std::optional<Round> round = read_round(job);
+    if (!round || round->numbers.front() == 0) {
+        return {};
+    }
+    const ProgramResult result = run_program({"sacct", "--noheader", "--parsable2", "--allocations",
+                                              "--jobs=" + std::to_string(round->numbers.front()),
+                                              "--format=JobID,State,ExitCode,NodeList,JobName"});
+    return result.exit_code == 0 ? parse_accounting(job, result.output) : std::vector<Task>{};
+}
+
+bool is_active(const Task& task) {
+    return task.state == TaskState::waiting || task.state == TaskState::running;
+}
+
+}  // namespace
+
+std::vector<Task> parse_queue(const FarmJob& job, const std::string& lines) {
+    std::vector<Task> tasks;
+    const std::string tag = tag_of_folder(job);
+    std::istringstream text(lines);
+    for (std::string line; std::getline(text, line);) {
+        const std::vector<std::string> parts = split(line, '|');
+        if (parts.size() == 6 && parts[5] == tag) {
+            const std::int64_t status = number_in(parts[2]);
+            tasks.push_back({number_in(parts[0]), stage_named(job, parts[4]), parts[3],
+                             state_of(parts[1], status >> 8, status & 0x7F)});
         }
     }
     return tasks;
 }
 
-void write_script(const FarmJob& job, const Stage& stage, const std::string& commands) {
-    const std::string path = job.folder + "/" + stage.script;
-    const std::string text = fmt::format("#!/bin/sh\n# {}\n{}", stage.purpose, commands);
-    write_file_atomically(path, std::as_bytes(std::span(text)));
-    ::chmod(path.c_str(), 0755);
-}
-
-}  // namespace
-
-void write_scripts(const FarmJob& job, const std::string& carom) {
-    for (const Stage& stage : stages()) {
-        write_script(job, stage,
-                     fmt::format("exec {} farm {} {}\n", shell_word(carom), stage.command,
-                                 shell_word(job.folder)));
+std::vector<Task> parse_accounting(const FarmJob& job, const std::string& lines) {
+    std::vector<Task> tasks;
+    std::istringstream text(lines);
+    for (std::string line; std::getline(text, line);) {
+        const std::vector<std::string> parts = split(line, '|');
+        const Stage* stage = parts.size() == 5 ? stage_named(job, parts[4]) : nullptr;
+        if (stage != nullptr) {
+            const std::vector<std::string> code = split(parts[2], ':');
+            tasks.push_back({number_in(parts[0]), stage,
+                             parts[3] == "None assigned" ? "" : parts[3],
+                             state_of(parts[1], number_in(parts[2]),
+                                      code.size() == 2 ? number_in(code[1]) : 0)});
+        }
     }
+    return tasks;
 }
 
-void write_portable_scripts(const FarmJob& job) {
-    for (const Stage& stage : stages()) {
-        // Slurm runs a copy of the script.
-        write_script(job, stage,
-                     fmt::format("cd \"${{SLURM_SUBMIT_DIR:-$(dirname \"$0\")}}\" || exit 1\n"
-                                 "exec \"${{CAROM:-carom}}\" farm {} .\n",
-                                 stage.command));
+PartitionLimits parse_partitions(const std::string& lines, std::string_view partition) {
+    PartitionLimits limits;
+    std::istringstream text(lines);
+    for (std::string line; std::getline(text, line);) {
+        const std::vector<std::string> parts = split(line, '|');
+        const std::string wanted(partition);
+        const bool is_it = parts.size() == 3 && (parts[0] == wanted || parts[0] == wanted + "*" ||
+                                                 (partition.empty() && parts[0].ends_with('*')));
+        if (is_it) {
+            limits.minutes = std::max(limits.minutes, minutes_in(parts[1]));
+            limits.megabytes = std::max(limits.megabytes, number_in(parts[2]));
+        }
     }
+    return limits;
 }
 
-std::vector<std::string> submission(const FarmJob& job, const Stage& stage,
-                                    const std::string& after, int delay) {
+std::string problem_of_option(const std::string& option) {
+    if (!option.starts_with('-') || option == "-" || option == "--") {
+        return "'" + option + "' is no option; write a value in the same word, as in --qos=high";
+    }
+    const std::string name = option.substr(0, option.find('='));
+    for (const std::string_view own : kOwnOptions) {
+        if (name == own) {
+            return "'" + name + "' is an option that carom itself gives to sbatch";
+        }
+    }
+    return "";
+}
+
+std::vector<std::string> submission(const FarmJob& job, const Round& round, const Stage& stage,
+                                    const Begin& begin) {
     std::vector<std::string> words{"sbatch",
                                    "--parsable",
-                                   "--job-name=" + name_of(stage),
+                                   "--job-name=" + name_of(job, stage),
                                    "--requeue",
                                    "--open-mode=append",
-                                   "--comment=" + tag_of(job),
+                                   "--comment=" + tag_of_folder(job),
                                    fmt::format("--signal=B:TERM@{}", kGrace),
                                    fmt::format("--cpus-per-task={}", job.processors),
-                                   fmt::format("--mem={}M", job.memory),
-                                   "--time=" + job.*stage.time};
+                                   fmt::format("--mem={}M", memory_of(job, round)),
+                                   fmt::format("--time={}", time_of(job, round, stage))};
     const std::string logs = pattern_of(job.folder) + "/logs/" + stage.name;
     if (stage.is_array) {
         words.push_back(fmt::format(
@@ -167,73 +253,99 @@ std::vector<std::string> submission(const FarmJob& job, const Stage& stage,
     if (!job.account.empty()) {
         words.push_back("--account=" + job.account);
     }
+    if (job.priority != 0) {
+        words.push_back(fmt::format("--nice={}", -job.priority));
+    }
+    std::string nodes;
+    for (const std::string& node : excluded_nodes(round)) {
+        nodes += (nodes.empty() ? "--exclude=" : ",") + node;
+    }
+    if (!nodes.empty()) {
+        words.push_back(nodes);
+    }
+    std::string after;
+    for (const std::int64_t number : begin.after) {
+        after += (after.empty() ? "--dependency=afterany:" : ":") + std::to_string(number);
+    }
     if (!after.empty()) {
-        words.push_back("--dependency=afterany:" + after);
+        words.push_back(after);
     }
-    if (delay > 0) {
-        words.push_back(fmt::format("--begin=now+{}seconds", delay));
+    if (begin.delay > 0) {
+        words.push_back(fmt::format("--begin=now+{}seconds", begin.delay));
     }
+    words.insert(words.end(), job.engine_options.begin(), job.engine_options.end());
     words.push_back(job.folder + "/" + stage.script);
     return words;
 }
 
-SlurmJobs submit_all(const FarmJob& job) {
+std::int64_t Slurm::submit(const FarmJob& job, const Round& round, const Stage& stage,
+                           const Begin& begin) const {
     refuse_backslash(job);
-    SlurmJobs jobs;
-    jobs.numbers.clear();
-    try {
-        for (const Stage& stage : stages()) {
-            const std::string before =
-                jobs.numbers.empty() ? "" : std::to_string(jobs.numbers.back());
-            jobs.numbers.push_back(submit(submission(job, stage, before, 0)));
-        }
-    } catch (const Error&) {
-        for (const std::int64_t number : jobs.numbers) {
-            (void)run_program({"scancel", std::to_string(number)});
-        }
-        throw;
+    const ProgramResult result = run_program(
+        submission(job, within_partition(job, round, stage), stage, begin), task_environment());
+    if (result.exit_code != 0) {
+        throw Error("Slurm did not take the job: " + complaint(result));
     }
-    return jobs;
+    const std::int64_t number = number_in(result.output);  // "12" or, with clusters, "12;name"
+    if (number <= 0) {
+        throw Error("sbatch printed no number of a job: " + trimmed(result.output));
+    }
+    return number;
 }
 
-std::int64_t submit_last(const FarmJob& job, int delay) {
-    return submit(submission(job, stages().back(), {}, delay));
-}
-
-std::optional<QueueCounts> count_tasks(const FarmJob& job, std::string& problem) {
-    const std::optional<std::vector<QueuedTask>> tasks = tasks_of(job, problem);
-    if (!tasks) {
-        return std::nullopt;
+Answer Slurm::ask(const FarmJob& job) const {
+    std::string names;
+    for (const Stage& stage : stages()) {
+        names += (names.empty() ? "" : ",") + name_of(job, stage);
     }
-    QueueCounts counts;
-    for (const QueuedTask& task : *tasks) {
-        if (task.state == "PENDING" || task.state == "REQUEUED" || task.state == "REQUEUE_HOLD" ||
-            task.state == "SUSPENDED") {
-            ++counts.waiting;
-        } else if (task.state == "RUNNING" || task.state == "CONFIGURING" ||
-                   task.state == "COMPLETING" || task.state == "STOPPED") {
-            ++counts.running;
+    const ProgramResult result = run_program(
+        {"squeue", "--noheader", "--array", "--states=all", "--name=" + names,
+         "--Format=ArrayJobID:20|,State:20|,exit_code:20|,NodeList:200|,Name:100|,Comment:100"});
+    if (result.exit_code != 0) {
+        return {{}, "Slurm does not answer: " + complaint(result)};
+    }
+    std::vector<Task> tasks = parse_queue(job, result.output);
+    const auto is_worker = [](const Task& task) {
+        return task.stage != nullptr && task.stage->is_array;
+    };
+    if (std::ranges::none_of(
+            tasks, [&](const Task& task) { return is_worker(task) && is_active(task); })) {
+        // The controller forgets tasks some minutes after their end.
+        if (const std::vector<Task> all = ask_accounting(job); !all.empty()) {
+            std::erase_if(tasks, is_worker);
+            tasks.insert(tasks.end(), all.begin(), all.end());
         }
     }
-    return counts;
+    return {std::move(tasks), ""};
 }
 
-void cancel(const FarmJob& job) {
-    std::string problem;
-    const std::optional<std::vector<QueuedTask>> tasks = tasks_of(job, problem);
-    if (!tasks) {
-        throw Error("Slurm does not answer: " + problem);
+void Slurm::cancel(const FarmJob& job, Which which) const {
+    const Answer answer = ask(job);
+    if (!answer.tasks) {
+        throw Error(answer.problem);
     }
-    std::set<std::string> numbers;
-    for (const QueuedTask& task : *tasks) {
-        numbers.insert(task.number);
+    std::set<std::int64_t> numbers;
+    for (const Task& task : *answer.tasks) {
+        const bool is_meant = which == Which::all || task.state == TaskState::waiting;
+        const bool is_worker = task.stage != nullptr && task.stage->is_array;
+        if (is_active(task) && is_meant && (which != Which::waiting_workers || is_worker)) {
+            numbers.insert(task.job);
+        }
     }
-    for (const std::string& number : numbers) {
-        const ProgramResult result = run_program({"scancel", number});
+    for (const std::int64_t number : numbers) {
+        std::vector<std::string> words{"scancel", std::to_string(number)};
+        if (which != Which::all) {
+            words.emplace_back("--state=PENDING");
+        }
+        const ProgramResult result = run_program(words);
         if (result.exit_code != 0) {
-            throw Error("Slurm did not cancel job " + number + ": " + complaint(result));
+            throw Error(fmt::format("Slurm did not cancel job {}: {}", number, complaint(result)));
         }
     }
+}
+
+std::string Slurm::tag(const FarmJob& job) const {
+    return tag_of_folder(job);
 }
 
 }  // namespace carom::farm

@@ -1,45 +1,51 @@
-// Slurm, through its own programs: sbatch, squeue, scancel.
+// Slurm as an engine, through its own programs: sbatch, squeue, sacct, sinfo and scancel.
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "pipeline/farm/farm_job.h"
-#include "pipeline/farm/stages.h"
+#include "pipeline/farm/engine.h"
 
 namespace carom::farm {
 
-/// Writes the scripts of all stages into the job's folder. They run this program, `carom`, again.
-/// Throws Error.
-void write_scripts(const FarmJob& job, const std::string& carom);
-
-/// The same for a folder that may be copied: the scripts are started in it and run $CAROM.
-void write_portable_scripts(const FarmJob& job);
-
-/// The words of the command that submits a stage. `after`: the number of the job that has to end
-/// before, whichever way, or empty; `delay`: seconds to wait.
-[[nodiscard]] std::vector<std::string> submission(const FarmJob& job, const Stage& stage,
-                                                  const std::string& after, int delay);
-
-/// Submits all stages, each after the one before. Throws Error with Slurm's own message; what was
-/// submitted until then is cancelled.
-[[nodiscard]] SlurmJobs submit_all(const FarmJob& job);
-
-/// Submits the last stage alone. Returns its number. Throws Error.
-[[nodiscard]] std::int64_t submit_last(const FarmJob& job, int delay);
-
-/// How many tasks of a job wait in the queue or run.
-struct QueueCounts {
-    std::int64_t waiting = 0;
-    std::int64_t running = 0;
+class Slurm : public Engine {
+  public:
+    /// A raised limit is not above that of the partition. Throws Error also if the job's folder has
+    /// a name that Slurm cannot write logs to.
+    [[nodiscard]] std::int64_t submit(const FarmJob& job, const Round& round, const Stage& stage,
+                                      const Begin& begin) const override;
+    [[nodiscard]] Answer ask(const FarmJob& job) const override;
+    void cancel(const FarmJob& job, Which which) const override;
+    /// Slurm's comment of the job.
+    [[nodiscard]] std::string tag(const FarmJob& job) const override;
 };
 
-/// Empty if Slurm does not answer; `problem` is its message then.
-[[nodiscard]] std::optional<QueueCounts> count_tasks(const FarmJob& job, std::string& problem);
+/// The words of the command that submits a stage.
+[[nodiscard]] std::vector<std::string> submission(const FarmJob& job, const Round& round,
+                                                  const Stage& stage, const Begin& begin);
 
-/// Takes all tasks of the job out of the queue and stops those that run. Throws Error.
-void cancel(const FarmJob& job);
+/// What is wrong with an option for sbatch that the user gives; empty: nothing.
+[[nodiscard]] std::string problem_of_option(const std::string& option);
+
+/// The tasks that Slurm tells of in lines "JOB|STATE|WAIT_STATUS|NODE|NAME|COMMENT" (squeue).
+/// Others than the job's are left out.
+[[nodiscard]] std::vector<Task> parse_queue(const FarmJob& job, const std::string& lines);
+
+/// Those in lines "JOB_TASK|STATE|CODE:SIGNAL|NODE|NAME" (sacct), which asks for the job's alone.
+[[nodiscard]] std::vector<Task> parse_accounting(const FarmJob& job, const std::string& lines);
+
+/// What a partition gives a task at most; 0: any number.
+struct PartitionLimits {
+    std::int64_t minutes = 0;
+    std::int64_t megabytes = 0;
+
+    bool operator==(const PartitionLimits&) const = default;
+};
+/// From lines "PARTITION|TIME|MEGABYTES" (sinfo), where the default one has a * behind its name. An
+/// empty name means that.
+[[nodiscard]] PartitionLimits parse_partitions(const std::string& lines,
+                                               std::string_view partition);
 
 }  // namespace carom::farm

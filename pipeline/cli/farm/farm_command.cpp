@@ -12,6 +12,8 @@ void run(const FarmCommand& command, CommandContext& context) {
             return farm_status(command, context);
         case FarmCommand::Action::cancel:
             return farm_cancel(command, context);
+        case FarmCommand::Action::change:
+            return farm_change(command, context);
         case FarmCommand::Action::logs:
             return farm_logs(command, context);
         case FarmCommand::Action::resume:

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "pipeline/cli/bake_input.h"
+#include "pipeline/cli/farm/spare_files.h"
 #include "pipeline/cli/film_input.h"
 #include "pipeline/cli/sequence_films.h"
 #include "pipeline/cli/sequence_input.h"
@@ -14,6 +15,7 @@
 #include "pipeline/store/cache_folder.h"
 #include "pipeline/store/pins.h"
 #include "pipeline/store/reservations.h"
+#include "pipeline/store/sums_file.h"
 
 namespace carom::cli {
 namespace {
@@ -38,8 +40,8 @@ bool is_named(const FarmJob& job, const std::string& name, const std::string& fi
         return true;
     }
     const std::optional<std::int64_t> number = number_of(name);
-    const std::optional<farm::SlurmJobs> slurm = number ? farm::read_slurm_jobs(job) : std::nullopt;
-    return slurm && std::ranges::find(slurm->numbers, *number) != slurm->numbers.end();
+    const std::optional<farm::Round> round = number ? farm::read_round(job) : std::nullopt;
+    return round && std::ranges::find(round->numbers, *number) != round->numbers.end();
 }
 
 }  // namespace
@@ -64,7 +66,7 @@ FarmJob find_job(const FarmCommand& command) {
         }
     }
     throw InputError("the store '" + store + "' has no job '" + command.job +
-                     "'; name its film, its folder or one of its numbers in Slurm's queue, and the "
+                     "'; name its film, its folder or one of its numbers in the queue, and the "
                      "store with --store");
 }
 
@@ -126,11 +128,26 @@ std::variant<FarmFilm::OneShot, FarmFilm::SeveralShots> read_content(const FarmJ
     return film;
 }
 
+/// The same; files of the job that are damaged are restored first.
+std::variant<FarmFilm::OneShot, FarmFilm::SeveralShots> read_intact_content(
+    const FarmJob& job, const CacheOptions& cache, CommandContext& context) {
+    try {
+        return read_content(job, cache, context);
+    } catch (const InputError& error) {
+        const std::string problem = error.what();
+        if (!restore_files(job)) {
+            throw InputError(problem + "; the job cannot go on: submit the film again");
+        }
+        context.console.warning(problem + "; it was restored from the job's copy");
+    }
+    return read_content(job, cache, context);
+}
+
 }  // namespace
 
 FarmFilm read_film(const FarmJob& job, CommandContext& context) {
     const CacheOptions cache{job.store, "none"};
-    FarmFilm film{read_content(job, cache, context), job_options(cache, job.frames, "")};
+    FarmFilm film{read_intact_content(job, cache, context), job_options(cache, job.frames, "")};
     film.options.tier = job.tier;
     film.options.threads = static_cast<int>(job.processors);
     film.options.claim_times = pipeline::claim_times(
@@ -144,9 +161,10 @@ FarmFrames::FarmFrames(const FarmFilm& film, const std::stop_token& stop)
     : folder_(pipeline::frames_folder(film.options)), frames_(film.frames()) {
     for (const pipeline::WorkerFilm& shot : film.shots()) {
         const pipeline::FilmSource source(shot.shot, shot.bake.timeline, film.options.tier);
+        const render::RenderSettings& render = shot.shot.render;
         parts_.push_back(
             {pipeline::plan_film(source, pipeline::job_frames(shot.shot, shot.options), stop),
-             shot.shift});
+             shot.shift, std::int64_t{render.width} * render.height * render.samples});
     }
 }
 
@@ -189,6 +207,27 @@ FarmFrames::Stored FarmFrames::stored() const {
     std::ranges::set_difference(frames_, missing, std::back_inserter(stored.frames));
     stored.pictures = std::ssize(pictures);
     return stored;
+}
+
+farm::Progress FarmFrames::progress() const {
+    std::set<std::int64_t> missing;
+    std::set<Hash128> stored;
+    std::int64_t samples = 0;
+    const pipeline::FrameStore store(folder_);
+    for (const Part& part : parts_) {
+        look(part, stored, missing);
+        for (const pipeline::FilmPlan::Picture& picture : part.plan.pictures) {
+            if (stored.contains(picture.key)) {
+                continue;
+            }
+            // A picture that is to be denoised has all its samples.
+            samples +=
+                store.noisy_size_bytes(picture.noisy_key) > 0
+                    ? part.samples
+                    : static_cast<std::int64_t>(pipeline::stored_samples(store, picture.noisy_key));
+        }
+    }
+    return {std::ssize(missing), samples};
 }
 
 void FarmFrames::pin(const FarmJob& job, const FarmFilm& film, const std::stop_token& stop) const {

@@ -11,6 +11,7 @@
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/farm/farm_job.h"
+#include "pipeline/farm/round.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/job/film_plan.h"
 #include "pipeline/job/film_status.h"
@@ -51,6 +52,9 @@ struct FarmFilm {
     [[nodiscard]] std::vector<std::int64_t> missing_frames(const std::stop_token& stop,
                                                            pipeline::DamagedFrames damaged) const;
 };
+/// Reads the film of a job. Files of the job that are damaged are restored from their copies.
+/// Throws InputError, which says what to do, if the copies are damaged, too, or if the job cannot
+/// be filmed for another reason that stays; Error otherwise.
 [[nodiscard]] FarmFilm read_film(const farm::FarmJob& job, CommandContext& context);
 
 /// Which frames of a job are there, without reading them.
@@ -64,6 +68,8 @@ class FarmFrames {
     };
     /// What is stored of the job.
     [[nodiscard]] Stored stored() const;
+    /// The missing frames, and the samples of these that are kept.
+    [[nodiscard]] farm::Progress progress() const;
     [[nodiscard]] std::int64_t count() const { return std::ssize(frames_); }
     [[nodiscard]] std::int64_t pictures() const;
     /// Protects the frames and the bake from being pruned until unpin(), and reserves room for
@@ -80,7 +86,8 @@ class FarmFrames {
   private:
     struct Part {
         pipeline::FilmPlan plan;
-        std::int64_t shift = 0;  // from its frames to those of the job
+        std::int64_t shift = 0;    // from its frames to those of the job
+        std::int64_t samples = 0;  // of a picture, at most
     };
     /// Adds the pictures of a part that are stored, and its frames that are not, in the numbers of
     /// the job.

@@ -18,6 +18,13 @@ struct PlannedFarm {
     std::int64_t missing = 0;  // frames
 };
 
+/// The number of minutes of "90 min", rounded up. Throws InputError.
+[[nodiscard]] std::int64_t minutes_of(const std::string& time);
+/// The number of megabytes of "2GB" or "500M". Throws InputError.
+[[nodiscard]] std::int64_t megabytes_of(const std::string& size);
+/// Throws InputError if the engine cannot take one of its options.
+void check_engine_options(const FarmCommand& command);
+
 /// Reads and simulates the shot, or the shots of a film of several, forecasts its frames and tells
 /// the user. Throws Error, Stopped.
 [[nodiscard]] PlannedFarm plan_farm(const FarmCommand& command, CommandContext& context);

@@ -14,7 +14,7 @@
 #include "pipeline/cli/farm/farm_film.h"
 #include "pipeline/cli/terminal/duration_text.h"
 #include "pipeline/cli/terminal/progress_text.h"
-#include "pipeline/farm/slurm.h"
+#include "pipeline/farm/engine.h"
 #include "pipeline/farm/worker_file.h"
 #include "pipeline/store/cache_maintenance.h"
 
@@ -38,27 +38,23 @@ struct State {
     std::optional<double> left;  // seconds
     std::int64_t twice = 0;
     std::int64_t continued = 0;
-    farm::SlurmJobs slurm;
+    farm::Round round;
     std::vector<farm::WorkerNote> workers;
 };
 
 std::string state_in_queue(const FarmJob& job, std::string& message) {
-    if (job.engine != "slurm") {
+    const farm::Answer answer = farm::engine_of(job).ask(job);
+    if (!answer.tasks) {
+        message = answer.problem;
         return "running";
     }
-    std::string problem;
-    const auto counts = farm::count_tasks(job, problem);
-    if (!counts) {
-        message = "Slurm does not answer: " + problem;
+    if (answer.count(farm::TaskState::running) > 0) {
         return "running";
     }
-    if (counts->running > 0) {
-        return "running";
-    }
-    if (counts->waiting > 0) {
+    if (answer.is_queued()) {
         return "waiting";
     }
-    message = "Slurm's queue has nothing of this job; 'carom farm resume' submits it again";
+    message = "the queue has nothing of this job; 'carom farm resume' submits it again";
     return "failed";
 }
 
@@ -108,7 +104,7 @@ State state_of(const FarmJob& job, const FarmFrames& frames) {
     FarmFrames::Stored stored = frames.stored();
     state.finished = std::move(stored.frames);
     state.finished_pictures = stored.pictures;
-    state.slurm = farm::read_slurm_jobs(job).value_or(farm::SlurmJobs{});
+    state.round = farm::read_round(job).value_or(farm::Round{});
     state.workers = farm::read_workers(job);
     for (const farm::WorkerNote& worker : state.workers) {
         state.twice += worker.twice;
@@ -167,7 +163,8 @@ std::string json_of(const FarmJob& job, const State& state) {
         .add("finished_pictures", state.finished_pictures)
         .add("rendered_twice", state.twice)
         .add("continued", state.continued)
-        .add("round", state.slurm.round);
+        .add("round", state.round.number)
+        .add("reason", state.round.reason);
     if (state.left) {
         members.add("seconds_left", *state.left);
     }
@@ -176,7 +173,7 @@ std::string json_of(const FarmJob& job, const State& state) {
         workers += (workers.empty() ? "" : ",") + worker_json(worker);
     }
     return fmt::format("{{{},\"slurm\":{},\"workers\":[{}]}}\n", members.text(),
-                       farm::members_of(state.slurm).object(), workers);
+                       farm::numbers_of(state.round).object(), workers);
 }
 
 std::string worker_text(const farm::WorkerNote& worker) {
@@ -191,6 +188,13 @@ std::string worker_text(const farm::WorkerNote& worker) {
     }
     text += worker.problem.empty() ? "" : ": " + worker.problem;
     return printable(text) + "\n";
+}
+
+/// Why this is not the first round of workers, if it is not.
+std::string reason_text(const farm::Round& round) {
+    return round.reason.empty()
+               ? ""
+               : fmt::format("round {}: {}\n", round.number, printable(round.reason));
 }
 
 std::string text_of(const FarmJob& job, const State& state) {
@@ -210,6 +214,7 @@ std::string text_of(const FarmJob& job, const State& state) {
         text += fmt::format("{} frames were begun by one worker and completed by another\n",
                             state.continued);
     }
+    text += reason_text(state.round);
     if (!state.message.empty()) {
         text += printable(state.message) + "\n";
     }

@@ -8,6 +8,8 @@
 #include "pipeline/cli/farm/farm_actions.h"
 #include "pipeline/cli/farm/farm_film.h"
 #include "pipeline/cli/farm/farm_plan.h"
+#include "pipeline/farm/engine.h"
+#include "pipeline/farm/scripts.h"
 #include "pipeline/farm/shell_text.h"
 #include "pipeline/farm/slurm.h"
 
@@ -16,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using farm::FarmJob;
-using farm::SlurmJobs;
+using farm::Round;
 
 /// The program that runs, which the tasks run again.
 std::string own_program() {
@@ -42,28 +44,12 @@ std::string command_text(const std::vector<std::string>& words) {
 void print_submissions(FarmJob job) {
     job.folder = job.store + "/farm/JOB";
     std::string text;
-    std::string before;
+    farm::Begin begin;
     for (const farm::Stage& stage : farm::stages()) {
-        text += command_text(farm::submission(job, stage, before, 0)) + "\n";
-        before = "NUMBER_OF_" + stage.name;
+        text += command_text(farm::submission(job, Round{}, stage, begin)) + "\n";
+        begin.after = {1};  // the number that the one before gets
     }
     print_text(text);
-}
-
-/// Submits a job that has its folder. The record is there before Slurm has anything to run: a store
-/// that cannot be written to must not lead to tasks of which nobody knows.
-SlurmJobs submit_now(const FarmJob& job, std::int64_t missing) {
-    SlurmJobs slurm;
-    slurm.missing = missing;
-    farm::write_slurm_jobs(job, slurm);
-    slurm = farm::submit_all(job);
-    slurm.missing = missing;
-    const std::optional<SlurmJobs> known = farm::read_slurm_jobs(job);
-    if (known &&
-        known->round == slurm.round) {  // else the last task was quicker, and submitted again
-        farm::write_slurm_jobs(job, slurm);
-    }
-    return slurm;
 }
 
 /// Whatever the user's mask is. Slurm gives the mask of this process to the tasks.
@@ -78,12 +64,22 @@ void tell_how_to_look(const FarmJob& job, CommandContext& context) {
 
 }  // namespace
 
-void print_job(const FarmJob& job, const SlurmJobs& slurm) {
+void print_job(const FarmJob& job, const Round& round) {
     std::string text = "folder " + job.folder + "\n";
-    for (std::size_t i = 0; i < slurm.numbers.size(); ++i) {
-        text += fmt::format("{} {}\n", farm::stages()[i].name, slurm.numbers[i]);
+    for (std::size_t i = 0; i < round.numbers.size(); ++i) {
+        text += fmt::format("{} {}\n", farm::stages()[i].name, round.numbers[i]);
     }
     print_text(text);
+}
+
+Round submit_now(const FarmJob& job, Round round, const std::vector<std::int64_t>& others) {
+    farm::write_round(job, round);
+    round.numbers = farm::submit_stages(job, round, others);
+    const std::optional<Round> known = farm::read_round(job);
+    if (known && known->number == round.number) {  // else the last task was quicker
+        farm::write_round(job, round);
+    }
+    return round;
 }
 
 void farm_submit(const FarmCommand& command, CommandContext& context) {
@@ -101,8 +97,11 @@ void farm_submit(const FarmCommand& command, CommandContext& context) {
         write_folder(planned);
         farm::write_scripts(job, own_program());
         const FarmFilm film = read_film(job, context);
-        FarmFrames(film, context.stop).pin(job, film, context.stop);
-        print_job(job, submit_now(job, planned.missing));
+        const FarmFrames frames(film, context.stop);
+        frames.pin(job, film, context.stop);
+        Round round;
+        round.begin = frames.progress();
+        print_job(job, submit_now(job, round));
     } catch (...) {
         FarmFrames::unpin(job);
         std::error_code ignored;
@@ -118,16 +117,20 @@ void farm_submit(const FarmCommand& command, CommandContext& context) {
 
 void farm_resume(const FarmCommand& command, CommandContext& context) {
     const FarmJob job = find_job(command);
-    std::string problem;
-    const auto counts = farm::count_tasks(job, problem);
-    if (!counts) {
-        throw Error("Slurm does not answer: " + problem);
+    const farm::Engine& engine = farm::engine_of(job);
+    const farm::Answer answer = engine.ask(job);
+    if (!answer.problem.empty()) {
+        throw Error(answer.problem);
     }
-    if (counts->running + counts->waiting > 0 && !farm::read_end(job)) {
-        context.console.info("the job is in Slurm's queue");
-        return print_job(job, farm::read_slurm_jobs(job).value_or(SlurmJobs{}));
+    Round round = farm::read_round(job).value_or(Round{});
+    if (answer.is_queued() && !farm::read_end(job)) {
+        context.console.info("the job is in the queue");
+        return print_job(job, round);
     }
-    farm::cancel(job);
+    engine.cancel(job, farm::Which::all);
+    farm::learn(round, job, answer.tasks.value_or(std::vector<farm::Task>{}), "");
+    round.number = 1;
+    round.idle = 0;
     farm::remove_end(job);
     if (!job.is_portable) {
         farm::write_scripts(job, own_program());
@@ -135,7 +138,8 @@ void farm_resume(const FarmCommand& command, CommandContext& context) {
     const FarmFilm film = read_film(job, context);
     const FarmFrames frames(film, context.stop);
     frames.pin(job, film, context.stop);
-    print_job(job, submit_now(job, frames.count() - std::ssize(frames.stored().frames)));
+    round.begin = frames.progress();
+    print_job(job, submit_now(job, round));
     tell_how_to_look(job, context);
 }
 
@@ -146,15 +150,24 @@ void farm_cancel(const FarmCommand& command, CommandContext& context) {
         context.console.info("the film is complete");
         return;
     }
-    // First, so that a last task that runs just now does not submit workers again. What runs is
-    // stopped even if the store is full.
+    const farm::Engine& engine = farm::engine_of(job);
+    if (const farm::Answer answer = engine.ask(job); !answer.problem.empty()) {
+        throw Error(answer.problem + "; the job goes on");
+    }
+    // Before its tasks end, so that a last task that runs just now does not submit workers again.
+    // What runs is stopped even if the store is full.
     std::string problem;
     try {
         farm::write_end(job, {"stopped", "the job was cancelled"});
     } catch (const Error& error) {
         problem = error.what();
     }
-    farm::cancel(job);
+    try {
+        engine.cancel(job, farm::Which::all);
+    } catch (const Error& error) {
+        known ? farm::write_end(job, *known) : farm::remove_end(job);
+        throw Error(std::string(error.what()) + "; the job goes on");
+    }
     if (!problem.empty()) {
         throw Error("the job's tasks are stopped, but its record cannot be written: " + problem);
     }

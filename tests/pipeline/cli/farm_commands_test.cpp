@@ -87,16 +87,92 @@ TEST_F(FarmExport, DamagedFrame_IsRenderedAgainBeforeTheFilmIsWritten) {
     ASSERT_EQ(run({"render", "shot/files.yaml", "-o", "film.mp4"}).exit_code, 0);
     ASSERT_EQ(export_job().exit_code, 0);
     ASSERT_EQ(run({"farm", "work", "made"}).exit_code, 0);
+    for (const char* file : {"made/end.json", "made/files.mp4"}) {
+        fs::remove(path(file));
+    }
     const std::string damaged = frames_of("made/store").begin()->first;
     const std::string file = "made/store/frames/" + damaged.substr(0, 2) + "/" + damaged;
     std::string bytes = text_of(file);
     bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
     write_text(path(file), bytes);
-    EXPECT_THAT(run({"farm", "finish", "made"}).err, HasSubstr("1 frame is missing"));
+    const RunResult refused = run({"farm", "finish", "made"});
+    EXPECT_EQ(refused.exit_code, 75);
+    EXPECT_THAT(refused.err, HasSubstr("1 frame is missing"));
     EXPECT_FALSE(exists(file));
     EXPECT_EQ(run({"farm", "work", "made"}).exit_code, 0);
-    EXPECT_EQ(run({"farm", "finish", "made"}).exit_code, 0);
     EXPECT_EQ(hash_of("made/files.mp4"), hash_of("film.mp4"));
+}
+
+TEST_F(FarmExport, WorkerThatCompletesTheFilm_WritesItAndRunsTheCommandOnce) {
+    ASSERT_EQ(
+        export_job(
+            {"--exec-after",
+             R"sh(echo "$CAROM_FRAMES $(basename "$CAROM_FILM")" >> "$CAROM_JOB/after"; exit 3)sh"})
+            .exit_code,
+        0);
+    const RunResult worker = run({"farm", "work", "made"});
+    EXPECT_EQ(worker.exit_code, 0);
+    EXPECT_THAT(worker.err, HasSubstr("the command after the film ended with exit code 3"));
+    EXPECT_TRUE(exists("made/files.mp4"));
+    fs::remove(path("made/files.mp4"));  // nobody writes it again
+    EXPECT_EQ(run({"farm", "work", "made"}).exit_code, 0);
+    EXPECT_EQ(run({"farm", "finish", "made"}).exit_code, 0);
+    EXPECT_FALSE(exists("made/files.mp4"));
+    EXPECT_EQ(text_of("made/after"), "6 files.mp4\n");
+    EXPECT_TRUE(fs::is_empty(path("made/store/frames/locks")));
+    EXPECT_THAT(run({"farm", "status", "made"}).out, HasSubstr("complete, 6 of 6 frames"));
+}
+
+TEST_F(FarmExport, DamagedBake_IsRestoredFromItsCopyAndElseEndsTheJob) {
+    ASSERT_EQ(export_job().exit_code, 0);
+    const std::string bake = text_of("made/files.bake");
+    const std::string damaged = bake.substr(0, bake.size() - 9);
+    write_text(path("made/files.bake"), damaged);
+    EXPECT_THAT(run({"farm", "status", "made"}).err,
+                HasSubstr("; it was restored from the job's copy"));
+    EXPECT_EQ(text_of("made/files.bake"), bake);
+    for (const char* file : {"made/files.bake", "made/spare/files.bake"}) {
+        write_text(path(file), damaged);
+    }
+    const RunResult worker = run({"farm", "work", "made"});
+    EXPECT_EQ(worker.exit_code, 2);
+    EXPECT_THAT(worker.err, HasSubstr("; the job cannot go on: submit the film again"));
+    EXPECT_THAT(text_of("made/end.json"), HasSubstr("\"state\":\"failed\""));
+}
+
+TEST_F(FarmExport, RoundsThatAddNothing_EndTheRepetition) {
+    ASSERT_EQ(export_job().exit_code, 0);
+    EXPECT_EQ(run({"farm", "finish", "made"}).exit_code, 75);
+    EXPECT_EQ(run({"farm", "finish", "made"}).exit_code, 75);
+    const RunResult last = run({"farm", "finish", "made"});
+    EXPECT_EQ(last.exit_code, 1);
+    EXPECT_THAT(last.err, HasSubstr("6 frames are missing: 0-5; the last 3 rounds of workers added "
+                                    "no sample"));
+}
+
+TEST_F(FarmExport, OptionsThatMakeNoSense_AreRefused) {
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+        {{"--budget", "0s"}, "--budget: '0s' is too short; the least is 1 s"},
+        {{"--dead-after", "10ms"}, "--dead-after: '10ms' is too short; the least is 1 s"},
+        {{"--time", "0"}, "'0' is not a time; write it as 30d, 12h, 90min, 20s or 500ms"},
+        {{"--time", "30s"}, "--time: '30s' is too short; the least is 60 s"},
+        {{"--mem", "0"}, "--mem: '0' is too little; the least is 1 MB"},
+        {{"--", "--qos=x"}, "options after -- are for slurm and pbs, not for parallel"}};
+    for (const auto& [options, message] : cases) {
+        const RunResult result = export_job(options);
+        EXPECT_EQ(result.exit_code, 2);
+        EXPECT_THAT(result.err, HasSubstr("error: " + message + "\n"));
+        EXPECT_FALSE(exists("made"));
+    }
+}
+
+TEST_F(FarmExport, Change_IsWhatTheNextTasksGet) {
+    ASSERT_EQ(export_job().exit_code, 0);
+    EXPECT_THAT(run({"farm", "change", "made"}).err, HasSubstr("nothing is to be changed"));
+    EXPECT_EQ(run({"farm", "change", "made", "--time", "1.5 h", "--workers", "3"}).exit_code, 0);
+    EXPECT_THAT(text_of("made/job.json"), HasSubstr("\"time_minutes\":90"));
+    EXPECT_THAT(text_of("made/job.json"), HasSubstr("\"workers\":3"));
+    EXPECT_EQ(run({"farm", "work", "made"}).exit_code, 0);
 }
 
 TEST_F(FarmExport, Status_ShowsABarAndASheetWithTheColoursOfTheCameras) {
@@ -105,7 +181,7 @@ TEST_F(FarmExport, Status_ShowsABarAndASheetWithTheColoursOfTheCameras) {
                 HasSubstr("running, 0 of 6 frames\nrender [>"));
     ASSERT_EQ(run({"farm", "work", "made"}).exit_code, 0);
     const RunResult status = run({"farm", "status", "made", "--sheet", "sheet.png"});
-    EXPECT_THAT(status.out, HasSubstr("=]  6/6  100 %"));
+    EXPECT_THAT(status.out, HasSubstr("complete, 6 of 6 frames"));
     const auto sheet = OIIO::ImageInput::open(path("sheet.png"));
     ASSERT_TRUE(sheet);
     const OIIO::ImageSpec spec = sheet->spec();

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 
 #include "core/error.h"
+#include "pipeline/farm/round.h"
 #include "pipeline/farm/worker_file.h"
 #include "tests/scratch_folder.h"
 
@@ -37,8 +38,11 @@ FarmJob make_job(const std::string& folder) {
     job.budget = 12.5;
     job.dead_after = 3;
     job.partition = "short";
-    job.time = "22";
-    job.film_time = "15";
+    job.priority = -5;
+    job.time = 22;
+    job.film_time = 15;
+    job.engine_options = {"--qos=high", "--constraint=\"a\nb\""};
+    job.exec_after = "cp \"$CAROM_FILM\" /films";
     job.is_sequence = true;
     return job;
 }
@@ -79,7 +83,7 @@ TEST(FarmJob, OtherFolders_AreErrorsThatSayWhy) {
     EXPECT_THAT(problem(), HasSubstr("was written by another version of carom"));
     write_text(folder.path("job.json"), "[1, 2");
     EXPECT_THAT(problem(), HasSubstr("is no JSON object"));
-    write_text(folder.path("job.json"), "{\"carom_farm_job\": 2, \"workers\": \"many\"}");
+    write_text(folder.path("job.json"), "{\"carom_farm_job\": 3, \"workers\": \"many\"}");
     EXPECT_THAT(problem(), HasSubstr("'workers' is no number: many"));
 }
 
@@ -141,10 +145,11 @@ TEST(FarmJob, FolderOfJobsThatOthersMayWrite_LetsNobodyReplaceAnothersJob) {
 TEST(FarmJob, Records_AreReadAgain) {
     const ScratchFolder folder;
     const FarmJob job = make_job(folder.path());
-    EXPECT_FALSE(read_slurm_jobs(job));
-    write_slurm_jobs(job, {{11, 12}, 3, 40});
-    EXPECT_EQ(read_slurm_jobs(job), (SlurmJobs{{11, 12}, 3, 40}));
-    EXPECT_EQ(members_of({{11, 12}, 3, 40}).object(), "{\"frames\":11,\"film\":12}");
+    EXPECT_FALSE(read_round(job));
+    const Round round{{11, 12}, 3, {40, 123456789012}, 2, 4, 2, {"n1", "n1"}, {"n0", "n2"}, "late"};
+    write_round(job, round);
+    EXPECT_EQ(read_round(job), round);
+    EXPECT_EQ(numbers_of(round).object(), "{\"frames\":11,\"film\":12}");
     EXPECT_FALSE(read_end(job));
     write_end(job, {"failed", "no \"space\" left"});
     EXPECT_EQ(read_end(job)->message, "no \"space\" left");

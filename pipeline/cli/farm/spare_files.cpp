@@ -1,0 +1,112 @@
+#include "pipeline/cli/farm/spare_files.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <span>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "core/hash.h"
+#include "pipeline/store/file_descriptor.h"
+#include "sim/timeline/bake_file.h"
+
+namespace carom::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using farm::FarmJob;
+
+std::string spare_folder(const FarmJob& job) {
+    return job.folder + "/spare";
+}
+
+/// The files in a folder and below it, relative to it.
+std::vector<std::string> files_below(const std::string& folder) {
+    std::vector<std::string> files;
+    std::error_code failure;
+    for (fs::recursive_directory_iterator entry(folder, failure), end; !failure && entry != end;
+         entry.increment(failure)) {
+        if (entry->is_regular_file(failure)) {
+            files.push_back(entry->path().lexically_relative(folder).string());
+        }
+    }
+    if (failure) {
+        throw Error("'" + folder + "' cannot be read: " + failure.message());
+    }
+    return files;
+}
+
+/// The job's own files, relative to its folder.
+std::vector<std::string> own_files(const FarmJob& job) {
+    if (!job.is_sequence) {
+        return {job.name + ".bake"};
+    }
+    std::vector<std::string> files{job.name + ".yaml"};
+    for (const fs::directory_entry& part : fs::directory_iterator(job.folder)) {
+        const std::string folder = part.path().filename().string();
+        if (!folder.starts_with(farm::kPartFolder)) {
+            continue;
+        }
+        for (const fs::directory_entry& entry : fs::directory_iterator(part.path())) {
+            if (entry.path().extension() == ".bake") {
+                files.push_back(folder + "/" + entry.path().filename().string());
+            }
+        }
+    }
+    return files;
+}
+
+std::string content_of(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string content{std::istreambuf_iterator<char>(file), {}};
+    if (!file) {
+        throw Error("'" + path + "' cannot be read");
+    }
+    return content;
+}
+
+void copy(const std::string& from, const std::string& to) {
+    const std::string content = content_of(from);
+    pipeline::create_folder(fs::path(to).parent_path().string());
+    write_file_atomically(to, std::as_bytes(std::span(content)));
+}
+
+bool is_intact(const std::string& path) {
+    if (!path.ends_with(".bake")) {
+        return true;  // the reader of the film finds out
+    }
+    try {
+        (void)sim::read_bake(path);
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+void write_spare_files(const FarmJob& job) {
+    for (const std::string& file : own_files(job)) {
+        copy(job.folder + "/" + file, spare_folder(job) + "/" + file);
+    }
+}
+
+bool restore_files(const FarmJob& job) {
+    bool is_any = false;
+    for (const std::string& file : files_below(spare_folder(job))) {
+        const std::string own = job.folder + "/" + file;
+        const std::string spare = spare_folder(job) + "/" + file;
+        const bool is_same = fs::exists(own) && hash_file(own) == hash_file(spare);
+        if (!is_same && is_intact(spare)) {
+            copy(spare, own);
+            is_any = true;
+        }
+    }
+    return is_any;
+}
+
+}  // namespace carom::cli

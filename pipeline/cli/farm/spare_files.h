@@ -1,0 +1,16 @@
+// Copies of a job's own files, in case that one is damaged.
+//   FOLDER/spare/   has the bakes and the file of a film of several shots under the same names
+#pragma once
+
+#include "pipeline/farm/farm_job.h"
+
+namespace carom::cli {
+
+/// Copies the files of the job's folder. Throws Error.
+void write_spare_files(const farm::FarmJob& job);
+
+/// Puts copies that are intact where the job's files have other contents or are missing. Returns
+/// whether any had. Throws Error if a folder cannot be read or written to.
+[[nodiscard]] bool restore_files(const farm::FarmJob& job);
+
+}  // namespace carom::cli

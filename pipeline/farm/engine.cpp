@@ -1,0 +1,71 @@
+#include "pipeline/farm/engine.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/hash.h"
+#include "pipeline/farm/slurm.h"
+
+namespace carom::farm {
+namespace {
+
+/// Of jobs whose tasks are started by hand, or by something that carom does not talk to.
+class NoEngine : public Engine {
+  public:
+    std::int64_t submit(const FarmJob& job, const Round& /*round*/, const Stage& /*stage*/,
+                        const Begin& /*begin*/) const override {
+        throw Error("the tasks of this job are started outside carom (" + job.engine +
+                    "); start them again as '" + job.folder + "/README.md' says");
+    }
+    Answer ask(const FarmJob& /*job*/) const override { return {}; }
+    void cancel(const FarmJob& /*job*/, Which /*which*/) const override {}
+    std::string tag(const FarmJob& job) const override { return tag_of_folder(job); }
+};
+
+}  // namespace
+
+std::int64_t Answer::count(TaskState state) const {
+    return tasks ? std::ranges::count(*tasks, state, &Task::state) : 0;
+}
+
+bool Answer::is_queued() const {
+    return count(TaskState::waiting) + count(TaskState::running) > 0;
+}
+
+const Engine& engine_of(const FarmJob& job) {
+    static const Slurm slurm;
+    static const NoEngine none;
+    return job.engine == "slurm" ? static_cast<const Engine&>(slurm) : none;
+}
+
+std::string tag_of_folder(const FarmJob& job) {
+    return "carom-" + hash_bytes(std::as_bytes(std::span(job.folder))).to_string();
+}
+
+std::vector<std::int64_t> submit_stages(const FarmJob& job, const Round& round,
+                                        const std::vector<std::int64_t>& others) {
+    const Engine& engine = engine_of(job);
+    std::vector<std::int64_t> numbers;
+    try {
+        for (const Stage& stage : stages()) {
+            // The workers need not wait for those that run already; the film does.
+            Begin begin;
+            if (!numbers.empty()) {
+                begin.after = others;
+                begin.after.push_back(numbers.back());
+            }
+            numbers.push_back(engine.submit(job, round, stage, begin));
+        }
+    } catch (const Error& error) {
+        const std::string problem = error.what();
+        try {
+            engine.cancel(job, Which::waiting);
+        } catch (const Error& other) {
+            throw Error(problem + "; " + other.what());
+        }
+        throw Error(problem);
+    }
+    return numbers;
+}
+
+}  // namespace carom::farm

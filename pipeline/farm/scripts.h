@@ -1,0 +1,20 @@
+// The scripts of a job's folder, which run its stages.
+#pragma once
+
+#include <string>
+
+#include "pipeline/farm/farm_job.h"
+
+namespace carom::farm {
+
+/// Writes the scripts of all stages into the job's folder. They run this program, `carom`, again.
+/// Throws Error.
+void write_scripts(const FarmJob& job, const std::string& carom);
+
+/// The same for a folder that may be copied: the scripts are started in it and run $CAROM.
+void write_portable_scripts(const FarmJob& job);
+
+/// Writes a script that can be run into the job's folder. Throws Error.
+void write_script(const FarmJob& job, const std::string& name, const std::string& text);
+
+}  // namespace carom::farm
