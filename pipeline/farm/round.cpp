@@ -8,19 +8,12 @@
 
 #include <fmt/core.h>
 
+#include "core/text.h"
 #include "pipeline/farm/engine.h"
 #include "pipeline/farm/record.h"
 
 namespace carom::farm {
 namespace {
-
-std::string text_of(const std::vector<std::string>& names) {
-    std::string text;
-    for (const std::string& name : names) {
-        text += (text.empty() ? "" : " ") + name;
-    }
-    return text;
-}
 
 std::vector<std::string> names_in(const std::string& text) {
     std::istringstream words(text);
@@ -31,10 +24,6 @@ std::vector<std::string> names_in(const std::string& text) {
     return names;
 }
 
-std::string tasks_text(std::int64_t count) {
-    return count == 1 ? "1 task" : fmt::format("{} tasks", count);
-}
-
 /// Raises a factor because of `count` tasks. Returns what to say, if there is anything.
 std::string raised(std::int64_t count, std::int64_t& factor, std::int64_t most,
                    const std::string& what, const std::string& unit, std::int64_t first) {
@@ -43,8 +32,9 @@ std::string raised(std::int64_t count, std::int64_t& factor, std::int64_t most,
     }
     const std::int64_t before = factor;
     factor = std::min(most, kLimitFactor * factor);
-    const std::string ended = fmt::format("; {} ended by the {} limit of {} {}", tasks_text(count),
-                                          what, first * before, unit);
+    const std::string ended =
+        fmt::format("; {} ended by the {} limit of {} {}",
+                    counted(static_cast<std::uint64_t>(count), "task"), what, first * before, unit);
     return factor > before ? ended + fmt::format(", the next have {} {}", first * factor, unit)
                            : ended + ", which is raised no more";
 }
@@ -117,8 +107,10 @@ void learn(Round& round, const FarmJob& job, const std::vector<Task>& tasks,
                            "memory", "MB", job.memory);
     for (const std::string& node : excluded_nodes(round)) {
         if (std::ranges::find(known, node) == known.end()) {
-            round.reason += fmt::format("; node {} is left out, since {} failed on it", node,
-                                        tasks_text(std::ranges::count(round.failed, node)));
+            round.reason += fmt::format(
+                "; node {} is left out, since {} failed on it", node,
+                counted(static_cast<std::uint64_t>(std::ranges::count(round.failed, node)),
+                        "task"));
         }
     }
 }
@@ -147,8 +139,8 @@ void write_round(const FarmJob& job, const Round& round) {
         .add("idle_rounds", round.idle)
         .add("time_factor", round.time_factor)
         .add("memory_factor", round.memory_factor)
-        .add("failed_on", text_of(round.failed))
-        .add("worked_on", text_of(round.worked))
+        .add("failed_on", join(round.failed, " "))
+        .add("worked_on", join(round.worked, " "))
         .add("reason", round.reason);
     write_record(job.folder + "/round.json", members);
 }

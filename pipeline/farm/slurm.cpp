@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include "core/error.h"
+#include "core/text.h"
 #include "pipeline/farm/program.h"
 #include "pipeline/farm/shell_text.h"
 #include "pipeline/farm/task_environment.h"
@@ -256,12 +257,8 @@ std::vector<std::string> submission(const FarmJob& job, const Round& round, cons
     if (job.priority != 0) {
         words.push_back(fmt::format("--nice={}", -job.priority));
     }
-    std::string nodes;
-    for (const std::string& node : excluded_nodes(round)) {
-        nodes += (nodes.empty() ? "--exclude=" : ",") + node;
-    }
-    if (!nodes.empty()) {
-        words.push_back(nodes);
+    if (const std::vector<std::string> nodes = excluded_nodes(round); !nodes.empty()) {
+        words.push_back("--exclude=" + join(nodes, ","));
     }
     std::string after;
     for (const std::int64_t number : begin.after) {
@@ -294,12 +291,12 @@ std::int64_t Slurm::submit(const FarmJob& job, const Round& round, const Stage& 
 }
 
 Answer Slurm::ask(const FarmJob& job) const {
-    std::string names;
+    std::vector<std::string> names;
     for (const Stage& stage : stages()) {
-        names += (names.empty() ? "" : ",") + name_of(job, stage);
+        names.push_back(name_of(job, stage));
     }
     const ProgramResult result = run_program(
-        {"squeue", "--noheader", "--array", "--states=all", "--name=" + names,
+        {"squeue", "--noheader", "--array", "--states=all", "--name=" + join(names, ","),
          "--Format=ArrayJobID:20|,State:20|,exit_code:20|,NodeList:200|,Name:100|,Comment:100"});
     if (result.exit_code != 0) {
         return {{}, "Slurm does not answer: " + complaint(result)};

@@ -1,4 +1,5 @@
 // Changes what a job asks of its engine.
+#include <algorithm>
 #include <set>
 
 #include <fmt/core.h>
@@ -33,15 +34,28 @@ FarmJob changed(FarmJob job, const FarmCommand& command) {
     return job;
 }
 
-/// The jobs in the queue of which tasks run.
-std::vector<std::int64_t> running_jobs(const farm::Answer& answer) {
-    std::set<std::int64_t> jobs;
+/// What runs of a job.
+struct Running {
+    std::set<std::int64_t> jobs;  // in the queue
+    std::int64_t workers = 0;
+};
+
+Running running_of(const farm::Answer& answer) {
+    Running running;
     for (const farm::Task& task : answer.tasks.value_or(std::vector<farm::Task>{})) {
         if (task.state == farm::TaskState::running) {
-            jobs.insert(task.job);
+            running.jobs.insert(task.job);
+            running.workers += task.stage != nullptr && task.stage->is_array ? 1 : 0;
         }
     }
-    return {jobs.begin(), jobs.end()};
+    return running;
+}
+
+/// Puts tasks with the job's limits in the place of those that wait.
+farm::Round replace_waiting(FarmJob job, const farm::Round& round, const Running& running) {
+    farm::engine_of(job).cancel(job, farm::Which::waiting);
+    job.workers = std::max<std::int64_t>(1, job.workers - running.workers);
+    return submit_now(job, round, {running.jobs.begin(), running.jobs.end()});
 }
 
 }  // namespace
@@ -61,16 +75,23 @@ void farm_change(const FarmCommand& command, CommandContext& context) {
         throw Error(answer.problem + "; nothing is changed");
     }
     farm::write_job(job);
-    if (!answer.is_queued() || farm::read_end(job)) {
-        context.console.info("the change counts when the tasks of the job are started again");
+    const Running running = running_of(answer);
+    const bool are_enough = running.workers >= job.workers;
+    if (answer.count(farm::TaskState::waiting) == 0 || are_enough || farm::read_end(job)) {
+        context.console.info("the change counts for the tasks that are started next");
         return;
     }
-    // Limits that were raised began with the old ones.
-    farm::Round round = farm::read_round(job).value_or(farm::Round{});
+    const farm::Round known = farm::read_round(job).value_or(farm::Round{});
+    farm::Round round = known;  // limits that were raised began with the old ones
     round.time_factor = job.time == before.time ? round.time_factor : 1;
     round.memory_factor = job.memory == before.memory ? round.memory_factor : 1;
-    engine.cancel(job, farm::Which::waiting);
-    print_job(job, submit_now(job, round, running_jobs(answer)));
+    try {
+        print_job(job, replace_waiting(job, round, running));
+    } catch (const Error& error) {
+        farm::write_job(before);
+        (void)replace_waiting(before, known, running);
+        throw Error(std::string(error.what()) + "; the job goes on as before");
+    }
     context.console.info("tasks that run keep what they have; the others were submitted again");
 }
 

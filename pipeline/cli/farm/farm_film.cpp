@@ -213,7 +213,7 @@ farm::Progress FarmFrames::progress() const {
     std::set<std::int64_t> missing;
     std::set<Hash128> stored;
     std::int64_t samples = 0;
-    const pipeline::FrameStore store(folder_);
+    const pipeline::FrameStore store(folder_, {}, {}, pipeline::StoreAccess::only_read);
     for (const Part& part : parts_) {
         look(part, stored, missing);
         for (const pipeline::FilmPlan::Picture& picture : part.plan.pictures) {

@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include "core/printable.h"
+#include "core/text.h"
 #include "pipeline/cli/farm/farm_actions.h"
 #include "pipeline/cli/farm/farm_film.h"
 #include "pipeline/cli/terminal/duration_text.h"
@@ -164,7 +165,8 @@ std::string json_of(const FarmJob& job, const State& state) {
         .add("rendered_twice", state.twice)
         .add("continued", state.continued)
         .add("round", state.round.number)
-        .add("reason", state.round.reason);
+        .add("reason", state.round.reason)
+        .add("left_out", join(farm::excluded_nodes(state.round), " "));
     if (state.left) {
         members.add("seconds_left", *state.left);
     }
@@ -190,11 +192,17 @@ std::string worker_text(const farm::WorkerNote& worker) {
     return printable(text) + "\n";
 }
 
-/// Why this is not the first round of workers, if it is not.
-std::string reason_text(const farm::Round& round) {
-    return round.reason.empty()
-               ? ""
-               : fmt::format("round {}: {}\n", round.number, printable(round.reason));
+/// Why this is not the first round of workers, if it is not, and which nodes they avoid.
+std::string round_text(const farm::Round& round) {
+    std::string text;
+    if (!round.reason.empty()) {
+        text += fmt::format("round {}: {}\n", round.number, printable(round.reason));
+    }
+    const std::vector<std::string> nodes = farm::excluded_nodes(round);
+    if (!nodes.empty()) {
+        text += "left out: " + printable(join(nodes, ", ")) + "\n";
+    }
+    return text;
 }
 
 std::string text_of(const FarmJob& job, const State& state) {
@@ -214,7 +222,7 @@ std::string text_of(const FarmJob& job, const State& state) {
         text += fmt::format("{} frames were begun by one worker and completed by another\n",
                             state.continued);
     }
-    text += reason_text(state.round);
+    text += round_text(state.round);
     if (!state.message.empty()) {
         text += printable(state.message) + "\n";
     }
