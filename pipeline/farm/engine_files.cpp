@@ -65,10 +65,9 @@ EngineFiles parallel_files(const FarmJob& job) {
             ""};
 }
 
-/// The fields are those of io.k8s.api.batch.v1.Job.
-EngineFiles kubernetes_files(const FarmJob& job) {
-    constexpr const char* kText =
-        R"(# A film as an Indexed Job of the API batch/v1 (Kubernetes 1.29 or later):
+// The fields are those of io.k8s.api.batch.v1.Job.
+constexpr const char* kKubernetesJob =
+    R"(# A film as an Indexed Job of the API batch/v1 (Kubernetes 1.29 or later):
 # https://kubernetes.io/docs/reference/kubernetes-api/workload-resources/job-v1/
 # The worker that completes the film writes it; then all others end, too.
 apiVersion: batch/v1
@@ -105,10 +104,13 @@ spec:
         - name: job
           persistentVolumeClaim: {{claimName: {name}}}  # ReadWriteMany, with this folder
 )";
+
+EngineFiles kubernetes_files(const FarmJob& job) {
     return {{{"job.yaml",
-              fmt::format(kText, fmt::arg("name", dns_name(job)), fmt::arg("workers", job.workers),
-                          fmt::arg("at_once", at_once(job)), fmt::arg("grace", 2 * kGrace),
-                          fmt::arg("processors", job.processors), fmt::arg("memory", job.memory)),
+              fmt::format(kKubernetesJob, fmt::arg("name", dns_name(job)),
+                          fmt::arg("workers", job.workers), fmt::arg("at_once", at_once(job)),
+                          fmt::arg("grace", 2 * kGrace), fmt::arg("processors", job.processors),
+                          fmt::arg("memory", job.memory)),
               false}},
             "job.yaml",
             "kubectl apply -f job.yaml",
@@ -130,10 +132,9 @@ std::string openjd_action(const std::string& command, const std::string& more) {
                        json_string(command), more, kGrace);
 }
 
-/// The specification: OpenJobDescription/openjd-specifications, wiki/2023-09-Template-Schemas.md.
-EngineFiles openjd_files(const FarmJob& job) {
-    constexpr const char* kText =
-        R"(# A film as a template of Open Job Description, version 2023-09:
+// The specification: OpenJobDescription/openjd-specifications, wiki/2023-09-Template-Schemas.md.
+constexpr const char* kOpenjdTemplate =
+    R"(# A film as a template of Open Job Description, version 2023-09:
 # https://github.com/OpenJobDescription/openjd-specifications/wiki/2023-09-Template-Schemas
 specificationVersion: jobtemplate-2023-09
 name: {name}
@@ -164,6 +165,8 @@ steps:
         - {{name: amount.worker.vcpu, min: {processors}}}
         - {{name: amount.worker.memory, min: {mebibytes}}}
 {film})";
+
+EngineFiles openjd_files(const FarmJob& job) {
     constexpr std::int64_t kMebibyte = 1048576;
     const std::string film = openjd_action(R"(cd "$1" && CAROM="$2" exec ./film.sh)", "");
     const std::string frames =
@@ -171,7 +174,7 @@ steps:
                       R"(, "{{Task.Param.Worker}}")");
     return {
         {{"template.yaml",
-          fmt::format(kText, fmt::arg("name", json_string(simple_name(film_name(job)))),
+          fmt::format(kOpenjdTemplate, fmt::arg("name", json_string(simple_name(film_name(job)))),
                       fmt::arg("processors", job.processors),
                       fmt::arg("mebibytes", (job.memory * 1000000 + kMebibyte - 1) / kMebibyte),
                       fmt::arg("last", job.workers - 1), fmt::arg("frames", frames),

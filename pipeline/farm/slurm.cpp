@@ -85,8 +85,13 @@ const Stage* stage_named(const FarmJob& job, const std::string& name) {
     return found == stages().end() ? nullptr : &*found;
 }
 
-/// `code` and `signal`: with which the task's program ended.
-TaskState state_of(const std::string& name, std::int64_t code, std::int64_t signal) {
+/// `exit`: how the task's program ended, as "CODE:SIGNAL" or as a wait status (wait(2)).
+TaskState state_of(const std::string& name, const std::string& exit) {
+    const std::size_t colon = exit.find(':');
+    const std::int64_t status = number_in(exit);
+    const std::int64_t code = colon == std::string::npos ? status >> 8 : status;
+    const std::int64_t signal =
+        colon == std::string::npos ? status & 0x7F : number_in(exit.substr(colon + 1));
     constexpr std::int64_t kKilled = 9;
     constexpr std::int64_t kShellKilled = 128 + kKilled;
     const auto is_any = [&](std::initializer_list<std::string_view> names) {
@@ -173,9 +178,8 @@ std::vector<Task> parse_queue(const FarmJob& job, const std::string& lines) {
     for (std::string line; std::getline(text, line);) {
         const std::vector<std::string> parts = split(line, '|');
         if (parts.size() == 6 && parts[5] == tag) {
-            const std::int64_t status = number_in(parts[2]);
             tasks.push_back({number_in(parts[0]), stage_named(job, parts[4]), parts[3],
-                             state_of(parts[1], status >> 8, status & 0x7F)});
+                             state_of(parts[1], parts[2])});
         }
     }
     return tasks;
@@ -188,11 +192,9 @@ std::vector<Task> parse_accounting(const FarmJob& job, const std::string& lines)
         const std::vector<std::string> parts = split(line, '|');
         const Stage* stage = parts.size() == 5 ? stage_named(job, parts[4]) : nullptr;
         if (stage != nullptr) {
-            const std::vector<std::string> code = split(parts[2], ':');
             tasks.push_back({number_in(parts[0]), stage,
                              parts[3] == "None assigned" ? "" : parts[3],
-                             state_of(parts[1], number_in(parts[2]),
-                                      code.size() == 2 ? number_in(code[1]) : 0)});
+                             state_of(parts[1], parts[2])});
         }
     }
     return tasks;
@@ -227,6 +229,26 @@ std::string problem_of_option(const std::string& option) {
     return "";
 }
 
+namespace {
+
+/// Where the job wants to run, and how soon.
+void add_wishes(std::vector<std::string>& words, const FarmJob& job, const Round& round) {
+    if (!job.partition.empty()) {
+        words.push_back("--partition=" + job.partition);
+    }
+    if (!job.account.empty()) {
+        words.push_back("--account=" + job.account);
+    }
+    if (job.priority != 0) {
+        words.push_back(fmt::format("--nice={}", -job.priority));
+    }
+    if (const std::vector<std::string> nodes = excluded_nodes(round); !nodes.empty()) {
+        words.push_back("--exclude=" + join(nodes, ","));
+    }
+}
+
+}  // namespace
+
 std::vector<std::string> submission(const FarmJob& job, const Round& round, const Stage& stage,
                                     const Begin& begin) {
     std::vector<std::string> words{"sbatch",
@@ -248,18 +270,7 @@ std::vector<std::string> submission(const FarmJob& job, const Round& round, cons
     } else {
         words.push_back("--output=" + logs + "-%j.log");
     }
-    if (!job.partition.empty()) {
-        words.push_back("--partition=" + job.partition);
-    }
-    if (!job.account.empty()) {
-        words.push_back("--account=" + job.account);
-    }
-    if (job.priority != 0) {
-        words.push_back(fmt::format("--nice={}", -job.priority));
-    }
-    if (const std::vector<std::string> nodes = excluded_nodes(round); !nodes.empty()) {
-        words.push_back("--exclude=" + join(nodes, ","));
-    }
+    add_wishes(words, job, round);
     std::string after;
     for (const std::int64_t number : begin.after) {
         after += (after.empty() ? "--dependency=afterany:" : ":") + std::to_string(number);

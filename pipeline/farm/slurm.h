@@ -29,11 +29,11 @@ class Slurm : public Engine {
 /// What is wrong with an option for sbatch that the user gives; empty: nothing.
 [[nodiscard]] std::string problem_of_option(const std::string& option);
 
-/// The tasks that Slurm tells of in lines "JOB|STATE|WAIT_STATUS|NODE|NAME|COMMENT" (squeue).
+/// The tasks that Slurm tells of in lines "JOB|STATE|EXIT|NODE|NAME|COMMENT" (squeue).
 /// Others than the job's are left out.
 [[nodiscard]] std::vector<Task> parse_queue(const FarmJob& job, const std::string& lines);
 
-/// Those in lines "JOB_TASK|STATE|CODE:SIGNAL|NODE|NAME" (sacct), which asks for the job's alone.
+/// Those in lines "JOB_TASK|STATE|EXIT|NODE|NAME" (sacct), which asks for the job's alone.
 [[nodiscard]] std::vector<Task> parse_accounting(const FarmJob& job, const std::string& lines);
 
 /// What a partition gives a task at most; 0: any number.
