@@ -99,6 +99,7 @@ void copy_between_caches(const CacheCommand& command, const std::optional<std::s
     const pipeline::JobObserver observer = make_console_observer(context.console);
     WorkContext work;
     work.stop = context.stop;
+    options.on_wait = observer.on_warning;
     work.progress = [&observer](double fraction) { observer.on_progress("copy", fraction); };
     TransferResult result;
     for (const std::string& place : places) {

@@ -121,6 +121,7 @@ struct FarmCommand {
     bool dry_run = false;
     bool wait = false;
     bool is_shared = false;
+    std::string group;  // submit: with which the store is shared; empty: as it is
     bool json = false;  // status
     std::string sheet;  // status: a picture of the film so far
     int lines = 20;     // logs

@@ -7,7 +7,6 @@
 #include <random>
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include "pipeline/store/claim_note.h"
 
@@ -41,8 +40,8 @@ std::optional<std::int64_t> number_in(const std::string& text) {
 
 OwnTask own_task(const ReadVariable& read) {
     OwnTask task;
-    std::random_device random;
-    task.number = random() % 1000;  // so that those without a number begin at different frames
+    task.number =
+        std::random_device()() % 1000;  // so that those without a number begin at different frames
     for (const Variable& variable : kVariables) {
         const std::optional<std::int64_t> number = number_in(read(variable.name));
         if (number && *number >= variable.first) {
@@ -51,10 +50,8 @@ OwnTask own_task(const ReadVariable& read) {
         }
     }
     const std::string array = read("SLURM_ARRAY_JOB_ID");
-    // Two containers may have one host name and one process number.
-    task.name = array.empty()
-                    ? fmt::format("{}{}-{:08x}", pipeline::host_prefix(), ::getpid(), random())
-                    : fmt::format("{}_{}", array, task.number);
+    task.name = array.empty() ? pipeline::host_prefix() + pipeline::new_claim_process()
+                              : fmt::format("{}_{}", array, task.number);
     const std::string node = read("SLURMD_NODENAME");
     task.host = node.empty() ? pipeline::this_host() : node;
     task.may_be_run_again = !read("SLURM_JOB_ID").empty();

@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "pipeline/job/cached_renderer.h"
 #include "pipeline/job/job_frames.h"
+#include "pipeline/store/wait_notice.h"
 
 namespace carom::pipeline {
 namespace {
@@ -60,9 +61,10 @@ struct Film {
 class Worker {
   public:
     Worker(const std::vector<WorkerFilm>& films, const WorkerOptions& options,
-           const FrameStore& store, const std::function<void(const WorkerState&)>& on_state,
-           const std::stop_token& stop)
+           const FrameStore& store, ThreadSafeObserver& observer,
+           const std::function<void(const WorkerState&)>& on_state, const std::stop_token& stop)
         : store_(store),
+          observer_(observer),
           end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(options.budget)),
           on_state_(on_state) {
         for (const WorkerFilm& film : films) {
@@ -82,6 +84,7 @@ class Worker {
             }
             if (!is_any && Clock::now() < end_) {
                 tell(-1, 0);
+                tell_whom();
                 wait(kPollInterval, stop);
             }
             if (stop.stop_requested()) {
@@ -117,6 +120,19 @@ class Worker {
         return is_any;
     }
 
+    /// Says for whom the worker waits, if it has for long.
+    void tell_whom() {
+        const auto waited = wait_.due();
+        const auto film =
+            std::ranges::find_if(films_, [](const auto& one) { return !one->waiting.empty(); });
+        if (waited && film != films_.end()) {
+            const FilmPlan::Picture& picture = (*film)->plan.pictures[(*film)->waiting.front()];
+            observer_.warning(
+                renderer_for(**film).waiting_text(picture, picture.frame + (*film)->given.shift,
+                                                  (*film)->waiting.size() - 1, *waited));
+        }
+    }
+
     /// One film at a time has its scene in memory.
     CachedRenderer& renderer_for(const Film& film) {
         if (prepared_ != &film) {
@@ -145,6 +161,7 @@ class Worker {
         if (result.origin == RenderOrigin::claimed_elsewhere) {
             return false;
         }
+        wait_.end();
         ++state_.finished;
         if (result.origin == RenderOrigin::rendered) {
             ++state_.rendered;
@@ -166,6 +183,8 @@ class Worker {
     }
 
     const FrameStore& store_;
+    ThreadSafeObserver& observer_;
+    WaitNotice wait_;  // for frames of others
     Clock::time_point end_;
     const std::function<void(const WorkerState&)>& on_state_;
     std::vector<std::unique_ptr<Film>> films_;
@@ -205,7 +224,7 @@ WorkerResult work_on_films(const std::vector<WorkerFilm>& films, const WorkerOpt
     ThreadSafeObserver safe_observer(observer);
     DamageReport damages(safe_observer);
     const FrameStore store = open_store(films.front().options, damages);
-    return Worker(films, worker, store, on_state, stop).run(stop);
+    return Worker(films, worker, store, safe_observer, on_state, stop).run(stop);
 }
 
 WorkerResult work_on_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,

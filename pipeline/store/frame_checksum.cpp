@@ -94,11 +94,11 @@ void write_with_checksum(const std::string& path, std::span<const std::byte> con
 
 namespace {
 
-/// Nothing if the file does not exist.
+/// Nothing if the file does not exist, or is another user's and not for this one.
 std::optional<std::vector<std::byte>> read_if_exists(const std::string& path) {
     const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (!file.is_open()) {
-        if (errno == ENOENT || errno == ENOTDIR) {
+        if (errno == ENOENT || errno == ENOTDIR || errno == EACCES) {
             return std::nullopt;
         }
         throw Error(system_problem(path, "the frame cannot be read"));

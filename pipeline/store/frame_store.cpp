@@ -55,7 +55,7 @@ std::string FrameStore::file_of(const Hash128& key, const char* extension) const
 }
 
 bool FrameStore::contains(const Hash128& key) const {
-    return ::access(path_of(key).c_str(), F_OK) == 0;
+    return ::access(path_of(key).c_str(), R_OK) == 0;
 }
 
 std::uint64_t FrameStore::size_bytes(const Hash128& key) const {

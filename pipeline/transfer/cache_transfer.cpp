@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "core/error.h"
+#include "core/group_folder.h"
 #include "pipeline/store/cache_maintenance.h"
 #include "pipeline/store/file_descriptor.h"
 #include "pipeline/store/incoming.h"
@@ -179,7 +180,9 @@ class Arrivals {
         } else {
             const pipeline::FileDescriptor opened(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
             (void)::fsync(opened.get());
-            pipeline::create_folder(fs::path(place).parent_path().string());
+            const std::string folder = fs::path(place).parent_path().string();
+            pipeline::create_folder(folder);
+            share_file(opened.get(), folder);
             if (::rename(path.c_str(), place.c_str()) != 0) {
                 throw Error(pipeline::system_problem(place, "the file cannot be moved here"));
             }
@@ -226,7 +229,8 @@ void copy_here(const TransferOptions& options, const std::string& place, Selecti
 /// A pin that reserves room for the files.
 void require_room(const TransferOptions& options, const pipeline::Pin& pin, std::uint64_t removable,
                   const std::stop_token& stop) {
-    const pipeline::RoomRequest request{options.cache_folder, pin.name(), removable, 1, {}};
+    const pipeline::RoomRequest request{options.cache_folder, pin.name(), removable, 1, {},
+                                        options.on_wait};
     pipeline::reserve_room(
         request, [] {}, stop);
 }

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -19,6 +20,7 @@ struct TransferOptions {
     std::optional<std::set<Hash128>> keys{};  // only frames and bakes with these; empty: all
     bool dry_run = false;                     // nothing is copied, only counted
     std::uint64_t cache_limit = 0;            // pull: bytes; older files are removed beyond it
+    std::function<void(const std::string&)> on_wait{};  // pull: that of RoomRequest
 };
 
 struct TransferResult {

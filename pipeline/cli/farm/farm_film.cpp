@@ -230,12 +230,14 @@ farm::Progress FarmFrames::progress() const {
     return {std::ssize(missing), samples};
 }
 
-void FarmFrames::pin(const FarmJob& job, const FarmFilm& film, const std::stop_token& stop) const {
+void FarmFrames::pin(const FarmJob& job, const FarmFilm& film, const std::stop_token& stop,
+                     const std::function<void(const std::string&)>& on_wait) const {
     pipeline::JobPin pin{pin_of(job), "", static_cast<std::uint64_t>(job.frame_bytes)};
     if (!job.is_portable) {  // else the store is in the job's folder
         pin.folder = fs::path(job.folder).lexically_relative(job.store).string();
     }
-    const pipeline::RoomRequest request{job.store, pipeline::job_pin_name(pin.job)};
+    pipeline::RoomRequest request{job.store, pipeline::job_pin_name(pin.job)};
+    request.on_wait = on_wait;
     std::set<Hash128> keys;
     const std::vector<pipeline::WorkerFilm> shots = film.shots();
     for (std::size_t i = 0; i < shots.size(); ++i) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <set>
 #include <string>
 #include <variant>
@@ -75,7 +76,9 @@ class FarmFrames {
     /// Protects the frames and the bake from being pruned until unpin(), and reserves room for
     /// those that are missing. Throws NoRoom, and protects nothing then, if other jobs have
     /// reserved too much of what is left. Throws Error, Stopped.
-    void pin(const farm::FarmJob& job, const FarmFilm& film, const std::stop_token& stop) const;
+    /// `on_wait`: that of pipeline::RoomRequest.
+    void pin(const farm::FarmJob& job, const FarmFilm& film, const std::stop_token& stop,
+             const std::function<void(const std::string&)>& on_wait = {}) const;
     static void unpin(const farm::FarmJob& job);
     /// Ends the reservation of a job that has failed. Its frames stay protected.
     static void forget_reservation(const farm::FarmJob& job);

@@ -1,10 +1,12 @@
 #include <filesystem>
+#include <functional>
 #include <system_error>
 
 #include <fmt/core.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/group_folder.h"
 #include "pipeline/cli/farm/farm_actions.h"
 #include "pipeline/cli/farm/farm_film.h"
 #include "pipeline/cli/farm/farm_plan.h"
@@ -12,6 +14,7 @@
 #include "pipeline/farm/scripts.h"
 #include "pipeline/farm/shell_text.h"
 #include "pipeline/farm/slurm.h"
+#include "pipeline/store/group_store.h"
 
 namespace carom::cli {
 namespace {
@@ -58,6 +61,10 @@ void let_others_read() {
     ::umask(::umask(0) & ~kOthersReading);
 }
 
+std::function<void(const std::string&)> waits_told_to(CommandContext& context) {
+    return [&context](const std::string& message) { context.console.warning(message); };
+}
+
 void tell_how_to_look(const FarmJob& job, CommandContext& context) {
     context.console.info("look with: carom farm status " + command_text({job.folder}));
 }
@@ -83,22 +90,27 @@ Round submit_now(const FarmJob& job, Round round, const std::vector<std::int64_t
 }
 
 void farm_submit(const FarmCommand& command, CommandContext& context) {
-    if (command.is_shared) {
+    const std::string store = store_of(command);
+    if (!command.group.empty() && !command.dry_run) {
+        pipeline::give_to_group(store, command.group);
+    }
+    const bool is_shared = command.is_shared || is_group_folder(store);
+    if (is_shared) {
         let_others_read();
     }
-    farm::make_store(store_of(command), !command.is_shared);
+    farm::make_store(store, !is_shared);
     PlannedFarm planned = plan_farm(command, context);
     FarmJob& job = planned.job;
     if (command.dry_run) {
         return print_submissions(job);
     }
-    job.folder = farm::make_job_folder(job.store, job.film, !command.is_shared);
+    job.folder = farm::make_job_folder(job.store, job.film, !is_shared);
     try {
         write_folder(planned);
         farm::write_scripts(job, own_program());
         const FarmFilm film = read_film(job, context);
         const FarmFrames frames(film, context.stop);
-        frames.pin(job, film, context.stop);
+        frames.pin(job, film, context.stop, waits_told_to(context));
         Round round;
         round.begin = frames.progress();
         print_job(job, submit_now(job, round));
@@ -137,7 +149,7 @@ void farm_resume(const FarmCommand& command, CommandContext& context) {
     }
     const FarmFilm film = read_film(job, context);
     const FarmFrames frames(film, context.stop);
-    frames.pin(job, film, context.stop);
+    frames.pin(job, film, context.stop, waits_told_to(context));
     round.begin = frames.progress();
     print_job(job, submit_now(job, round));
     tell_how_to_look(job, context);

@@ -88,6 +88,9 @@ void describe_submit(CommandDescription& description, FarmCommand& farm) {
     add_cluster(submit, farm);
     submit.flag("--shared", farm.is_shared,
                 "Others may read the job's folder; without it only its owner may.");
+    submit.option("--group", &farm.group, "GROUP",
+                  "Share the store with this group of users, now and from now on: its members may "
+                  "use and replace all frames and bakes, and read the folders of jobs.");
     submit.flag("--dry-run", farm.dry_run, "Only print what would be submitted.");
     submit.flag("--wait", farm.wait, "Show the progress until the film is there.");
     submit.examples = {{"carom farm submit break.yaml -o break.mp4 --partition short --wait",
