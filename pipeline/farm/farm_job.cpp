@@ -188,6 +188,7 @@ void make_store(const std::string& store, bool is_private) {
 std::string make_job_folder(const std::string& store, const std::string& film, bool is_private) {
     const std::string farm = farm_folder(store);
     pipeline::create_folder(farm);
+    keep_entries_of_owners(store);
     keep_entries_of_owners(farm);
     const Hash128 hash = hash_bytes(std::as_bytes(std::span(film)));
     const std::string name = name_of_film(film) + "-" + hash.to_string().substr(0, 6);

@@ -189,7 +189,7 @@ std::string Claims::holder(const std::string& name) {
     const std::lock_guard lock(mutex_);
     const auto seen = seen_.find(file);
     const bool is_same = seen != seen_.end() && seen->second.note == *last.note;
-    const auto silent = is_same ? now - seen->second.since : now - now;
+    const auto silent = now - (is_same ? seen->second.since : now);
     return fmt::format("{}; its last sign of life came {} s ago", text,
                        std::chrono::floor<std::chrono::seconds>(silent).count());
 }

@@ -84,7 +84,7 @@ void give_to_group(const std::string& store, const std::string& group) {
     const struct stat status = status_of(folder);
     const bool is_given = is_group_folder(store) && status.st_gid == number;
     if (!is_given || status.st_uid == ::geteuid()) {
-        give(folder, 02775, number, store);
+        give(folder, 03775, number, store);
     }
     give_content(folder, number, store, "farm");
 }

@@ -135,11 +135,13 @@ TEST(FarmJob, StoreThatExists_KeepsItsMode) {
     EXPECT_EQ(mode_of(folder.path()), 0750U);
 }
 
-TEST(FarmJob, FolderOfJobsThatOthersMayWrite_LetsNobodyReplaceAnothersJob) {
+TEST(FarmJob, FoldersThatOthersMayWrite_LetNobodyReplaceAnothersJob) {
     const Umask everybody(0);
     const ScratchFolder store;
+    std::filesystem::permissions(store.path(), std::filesystem::perms(0777));
     (void)make_job_folder(store.path(), "/film.mp4", true);
     EXPECT_EQ(mode_of(store.path("farm")), 01777U);
+    EXPECT_EQ(mode_of(store.path()), 01777U) << "or another folder farm could be put there";
 }
 
 TEST(FarmJob, Records_AreReadAgain) {

@@ -87,6 +87,7 @@ TEST(GroupStore, WhateverTheMask_AllInItIsTheGroups) {
     const Mask mask(077);
     give_to_group(store, own_group());
     EXPECT_TRUE(is_group_folder(store));
+    EXPECT_EQ(mode_of(store), 03775U) << "nobody may replace the folders of others";
     use(store, [&] { EXPECT_THAT(wrong_modes(store), ::testing::IsEmpty()); });
 }
 
