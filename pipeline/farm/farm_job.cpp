@@ -145,8 +145,19 @@ FarmJob read_job(const std::string& folder) {
 }
 
 bool is_job_folder(const std::string& folder) {
-    std::error_code ignored;
-    return fs::exists(folder + "/job.json", ignored);
+    std::error_code failure;
+    return fs::exists(folder + "/job.json", failure) || failure == std::errc::permission_denied;
+}
+
+std::string job_id(const std::string& folder) {
+    constexpr std::size_t kHash = 6;  // digits, as make_job_folder takes them
+    const std::string name = fs::path(folder).filename().string();
+    const std::size_t dash = name.rfind('-');
+    const bool is_usual = dash != std::string::npos && dash > kHash + 1 && dash + 1 < name.size() &&
+                          name[dash - kHash - 1] == '-' &&
+                          name.find_first_not_of("0123456789", dash + 1) == std::string::npos &&
+                          name.find_first_not_of("0123456789abcdef", dash - kHash) == dash;
+    return is_usual ? name.substr(dash - kHash) : name;
 }
 
 std::string bake_path(const FarmJob& job) {
@@ -164,10 +175,12 @@ std::string part_folder_name(std::size_t part) {
 std::vector<std::string> job_folders(const std::string& store) {
     std::vector<std::pair<fs::file_time_type, std::string>> found;
     std::error_code ignored;
-    for (const fs::directory_entry& entry : fs::directory_iterator(farm_folder(store), ignored)) {
-        if (is_job_folder(entry.path().string())) {
-            found.emplace_back(fs::last_write_time(entry.path() / "job.json", ignored),
-                               entry.path().string());
+    for (fs::directory_iterator entry(farm_folder(store), ignored), end; !ignored && entry != end;
+         entry.increment(ignored)) {
+        const fs::path folder = entry->path();
+        std::error_code unknown;
+        if (is_job_folder(folder.string())) {
+            found.emplace_back(fs::last_write_time(folder / "job.json", unknown), folder.string());
         }
     }
     std::sort(found.begin(), found.end(), std::greater<>());
@@ -205,7 +218,7 @@ std::string make_job_folder(const std::string& store, const std::string& film, b
 
 void write_end(const FarmJob& job, const JobEnd& end) {
     JsonMembers members;
-    members.add("state", end.state).add("message", end.message);
+    members.add("state", end.state).add("message", end.message).add("frames", end.frames);
     write_record(job.folder + "/end.json", members);
 }
 
@@ -216,7 +229,8 @@ void remove_end(const FarmJob& job) {
 
 std::optional<JobEnd> read_end(const FarmJob& job) {
     const std::optional<Record> record = Record::read(job.folder + "/end.json");
-    return record ? std::optional(JobEnd{record->text("state"), record->text("message")})
+    return record ? std::optional(JobEnd{record->text("state"), record->text("message"),
+                                         record->integer("frames")})
                   : std::nullopt;
 }
 

@@ -3,11 +3,12 @@
 //   FOLDER/NAME.bake     the motion, with the shot's text; NAME is the shot's, which films tell
 //   FOLDER/NAME.yaml     of a film of several shots instead, with FOLDER/part-1/SHOT.bake and so on
 //   FOLDER/spare/        copies of these, in case that they are damaged
-//   FOLDER/workers/      what each worker does now
+//   FOLDER/workers/      what each worker does now, and its frames (frame_record.h)
 //   FOLDER/logs/         what the tasks print
 //   FOLDER/locks/        the claim on writing the film
-//   FOLDER/round.json    the numbers of the tasks in the engine's queue, and what was learned
-//   (round.h) FOLDER/end.json      how the job ended
+//   FOLDER/round.json    numbers of the tasks in the queue, and what was learned (round.h)
+//   FOLDER/wishes.json   which frames come first, again or not at all (wishes.h)
+//   FOLDER/end.json      how the job ended
 #pragma once
 
 #include <cstdint>
@@ -53,7 +54,12 @@ void write_job(const FarmJob& job);
 /// Reads the job of a folder. Throws Error that names the file and what is wrong with it.
 [[nodiscard]] FarmJob read_job(const std::string& folder);
 
+/// Also of a folder that may not be looked into: read_job says so then.
 [[nodiscard]] bool is_job_folder(const std::string& folder);
+
+/// The end of the folder's name that tells the jobs of a store apart: "1f3a5b-2"; of a folder with
+/// another kind of name all of it.
+[[nodiscard]] std::string job_id(const std::string& folder);
 
 [[nodiscard]] std::string bake_path(const FarmJob& job);
 /// Of a film of several shots: the film's file, and the folder beside it that has the bake of a
@@ -78,6 +84,7 @@ void make_store(const std::string& store, bool is_private);
 struct JobEnd {
     std::string state;  // "complete", "stopped", "failed"
     std::string message;
+    std::int64_t frames = 0;  // of the film; 0: not known
 };
 void write_end(const FarmJob& job, const JobEnd& end);
 void remove_end(const FarmJob& job);

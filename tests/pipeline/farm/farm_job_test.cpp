@@ -56,6 +56,17 @@ TEST(FarmJob, File_IsReadAgainWithEveryField) {
     EXPECT_EQ(read_job(folder.path()), job);
 }
 
+TEST(FarmJob, Id_IsTheEndOfTheFoldersName) {
+    const ScratchFolder folder;
+    const std::string made = make_job_folder(folder.path(), "/films/break-3.mp4", true);
+    EXPECT_TRUE(made.ends_with("/break-3-" + job_id(made))) << made;
+    EXPECT_TRUE(job_id(made).ends_with("-1"));
+    EXPECT_EQ(job_id("/store/farm/zzz-1"), "zzz-1");
+    EXPECT_EQ(job_id("/store/farm/a-12345g-1"), "a-12345g-1");
+    EXPECT_EQ(job_id("/store/farm/a-123456-1x"), "a-123456-1x");
+    EXPECT_EQ(job_id("/store/farm/-123456-1"), "-123456-1");
+}
+
 TEST(FarmJob, PortableJob_IsWhereItsFolderIs) {
     const ScratchFolder folder;
     FarmJob job = make_job(folder.path());
@@ -85,6 +96,11 @@ TEST(FarmJob, OtherFolders_AreErrorsThatSayWhy) {
     EXPECT_THAT(problem(), HasSubstr("is no JSON object"));
     write_text(folder.path("job.json"), "{\"carom_farm_job\": 3, \"workers\": \"many\"}");
     EXPECT_THAT(problem(), HasSubstr("'workers' is no number: many"));
+    write_text(folder.path("job.json"), "{\"carom_farm_job\": 2, \"workers\": [[1]]}");
+    EXPECT_THAT(problem(), HasSubstr("'workers' is neither a text nor a number"));
+    std::filesystem::remove(folder.path("job.json"));
+    ASSERT_EQ(::mkfifo(folder.path("job.json").c_str(), 0600), 0);  // reading it would never end
+    EXPECT_THAT(problem(), HasSubstr("/job.json' is no record"));
 }
 
 TEST(FarmJob, Folders_AreNamedAfterTheFilmWithSimpleCharacters) {
