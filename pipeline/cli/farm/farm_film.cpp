@@ -6,6 +6,7 @@
 #include <iterator>
 #include <optional>
 
+#include "core/text.h"
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/farm/spare_files.h"
 #include "pipeline/cli/film_input.h"
@@ -35,8 +36,8 @@ std::string pin_of(const FarmJob& job) {
     return fs::path(job.folder).filename().string();
 }
 
-bool is_named(const FarmJob& job, const std::string& name, const std::string& film) {
-    if (job.film == film) {
+bool is_named(const FarmJob& job, const std::string& name) {
+    if (job.film == absolute_path(name)) {
         return true;
     }
     const std::optional<std::int64_t> number = number_of(name);
@@ -59,15 +60,27 @@ FarmJob find_job(const FarmCommand& command) {
         return farm::read_job(command.job);
     }
     const std::string store = store_of(command);
+    std::uint64_t unreadable = 0;
     for (const std::string& folder : farm::job_folders(store)) {
-        FarmJob job = farm::read_job(folder);
-        if (is_named(job, command.job, absolute_path(command.job))) {
-            return job;
+        if (farm::job_id(folder) == command.job) {
+            return farm::read_job(folder);
+        }
+        try {
+            FarmJob job = farm::read_job(folder);
+            if (is_named(job, command.job)) {
+                return job;
+            }
+        } catch (const Error&) {
+            ++unreadable;
         }
     }
-    throw InputError("the store '" + store + "' has no job '" + command.job +
-                     "'; name its film, its folder or one of its numbers in the queue, and the "
-                     "store with --store");
+    throw InputError(
+        "the store '" + store + "' has no job '" + command.job +
+        "'; name its film, its folder, its id from 'carom farm list' or one of its numbers in "
+        "the queue, and the store with --store" +
+        (unreadable > 0
+             ? "; 'carom farm list' says why " + counted(unreadable, "job") + " cannot be read"
+             : ""));
 }
 
 std::vector<std::int64_t> FarmFilm::frames() const {
@@ -178,46 +191,52 @@ std::int64_t FarmFrames::pictures() const {
     return std::ssize(keys);
 }
 
-void FarmFrames::look(const Part& part, std::set<Hash128>& pictures,
-                      std::set<std::int64_t>& missing) const {
-    const pipeline::FilmPlan& plan = part.plan;
-    const pipeline::FrameStore store(folder_);
-    std::vector<bool> is_stored;
-    for (const pipeline::FilmPlan::Picture& picture : plan.pictures) {
-        is_stored.push_back(store.contains(picture.key));
-        if (is_stored.back()) {
-            pictures.insert(picture.key);
+FarmFrames::Found FarmFrames::look(const std::set<std::int64_t>& skipped) const {
+    const pipeline::FrameStore store(folder_, {}, {}, pipeline::StoreAccess::only_read);
+    Found found;
+    for (const auto& [plan, shift, samples] : parts_) {
+        std::vector<bool> is_stored;
+        for (const pipeline::FilmPlan::Picture& picture : plan.pictures) {
+            is_stored.push_back(store.contains(picture.key));
+            if (is_stored.back()) {
+                found.pictures.insert(picture.key);
+            }
+        }
+        for (std::size_t i = 0; i < plan.frames.size(); ++i) {
+            const std::int64_t frame = plan.frames[i] + shift;
+            const auto need = [&](std::size_t picture) {
+                if (!is_stored[picture]) {
+                    found.missing.insert(frame);
+                    if (!skipped.contains(frame)) {
+                        found.awaited.insert(plan.pictures[picture].key);
+                    }
+                }
+            };
+            need(plan.picture_of[i]);
+            if (const pipeline::FilmPlan::Blend* blend = plan.blend_of(i)) {
+                need(blend->picture);
+            }
         }
     }
-    for (std::size_t i = 0; i < plan.frames.size(); ++i) {
-        const pipeline::FilmPlan::Blend* blend = plan.blend_of(i);
-        if (!is_stored[plan.picture_of[i]] || (blend != nullptr && !is_stored[blend->picture])) {
-            missing.insert(plan.frames[i] + part.shift);
-        }
-    }
+    return found;
 }
 
-FarmFrames::Stored FarmFrames::stored() const {
-    std::set<std::int64_t> missing;
-    std::set<Hash128> pictures;
-    for (const Part& part : parts_) {
-        look(part, pictures, missing);
-    }
+FarmFrames::Stored FarmFrames::stored(const std::set<std::int64_t>& skipped) const {
+    const Found found = look(skipped);
     Stored stored;
-    std::ranges::set_difference(frames_, missing, std::back_inserter(stored.frames));
-    stored.pictures = std::ssize(pictures);
+    std::ranges::set_difference(frames_, found.missing, std::back_inserter(stored.frames));
+    stored.pictures = std::ssize(found.pictures);
+    stored.awaited = std::ssize(found.awaited);
     return stored;
 }
 
 farm::Progress FarmFrames::progress() const {
-    std::set<std::int64_t> missing;
-    std::set<Hash128> stored;
+    const Found found = look({});
     std::int64_t samples = 0;
     const pipeline::FrameStore store(folder_, {}, {}, pipeline::StoreAccess::only_read);
     for (const Part& part : parts_) {
-        look(part, stored, missing);
         for (const pipeline::FilmPlan::Picture& picture : part.plan.pictures) {
-            if (stored.contains(picture.key)) {
+            if (found.pictures.contains(picture.key)) {
                 continue;
             }
             // A picture that is to be denoised has all its samples.
@@ -227,7 +246,7 @@ farm::Progress FarmFrames::progress() const {
                     : static_cast<std::int64_t>(pipeline::stored_samples(store, picture.noisy_key));
         }
     }
-    return {std::ssize(missing), samples};
+    return {std::ssize(found.missing), samples};
 }
 
 void FarmFrames::pin(const FarmJob& job, const FarmFilm& film, const std::stop_token& stop,

@@ -28,7 +28,8 @@ namespace carom::cli {
 /// The store that the command names, absolute.
 [[nodiscard]] std::string store_of(const FarmCommand& command);
 
-/// The job that the command names. Throws InputError if there is none.
+/// The job that the command names. Other jobs of the store that cannot be read do not matter.
+/// Throws InputError if there is none, Error if it cannot be read.
 [[nodiscard]] farm::FarmJob find_job(const FarmCommand& command);
 
 /// What a job films, and the options with which its frames are rendered and encoded.
@@ -66,9 +67,10 @@ class FarmFrames {
     struct Stored {
         std::vector<std::int64_t> frames;  // ascending
         std::int64_t pictures = 0;         // frames that show the same share one
+        std::int64_t awaited = 0;          // pictures that are missing of frames that are wanted
     };
-    /// What is stored of the job.
-    [[nodiscard]] Stored stored() const;
+    /// What is stored of the job. `skipped`: frames that are not wanted.
+    [[nodiscard]] Stored stored(const std::set<std::int64_t>& skipped = {}) const;
     /// The missing frames, and the samples of these that are kept.
     [[nodiscard]] farm::Progress progress() const;
     [[nodiscard]] std::int64_t count() const { return std::ssize(frames_); }
@@ -86,15 +88,24 @@ class FarmFrames {
     /// Removes all claims on the frames, which are there for everybody.
     void forget_claims() const;
 
-  private:
+    /// The plan of a shot of the film.
     struct Part {
         pipeline::FilmPlan plan;
         std::int64_t shift = 0;    // from its frames to those of the job
         std::int64_t samples = 0;  // of a picture, at most
     };
-    /// Adds the pictures of a part that are stored, and its frames that are not, in the numbers of
-    /// the job.
-    void look(const Part& part, std::set<Hash128>& pictures, std::set<std::int64_t>& missing) const;
+    [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
+    /// Their numbers, ascending.
+    [[nodiscard]] const std::vector<std::int64_t>& numbers() const { return frames_; }
+
+  private:
+    struct Found {
+        std::set<Hash128> pictures;      // that are stored
+        std::set<Hash128> awaited;       // that are not, of frames that are wanted
+        std::set<std::int64_t> missing;  // frames, in the numbers of the job
+    };
+    /// Looks for all pictures of the job.
+    [[nodiscard]] Found look(const std::set<std::int64_t>& skipped) const;
 
     std::string folder_;
     std::vector<std::int64_t> frames_;

@@ -12,6 +12,7 @@
 #include "core/text.h"
 #include "core/write_all.h"
 #include "pipeline/cli/farm/farm_actions.h"
+#include "pipeline/cli/farm/skipped_frames.h"
 #include "pipeline/cli/job_observer.h"
 #include "pipeline/farm/engine.h"
 #include "pipeline/farm/program.h"
@@ -47,13 +48,21 @@ void cancel_quietly(const FarmJob& job, Which which, CommandContext& context) {
     }
 }
 
-/// Writes the film. Returns the frames that are missing, and writes nothing then.
-std::vector<std::int64_t> write_film(const FarmJob& job, FarmFilm& film, CommandContext& context) {
+/// Writes the film. Returns the frames that are missing, and writes nothing then. `end`: what is to
+/// be noted if it was written.
+std::vector<std::int64_t> write_film(const FarmJob& job, FarmFilm& film, farm::JobEnd& end,
+                                     CommandContext& context) {
     film.options.output = job.film;
     std::vector<std::int64_t> missing =
         film.missing_frames(context.stop, pipeline::DamagedFrames::remove);
+    const std::vector<std::int64_t> skipped = take_skipped(job, missing);
     if (!missing.empty()) {
         return missing;
+    }
+    end = {"complete", skipped_text(skipped), std::ssize(film.frames())};
+    film.options.so_far = !skipped.empty();
+    if (!skipped.empty()) {
+        context.console.warning(end.message);
     }
     const pipeline::JobObserver observer =
         make_console_observer(context.console, std::ssize(film.frames()));
@@ -101,12 +110,13 @@ std::string run_after(const FarmJob& job, std::int64_t frames) {
 }
 
 /// Notes that the film is there.
-void end_well(const FarmJob& job, const FarmFilm& film, CommandContext& context) {
+void end_well(const FarmJob& job, farm::JobEnd end, CommandContext& context) {
     FarmFrames::unpin(job);
-    farm::write_end(job, {"complete", ""});
-    const std::string problem = run_after(job, std::ssize(film.frames()));
+    farm::write_end(job, end);
+    const std::string problem = run_after(job, end.frames);
     if (!problem.empty()) {
-        farm::write_end(job, {"complete", problem});
+        end.message += (end.message.empty() ? "" : "; ") + problem;
+        farm::write_end(job, end);
         context.console.warning(problem);
     }
 }
@@ -211,7 +221,8 @@ Attempt try_film(const FarmJob& job, CommandContext& context) {
         }
         const FarmFrames frames(film, context.stop);
         if (!is_complete(job)) {
-            const std::vector<std::int64_t> missing = write_film(job, film, context);
+            farm::JobEnd end;
+            const std::vector<std::int64_t> missing = write_film(job, film, end, context);
             attempt.progress = frames.progress();
             if (!missing.empty()) {
                 attempt.progress.missing = std::ssize(missing);
@@ -220,7 +231,7 @@ Attempt try_film(const FarmJob& job, CommandContext& context) {
                                 missing.size() == 1 ? "is" : "are", pipeline::frames_text(missing));
                 return attempt;
             }
-            end_well(job, film, context);
+            end_well(job, std::move(end), context);
         }
         frames.forget_claims();  // all workers have ended
         attempt.is_written = true;
@@ -243,10 +254,11 @@ bool complete_film(const FarmJob& job, FarmFilm& film, CommandContext& context) 
         if (!claim || is_complete(job)) {
             return true;
         }
-        if (!write_film(job, film, context).empty()) {
+        farm::JobEnd end;
+        if (!write_film(job, film, end, context).empty()) {
             return false;
         }
-        end_well(job, film, context);
+        end_well(job, std::move(end), context);
     } catch (const Stopped&) {
         throw;
     } catch (const InputError&) {

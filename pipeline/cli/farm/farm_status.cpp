@@ -13,9 +13,11 @@
 #include "core/text.h"
 #include "pipeline/cli/farm/farm_actions.h"
 #include "pipeline/cli/farm/farm_film.h"
+#include "pipeline/cli/farm/farm_state.h"
 #include "pipeline/cli/terminal/duration_text.h"
 #include "pipeline/cli/terminal/progress_text.h"
 #include "pipeline/farm/engine.h"
+#include "pipeline/farm/wishes.h"
 #include "pipeline/farm/worker_file.h"
 #include "pipeline/store/cache_maintenance.h"
 
@@ -28,23 +30,7 @@ using farm::FarmJob;
 constexpr std::chrono::milliseconds kPollInterval{500};
 constexpr int kColumns = 78;  // of the bar
 
-/// All that is known of a job.
-struct State {
-    std::string state;  // "waiting", "running", "complete", "stopped", "failed"
-    std::string message;
-    std::int64_t frames = 0;
-    std::vector<std::int64_t> finished;  // frames
-    std::int64_t pictures = 0;
-    std::int64_t finished_pictures = 0;
-    std::optional<double> left;  // seconds
-    std::int64_t twice = 0;
-    std::int64_t continued = 0;
-    farm::Round round;
-    std::vector<farm::WorkerNote> workers;
-};
-
-std::string state_in_queue(const FarmJob& job, std::string& message) {
-    const farm::Answer answer = farm::engine_of(job).ask(job);
+std::string state_in_queue(const farm::Answer& answer, std::string& message) {
     if (!answer.tasks) {
         message = answer.problem;
         return "running";
@@ -70,9 +56,9 @@ std::string problem_of_store(const FarmJob& job) {
                : std::string();
 }
 
-/// Until all pictures are there, if the workers that are in a frame go on as they did. Empty until
-/// they have done as much as one picture.
-std::optional<double> seconds_left(const FarmJob& job, const State& state) {
+/// Until all pictures are there that are wanted, if the workers that are in a frame go on as they
+/// did. Empty until they have done as much as one picture.
+std::optional<double> seconds_left(const FarmJob& job, const JobState& state) {
     double done = 0;  // pictures
     double rate = 0;  // of these, per second
     for (const farm::WorkerNote& worker : state.workers) {
@@ -83,11 +69,11 @@ std::optional<double> seconds_left(const FarmJob& job, const State& state) {
             rate += own / elapsed;
         }
     }
-    const auto missing = static_cast<double>(state.pictures - state.finished_pictures);
-    return done >= 1 ? std::optional(missing / rate) : std::nullopt;
+    const auto awaited = static_cast<double>(state.awaited_pictures);
+    return done >= 1 ? std::optional(awaited / rate) : std::nullopt;
 }
 
-ProgressSnapshot snapshot_of(const State& state) {
+ProgressSnapshot snapshot_of(const JobState& state) {
     ProgressSnapshot progress;
     progress.stage = "render";
     progress.frames_total = state.frames;
@@ -98,13 +84,17 @@ ProgressSnapshot snapshot_of(const State& state) {
     return progress;
 }
 
-State state_of(const FarmJob& job, const FarmFrames& frames) {
-    State state;
+}  // namespace
+
+JobState state_of(const FarmJob& job, const FarmFrames& frames,
+                  const std::optional<farm::Answer>& answer) {
+    JobState state;
     state.frames = frames.count();
     state.pictures = frames.pictures();
-    FarmFrames::Stored stored = frames.stored();
+    FarmFrames::Stored stored = frames.stored(farm::read_wishes(job).skipped);
     state.finished = std::move(stored.frames);
     state.finished_pictures = stored.pictures;
+    state.awaited_pictures = stored.awaited;
     state.round = farm::read_round(job).value_or(farm::Round{});
     state.workers = farm::read_workers(job);
     for (const farm::WorkerNote& worker : state.workers) {
@@ -116,7 +106,7 @@ State state_of(const FarmJob& job, const FarmFrames& frames) {
         state.message = end->message;
         return state;
     }
-    state.state = state_in_queue(job, state.message);
+    state.state = state_in_queue(answer ? *answer : farm::engine_of(job).ask(job), state.message);
     if (state.state == "running") {
         state.left = seconds_left(job, state);
     }
@@ -137,6 +127,8 @@ State state_of(const FarmJob& job, const FarmFrames& frames) {
     return state;
 }
 
+namespace {
+
 std::string worker_json(const farm::WorkerNote& worker) {
     JsonMembers members;
     members.add("name", worker.name)
@@ -152,7 +144,7 @@ std::string worker_json(const farm::WorkerNote& worker) {
     return members.object();
 }
 
-std::string json_of(const FarmJob& job, const State& state) {
+std::string json_of(const FarmJob& job, const JobState& state) {
     JsonMembers members;
     members.add("state", state.state)
         .add("message", state.message)
@@ -205,7 +197,7 @@ std::string round_text(const farm::Round& round) {
     return text;
 }
 
-std::string text_of(const FarmJob& job, const State& state) {
+std::string text_of(const FarmJob& job, const JobState& state) {
     std::string text = fmt::format("{}: {}, {} of {} frames", printable(job.film), state.state,
                                    state.finished.size(), state.frames);
     if (state.pictures != state.frames) {
@@ -256,7 +248,7 @@ void farm_status(const FarmCommand& command, CommandContext& context) {
     }
     const FarmFilm film = read_film(job, context);
     const FarmFrames frames(film, context.stop);
-    const State state = state_of(job, frames);
+    const JobState state = state_of(job, frames);
     print_text(command.json ? json_of(job, state) : text_of(job, state));
     if (!command.sheet.empty()) {
         write_sheet(film, state.finished, state.frames, command.sheet, context);
@@ -269,7 +261,7 @@ void wait_for_job(const FarmJob& job, CommandContext& context) {
     const auto begin = std::chrono::steady_clock::now();
     const std::int64_t found = std::ssize(frames.stored().frames);
     while (true) {
-        const State state = state_of(job, frames);
+        const JobState state = state_of(job, frames);
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
         ProgressSnapshot progress = snapshot_of(state);
         progress.frames_found = found;
@@ -293,8 +285,12 @@ void wait_for_job(const FarmJob& job, CommandContext& context) {
 
 void farm_logs(const FarmCommand& command, CommandContext&) {
     const FarmJob job = find_job(command);
+    if (command.frame) {
+        return print_frame_log(job, *command.frame);
+    }
     std::vector<fs::path> logs;
-    for (const fs::directory_entry& entry : fs::directory_iterator(job.folder + "/logs")) {
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(job.folder + "/logs", ignored)) {
         logs.push_back(entry.path());
     }
     std::sort(logs.begin(), logs.end());

@@ -7,6 +7,7 @@
 #include "pipeline/cli/farm/farm_actions.h"
 #include "pipeline/cli/farm/farm_film.h"
 #include "pipeline/cli/farm/farm_finish.h"
+#include "pipeline/cli/farm/frame_diary.h"
 #include "pipeline/cli/job_observer.h"
 #include "pipeline/farm/engine.h"
 #include "pipeline/farm/own_task.h"
@@ -68,6 +69,8 @@ class Note {
         write();
     }
 
+    [[nodiscard]] const std::string& name() const { return note_.name; }
+
   private:
     // The note is for people: a store that does not take it does not end the work.
     void write() {
@@ -105,6 +108,9 @@ pipeline::WorkerResult work(const FarmJob& job, const farm::OwnTask& task, Note&
     options.of = static_cast<std::size_t>(at_once);
     options.number = static_cast<std::size_t>(task.number % at_once);
     options.budget = std::chrono::duration<double>(job.budget);
+    FrameDiary diary(job, task.name, task.host, context.console);
+    options.wishes = [&] { return diary.wishes(); };
+    options.on_attempt = [&](const pipeline::FrameAttempt& attempt) { diary.add(attempt); };
     for (int attempt = 1;; ++attempt) {
         const pipeline::WorkerResult result = pipeline::work_on_films(
             film.shots(), options, make_console_observer(context.console),

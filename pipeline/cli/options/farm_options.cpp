@@ -1,9 +1,8 @@
 // The options of carom farm.
+#include "pipeline/cli/options/farm_action_options.h"
 #include "pipeline/cli/options/shared_options.h"
 
 namespace carom::cli {
-namespace {
-
 void add_store(CommandDescription& description, FarmCommand& farm) {
     description
         .option("--store", &farm.store, "DIR",
@@ -17,10 +16,14 @@ CommandDescription& add_action(CommandDescription& description, FarmCommand& far
                                const char* summary, FarmCommand::Action action) {
     CommandDescription& added = description.command(name, summary);
     added.chosen = [&farm, action] { farm.action = action; };
-    added.argument("JOB", farm.job, "The film, the job's folder or a number in the queue.");
+    added.argument(
+        "JOB", farm.job,
+        "The film, the job's folder, its id from 'carom farm list' or a number in the queue.");
     add_store(added, farm);
     return added;
 }
+
+namespace {
 
 /// What can be changed later.
 void add_changeable(CommandDescription& submit, FarmCommand& farm) {
@@ -138,6 +141,7 @@ void describe(FarmCommand& command, CommandDescription& description) {
         .offers(Offer::files, {"png", "jpg"});
     status.flag("--wait", command.wait, "Show the progress until the film is there.");
     status.examples = {{"carom farm status break.mp4", "The workers and their frames."}};
+    describe_wrangling(description, command);
     add_action(description, command, "cancel", "Stop a job; its frames are kept.", Action::cancel);
     CommandDescription& change = add_action(
         description, command, "change",
@@ -145,9 +149,13 @@ void describe(FarmCommand& command, CommandDescription& description) {
     change.details = {
         "Tasks that wait are submitted again with the change; those that run keep what they have."};
     add_changeable(change, command);
-    add_action(description, command, "logs", "Print the ends of a job's logs.", Action::logs)
-        .option("--lines", &command.lines, "N", "So many lines of each (default 20).")
+    CommandDescription& logs =
+        add_action(description, command, "logs", "Print the ends of a job's logs.", Action::logs);
+    logs.option("--lines", &command.lines, "N", "So many lines of each (default 20).")
         .between(1, 100000);
+    logs.option("--frame", &command.frame, "N",
+                "Print what was printed while this frame was rendered, at each attempt.")
+        .from(0);
     add_action(description, command, "resume", "Submit a job again that was stopped or has failed.",
                Action::resume);
     add_action(description, command, "work", "Be a worker of a job; its tasks do this.",

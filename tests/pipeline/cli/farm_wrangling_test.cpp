@@ -1,0 +1,212 @@
+// What people look at and want of the jobs of a farm, without a cluster.
+#include <chrono>
+#include <cstdlib>
+#include <regex>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+#include <sys/stat.h>
+
+#include "tests/pipeline/cli/end_to_end.h"
+
+namespace carom::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+/// A store with the job of a film of six frames.
+class FarmWrangling : public EndToEnd {
+  protected:
+    FarmWrangling() {
+        fs::create_directories(path("cache/farm"));
+        EXPECT_EQ(
+            run({"farm", "export", "tiny.yaml", "--format", "parallel", "-o", kJob}).exit_code, 0);
+    }
+
+    static constexpr const char* kJob = "cache/farm/tiny-1a2b3c-1";
+    static constexpr const char* kId = "1a2b3c-1";
+
+    [[nodiscard]] RunResult farm(std::vector<std::string> words) const {
+        words.insert(words.begin(), "farm");
+        return run(words);
+    }
+
+    /// What a subcommand prints as JSON.
+    [[nodiscard]] json data(std::vector<std::string> words) const {
+        words.emplace_back("--json");
+        const RunResult result = farm(words);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return json::parse(result.out);
+    }
+
+    /// Is a worker whose messages go to a log in the job's folder, as with Slurm.
+    void work() const {
+        const std::string line = "cd '" + path("") + "' && '" + carom_program() + "' farm work " +
+                                 kJob + " 2>>" + kJob + "/logs/frames-1.log";
+        ASSERT_EQ(std::system(line.c_str()), 0);
+    }
+
+    /// The note of a worker that is in a frame.
+    void note(const std::string& name, int frame) const {
+        write_text(path(std::string(kJob) + "/workers/" + name + ".json"),
+                   R"({"name": ")" + name + R"(", "host": "n1", "state": "working", "frame": )" +
+                       std::to_string(frame) + R"(, "fraction": 0.5})");
+    }
+
+    void put(const std::string& job, const std::string& text) const {
+        fs::create_directories(path("cache/farm/" + job));
+        write_text(path("cache/farm/" + job + "/job.json"), text);
+    }
+
+    [[nodiscard]] std::vector<std::string> states() const {
+        std::vector<std::string> states;
+        const json frames = data({"frames", kId});
+        for (const json& row : frames["rows"]) {
+            states.push_back(row["state"]);
+        }
+        return states;
+    }
+};
+
+TEST_F(FarmWrangling, BadJobs_AreListedAndHideNoOther) {
+    put("zzz-1", "{}");
+    put("yyy-1", R"({"carom_farm_job": 2, "name": "no bake", "film": "/films/lost.mp4"})");
+    fs::create_directories(path("cache/farm/xxx-1"));
+    ASSERT_EQ(::mkfifo(path("cache/farm/xxx-1/job.json").c_str(), 0600), 0);
+    put("a-very-long-name-of-somebody-s-folder-that-fills-the-line", "[1");
+
+    const RunResult list = farm({"list"});
+    EXPECT_EQ(list.exit_code, 0);
+    EXPECT_THAT(list.out, HasSubstr("tiny.mp4                          0/6            running\n"));
+    const std::string text = std::regex_replace(list.out, std::regex("\n  "), " ");
+    EXPECT_THAT(text, HasSubstr("/zzz-1/job.json' was written by another version of carom; submit "
+                                "the film again\n"));
+    EXPECT_THAT(text, HasSubstr("/xxx-1/job.json' is no record\n"));
+    EXPECT_THAT(list.out,
+                HasSubstr("\na-very-long-name-of-somebody-s-folder-that-fills-the-line\n"));
+    const json jobs = data({"list"})["jobs"];
+    EXPECT_EQ(jobs.size(), 5U);
+    std::size_t unreadable = 0;
+    for (const json& job : jobs) {
+        unreadable += job["state"] == "unreadable" ? 1 : 0;
+        EXPECT_NE(job["owner"], "");
+    }
+    EXPECT_EQ(unreadable, 4U);
+    EXPECT_EQ(data({"list", "--running"})["jobs"].size(), 1U);
+
+    for (const std::string& name : {std::string(kId), std::string(kJob) + "/tiny.mp4"}) {
+        EXPECT_THAT(farm({"status", name}).out, HasSubstr("0 of 6 frames"));
+        EXPECT_EQ(farm({"logs", name}).exit_code, 0);
+        EXPECT_THAT(farm({"frames", name, "--missing"}).out, HasSubstr("     5 missing\n"));
+    }
+    EXPECT_THAT(farm({"status", "zzz-1"}).err,
+                HasSubstr("was written by another version of carom"));
+    const RunResult unknown = farm({"status", "other.mp4"});
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_THAT(unknown.err, HasSubstr("has no job 'other.mp4'"));
+    EXPECT_THAT(unknown.err, HasSubstr("'carom farm list' says why 3 jobs cannot be read"));
+}
+
+TEST_F(FarmWrangling, List_FitsEightyColumns) {
+    fs::rename(path(kJob), path("cache/farm/tiny-1a2b3c-123"));
+    std::istringstream lines(farm({"list"}).out);
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_LE(line.size(), 80U) << line;
+    }
+    EXPECT_EQ(farm({"list", "--store", "nowhere"}).err,
+              "carom: the store '" + fs::path(path("nowhere")).lexically_normal().string() +
+                  "' has no job\n");
+}
+
+TEST_F(FarmWrangling, Frames_SayWhereAndHowLongAndAtWhatPrice) {
+    EXPECT_THAT(states(),
+                ElementsAre("missing", "missing", "missing", "missing", "missing", "missing"));
+    work();
+    const json frames = data({"frames", kId});
+    EXPECT_EQ(frames["finished"], 6);
+    ASSERT_EQ(frames["rows"].size(), 6U);
+    for (const json& row : frames["rows"]) {
+        EXPECT_EQ(row["state"], "done");
+        EXPECT_NE(row["node"], "");
+        EXPECT_GT(row["seconds"], 0);
+        EXPECT_GT(row["memory_bytes"], 1000000);
+        EXPECT_EQ(row["tries"], 1);
+        EXPECT_EQ(row["failures"], 0);
+        EXPECT_THAT(std::string(row["log"]), HasSubstr("/tiny-1a2b3c-1/logs/frames-1.log"));
+    }
+    ASSERT_EQ(frames["nodes"].size(), 1U);
+    EXPECT_EQ(frames["nodes"][0]["rendered"], 6);
+    EXPECT_THAT(data({"frames", kId, "--failed", "--missing"})["rows"], IsEmpty());
+
+    const RunResult log = farm({"logs", kId, "--frame", "4"});
+    EXPECT_THAT(log.out, HasSubstr("rendered by worker "));
+    EXPECT_THAT(log.out,
+                HasSubstr("/tiny-1a2b3c-1/logs/frames-1.log\n  carom: frame 4 rendered in"));
+    EXPECT_THAT(log.out, Not(HasSubstr("frame 2")));
+    EXPECT_EQ(farm({"logs", kId, "--frame", "9"}).err,
+              "carom: error: no worker has noted anything of frame 9\n");
+}
+
+TEST_F(FarmWrangling, FramesOfWorkers_AreRenderedOrFailedByTheAgeOfTheirNotes) {
+    note("1", 2);
+    note("2", 4);
+    const std::string old = path(std::string(kJob) + "/workers/2.json");
+    fs::last_write_time(old, fs::last_write_time(old) - std::chrono::minutes(10));
+    write_text(path(std::string(kJob) + "/workers/3.frames"),
+               "{\"carom_frame\": 1, \"end\": \"failed\", \"host\": \"n2\", \"frame\": 5, "
+               "\"problem\": \"no lamp \\u001b[2J\", \"ended\": 9, \"log\": \"../../secret\"}\n");
+    EXPECT_THAT(states(),
+                ElementsAre("missing", "missing", "rendering", "missing", "failed", "failed"));
+    const RunResult failed = farm({"frames", kId, "--failed"});
+    EXPECT_THAT(failed.out, HasSubstr("worker 2 was cut off in this frame"));
+    EXPECT_THAT(failed.out, HasSubstr("no lamp ?[2J"));
+    EXPECT_EQ(data({"frames", kId})["rows"][5]["log"], "");
+}
+
+TEST_F(FarmWrangling, RetriedFrames_AreRenderedAgainAndTheirTriesForgotten) {
+    work();
+    ASSERT_EQ(farm({"finish", kId}).exit_code, 0);
+    EXPECT_THAT(farm({"list"}).out, HasSubstr("6/6            complete\n"));
+    const std::string film = text_of(std::string(kJob) + "/tiny.mp4");
+    EXPECT_EQ(farm({"retry", kId, "2,4"}).err,
+              "carom: rendered again: frames 2, 4; the job has ended: 'carom farm resume' goes on "
+              "with it\n");
+    EXPECT_THAT(states(), ElementsAre("done", "done", "missing", "done", "missing", "done"));
+    EXPECT_EQ(data({"frames", kId})["rows"][2]["tries"], 0);
+    work();
+    EXPECT_EQ(data({"frames", kId})["rows"][2]["tries"], 1);
+    ASSERT_EQ(farm({"finish", kId}).exit_code, 0);
+    EXPECT_EQ(text_of(std::string(kJob) + "/tiny.mp4"), film);
+}
+
+TEST_F(FarmWrangling, SkippedFrames_AreNotWaitedForAndNoted) {
+    EXPECT_EQ(farm({"skip", kId, "3"}).err, "carom: skipped: frame 3\n");
+    work();
+    EXPECT_THAT(states(), ElementsAre("done", "done", "done", "skipped", "done", "done"));
+    EXPECT_THAT(farm({"logs", kId}).out,
+                HasSubstr("warning: frame 3 was skipped; the frame before it is shown\n"));
+    EXPECT_EQ(farm({"finish", kId}).exit_code, 0);
+    EXPECT_THAT(farm({"status", kId}).out,
+                HasSubstr("frame 3 was skipped; the frame before it is shown\n"));
+    EXPECT_TRUE(exists(std::string(kJob) + "/tiny.mp4"));
+    EXPECT_EQ(farm({"skip", kId, "3", "--undo"}).err.substr(0, 34),
+              "carom: no longer skipped: frame 3;");
+    EXPECT_THAT(farm({"finish", kId}).err, HasSubstr("1 frame is missing: 3"));
+}
+
+TEST_F(FarmWrangling, Wishes_AreForFramesOfTheJob) {
+    EXPECT_EQ(farm({"prefer", kId, "3-5"}).err, "carom: first: frames 3-5\n");
+    EXPECT_EQ(farm({"skip", kId, "4-9"}).err, "carom: error: the job has no frame 6; it has 0-5\n");
+    EXPECT_EQ(farm({"skip", kId, "0-5"}).err,
+              "carom: error: the film would have no frame; leave out at least one\n");
+    EXPECT_EQ(farm({"retry", kId, "x"}).exit_code, 2);
+    EXPECT_THAT(text_of(std::string(kJob) + "/wishes.json"), HasSubstr("\"preferred\":\"3 4 5\""));
+}
+
+}  // namespace
+}  // namespace carom::testing
