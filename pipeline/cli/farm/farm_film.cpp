@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iterator>
 #include <optional>
+#include <system_error>
 
 #include "core/text.h"
 #include "pipeline/cli/bake_input.h"
@@ -124,18 +125,28 @@ std::vector<std::int64_t> FarmFilm::missing_frames(const std::stop_token& stop,
 
 namespace {
 
+/// The job may be anybody's: a pipe would never end.
+std::string regular_file(const std::string& path) {
+    std::error_code failure;
+    const fs::file_status status = fs::status(path, failure);
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+        throw Error("'" + path + "' is not a regular file");
+    }
+    return path;
+}
+
 std::variant<FarmFilm::OneShot, FarmFilm::SeveralShots> read_content(const FarmJob& job,
                                                                      const CacheOptions& cache,
                                                                      CommandContext& context) {
     InputOptions input;
     input.root = job.root;
     if (job.is_sequence) {
-        input.path = farm::sequence_path(job);
+        input.path = regular_file(farm::sequence_path(job));
         FarmFilm::SeveralShots film{read_sequence_input(input, context.console, job.folder), {}};
         film.bakes = obtain_bakes(film.sequence, cache, context);
         return film;
     }
-    input.path = farm::bake_path(job);
+    input.path = regular_file(farm::bake_path(job));
     FarmFilm::OneShot film{read_film_input(input, FileReading::none, context), {}};
     film.bake = obtain_bake(film.input, input, cache, context);
     return film;

@@ -21,7 +21,7 @@ function Facts({ job }: { job: JobFrames }) {
             <Fact name="Left" value={job.seconds_left === undefined ? '–' : secondsText(job.seconds_left)} />
             <Fact name="Workers" value={String(workers)} />
             <Fact name="A frame takes" value={median > 0 ? secondsText(median) : '–'} />
-            <Fact name="Memory" value={memory > 0 ? memoryText(memory) : '–'} />
+            <Fact name="Most memory" value={memory > 0 ? memoryText(memory) : '–'} />
         </dl>
     );
 }
