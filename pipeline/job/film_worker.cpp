@@ -216,9 +216,27 @@ class Worker {
         return *renderer_;
     }
 
+    /// Returns whether the picture is there now.
     bool render(const Film& film, std::size_t picture, const std::stop_token& stop) {
-        const FilmPlan::Picture& planned = film.plan.pictures[picture];
-        const std::int64_t frame = planned.frame + film.given.shift;
+        const CachedRender result = attempt(film, film.plan.pictures[picture], stop);
+        if (result.origin == RenderOrigin::claimed_elsewhere) {
+            return false;
+        }
+        wait_.end();
+        ++state_.finished;
+        if (result.origin == RenderOrigin::rendered) {
+            ++state_.rendered;
+            state_.twice += result.twice ? 1 : 0;
+            state_.continued += result.continued ? 1 : 0;
+            tell(film.plan.pictures[picture].frame + film.given.shift, 1);
+        }
+        return true;
+    }
+
+    /// Renders the picture, unless it is there or others do, and tells what became of it.
+    CachedRender attempt(const Film& film, const FilmPlan::Picture& picture,
+                         const std::stop_token& stop) {
+        const std::int64_t frame = picture.frame + film.given.shift;
         bool is_begun = false;
         WorkContext context;
         context.stop = stop;
@@ -230,44 +248,30 @@ class Worker {
                 tell(frame, fraction);
             }
         };
-        FrameAttempt attempt{.frame = frame, .layer = planned.layer};
         const Clock::time_point begin = Clock::now();
-        const auto note = [&] {
-            attempt.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+        const auto ended = [&](FrameAttempt::End end, const CachedRender& result,
+                               const std::string& problem) {
             if (options_.on_attempt) {
-                options_.on_attempt(attempt);
+                const std::chrono::duration<double> elapsed = Clock::now() - begin;
+                options_.on_attempt({end, frame, picture.layer, elapsed.count(), result.twice,
+                                     result.continued, problem});
             }
         };
-        CachedRender result;
         try {
-            result = renderer_for(film).render(planned, context);
+            CachedRender result = renderer_for(film).render(picture, context);
+            if (result.origin == RenderOrigin::rendered) {
+                ended(FrameAttempt::End::rendered, result, "");
+            }
+            return result;
         } catch (const Stopped&) {
-            attempt.end = FrameAttempt::End::stopped;
             if (is_begun) {
-                note();
+                ended(FrameAttempt::End::stopped, {}, "");
             }
             throw;
         } catch (const Error& error) {
-            attempt.end = FrameAttempt::End::failed;
-            attempt.problem = error.what();
-            note();
+            ended(FrameAttempt::End::failed, {}, error.what());
             throw;
         }
-        if (result.origin == RenderOrigin::claimed_elsewhere) {
-            return false;
-        }
-        wait_.end();
-        ++state_.finished;
-        if (result.origin == RenderOrigin::rendered) {
-            ++state_.rendered;
-            state_.twice += result.twice ? 1 : 0;
-            state_.continued += result.continued ? 1 : 0;
-            attempt.twice = result.twice;
-            attempt.continued = result.continued;
-            note();
-            tell(frame, 1);
-        }
-        return true;
     }
 
     void tell(std::int64_t frame, double fraction) {

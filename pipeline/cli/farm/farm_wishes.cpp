@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include "core/text.h"
 #include "pipeline/cli/farm/farm_actions.h"
@@ -11,6 +12,7 @@
 #include "pipeline/job/frame_range.h"
 #include "pipeline/job/job_frames.h"
 #include "pipeline/store/drop_frame.h"
+#include "pipeline/store/file_descriptor.h"
 
 namespace carom::cli {
 namespace {
@@ -56,7 +58,11 @@ struct Asked {
         : job(find_job(command)),
           film(read_film(job, context)),
           frames(film, context.stop),
-          wanted(frames_of(command, frames.numbers())) {}
+          wanted(frames_of(command, frames.numbers())) {
+        if (::access(job.folder.c_str(), W_OK) != 0) {  // before anything is dropped
+            throw Error(pipeline::system_problem(job.folder, "its wishes cannot be written"));
+        }
+    }
 };
 
 /// What has to be done that the wish is followed.

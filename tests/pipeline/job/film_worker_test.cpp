@@ -192,7 +192,7 @@ TEST(FilmWorker, ChangedWishes_LetItLookAtAllPicturesAgain) {
         return carom::testing::fake_picture(farm.shot, inputs);
     };
     WorkerOptions options;
-    options.wishes = [&] { return FrameWishes{revision, {3}, {}}; };
+    options.wishes = [&] { return FrameWishes{revision, {}, {}}; };
     const WorkerResult result = work_on_film(farm.shot, farm.bake, slow, options, {}, {}, {});
     EXPECT_TRUE(result.is_complete);
     EXPECT_EQ(result.state.rendered, 2);
