@@ -1,13 +1,9 @@
 /// Numbers of the farm as people read them.
+import { durationText } from '../films/durations';
 
-/// "34.2 s", "12 min 5 s", "1 h 20 min".
+/// "0.3 s", "34 s", "12 min 5 s", "1 h 20 min".
 export function secondsText(seconds: number): string {
-    if (seconds < 100) {
-        return `${seconds < 10 ? seconds.toFixed(1) : Math.round(seconds)} s`;
-    }
-    const minutes = Math.floor(Math.round(seconds) / 60);
-    return minutes < 60 ? `${minutes} min ${Math.round(seconds) % 60} s`
-        : `${Math.floor(minutes / 60)} h ${minutes % 60} min`;
+    return seconds < 10 ? `${seconds.toFixed(1)} s` : durationText(seconds);
 }
 
 /// "512 MB", "1.4 GB".

@@ -44,7 +44,7 @@ test('filters let through what their names say', () => {
 
 test('times, sizes and names', () => {
     assert.deepEqual([0.25, 9.96, 42.4, 99.9, 119.6, 7205].map(secondsText),
-        ['0.3 s', '10.0 s', '42 s', '100 s', '2 min 0 s', '2 h 0 min']);
+        ['0.3 s', '10.0 s', '42 s', '1 min 40 s', '2 min 0 s', '2 h 0 min']);
     assert.deepEqual([61276160, 1.44e9].map(memoryText), ['61 MB', '1.4 GB']);
     assert.equal(nameOf('/films/break.mp4'), 'break.mp4');
 });
