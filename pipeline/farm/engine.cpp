@@ -1,6 +1,7 @@
 #include "pipeline/farm/engine.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/error.h"
 #include "core/hash.h"
@@ -17,7 +18,9 @@ class NoEngine : public Engine {
         throw Error("the tasks of this job are started outside carom (" + job.engine +
                     "); start them again as '" + job.folder + "/README.md' says");
     }
-    Answer ask(const FarmJob& /*job*/) const override { return {}; }
+    std::vector<Answer> ask(const std::vector<FarmJob>& jobs) const override {
+        return std::vector<Answer>(jobs.size());
+    }
     void cancel(const FarmJob& /*job*/, Which /*which*/) const override {}
     std::string tag(const FarmJob& job) const override { return tag_of_folder(job); }
 };
@@ -36,6 +39,21 @@ const Engine& engine_of(const FarmJob& job) {
     static const Slurm slurm;
     static const NoEngine none;
     return job.engine == "slurm" ? static_cast<const Engine&>(slurm) : none;
+}
+
+std::map<std::string, Answer> ask_engines(const std::vector<FarmJob>& jobs) {
+    std::map<const Engine*, std::vector<FarmJob>> asked;
+    for (const FarmJob& job : jobs) {
+        asked[&engine_of(job)].push_back(job);
+    }
+    std::map<std::string, Answer> by_folder;
+    for (const auto& [engine, own] : asked) {
+        std::vector<Answer> answers = engine->ask(own);
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            by_folder[own[i].folder] = std::move(answers[i]);
+        }
+    }
+    return by_folder;
 }
 
 std::string tag_of_folder(const FarmJob& job) {

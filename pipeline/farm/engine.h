@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -72,8 +73,10 @@ class Engine {
     [[nodiscard]] virtual std::int64_t submit(const FarmJob& job, const Round& round,
                                               const Stage& stage, const Begin& begin) const = 0;
 
-    /// The job's tasks that wait or run, and those that have ended as far as the engine remembers.
-    [[nodiscard]] virtual Answer ask(const FarmJob& job) const = 0;
+    /// The tasks of each of these jobs that wait or run, and those that have ended as far as the
+    /// engine remembers.
+    [[nodiscard]] virtual std::vector<Answer> ask(const std::vector<FarmJob>& jobs) const = 0;
+    [[nodiscard]] Answer ask(const FarmJob& job) const { return ask(std::vector{job}).front(); }
 
     /// Takes tasks out of the queue, and stops those of them that run. Throws Error.
     virtual void cancel(const FarmJob& job, Which which) const = 0;
@@ -86,6 +89,9 @@ class Engine {
 /// The engine of the job. Of an exported job whose tasks are started by something that carom does
 /// not talk to, it is one that refuses to submit, knows nothing and cancels nothing.
 [[nodiscard]] const Engine& engine_of(const FarmJob& job);
+
+/// What its engine says of each job, by the jobs' folders. Every engine is asked once.
+[[nodiscard]] std::map<std::string, Answer> ask_engines(const std::vector<FarmJob>& jobs);
 
 /// The tag of the job's folder.
 [[nodiscard]] std::string tag_of_folder(const FarmJob& job);

@@ -40,8 +40,8 @@ std::optional<std::int64_t> number_in(const std::string& text) {
 
 OwnTask own_task(const ReadVariable& read) {
     OwnTask task;
-    task.number =
-        std::random_device()() % 1000;  // so that those without a number begin at different frames
+    // So that those without a number begin at different frames.
+    task.number = std::random_device()() % 1000;
     for (const Variable& variable : kVariables) {
         const std::optional<std::int64_t> number = number_in(read(variable.name));
         if (number && *number >= variable.first) {

@@ -169,6 +169,22 @@ bool is_active(const Task& task) {
     return task.state == TaskState::waiting || task.state == TaskState::running;
 }
 
+/// The tasks of a job in the queue, and of its workers also those that the controller has
+/// forgotten, as it does some minutes after their end.
+std::vector<Task> with_accounting(const FarmJob& job, std::vector<Task> tasks) {
+    const auto is_worker = [](const Task& task) {
+        return task.stage != nullptr && task.stage->is_array;
+    };
+    if (std::ranges::none_of(
+            tasks, [&](const Task& task) { return is_worker(task) && is_active(task); })) {
+        if (const std::vector<Task> all = ask_accounting(job); !all.empty()) {
+            std::erase_if(tasks, is_worker);
+            tasks.insert(tasks.end(), all.begin(), all.end());
+        }
+    }
+    return tasks;
+}
+
 }  // namespace
 
 std::vector<Task> parse_queue(const FarmJob& job, const std::string& lines) {
@@ -301,30 +317,24 @@ std::int64_t Slurm::submit(const FarmJob& job, const Round& round, const Stage& 
     return number;
 }
 
-Answer Slurm::ask(const FarmJob& job) const {
-    std::vector<std::string> names;
-    for (const Stage& stage : stages()) {
-        names.push_back(name_of(job, stage));
-    }
-    const ProgramResult result = run_program(
-        {"squeue", "--noheader", "--array", "--states=all", "--name=" + join(names, ","),
-         "--Format=ArrayJobID:20|,State:20|,exit_code:20|,NodeList:200|,Name:100|,Comment:100"});
-    if (result.exit_code != 0) {
-        return {{}, "Slurm does not answer: " + complaint(result)};
-    }
-    std::vector<Task> tasks = parse_queue(job, result.output);
-    const auto is_worker = [](const Task& task) {
-        return task.stage != nullptr && task.stage->is_array;
-    };
-    if (std::ranges::none_of(
-            tasks, [&](const Task& task) { return is_worker(task) && is_active(task); })) {
-        // The controller forgets tasks some minutes after their end.
-        if (const std::vector<Task> all = ask_accounting(job); !all.empty()) {
-            std::erase_if(tasks, is_worker);
-            tasks.insert(tasks.end(), all.begin(), all.end());
+std::vector<Answer> Slurm::ask(const std::vector<FarmJob>& jobs) const {
+    std::set<std::string> names;
+    for (const FarmJob& job : jobs) {
+        for (const Stage& stage : stages()) {
+            names.insert(name_of(job, stage));
         }
     }
-    return {std::move(tasks), ""};
+    const ProgramResult result = run_program(
+        {"squeue", "--noheader", "--array", "--states=all",
+         "--name=" + join(std::vector<std::string>(names.begin(), names.end()), ","),
+         "--Format=ArrayJobID:20|,State:20|,exit_code:20|,NodeList:200|,Name:100|,Comment:100"});
+    std::vector<Answer> answers;
+    for (const FarmJob& job : jobs) {
+        answers.push_back(result.exit_code == 0
+                              ? Answer{with_accounting(job, parse_queue(job, result.output)), ""}
+                              : Answer{{}, "Slurm does not answer: " + complaint(result)});
+    }
+    return answers;
 }
 
 void Slurm::cancel(const FarmJob& job, Which which) const {

@@ -16,7 +16,8 @@ class Slurm : public Engine {
     /// a name that Slurm cannot write logs to.
     [[nodiscard]] std::int64_t submit(const FarmJob& job, const Round& round, const Stage& stage,
                                       const Begin& begin) const override;
-    [[nodiscard]] Answer ask(const FarmJob& job) const override;
+    using Engine::ask;
+    [[nodiscard]] std::vector<Answer> ask(const std::vector<FarmJob>& jobs) const override;
     void cancel(const FarmJob& job, Which which) const override;
     /// Slurm's comment of the job.
     [[nodiscard]] std::string tag(const FarmJob& job) const override;

@@ -1,6 +1,7 @@
 // All jobs of a store.
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <sstream>
 
@@ -43,32 +44,18 @@ std::string owner_of(const std::string& folder) {
     return user != nullptr ? user->pw_name : std::to_string(status.st_uid);
 }
 
-/// Fills what the job's files say. Throws Error.
-void look(ListedJob& listed, CommandContext& context) {
-    const farm::FarmJob job = farm::read_job(listed.folder);
-    listed.film = job.film;
-    if (const auto end = farm::read_end(job); end && end->state == "complete" && end->frames > 0) {
-        listed.state = end->state;
-        listed.message = end->message;
-        listed.frames = listed.finished = end->frames;
-        return;
-    }
-    const FarmFilm film = read_film(job, context);
-    const JobState state = state_of(job, FarmFrames(film, context.stop));
-    listed.state = state.state;
-    listed.message = state.message;
-    listed.frames = state.frames;
-    listed.finished = std::ssize(state.finished);
-    listed.left = state.left;
-}
-
-ListedJob listed_job(const std::string& folder, CommandContext& context) {
+/// What is known of a job before its frames are looked at.
+struct FoundJob {
     ListedJob listed;
-    listed.folder = folder;
-    listed.owner = owner_of(folder);
+    std::optional<farm::FarmJob> job{};  // empty: no more is to be found out
+    bool has_ended = false;
+};
+
+/// Calls a function that fills what it finds out, and notes why if it cannot.
+template <class Fill>
+void fill(ListedJob& listed, const Fill& function) {
     try {
-        look(listed, context);
-        return listed;
+        return function();
     } catch (const Stopped&) {
         throw;
     } catch (const std::exception& error) {
@@ -77,6 +64,61 @@ ListedJob listed_job(const std::string& folder, CommandContext& context) {
         listed.message = "its frames are rendered by " + needed.name();
     }
     listed.state = "unreadable";
+}
+
+FoundJob found_job(const std::string& folder) {
+    FoundJob found;
+    ListedJob& listed = found.listed;
+    listed.folder = folder;
+    listed.owner = owner_of(folder);
+    fill(listed, [&] {
+        farm::FarmJob job = farm::read_job(folder);
+        listed.film = job.film;
+        const auto end = farm::read_end(job);
+        if (end && end->state == "complete" && end->frames > 0) {
+            listed.state = end->state;
+            listed.message = end->message;
+            listed.frames = listed.finished = end->frames;
+            return;
+        }
+        found.has_ended = end.has_value();
+        found.job = std::move(job);
+    });
+    return found;
+}
+
+void look_at_frames(FoundJob& found, const farm::Answer& answer, CommandContext& context) {
+    ListedJob& listed = found.listed;
+    fill(listed, [&] {
+        const FarmFilm film = read_film(*found.job, context);
+        const JobState state = state_of(*found.job, FarmFrames(film, context.stop), answer);
+        listed.state = state.state;
+        listed.message = state.message;
+        listed.frames = state.frames;
+        listed.finished = std::ssize(state.finished);
+        listed.left = state.left;
+    });
+}
+
+std::vector<ListedJob> jobs_of(const std::string& store, CommandContext& context) {
+    std::vector<FoundJob> all;
+    std::vector<farm::FarmJob> in_queue;
+    for (const std::string& folder : farm::job_folders(store)) {
+        all.push_back(found_job(folder));
+        if (all.back().job && !all.back().has_ended) {
+            in_queue.push_back(*all.back().job);
+        }
+    }
+    const std::map<std::string, farm::Answer> answers = farm::ask_engines(in_queue);
+    std::vector<ListedJob> listed;
+    for (FoundJob& found : all) {
+        if (found.job) {
+            const auto answer = answers.find(found.job->folder);
+            look_at_frames(found, answer == answers.end() ? farm::Answer{} : answer->second,
+                           context);
+        }
+        listed.push_back(std::move(found.listed));
+    }
     return listed;
 }
 
@@ -163,8 +205,7 @@ void farm_list(const FarmCommand& command, CommandContext& context) {
                          context.music, context.text_problems, context.view};
     const std::string store = store_of(command);
     std::string text;
-    for (const std::string& folder : farm::job_folders(store)) {
-        const ListedJob job = listed_job(folder, quiet);
+    for (const ListedJob& job : jobs_of(store, quiet)) {
         if (command.is_running && job.state != "running" && job.state != "waiting") {
             continue;
         }
