@@ -4,6 +4,7 @@
 #include <chrono>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -21,6 +22,7 @@
 #include "pipeline/job/job_frames.h"
 #include "pipeline/store/claims.h"
 #include "pipeline/store/file_descriptor.h"
+#include "pipeline/store/wait_notice.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration)
 
@@ -128,9 +130,29 @@ class FilmClaims {
         : claims_(folder_in(job),
                   {film.options.claim_times.beat, film.options.claim_times.dead_after, false}) {}
 
-    std::optional<pipeline::Claim> claim() { return claims_.claim("film"); }
+    std::optional<pipeline::Claim> claim() { return claims_.claim(kName); }
+
+    /// Waits while another process has it.
+    pipeline::Claim wait(CommandContext& context) {
+        pipeline::WaitNotice notice;
+        while (true) {
+            if (std::optional<pipeline::Claim> claim = claims_.claim(kName)) {
+                return std::move(*claim);
+            }
+            if (context.stop.stop_requested()) {
+                throw Stopped();
+            }
+            if (const std::optional<std::string> waited = notice.due()) {
+                context.console.warning(
+                    fmt::format("waiting for {} for the film: {}", *waited, claims_.holder(kName)));
+            }
+            std::this_thread::sleep_for(std::chrono::seconds(1));
+        }
+    }
 
   private:
+    static constexpr const char* kName = "film";
+
     static std::string folder_in(const FarmJob& job) {
         std::string folder = job.folder + "/locks";
         pipeline::create_folder(folder);
@@ -211,14 +233,7 @@ Attempt try_film(const FarmJob& job, CommandContext& context) {
     try {
         FarmFilm film = read_film(job, context);
         FilmClaims claims(job, film);
-        std::optional<pipeline::Claim> claim = claims.claim();
-        while (!claim) {
-            if (context.stop.stop_requested()) {
-                throw Stopped();
-            }
-            std::this_thread::sleep_for(std::chrono::seconds(1));
-            claim = claims.claim();
-        }
+        const pipeline::Claim claim = claims.wait(context);
         const FarmFrames frames(film, context.stop);
         if (!is_complete(job)) {
             farm::JobEnd end;

@@ -202,6 +202,16 @@ TEST_F(FarmWrangling, SkippedFrames_AreNotWaitedForAndNoted) {
     EXPECT_THAT(farm({"finish", kId}).err, HasSubstr("1 frame is missing: 3"));
 }
 
+TEST_F(FarmWrangling, TimeLeft_IsThatOfTheFramesThatAreWanted) {
+    const double budget = json::parse(text_of(std::string(kJob) + "/job.json"))["budget_seconds"];
+    const json note{{"name", "1"},   {"host", "n1"},  {"state", "working"},          {"frame", 2},
+                    {"fraction", 0}, {"rendered", 2}, {"seconds_left", budget - 100}};
+    write_text(path(std::string(kJob) + "/workers/1.json"), note.dump());
+    EXPECT_NEAR(data({"status", kId})["seconds_left"], 300, 0.01);
+    EXPECT_EQ(farm({"skip", kId, "3-5"}).exit_code, 0);
+    EXPECT_NEAR(data({"status", kId})["seconds_left"], 150, 0.01);
+}
+
 TEST_F(FarmWrangling, Wishes_AreForFramesOfTheJob) {
     EXPECT_EQ(farm({"prefer", kId, "3-5"}).err, "carom: first: frames 3-5\n");
     EXPECT_EQ(farm({"skip", kId, "4-9"}).err, "carom: error: the job has no frame 6; it has 0-5\n");
