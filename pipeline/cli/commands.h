@@ -128,7 +128,7 @@ struct FarmCommand {
     std::string format = "slurm";
     std::string frames;
     std::string tier;  // "avx2"; empty: AVX2, or the machine's best below it
-    std::string job;   // all others: the film, the job's folder or a number in the queue
+    std::string job;   // all others: the film, the job's folder, its id or a number in the queue
     std::string partition;
     std::string account;
     std::string time;
