@@ -130,7 +130,7 @@ std::string regular_file(const std::string& path) {
     std::error_code failure;
     const fs::file_status status = fs::status(path, failure);
     if (fs::exists(status) && !fs::is_regular_file(status)) {
-        throw Error("'" + path + "' is not a regular file");
+        throw InputError("'" + path + "' is not a regular file");
     }
     return path;
 }

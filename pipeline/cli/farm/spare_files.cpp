@@ -24,7 +24,7 @@ std::string spare_folder(const FarmJob& job) {
     return job.folder + "/spare";
 }
 
-/// The files in a folder and below it, relative to it.
+/// The files in a folder and below it, relative to it; none if there is no such folder.
 std::vector<std::string> files_below(const std::string& folder) {
     std::vector<std::string> files;
     std::error_code failure;
@@ -34,7 +34,7 @@ std::vector<std::string> files_below(const std::string& folder) {
             files.push_back(entry->path().lexically_relative(folder).string());
         }
     }
-    if (failure) {
+    if (failure && failure != std::errc::no_such_file_or_directory) {
         throw Error("'" + folder + "' cannot be read: " + failure.message());
     }
     return files;
@@ -100,7 +100,7 @@ bool restore_files(const FarmJob& job) {
     for (const std::string& file : files_below(spare_folder(job))) {
         const std::string own = job.folder + "/" + file;
         const std::string spare = spare_folder(job) + "/" + file;
-        const bool is_same = fs::exists(own) && hash_file(own) == hash_file(spare);
+        const bool is_same = fs::is_regular_file(own) && hash_file(own) == hash_file(spare);
         if (!is_same && is_intact(spare)) {
             copy(spare, own);
             is_any = true;

@@ -75,10 +75,10 @@ class FarmWrangling : public EndToEnd {
 
 TEST_F(FarmWrangling, BadJobs_AreListedAndHideNoOther) {
     put("zzz-1", "{}");
-    put("yyy-1", R"({"carom_farm_job": 2, "name": "no bake", "film": "/films/lost.mp4"})");
+    put("yyy-1", R"({"carom_farm_job": 3, "name": "no bake", "film": "/films/lost.mp4"})");
     fs::create_directories(path("cache/farm/xxx-1"));
     ASSERT_EQ(::mkfifo(path("cache/farm/xxx-1/job.json").c_str(), 0600), 0);
-    put("www-1", R"({"carom_farm_job": 2, "name": "endless", "film": "/films/w.mp4"})");
+    put("www-1", R"({"carom_farm_job": 3, "name": "endless", "film": "/films/w.mp4"})");
     ASSERT_EQ(::mkfifo(path("cache/farm/www-1/endless.bake").c_str(), 0600), 0);
     put("a-very-long-name-of-somebody-s-folder-that-fills-the-line", "[1");
 
@@ -89,7 +89,8 @@ TEST_F(FarmWrangling, BadJobs_AreListedAndHideNoOther) {
     EXPECT_THAT(text, HasSubstr("/zzz-1/job.json' was written by another version of carom; submit "
                                 "the film again\n"));
     EXPECT_THAT(text, HasSubstr("/xxx-1/job.json' is no record\n"));
-    EXPECT_THAT(text, HasSubstr("/www-1/endless.bake' is not a regular file\n"));
+    EXPECT_THAT(text, HasSubstr("/www-1/endless.bake' is not a regular file; the job cannot go on: "
+                                "submit the film again\n"));
     EXPECT_THAT(list.out,
                 HasSubstr("\na-very-long-name-of-somebody-s-folder-that-fills-the-line\n"));
     const json jobs = data({"list"})["jobs"];
