@@ -37,10 +37,12 @@ stage_show() {  # NAME PROGRESS
   fi
 }
 
-# The most relevant lines of a log that ends in an error: from the first error message on, or the last lines.
+# The most relevant lines of a log that ends in an error: from the first error message on, or the last lines. apt-get's remark that
+# it keeps no log of its own, in systems without /dev/pts, is none.
 stage_telling_lines() {
   local first
-  first=$(grep -nE -m 1 '^(FAILED:|ninja: (error|fatal)|CMake Error|E: |dpkg: error)' "$1" | cut -d: -f1)
+  first=$(grep -nE '^(FAILED:|ninja: (error|fatal)|CMake Error|E: |dpkg: error)' "$1" |
+    grep -v -m 1 ':E: Can not write log ' | cut -d: -f1)
   if [ -n "$first" ]; then tail -n "+$first" "$1" | head -n 30; else tail -n 15 "$1"; fi
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "pipeline/camera/exposure.h"
+#include "pipeline/camera/no_view.h"
 #include "pipeline/camera/rig_state.h"
 #include "pipeline/camera/steady_up.h"
 
@@ -142,7 +143,7 @@ std::vector<PlannedFrame> plan_mixed_frame(std::int64_t number, std::span<const 
             frames.push_back(plan_frame_of(number, *seen.rig, timing, timeline));
             frames.back().weight = seen.weight;
         } catch (const Error& error) {
-            throw Error(
+            throw NoView(
                 fmt::format("camera '{}', frame {}: {}", seen.rig->name, number, error.what()));
         }
     }

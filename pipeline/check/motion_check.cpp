@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "core/elementary.h"
 #include "core/error.h"
 #include "pipeline/camera/changing_value.h"
 #include "pipeline/camera/exposure.h"
@@ -16,6 +17,7 @@
 #include "pipeline/check/lamp_check.h"
 #include "pipeline/check/placed_problem.h"
 #include "pipeline/check/solid_check.h"
+#include "pipeline/check/things_check.h"
 #include "pipeline/check/turn_check.h"
 #include "pipeline/check/view_check.h"
 
@@ -27,12 +29,14 @@ constexpr std::int64_t kMaxCheckedFrames = 2000;
 constexpr std::int64_t kMaxTurnFrames = 50'000;  // in longer films, pairs of frames are checked
 constexpr std::int64_t kLampFrames = 50;         // of the film, in which lamps are looked for
 constexpr double kHiddenShare = 0.1;             // of the cloth, from which on a lamp is reported
+constexpr double kHighPicture = 100;             // m, where the target is
 
 /// What all cameras of a shot are checked against.
 struct Subjects {
     SolidCheck solids;
     std::map<std::string, double> sizes;
     LampCheck lamps;
+    ThingsCheck things;
 };
 
 /// Checks one camera, frame by frame.
@@ -45,6 +49,7 @@ class CameraChecker {
           timing_(timing),
           solids_(subjects.solids),
           lamps_(subjects.lamps),
+          things_(subjects.things),
           timeline_(timeline),
           view_(rig, target, subjects.sizes, timeline) {}
 
@@ -53,14 +58,12 @@ class CameraChecker {
         const RigInstant instant{progress_at(rig_, time), scene_time_at(rig_, time).to_double()};
         try {
             const render::CameraState camera = camera_state(rig_, instant, timeline_);
-            for (const std::string& name :
-                 solids_.find_around(camera.position, instant.scene_time)) {
-                extend(inside_[name], frame);
-            }
+            check_place(camera.position, instant.scene_time, frame);
             for (const std::string& name : find_focus_behind_camera(rig_, instant, timeline_)) {
                 extend(behind_[name], frame);
             }
             view_.check_frame(camera, instant.progress, instant.scene_time);
+            check_picture(camera, instant.scene_time, frame);
             if (with_lamps && lamps_.is_above_table(camera)) {
                 check_lamps(camera);
             }
@@ -92,9 +95,19 @@ class CameraChecker {
             add_problem("name", Severity::error,
                         "has no valid view " + frames->text(timing_) + ": " + reason);
         }
-        for (const auto& [object, frames] : inside_) {
-            add_problem("position", Severity::warning,
-                        "is inside '" + object + "' " + frames->text(timing_));
+        for (const auto& [place, frames] : places_) {
+            add_problem("position", Severity::warning, "is " + place + " " + frames->text(timing_));
+        }
+        if (2 * frames_without_ > frames_) {
+            add_problem("target", Severity::warning,
+                        "shows nothing " + without_->text(timing_) +
+                            ": no ball, no object and no part of the table is in its picture");
+        }
+        if (far_) {
+            add_problem("target", Severity::warning,
+                        fmt::format("aims at a point {:.0f} m away {}, where its picture is {:.0f} "
+                                    "m high; lengths without a unit are metres",
+                                    distance_, far_->text(timing_), height_));
         }
         for (const auto& [object, frames] : behind_) {
             add_problem(
@@ -120,6 +133,33 @@ class CameraChecker {
     }
 
   private:
+    void check_place(const Vec3& position, double scene_time, std::int64_t frame) {
+        const std::vector<std::string> around = solids_.find_around(position, scene_time);
+        for (const std::string& name : around) {
+            extend(places_["inside '" + name + "'"], frame);
+        }
+        const std::string place = things_.place_under_table(position);
+        if (around.empty() && !place.empty()) {
+            extend(places_[place], frame);
+        }
+    }
+
+    /// Whether something is in the picture, and how large things at the target would be.
+    void check_picture(const render::CameraState& camera, double scene_time, std::int64_t frame) {
+        ++frames_;
+        if (!things_.may_be_seen(camera, scene_time)) {
+            ++frames_without_;
+            extend(without_, frame);
+        }
+        const double distance = (camera.target - camera.position).length();
+        const double height = 2 * distance * tangent(camera.vertical_fov / 2);
+        if (height > kHighPicture) {
+            extend(far_, frame);
+            distance_ = std::max(distance_, distance);
+            height_ = std::max(height_, height);
+        }
+    }
+
     void check_lamps(const render::CameraState& camera) {
         ++frames_above_;
         for (const auto& [lamp, share] : lamps_.hidden_shares(camera)) {
@@ -141,10 +181,16 @@ class CameraChecker {
     const FilmTiming& timing_;
     SolidCheck& solids_;
     LampCheck& lamps_;
+    ThingsCheck& things_;
     const sim::Timeline& timeline_;
     ViewCheck view_;
     TurnCheck turn_;
-    std::map<std::string, std::optional<FrameRange>> inside_, behind_, invalid_;
+    std::map<std::string, std::optional<FrameRange>> places_, behind_, invalid_;
+    std::optional<FrameRange> without_, far_;
+    std::int64_t frames_ = 0;
+    std::int64_t frames_without_ = 0;  // anything in the picture
+    double distance_ = 0;              // of the farthest target of `far_`
+    double height_ = 0;                // of the picture there
     std::map<std::string, Hidden> hidden_;
     std::int64_t frames_above_ = 0;  // frames in which the camera looked down on the table
 };
@@ -188,7 +234,8 @@ std::vector<Problem> stick_problems(const Shot& shot, const ShotSource* source,
 std::vector<Problem> camera_problems(const Shot& shot, const ShotSource* source,
                                      const sim::Timeline& timeline) {
     const std::vector<CameraRig> rigs = fit_camera_paths(shot, timeline);
-    Subjects subjects{SolidCheck(shot, timeline), sizes_of_objects(shot), LampCheck(shot)};
+    Subjects subjects{SolidCheck(shot, timeline), sizes_of_objects(shot), LampCheck(shot),
+                      ThingsCheck(shot, timeline)};
     std::vector<CameraChecker> checkers;
     checkers.reserve(rigs.size());
     for (std::size_t i = 0; i < rigs.size(); ++i) {

@@ -40,8 +40,9 @@ namespace carom::pipeline {
                                                   const sim::Timeline& timeline);
 
 /// A warning if the film does not reach the loudness that it asks for, or only if the limiter turns
-/// its loudest sounds down by more than 12 dB. `music`: of the film; empty: none. Hears the whole
-/// film some six times. `source`: of the shot that asks, as above. Throws Stopped, and what the
+/// its loudest sounds down by more than 12 dB, and one if its fixed gain is so high that they have
+/// to be turned down. `music`: of the film; empty: none. Hears the whole film some six times, with
+/// a fixed gain once. `source`: of the shot that asks, as above. Throws Stopped, and what the
 /// music throws.
 [[nodiscard]] std::vector<Problem> loudness_problems(const sound::SoundScene& film,
                                                      const ShotSource* source,
@@ -53,8 +54,9 @@ namespace carom::pipeline {
 /// object does not have. Files of more than 64 MB are not read. `source`: as above.
 [[nodiscard]] std::vector<Problem> object_problems(const Shot& shot, const ShotSource* source);
 
-/// Warnings about cameras that are inside an object (solid_check.h), that are focused on an object
-/// behind them, that do not show the object at which they aim or on which they are focused
+/// Warnings about cameras that are inside an object (solid_check.h) or under the cloth, that show
+/// nothing (things_check.h) or have their target far away, that are focused on an object behind
+/// them, that do not show the object at which they aim or on which they are focused
 /// (view_check.h), that turn too fast or film upside down (turn_check.h), or that look at the table
 /// through a lamp (lamp_check.h), and errors for frames without a valid view. Each problem is
 /// reported once per camera, with its first and last frame. In films of more than 2000 frames,

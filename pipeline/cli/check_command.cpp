@@ -40,22 +40,28 @@ std::optional<sim::Bake> check_motion(ShotInput& input, const CheckCommand& comm
     };
     add(pipeline::simulation_problems(bake->timeline, input.source.get()));
     add(pipeline::stick_problems(input.shot, input.source.get(), bake->timeline));
-    // A moment that never comes is an error of commands that film it.
-    add(pipeline::resolve_known_moments(input.shot, input.source, bake->timeline));
+    std::vector<Problem> of_moments =
+        pipeline::resolve_moments(input.shot, input.source, bake->timeline);
+    const bool is_whole = !pipeline::has_errors(of_moments);
+    add(std::move(of_moments));
+    if (!is_whole) {  // what can be filmed is checked all the same
+        (void)pipeline::resolve_known_moments(input.shot, input.source, bake->timeline);
+    }
     add(pipeline::cloth_problems(input.shot, input.source.get(), bake->timeline));
     add(pipeline::camera_problems(input.shot, input.source.get(), bake->timeline));
-    if (!pipeline::has_open_moments(input.shot)) {  // else a part of the film is missing
+    if (is_whole) {
         add(pipeline::sound_problems(input.shot, input.source.get(), bake->timeline));
     }
     add(pipeline::annotation_problems(input.shot, input.source.get(), bake->timeline));
-    if (context.text_problems != nullptr && !pipeline::has_open_moments(input.shot)) {
+    if (context.text_problems != nullptr && is_whole) {
         add(context.text_problems(input.shot, input.source.get(), bake->timeline));
     }
     return bake;
 }
 
+/// Also by a fixed gain.
 bool asks_for_loudness(const pipeline::Shot& shot) {
-    return !shot.sound.is_silent && shot.sound.loudness;
+    return !shot.sound.is_silent && (shot.sound.loudness || shot.sound.full_scale);
 }
 
 /// `source`: of the shot that asks for a loudness.
@@ -80,7 +86,7 @@ void check_loudness(const sound::SoundScene& film, const pipeline::OutputSetting
 void check_loudness(const ShotInput& input, const sim::Bake& bake, const CommandContext& context,
                     std::vector<Problem>& problems) {
     const pipeline::Shot& shot = input.shot;
-    if (asks_for_loudness(shot) && !pipeline::has_open_moments(shot)) {
+    if (asks_for_loudness(shot) && !pipeline::has_errors(problems)) {
         check_loudness(pipeline::film_scene(shot, bake.timeline, 0,
                                             pipeline::frame_count(shot.cameras, shot.timing)),
                        shot.output, input.source.get(), context, problems);
@@ -91,13 +97,16 @@ void check_loudness(const ShotInput& input, const sim::Bake& bake, const Command
 void check_loudness(const pipeline::Sequence& film,
                     const std::map<std::size_t, std::optional<sim::Bake>>& bakes,
                     const CommandContext& context, std::vector<Problem>& problems) {
+    if (pipeline::has_errors(problems)) {
+        return;
+    }
     std::map<std::size_t, const sim::Timeline*> timelines;
     const pipeline::ShotPart* asks = nullptr;
     for (const auto& [i, bake] : bakes) {
-        const auto& part = std::get<pipeline::ShotPart>(film.parts[i].content);
-        if (!bake || pipeline::has_open_moments(part.shot)) {
+        if (!bake) {
             return;
         }
+        const auto& part = std::get<pipeline::ShotPart>(film.parts[i].content);
         timelines[i] = &bake->timeline;
         asks = asks == nullptr && asks_for_loudness(part.shot) ? &part : asks;
     }
@@ -107,16 +116,15 @@ void check_loudness(const pipeline::Sequence& film,
     }
 }
 
-/// Checks the size for the film that `carom render` writes by default. It is a warning, because
-/// images and other codecs may support the size.
-void check_film_file(const ShotInput& input, std::vector<Problem>& problems) {
-    const pipeline::Shot& shot = input.shot;
-    const std::string problem = pipeline::check_film_size(
-        {shot.render.width, shot.render.height, shot.timing.fps}, shot.output,
-        shot.name + pipeline::default_extension(shot.output));
-    if (!problem.empty()) {
-        problems.push_back(
-            input.source->problem_at({"render", "size"}, pipeline::Severity::warning, problem));
+/// Checks the size for the film that `carom render` writes by default. `where` becomes a warning,
+/// because images and other codecs may support the size.
+void check_film_file(const pipeline::VideoFormat& format, const pipeline::OutputSettings& output,
+                     Problem where, std::vector<Problem>& problems) {
+    where.message =
+        pipeline::check_film_size(format, output, "film" + pipeline::default_extension(output));
+    where.severity = pipeline::Severity::warning;
+    if (!where.message.empty()) {
+        problems.push_back(std::move(where));
     }
 }
 
@@ -131,7 +139,11 @@ std::vector<Problem> problems_of_shot(const CheckCommand& command, CommandContex
     by_header = check_files(checked, reading_of(command), context);
     std::vector<Problem>& problems = checked.problems;
     if (checked.input) {
-        check_film_file(*checked.input, problems);
+        const pipeline::Shot& shot = checked.input->shot;
+        check_film_file(
+            {shot.render.width, shot.render.height, shot.timing.fps}, shot.output,
+            checked.input->source->problem_at({"render", "size"}, pipeline::Severity::warning, ""),
+            problems);
         std::ranges::move(
             pipeline::object_problems(checked.input->shot, checked.input->source.get()),
             std::back_inserter(problems));
@@ -153,6 +165,11 @@ std::vector<Problem> problems_of_sequence(const CheckCommand& command, CommandCo
                                           std::string& by_header) {
     pipeline::SequenceResult loaded = load_sequence_input(command.input);
     by_header = check_files(loaded, reading_of(command), context);
+    if (loaded.sequence) {
+        const pipeline::Sequence& film = *loaded.sequence;
+        check_film_file({film.width, film.height, film.fps}, film.output, loaded.output_place,
+                        loaded.problems);
+    }
     if (!loaded.sequence || command.quick) {
         return std::move(loaded.problems);
     }

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
 
 #include "core/printable.h"
 #include "pipeline/cli/exit_code.h"
@@ -132,12 +133,31 @@ std::string help_of(const CLI::App& app, const CommandDescription& program) {
     return help_text(*command, path);
 }
 
+/// "--frames is given twice; give it once"; empty if this is not the problem.
+std::string repeated_option(const CLI::App& app) {
+    for (const CLI::App* command : app.get_subcommands()) {
+        for (const CLI::Option* option : command->get_options()) {
+            if (option->get_items_expected_max() <= 1 && option->count() > 1) {
+                return fmt::format(
+                    "{} is given {}; give it once", option->get_name(),
+                    option->count() == 2 ? "twice" : fmt::format("{} times", option->count()));
+            }
+        }
+        if (std::string below = repeated_option(*command); !below.empty()) {
+            return below;
+        }
+    }
+    return "";
+}
+
 /// "unknown command 'rendr' (did you mean 'render'?)" instead of CLI11's "a subcommand is
 /// required".
 std::string usage_error(const CLI::App& app, const CommandDescription& program,
                         const CLI::ParseError& error, const std::vector<std::string>& arguments) {
     if (!app.get_subcommands().empty() || arguments.empty()) {
-        return error.what();
+        const bool is_number = dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr;
+        const std::string repeated = is_number ? repeated_option(app) : "";
+        return repeated.empty() ? error.what() : repeated;
     }
     std::vector<std::string> names;
     for (const CommandDescription& command : program.commands) {

@@ -61,6 +61,7 @@ void run(const ContactSheetCommand& command, CommandContext& context) {
     job.factory = context.factory;
     job.frames = spread_frames(command.count, all);
     const std::vector<std::int64_t> frames = job.frames.frames(all);
+    require_store(job);
     const sim::Bake bake = obtain_bake(input, options, command.cache, context);
     warn_of_no_store(command.cache, context.console);
     if (!job.no_store) {  // all pictures are rendered in one job, and then read from the store

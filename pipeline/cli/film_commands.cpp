@@ -202,6 +202,7 @@ void film_shot(ShotInput input, const std::string& path, const RenderCommand& co
         context.console.info("chunk " + command.chunk + " has no frames");
         return;
     }
+    require_store(options);
     const sim::Bake bake = obtain_bake(input, command.input, command.cache, context);
     report_fitted_paths(input.shot, bake.timeline, context.console);
     if (command.dry_run) {
@@ -273,6 +274,7 @@ void run(const FrameCommand& command, CommandContext& context) {
     FilmJobOptions options = job_options(command.cache, {}, {});
     options.threads = command.threads;
     options.factory = context.factory;
+    require_store(options);
     const sim::Bake bake = obtain_bake(input, command.input, command.cache, context);
     warn_of_no_store(command.cache, context.console);
     pipeline::FrameGraphics graphics(input.shot, bake.timeline, command.threads);

@@ -7,6 +7,7 @@
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/cli/helper_program.h"
 #include "pipeline/cli/output_file.h"
+#include "pipeline/job/job_frames.h"
 #include "pipeline/video/video_format.h"
 
 namespace carom::cli {
@@ -41,6 +42,10 @@ FilmJobOptions job_options(const CacheOptions& cache, const std::string& frames,
         throw InputError(error.what());
     }
     return options;
+}
+
+void require_store(const FilmJobOptions& options) {
+    (void)pipeline::open_store(options);
 }
 
 void warn_of_no_store(const CacheOptions& cache, Console& console) {

@@ -22,6 +22,9 @@ namespace carom::cli {
                                                    const std::string& frames,
                                                    const std::string& chunk);
 
+/// Throws CacheUnusable, before anything is simulated, if the job cannot store its frames.
+void require_store(const pipeline::FilmJobOptions& options);
+
 /// Warns that nothing is stored, if this is so.
 void warn_of_no_store(const CacheOptions& cache, Console& console);
 

@@ -18,6 +18,7 @@
 #include "pipeline/config/explain.h"
 #include "pipeline/config/load_shot.h"
 #include "pipeline/job/memory_forecast.h"
+#include "pipeline/sequence/sequence_text.h"
 #include "pipeline/video/video_format.h"
 
 namespace carom::cli {
@@ -146,25 +147,49 @@ void know_moments(ShotInput& input, CommandContext& context) {
     input.shot.cameras = std::move(cameras);
 }
 
+/// The whole shot with its origins.
+std::string resolved(ShotInput& input, CommandContext& context) {
+    const auto written = input.source;
+    know_moments(input, context);
+    const bool is_known = !pipeline::has_open_moments(input.shot);
+    return pipeline::explained_yaml(is_known ? *input.source : *written, input.shot);
+}
+
+/// The film, and each of its shots as a document of its own.
+std::string resolved(pipeline::Sequence sequence, CommandContext& context) {
+    std::string text = pipeline::sequence_text(sequence, [&](std::size_t part) {
+        return std::get<pipeline::ShotPart>(sequence.parts[part].content).path;
+    });
+    for (std::size_t i = 0; i < sequence.parts.size(); ++i) {
+        if (auto* part = std::get_if<pipeline::ShotPart>(&sequence.parts[i].content)) {
+            text += "---\n# " + printable(part_name(i, *part)) + "\n";
+            ShotInput input = input_of(*part);
+            text += resolved(input, context);
+        }
+    }
+    return text;
+}
+
 }  // namespace
 
 void run(const InfoCommand& command, CommandContext& context) {
-    if (is_sequence(command.input)) {
-        return inform_about_sequence(command, context);
-    }
     check_output_folder(command.output);
+    const std::string output = command.output.empty() ? "-" : command.output;
+    if (is_sequence(command.input)) {
+        pipeline::Sequence sequence = read_sequence_input(command.input, context.console);
+        return write_text_output(output, command.resolved ? resolved(std::move(sequence), context)
+                                                          : sequence_summary(sequence));
+    }
     ShotInput input = read_shot_input(command.input, context.console);
     if (input.bake) {
         report_problems(pipeline::simulation_problems(input.bake->timeline, input.source.get()),
                         context.console, true);
     }
-    const auto written = input.source;
+    if (command.resolved) {
+        return write_text_output(output, resolved(input, context));
+    }
     know_moments(input, context);
-    const bool is_known = !pipeline::has_open_moments(input.shot);
-    const std::string text =
-        command.resolved ? pipeline::explained_yaml(is_known ? *input.source : *written, input.shot)
-                         : summary(input, context.console);
-    write_text_output(command.output.empty() ? "-" : command.output, text);
+    write_text_output(output, summary(input, context.console));
 }
 
 }  // namespace carom::cli

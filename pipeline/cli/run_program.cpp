@@ -10,6 +10,7 @@
 
 #include "core/printable.h"
 #include "core/write_all.h"
+#include "pipeline/camera/no_view.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/standard_input.h"
 #include "pipeline/cli/terminal/interrupts.h"
@@ -60,6 +61,11 @@ const char* interruption_message(const Command& command) {
 ExitCode run_guarded(const Command& command, const CommandHandler& handler,
                      CommandContext& context) {
     Console& console = context.console;
+    const auto refuse = [&](const Error& error) {
+        console.end_progress();
+        console.error(error.what());
+        return kWrongUsage;
+    };
     try {
         check_not_input(command);
         handler(command, context);
@@ -69,9 +75,9 @@ ExitCode run_guarded(const Command& command, const CommandHandler& handler,
         console.warning(interruption_message(command));
         return kInterrupted;
     } catch (const InputError& error) {
-        console.end_progress();
-        console.error(error.what());
-        return kWrongUsage;
+        return refuse(error);
+    } catch (const pipeline::NoView& error) {  // only known when the motion is
+        return refuse(error);
     } catch (const TryAgain& error) {
         console.end_progress();
         console.error(error.what());

@@ -115,6 +115,7 @@ void render_sequence(const RenderCommand& command, CommandContext& context) {
     options.threads = command.threads;
     options.factory = context.factory;
     const std::int64_t frames = count_sequence_frames(sequence, options, command.frames);
+    require_store(options);
     const SequenceBakes bakes = obtain_bakes(sequence, command.cache, context);
     if (command.dry_run) {
         return print_status(sequence, bakes, options, context);
@@ -224,6 +225,7 @@ void write_sequence_frame(const FrameCommand& command, CommandContext& context) 
     options.threads = command.threads;
     options.factory = context.factory;
     if (!is_moment) {
+        require_store(options);
         bakes = obtain_bakes(sequence, command.cache, context);
     }
     warn_of_no_store(command.cache, context.console);
@@ -281,6 +283,7 @@ void write_sequence_sheet(const ContactSheetCommand& command, CommandContext& co
         fmt::format("{} frames, {:.6g} per second", sequence.frames(), sequence.fps.to_double());
     sheet.columns = command.columns;
     sheet.most_width = command.width;
+    require_store(options);
     const SequenceBakes bakes = obtain_bakes(sequence, command.cache, context);
     write_frames_sheet(sequence, bakes, options, sheet, context);
 }

@@ -93,12 +93,7 @@ std::string part_line(const Sequence& sequence, std::size_t index) {
 
 }  // namespace
 
-void inform_about_sequence(const InfoCommand& command, CommandContext& context) {
-    const Sequence sequence = read_sequence_input(command.input, context.console);
-    if (command.resolved) {
-        throw InputError("--resolved explains one shot; give one of those that '" +
-                         command.input.path + "' names");
-    }
+std::string sequence_summary(const Sequence& sequence) {
     const std::int64_t frames = sequence.frames();
     std::string text =
         line("film", sequence.name) +
@@ -111,7 +106,7 @@ void inform_about_sequence(const InfoCommand& command, CommandContext& context) 
     for (std::size_t i = 0; i < sequence.parts.size(); ++i) {
         text += line(i == 0 ? "parts" : "", part_line(sequence, i));
     }
-    write_text_output(command.output.empty() ? "-" : command.output, text);
+    return text;
 }
 
 void plan_sequence(const PlanCommand& command, CommandContext& context) {

@@ -29,8 +29,9 @@ void take_back(ShotInput input, pipeline::ShotPart& part);
 /// Where a part is for messages: "part 2, lesson.yaml".
 [[nodiscard]] std::string part_name(std::size_t index, const pipeline::ShotPart& part);
 
-// The commands that need no frames.
-void inform_about_sequence(const InfoCommand& command, CommandContext& context);
+/// What `carom info` prints of a film.
+[[nodiscard]] std::string sequence_summary(const pipeline::Sequence& sequence);
+
 /// Writes a plan for each shot.
 void plan_sequence(const PlanCommand& command, CommandContext& context);
 

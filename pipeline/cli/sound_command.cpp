@@ -196,8 +196,9 @@ void write_sound(const SoundCommand& command, CommandContext& context, const Sou
         context.console.end_progress();
         for (const std::string& note :
              {pipeline::missed_loudness_note(film.scene, sound.gain()),
-              pipeline::fixed_gain_note(film.scene, static_cast<bool>(film.music),
-                                        sound.levels())}) {
+              pipeline::fixed_gain_note(film.scene, static_cast<bool>(film.music), sound.levels()),
+              pipeline::quiet_film_note(sound.levels().loudness,
+                                        sound.gentle_loudness(stage("sound")))}) {
             if (!note.empty()) {
                 context.console.warning(note);
             }

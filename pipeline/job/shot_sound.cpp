@@ -33,6 +33,7 @@ class ComputedSound : public SoundSource {
         if (!is_told_ && sound_.position() == sound_.frames()) {
             is_told_ = true;
             warn(fixed_gain_note(scene_, static_cast<bool>(context_.music), sound_.levels()));
+            warn(quiet_film_note(sound_.levels().loudness, sound_.gentle_loudness({{}, stop_})));
         }
         return count;
     }

@@ -18,6 +18,7 @@
 #include "pipeline/config/parse_yaml.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/text.h"
+#include "pipeline/video/video_format.h"
 
 namespace carom::pipeline {
 
@@ -140,6 +141,7 @@ class Loader {
             output_place_.place = sources_.describe(output->key_place);
             output_place_.source_line = sources_.line_of(output->key_place);
             output_place_.key_path = "output";
+            check_output(*output, file.output, reader);
         }
         named_files_ = reader.named_files();
         if (file.output.hdr10) {
@@ -147,6 +149,20 @@ class Loader {
                          "a film of several shots cannot be written as 'hdr10' yet");
         }
         return file;
+    }
+
+    /// Reports settings that exclude each other at the last of them.
+    static void check_output(const Entry& section, const OutputSettings& output, Reader& reader) {
+        const SettingProblem problem =
+            find_setting_problem(output, "film" + default_extension(output));
+        Place place = section.key_place;
+        for (const std::string& key : problem.keys) {
+            const Entry* setting = section.value.find(key);
+            place = setting != nullptr ? setting->value.place : place;
+        }
+        if (!problem.sentence.empty()) {
+            reader.error(place, problem.sentence);
+        }
     }
 
     void add_files(const std::vector<ReadFile>& files) {

@@ -1,5 +1,6 @@
 #include "pipeline/sound/loudness_note.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -14,6 +15,7 @@ namespace {
 constexpr double kNear = 0.2;           // LU; a film that is so near has the loudness
 constexpr double kLoudnessBlock = 0.4;  // s (ITU-R BS.1770-4)
 constexpr double kWorthAWarning = 0.1;  // dB
+constexpr double kWorthAsking = 3;      // LU that a film gains
 
 std::string lufs(double loudness) {
     return decimal_text(loudness, 1) + " LUFS";
@@ -66,6 +68,20 @@ std::string dull_sound_note(const sound::SoundScene& scene, const sound::FilmGai
         "sound dull, which {} would avoid; a higher 'dynamics' may help",
         lufs(*scene.loudness), gain.found->limited, sound::kGentlyLimited,
         whole_lufs(*gain.found->gentle));
+}
+
+std::string quiet_film_note(double loudness, std::optional<double> gentle) {
+    if (!gentle) {
+        return {};
+    }
+    const double louder = std::min(*gentle, kPlatformLoudness);
+    return fmt::format(
+        "the film has {}, and platforms play films at -14 to {}; {}", lufs(loudness),
+        lufs(kPlatformLoudness),
+        louder < loudness + kWorthAsking
+            ? "its loudest sounds are short and far above the rest: a higher 'dynamics', up to 4, "
+              "brings them nearer to it, and then 'loudness' can make the film louder"
+            : fmt::format("'sound: {{loudness: {}}}' makes it louder", whole_lufs(louder)));
 }
 
 std::string fixed_gain_note(const sound::SoundScene& scene, bool has_music,

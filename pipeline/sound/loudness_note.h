@@ -1,6 +1,7 @@
 // Sentences about the gain of a film.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "sound/mix/film_gain.h"
@@ -18,6 +19,15 @@ namespace carom::pipeline {
 /// one avoids it.
 [[nodiscard]] std::string dull_sound_note(const sound::SoundScene& scene,
                                           const sound::FilmGain& gain);
+
+/// Empty, or a sentence that says that a film which asks for no loudness is far quieter than what
+/// platforms play, and what to ask for: at most kPlatformLoudness, and no more than sounds good.
+/// `gentle`: FilmSound::gentle_loudness().
+[[nodiscard]] std::string quiet_film_note(double loudness, std::optional<double> gentle);
+
+/// What platforms bring films and music to, LUFS, the quieter of two: Spotify and others -14, Apple
+/// -16 (docs/sound.md says where that is written).
+inline constexpr double kPlatformLoudness = -16;
 
 /// Empty, or a sentence that says that the loudest sounds of a film with a fixed gain were turned
 /// down, and what avoids it. `levels`: of the whole film.

@@ -66,13 +66,24 @@ std::uint64_t FrameStore::noisy_size_bytes(const Hash128& key) const {
     return size_of_file(file_of(key, kNoisyExtension));
 }
 
+CheckedContents FrameStore::checked(const std::string& path, const Hash128& key) const {
+    try {
+        return read_checked(path, key);
+    } catch (const Error&) {
+        if (access_ != StoreAccess::only_read) {
+            throw;
+        }
+        return {FrameFileState::missing};
+    }
+}
+
 bool FrameStore::is_intact(const Hash128& key) const {
-    return verify_checksum(path_of(key), key) == FrameFileState::intact;
+    return checked(path_of(key), key).state == FrameFileState::intact;
 }
 
 void FrameStore::remove_if_damaged(const Hash128& key) const {
     const std::string path = path_of(key);
-    if (verify_checksum(path, key) == FrameFileState::damaged) {
+    if (checked(path, key).state == FrameFileState::damaged) {
         discard(path, describe_damage(path, key));
     }
 }
@@ -114,12 +125,12 @@ std::optional<render::Film> FrameStore::decoded(const std::string& path, const H
 
 std::optional<render::Film> FrameStore::read(const Hash128& key) const {
     const std::string path = path_of(key);
-    return decoded(path, key, verify_checksum(path, key), [&] { return render::read_exr(path); });
+    return decoded(path, key, checked(path, key).state, [&] { return render::read_exr(path); });
 }
 
 std::optional<render::Film> FrameStore::read_noisy(const Hash128& key) const {
     const std::string path = file_of(key, kNoisyExtension);
-    const CheckedContents contents = read_checked(path, key);
+    const CheckedContents contents = checked(path, key);
     return decoded(path, key, contents.state, [&] { return render::unpack_film(contents.bytes); });
 }
 

@@ -20,7 +20,8 @@ namespace carom::pipeline {
 /// What a user of the store may do with it.
 enum class StoreAccess {
     read_and_write,
-    only_read,  // nothing in the folder is changed, not even the times of files
+    only_read,  // nothing in the folder is changed, not even the times of files; what cannot be
+                // read, as in the folder of another user, counts as not stored
 };
 
 /// A folder of EXR files, one per key. Several threads and processes may share it.
@@ -50,7 +51,7 @@ class FrameStore {
     [[nodiscard]] std::uint64_t size_bytes(const Hash128& key) const;
 
     /// Whether the file for the key exists and its checksum is correct. The file is read to its end
-    /// but not decoded. Throws Error if the folder cannot be read.
+    /// but not decoded. Throws Error if it cannot be read.
     [[nodiscard]] bool is_intact(const Hash128& key) const;
 
     /// Removes the frame if it exists and is damaged.
@@ -60,7 +61,7 @@ class FrameStore {
     void mark_used(const Hash128& key) const;
 
     /// The frame, or nothing if it is not stored. A damaged file is removed and counts as not
-    /// stored. Throws Error if the folder cannot be read.
+    /// stored. Throws Error if it cannot be read.
     [[nodiscard]] std::optional<render::Film> read(const Hash128& key) const;
 
     /// Writes the frame under a temporary name, flushes it to disk and renames it. Throws Error.
@@ -98,6 +99,8 @@ class FrameStore {
     [[nodiscard]] PartialFile begin_file(const Hash128& key) const;
 
   private:
+    /// read_checked of a file of this store.
+    [[nodiscard]] CheckedContents checked(const std::string& path, const Hash128& key) const;
     void discard(const std::string& path, const std::string& damage) const;
     /// What `decode()` makes of an intact file; nothing if it is missing. A damaged file is
     /// discarded.

@@ -14,6 +14,7 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/write_all.h"
+#include "pipeline/store/cache_folder.h"
 #include "pipeline/store/claim_note.h"
 #include "pipeline/store/lock_file.h"
 
@@ -84,6 +85,17 @@ PinState state_of(const std::string& cache_folder, const fs::path& path, const P
     return age < kFreshFor ? PinState::fresh : PinState::old;
 }
 
+/// Throws CacheUnusable if only the folder of the pins cannot be written to. A cache that cannot be
+/// written to at all is not pruned either, and a full disk ends those jobs that need room.
+void check_pins_folder(const std::string& cache_folder, const std::string& problem) {
+    const std::string inside = pins_folder(cache_folder) + "/.";
+    if (::access(cache_folder.c_str(), W_OK) == 0 && ::access(inside.c_str(), W_OK) != 0 &&
+        errno != ENOENT) {
+        throw CacheUnusable(problem +
+                            "; without a pin there, other jobs may prune the files of this one");
+    }
+}
+
 }  // namespace
 
 Pin::Pin(const std::string& cache_folder, std::span<const Hash128> keys, std::uint64_t bytes_each)
@@ -92,7 +104,8 @@ Pin::Pin(const std::string& cache_folder, std::span<const Hash128> keys, std::ui
         create_folder(pins_folder(cache_folder));
         lock_ =
             lock_own_file(path_).descriptor;  // where there are no locks, the time has to suffice
-    } catch (const Error&) {
+    } catch (const Error& error) {
+        check_pins_folder(cache_folder, error.what());
         return;
     }
     const std::string text = text_of({process_text(), {}, bytes_each, {keys.begin(), keys.end()}});

@@ -22,9 +22,9 @@ namespace carom::pipeline {
 /// other machines this is seen by the time of the file, which a thread renews every minute.
 class Pin {
   public:
-    /// A cache that cannot be written to is not pruned either, so a failure is ignored.
-    /// `bytes_each` is what each file that does not exist yet is expected to take; 0 reserves
-    /// nothing.
+    /// A pin that cannot be written is no error, because a cache that cannot be written to is not
+    /// pruned either; but throws CacheUnusable if this is so for CACHE/pins alone. `bytes_each` is
+    /// what each file that does not exist yet is expected to take; 0 reserves nothing.
     Pin(const std::string& cache_folder, std::span<const Hash128> keys,
         std::uint64_t bytes_each = 0);
     ~Pin();

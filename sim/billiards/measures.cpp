@@ -152,4 +152,9 @@ std::optional<TableMeasures> standard_table(TableKind kind, std::string_view siz
     return {};
 }
 
+Vec2 half_outline(const TableMeasures& measures) {
+    const double beside = measures.has_cushions ? measures.cushion_width + measures.rail_width : 0;
+    return Vec2(measures.length, measures.width) * 0.5 + Vec2(beside);
+}
+
 }  // namespace carom::sim::billiards

@@ -50,6 +50,9 @@ struct TableMeasures {
 /// for an unknown name.
 [[nodiscard]] std::optional<TableMeasures> standard_table(TableKind kind, std::string_view size);
 
+/// Half of the length and the width over all: with the rails, if it has any.
+[[nodiscard]] Vec2 half_outline(const TableMeasures& measures);
+
 /// All problems of the measures, one sentence each.
 [[nodiscard]] std::vector<Diagnostic> find_problems(const TableMeasures& measures);
 

@@ -23,12 +23,15 @@ double pressure_of(double level) {
     return kReferencePressure * factor_of(level);
 }
 
-double dynamics_factor(double pressure, double ratio) {
-    constexpr double kCentre = 1e4 * kReferencePressure;  // 80 dB
+double dynamics_factor(double pressure, double ratio, double quiet) {
+    constexpr double kCentre = 80;  // dB
+    constexpr double kFades = 20;   // dB, from `quiet` down
     if (ratio == 1) {
         return 1;
     }
-    return power(std::max(pressure, kReferencePressure) / kCentre, 1 / ratio - 1);
+    const double level = level_of(std::max(pressure, kReferencePressure));
+    const double gain = (kCentre - std::max(level, quiet)) * (1 - 1 / ratio);
+    return factor_of(gain * std::clamp(1 - (quiet - level) / kFades, 0.0, 1.0));
 }
 
 }  // namespace carom::sound

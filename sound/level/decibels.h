@@ -17,9 +17,17 @@ inline constexpr double kReferencePressure = 20e-6;  // Pa, of 0 dB (ISO 1683)
 /// The pressure (Pa) of a level in dB re 20 uPa.
 [[nodiscard]] double pressure_of(double level);
 
-/// Brings the levels of single sounds closer together: the factor for a sound of `pressure` (Pa, at
-/// the listener), so that its distance from 80 dB is divided by `ratio` >= 1. Levels below 0 dB are
-/// treated as 0 dB.
-[[nodiscard]] double dynamics_factor(double pressure, double ratio);
+/// Below these levels (dB, at 1 m) dynamics lift a sound less and less: of the peak of an impact,
+/// and of the root mean square of a lasting sound. The ear sums over about 0.2 s (Zwislocki 1960,
+/// "Theory of temporal auditory summation", J. Acoust. Soc. Am. 32), so an impact of half a
+/// millisecond is as loud as a lasting sound 26 dB below its peak.
+inline constexpr double kQuietImpact = 60;
+inline constexpr double kQuietRush = 34;
+
+/// Brings the levels of single sounds closer together: the factor for a sound of `pressure` (Pa) at
+/// 1 m, so that its distance from 80 dB is divided by `ratio` >= 1. Below the level `quiet` (dB, at
+/// most 80) the gain falls linearly, and from 20 dB below it there is none: what nobody would hear
+/// stays so.
+[[nodiscard]] double dynamics_factor(double pressure, double ratio, double quiet);
 
 }  // namespace carom::sound

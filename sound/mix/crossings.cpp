@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <functional>
 #include <tuple>
+#include <vector>
+
+#include "sound/source/settling.h"
 
 namespace carom::sound {
 namespace {
@@ -57,8 +60,9 @@ Crossings::Crossings(const SoundScene& scene) : scene_(scene) {
     for (std::size_t shot = 0; shot < scene.shots.size(); ++shot) {
         Order& order = orders_.emplace_back();
         const std::vector<sim::Event>& events = scene.shots[shot].timeline->events;
+        const std::vector<bool> settles = settling_contacts(scene.shots[shot]);
         for (std::size_t i = 0; i < events.size(); ++i) {
-            if (can_sound(events[i])) {
+            if (can_sound(events[i]) && !settles[i]) {
                 order.forwards.push_back(i);
             }
         }

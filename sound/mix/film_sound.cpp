@@ -1,8 +1,13 @@
 #include "sound/mix/film_sound.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <memory>
 #include <utility>
 
+#include "core/assert.h"
+#include "core/error.h"
 #include "sound/level/decibels.h"
 #include "sound/level/loudness.h"
 #include "sound/mix/film_blocks.h"
@@ -55,6 +60,31 @@ class FilmSound::Implementation {
         return {meter_.integrated(), decibels_of(meter_.true_peak()), samples_->limited()};
     }
 
+    [[nodiscard]] std::optional<double> gentle_loudness(const WorkContext& context) {
+        CAROM_ASSERT(position() == frames());
+        const SoundLevels found = levels();
+        const bool is_automatic = !scene_.full_scale && !scene_.loudness;
+        const bool is_quiet = std::isfinite(found.loudness) && found.loudness < kQuietFilm;
+        if (!is_automatic || !is_quiet ||
+            std::ranges::all_of(scene_.shots, [](const auto& s) { return s.passages.empty(); })) {
+            return std::nullopt;
+        }
+        FilmGain gain = gain_;
+        gain.full_scale *= factor_of(found.true_peak - kHighestTruePeak - kGentlyLimited);
+        gain.limits = true;
+        FilmSamples samples(scene_.frames, gain, whole_);
+        LoudnessMeter meter;
+        std::array<double, 4096> left{};
+        std::array<double, 4096> right{};
+        while (const std::size_t count = samples.read(left, right)) {
+            if (context.stop.stop_requested()) {
+                throw Stopped();
+            }
+            meter.add(std::span(left).first(count), std::span(right).first(count));
+        }
+        return meter.integrated();
+    }
+
   private:
     SoundScene scene_;
     SoundScene silence_;  // in which the added sound is alone
@@ -85,6 +115,10 @@ FilmGain FilmSound::gain() const {
 
 std::size_t FilmSound::read(std::span<double> left, std::span<double> right) {
     return implementation_->read(left, right);
+}
+
+std::optional<double> FilmSound::gentle_loudness(const WorkContext& context) {
+    return implementation_->gentle_loudness(context);
 }
 
 SoundLevels FilmSound::levels() const {

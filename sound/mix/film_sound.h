@@ -36,6 +36,9 @@ struct SoundLevels {
     double limited = 0;    // dB, >= 0: the most that the limiter took away
 };
 
+/// The loudness of films for television, LUFS (EBU R 128, 2023); a film below it is quiet anywhere.
+inline constexpr double kQuietFilm = -23;
+
 /// The samples come in order, in blocks of any size: their bits do not depend on it, nor on
 /// threads. Memory does not grow with the film's length. Used by one thread at a time.
 class FilmSound {
@@ -68,6 +71,12 @@ class FilmSound {
 
     /// The levels of all samples that have been read so far.
     [[nodiscard]] SoundLevels levels() const;
+
+    /// The loudness that the film could have if a limiter turned its loudest sounds down by
+    /// kGentlyLimited, LUFS; empty unless its gain is automatic, something is computed in it and it
+    /// has less than kQuietFilm. After its last sample was read, which it hears once more. Throws
+    /// Stopped.
+    [[nodiscard]] std::optional<double> gentle_loudness(const WorkContext& context = {});
 
   private:
     class Implementation;

@@ -57,10 +57,11 @@ std::optional<Heard> Hearing::at(const Crossing& crossing) const {
     row.time_factor = playing_speed(row.speed, settings);
     fit_to_samples(row.time_factor, *sound);
     heard.arrival = arrival_at(heard.listener.position, *sound);
-    const Peak peak = find_peak(heard.arrival);
-    if (peak.pressure < kReferencePressure) {
+    const double source = find_peak(arrival_at(average_place(*sound), *sound)).pressure;
+    if (source < kReferencePressure) {
         return std::nullopt;
     }
+    const Peak peak = find_peak(heard.arrival);
     row.film_time = crossing.film_time;
     row.scene_time = event.time;
     row.shot = crossing.shot;
@@ -78,7 +79,8 @@ std::optional<Heard> Hearing::at(const Crossing& crossing) const {
     const double slowed = peak.time / row.time_factor;
     row.peak_time = row.film_time + row.delay + (heard.is_mirrored ? -slowed : slowed);
     row.gain = settings.gain + settings.mix[static_cast<std::size_t>(row.group)] +
-               decibels_of(dynamics_factor(peak.pressure, settings.ratio)) + decibels_of(weight);
+               decibels_of(dynamics_factor(source, settings.ratio, kQuietImpact)) +
+               decibels_of(weight);
     heard.sound = std::move(*sound);
     return heard;
 }

@@ -26,9 +26,10 @@ class Hearing {
   public:
     explicit Hearing(const SoundScene& scene);
 
-    /// What is heard of it; empty if it has no sound, or a peak below 0 dB (20 uPa) at the
-    /// listener, or no weight in a fade. Its gain is (L - 80 dB) (1/ratio - 1), with L the level of
-    /// its peak, plus those of the camera and of its group, plus that of the fade at its instant.
+    /// What is heard of it; empty if it has no sound, or a peak below 0 dB (20 uPa) at 1 m, or no
+    /// weight in a fade. Its gain is that of the dynamics (dynamics_factor) for the peak at
+    /// average_place(), so it depends on the impact alone, and not on where it is heard from; plus
+    /// those of the camera and of its group, plus that of the fade at its instant.
     [[nodiscard]] std::optional<Heard> at(const Crossing& crossing) const;
 
     /// The longest that a sound rings after its force in the film, s: the time in which the mode

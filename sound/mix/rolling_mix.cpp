@@ -34,8 +34,7 @@ double share_at(const Passage& passage, double film_time) {
 
 /// A source at the edge of a block.
 struct Edge {
-    double gain = 0;   // of the pressure at 1 m, without dynamics and distance
-    double level = 0;  // Pa, expected at the listener
+    double gain = 0;  // of the pressure at 1 m, without distance
     double distance = 1;
     Ears ears;
     double left_delay = 0;  // samples
@@ -55,16 +54,6 @@ struct SourceState {
 std::size_t place_in_history(std::int64_t sample) {
     static_assert((kHistory & (kHistory - 1)) == 0);
     return static_cast<std::size_t>(sample) & (kHistory - 1);
-}
-
-/// Dynamics at both edges of a block; an edge without a level has that of the other one.
-std::pair<double, double> dynamics(const Edge& begin, const Edge& end, double ratio) {
-    if (begin.level <= 0 && end.level <= 0) {
-        return {1, 1};
-    }
-    const double first = begin.level > 0 ? begin.level : end.level;
-    const double second = end.level > 0 ? end.level : begin.level;
-    return {dynamics_factor(first, ratio), dynamics_factor(second, ratio)};
 }
 
 double between(double begin, double end, double part) {
@@ -173,7 +162,7 @@ class RollingMix::PassageRolling {
         }
     }
 
-    [[nodiscard]] Edge edge_at(SourceState& state, std::int64_t sample) const {
+    [[nodiscard]] Edge edge_at(const SourceState& state, std::int64_t sample) const {
         const PassageSettings& settings = passage_.settings;
         const double film_time = film_time_of_sample(sample);
         const double scene_time = passage_.scene_time(film_time);
@@ -181,7 +170,6 @@ class RollingMix::PassageRolling {
         const Listener listener = passage_.listener(film_time);
         Edge edge;
         edge.distance = std::max((place - listener.position).length(), kNearestRolling);
-        edge.level = state.source.level(scene_time) / edge.distance;
         edge.gain =
             factor_of(settings.gain + settings.mix[static_cast<std::size_t>(Group::rolling)]) *
             passage_.weight(film_time) * share_at(passage_, film_time);
@@ -201,16 +189,13 @@ class RollingMix::PassageRolling {
         const Edge end = edge_at(state, block + static_cast<std::int64_t>(kBlock));
         state.edge = end;
         state.has_edge = true;
-        const auto [begin_dynamics, end_dynamics] = dynamics(begin, end, passage_.settings.ratio);
-        const double begin_gain = begin.gain * begin_dynamics;
-        const double end_gain = end.gain * end_dynamics;
         add_ear(state.history, block, begin.ears.left, end.ears.left, begin.left_delay,
-                end.left_delay, begin_gain / begin.distance, end_gain / end.distance, left_);
+                end.left_delay, begin.gain / begin.distance, end.gain / end.distance, left_);
         add_ear(state.history, block, begin.ears.right, end.ears.right, begin.right_delay,
-                end.right_delay, begin_gain / begin.distance, end_gain / end.distance, right_);
+                end.right_delay, begin.gain / begin.distance, end.gain / end.distance, right_);
         for (std::size_t n = 0; n < kBlock; ++n) {
             const double part = static_cast<double>(n) / kBlock;
-            room_[n + 1] += between(begin_gain, end_gain, part) *
+            room_[n + 1] += between(begin.gain, end.gain, part) *
                             state.history[place_in_history(block + static_cast<std::int64_t>(n))];
         }
     }

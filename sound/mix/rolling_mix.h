@@ -14,9 +14,10 @@
 
 namespace carom::sound {
 
-/// Distance, direction and level are those at the edges of each block, and straight lines between
-/// them. Where one passage follows another, both cross over within 5 ms. Rolling has no single
-/// reflections: it is noise, to which they add nothing that the reverberation does not.
+/// Distance and direction are those at the edges of each block, and straight lines between them.
+/// The dynamics are those of the sources, wherever they are heard from. Where one passage follows
+/// another, both cross over within 5 ms. Rolling has no single reflections: it is noise, to which
+/// they add nothing that the reverberation does not.
 class RollingMix {
   public:
     /// `shot` must outlive it and not change. `is_on`: whether there is any.

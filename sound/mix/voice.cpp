@@ -12,7 +12,7 @@
 namespace carom::sound {
 namespace {
 
-constexpr double kEndsAt = 1e-3;  // of the peak: -60 dB
+constexpr double kEndsAt = 1e-3;  // of the peak: -60 dB, from which it fades out
 
 Ears scaled(Ears ears, double factor) {
     for (Ear* ear : {&ears.left, &ears.right}) {
@@ -35,17 +35,6 @@ Vec3 mirrored(const Vec3& listener, const Reflection& reflection, const Vec3& so
     return place;
 }
 
-/// A place 1 m from an impact where its dipole is as loud as on average over all directions (in the
-/// mean of the squares): at 54.7 degrees from the axis, as far up as that allows.
-Vec3 average_place(const ImpactSound& sound) {
-    Vec3 axis = sound.spheres.front().jump;
-    axis = axis.length() > 0 ? axis.normalized() : Vec3(0, 0, 1);
-    const Vec3 up = std::abs(axis.z) < 0.9 ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
-    const Vec3 across = (up - axis * up.dot(axis)).normalized();
-    const Vec3 outwards = axis.z < 0 ? -axis : axis;
-    return sound.place + outwards * std::sqrt(1.0 / 3) + across * std::sqrt(2.0 / 3);
-}
-
 std::size_t delay_in_samples(double seconds) {
     return static_cast<std::size_t>(std::max(0.0, std::nearbyint(seconds * kSampleRate)));
 }
@@ -54,7 +43,8 @@ std::size_t delay_in_samples(double seconds) {
 
 Voice::Voice(const Heard& heard, const RoomSettings& room)
     : rate_(heard.is_mirrored ? -heard.row.time_factor : heard.row.time_factor),
-      contact_time_(heard.arrival.contact_time) {
+      contact_time_(heard.arrival.contact_time),
+      shape_(heard.arrival.shape) {
     const double factor = factor_of(heard.row.gain);
     least_ = kEndsAt * heard.row.peak * factor;
     const std::size_t spheres = add_spheres(heard.arrival.spheres, factor);
@@ -78,7 +68,8 @@ std::size_t Voice::add_spheres(const std::vector<SphereWave>& spheres, double fa
     Waves waves;
     for (const SphereWave& sphere : spheres) {
         const Partial partial{sphere.partial.pole, factor * sphere.partial.residue};
-        waves.push_back({sphere.onset, PulseTrain(contact_time_, std::span(&partial, 1), least_)});
+        waves.push_back(
+            {sphere.onset, PulseTrain(contact_time_, std::span(&partial, 1), least_, shape_)});
     }
     waves_.push_back(std::move(waves));
     return waves_.size() - 1;
@@ -92,7 +83,8 @@ std::size_t Voice::add_modes(const Arrival& arrival, double factor) {
     }
     Waves waves;
     if (!partials.empty()) {
-        waves.push_back({0, PulseTrain(contact_time_, partials, least_ * arrival.distance)});
+        waves.push_back(
+            {0, PulseTrain(contact_time_, partials, least_ * arrival.distance, shape_)});
     }
     waves_.push_back(std::move(waves));
     return waves_.size() - 1;

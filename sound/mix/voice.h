@@ -16,7 +16,7 @@ namespace carom::sound {
 /// reflections, which are delayed by whole samples.
 class Voice {
   public:
-    /// `heard` in a room. It lasts until it has fallen 60 dB below its peak.
+    /// `heard` in a room. It lasts until it has fallen 60 dB below its peak, and fades out then.
     Voice(const Heard& heard, const RoomSettings& room);
 
     /// The samples of the film, [first(), last()), outside of which it adds nothing.
@@ -51,6 +51,7 @@ class Voice {
 
     double rate_;          // scene time over film time; negative if it is mirrored
     double contact_time_;  // s
+    PulseShape shape_;     // of the force
     double least_;         // Pa, below which it is not heard
     std::vector<Waves> waves_;
     std::vector<Playing> playing_;

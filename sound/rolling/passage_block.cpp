@@ -20,7 +20,12 @@ double playing_speed(double speed, const PassageSettings& settings) {
 }
 
 PassageBlock::PassageBlock(const Passage& passage, std::int64_t first_sample, std::size_t count)
-    : first(first_sample), scene_time(count), speed(count), ratio(count), presence(count) {
+    : first(first_sample),
+      dynamics(passage.settings.ratio),
+      scene_time(count),
+      speed(count),
+      ratio(count),
+      presence(count) {
     for (std::size_t n = 0; n < count; ++n) {
         const double film_time =
             static_cast<double>(first_sample + static_cast<std::int64_t>(n)) / kSampleRate;

@@ -20,6 +20,7 @@ struct PassageBlock {
     PassageBlock(const Passage& passage, std::int64_t first, std::size_t count);
 
     std::int64_t first = 0;
+    double dynamics = 1;             // PassageSettings::ratio
     std::vector<double> scene_time;  // s, of each sample
     std::vector<double> speed;       // playing_speed(); 0 where the picture stands still
     std::vector<double> ratio;       // speed / |film's speed|: 1 if the pitch follows the picture

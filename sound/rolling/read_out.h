@@ -23,9 +23,6 @@ class ReadOut {
     /// Forgets the previous call of at().
     void begin() { has_last_ = false; }
 
-    /// The root mean square at normal speed, Pa.
-    [[nodiscard]] double level(double scene_time) { return way_.pressure(way_.at(scene_time)); }
-
     /// The pressure, Pa. `ratio`: playing speed / film's speed. The place that is read is the
     /// integral of the ratio over the way since begin(), plus a constant. In parts,
     ///     int r dx = r x - int x dr,

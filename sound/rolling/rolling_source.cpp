@@ -37,22 +37,16 @@ class RollingSource::Implementation {
         return next != plan.stretches.end() && next->from <= std::max(from, to);
     }
 
-    [[nodiscard]] double level(double time) {
-        const Stretch* stretch = stretch_at(time);
-        if (stretch == nullptr) {
-            return 0;
-        }
-        const double rolled = rolled_.level(time);
-        const double slid = slid_.level(time);
-        return fade_of(*stretch, time) * std::sqrt(rolled * rolled + slid * slid);
-    }
-
     void add(const PassageBlock& block, std::span<double> pressure) {
         CAROM_ASSERT(pressure.size() == block.scene_time.size());
         if (block.first != next_sample_) {
             begin();
         }
         next_sample_ = block.first + static_cast<std::int64_t>(pressure.size());
+        if (block.dynamics != dynamics_) {
+            dynamics_ = block.dynamics;
+            present_ = kNone;
+        }
         if (pressure.empty() || !sounds(block.scene_time.front(), block.scene_time.back())) {
             return;
         }
@@ -75,6 +69,8 @@ class RollingSource::Implementation {
   private:
     using Iterator = std::vector<Stretch>::const_iterator;
 
+    static constexpr auto kNone = static_cast<std::size_t>(-1);
+
     [[nodiscard]] Iterator first_ending_after(double time) const {
         return std::partition_point(plan.stretches.begin(), plan.stretches.end(),
                                     [&](const Stretch& s) { return s.to <= time; });
@@ -91,6 +87,7 @@ class RollingSource::Implementation {
         }
         present_ = static_cast<std::size_t>(next - plan.stretches.begin());
         BallWays ways = plan.ways(*next);
+        apply_dynamics(dynamics_, ways);
         const std::uint64_t bits = split_mix(plan.seed + (present_ + 2) * kSplitMixStep);
         const double offset = kLeastOffset * (1 + unit_number(bits));
         rolled_.set_way(std::move(ways.rolled), offset);
@@ -103,7 +100,8 @@ class RollingSource::Implementation {
     }
 
     ReadOut rolled_, slid_;
-    std::size_t present_ = static_cast<std::size_t>(-1);  // the stretch whose ways there are
+    std::size_t present_ = kNone;  // the stretch whose ways there are
+    double dynamics_ = 1;          // of those ways
     std::int64_t next_sample_ = 0;
 };
 
@@ -127,10 +125,6 @@ Vec3 RollingSource::place(double scene_time) const {
 
 bool RollingSource::sounds(double from, double to) const {
     return implementation_->sounds(from, to);
-}
-
-double RollingSource::level(double scene_time) {
-    return implementation_->level(scene_time);
 }
 
 void RollingSource::add(const PassageBlock& block, std::span<double> pressure) {

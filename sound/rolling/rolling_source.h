@@ -20,12 +20,13 @@ struct RollingPlan;
 /// way of the contact: a function of scene time, which therefore plays at any speed, backwards and
 /// from any instant. Where the picture stands still, so does the way, and the source is silent. As
 /// for impacts, a picture at another speed changes the pitch and not the pressure. How loud it is
-/// says rolling_level.h.
+/// says rolling_level.h, with the passage's dynamics.
 ///
 /// Balls on cloth: one read-out along the way of the centre, and one along that of the lowest point
 /// over the cloth (the slip). Lasting contacts of the timeline: one read-out along their slip, with
 /// cloth as the texture if one of both is cloth or a cushion. Contacts of balls with cloth or floor
-/// are left out, because that is the former. A stretch of contact fades in and out within 5 ms of
+/// are left out, because that is the former. Where a blow changes a ball's speed, its sound changes
+/// over the contact (ball_way.h). A stretch of contact fades in and out within 5 ms of
 /// the scene, but not within more than a quarter of its duration.
 class RollingSource {
   public:
@@ -48,10 +49,6 @@ class RollingSource {
     /// Whether it may sound at some time of the scene from the earlier to the later one, which may
     /// be given in any order.
     [[nodiscard]] bool sounds(double from, double to) const;
-
-    /// The root mean square of the pressure at 1 m that is expected at a scene time, Pa; 0 if
-    /// silent. For the law of the dynamics, block by block.
-    [[nodiscard]] double level(double scene_time);
 
     /// Adds the pressure at 1 m, Pa, to `pressure`, which has the block's size: without delay, gain
     /// or direction. Blocks of a passage come in order of film time; their size does not change the

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "core/hash.h"
@@ -8,6 +10,7 @@
 #include "sound/rolling/rolling_plan.h"
 #include "sound/rolling/rolling_source.h"
 #include "sound/rolling/scraping_way.h"
+#include "sound/source/impact_sound.h"
 
 namespace carom::sound {
 namespace {
@@ -23,15 +26,29 @@ RollingPlan plan_of(const SoundBody& body, const std::string& other,
 }
 
 RollingPlan ball_plan(const SoundBody& body, std::vector<Stretch> stretches,
-                      const sim::Timeline& timeline) {
+                      std::vector<Touch> touches, const sim::Timeline& timeline) {
     RollingPlan plan = plan_of(body, "cloth", timeline);
     plan.texture = kCloth;
     plan.stretches = std::move(stretches);
     const double radius = std::get<BallShape>(body.shape).radius;
-    plan.ways = [track = plan.track, radius](const Stretch& stretch) {
-        return ball_ways(*track, radius, stretch.from, stretch.to);
+    plan.ways = [track = plan.track, radius, touches = std::move(touches)](const Stretch& stretch) {
+        return ball_ways(*track, radius, stretch.from, stretch.to, touches);
     };
     return plan;
+}
+
+/// The contacts of all things by their names, in order of time.
+std::unordered_map<std::string_view, std::vector<Touch>> touches_of(const SoundShot& shot) {
+    const ImpactSounds sounds(shot);
+    std::unordered_map<std::string_view, std::vector<Touch>> touches;
+    for (const sim::Event& event : shot.timeline->events) {
+        if (const std::optional<ImpactSound> sound = sounds.sound_of(event)) {
+            for (const std::string_view name : {event.a, event.b}) {
+                touches[name].push_back({event.time, sound->contact_time});
+            }
+        }
+    }
+    return touches;
 }
 
 /// Whether two scrapes of a pair are parts of one contact.
@@ -120,9 +137,11 @@ std::vector<RollingSource> rolling_sources(const SoundShot& shot) {
     const sim::Timeline& timeline = *shot.timeline;
     std::vector<RollingSource> sources;
     std::vector<std::vector<Stretch>> rolling = rolling_stretches(timeline, shot.bodies);
+    auto touches = touches_of(shot);
     for (std::size_t i = 0; i < shot.bodies.size(); ++i) {
         if (!rolling[i].empty()) {
-            sources.emplace_back(ball_plan(shot.bodies[i], std::move(rolling[i]), timeline));
+            sources.emplace_back(ball_plan(shot.bodies[i], std::move(rolling[i]),
+                                           std::move(touches[shot.bodies[i].name]), timeline));
         }
     }
     for (Pair& pair : scraping_pairs(shot)) {

@@ -5,14 +5,6 @@
 #include "core/assert.h"
 
 namespace carom::sound {
-namespace {
-
-double between(const std::array<double, 2>& ends, double part) {
-    return ends[0] + part * (ends[1] - ends[0]);
-}
-
-}  // namespace
-
 void Way::add(double time, double duration, const std::array<double, 3>& speeds,
               const std::array<double, 2>& pressures) {
     CAROM_ASSERT(duration > 0);
@@ -55,14 +47,6 @@ WayPoint Way::at(double time) {
     }
     return {piece.way + s * (piece.curve[0] + s * (piece.curve[1] + s * piece.curve[2])), last_, s,
             false};
-}
-
-double Way::speed(const WayPoint& point) const {
-    return point.stands ? 0 : between(ends(point.piece).speeds, point.part);
-}
-
-double Way::pressure(const WayPoint& point) const {
-    return point.stands ? 0 : between(ends(point.piece).pressures, point.part);
 }
 
 }  // namespace carom::sound

@@ -34,12 +34,11 @@ class Way {
     /// are found fast.
     [[nodiscard]] WayPoint at(double time);
 
-    /// The ends of a piece, whose index is less than the number of calls of add().
-    [[nodiscard]] const WayEnds& ends(std::size_t piece) const { return pieces_[piece].ends; }
+    [[nodiscard]] std::size_t size() const { return pieces_.size(); }
 
-    /// The speed at a point, m/s, and the pressure, Pa; 0 where the way stands.
-    [[nodiscard]] double speed(const WayPoint& point) const;
-    [[nodiscard]] double pressure(const WayPoint& point) const;
+    /// The ends of a piece, whose index is less than size().
+    [[nodiscard]] WayEnds& ends(std::size_t piece) { return pieces_[piece].ends; }
+    [[nodiscard]] const WayEnds& ends(std::size_t piece) const { return pieces_[piece].ends; }
 
     [[nodiscard]] double length() const { return length_; }
 

@@ -71,6 +71,7 @@ Arrival arrival_at(const Vec3& place, const ImpactSound& sound) {
     Arrival arrival;
     arrival.distance = std::max((place - sound.place).length(), kNearest);
     arrival.contact_time = sound.contact_time;
+    arrival.shape = sound.shape;
     arrival.spheres = spheres_at(place, sound, arrival.distance);
     for (const Mode& mode : sound.modes) {
         arrival.modes.push_back(
@@ -79,10 +80,20 @@ Arrival arrival_at(const Vec3& place, const ImpactSound& sound) {
     return arrival;
 }
 
+Vec3 average_place(const ImpactSound& sound) {
+    Vec3 axis = sound.spheres.empty() ? Vec3(0, 0, 0) : sound.spheres.front().jump;
+    axis = axis.length() > 0 ? axis.normalized() : Vec3(0, 0, 1);
+    const Vec3 up = std::abs(axis.z) < 0.9 ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
+    const Vec3 across = (up - axis * up.dot(axis)).normalized();
+    const Vec3 outwards = axis.z < 0 ? -axis : axis;
+    return sound.place + outwards * std::sqrt(1.0 / 3) + across * std::sqrt(2.0 / 3);
+}
+
 double pressure_at(const Arrival& arrival, double time) {
     double pressure = 0;
     const auto add = [&](const Partial& partial, double onset) {
-        const Complex response = pole_response_at(partial.pole, arrival.contact_time, time - onset);
+        const Complex response =
+            pole_response_at(partial.pole, arrival.contact_time, time - onset, arrival.shape);
         pressure += 2 * (partial.residue * response).re;
     };
     for (const SphereWave& wave : arrival.spheres) {
@@ -99,10 +110,11 @@ Peak find_peak(const Arrival& arrival) {
     std::vector<double> pressures(grid.count, 0.0);
     // Nothing ends early: half a period of the lowest mode is shorter than any ring.
     for (const SphereWave& wave : arrival.spheres) {
-        PulseTrain(arrival.contact_time, std::span(&wave.partial, 1), 0)
+        PulseTrain(arrival.contact_time, std::span(&wave.partial, 1), 0, arrival.shape)
             .add(grid.first - wave.onset, grid.step, pressures);
     }
-    PulseTrain(arrival.contact_time, arrival.modes, 0).add(grid.first, grid.step, pressures);
+    PulseTrain(arrival.contact_time, arrival.modes, 0, arrival.shape)
+        .add(grid.first, grid.step, pressures);
     std::size_t best = 0;
     for (std::size_t i = 1; i < pressures.size(); ++i) {
         if (std::abs(pressures[i]) > std::abs(pressures[best])) {

@@ -20,6 +20,7 @@ struct SphereWave {
 struct Arrival {
     double distance = 0;      // m, from the contact, at least kNearest
     double contact_time = 0;  // s
+    PulseShape shape = PulseShape::elastic;
     std::vector<SphereWave> spheres;
     std::vector<Partial> modes;  // with the onset 0
 };
@@ -35,6 +36,11 @@ inline constexpr double kNearest = 0.1;
 /// `contact_distance` away.
 [[nodiscard]] std::vector<SphereWave> spheres_at(const Vec3& place, const ImpactSound& sound,
                                                  double contact_distance);
+
+/// A place 1 m from an impact where a dipole along its axis is as loud as on average over all
+/// directions (in the mean of the squares): at 54.7 degrees from the axis, as far up as that
+/// allows. It turns with the impact about the vertical, and depends on no listener.
+[[nodiscard]] Vec3 average_place(const ImpactSound& sound);
 
 /// The pressure of an arrival at a time (s, scene time, after the same instant as the onsets), Pa.
 [[nodiscard]] double pressure_at(const Arrival& arrival, double time);

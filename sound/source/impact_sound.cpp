@@ -137,6 +137,7 @@ std::optional<ImpactSound> ImpactSounds::of_strike(const sim::Event& event) cons
     sound.impulse = event.normal_impulse > 0 ? event.normal_impulse : struck->body->mass * speed;
     sound.contact_time =
         structure_contact_time(shot_.structures.stick, struck->body->mass, sound.impulse);
+    sound.shape = PulseShape::soft;
     add_sphere(event.place, radius, event.vector, sound);
     append(shot_.structures.stick.modes, sound.modes);
     return sound;
@@ -177,6 +178,7 @@ ImpactSound ImpactSounds::of_surface(const sim::Event& event, const Entry& body)
     sound.place = event.place;
     sound.impulse = event.normal_impulse;
     sound.contact_time = structure_contact_time(*structure, body.body->mass, event.normal_impulse);
+    sound.shape = PulseShape::soft;
     add_body(body, event, 1, mode_factor, sound);
     append(structure->modes, sound.modes);
     return sound;

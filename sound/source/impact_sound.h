@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sound/sound_scene.h"
+#include "sound/source/pulse.h"
 
 namespace carom::sound {
 
@@ -23,9 +24,10 @@ struct SphereSource {
 /// What one impact sounds like, wherever it is heard. All sources follow the same force.
 struct ImpactSound {
     Group group = Group::balls;
-    Vec3 place{0, 0, 0};      // m, of the contact, from which the modes sound, too
-    double impulse = 0;       // N s, > 0
-    double contact_time = 0;  // s
+    Vec3 place{0, 0, 0};                     // m, of the contact, from which the modes sound, too
+    double impulse = 0;                      // N s, > 0
+    double contact_time = 0;                 // s
+    PulseShape shape = PulseShape::elastic;  // of the force; soft with structures
     std::vector<SphereSource> spheres;
     std::vector<Mode> modes;  // gains for 1 N s
 };

@@ -7,8 +7,14 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-std::array<double, kPulseSines> normalised_coefficients() {
-    std::array<double, kPulseSines> b{1.65316, -0.21389, -0.03908, -0.01612, -0.00849};
+using Coefficients = std::array<double, kPulseSines>;
+
+constexpr Coefficients kElastic{1.65316, -0.21389, -0.03908, -0.01612, -0.00849};
+/// The last one takes the slope away, k b_k in sum.
+constexpr Coefficients kSoft{1.71278, -0.37235, -0.06589, -0.02489,
+                             -(1.71278 - 3 * 0.37235 - 5 * 0.06589 - 7 * 0.02489) / 9};
+
+Coefficients with_area_one(Coefficients b) {
     double area = 0;
     for (std::size_t i = 0; i < kPulseSines; ++i) {
         area += b[i] * 2 / (pulse_harmonic(i) * kPi);
@@ -21,29 +27,30 @@ std::array<double, kPulseSines> normalised_coefficients() {
 
 }  // namespace
 
-const std::array<double, kPulseSines>& pulse_coefficients() {
-    static const std::array<double, kPulseSines> coefficients = normalised_coefficients();
-    return coefficients;
+const std::array<double, kPulseSines>& pulse_coefficients(PulseShape shape) {
+    static const Coefficients elastic = with_area_one(kElastic);
+    static const Coefficients soft = with_area_one(kSoft);
+    return shape == PulseShape::soft ? soft : elastic;
 }
 
-double pulse_force(double time, double duration) {
+double pulse_force(double time, double duration, PulseShape shape) {
     if (time <= 0 || time >= duration) {
         return 0;
     }
     double force = 0;
     for (std::size_t i = 0; i < kPulseSines; ++i) {
-        force += pulse_coefficients()[i] * sine(pulse_harmonic(i) * kPi * time / duration);
+        force += pulse_coefficients(shape)[i] * sine(pulse_harmonic(i) * kPi * time / duration);
     }
     return force / duration;
 }
 
-PoleResponse pole_response(Complex pole, double duration) {
+PoleResponse pole_response(Complex pole, double duration, PulseShape shape) {
     PoleResponse response;
     const Complex square = pole * pole;
     for (std::size_t i = 0; i < kPulseSines; ++i) {
         const double w = pulse_harmonic(i) * kPi / duration;
         const Complex d =
-            Complex{pulse_coefficients()[i] / duration, 0} / (square + Complex{w * w, 0});
+            Complex{pulse_coefficients(shape)[i] / duration, 0} / (square + Complex{w * w, 0});
         response.c[i] = w * d;
         response.s[i] = pole * d;
         response.a = response.a + response.c[i];
@@ -51,11 +58,11 @@ PoleResponse pole_response(Complex pole, double duration) {
     return response;
 }
 
-Complex pole_response_at(Complex pole, double duration, double time) {
+Complex pole_response_at(Complex pole, double duration, double time, PulseShape shape) {
     if (time <= 0) {
         return {};
     }
-    const PoleResponse response = pole_response(pole, duration);
+    const PoleResponse response = pole_response(pole, duration, shape);
     if (time > duration) {
         return (exponential((time - duration) * pole) + exponential(time * pole)) * response.a;
     }

@@ -11,6 +11,8 @@
 namespace carom::sound {
 namespace {
 
+constexpr double kNothing = 1e-3;  // of the least height, below which a ring is left out
+
 /// The part of a row of times first + i step that lies in (from, to].
 struct Stretch {
     std::size_t begin = 0;
@@ -75,18 +77,22 @@ CAROM_VECTOR_CLONES void add_ring(Complex amplitude, Complex pole, double step,
 
 }  // namespace
 
-PulseTrain::PulseTrain(double duration, std::span<const Partial> partials, double least)
+PulseTrain::PulseTrain(double duration, std::span<const Partial> partials, double least,
+                       PulseShape shape)
     : duration_(duration), end_(duration) {
     for (const Partial& partial : partials) {
-        const PoleResponse response = pole_response(partial.pole, duration);
+        const PoleResponse response = pole_response(partial.pole, duration, shape);
         Ring ring;
         ring.pole = partial.pole;
         ring.during = 2 * (partial.residue * response.a);
         ring.after = ring.during * (Complex{1, 0} + exponential(duration * partial.pole));
         const double height = std::sqrt(squared_length(ring.after));
-        ring.end = duration;
+        ring.fade = ring.end = duration;
         if (height > least) {
-            ring.end += logarithm(height / least) / -partial.pole.re;
+            ring.fade += logarithm(height / least) / -partial.pole.re;
+        }
+        if (height > kNothing * least) {
+            ring.end = ring.fade + std::numbers::ln2 / -partial.pole.re;
         }
         end_ = std::max(end_, ring.end);
         rings_.push_back(ring);
@@ -102,13 +108,29 @@ void PulseTrain::add(double first, double step, std::span<double> pressures) con
     add_during(first + static_cast<double>(during.begin) * step, step,
                pressures.subspan(during.begin, during.end - during.begin));
     for (const Ring& ring : rings_) {
-        const Stretch after = stretch(first, step, pressures.size(), duration_, ring.end);
-        if (after.begin == after.end) {
-            continue;
+        const Stretch after = stretch(first, step, pressures.size(), duration_, ring.fade);
+        if (after.begin < after.end) {
+            const double time = first + static_cast<double>(after.begin) * step - duration_;
+            add_ring(ring.after * exponential(time * ring.pole), ring.pole, step,
+                     pressures.subspan(after.begin, after.end - after.begin));
         }
-        const double time = first + static_cast<double>(after.begin) * step - duration_;
-        add_ring(ring.after * exponential(time * ring.pole), ring.pole, step,
-                 pressures.subspan(after.begin, after.end - after.begin));
+        const Stretch fade = stretch(first, step, pressures.size(), ring.fade, ring.end);
+        if (fade.begin < fade.end) {
+            add_fade(ring, first + static_cast<double>(fade.begin) * step, step,
+                     pressures.subspan(fade.begin, fade.end - fade.begin));
+        }
+    }
+}
+
+/// The factor (1 + cos x)/2 is the sum of 1/2, e^{ix}/4 and e^{-ix}/4: three rings.
+void PulseTrain::add_fade(const Ring& ring, double first, double step,
+                          std::span<double> pressures) const {
+    const Complex height = ring.after * exponential((first - duration_) * ring.pole);
+    add_ring(0.5 * height, ring.pole, step, pressures);
+    for (const double sign : {-1.0, 1.0}) {
+        const Complex turn{0, sign * std::numbers::pi / (ring.end - ring.fade)};
+        add_ring(0.25 * height * exponential((first - ring.fade) * turn), ring.pole + turn, step,
+                 pressures);
     }
 }
 

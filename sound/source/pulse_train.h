@@ -17,11 +17,13 @@ struct Partial {
     Complex residue;
 };
 
-/// The sum of partials that follow the same force from the same instant. Each partial ends when it
-/// has fallen below `least` (Pa).
+/// The sum of partials that follow the same force from the same instant. Each partial rings until
+/// it has fallen to `least` (Pa), and then fades out, with half a period of a cosine, within the
+/// time in which it falls to a half of that.
 class PulseTrain {
   public:
-    PulseTrain(double duration, std::span<const Partial> partials, double least);
+    PulseTrain(double duration, std::span<const Partial> partials, double least,
+               PulseShape shape = PulseShape::elastic);
 
     /// Adds the pressure at the times first, first + step, first + 2 step ... (s, after the force
     /// begins) to `pressures`. The step may be negative: that plays the sound backwards.
@@ -33,11 +35,13 @@ class PulseTrain {
   private:
     struct Ring {
         Complex pole;
-        Complex during;  // of e^{pt} while the force lasts
-        Complex after;   // of e^{p(t - duration)} after it
-        double end = 0;  // s
+        Complex during;   // of e^{pt} while the force lasts
+        Complex after;    // of e^{p(t - duration)} after it
+        double fade = 0;  // s, from which it fades out
+        double end = 0;   // s
     };
 
+    void add_fade(const Ring& ring, double first, double step, std::span<double> pressures) const;
     void add_during(double first, double step, std::span<double> pressures) const;
 
     double duration_;

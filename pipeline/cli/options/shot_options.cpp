@@ -78,7 +78,8 @@ void describe(InfoCommand& command, CommandDescription& description) {
     add_camera_file(description, command.input);
     description.flag("--resolved", command.resolved,
                      "Print the whole shot as YAML, after includes, presets and --set, and for "
-                     "every value the file and line that it comes from, or 'default'.");
+                     "every value the file and line that it comes from, or 'default'. Of a film, "
+                     "all its shots one after the other.");
     add_output(description, command.output, "Write to this file instead of standard output.");
     description.examples = {
         {"carom info break.yaml", "A summary."},

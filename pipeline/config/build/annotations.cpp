@@ -1,4 +1,4 @@
-// Checks the texts of annotations, and the strikes and objects that they need.
+// Checks the strikes and objects that annotations need, and their times.
 #include <algorithm>
 #include <string>
 #include <variant>
@@ -23,6 +23,10 @@ void report(Builder& builder, const Path& path, Message message) {
     builder.reader.error_at_path(found.place, std::move(message), std::move(found.key_path));
 }
 
+void warn(Builder& builder, const Path& path, const std::string& message) {
+    builder.reader.warning(find_place(builder.root, path).place, message);
+}
+
 std::vector<std::string> moving_names(const Builder& builder) {
     std::vector<std::string> names(builder.bodies.begin(), builder.bodies.end());
     names.insert(names.end(), builder.keyed.begin(), builder.keyed.end());
@@ -30,16 +34,15 @@ std::vector<std::string> moving_names(const Builder& builder) {
     return names;
 }
 
+/// The objects whose values a text shows.
 void check_text(Builder& builder, const std::string& text, const Path& path) {
-    const auto pieces = parse_value_text(text);
-    if (const auto* problem = std::get_if<TextProblem>(&pieces)) {
-        // The suggestion would replace the whole text, so only the sentence has it.
-        report(builder, path,
-               problem->sentence + hint(problem->unknown, problem->known).text + problem->advice);
-        return;
+    const auto parsed = parse_value_text(text);
+    const auto* pieces = std::get_if<std::vector<TextPiece>>(&parsed);
+    if (pieces == nullptr) {
+        return;  // it was reported
     }
     const std::vector<std::string> known = moving_names(builder);
-    for (const std::string& name : objects_of(std::get<std::vector<TextPiece>>(pieces))) {
+    for (const std::string& name : objects_of(*pieces)) {
         if (std::ranges::find(known, name) == known.end()) {
             report(builder, path,
                    "there is no ball or moving object " + quote(name) + hint(name, known).text);
@@ -73,12 +76,10 @@ void check_time(Builder& builder, const Annotation& annotation, const Path& path
     }
     const double end = in_scene ? shot.world.duration : shot.cameras.back().video_end.to_double();
     if (annotation.from->seconds >= end) {
-        const FoundPlace found = find_place(builder.root, path);
-        builder.reader.warning(
-            found.place,
-            "the annotation appears at " + show(annotation.from->seconds, Dimension::time) +
-                (in_scene ? " of the scene, but the simulation" : " of the film, but the film") +
-                " ends at " + show(end, Dimension::time));
+        warn(builder, path,
+             "the annotation appears at " + show(annotation.from->seconds, Dimension::time) +
+                 (in_scene ? " of the scene, but the simulation" : " of the film, but the film") +
+                 " ends at " + show(end, Dimension::time));
     }
 }
 
@@ -130,6 +131,9 @@ void check_annotation(Builder& builder, const Annotation& annotation, const std:
         if (!aim->toward && !aim->direction) {
             check_strike(builder, aim->of, path("aim", "of"),
                          ", whose aim the line would show; give 'toward' or 'direction'");
+        } else if (aim->toward && aim->toward->object == aim->of) {
+            warn(builder, path("aim", "toward"),
+                 "a ball cannot be aimed at itself, so nothing is drawn");
         }
     }
 }

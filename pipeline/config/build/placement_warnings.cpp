@@ -11,13 +11,7 @@ namespace carom::pipeline::config {
 namespace {
 
 /// A ball farther from the table's rails than this (m) is probably given in another unit.
-constexpr double kFarAway = 5;
-
-/// Half of the table's length and width, seen from above.
-Vec2 half_extent(const sim::billiards::TableMeasures& table) {
-    const double rails = table.has_cushions ? table.cushion_width + table.rail_width : 0;
-    return Vec2(table.length, table.width) * 0.5 + Vec2(rails);
-}
+constexpr double kFarAway = 2;
 
 /// The horizontal distance from the table; 0 above and under it.
 double distance_from_table(const Vec2& half, const Vec3& position) {
@@ -38,7 +32,7 @@ Place place_of_ball(const Builder& builder, const std::string& name) {
 
 void warn_far_away(const sim::Body& ball, double distance, Builder& builder) {
     const Vec3& at = ball.pose.position;
-    const Vec2 half = half_extent(*builder.shot.world.table);
+    const Vec2 half = half_outline(*builder.shot.world.table);
     std::string hint = "; lengths without a unit are in metres";
     if (distance_from_table(half, at * 1e-3) == 0) {
         hint += ": for millimetres write [" + show(at.x) + " mm, " + show(at.y) + " mm]";
@@ -61,7 +55,7 @@ bool is_over_a_pocket(const Vec3& place, const Builder& builder) {
 void check_ball(const sim::Body& ball, double radius, Builder& builder) {
     const sim::billiards::TableMeasures& table = *builder.shot.world.table;
     const Vec3& at = ball.pose.position;
-    const double distance = distance_from_table(half_extent(table), at);
+    const double distance = distance_from_table(half_outline(table), at);
     if (distance > kFarAway) {
         return warn_far_away(ball, distance, builder);
     }

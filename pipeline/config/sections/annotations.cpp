@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include <fmt/core.h>
 
@@ -12,6 +13,7 @@
 #include "pipeline/config/text.h"
 #include "pipeline/config/value_types.h"
 #include "pipeline/picture/fonts.h"
+#include "pipeline/picture/value_text.h"
 
 namespace carom::pipeline::config {
 
@@ -192,16 +194,13 @@ const MapSpec<ZoneAnnotation>& zone_spec() {
     return spec;
 }
 
-/// The noun of texts with values.
-ValueType<std::string> text_with_values() {
-    return text("a text, with values in braces");
-}
+constexpr const char* kText = "a text, with values in braces";
 
 const MapSpec<LabelAnnotation>& label_spec() {
     static const MapSpec<LabelAnnotation> spec = [] {
         MapSpec<LabelAnnotation> s("label", "A text above a ball, which follows it.");
         s.key("of", &LabelAnnotation::of, name_of(ReferenceKind::moving), "the ball").required();
-        s.key("text", &LabelAnnotation::text, text_with_values(),
+        s.key("text", &LabelAnnotation::text, text_with_values(kText),
               "the text, with values in braces: \"{cue.speed:.1f} m/s\"")
             .required();
         return s;
@@ -212,8 +211,8 @@ const MapSpec<LabelAnnotation>& label_spec() {
 const MapSpec<TitleAnnotation>& title_spec() {
     static const MapSpec<TitleAnnotation> spec = [] {
         MapSpec<TitleAnnotation> s("title", "Large text, with a smaller line under it.");
-        s.key("text", &TitleAnnotation::text, text_with_values(), "the title").required();
-        s.key("subtitle", &TitleAnnotation::subtitle, text_with_values(), "the line under it");
+        s.key("text", &TitleAnnotation::text, text_with_values(kText), "the title").required();
+        s.key("subtitle", &TitleAnnotation::subtitle, text_with_values(kText), "the line under it");
         return s;
     }();
     return spec;
@@ -326,7 +325,7 @@ void add_kinds(MapSpec<Annotation>& s) {
     add_kind(s, "label", record(label_spec()), "in the scene: a text that follows a ball");
     add_kind(
         s, "text",
-        convert<TextAnnotation>(text_with_values(),
+        convert<TextAnnotation>(text_with_values(kText),
                                 [](std::string text) { return TextAnnotation{std::move(text)}; }),
         "on the picture: lines of text, with values in braces: \"{cue.speed:.1f} m/s\"");
     add_kind(s, "title", record(title_spec()), "on the picture: a title");
@@ -436,6 +435,23 @@ void check_times(Reader& reader, const Node& node, Annotation& annotation) {
 }
 
 }  // namespace
+
+ValueType<std::string> text_with_values(std::string noun) {
+    ValueType<std::string> result = text(std::move(noun));
+    result.read = [read = result.read](Reader& reader,
+                                       const Node& node) -> std::optional<std::string> {
+        std::optional<std::string> value = read(reader, node);
+        const auto pieces = parse_value_text(value.value_or(""));
+        if (const auto* problem = std::get_if<TextProblem>(&pieces)) {
+            // The suggestion would replace the whole text, so only the sentence has it.
+            reader.error(
+                reader.key_place(),
+                problem->sentence + hint(problem->unknown, problem->known).text + problem->advice);
+        }
+        return value;
+    };
+    return result;
+}
 
 const MapSpec<Annotation>& annotation_spec() {
     static const MapSpec<Annotation> spec = [] {

@@ -138,8 +138,8 @@ class CommonKeys {
             "whether sound takes its time to the listener, 3 ms for each metre");
         add("dynamics", &CameraSound::ratio, dynamics(), usual.ratio,
             "how much the levels of loud and quiet sounds are brought together: `film`, which "
-            "halves their distances from 80 dB, `natural`, which leaves them, or what they are "
-            "divided by");
+            "halves their distances from 80 dB at 1 m, `natural`, which leaves them, or what they "
+            "are divided by");
         spec_.map("mix", access_, has_defaults_ ? film_mix_spec() : camera_mix_spec(),
                   "levels of groups of sounds");
     }

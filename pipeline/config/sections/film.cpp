@@ -1,9 +1,12 @@
 // The keys of a film of several shots.
+#include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "pipeline/config/emit_yaml.h"
 #include "pipeline/config/picture_size.h"
 #include "pipeline/config/sections/sections.h"
+#include "pipeline/picture/value_text.h"
 #include "render/scene/scene_problems.h"
 
 namespace carom::pipeline::config {
@@ -39,6 +42,19 @@ ValueType<std::array<int, 2>> picture_size() {
                                        });
 }
 
+/// A text without a moment of which it could show values.
+void warn_of_values(Reader& reader, const Entry* text) {
+    const auto parsed = parse_value_text(text != nullptr ? text->value.text : "");
+    const auto* pieces = std::get_if<std::vector<TextPiece>>(&parsed);
+    if (pieces != nullptr && std::ranges::any_of(*pieces, [](const TextPiece& piece) {
+            return std::holds_alternative<TextValue>(piece);
+        })) {
+        reader.warning(text->key_place,
+                       "a title card shows no moment of a shot, so that values in braces say "
+                       "nothing on it; write '{{' for the brace itself");
+    }
+}
+
 TitleCard& card_of(FilmPartSection& part) {
     if (!part.title) {
         part.title.emplace();
@@ -62,11 +78,11 @@ const MapSpec<FilmPartSection>& part_spec() {
               "time of the shot's own film at which the part ends. The default is its end")
             .goes_with({"shot"});
         s.set(
-            "title", text("lines of text"),
+            "title", text_with_values("lines of text"),
             [](FilmPartSection& part, std::string text) { card_of(part).text = std::move(text); },
             "text of a title card");
         s.set(
-             "subtitle", text("lines of text"),
+             "subtitle", text_with_values("lines of text"),
              [](FilmPartSection& part, std::string text) {
                  card_of(part).subtitle = std::move(text);
              },
@@ -94,6 +110,8 @@ const MapSpec<FilmPartSection>& part_spec() {
             const Entry* shot = node.find("shot");
             part.place = node.place;
             part.shot_place = shot != nullptr ? shot->value.place : node.place;
+            warn_of_values(reader, node.find("title"));
+            warn_of_values(reader, node.find("subtitle"));
             if (part.from && part.to && !(*part.from < *part.to)) {
                 reader.error(node.find("to")->value.place, "'to' must be after 'from'");
             }

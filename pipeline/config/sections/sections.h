@@ -34,6 +34,10 @@ struct NotStored {};
 [[nodiscard]] const MapSpec<FilmSection>& film_spec();
 [[nodiscard]] const MapSpec<Annotation>& annotation_spec();
 
+/// A text with values in braces, whose braces are checked (value_text.h), but not the objects that
+/// it names.
+[[nodiscard]] ValueType<std::string> text_with_values(std::string noun);
+
 /// `none`, for a silent film, or the keys of the section `sound`.
 [[nodiscard]] ValueType<SoundSettings> film_sound();
 

@@ -146,6 +146,35 @@ TEST(SoundCheck, LoudnessThatTakesMuchLimiting_IsReportedWithOneThatDoesNot) {
     EXPECT_EQ(loudness_warnings(film, -10), "");
 }
 
+TEST(SoundCheck, FixedGainThatIsTooHigh_IsReportedWithOneThatIsNot) {
+    Film film;
+    film.shot.cameras[0].position = BezierPath{{{{0, -2, 1}, "", 0}}};
+    film.shot.cameras[0].target = BezierPath{{{{0, 0, 0}, "", 0}}};
+    for (sim::Event& impact : film.timeline.events) {
+        impact.normal = {0, -1, 0};
+        impact.normal_impulse = 0.3;
+    }
+    const auto warnings = [&](double full_scale) {
+        film.shot.sound.full_scale = full_scale;
+        const std::int64_t frames = frame_count(film.shot.cameras, film.shot.timing);
+        std::string text;
+        for (const Problem& problem :
+             loudness_problems(film_scene(film.shot, film.timeline, 0, frames), nullptr)) {
+            EXPECT_EQ(problem.severity, Severity::warning);
+            text += problem.message + "\n";
+        }
+        return text;
+    };
+    const std::string warning = warnings(1e-3);
+    EXPECT_TRUE(std::regex_match(
+        warning,
+        std::regex("with the fixed gain the loudest sounds exceed the highest true peak, -1 dB, so "
+                   "they are turned down by [0-9]+\\.[0-9] dB; 'full_scale: [0-9.]+ Pa' avoids "
+                   "it\n")))
+        << warning;
+    EXPECT_EQ(warnings(std::stod(warning.substr(warning.find("full_scale: ") + 12))), "");
+}
+
 TEST(SoundCheck, SilentFilm_HasNoWarning) {
     Film film;
     film.show(Rational(0), Rational(1));

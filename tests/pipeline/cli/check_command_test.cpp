@@ -108,6 +108,21 @@ carom: 's.yaml' has no errors, but 1 warning
     EXPECT_THAT(frame.err, HasSubstr("s.yaml:13:5: warning: camera 'seat' is focused on 'one'"));
 }
 
+TEST_F(CheckCommandRun, CameraWithoutAView_IsAnErrorOfCheckAndRender) {
+    write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 3}", "[0, 0.5, 0.8]");
+    EXPECT_EQ(
+        messages(2),
+        R"(s.yaml:8:5: error: camera 'seat' has no valid view from 0 s to 0.5 s of the film (frames 0 to 5): the camera looks straight along its up direction; give another 'up'
+    8 |   - name: seat
+      |     ^~~~
+carom: error: 's.yaml' has 1 error
+)");
+    const RunResult render = run({"render", "s.yaml", "-o", "s.mp4"});
+    EXPECT_EQ(render.exit_code, 2);
+    EXPECT_THAT(render.err, HasSubstr("carom: error: camera 'seat', frame 0: the camera looks "
+                                      "straight along its up direction"));
+}
+
 TEST_F(CheckCommandRun, SoundThatIsNotHeard_IsAWarning) {
     write_text(path("s.yaml"), R"(carom: 1
 simulation: {duration: 1 s}

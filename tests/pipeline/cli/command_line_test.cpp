@@ -182,6 +182,18 @@ TEST(CommandLine, MisspeltCommand_GetsAHint) {
                 StartsWith("carom: error: unknown option '--verison'"));
 }
 
+TEST(CommandLine, RepeatedOption_IsNamed) {
+    const std::string see = "\nSee 'carom render --help'.\n";
+    EXPECT_EQ(early_exit({"render", "a.yaml", "--frames", "1", "--frames", "2"}).err,
+              "carom: error: --frames is given twice; give it once" + see);
+    EXPECT_EQ(early_exit({"render", "-o", "a", "a.yaml", "-o", "b", "--output", "c"}).err,
+              "carom: error: --output is given 3 times; give it once" + see);
+    EXPECT_THAT(early_exit({"cache", "list", "--cache", "a", "--cache", "b"}).err,
+                StartsWith("carom: error: --cache is given twice; give it once\n"));
+    const auto quiet = parsed<RenderCommand>({"render", "a.yaml", "--set", "a=1", "--set", "b=2"});
+    EXPECT_THAT(quiet.input.overrides, ElementsAre("a=1", "b=2"));
+}
+
 TEST(CommandLine, MissingShot_IsNamed) {
     EXPECT_THAT(early_exit({"render"}).err, StartsWith("carom: error: SHOT|BAKE is required\n"));
 }

@@ -43,18 +43,53 @@ TEST_F(MomentRun, ThatComes_IsShownInSeconds) {
     EXPECT_EQ(run({"frame", "s.yaml", "--frame", "3"}).exit_code, 0);
 }
 
-TEST_F(MomentRun, ThatNeverComes_IsAWarningOfCheckAndAnErrorOfRender) {
-    write_shot("[{contact: [two, one]}, 0.5 s]");
-    const std::string message =
-        ": this moment never comes: 'two' never touched 'one'; it touched "
-        "nothing\n";
-    const RunResult check = run({"check", "s.yaml"});
-    EXPECT_EQ(check.exit_code, 0);
-    EXPECT_THAT(check.err, HasSubstr("s.yaml:8:45: warning" + message));
-    const RunResult render = run({"render", "s.yaml", "-o", "s.mp4"});
-    EXPECT_NE(render.exit_code, 0);
-    EXPECT_THAT(render.err, HasSubstr("s.yaml:8:45: error" + message));
-    EXPECT_THAT(render.err, HasSubstr("'s.yaml' has 1 error"));
+/// The lines of a text with errors and their excerpts, without the summary.
+std::string errors_of(const std::string& text) {
+    const std::size_t begin = text.find("s.yaml:");
+    return begin == std::string::npos
+               ? ""
+               : text.substr(begin, text.find("carom: error: 's.yaml' has ") - begin);
+}
+
+// What a moment decides is only known when the motion is.
+TEST_F(MomentRun, ThatIsAnErrorOfRender_IsTheSameErrorOfCheck) {
+    const std::vector<std::pair<std::string, std::string>> scenes{
+        {"[{contact: [two, one]}, 0.5 s]",
+         R"(s.yaml:8:45: error: this moment never comes: 'two' never touched 'one'; it touched nothing
+    8 |   - {name: seat, video: [0 s, 1 s], scene: [{contact: [two, one]}, 0.5 s], position: [0, -1, 0.8], target: [0, 0, 0]}
+      |                                             ^
+)"},
+        {"{from: {potted: one}, speeds: [[0 s, 1/2]]}",
+         R"(s.yaml:8:51: error: this moment never comes: 'one' was never potted; nothing was potted
+    8 |   - {name: seat, video: [0 s, 1 s], scene: {from: {potted: one}, speeds: [[0 s, 1/2]]}, position: [0, -1, 0.8], target: [0, 0, 0]}
+      |                                                   ^
+)"},
+        {"{strike: cue, before: 0.2 s}",
+         R"(s.yaml:8:44: error: this moment is 0.15 s before the shot begins
+    8 |   - {name: seat, video: [0 s, 1 s], scene: {strike: cue, before: 0.2 s}, position: [0, -1, 0.8], target: [0, 0, 0]}
+      |                                            ^
+)"}};
+    for (const auto& [scene, message] : scenes) {
+        write_shot(scene);
+        const RunResult check = run({"check", "s.yaml"});
+        EXPECT_EQ(check.exit_code, 2) << check.err;
+        EXPECT_EQ(errors_of(check.err), message);
+        EXPECT_THAT(check.err, HasSubstr("carom: error: 's.yaml' has 1 error"));
+        const RunResult render = run({"render", "s.yaml", "-o", "s.mp4"});
+        EXPECT_EQ(render.exit_code, 2) << render.err;
+        EXPECT_EQ(errors_of(render.err), message);
+    }
+    write_shot("[0 s, 0.8 s]");
+    write_text(path("s.yaml"),
+               text_of("s.yaml") +
+                   "annotations:\n  - {text: a, from: {contact: [cue, one]}, to: {strike: cue}}\n");
+    const std::string message = R"(s.yaml:11:48: error: 'to' must be after 'from'
+   11 |   - {text: a, from: {contact: [cue, one]}, to: {strike: cue}}
+      |                                                ^
+)";
+    EXPECT_EQ(errors_of(run({"check", "s.yaml"}).err), message);
+    EXPECT_EQ(errors_of(run({"render", "s.yaml", "-o", "s.mp4"}).err), message);
+    EXPECT_FALSE(exists("s.mp4"));
 }
 
 /// The second camera can be filmed, the first and the annotation cannot.
@@ -77,7 +112,6 @@ annotations:
                                                {"export", "s.yaml", "-o", "s.glb"},
                                                {"export", "s.yaml", "-o", "s.usda"},
                                                {"bake", "s.yaml"},
-                                               {"check", "s.yaml"},
                                                {"info", "s.yaml"},
                                                {"info", "s.yaml", "--resolved"}}) {
         const RunResult result = run(diagnosis);
@@ -85,8 +119,11 @@ annotations:
         EXPECT_THAT(result.err, HasSubstr("s.yaml:8:45: warning: this moment never comes: 'two'"));
         EXPECT_THAT(result.err, HasSubstr("s.yaml:12:42: warning: this moment never comes: 'one'"));
     }
-    for (const std::string film : {"render", "frame", "contact-sheet", "sound"}) {
-        EXPECT_EQ(run({film, "s.yaml"}).exit_code, 2) << film;
+    for (const std::string film : {"check", "render", "frame", "contact-sheet", "sound"}) {
+        const RunResult result = run({film, "s.yaml"});
+        EXPECT_EQ(result.exit_code, 2) << film;
+        EXPECT_THAT(result.err, HasSubstr("s.yaml:8:45: error: this moment never comes: 'two'"));
+        EXPECT_THAT(result.err, HasSubstr("s.yaml:12:42: error: this moment never comes: 'one'"));
     }
     const std::string report = run({"report", "s.yaml", "-q"}).out;
     EXPECT_THAT(report, HasSubstr("   never cameras[0].scene[0]\n"));
@@ -97,7 +134,7 @@ annotations:
     EXPECT_THAT(text_of("s.usda"), Not(HasSubstr("seat_lens")));
     EXPECT_THAT(run({"info", "s.yaml"}).out,
                 HasSubstr("seat: 0 s to 1 s of the film, shows scene times that are not known"));
-    // The place of the other camera's problem is its own.
+    // What can be filmed is checked, and the place of the other camera's problem is its own.
     EXPECT_THAT(run({"check", "s.yaml"}).err,
                 HasSubstr("s.yaml:10:6: warning: camera 'near' is inside 'one'"));
     EXPECT_EQ(run({"export", "s.yaml", "-q"}).err, "");

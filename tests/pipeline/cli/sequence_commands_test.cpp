@@ -162,7 +162,16 @@ TEST_F(SequenceRun, OtherCommands_KnowTheFilm) {
     EXPECT_THAT(must_run({"info", "film.yaml"}).out,
                 HasSubstr("0.8 s to 1.2 s: b.yaml, its film from 0.2 s to 0.6 s, fades in for "
                           "0.2 s"));
-    EXPECT_THAT(must_run({"check", "film.yaml"}).err, HasSubstr("'film.yaml' has no errors"));
+    const std::string resolved = must_run({"info", "film.yaml", "--resolved"}).out;
+    EXPECT_THAT(resolved,
+                ::testing::StartsWith("carom: 1\nfilm:\n  shots:\n    - {shot: \"a.yaml"));
+    std::size_t at = 0;
+    for (const char* part : {"title: \"Again\"", "\n---\n# part 1, a.yaml\n", "[0, -1, 0.8]  ",
+                             "# a.yaml:8", "\n---\n# part 3, b.yaml\n", "[0, 1, 0.8]  "}) {
+        at = resolved.find(part, at);
+        ASSERT_NE(at, std::string::npos) << part << resolved;
+    }
+    EXPECT_EQ(must_run({"check", "film.yaml"}).err, "carom: 'film.yaml' has no errors\n");
     (void)must_run({"plan", "film.yaml", "-o", "plan.svg"});
     EXPECT_TRUE(exists("plan-1.svg"));
     EXPECT_TRUE(exists("plan-2.svg"));
@@ -183,6 +192,23 @@ TEST_F(SequenceRun, OtherCommands_KnowTheFilm) {
                 HasSubstr("frame 12 is outside the film, which has the frames 0 to 11"));
     EXPECT_THAT(run({"render", "film.yaml", "-o", "f.####.png"}).err,
                 HasSubstr("a film of several shots is written as a video"));
+}
+
+TEST_F(SequenceRun, Check_HasTheVerdictOfRender) {
+    write_text(path("b.yaml"), shot(1) + "annotations:\n  - {text: a, from: {potted: one}}\n");
+    const RunResult check = run({"check", "film.yaml"});
+    EXPECT_EQ(check.exit_code, 2);
+    const std::string message =
+        "b.yaml:11:21: error: this moment never comes: 'one' was never potted; nothing was "
+        "potted\n";
+    EXPECT_THAT(check.err, HasSubstr(message));
+    const RunResult render = run({"render", "film.yaml"});
+    EXPECT_EQ(render.exit_code, 2);
+    EXPECT_THAT(render.err, HasSubstr(message));
+    write_text(path("film.yaml"), "carom: 1\nfilm: {size: [65, 37], shots: [a.yaml]}\n");
+    const RunResult odd = must_run({"check", "film.yaml"});
+    EXPECT_THAT(odd.err, HasSubstr("carom: warning: "));
+    EXPECT_EQ(run({"render", "film.yaml"}).exit_code, 2);
 }
 
 }  // namespace

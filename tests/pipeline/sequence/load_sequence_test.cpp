@@ -122,6 +122,28 @@ TEST_F(LoadSequence, PartsThatCannotBe_AreErrors) {
               "film.yaml:4: a film of several shots cannot be written as 'hdr10' yet");
 }
 
+TEST_F(LoadSequence, BracesOfATitle_AreThoseOfTextsOnFrames) {
+    EXPECT_EQ(problem("  shots: [a.yaml, {title: \"a {b\"}]\n"),
+              "film.yaml:3: a '{' has no '}' after it; write '{{' for the brace itself");
+    EXPECT_EQ(problem("  shots: [a.yaml, {title: a, subtitle: \"}\"}]\n"),
+              "film.yaml:3: a '}' has no '{' before it; write '}}' for the brace itself");
+    const std::string nothing =
+        "film.yaml:3: a title card shows no moment of a shot, so that values in braces say nothing "
+        "on it; write '{{' for the brace itself";
+    EXPECT_EQ(problem("  shots: [a.yaml, {title: \"{frame}\"}]\n"), nothing);
+    const SequenceResult result = load("  shots: [a.yaml, {title: a, subtitle: \"{cue.x}\"}]\n");
+    EXPECT_TRUE(result.sequence);
+    ASSERT_EQ(result.problems.size(), 1U);
+    EXPECT_EQ(result.problems[0].severity, Severity::warning);
+    EXPECT_EQ(result.problems[0].place.column, 30);
+    EXPECT_EQ(problem("  shots: [a.yaml, {title: \"{{a}}\"}]\n"), "");
+}
+
+TEST_F(LoadSequence, OutputThatNoFilmCanHave_IsAnErrorAtTheSetting) {
+    EXPECT_EQ(problem("  shots: [a.yaml]\noutput: {codec: h264, crf: 60}\n"),
+              "film.yaml:4: crf must be from 0 (lossless) to 51 (worst)");
+}
+
 TEST_F(LoadSequence, Bakes_AreShotsWithTheirMotion) {
     const LoadResult shot = load_shot(folder_.path("a.yaml"));
     ASSERT_TRUE(shot.shot);

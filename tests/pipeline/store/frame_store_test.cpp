@@ -198,6 +198,30 @@ TEST(FrameStore, FolderThatCannotBeCreated_IsAnErrorWithItsName) {
     }
 }
 
+// A link to itself cannot be read even by root, who can read all files.
+TEST(FrameStore, FileThatCannotBeRead_IsMissingToWhomOnlyReads) {
+    const ScratchFolder folder;
+    const FrameStore store(folder.path());
+    const Hash128 key = make_key(1);
+    const std::string file = store.path_of(key);
+    const std::string noisy = store.file_of(key, ".noisy");
+    fs::create_directories(fs::path(file).parent_path());
+    fs::create_symlink(file, file);
+    fs::create_symlink(noisy, noisy);
+    const auto is_unreadable = [](const std::string& path) {
+        return ::testing::ThrowsMessage<Error>(
+            "'" + path + "': the frame cannot be read: Too many levels of symbolic links");
+    };
+    EXPECT_THAT([&] { (void)store.read(key); }, is_unreadable(file));
+    EXPECT_THAT([&] { (void)store.read_noisy(key); }, is_unreadable(noisy));
+    EXPECT_THAT([&] { (void)store.is_intact(key); }, is_unreadable(file));
+    const auto fail = [](const std::string&, const std::string&) { FAIL(); };
+    const FrameStore reader(folder.path(), fail, {}, StoreAccess::only_read);
+    EXPECT_FALSE(reader.read(key));
+    EXPECT_FALSE(reader.read_noisy(key));
+    EXPECT_FALSE(reader.is_intact(key));
+}
+
 TEST(FrameClaim, SecondClaim_IsDeniedUntilTheFirstEnds) {
     const ScratchFolder folder;
     const FrameStore store(folder.path());

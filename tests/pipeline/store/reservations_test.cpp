@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "pipeline/store/cache_entry.h"
+#include "pipeline/store/cache_folder.h"
 #include "pipeline/store/claim_note.h"
 #include "pipeline/store/pins.h"
 #include "tests/scratch_folder.h"
@@ -102,6 +103,17 @@ TEST(Reservations, End_WithTheJobOrItsFolder) {
     EXPECT_THAT(pinned_keys(cache.path()), SizeIs(3));
     remove_job_pin(cache.path(), "a-1");
     EXPECT_THAT(pinned_keys(cache.path()), IsEmpty());
+}
+
+TEST(Pins, ThatCannotBeWritten_AreAnErrorIfTheCacheCanBe) {
+    const Cache cache;
+    write_text(cache.path() + "/pins", "a file");
+    EXPECT_THAT([&] { (void)Pin(cache.path(), keys(1, 2)); },
+                ::testing::ThrowsMessage<CacheUnusable>(
+                    "'" + cache.path() +
+                    "/pins': the folder cannot be created: Not a directory; without a pin there, "
+                    "other jobs may prune the files of this one"));
+    EXPECT_NO_THROW((void)Pin("/proc/none", keys(1, 2)));
 }
 
 TEST(Reservations, KilledProcess_ReservesNothing) {

@@ -17,21 +17,36 @@ TEST(Decibels, PressuresAndFactors_AreThoseOfTheDefinition) {
     EXPECT_EQ(level_of(0), -std::numeric_limits<double>::infinity());
 }
 
+double level_after(double level, double ratio, double quiet) {
+    const double pressure = pressure_of(level);
+    return level_of(pressure * dynamics_factor(pressure, ratio, quiet));
+}
+
 TEST(Dynamics, Ratio_DividesTheDistanceFrom80Decibels) {
-    for (const double level : {0.0, 40.0, 80.0, 93.0, 130.0}) {
+    for (const double level : {60.0, 80.0, 93.0, 130.0}) {
         for (const double ratio : {1.0, 2.0, 3.0, 4.0}) {
-            const double pressure = pressure_of(level);
-            EXPECT_NEAR(level_of(pressure * dynamics_factor(pressure, ratio)),
-                        80 + (level - 80) / ratio, 1e-10)
+            EXPECT_NEAR(level_after(level, ratio, 60), 80 + (level - 80) / ratio, 1e-10)
                 << level << " dB, ratio " << ratio;
         }
     }
-    EXPECT_EQ(dynamics_factor(0.123, 1), 1);
+    EXPECT_EQ(dynamics_factor(0.123, 1, 60), 1);
 }
 
-TEST(Dynamics, Silence_HasTheFactorOfZeroDecibels) {
-    EXPECT_EQ(dynamics_factor(0, 2), dynamics_factor(kReferencePressure, 2));
-    EXPECT_NEAR(dynamics_factor(0, 2), 100, 1e-10);
+// At 60 dB a ratio of 2 lifts by 10 dB, at 50 dB by half of that, and from 40 dB down not at all.
+TEST(Dynamics, QuietSounds_AreLiftedLessAndLess) {
+    EXPECT_NEAR(level_after(60, 2, 60), 70, 1e-10);
+    EXPECT_NEAR(level_after(50, 2, 60), 55, 1e-10);
+    EXPECT_NEAR(level_after(50, 4, 60), 57.5, 1e-10);
+    for (const double level : {40.0, 30.0, 0.0}) {
+        EXPECT_NEAR(level_after(level, 2, 60), level, 1e-10);
+    }
+    EXPECT_EQ(dynamics_factor(0, 2, 60), 1);
+    double last = 0;
+    for (double level = 1; level < 120; ++level) {
+        const double now = level_after(level, 4, kQuietRush);
+        EXPECT_GT(now, last) << "a louder sound stays louder";
+        last = now;
+    }
 }
 
 }  // namespace

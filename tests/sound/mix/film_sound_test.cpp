@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <stop_token>
 #include <vector>
@@ -211,6 +212,40 @@ TEST(FilmSound, LoudnessOfASingleClack_IsMissedAndToldAsItIs) {
     EXPECT_LT(levels.limited, kMostLimited + 0.2);
     film.scene.loudness = levels.loudness - 1;
     EXPECT_NEAR(levels_of(film.scene).loudness, *film.scene.loudness, 0.1);
+}
+
+/// What a film could have with some limiting, after it was read.
+std::optional<double> gentle_loudness_of(const SoundScene& scene, const AddedSound& added = {}) {
+    FilmSound sound(scene, {.added = added});
+    std::vector<double> left(static_cast<std::size_t>(scene.frames));
+    std::vector<double> right = left;
+    EXPECT_EQ(sound.read(left, right), left.size());
+    return sound.gentle_loudness();
+}
+
+TEST(FilmSound, QuietFilm_KnowsHowLoudItCouldBe) {
+    SmallFilm film;
+    film.collide(0.5, 5);
+    film.touch(1, "cushion", 0.3);
+    film.show(0, 3, 0, 1);
+    film.scene.frames = 3LL * kSampleRate;
+    film.scene.full_scale.reset();
+    EXPECT_LT(levels_of(film.scene).loudness, kQuietFilm);
+    const std::optional<double> gentle = gentle_loudness_of(film.scene);
+    ASSERT_TRUE(gentle);
+    const AddedSound music = sine(1, 997, film.scene.frames);
+    EXPECT_FALSE(gentle_loudness_of(film.scene, music)) << "with it, it is not quiet";
+    film.scene.full_scale =
+        FilmSound(film.scene).gain().full_scale * std::pow(10, -kGentlyLimited / 20);
+    const SoundLevels limited = levels_of(film.scene);
+    EXPECT_NEAR(limited.limited, kGentlyLimited, 0.2);
+    EXPECT_NEAR(limited.loudness, *gentle, 0.05);
+    EXPECT_FALSE(gentle_loudness_of(film.scene)) << "it has the gain that was asked for";
+    film.scene.loudness = -30;
+    EXPECT_FALSE(gentle_loudness_of(film.scene));
+    SoundScene music_alone;
+    music_alone.frames = kSampleRate;
+    EXPECT_FALSE(gentle_loudness_of(music_alone, sine(0.01, 997, kSampleRate)));
 }
 
 TEST(FilmSound, Loudness_OfSilenceAndOfVeryShortFilms_IsNone) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -25,11 +26,11 @@ double adaptive(const std::function<double(double)>& f, double a, double b, doub
            adaptive(f, middle, b, tolerance / 2, depth - 1);
 }
 
-Complex convolution(Complex pole, double duration, double time) {
+Complex convolution(Complex pole, double duration, double time, PulseShape shape) {
     const auto part = [&](bool is_real) {
         const auto f = [&](double u) {
             const Complex e = exponential((time - u) * pole);
-            return pulse_force(u, duration) * (is_real ? e.re : e.im);
+            return pulse_force(u, duration, shape) * (is_real ? e.re : e.im);
         };
         const double end = std::min(time, duration);
         double sum = 0;
@@ -42,9 +43,11 @@ Complex convolution(Complex pole, double duration, double time) {
 }
 
 TEST(Pulse, Force_Integrated_HasAreaOne) {
-    for (const double duration : {50e-6, 300e-6, 5.5e-3}) {
-        const auto f = [&](double t) { return pulse_force(t, duration); };
-        EXPECT_NEAR(adaptive(f, 0, duration, 1e-13), 1, 1e-10);
+    for (const PulseShape shape : {PulseShape::elastic, PulseShape::soft}) {
+        for (const double duration : {50e-6, 300e-6, 5.5e-3}) {
+            const auto f = [&](double t) { return pulse_force(t, duration, shape); };
+            EXPECT_NEAR(adaptive(f, 0, duration, 1e-13), 1, 1e-10);
+        }
     }
 }
 
@@ -86,6 +89,43 @@ TEST(Pulse, Force_WholeCourse_IsWithinOnePercentOfHertz) {
     for (std::size_t i = 0; i < force.size(); ++i) {
         const double t = h * static_cast<double>(i);
         EXPECT_NEAR(2 * pulse_force(t, duration), force[i], 0.01 * highest) << t;
+        EXPECT_NEAR(2 * pulse_force(t, duration, PulseShape::soft), force[i], 0.11 * highest);
+    }
+}
+
+// With a slope at its beginning a force rises in proportion to the time, without slope and
+// curvature to its third power.
+TEST(Pulse, SoftForce_BeginsAndEndsWithoutASlope) {
+    for (const double part : {1e-3, 1e-4}) {
+        const double soft = pulse_force(part, 1, PulseShape::soft);
+        EXPECT_LT(soft, 2000 * part * part * part);
+        EXPECT_NEAR(pulse_force(1 - part, 1, PulseShape::soft), soft, 1e-12);
+        EXPECT_GT(pulse_force(part, 1), part);
+    }
+}
+
+// What a sphere radiates while it is pushed for 5.5 ms, above 2 kHz, where nothing of the push's
+// own course is.
+TEST(Pulse, SoftForce_MakesNoTicks) {
+    const auto density = [](PulseShape shape, double frequency) {
+        const auto part = [&](double phase) {
+            const auto f = [&](double t) {
+                return pulse_force(t, 5.5e-3, shape) *
+                       std::cos(2 * std::numbers::pi * frequency * t - phase);
+            };
+            double sum = 0;
+            for (int i = 0; i < 64; ++i) {
+                sum += adaptive(f, 5.5e-3 * i / 64, 5.5e-3 * (i + 1) / 64, 1e-14);
+            }
+            return sum;
+        };
+        return std::hypot(part(0), part(std::numbers::pi / 2));
+    };
+    for (const double frequency : {3050.0, 4050.0, 5050.0}) {
+        EXPECT_LT(20 * std::log10(density(PulseShape::soft, frequency) /
+                                  density(PulseShape::elastic, frequency)),
+                  -15)
+            << frequency;
     }
 }
 
@@ -95,10 +135,12 @@ TEST(Pulse, PoleResponse_AgainstQuadrature_AgreesToNineDigits) {
         for (const double duration : {283e-6, 390e-6, 1e-3}) {
             for (const double part : {0.1, 0.5, 0.99, 1.0, 1.3, 4.0}) {
                 const double time = part * duration;
-                const Complex exact = convolution(pole, duration, time);
-                const Complex found = pole_response_at(pole, duration, time);
-                EXPECT_NEAR(found.re, exact.re, 1e-9);
-                EXPECT_NEAR(found.im, exact.im, 1e-9);
+                for (const PulseShape shape : {PulseShape::elastic, PulseShape::soft}) {
+                    const Complex exact = convolution(pole, duration, time, shape);
+                    const Complex found = pole_response_at(pole, duration, time, shape);
+                    EXPECT_NEAR(found.re, exact.re, 1e-9);
+                    EXPECT_NEAR(found.im, exact.im, 1e-9);
+                }
             }
         }
     }

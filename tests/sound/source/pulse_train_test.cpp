@@ -1,7 +1,9 @@
 // Sampled trains against the closed form of a single pole.
 #include "sound/source/pulse_train.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -61,18 +63,37 @@ TEST(PulseTrain, Samples_WithANegativeStep_AreTheMirrorImage) {
     }
 }
 
-TEST(PulseTrain, End_OfARing_IsWhereItHasFallenBelowTheLeast) {
+// The highest pressure is about 1, falls to a thousandth in ln 1000 / 50 s, and to the half of that
+// in ln 2 / 50 s more, in which it fades out.
+TEST(PulseTrain, Ring_FadesOutBelowTheLeast) {
     const std::vector<Partial> one{{{-50, 3000}, {0.5, 0}}};
     const PulseTrain train(1e-4, one, 1e-3);
+    const PulseTrain endless(1e-4, one, 1e-12);
     std::vector<double> out(20000, 0.0);
+    std::vector<double> whole(20000, 0.0);
     train.add(0, kStep, out);
-    std::size_t last = 0;
+    endless.add(0, kStep, whole);
+    const double fade = train.end() - std::log(2) / 50;
+    EXPECT_NEAR(fade, std::log(1000) / 50, 1e-3);
     for (std::size_t i = 0; i < out.size(); ++i) {
-        last = out[i] != 0 ? i : last;
+        const double time = kStep * static_cast<double>(i);
+        const double part = std::clamp((time - fade) / (train.end() - fade), 0.0, 1.0);
+        const double factor = 0.5 + 0.5 * std::cos(std::numbers::pi * part);
+        ASSERT_NEAR(out[i], factor * whole[i], 1e-12) << time;
+        if (time > train.end()) {
+            ASSERT_EQ(out[i], 0);
+        }
     }
-    EXPECT_NEAR(kStep * static_cast<double>(last), train.end(), 2 * kStep);
-    // The highest pressure is about 1, and falls to a thousandth in ln 1000 / 50 s.
-    EXPECT_NEAR(train.end(), std::log(1000) / 50, 1e-3);
+}
+
+TEST(PulseTrain, RingBelowTheLeast_FadesAfterTheForce) {
+    const std::vector<Partial> one{{{-50, 3000}, {0.5e-5, 0}}};
+    std::vector<double> out(2000, 0.0);
+    PulseTrain(1e-4, one, 1e-4).add(0, kStep, out);
+    for (std::size_t i = 1; i < out.size(); ++i) {
+        ASSERT_LT(std::abs(out[i] - out[i - 1]), 4e-6) << i;
+    }
+    EXPECT_EQ(PulseTrain(1e-4, one, 1).end(), 1e-4) << "far below, it does not ring";
 }
 
 TEST(PulseTrain, Energy_OfARing_IsItsIntegral) {
