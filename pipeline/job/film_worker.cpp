@@ -110,7 +110,7 @@ class Worker {
     }
 
     WorkerResult run(const std::stop_token& stop) {
-        while (!is_complete() && Clock::now() < end_) {
+        while (!is_done() && Clock::now() < end_) {
             bool is_any = work_on(&Film::preferred, stop);
             is_any = work_on(&Film::waiting, stop) || is_any;
             if (has_changed_) {
@@ -131,6 +131,18 @@ class Worker {
   private:
     [[nodiscard]] bool is_complete() const {
         return std::ranges::none_of(films_, [](const auto& film) { return film->waits(); });
+    }
+
+    /// Whether it is complete for the newest wishes, too.
+    [[nodiscard]] bool is_done() {
+        if (is_complete()) {
+            looked_ = {};
+            look_at_wishes();
+        }
+        if (has_changed_) {
+            follow_wishes();
+        }
+        return is_complete();
     }
 
     [[nodiscard]] bool may_begin() {
