@@ -4,11 +4,14 @@
 #include <cctype>
 #include <filesystem>
 #include <map>
+#include <span>
 
 #include <fmt/core.h>
 
+#include "core/atomic_file.h"
 #include "core/json_text.h"
 #include "pipeline/farm/engine.h"
+#include "pipeline/farm/scripts.h"
 #include "pipeline/farm/shell_text.h"
 
 namespace carom::farm {
@@ -18,15 +21,16 @@ std::string film_name(const FarmJob& job) {
     return std::filesystem::path(job.film).stem().string();
 }
 
-/// The film's name as a label of DNS (RFC 1123), which names in Kubernetes have to be. The engine
+/// The job's name as a label of DNS (RFC 1123), which names in Kubernetes have to be. The engine
 /// adds up to 23 letters for each pod.
 std::string dns_name(const FarmJob& job) {
-    std::string name = simple_name(film_name(job), 34);
+    std::string name = simple_name(film_name(job), 27);
     std::ranges::transform(name, name.begin(), [](unsigned char letter) {
         return letter == '_' ? '-' : static_cast<char>(std::tolower(letter));
     });
     const std::size_t end = name.find_last_not_of('-');
-    return "carom-" + (end == std::string::npos ? "film" : name.substr(0, end + 1));
+    return "carom-" + (end == std::string::npos ? "film" : name.substr(0, end + 1)) +
+           (job.id.empty() ? "" : "-" + job.id);
 }
 
 std::int64_t at_once(const FarmJob& job) {
@@ -46,23 +50,30 @@ EngineFiles slurm_files(const FarmJob& /*job*/) {
 }
 
 EngineFiles parallel_files(const FarmJob& job) {
-    return {{{"run.sh",
-              fmt::format(
-                  "#!/bin/sh\n"
-                  "# Renders the film with GNU parallel. JOBS: workers at a time (one for each "
-                  "processor).\n"
-                  "cd \"$(dirname \"$0\")\" || exit 1\n"
-                  "while :; do\n"
-                  "  seq {} | parallel --jobs \"${{JOBS:-100%}}\" -N0 ./worker.sh\n"
-                  "  ./film.sh && exit 0\n"
-                  "  [ $? -eq 75 ] || exit 1  # 75: frames are missing, and the last round added "
-                  "some\n"
-                  "done\n",
-                  job.workers),
-              true}},
-            "run.sh",
-            "./run.sh",
-            ""};
+    return {
+        {{"run.sh",
+          fmt::format(
+              "#!/bin/sh\n"
+              "# Renders the film with GNU parallel. JOBS: workers at a time; unless it is set, "
+              "as many as there are processors\n"
+              "# ({} for each) and memory ({} MB for each).\n"
+              "cd \"$(dirname \"$0\")\" || exit 1\n"
+              "jobs=$(($(nproc) / {}))\n"
+              "most=$(awk '/^MemAvailable:/ {{print int($2 / {})}}' /proc/meminfo)\n"
+              "[ \"$jobs\" -le \"$most\" ] || jobs=$most\n"
+              "[ \"$jobs\" -ge 1 ] || jobs=1\n"
+              "while :; do\n"
+              "  seq {} | parallel --jobs \"${{JOBS:-$jobs}}\" -N0 ./worker.sh\n"
+              "  ./film.sh && exit 0\n"
+              "  [ $? -eq 75 ] || exit 1  # 75: frames are missing, and the last round added "
+              "some\n"
+              "done\n",
+              job.processors, job.memory, job.processors,
+              std::max<std::int64_t>(1, job.memory * 1000000 / 1024), job.workers),
+          true}},
+        "run.sh",
+        "./run.sh",
+        ""};
 }
 
 // The fields are those of io.k8s.api.batch.v1.Job.
@@ -91,10 +102,14 @@ spec:
     spec:
       restartPolicy: Never
       terminationGracePeriodSeconds: {grace}
+      # Without root, as the owner of this folder; the file system of the volume decides who that is.
+      # securityContext: {{runAsNonRoot: true, runAsUser: 1000, runAsGroup: 1000, fsGroup: 1000}}
       containers:
         - name: worker
           image: carom  # from container/Containerfile
           command: [/job/worker.sh]
+          # For shots with view: ocio; the configuration has to be in the image or in a volume.
+          # env: [{{name: OCIO, value: /job/config.ocio}}]
           resources:
             requests: {{cpu: "{processors}", memory: {memory}M}}
             limits: {{memory: {memory}M}}
@@ -113,10 +128,12 @@ EngineFiles kubernetes_files(const FarmJob& job) {
                           fmt::arg("memory", job.memory)),
               false}},
             "job.yaml",
-            "kubectl apply -f job.yaml",
+            "kubectl replace --force -f job.yaml",
             fmt::format("The folder has to be in a volume that all nodes can write to (access mode "
                         "ReadWriteMany),\nwhose claim has the name `{}`. The image `carom` is made "
-                        "from `container/Containerfile`.\n\n",
+                        "from `container/Containerfile`.\nIts workers are root in their container "
+                        "unless the line securityContext in `job.yaml` names the\nowner of the "
+                        "folder. Said again, the command starts the job again.\n\n",
                         dns_name(job))};
 }
 
@@ -142,7 +159,7 @@ parameterDefinitions:
   - name: JobFolder
     type: PATH
     objectType: DIRECTORY
-    dataFlow: INOUT
+    dataFlow: NONE
     default: .
     description: The folder of this template, which all hosts see.
   - name: Carom
@@ -186,6 +203,25 @@ EngineFiles openjd_files(const FarmJob& job) {
         "to see the\nfolder, whose path is the parameter JobFolder.\n\n"};
 }
 
+// A name without a value is a variable that qsub takes from its own environment, with whatever is
+// in it; one that is not there would be refused.
+constexpr const char* kPbsSubmission =
+    R"sh(#!/bin/sh
+# Submits the film to PBS (qsub of OpenPBS or PBS Professional): an array of workers, and the task that
+# writes the film when they have ended. They get these variables, and those that CAROM_FARM_VARIABLES
+# names.
+cd "$(dirname "$0")" || exit 1
+export CAROM="${{CAROM:-carom}}"
+names=CAROM
+for name in PATH LD_LIBRARY_PATH XDG_CACHE_HOME KRB5CCNAME CAROM_CACHE CAROM_CACHE_SIZE CAROM_CONFIGS \
+    CAROM_LAB CAROM_LIMITS OCIO $CAROM_FARM_VARIABLES; do
+  printenv "$name" > /dev/null && names="$names,$name"
+done
+workers=$(qsub -N {name}-frames {array}{time} -r y -j oe -o logs/ -v "$names"{options} worker.sh) || exit 1
+qsub -N {name}-film -W depend=afterany:"$workers" {film_time} -j oe -o logs/ -v "$names"{options} task.sh ||
+  {{ qdel "$workers"; exit 1; }}
+)sh";
+
 /// qsub of OpenPBS and PBS Professional; an array needs at least two tasks there.
 EngineFiles pbs_files(const FarmJob& job) {
     const auto limits = [&](std::int64_t minutes) {
@@ -213,27 +249,19 @@ EngineFiles pbs_files(const FarmJob& job) {
             : std::string();
     return {
         {{"submit.sh",
-          fmt::format(
-              "#!/bin/sh\n"
-              "# Submits the film to PBS (qsub of OpenPBS or PBS Professional): an array of "
-              "workers, and the task that\n"
-              "# writes the film when they have ended.\n"
-              "cd \"$(dirname \"$0\")\" || exit 1\n"
-              "workers=$(qsub -N {0}-frames {1}{2} -r y -j oe -o logs/ -v "
-              "CAROM=\"${{CAROM:-carom}}\"{4} worker.sh) || exit 1\n"
-              "qsub -N {0}-film -W depend=afterany:\"$workers\" {3} -j oe -o logs/ -v "
-              "CAROM=\"${{CAROM:-carom}}\"{4} task.sh\n",
-              name, array, limits(job.time), limits(job.film_time), options),
+          fmt::format(kPbsSubmission, fmt::arg("name", name), fmt::arg("array", array),
+                      fmt::arg("time", limits(job.time)),
+                      fmt::arg("film_time", limits(job.film_time)), fmt::arg("options", options)),
           true},
          {"task.sh",
           "#!/bin/sh\n"
           "# Writes the film, or submits the workers again (75: frames are missing, and the last "
-          "round added some).\n"
-          "cd \"${PBS_O_WORKDIR:-$(dirname \"$0\")}\" || exit 1\n"
-          "./film.sh\n"
-          "code=$?\n"
-          "[ $code -ne 75 ] || exec ./submit.sh\n"
-          "exit $code\n",
+          "round added some).\n" +
+              std::string(kGoToFolder) +
+              "./film.sh\n"
+              "code=$?\n"
+              "[ $code -ne 75 ] || exec ./submit.sh\n"
+              "exit $code\n",
           true}},
         "submit.sh",
         "./submit.sh",
@@ -250,6 +278,13 @@ EngineFiles engine_files(const FarmJob& job) {
         {"openjd", openjd_files},
         {"pbs", pbs_files}};
     return all.at(job.engine)(job);
+}
+
+void write_engine_file(const FarmJob& job, const EngineFile& file) {
+    if (file.is_script) {
+        return write_script(job, file.name, file.text);
+    }
+    write_file_atomically(job.folder + "/" + file.name, std::as_bytes(std::span(file.text)));
 }
 
 EngineFile container_file() {

@@ -24,6 +24,9 @@ struct EngineFiles {
 /// The files for the job's engine: slurm, parallel, k8s, openjd or pbs.
 [[nodiscard]] EngineFiles engine_files(const FarmJob& job);
 
+/// Writes one of them into the job's folder. Throws Error.
+void write_engine_file(const FarmJob& job, const EngineFile& file);
+
 /// A recipe for a container with carom's Debian package.
 [[nodiscard]] EngineFile container_file();
 

@@ -90,7 +90,8 @@ void write_job(const FarmJob& job) {
         .add("exec_after", job.exec_after)
         .add("engine", job.engine)
         .add("sequence", job.is_sequence ? 1 : 0)
-        .add("portable", job.is_portable ? 1 : 0);
+        .add("portable", job.is_portable ? 1 : 0)
+        .add("id", job.id);
     for (std::size_t i = 0; i < job.engine_options.size(); ++i) {
         members.add(option_name(i), job.engine_options[i]);
     }
@@ -141,6 +142,11 @@ FarmJob read_job(const std::string& folder) {
     job.engine = text_of(record, "engine");
     job.is_sequence = record->integer("sequence") != 0;
     job.is_portable = record->integer("portable") != 0;
+    job.id = text_of(record, "id");
+    if (job.workers < 1 || job.processors < 1 || job.budget <= 0 || job.dead_after <= 0) {
+        throw Error("'" + path +
+                    "' has no workers, or no time or processor for them; submit the film again");
+    }
     return job;
 }
 

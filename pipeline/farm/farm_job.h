@@ -44,6 +44,7 @@ struct FarmJob {
     std::string engine = "slurm";             // or what else starts the tasks (engine.h)
     bool is_sequence = false;                 // a film of several shots
     bool is_portable = false;  // the folder may be copied: its scripts and paths are relative
+    std::string id;            // of such a job, which tells it from others of its film
 
     bool operator==(const FarmJob&) const = default;
 };

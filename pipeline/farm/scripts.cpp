@@ -34,12 +34,9 @@ void write_scripts(const FarmJob& job, const std::string& carom) {
 
 void write_portable_scripts(const FarmJob& job) {
     for (const Stage& stage : stages()) {
-        // Slurm and PBS run a copy of the script.
-        write_stage(job, stage,
-                    fmt::format("cd \"${{SLURM_SUBMIT_DIR:-${{PBS_O_WORKDIR:-$(dirname "
-                                "\"$0\")}}}}\" || exit 1\n"
-                                "exec \"${{CAROM:-carom}}\" farm {} .\n",
-                                stage.command));
+        write_stage(
+            job, stage,
+            fmt::format("{}exec \"${{CAROM:-carom}}\" farm {} .\n", kGoToFolder, stage.command));
     }
 }
 

@@ -2,12 +2,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
+#include <span>
 #include <system_error>
 
 #include <fmt/core.h>
 #include <sys/stat.h>
 
-#include "core/atomic_file.h"
+#include "core/hash.h"
 #include "pipeline/cli/farm/farm_actions.h"
 #include "pipeline/cli/farm/farm_files.h"
 #include "pipeline/cli/farm/farm_film.h"
@@ -20,6 +21,8 @@ namespace carom::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kIdDigits = 6;
 
 std::string readme_text(const PlannedFarm& planned, const farm::EngineFiles& engine) {
     const farm::FarmJob& job = planned.job;
@@ -50,13 +53,6 @@ std::string readme_text(const PlannedFarm& planned, const farm::EngineFiles& eng
         is_ocio ? "The environment variable OCIO has to name the shot's OpenColorIO "
                   "configuration.\n\n"
                 : "");
-}
-
-void write_engine_file(const farm::FarmJob& job, const farm::EngineFile& file) {
-    if (file.is_script) {
-        return farm::write_script(job, file.name, file.text);
-    }
-    write_file_atomically(job.folder + "/" + file.name, std::as_bytes(std::span(file.text)));
 }
 
 void copy_all_files(FarmFilm& film, const std::string& folder) {
@@ -91,6 +87,7 @@ void farm_export(const FarmCommand& command, CommandContext& context) {
         job.film = fs::path(job.film).filename().string();
         job.root = ".";
         job.is_portable = true;
+        job.id = hash_bytes(std::as_bytes(std::span(folder))).to_string().substr(0, kIdDigits);
         pipeline::create_folder(folder + "/logs");
         pipeline::create_folder(folder + "/workers");
         copy_all_files(planned.film, folder);
@@ -98,11 +95,11 @@ void farm_export(const FarmCommand& command, CommandContext& context) {
         farm::write_portable_scripts(job);
         const farm::EngineFiles engine = farm::engine_files(job);
         for (const farm::EngineFile& file : engine.files) {
-            write_engine_file(job, file);
+            farm::write_engine_file(job, file);
         }
         pipeline::create_folder(folder + "/container");
-        write_engine_file(job, farm::container_file());
-        write_engine_file(job, {"README.md", readme_text(planned, engine)});
+        farm::write_engine_file(job, farm::container_file());
+        farm::write_engine_file(job, {"README.md", readme_text(planned, engine)});
         print_path(folder + "/" + engine.start);
     } catch (...) {
         std::error_code ignored;

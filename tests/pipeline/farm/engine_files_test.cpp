@@ -30,6 +30,7 @@ FarmJob make_job(const std::string& engine) {
     FarmJob job;
     job.film = "/films/It's_a {{long}} Name of more than forty letters: $HOME.mp4";
     job.engine = engine;
+    job.id = "1f3a5b";
     job.workers = 12;
     job.tasks_at_once = 5;
     job.processors = 2;
@@ -81,6 +82,7 @@ TEST(EngineFiles, KubernetesJob_IsAsItsSchemaWants) {
     const std::string text = text_of(engine_files(make_job("k8s")), "job.yaml");
     json job = as_json(text);
     EXPECT_TRUE(is_valid(job, "kubernetes_job.json")) << text;
+    EXPECT_EQ(job["metadata"]["name"], "carom-it-s-a---long---name-of-mor-1f3a5b");
     EXPECT_EQ(job["spec"]["completions"], 12);
     EXPECT_EQ(job["spec"]["parallelism"], 5);
     const json& container = job["spec"]["template"]["spec"]["containers"][0];
@@ -93,6 +95,7 @@ TEST(EngineFiles, OpenJobDescription_IsAsItsSchemaWants) {
     const std::string text = text_of(engine_files(make_job("openjd")), "template.yaml");
     json job = as_json(text);
     EXPECT_TRUE(is_valid(job, "openjd_template.json")) << text;
+    EXPECT_EQ(job["parameterDefinitions"][0]["dataFlow"], "NONE");  // all hosts see the folder
     const json& step = job["steps"][0];
     EXPECT_EQ(step["parameterSpace"]["taskParameterDefinitions"][0]["range"], "0-11");
     EXPECT_EQ(step["hostRequirements"]["amounts"][1]["min"], 1431);  // MiB
@@ -100,18 +103,28 @@ TEST(EngineFiles, OpenJobDescription_IsAsItsSchemaWants) {
     EXPECT_FALSE(is_valid(job, "openjd_template.json"));
 }
 
+void write_program(const ScratchFolder& folder, const std::string& name, const std::string& text) {
+    write_text(folder.path(name), text);
+    std::filesystem::permissions(folder.path(name), std::filesystem::perms(0755));
+}
+
+/// Runs the engine's script with these programs in the folder.
+ProgramResult run_script(const FarmJob& job, const ScratchFolder& folder,
+                         std::vector<std::string> variables) {
+    const EngineFiles files = engine_files(job);
+    for (const EngineFile& file : files.files) {
+        write_program(folder, file.name, file.text);
+    }
+    variables.push_back("PATH=" + folder.path() + ":/usr/bin:/bin");
+    return run_program({folder.path(files.start)}, variables);
+}
+
 /// Runs submit.sh with a qsub that prints its words, one a line. Returns what it prints.
 std::string words_of_qsub(const FarmJob& job, const ScratchFolder& folder) {
-    for (const EngineFile& file : engine_files(job).files) {
-        write_text(folder.path(file.name), file.text);
-        std::filesystem::permissions(folder.path(file.name), std::filesystem::perms(0755));
-    }
-    write_text(folder.path("qsub"),
-               "#!/bin/sh\nprintf '%s\\n' \"$@\" '' >> words\necho '7[].server'\n");
-    std::filesystem::permissions(folder.path("qsub"), std::filesystem::perms(0755));
-    const ProgramResult result = run_program(
-        {folder.path("submit.sh")},
-        std::vector<std::string>{"PATH=" + folder.path() + ":/usr/bin:/bin", "CAROM=/opt/a carom"});
+    write_program(folder, "qsub",
+                  "#!/bin/sh\nprintf '%s\\n' \"$@\" \"$CAROM\" '' >> words\necho '7[].server'\n");
+    const ProgramResult result = run_script(
+        job, folder, {"CAROM=/opt/a, carom", "OCIO=/o,1", "SITE=x", "CAROM_FARM_VARIABLES=SITE"});
     EXPECT_EQ(result.exit_code, 0) << result.errors;
     return carom::testing::read_text(folder.path("words"));
 }
@@ -124,11 +137,41 @@ TEST(EngineFiles, Pbs_GetsAnArrayAndTheFilmAfterIt) {
     const ScratchFolder folder;
     const std::string limits = "-l\nselect=1:ncpus=2:mem=1500mb\n-l\nwalltime=";
     const std::string end =
-        "-j\noe\n-o\nlogs/\n-v\nCAROM=/opt/a carom\n-q\nit's; id\n-p\n1023\n-Wgroup_list=a b\n";
-    EXPECT_EQ(words_of_qsub(job, folder),
-              "-N\nIt_s_a__-frames\n-J\n0-11%5\n" + limits + "01:35:00\n-r\ny\n" + end +
-                  "worker.sh\n\n-N\nIt_s_a__-film\n-W\ndepend=afterany:7[].server\n" + limits +
-                  "00:15:00\n" + end + "task.sh\n\n");
+        "-j\noe\n-o\nlogs/\n-v\nCAROM,PATH,OCIO,SITE\n-q\nit's; id\n-p\n1023\n"
+        "-Wgroup_list=a b\n";
+    EXPECT_EQ(
+        words_of_qsub(job, folder),
+        "-N\nIt_s_a__-frames\n-J\n0-11%5\n" + limits + "01:35:00\n-r\ny\n" + end +
+            "worker.sh\n/opt/a, carom\n\n-N\nIt_s_a__-film\n-W\ndepend=afterany:7[].server\n" +
+            limits + "00:15:00\n" + end + "task.sh\n/opt/a, carom\n\n");
+}
+
+TEST(EngineFiles, PbsThatTakesNoLastTask_GetsItsArrayBack) {
+    const ScratchFolder folder;
+    write_program(folder, "qsub",
+                  "#!/bin/sh\n[ -f first ] && exit 1\n> first\necho '7[].server'\n");
+    write_program(folder, "qdel", "#!/bin/sh\necho \"$@\" > deleted\n");
+    EXPECT_EQ(run_script(make_job("pbs"), folder, {}).exit_code, 1);
+    EXPECT_EQ(carom::testing::read_text(folder.path("deleted")), "7[].server\n");
+}
+
+/// How many workers run.sh lets run at a time on a machine with 16 processors.
+std::string parallel_jobs(std::int64_t processors, std::int64_t memory) {
+    FarmJob job = make_job("parallel");
+    job.processors = processors;
+    job.memory = memory;
+    const ScratchFolder folder;
+    write_program(folder, "nproc", "#!/bin/sh\necho 16\n");
+    write_program(folder, "parallel", "#!/bin/sh\ncat > tasks\necho \"$@\" > words\n");
+    write_program(folder, "film.sh", "#!/bin/sh\n");
+    EXPECT_EQ(run_script(job, folder, {}).exit_code, 0);
+    return carom::testing::read_text(folder.path("words"));
+}
+
+TEST(EngineFiles, Parallel_HasAsManyWorkersAsThereAreProcessorsAndMemory) {
+    EXPECT_EQ(parallel_jobs(4, 1), "--jobs 4 -N0 ./worker.sh\n");
+    EXPECT_EQ(parallel_jobs(32, 1), "--jobs 1 -N0 ./worker.sh\n");
+    EXPECT_EQ(parallel_jobs(1, 1000000000), "--jobs 1 -N0 ./worker.sh\n");
 }
 
 TEST(EngineFiles, PbsWithOneWorker_HasNoArray) {
