@@ -152,19 +152,28 @@ std::variant<FarmFilm::OneShot, FarmFilm::SeveralShots> read_content(const FarmJ
     return film;
 }
 
-/// The same; files of the job that are damaged are restored first.
+/// The same; files of the job that are damaged are restored first. With intact files it is not the
+/// job's fault that it cannot be read, but for example that of a node that does not see a mesh.
 std::variant<FarmFilm::OneShot, FarmFilm::SeveralShots> read_intact_content(
     const FarmJob& job, const CacheOptions& cache, CommandContext& context) {
     try {
         return read_content(job, cache, context);
     } catch (const InputError& error) {
         const std::string problem = error.what();
-        if (!restore_files(job)) {
+        const OwnFiles files = restore_files(job);
+        if (files == OwnFiles::damaged) {
             throw InputError(problem + "; the job cannot go on: submit the film again");
+        }
+        if (files == OwnFiles::intact) {
+            throw Error(problem);
         }
         context.console.warning(problem + "; it was restored from the job's copy");
     }
-    return read_content(job, cache, context);
+    try {
+        return read_content(job, cache, context);
+    } catch (const InputError& error) {
+        throw Error(error.what());
+    }
 }
 
 }  // namespace

@@ -55,8 +55,8 @@ struct FarmFilm {
                                                            pipeline::DamagedFrames damaged) const;
 };
 /// Reads the film of a job. Files of the job that are damaged are restored from their copies.
-/// Throws InputError, which says what to do, if the copies are damaged, too, or if the job cannot
-/// be filmed for another reason that stays; Error otherwise.
+/// Throws InputError, which says what to do, if the copies are damaged, too; Error if it is not
+/// known that no other machine can read it either.
 [[nodiscard]] FarmFilm read_film(const farm::FarmJob& job, CommandContext& context);
 
 /// Which frames of a job are there, without reading them.

@@ -95,18 +95,25 @@ void write_spare_files(const FarmJob& job) {
     }
 }
 
-bool restore_files(const FarmJob& job) {
-    bool is_any = false;
-    for (const std::string& file : files_below(spare_folder(job))) {
+OwnFiles restore_files(const FarmJob& job) {
+    const std::vector<std::string> files = files_below(spare_folder(job));
+    OwnFiles result = OwnFiles::intact;
+    for (const std::string& file : files) {
         const std::string own = job.folder + "/" + file;
         const std::string spare = spare_folder(job) + "/" + file;
-        const bool is_same = fs::is_regular_file(own) && hash_file(own) == hash_file(spare);
-        if (!is_same && is_intact(spare)) {
-            copy(spare, own);
-            is_any = true;
+        const Hash128 hash = hash_file(spare);  // throws if the store cannot be read now
+        const bool is_there = fs::is_regular_file(own);
+        const bool is_same = is_there && hash_file(own) == hash;
+        if (is_intact(spare)) {
+            if (!is_same) {
+                copy(spare, own);
+                result = OwnFiles::restored;
+            }
+        } else if (is_same || !is_there || !is_intact(own)) {
+            return OwnFiles::damaged;
         }
     }
-    return is_any;
+    return files.empty() ? OwnFiles::damaged : result;
 }
 
 }  // namespace carom::cli

@@ -9,8 +9,12 @@ namespace carom::cli {
 /// Copies the files of the job's folder. Throws Error.
 void write_spare_files(const farm::FarmJob& job);
 
-/// Puts copies that are intact where the job's files have other contents or are missing. Returns
-/// whether any had. Throws Error if a folder cannot be read or written to.
-[[nodiscard]] bool restore_files(const farm::FarmJob& job);
+/// How a job's own files are: as they should be, so again after copies took their places, or
+/// damaged or missing like a copy.
+enum class OwnFiles { intact, restored, damaged };
+
+/// Puts copies that are intact where the job's files have other contents or are missing. Throws
+/// Error if a file or folder cannot be read or written to.
+[[nodiscard]] OwnFiles restore_files(const farm::FarmJob& job);
 
 }  // namespace carom::cli
