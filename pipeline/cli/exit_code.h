@@ -10,6 +10,7 @@ enum ExitCode : int {
     kTryAgain = 75,    // EX_TEMPFAIL of sysexits.h: the same command may succeed later
     kOutOfTime = 124,  // a task of the farm stopped because its time limit was over
     kInterrupted = 130,
+    kOutOfMemory = 137,  // a task of the farm had too little memory, as if it was killed
 };
 
 }  // namespace carom::cli

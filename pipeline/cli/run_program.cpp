@@ -86,6 +86,10 @@ ExitCode run_guarded(const Command& command, const CommandHandler& handler,
         console.end_progress();
         console.warning(error.what());
         return kOutOfTime;
+    } catch (const OutOfMemory& error) {
+        console.end_progress();
+        console.error(error.what());
+        return kOutOfMemory;
     } catch (const OutputClosed&) {
         console.end_progress();
     } catch (const pipeline::CacheUnusable& error) {

@@ -45,6 +45,12 @@ class OutOfTime : public Error {
     OutOfTime() : Error("the time limit of this task was over; another one goes on") {}
 };
 
+/// The memory of a task of the farm did not suffice: exit code 137.
+class OutOfMemory : public Error {
+  public:
+    OutOfMemory() : Error("there is not enough memory") {}
+};
+
 /// Nobody reads standard output any more ("carom report … | head -1"): the command ends silently.
 class OutputClosed : public Error {
   public:

@@ -27,18 +27,35 @@ class NoEngine : public Engine {
 
 }  // namespace
 
+std::chrono::seconds usable_time(std::chrono::minutes limit) {
+    constexpr std::chrono::seconds kEarly{60 + kGrace + 5};
+    return std::max(std::chrono::seconds(limit) / 2, limit - kEarly);
+}
+
+bool is_active(const Task& task) {
+    return task.state == TaskState::waiting || task.state == TaskState::running;
+}
+
+Limits Engine::limits(const FarmJob& /*job*/) const {
+    return {};
+}
+
 std::int64_t Answer::count(TaskState state) const {
     return tasks ? std::ranges::count(*tasks, state, &Task::state) : 0;
 }
 
 bool Answer::is_queued() const {
-    return count(TaskState::waiting) + count(TaskState::running) > 0;
+    return tasks && std::ranges::any_of(*tasks, is_active);
 }
 
 const Engine& engine_of(const FarmJob& job) {
     static const Slurm slurm;
     static const NoEngine none;
-    return job.engine == "slurm" ? static_cast<const Engine&>(slurm) : none;
+    return has_queue(job) ? static_cast<const Engine&>(slurm) : none;
+}
+
+bool has_queue(const FarmJob& job) {
+    return job.engine == "slurm";
 }
 
 std::map<std::string, Answer> ask_engines(const std::vector<FarmJob>& jobs) {

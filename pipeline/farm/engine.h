@@ -1,7 +1,8 @@
 // What runs the tasks of jobs on a cluster. All that carom wants of it are four calls: submit, ask,
-// cancel and tag. pipeline/farm/slurm.h has those of Slurm.
+// cancel and tag; a fifth, limits, may be left out. pipeline/farm/slurm.h has those of Slurm.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -18,8 +19,15 @@ namespace carom::farm {
 /// frame down meanwhile.
 inline constexpr int kGrace = 30;
 
-/// The exit code of a task that ended itself before its time limit did; as that of timeout(1).
-inline constexpr int kOutOfTime = 124;
+/// The time after which an engine may wish that a task of this limit ends: Slurm does so up to a
+/// minute too early, and a task needs some seconds to begin.
+[[nodiscard]] std::chrono::seconds usable_time(std::chrono::minutes limit);
+
+/// Exit codes of carom by which tasks say how they ended.
+inline constexpr int kWrongInput = 2;
+inline constexpr int kOutOfTime = 124;  // before the time limit ended it; as that of timeout(1)
+inline constexpr int kStopped = 130;
+inline constexpr int kOutOfMemory = 137;  // as if it was killed
 
 /// How a task stands, or how it ended.
 enum class TaskState {
@@ -29,7 +37,7 @@ enum class TaskState {
     failed,         // with an exit code, or with its node
     out_of_time,    // its time limit ended it
     out_of_memory,  // its memory limit ended it, or it was killed as by one
-    cancelled
+    cancelled       // or ended in another way that tells nothing of its limits and its node
 };
 
 struct Task {
@@ -37,14 +45,16 @@ struct Task {
     const Stage* stage = nullptr;
     std::string node;  // that runs or ran it; empty: none
     TaskState state = TaskState::waiting;
+    std::string wait;  // why it waits, in the engine's words
 };
+/// Whether it waits or runs.
+[[nodiscard]] bool is_active(const Task& task);
 
 /// What an engine says of a job.
 struct Answer {
     std::optional<std::vector<Task>> tasks;  // empty: nobody knows
     std::string problem;                     // why not; empty: this job has no queue
 
-    [[nodiscard]] bool has_queue() const { return tasks || !problem.empty(); }
     [[nodiscard]] std::int64_t count(TaskState state) const;
     /// Whether tasks wait or run.
     [[nodiscard]] bool is_queued() const;
@@ -81,6 +91,9 @@ class Engine {
     /// Takes tasks out of the queue, and stops those of them that run. Throws Error.
     virtual void cancel(const FarmJob& job, Which which) const = 0;
 
+    /// What the engine gives a task of the job at most.
+    [[nodiscard]] virtual Limits limits(const FarmJob& job) const;
+
     /// By this the engine tells the job's tasks from all others, also if it has lost its numbers
     /// and gives them to others.
     [[nodiscard]] virtual std::string tag(const FarmJob& job) const = 0;
@@ -89,6 +102,10 @@ class Engine {
 /// The engine of the job. Of an exported job whose tasks are started by something that carom does
 /// not talk to, it is one that refuses to submit, knows nothing and cancels nothing.
 [[nodiscard]] const Engine& engine_of(const FarmJob& job);
+
+/// Whether carom itself submits the job's tasks. Then there is a last one that sees to it that the
+/// film is written.
+[[nodiscard]] bool has_queue(const FarmJob& job);
 
 /// What its engine says of each job, by the jobs' folders. Every engine is asked once.
 [[nodiscard]] std::map<std::string, Answer> ask_engines(const std::vector<FarmJob>& jobs);

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <optional>
 #include <random>
+#include <string_view>
 
 #include <fmt/core.h>
 
@@ -17,6 +18,8 @@ struct Variable {
     const char* name;
     std::int64_t first;  // number
 };
+
+constexpr std::string_view kArrayTask = "SLURM_ARRAY_TASK_ID";
 
 // GNU parallel may run in a task of Slurm, so it comes first.
 constexpr std::array<Variable, 8> kVariables{{{"CAROM_TASK", 0},
@@ -42,14 +45,15 @@ OwnTask own_task(const ReadVariable& read) {
     OwnTask task;
     // So that those without a number begin at different frames.
     task.number = std::random_device()() % 1000;
+    std::string array;  // of Slurm, if the number is that of its task
     for (const Variable& variable : kVariables) {
         const std::optional<std::int64_t> number = number_in(read(variable.name));
         if (number && *number >= variable.first) {
             task.number = *number - variable.first;
+            array = variable.name == kArrayTask ? read("SLURM_ARRAY_JOB_ID") : "";
             break;
         }
     }
-    const std::string array = read("SLURM_ARRAY_JOB_ID");
     task.name = array.empty() ? pipeline::host_prefix() + pipeline::new_claim_process()
                               : fmt::format("{}_{}", array, task.number);
     const std::string node = read("SLURMD_NODENAME");

@@ -1,11 +1,14 @@
 #include "pipeline/farm/slurm.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
+#include <cstdlib>
 #include <filesystem>
+#include <iterator>
+#include <map>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -17,11 +20,6 @@
 
 namespace carom::farm {
 namespace {
-
-// Options that say what a task of carom is; what the user says instead would break the job.
-constexpr std::array<std::string_view, 11> kOwnOptions{
-    "--array",  "--comment", "--dependency", "--job-name", "--output",    "--open-mode",
-    "--signal", "--wrap",    "--parsable",   "--requeue",  "--no-requeue"};
 
 /// Of a stage's job in the queue: the film first, since queues show few letters.
 std::string name_of(const FarmJob& job, const Stage& stage) {
@@ -93,14 +91,17 @@ TaskState state_of(const std::string& name, const std::string& exit) {
     const std::int64_t signal =
         colon == std::string::npos ? status & 0x7F : number_in(exit.substr(colon + 1));
     constexpr std::int64_t kKilled = 9;
-    constexpr std::int64_t kShellKilled = 128 + kKilled;
     const auto is_any = [&](std::initializer_list<std::string_view> names) {
         return std::ranges::any_of(names, [&](std::string_view one) {
             return name.starts_with(one);  // "CANCELLED by 1000"
         });
     };
-    if (is_any({"PENDING", "REQUEUE", "SUSPENDED", "RESV_DEL_HOLD", "SPECIAL_EXIT"})) {
+    if (is_any({"PENDING", "REQUEUE", "RESV_DEL_HOLD", "SPECIAL_EXIT", "EXPEDITING"})) {
         return TaskState::waiting;
+    }
+    if (is_any({"RUNNING", "SUSPENDED", "CONFIGURING", "COMPLETING", "POWER_UP_NODE", "RESIZING",
+                "SIGNALING", "STAGE_OUT", "STOPPED", "UPDATE_DB"})) {
+        return TaskState::running;
     }
     if (is_any({"COMPLETED"})) {
         return TaskState::done;
@@ -109,16 +110,14 @@ TaskState state_of(const std::string& name, const std::string& exit) {
         return TaskState::out_of_time;
     }
     if (is_any({"OUT_OF_MEMORY"}) ||
-        (is_any({"FAILED"}) && (signal == kKilled || code == kShellKilled))) {
+        (is_any({"FAILED"}) && (signal == kKilled || code == kOutOfMemory))) {
         return TaskState::out_of_memory;
     }
-    if (is_any({"FAILED", "BOOT_FAIL", "NODE_FAIL", "DEADLINE"})) {
+    const bool is_own_fault = is_any({"FAILED"}) && code != kWrongInput && code != kStopped;
+    if (is_own_fault || is_any({"BOOT_FAIL", "NODE_FAIL", "LAUNCH_FAILED", "RECONFIG_FAIL"})) {
         return TaskState::failed;
     }
-    if (is_any({"CANCELLED", "PREEMPTED", "REVOKED"})) {
-        return TaskState::cancelled;
-    }
-    return TaskState::running;  // also CONFIGURING, COMPLETING, STOPPED ...
+    return TaskState::cancelled;  // also DEADLINE, PREEMPTED, REVOKED, and what is not known
 }
 
 /// A time of Slurm: "30:00", "1:00:00", "2-00:00:00"; 0 for "infinite" and what is no time.
@@ -135,117 +134,129 @@ std::int64_t minutes_in(const std::string& text) {
     return minutes;
 }
 
-/// The round with the factors that the partition has room for.
-Round within_partition(const FarmJob& job, Round round, const Stage& stage) {
-    if (round.time_factor == 1 && round.memory_factor == 1) {
-        return round;  // the first limits are what the user wants, or sbatch refuses them
-    }
-    const ProgramResult result = run_program({"sinfo", "--noheader", "--format=%P|%l|%m"});
-    const PartitionLimits most = parse_partitions(result.output, job.partition);
-    while (round.time_factor > 1 && most.minutes > 0 && time_of(job, round, stage) > most.minutes) {
-        round.time_factor /= kLimitFactor;
-    }
-    while (round.memory_factor > 1 && most.megabytes > 0 &&
-           memory_of(job, round) > most.megabytes) {
-        round.memory_factor /= kLimitFactor;
-    }
-    return round;
-}
-
-/// Of the tasks of the job's newest round, also of those that the controller has forgotten. Empty
-/// where Slurm keeps no accounts.
-std::vector<Task> ask_accounting(const FarmJob& job) {
-    const std::optional<Round> round = read_round(job);
-    if (!round || round->numbers.front() == 0) {
+/// The jobs in the queue of whose tasks the accounts may know more than the controller, which
+/// forgets tasks some minutes after their end. None while workers are active, and if nothing is
+/// known of the round.
+std::vector<std::int64_t> numbers_for_accounting(const FarmJob& job,
+                                                 const std::vector<Task>& tasks) {
+    if (std::ranges::any_of(tasks, [](const Task& task) {
+            return task.stage != nullptr && task.stage->is_array && is_active(task);
+        })) {
         return {};
     }
-    const ProgramResult result = run_program({"sacct", "--noheader", "--parsable2", "--allocations",
-                                              "--jobs=" + std::to_string(round->numbers.front()),
-                                              "--format=JobID,State,ExitCode,NodeList,JobName"});
-    return result.exit_code == 0 ? parse_accounting(job, result.output) : std::vector<Task>{};
-}
-
-bool is_active(const Task& task) {
-    return task.state == TaskState::waiting || task.state == TaskState::running;
-}
-
-/// The tasks of a job in the queue, and of its workers also those that the controller has
-/// forgotten, as it does some minutes after their end.
-std::vector<Task> with_accounting(const FarmJob& job, std::vector<Task> tasks) {
-    const auto is_worker = [](const Task& task) {
-        return task.stage != nullptr && task.stage->is_array;
-    };
-    if (std::ranges::none_of(
-            tasks, [&](const Task& task) { return is_worker(task) && is_active(task); })) {
-        if (const std::vector<Task> all = ask_accounting(job); !all.empty()) {
-            std::erase_if(tasks, is_worker);
-            tasks.insert(tasks.end(), all.begin(), all.end());
-        }
+    try {
+        const Round round = read_round(job).value_or(Round{});
+        std::vector<std::int64_t> numbers = round.not_learned;
+        numbers.insert(numbers.end(), round.numbers.begin(), round.numbers.end());
+        std::erase(numbers, 0);
+        return numbers;
+    } catch (const Error&) {
+        return {};
     }
-    return tasks;
+}
+
+/// What the accounts have of these jobs in the queue; empty where Slurm keeps none.
+std::string ask_accounting(const std::set<std::string>& numbers) {
+    if (numbers.empty()) {
+        return "";
+    }
+    const ProgramResult result = run_program(
+        {"sacct", "--noheader", "--parsable2", "--allocations",
+         "--jobs=" + join(std::vector<std::string>(numbers.begin(), numbers.end()), ","),
+         "--format=JobID,State,ExitCode,NodeList,JobName"});
+    return result.exit_code == 0 ? result.output : "";
+}
+
+/// The partitions that a submission means if the job names none.
+std::string partitions_of(const FarmJob& job) {
+    const char* variable = std::getenv("SBATCH_PARTITION");
+    return job.partition.empty() && variable != nullptr ? variable : job.partition;
 }
 
 }  // namespace
 
 std::vector<Task> parse_queue(const FarmJob& job, const std::string& lines) {
     std::vector<Task> tasks;
-    const std::string tag = tag_of_folder(job);
+    const std::string tag = Slurm().tag(job);
     std::istringstream text(lines);
     for (std::string line; std::getline(text, line);) {
         const std::vector<std::string> parts = split(line, '|');
-        if (parts.size() == 6 && parts[5] == tag) {
-            tasks.push_back({number_in(parts[0]), stage_named(job, parts[4]), parts[3],
-                             state_of(parts[1], parts[2])});
+        if (parts.size() == 7 && parts[5] == tag) {
+            const TaskState state = state_of(parts[1], parts[2]);
+            tasks.push_back({number_in(parts[0]), stage_named(job, parts[4]), parts[3], state,
+                             state == TaskState::waiting ? parts[6] : ""});
         }
     }
     return tasks;
 }
 
-std::vector<Task> parse_accounting(const FarmJob& job, const std::string& lines) {
+std::vector<Task> parse_accounting(const FarmJob& job, const std::vector<std::int64_t>& numbers,
+                                   const std::string& lines) {
     std::vector<Task> tasks;
     std::istringstream text(lines);
     for (std::string line; std::getline(text, line);) {
         const std::vector<std::string> parts = split(line, '|');
         const Stage* stage = parts.size() == 5 ? stage_named(job, parts[4]) : nullptr;
-        if (stage != nullptr) {
-            tasks.push_back({number_in(parts[0]), stage,
-                             parts[3] == "None assigned" ? "" : parts[3],
-                             state_of(parts[1], parts[2])});
+        const std::int64_t number = number_in(line);
+        if (stage != nullptr && std::ranges::find(numbers, number) != numbers.end()) {
+            tasks.push_back({number, stage, parts[3] == "None assigned" ? "" : parts[3],
+                             state_of(parts[1], parts[2]), ""});
         }
     }
     return tasks;
 }
 
-PartitionLimits parse_partitions(const std::string& lines, std::string_view partition) {
-    PartitionLimits limits;
+std::vector<Task> joined(std::vector<Task> queue, std::vector<Task> accounts) {
+    std::erase_if(accounts, is_active);
+    std::set<std::int64_t> numbers;
+    for (const Task& task : accounts) {
+        numbers.insert(task.job);
+    }
+    for (const std::int64_t number : numbers) {
+        const auto is_ended = [&](const Task& task) {
+            return task.job == number && !is_active(task);
+        };
+        if (std::ranges::count_if(accounts, is_ended) > std::ranges::count_if(queue, is_ended)) {
+            std::erase_if(queue, is_ended);
+            std::ranges::copy_if(accounts, std::back_inserter(queue), is_ended);
+        }
+    }
+    return queue;
+}
+
+Limits parse_partitions(const std::string& lines, const std::string& partitions) {
+    const std::vector<std::string> wanted = split(partitions, ',');
+    Limits limits;
+    bool has_minutes = true;  // else a partition gives any number
     std::istringstream text(lines);
     for (std::string line; std::getline(text, line);) {
         const std::vector<std::string> parts = split(line, '|');
-        const std::string wanted(partition);
-        const bool is_it = parts.size() == 3 && (parts[0] == wanted || parts[0] == wanted + "*" ||
-                                                 (partition.empty() && parts[0].ends_with('*')));
-        if (is_it) {
-            limits.minutes = std::max(limits.minutes, minutes_in(parts[1]));
+        if (parts.size() != 3) {
+            continue;
+        }
+        const bool is_default = parts[0].ends_with('*');
+        const std::string name = is_default ? parts[0].substr(0, parts[0].size() - 1) : parts[0];
+        if (wanted.empty() ? is_default : std::ranges::find(wanted, name) != wanted.end()) {
+            const std::int64_t minutes = minutes_in(parts[1]);
+            has_minutes = has_minutes && minutes > 0;
+            limits.minutes = has_minutes ? std::max(limits.minutes, minutes) : 0;
             limits.megabytes = std::max(limits.megabytes, number_in(parts[2]));
         }
     }
     return limits;
 }
 
-std::string problem_of_option(const std::string& option) {
-    if (!option.starts_with('-') || option == "-" || option == "--") {
-        return "'" + option + "' is no option; write a value in the same word, as in --qos=high";
-    }
-    const std::string name = option.substr(0, option.find('='));
-    for (const std::string_view own : kOwnOptions) {
-        if (name == own) {
-            return "'" + name + "' is an option that carom itself gives to sbatch";
+namespace {
+
+/// The nodes that the user's option leaves out; empty if it is another option.
+std::string user_excludes(const std::string& option) {
+    for (const std::string_view name : {"--exclude=", "-x"}) {
+        if (option.starts_with(name)) {
+            return option.substr(name.size());
         }
     }
     return "";
 }
-
-namespace {
 
 /// Where the job wants to run, and how soon.
 void add_wishes(std::vector<std::string>& words, const FarmJob& job, const Round& round) {
@@ -258,8 +269,16 @@ void add_wishes(std::vector<std::string>& words, const FarmJob& job, const Round
     if (job.priority != 0) {
         words.push_back(fmt::format("--nice={}", -job.priority));
     }
-    if (const std::vector<std::string> nodes = excluded_nodes(round); !nodes.empty()) {
-        words.push_back("--exclude=" + join(nodes, ","));
+    std::vector<std::string> excluded = excluded_nodes(round);
+    for (const std::string& option : job.engine_options) {
+        if (const std::string nodes = user_excludes(option); !nodes.empty()) {
+            excluded.push_back(nodes);
+        } else {
+            words.push_back(option);
+        }
+    }
+    if (!excluded.empty()) {
+        words.push_back("--exclude=" + join(excluded, ","));
     }
 }
 
@@ -272,7 +291,8 @@ std::vector<std::string> submission(const FarmJob& job, const Round& round, cons
                                    "--job-name=" + name_of(job, stage),
                                    "--requeue",
                                    "--open-mode=append",
-                                   "--comment=" + tag_of_folder(job),
+                                   "--comment=" + Slurm().tag(job),
+                                   "--chdir=" + job.folder,
                                    fmt::format("--signal=B:TERM@{}", kGrace),
                                    fmt::format("--cpus-per-task={}", job.processors),
                                    fmt::format("--mem={}M", memory_of(job, round)),
@@ -297,7 +317,6 @@ std::vector<std::string> submission(const FarmJob& job, const Round& round, cons
     if (begin.delay > 0) {
         words.push_back(fmt::format("--begin=now+{}seconds", begin.delay));
     }
-    words.insert(words.end(), job.engine_options.begin(), job.engine_options.end());
     words.push_back(job.folder + "/" + stage.script);
     return words;
 }
@@ -305,8 +324,8 @@ std::vector<std::string> submission(const FarmJob& job, const Round& round, cons
 std::int64_t Slurm::submit(const FarmJob& job, const Round& round, const Stage& stage,
                            const Begin& begin) const {
     refuse_backslash(job);
-    const ProgramResult result = run_program(
-        submission(job, within_partition(job, round, stage), stage, begin), task_environment());
+    const ProgramResult result =
+        run_program(submission(job, round, stage, begin), task_environment());
     if (result.exit_code != 0) {
         throw Error("Slurm did not take the job: " + complaint(result));
     }
@@ -324,40 +343,70 @@ std::vector<Answer> Slurm::ask(const std::vector<FarmJob>& jobs) const {
             names.insert(name_of(job, stage));
         }
     }
-    const ProgramResult result = run_program(
+    const ProgramResult queue = run_program(
         {"squeue", "--noheader", "--array", "--states=all",
          "--name=" + join(std::vector<std::string>(names.begin(), names.end()), ","),
-         "--Format=ArrayJobID:20|,State:20|,exit_code:20|,NodeList:200|,Name:100|,Comment:100"});
+         "--Format=ArrayJobID:20|,State:20|,exit_code:20|,NodeList:200|,Name:100|,Comment:100|,"
+         "Reason:100"});
+    if (queue.exit_code != 0) {
+        return std::vector<Answer>(jobs.size(), {{}, "Slurm does not answer: " + complaint(queue)});
+    }
     std::vector<Answer> answers;
+    std::vector<std::vector<std::int64_t>> numbers;
+    std::set<std::string> all_numbers;
     for (const FarmJob& job : jobs) {
-        answers.push_back(result.exit_code == 0
-                              ? Answer{with_accounting(job, parse_queue(job, result.output)), ""}
-                              : Answer{{}, "Slurm does not answer: " + complaint(result)});
+        answers.push_back({parse_queue(job, queue.output), ""});
+        numbers.push_back(numbers_for_accounting(job, *answers.back().tasks));
+        for (const std::int64_t number : numbers.back()) {
+            all_numbers.insert(std::to_string(number));
+        }
+    }
+    const std::string accounts = ask_accounting(all_numbers);
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+        answers[i].tasks =
+            joined(std::move(*answers[i].tasks), parse_accounting(jobs[i], numbers[i], accounts));
     }
     return answers;
 }
 
+Limits Slurm::limits(const FarmJob& job) const {
+    const ProgramResult result = run_program({"sinfo", "--noheader", "--format=%P|%l|%m"});
+    return parse_partitions(result.output, partitions_of(job));
+}
+
 void Slurm::cancel(const FarmJob& job, Which which) const {
-    const Answer answer = ask(job);
-    if (!answer.tasks) {
-        throw Error(answer.problem);
-    }
-    std::set<std::int64_t> numbers;
-    for (const Task& task : *answer.tasks) {
-        const bool is_meant = which == Which::all || task.state == TaskState::waiting;
-        const bool is_worker = task.stage != nullptr && task.stage->is_array;
-        if (is_active(task) && is_meant && (which != Which::waiting_workers || is_worker)) {
-            numbers.insert(task.job);
+    const auto meant_in = [&](const Answer& answer) {
+        if (!answer.tasks) {
+            throw Error(answer.problem);
         }
-    }
-    for (const std::int64_t number : numbers) {
+        std::set<std::int64_t> numbers;
+        for (const Task& task : *answer.tasks) {
+            const bool is_meant = which == Which::all || task.state == TaskState::waiting;
+            const bool is_worker = task.stage != nullptr && task.stage->is_array;
+            if (is_active(task) && is_meant && (which != Which::waiting_workers || is_worker)) {
+                numbers.insert(task.job);
+            }
+        }
+        return numbers;
+    };
+    std::map<std::int64_t, std::string> problems;  // of jobs in the queue
+    for (const std::int64_t number : meant_in(ask(job))) {
         std::vector<std::string> words{"scancel", std::to_string(number)};
         if (which != Which::all) {
             words.emplace_back("--state=PENDING");
         }
         const ProgramResult result = run_program(words);
         if (result.exit_code != 0) {
-            throw Error(fmt::format("Slurm did not cancel job {}: {}", number, complaint(result)));
+            problems[number] =
+                fmt::format("Slurm did not cancel job {}: {}", number, complaint(result));
+        }
+    }
+    if (problems.empty()) {
+        return;
+    }
+    for (const std::int64_t number : meant_in(ask(job))) {  // else it has ended by itself
+        if (const auto problem = problems.find(number); problem != problems.end()) {
+            throw Error(problem->second);
         }
     }
 }

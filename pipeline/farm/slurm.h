@@ -12,13 +12,14 @@ namespace carom::farm {
 
 class Slurm : public Engine {
   public:
-    /// A raised limit is not above that of the partition. Throws Error also if the job's folder has
-    /// a name that Slurm cannot write logs to.
+    /// Throws Error also if the job's folder has a name that Slurm cannot write logs to.
     [[nodiscard]] std::int64_t submit(const FarmJob& job, const Round& round, const Stage& stage,
                                       const Begin& begin) const override;
     using Engine::ask;
     [[nodiscard]] std::vector<Answer> ask(const std::vector<FarmJob>& jobs) const override;
     void cancel(const FarmJob& job, Which which) const override;
+    /// Of the job's partitions that which gives most.
+    [[nodiscard]] Limits limits(const FarmJob& job) const override;
     /// Slurm's comment of the job.
     [[nodiscard]] std::string tag(const FarmJob& job) const override;
 };
@@ -27,26 +28,23 @@ class Slurm : public Engine {
 [[nodiscard]] std::vector<std::string> submission(const FarmJob& job, const Round& round,
                                                   const Stage& stage, const Begin& begin);
 
-/// What is wrong with an option for sbatch that the user gives; empty: nothing.
-[[nodiscard]] std::string problem_of_option(const std::string& option);
-
-/// The tasks that Slurm tells of in lines "JOB|STATE|EXIT|NODE|NAME|COMMENT" (squeue).
+/// The tasks that Slurm tells of in lines "JOB|STATE|EXIT|NODE|NAME|COMMENT|REASON" (squeue).
 /// Others than the job's are left out.
 [[nodiscard]] std::vector<Task> parse_queue(const FarmJob& job, const std::string& lines);
 
-/// Those in lines "JOB_TASK|STATE|EXIT|NODE|NAME" (sacct), which asks for the job's alone.
-[[nodiscard]] std::vector<Task> parse_accounting(const FarmJob& job, const std::string& lines);
+/// Those in lines "JOB_TASK|STATE|EXIT|NODE|NAME" (sacct) that belong to these jobs in the queue.
+[[nodiscard]] std::vector<Task> parse_accounting(const FarmJob& job,
+                                                 const std::vector<std::int64_t>& numbers,
+                                                 const std::string& lines);
 
-/// What a partition gives a task at most; 0: any number.
-struct PartitionLimits {
-    std::int64_t minutes = 0;
-    std::int64_t megabytes = 0;
+/// The tasks of a job in the queue, which forgets them some minutes after their end, and those that
+/// the accounts have of it. These may be behind, and may hold tasks for active for ever that were
+/// lost: so they count only as far as they know of more tasks that have ended.
+[[nodiscard]] std::vector<Task> joined(std::vector<Task> queue, std::vector<Task> accounts);
 
-    bool operator==(const PartitionLimits&) const = default;
-};
-/// From lines "PARTITION|TIME|MEGABYTES" (sinfo), where the default one has a * behind its name. An
-/// empty name means that.
-[[nodiscard]] PartitionLimits parse_partitions(const std::string& lines,
-                                               std::string_view partition);
+/// Of these partitions that which gives most, from lines "PARTITION|TIME|MEGABYTES" (sinfo), where
+/// the default one has a * behind its name. `partitions`: with commas between them; empty means the
+/// default one.
+[[nodiscard]] Limits parse_partitions(const std::string& lines, const std::string& partitions);
 
 }  // namespace carom::farm

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <chrono>
+#include <map>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -11,11 +12,12 @@
 #include <unistd.h>
 
 #include "core/text.h"
-#include "core/write_all.h"
 #include "pipeline/cli/farm/farm_actions.h"
 #include "pipeline/cli/farm/skipped_frames.h"
+#include "pipeline/cli/farm/task_end.h"
 #include "pipeline/cli/job_observer.h"
 #include "pipeline/farm/engine.h"
+#include "pipeline/farm/own_task.h"
 #include "pipeline/farm/program.h"
 #include "pipeline/farm/worker_file.h"
 #include "pipeline/job/film_status.h"
@@ -79,47 +81,67 @@ std::vector<std::int64_t> write_film(const FarmJob& job, FarmFilm& film, farm::J
     return {};
 }
 
+/// The variables of this process, and these in the place of those of the same names.
+std::vector<std::string> environment_with(const std::map<std::string, std::string>& own) {
+    std::vector<std::string> variables;
+    for (char** variable = environ; *variable != nullptr; ++variable) {
+        std::string text = *variable;
+        if (!own.contains(text.substr(0, text.find('=')))) {
+            variables.push_back(std::move(text));
+        }
+    }
+    for (const auto& [name, value] : own) {
+        variables.push_back(name + "=" + value);
+    }
+    return variables;
+}
+
 /// Runs the user's command, once in the life of the job: its log is made first. Returns what went
 /// wrong; empty: nothing.
 std::string run_after(const FarmJob& job, std::int64_t frames) {
-    if (job.exec_after.empty()) {
-        return "";
-    }
     const std::string path = job.folder + "/logs/exec-after.log";
     const pipeline::FileDescriptor log(
         ::open(path.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666));
     if (!log.is_open()) {
         return errno == EEXIST ? "" : pipeline::system_problem(path, "the command's log");
     }
-    std::vector<std::string> variables;
-    for (char** variable = environ; *variable != nullptr; ++variable) {
-        variables.emplace_back(*variable);
-    }
-    for (const auto& [name, value] : {std::pair<const char*, std::string>{"CAROM_FILM", job.film},
-                                      {"CAROM_JOB", job.folder},
-                                      {"CAROM_STORE", job.store},
-                                      {"CAROM_FRAMES", std::to_string(frames)}}) {
-        variables.push_back(std::string(name) + "=" + value);
-    }
-    const farm::ProgramResult result =
-        farm::run_program({"/bin/sh", "-c", job.exec_after}, variables);
-    const std::string output = result.output + result.errors;
-    (void)write_all(log.get(), std::as_bytes(std::span(output)));
-    return result.exit_code == 0
+    const int code =
+        farm::run_program_into(log.get(), {"/bin/sh", "-c", job.exec_after},
+                               environment_with({{"CAROM_FILM", job.film},
+                                                 {"CAROM_JOB", job.folder},
+                                                 {"CAROM_STORE", job.store},
+                                                 {"CAROM_FRAMES", std::to_string(frames)}}));
+    return code == 0
                ? ""
                : fmt::format("the command after the film ended with exit code {}; its log is '{}'",
-                             result.exit_code, path);
+                             code, path);
 }
 
-/// Notes that the film is there.
-void end_well(const FarmJob& job, farm::JobEnd end, CommandContext& context) {
+/// The end with another message behind its own.
+farm::JobEnd with(farm::JobEnd end, const std::string& message) {
+    end.message += (end.message.empty() || message.empty() ? "" : "; ") + message;
+    return end;
+}
+
+/// Notes that the film is there. Nothing waits for the user's command, which may take long.
+void end_well(const FarmJob& job, const farm::JobEnd& end, CommandContext& context) {
     FarmFrames::unpin(job);
-    farm::write_end(job, end);
+    const bool has_command = !job.exec_after.empty();
+    farm::write_end(job, has_command ? with(end, "the command after the film has not ended") : end);
+    cancel_quietly(job, Which::waiting_workers, context);
+    if (!has_command) {
+        return;
+    }
     const std::string problem = run_after(job, end.frames);
     if (!problem.empty()) {
-        end.message += (end.message.empty() ? "" : "; ") + problem;
-        farm::write_end(job, end);
         context.console.warning(problem);
+    }
+    try {
+        if (is_complete(job)) {  // else somebody wants frames again
+            farm::write_end(job, with(end, problem));
+        }
+    } catch (const Error& error) {
+        context.console.warning(error.what());  // the film is there all the same
     }
 }
 
@@ -127,17 +149,22 @@ void end_well(const FarmJob& job, farm::JobEnd end, CommandContext& context) {
 class FilmClaims {
   public:
     FilmClaims(const FarmJob& job, const FarmFilm& film)
-        : claims_(folder_in(job),
+        : job_(job),
+          claims_(folder_in(job),
                   {film.options.claim_times.beat, film.options.claim_times.dead_after, false}) {}
 
     std::optional<pipeline::Claim> claim() { return claims_.claim(kName); }
 
-    /// Waits while another process has it.
-    pipeline::Claim wait(CommandContext& context) {
+    /// Waits while another process has it. Empty if the film is there.
+    std::optional<pipeline::Claim> wait(CommandContext& context) {
         pipeline::WaitNotice notice;
         while (true) {
-            if (std::optional<pipeline::Claim> claim = claims_.claim(kName)) {
-                return std::move(*claim);
+            std::optional<pipeline::Claim> claim = claims_.claim(kName);
+            if (is_complete(job_)) {
+                return std::nullopt;
+            }
+            if (claim) {
+                return claim;
             }
             if (context.stop.stop_requested()) {
                 throw Stopped();
@@ -159,6 +186,7 @@ class FilmClaims {
         return folder;
     }
 
+    const FarmJob& job_;
     pipeline::Claims claims_;
 };
 
@@ -177,76 +205,102 @@ std::string problem_of_workers(const FarmJob& job) {
     throw Error(problem);
 }
 
-/// The engine's tasks of the next round. It is noted before it is submitted: a store that cannot be
-/// written to ends the job.
-void submit_round(const FarmJob& job, Round round) {
+/// Submits the last task alone. The round is noted before: a store that cannot be written to ends
+/// the job.
+void submit_last(const FarmJob& job, Round round, int delay) {
     farm::write_round(job, round);
-    if (round.begin.missing > 0) {
-        round.numbers = farm::submit_stages(job, round);
-    } else {
-        round.numbers.back() =
-            farm::engine_of(job).submit(job, round, farm::stages().back(), {{}, kPause});
-    }
+    const farm::Stage& last = farm::stages().back();
+    farm::note_numbers(round, {0, farm::engine_of(job).submit(job, round, last, {{}, delay})});
     farm::write_round(job, round);
-}
-
-/// What is to be done if frames are missing or the film cannot be written.
-void go_on(const FarmJob& job, const farm::Progress& progress, const std::string& problem,
-           CommandContext& context) {
-    const farm::Answer answer = farm::engine_of(job).ask(job);
-    const bool has_queue = answer.has_queue();
-    if (const auto end = farm::read_end(job); end && has_queue) {
-        throw Error(problem + "; the job was " + end->state +
-                    (end->message.empty() ? "" : ": " + end->message));
-    }
-    Round round = farm::next_round(farm::read_round(job).value_or(Round{}), progress);
-    farm::learn(round, job, answer.tasks.value_or(std::vector<farm::Task>{}), problem);
-    if (progress.missing > 0 && round.idle >= farm::kIdleRounds) {
-        const std::string why = fmt::format("{}; the last {} rounds of workers added no sample{}",
-                                            round.reason, round.idle, problem_of_workers(job));
-        if (has_queue) {
-            give_up(job, why, context);
-        }
-        farm::write_round(job, round);
-        throw Error(why);
-    }
-    if (progress.missing == 0 && round.idle >= kIdleAttempts) {
-        give_up(job, problem + "; this was the last attempt", context);
-    }
-    if (!has_queue) {
-        farm::write_round(job, round);
-        throw TryAgain(problem);
-    }
-    submit_round(job, round);
-    context.console.warning(round.reason + "; submitted again");
 }
 
 /// What the last task finds when it has tried to write the film.
 struct Attempt {
     bool is_written = false;
     std::string problem;
-    farm::Progress progress;
+    std::optional<farm::Progress> progress;  // if frames are missing
 };
+
+/// The film cannot be written, or it is not known whether frames are missing.
+void try_film_again(const FarmJob& job, Round round, const Attempt& attempt,
+                    CommandContext& context) {
+    ++round.film_attempts;
+    if (round.film_attempts >= kIdleAttempts) {
+        give_up(job, attempt.problem + "; this was the last attempt", context);
+    }
+    if (!farm::has_queue(job)) {
+        farm::write_round(job, round);
+        throw TryAgain(attempt.problem);
+    }
+    submit_last(job, round, kPause);
+    context.console.warning(attempt.problem + "; submitted again");
+}
+
+/// Frames are missing.
+void begin_round(const FarmJob& job, Round round, const Attempt& attempt, CommandContext& context) {
+    round = farm::next_round(std::move(round), *attempt.progress);
+    if (round.idle >= farm::kIdleRounds) {
+        const std::string why = fmt::format("{}; the last {} rounds of workers added no sample{}",
+                                            round.reason, round.idle, problem_of_workers(job));
+        if (farm::has_queue(job)) {
+            give_up(job, why, context);
+        }
+        farm::write_round(job, round);
+        throw Error(why);
+    }
+    if (!farm::has_queue(job)) {
+        farm::write_round(job, round);
+        throw TryAgain(attempt.problem);
+    }
+    (void)submit_now(job, round);
+    context.console.warning(round.reason + "; submitted again");
+}
+
+/// What is to be done if frames are missing or the film cannot be written.
+void go_on(const FarmJob& job, const Attempt& attempt, CommandContext& context) {
+    if (const auto end = farm::read_end(job); end && farm::has_queue(job)) {
+        throw Error(attempt.problem + "; the job was " + end->state +
+                    (end->message.empty() ? "" : ": " + end->message));
+    }
+    const farm::Engine& engine = farm::engine_of(job);
+    Round round = farm::read_round(job).value_or(Round{});
+    farm::learn(round, job, engine.ask(job).tasks.value_or(std::vector<farm::Task>{}),
+                attempt.problem, engine.limits(job));
+    if (attempt.progress) {
+        return begin_round(job, std::move(round), attempt, context);
+    }
+    try_film_again(job, std::move(round), attempt, context);
+}
+
+/// The time of the last task is over, and none comes after it by itself.
+void go_on_with_more_time(const FarmJob& job, CommandContext& context) {
+    Round round = farm::read_round(job).value_or(Round{});
+    if (!farm::learn_film_time(round, job, farm::engine_of(job).limits(job))) {
+        give_up(job, round.reason, context);
+    }
+    submit_last(job, round, 0);
+    context.console.warning(round.reason + "; submitted again");
+}
 
 Attempt try_film(const FarmJob& job, CommandContext& context) {
     Attempt attempt;
     try {
         FarmFilm film = read_film(job, context);
         FilmClaims claims(job, film);
-        const pipeline::Claim claim = claims.wait(context);
+        const std::optional<pipeline::Claim> claim = claims.wait(context);
         const FarmFrames frames(film, context.stop);
-        if (!is_complete(job)) {
+        if (claim) {
             farm::JobEnd end;
             const std::vector<std::int64_t> missing = write_film(job, film, end, context);
-            attempt.progress = frames.progress();
             if (!missing.empty()) {
-                attempt.progress.missing = std::ssize(missing);
+                attempt.progress = frames.progress();
+                attempt.progress->missing = std::ssize(missing);
                 attempt.problem =
                     fmt::format("{} {} missing: {}", counted(missing.size(), "frame"),
                                 missing.size() == 1 ? "is" : "are", pipeline::frames_text(missing));
                 return attempt;
             }
-            end_well(job, std::move(end), context);
+            end_well(job, end, context);
         }
         frames.forget_claims();  // all workers have ended
         attempt.is_written = true;
@@ -265,7 +319,9 @@ Attempt try_film(const FarmJob& job, CommandContext& context) {
 bool complete_film(const FarmJob& job, FarmFilm& film, CommandContext& context) {
     try {
         FilmClaims claims(job, film);
-        const std::optional<pipeline::Claim> claim = claims.claim();
+        // Where no last task comes, this worker has to know that the film is there.
+        const std::optional<pipeline::Claim> claim =
+            farm::has_queue(job) ? claims.claim() : claims.wait(context);
         if (!claim || is_complete(job)) {
             return true;
         }
@@ -273,18 +329,18 @@ bool complete_film(const FarmJob& job, FarmFilm& film, CommandContext& context) 
         if (!write_film(job, film, end, context).empty()) {
             return false;
         }
-        end_well(job, std::move(end), context);
+        end_well(job, end, context);
     } catch (const Stopped&) {
         throw;
     } catch (const InputError&) {
         throw;
     } catch (const Error& error) {
-        if (!farm::engine_of(job).ask(job).has_queue()) {
-            throw;  // there may be no last task
+        if (!farm::has_queue(job)) {
+            throw;
         }
         context.console.warning(std::string(error.what()) + "; the job's last task tries it again");
+        cancel_quietly(job, Which::waiting_workers, context);
     }
-    cancel_quietly(job, Which::waiting_workers, context);
     return true;
 }
 
@@ -296,15 +352,24 @@ void end_in_vain(const FarmJob& job, const std::string& problem, CommandContext&
 
 void farm_finish(const FarmCommand& command, CommandContext& context) {
     const FarmJob job = find_job(command);
+    const farm::OwnTask task = farm::own_task();
+    const TaskEnd task_end(job, farm::stages().back(), task);
     Attempt attempt;
     try {
         attempt = try_film(job, context);
+    } catch (const Stopped&) {
+        if (task_end.is_out_of_time()) {
+            go_on_with_more_time(job, context);
+            throw OutOfTime();
+        }
+        task_end.leave_to_engine();
+        throw;
     } catch (const InputError& error) {
         end_in_vain(job, error.what(), context);
         throw;
     }
     if (!attempt.is_written) {
-        return go_on(job, attempt.progress, attempt.problem, context);
+        return go_on(job, attempt, context);
     }
     print_path(job.film);
 }

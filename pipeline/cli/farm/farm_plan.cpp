@@ -1,6 +1,7 @@
 #include "pipeline/cli/farm/farm_plan.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -19,7 +20,8 @@
 #include "pipeline/cli/sequence_films.h"
 #include "pipeline/cli/sequence_input.h"
 #include "pipeline/cli/terminal/duration_text.h"
-#include "pipeline/farm/slurm.h"
+#include "pipeline/farm/engine.h"
+#include "pipeline/farm/engine_options.h"
 #include "pipeline/job/film_status.h"
 #include "pipeline/sequence/load_sequence.h"
 #include "pipeline/sequence/sequence_text.h"
@@ -55,9 +57,22 @@ double seconds_of(const char* option, const std::string& text, double least) {
 
 /// Short tasks find room sooner; what is started outside carom is not started again.
 double budget_of(const FarmCommand& command) {
-    const bool is_again = command.format == "slurm" || command.format == "pbs";
-    const std::string other = is_again ? "10 min" : "8760 h";
-    return seconds_of("--budget", command.budget.empty() ? other : command.budget, kLeastBudget);
+    const bool has_limit = has_time_limit(command.format);
+    const std::string usual = has_limit ? "10 min" : "8760 h";
+    const double budget =
+        seconds_of("--budget", command.budget.empty() ? usual : command.budget, kLeastBudget);
+    if (!has_limit || command.time.empty()) {
+        return budget;
+    }
+    const std::int64_t limit = minutes_of(command.time);
+    if (command.budget.empty()) {
+        return budget_within(limit, budget);
+    }
+    if (budget >= 60.0 * static_cast<double>(limit)) {
+        throw InputError(fmt::format("--budget: '{}' is not shorter than --time, which is {} min",
+                                     command.budget, limit));
+    }
+    return budget;
 }
 
 /// So many that each one's budget is used, but not more than there are pictures.
@@ -127,10 +142,13 @@ FarmJob job_of(const FarmCommand& command, const FarmFilm& film,
     job.account = command.account;
     job.workers = command.workers > 0 ? command.workers : workers_for(job, forecast);
     job.time = command.time.empty() ? time_for(job, forecast) : minutes_of(command.time);
-    job.film_time = command.time.empty() ? time_for_film(forecast) : job.time;
+    job.film_time = time_for_film(forecast);
+    if (!command.time.empty()) {
+        job.film_time = std::max(job.time, job.film_time);
+    }
     job.priority = command.priority.value_or(0);
     job.exec_after = command.exec_after;
-    check_engine_options(command);
+    check_engine_options(command.format, command.engine_options);
     job.engine_options = command.engine_options;
     job.engine = command.format;
     return job;
@@ -259,13 +277,18 @@ std::int64_t megabytes_of(const std::string& size) {
     return megabytes;
 }
 
-void check_engine_options(const FarmCommand& command) {
-    const bool is_known = command.format == "slurm" || command.format == "pbs";
-    for (const std::string& option : command.engine_options) {
-        const std::string problem =
-            is_known ? farm::problem_of_option(option)
-                     : "options after -- are for slurm and pbs, not for " + command.format;
-        if (!problem.empty()) {
+bool has_time_limit(const std::string& engine) {
+    return engine == "slurm" || engine == "pbs";
+}
+
+double budget_within(std::int64_t minutes, double seconds) {
+    const std::chrono::duration<double> usable = farm::usable_time(std::chrono::minutes(minutes));
+    return std::min(seconds, usable.count());
+}
+
+void check_engine_options(const std::string& engine, const std::vector<std::string>& options) {
+    for (const std::string& option : options) {
+        if (const std::string problem = farm::problem_of_option(engine, option); !problem.empty()) {
             throw InputError(problem);
         }
     }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <thread>
 
@@ -30,6 +31,18 @@ using farm::FarmJob;
 constexpr std::chrono::milliseconds kPollInterval{500};
 constexpr int kColumns = 78;  // of the bar
 
+/// Why the tasks wait, in the queue's words, if it is for more than their turn.
+std::string unusual_wait(const std::vector<farm::Task>& tasks) {
+    const std::set<std::string> usual{
+        "", "None", "Priority", "Resources", "Dependency", "JobArrayTaskLimit", "BeginTime"};
+    for (const farm::Task& task : tasks) {
+        if (!usual.contains(task.wait)) {
+            return "the queue lets them wait: " + task.wait;
+        }
+    }
+    return "";
+}
+
 std::string state_in_queue(const farm::Answer& answer, std::string& message) {
     if (!answer.tasks) {
         message = answer.problem;
@@ -39,6 +52,7 @@ std::string state_in_queue(const farm::Answer& answer, std::string& message) {
         return "running";
     }
     if (answer.is_queued()) {
+        message = unusual_wait(*answer.tasks);
         return "waiting";
     }
     message = "the queue has nothing of this job; 'carom farm resume' submits it again";

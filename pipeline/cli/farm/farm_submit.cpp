@@ -65,6 +65,23 @@ std::function<void(const std::string&)> waits_told_to(CommandContext& context) {
     return [&context](const std::string& message) { context.console.warning(message); };
 }
 
+/// Of a job whose tasks are started by something that carom does not talk to.
+void refuse_without_queue(const FarmJob& job, const std::string& what_to_do) {
+    if (!farm::has_queue(job)) {
+        throw InputError(fmt::format("the tasks of this job are started outside carom ({}); {}",
+                                     job.engine, what_to_do));
+    }
+}
+
+/// Of a job that is given up: nothing may run without its folder.
+void cancel_if_possible(const FarmJob& job) {
+    try {
+        farm::engine_of(job).cancel(job, farm::Which::all);
+    } catch (const Error&) {
+        return;  // then it was hardly submitted
+    }
+}
+
 void tell_how_to_look(const FarmJob& job, CommandContext& context) {
     context.console.info("look with: carom farm status " + command_text({job.folder}));
 }
@@ -81,7 +98,7 @@ void print_job(const FarmJob& job, const Round& round) {
 
 Round submit_now(const FarmJob& job, Round round, const std::vector<std::int64_t>& others) {
     farm::write_round(job, round);
-    round.numbers = farm::submit_stages(job, round, others);
+    farm::note_numbers(round, farm::submit_stages(job, round, others));
     const std::optional<Round> known = farm::read_round(job);
     if (known && known->number == round.number) {  // else the last task was quicker
         farm::write_round(job, round);
@@ -105,21 +122,23 @@ void farm_submit(const FarmCommand& command, CommandContext& context) {
         return print_submissions(job);
     }
     job.folder = farm::make_job_folder(job.store, job.film, !is_shared);
+    Round round;
     try {
         write_folder(planned);
         farm::write_scripts(job, own_program());
         const FarmFilm film = read_film(job, context);
         const FarmFrames frames(film, context.stop);
         frames.pin(job, film, context.stop, waits_told_to(context));
-        Round round;
         round.begin = frames.progress();
-        print_job(job, submit_now(job, round));
+        round = submit_now(job, round);
     } catch (...) {
+        cancel_if_possible(job);
         FarmFrames::unpin(job);
         std::error_code ignored;
         fs::remove_all(job.folder, ignored);
         throw;
     }
+    print_job(job, round);
     tell_how_to_look(job, context);
     if (command.wait) {
         wait_for_job(job, context);
@@ -129,6 +148,7 @@ void farm_submit(const FarmCommand& command, CommandContext& context) {
 
 void farm_resume(const FarmCommand& command, CommandContext& context) {
     const FarmJob job = find_job(command);
+    refuse_without_queue(job, "start them again as '" + job.folder + "/README.md' says");
     const farm::Engine& engine = farm::engine_of(job);
     const farm::Answer answer = engine.ask(job);
     if (!answer.problem.empty()) {
@@ -140,9 +160,12 @@ void farm_resume(const FarmCommand& command, CommandContext& context) {
         return print_job(job, round);
     }
     engine.cancel(job, farm::Which::all);
-    farm::learn(round, job, answer.tasks.value_or(std::vector<farm::Task>{}), "");
+    farm::learn(round, job, answer.tasks.value_or(std::vector<farm::Task>{}), "",
+                engine.limits(job));
+    round.failed.clear();  // the nodes may have been mended
     round.number = 1;
     round.idle = 0;
+    round.film_attempts = 0;
     farm::remove_end(job);
     if (!job.is_portable) {
         farm::write_scripts(job, own_program());
@@ -157,6 +180,7 @@ void farm_resume(const FarmCommand& command, CommandContext& context) {
 
 void farm_cancel(const FarmCommand& command, CommandContext& context) {
     const FarmJob job = find_job(command);
+    refuse_without_queue(job, "stop them there");
     const auto known = farm::read_end(job);
     if (known && known->state == "complete") {
         context.console.info("the film is complete");

@@ -8,6 +8,7 @@
 #include "core/text.h"
 #include "pipeline/cli/farm/farm_actions.h"
 #include "pipeline/cli/farm/farm_film.h"
+#include "pipeline/farm/engine.h"
 #include "pipeline/farm/wishes.h"
 #include "pipeline/job/frame_range.h"
 #include "pipeline/job/job_frames.h"
@@ -67,7 +68,12 @@ struct Asked {
 
 /// What has to be done that the wish is followed.
 std::string hint(const farm::FarmJob& job) {
-    return farm::read_end(job) ? "; the job has ended: 'carom farm resume' goes on with it" : "";
+    if (!farm::read_end(job)) {
+        return "";
+    }
+    return farm::has_queue(job) ? "; the job has ended: 'carom farm resume' goes on with it"
+                                : "; the job has ended: start its tasks again, as '" + job.folder +
+                                      "/README.md' says";
 }
 
 /// The film that is there is no longer the one that is wanted.

@@ -1,5 +1,6 @@
 // The workers of a job.
 #include <chrono>
+#include <new>
 #include <thread>
 
 #include <fmt/core.h>
@@ -8,6 +9,7 @@
 #include "pipeline/cli/farm/farm_film.h"
 #include "pipeline/cli/farm/farm_finish.h"
 #include "pipeline/cli/farm/frame_diary.h"
+#include "pipeline/cli/farm/task_end.h"
 #include "pipeline/cli/job_observer.h"
 #include "pipeline/farm/engine.h"
 #include "pipeline/farm/own_task.h"
@@ -18,12 +20,13 @@
 namespace carom::cli {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using farm::FarmJob;
 using farm::WorkerNote;
 
-constexpr int kAttempts = 3;        // of a worker whose store fails, or which finds frames damaged
-constexpr int kLongestGrace = 120;  // seconds
+constexpr int kAttempts = 3;  // of a worker whose store fails, or which finds frames damaged
+
+static_assert(farm::kWrongInput == kWrongUsage && farm::kOutOfTime == kOutOfTime &&
+              farm::kOutOfMemory == kOutOfMemory && farm::kStopped == kInterrupted);
 
 void refuse_other_machines(const FarmJob& job) {
     if (!render::machine_has_tier(job.tier)) {
@@ -69,8 +72,6 @@ class Note {
         write();
     }
 
-    [[nodiscard]] const std::string& name() const { return note_.name; }
-
   private:
     // The note is for people: a store that does not take it does not end the work.
     void write() {
@@ -111,12 +112,17 @@ pipeline::WorkerResult work(const FarmJob& job, const farm::OwnTask& task, Note&
     FrameDiary diary(job, task.name, task.host, context.console);
     options.wishes = [&] { return diary.wishes(); };
     options.on_attempt = [&](const pipeline::FrameAttempt& attempt) { diary.add(attempt); };
+    std::int64_t revision = diary.wishes().revision;
     for (int attempt = 1;; ++attempt) {
         const pipeline::WorkerResult result = pipeline::work_on_films(
             film.shots(), options, make_console_observer(context.console),
             [&](const pipeline::WorkerState& state) { note.tell(state); }, context.stop);
         if (!result.is_complete || complete_film(job, film, context)) {
             return result;
+        }
+        if (const std::int64_t now = diary.wishes().revision; now != revision) {
+            revision = now;  // frames are missing because somebody wants them again
+            attempt = 0;
         }
         if (attempt == kAttempts) {
             throw Error("frames in the store are damaged again and again");
@@ -125,43 +131,44 @@ pipeline::WorkerResult work(const FarmJob& job, const farm::OwnTask& task, Note&
     }
 }
 
-/// Whether the engine stops the task because its time is over, as it does up to a minute too early
-/// (sbatch's --signal), and not because another job is to have its place.
-bool is_out_of_time(const FarmJob& job, Clock::time_point begin) {
-    constexpr std::chrono::seconds kEarly{60 + farm::kGrace + 5};
-    const farm::Round round = farm::read_round(job).value_or(farm::Round{});
-    const std::chrono::minutes limit(farm::time_of(job, round, farm::stages().front()));
-    return Clock::now() - begin >= limit - kEarly;
-}
-
-/// A task that ends by itself may be taken for done. So one that was pre-empted stays until its
-/// grace is over, unless its user has cancelled it.
-void leave_the_end_to_engine(const FarmJob& job, const farm::OwnTask& task) {
-    for (int second = 0; task.may_be_run_again && second < kLongestGrace && !farm::read_end(job);
-         ++second) {
-        std::this_thread::sleep_for(std::chrono::seconds(1));
-    }
-}
-
-[[noreturn]] void end_stopped(const FarmJob& job, const farm::OwnTask& task,
-                              Clock::time_point begin, Note& note) {
-    if (task.may_be_run_again && !farm::read_end(job) && is_out_of_time(job, begin)) {
+[[noreturn]] void end_stopped(const TaskEnd& end, Note& note) {
+    if (end.is_out_of_time()) {
         note.end("its time limit was over");
         throw OutOfTime();
     }
     note.end("stopped");
-    leave_the_end_to_engine(job, task);
+    end.leave_to_engine();
     throw Stopped();
+}
+
+/// Whether there is nothing to do for a worker: of a film that is there frames may be gone from the
+/// store. What has failed or was stopped goes on when workers are started again; of a queue these
+/// are left ones.
+bool needs_no_worker(const FarmJob& job, CommandContext& context) {
+    try {
+        const auto end = farm::read_end(job);
+        if (!end || (end->state != "complete" && !farm::has_queue(job))) {
+            return false;
+        }
+        context.console.info(fmt::format("the job is {}{}{}", end->state,
+                                         end->message.empty() ? "" : ": ", end->message));
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
 }
 
 }  // namespace
 
 void farm_work(const FarmCommand& command, CommandContext& context) {
-    const Clock::time_point begin = Clock::now();
     const FarmJob job = find_job(command);
+    if (needs_no_worker(job, context)) {
+        return;
+    }
     refuse_other_machines(job);
     const render::TierLimit tier(job.tier);
     const farm::OwnTask task = farm::own_task();
+    const TaskEnd end(job, farm::stages().front(), task);
     Note note(job, task);
     for (int attempt = 1;; ++attempt) {
         try {
@@ -175,11 +182,15 @@ void farm_work(const FarmCommand& command, CommandContext& context) {
                 result.state.pictures));
             return;
         } catch (const Stopped&) {
-            end_stopped(job, task, begin, note);
+            end_stopped(end, note);
         } catch (const InputError& error) {
             note.end(error.what());
             end_in_vain(job, error.what(), context);
             throw;
+        } catch (const std::bad_alloc&) {
+            const OutOfMemory error;
+            note.end(error.what());
+            throw error;
         } catch (const Error& error) {
             if (attempt == kAttempts) {
                 note.end(error.what());

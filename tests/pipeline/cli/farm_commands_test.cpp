@@ -48,8 +48,9 @@ objects:
         write_text(path(name), text.replace(text.find(old), old.size(), by));
     }
 
-    [[nodiscard]] RunResult export_job(const std::vector<std::string>& options = {}) const {
-        std::vector<std::string> words{"farm", "export", "shot/files.yaml", "--format", "parallel",
+    [[nodiscard]] RunResult export_job(const std::vector<std::string>& options = {},
+                                       const std::string& format = "parallel") const {
+        std::vector<std::string> words{"farm", "export", "shot/files.yaml", "--format", format,
                                        "-o",   "made"};
         words.insert(words.end(), options.begin(), options.end());
         return run(words);
@@ -140,6 +141,62 @@ TEST_F(FarmExport, DamagedBake_IsRestoredFromItsCopyAndElseEndsTheJob) {
     EXPECT_THAT(text_of("made/end.json"), HasSubstr("\"state\":\"failed\""));
 }
 
+TEST_F(FarmExport, FileThatOneNodeDoesNotSee_EndsNoJob) {
+    ASSERT_EQ(export_job().exit_code, 0);
+    fs::rename(path("made/files"), path("elsewhere"));
+    const RunResult worker = run({"farm", "work", "made"});
+    EXPECT_EQ(worker.exit_code, 1);
+    EXPECT_THAT(worker.err, HasSubstr("wedge.obj"));
+    EXPECT_FALSE(exists("made/end.json"));
+    fs::rename(path("elsewhere"), path("made/files"));
+    EXPECT_EQ(run({"farm", "work", "made"}).exit_code, 0);
+}
+
+TEST_F(FarmExport, WorkerThatFindsAnotherOnesFilmClaim_SeesToItThatTheFilmIsThere) {
+    ASSERT_EQ(export_job({"--dead-after", "1s"}).exit_code, 0);
+    fs::create_directory(path("made/locks"));
+    // Of a worker on another machine that has died.
+    write_text(path("made/locks/film.0"),
+               "carom claim 1\nhost other/12345678\nprocess 1-2-3\nbeat 00000000000000000007\n"
+               "state working \n");
+    EXPECT_EQ(run({"farm", "work", "made"}).exit_code, 0);
+    EXPECT_TRUE(exists("made/files.mp4"));
+}
+
+TEST_F(FarmExport, CommandAfterTheFilm_IsNotedWhileItRunsAndPrintsIntoItsLog) {
+    ASSERT_EQ(
+        export_job({"--exec-after", "cp \"$CAROM_JOB/end.json\" seen; echo one; echo two >&2"})
+            .exit_code,
+        0);
+    EXPECT_EQ(run({"farm", "work", "made"}).exit_code, 0);
+    EXPECT_THAT(text_of("seen"), HasSubstr("complete"));
+    EXPECT_THAT(text_of("seen"), HasSubstr("the command after the film has not ended"));
+    EXPECT_THAT(text_of("made/end.json"), Not(HasSubstr("has not ended")));
+    EXPECT_EQ(text_of("made/logs/exec-after.log"), "one\ntwo\n");
+}
+
+TEST_F(FarmExport, WorkerOfACompleteFilm_RendersNothingOfAPrunedStore) {
+    ASSERT_EQ(export_job().exit_code, 0);
+    ASSERT_EQ(run({"farm", "work", "made"}).exit_code, 0);
+    fs::remove_all(path("made/store/frames"));
+    const RunResult late = run({"farm", "work", "made"});
+    EXPECT_EQ(late.exit_code, 0);
+    EXPECT_THAT(late.err, HasSubstr("the job is complete"));
+    EXPECT_TRUE(frames_of("made/store").empty());
+}
+
+TEST_F(FarmExport, ResumeAndCancel_ChangeNothingOfWhatTheyDoNotStart) {
+    ASSERT_EQ(export_job().exit_code, 0);
+    write_text(path("made/end.json"), R"({"state": "failed", "message": "x", "frames": 0})");
+    for (const char* command : {"resume", "cancel"}) {
+        const RunResult result = run({"farm", command, "made"});
+        EXPECT_EQ(result.exit_code, 2);
+        EXPECT_THAT(result.err,
+                    HasSubstr("the tasks of this job are started outside carom (parallel)"));
+        EXPECT_THAT(text_of("made/end.json"), HasSubstr("failed"));
+    }
+}
+
 TEST_F(FarmExport, RoundsThatAddNothing_EndTheRepetition) {
     ASSERT_EQ(export_job().exit_code, 0);
     EXPECT_EQ(run({"farm", "finish", "made"}).exit_code, 75);
@@ -172,7 +229,31 @@ TEST_F(FarmExport, Change_IsWhatTheNextTasksGet) {
     EXPECT_EQ(run({"farm", "change", "made", "--time", "1.5 h", "--workers", "3"}).exit_code, 0);
     EXPECT_THAT(text_of("made/job.json"), HasSubstr("\"time_minutes\":90"));
     EXPECT_THAT(text_of("made/job.json"), HasSubstr("\"workers\":3"));
+    EXPECT_THAT(text_of("made/run.sh"), HasSubstr("seq 3 | parallel"));
     EXPECT_EQ(run({"farm", "work", "made"}).exit_code, 0);
+}
+
+TEST_F(FarmExport, ChangeOfAFileThatItsUserHasChanged_IsRefused) {
+    ASSERT_EQ(export_job().exit_code, 0);
+    replace("made/run.sh", "seq ", "seq 1");
+    const std::string job = text_of("made/job.json");
+    const RunResult change = run({"farm", "change", "made", "--workers", "3"});
+    EXPECT_EQ(change.exit_code, 2);
+    EXPECT_THAT(change.err, HasSubstr("/run.sh' is not as carom wrote it"));
+    EXPECT_EQ(text_of("made/job.json"), job);
+}
+
+TEST_F(FarmExport, BudgetThatIsNotShorterThanTheTimeLimit_IsRefused) {
+    const RunResult result = export_job({"--time", "10min", "--budget", "10min"}, "pbs");
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("error: --budget: '10min' is not shorter than --time, which "
+                                      "is 10 min\n"));
+    EXPECT_EQ(export_job({"--time", "10min", "--budget", "10min"}).exit_code, 0);
+}
+
+TEST_F(FarmExport, BudgetByDefault_EndsBeforeTheTimeLimit) {
+    ASSERT_EQ(export_job({"--time", "4min"}, "slurm").exit_code, 0);
+    EXPECT_THAT(text_of("made/job.json"), HasSubstr("\"budget_seconds\":145,"));
 }
 
 TEST_F(FarmExport, Status_ShowsABarAndASheetWithTheColoursOfTheCameras) {

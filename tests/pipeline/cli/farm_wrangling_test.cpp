@@ -180,8 +180,8 @@ TEST_F(FarmWrangling, RetriedFrames_AreRenderedAgainAndTheirTriesForgotten) {
     EXPECT_THAT(farm({"list"}).out, HasSubstr("6/6            complete\n"));
     const std::string film = text_of(std::string(kJob) + "/tiny.mp4");
     EXPECT_EQ(farm({"retry", kId, "2,4"}).err,
-              "carom: rendered again: frames 2, 4; the job has ended: 'carom farm resume' goes on "
-              "with it\n");
+              "carom: rendered again: frames 2, 4; the job has ended: start its tasks again, as '" +
+                  fs::path(path(kJob)).lexically_normal().string() + "/README.md' says\n");
     EXPECT_THAT(states(), ElementsAre("done", "done", "missing", "done", "missing", "done"));
     EXPECT_EQ(data({"frames", kId})["rows"][2]["tries"], 0);
     work();

@@ -44,6 +44,7 @@ FarmJob make_job(const std::string& folder) {
     job.engine_options = {"--qos=high", "--constraint=\"a\nb\""};
     job.exec_after = "cp \"$CAROM_FILM\" /films";
     job.is_sequence = true;
+    job.id = "1f3a5b";
     return job;
 }
 
@@ -98,6 +99,10 @@ TEST(FarmJob, OtherFolders_AreErrorsThatSayWhy) {
     EXPECT_THAT(problem(), HasSubstr("'workers' is no number: many"));
     write_text(folder.path("job.json"), "{\"carom_farm_job\": 2, \"workers\": [[1]]}");
     EXPECT_THAT(problem(), HasSubstr("'workers' is neither a text nor a number"));
+    FarmJob job = make_job(folder.path());
+    job.workers = 0;
+    write_job(job);
+    EXPECT_THAT(problem(), HasSubstr("has no workers, or no time or processor for them"));
     std::filesystem::remove(folder.path("job.json"));
     ASSERT_EQ(::mkfifo(folder.path("job.json").c_str(), 0600), 0);  // reading it would never end
     EXPECT_THAT(problem(), HasSubstr("/job.json' is no record"));
@@ -164,7 +169,8 @@ TEST(FarmJob, Records_AreReadAgain) {
     const ScratchFolder folder;
     const FarmJob job = make_job(folder.path());
     EXPECT_FALSE(read_round(job));
-    const Round round{{11, 12}, 3, {40, 123456789012}, 2, 4, 2, {"n1", "n1"}, {"n0", "n2"}, "late"};
+    const Round round{{11, 12},     {7, 12},      3,     {40, 123456789012}, 2, 5, 4, 8, 2,
+                      {"n1", "n1"}, {"n0", "n2"}, "late"};
     write_round(job, round);
     EXPECT_EQ(read_round(job), round);
     EXPECT_EQ(numbers_of(round).object(), "{\"frames\":11,\"film\":12}");
