@@ -44,7 +44,7 @@ class FarmQueue : public EndToEnd {
         program("sbatch", kSbatch);
         program("scancel", kScancel);
         program("squeue", "#!/bin/sh\ncat queue 2> /dev/null || true\n");
-        program("sinfo", "#!/bin/sh\necho 'all*|1:00:00|64000'\n");
+        program("sinfo", "#!/bin/sh\necho 'all*|infinite|64000'\n");
         program("sacct", "#!/bin/sh\nexit 1\n");
     }
 
@@ -166,6 +166,21 @@ TEST_F(FarmQueue, OutputThatNobodyTakes_LeavesTheJobInTheQueue) {
     replace_in_queue("Priority", "QOSMaxWallDurationPerJobLimit", 1);
     EXPECT_THAT(farm({"status", "8"}).out,
                 HasSubstr("the queue lets them wait: QOSMaxWallDurationPerJobLimit\n"));
+}
+
+TEST_F(FarmQueue, CancelThatFailsForOneOfTwo_TakesTheOtherOutAndCountsOnlyIfThatIsStillThere) {
+    const std::string job = submit();
+    const std::string fails =
+        "#!/bin/sh\n[ $1 != 7 ] || { echo 'scancel: error: no' >&2; exit 1; }\n";
+    program("scancel", fails + std::string(kScancel).substr(10));
+    const RunResult refused = farm({"cancel", job});
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_THAT(refused.err, HasSubstr("Slurm did not cancel job 7: no; the job goes on"));
+    EXPECT_EQ(in_queue("7|"), 5);
+    EXPECT_EQ(in_queue("8|"), 0);
+    // It ends by itself before it is asked for.
+    program("scancel", "#!/bin/sh\n: > queue\nexit 1\n");
+    EXPECT_EQ(farm({"cancel", job}).exit_code, 0);
 }
 
 TEST_F(FarmQueue, Resume_ForgivesNodes) {
