@@ -264,8 +264,10 @@ void go_on(const FarmJob& job, const Attempt& attempt, CommandContext& context) 
     }
     const farm::Engine& engine = farm::engine_of(job);
     Round round = farm::read_round(job).value_or(Round{});
-    farm::learn(round, job, engine.ask(job).tasks.value_or(std::vector<farm::Task>{}),
-                attempt.problem, engine.limits(job));
+    round.reason = attempt.problem;
+    if (const farm::Answer answer = engine.ask(job); answer.tasks) {  // else it is learned later
+        farm::learn(round, job, *answer.tasks, attempt.problem, engine.limits(job));
+    }
     if (attempt.progress) {
         return begin_round(job, std::move(round), attempt, context);
     }
