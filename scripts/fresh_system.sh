@@ -25,6 +25,7 @@ make_system() {
     }
     rm -f "$tree.log"
   fi
+  chmod 755 "$tree"  # mktemp makes it 0700, and users other than root run programs in it, munge's installation does
   cp -r /etc/apt/. "$tree/etc/apt/"
   cp /etc/resolv.conf "$tree/etc/resolv.conf"
   mountpoint -q "$tree/proc" || mount -t proc proc "$tree/proc"

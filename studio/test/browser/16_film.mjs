@@ -1,7 +1,7 @@
 // A film is made at draft, stopped, and goes on with the frames that are missing. It plays in the
 // page, also frame by frame, and 5 s is the frame that the film has there.
 import { existsSync, readFileSync, statSync, writeFileSync } from 'node:fs';
-import { kPatience, equal, openText, textOf } from './harness.mjs';
+import { equal, holdFilm, kPatience, openText, textOf } from './harness.mjs';
 
 export const shot = 'bank_shot.yaml';
 const kFrames = 5;  // when it is stopped
@@ -38,7 +38,7 @@ async function openSmall(context) {
 export const ownPage = true; // it opens one itself
 
 export async function check(context) {
-    const { page, path, end, complaints } = await openSmall(context);
+    const { page, path, pid, end, complaints } = await openSmall(context);
     const frames = await page.evaluate(() => window.studio.state.shot.value.film.frames);
     const film = path.replace('.yaml', '.mp4');
     writeFileSync(film, 'somebody made this film');
@@ -50,12 +50,12 @@ export async function check(context) {
     equal(await filmState(page), null, 'the film of which the file was kept');
     await page.getByRole('button', { name: 'Render', exact: true }).click();
     await page.getByRole('button', { name: 'Overwrite' }).click();
-    await page.waitForFunction((count) => window.studio.films.film.value?.finished >= count, kFrames,
-        { timeout: kPatience });
+    const goOn = await holdFilm(page, pid, kFrames);
     await page.keyboard.press('Escape');
     equal(await page.getByRole('dialog').count(), 0, 'open dialogs after Escape');
     await page.getByRole('button', { name: /^Make a film/ }).click();
     await page.getByRole('button', { name: 'Stop' }).click();
+    goOn();
     await waitFor(page, 'stopped');
     const stopped = await filmState(page);
     equal(stopped.finished >= kFrames && stopped.finished < frames, true,

@@ -1,7 +1,7 @@
 // By the keyboard alone: a ball is selected and nudged, struck harder, and the film scrubbed. axe finds
 // no serious or critical fault, in dark and in light.
 import { faults } from './axe.mjs';
-import { changedLines, equal, settle, textOf } from './harness.mjs';
+import { changedLines, equal, holdFilm, settle, textOf } from './harness.mjs';
 
 function focused(page) {
     return page.evaluate(() => {
@@ -27,7 +27,7 @@ function hasFocus(page, words) {
     return page.waitForFunction((text) => document.activeElement?.textContent === text, words);
 }
 
-export async function check({ page }) {
+export async function check({ page, pid }) {
     const before = await textOf(page);
     const state = (name) => page.evaluate((one) => window.studio.state[one].value, name);
     // The list of what the view shows: the cue ball.
@@ -120,11 +120,13 @@ export async function check({ page }) {
     await page.waitForFunction(() => document.activeElement?.closest('label')?.textContent
         .startsWith('Quality'));
     await page.keyboard.press('Tab');
-    await page.keyboard.type('0-20');  // so many that it is still running when it is stopped
+    await page.keyboard.type('0-20');
     await page.keyboard.press('Enter');
     await page.waitForFunction(() => window.studio.films.film.value?.state === 'running');
+    const goOn = await holdFilm(page, pid, 0);
     await reach(page, 'Tab', 'Stop');
     await page.keyboard.press('Enter');
+    goOn();
     await page.waitForFunction(() => window.studio.films.film.value?.state === 'stopped');
     await hasFocus(page, 'Resume');
     await page.keyboard.press('Escape');

@@ -6,6 +6,7 @@ import {
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
+import { setTimeout as pause } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 
 const here = dirname(fileURLToPath(import.meta.url));
@@ -111,6 +112,37 @@ export function settle(page) {
     return page.evaluate(() => window.studio.idle());
 }
 
+/// The process group of the film that the studio with the process number `server` makes, as soon as there is one.
+async function filmGroup(server) {
+    for (;;) {
+        const found = readdirSync('/proc').filter((one) => /^\d+$/.test(one)).find((one) => {
+            try {
+                const [, parent] = /\) \S (\d+)/.exec(readFileSync(`/proc/${one}/stat`, 'utf8'));
+                return Number(parent) === server && readFileSync(`/proc/${one}/cmdline`, 'utf8').includes('\0render\0');
+            } catch {
+                return false; // it has ended
+            }
+        });
+        if (found !== undefined) {
+            return -Number(found);
+        }
+        await pause(20);
+    }
+}
+
+/// Lets the film that the studio with the process number `server` makes go on until the page has heard of so many frames, in
+/// steps so short that it cannot end before, however late the page hears of them. Returns a function that lets it go on.
+export async function holdFilm(page, server, frames) {
+    const film = await filmGroup(server);
+    process.kill(film, 'SIGSTOP');
+    while (await page.evaluate(() => window.studio.films.film.value?.finished ?? 0) < frames) {
+        process.kill(film, 'SIGCONT');
+        await pause(50);
+        process.kill(film, 'SIGSTOP');
+    }
+    return () => process.kill(film, 'SIGCONT');
+}
+
 /// The text of the shot as it stands in the page.
 export function textOf(page) {
     return page.evaluate(() => window.studio.edit.text());
@@ -138,7 +170,7 @@ export function remove(folder) {
 }
 
 /// Opens a page of its own on a shot with this text, written into the check's folder. Returns also
-/// `end`, which ends its server.
+/// `end`, which ends its server, and `pid`, its process.
 export async function openText({ browser, carom, folder }, name, text, size) {
     const path = join(folder, 'examples', name);
     writeFileSync(path, text);
@@ -148,7 +180,7 @@ export async function openText({ browser, carom, folder }, name, text, size) {
         await opened.page.waitForFunction(() => window.studio.state.meshes.value !== null
             || window.studio.state.sequence.value !== null
             || window.studio.state.problems.value?.list.some(({ severity }) => severity === 'error'));
-        return { ...opened, path, end: async () => {
+        return { ...opened, path, pid: served.pid, end: async () => {
             await opened.page.close();
             await served.end();
         } };
