@@ -62,7 +62,7 @@ farm::Round replace_waiting(FarmJob job, const farm::Round& round, const Running
 
 void farm_change(const FarmCommand& command, CommandContext& context) {
     check_engine_options(command);
-    const FarmJob before = find_job(command);
+    const FarmJob before = find_job(command, JobUse::change);
     const FarmJob job = changed(before, command);
     if (job == before) {
         throw InputError(

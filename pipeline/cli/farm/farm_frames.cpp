@@ -102,8 +102,8 @@ std::string text_of(const FrameRow& row) {
 }  // namespace
 
 void farm_frames(const FarmCommand& command, CommandContext& context) {
-    const farm::FarmJob job = find_job(command);
-    const FarmFilm film = read_film(job, context);
+    const farm::FarmJob job = find_job(command, JobUse::look);
+    const FarmFilm film = read_film(job, JobUse::look, context);
     const FarmFrames frames(film, context.stop);
     const JobState state = state_of(job, frames);
     FrameTable table =

@@ -242,11 +242,11 @@ std::string end_of(const fs::path& path, int lines) {
 }  // namespace
 
 void farm_status(const FarmCommand& command, CommandContext& context) {
-    const FarmJob job = find_job(command);
+    const FarmJob job = find_job(command, JobUse::look);
     if (command.wait) {
         return wait_for_job(job, context);
     }
-    const FarmFilm film = read_film(job, context);
+    const FarmFilm film = read_film(job, JobUse::look, context);
     const FarmFrames frames(film, context.stop);
     const JobState state = state_of(job, frames);
     print_text(command.json ? json_of(job, state) : text_of(job, state));
@@ -256,7 +256,7 @@ void farm_status(const FarmCommand& command, CommandContext& context) {
 }
 
 void wait_for_job(const FarmJob& job, CommandContext& context) {
-    const FarmFilm film = read_film(job, context);
+    const FarmFilm film = read_film(job, JobUse::look, context);
     const FarmFrames frames(film, context.stop);
     const auto begin = std::chrono::steady_clock::now();
     const std::int64_t found = std::ssize(frames.stored().frames);
@@ -284,7 +284,7 @@ void wait_for_job(const FarmJob& job, CommandContext& context) {
 }
 
 void farm_logs(const FarmCommand& command, CommandContext&) {
-    const FarmJob job = find_job(command);
+    const FarmJob job = find_job(command, JobUse::look);
     if (command.frame) {
         return print_frame_log(job, *command.frame);
     }

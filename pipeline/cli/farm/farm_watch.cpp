@@ -17,10 +17,10 @@
 #include <unistd.h>
 
 #include "core/json_text.h"
+#include "pipeline/cli/farm/store_path.h"
 #include "pipeline/cli/page_server.h"
 #include "pipeline/farm/program.h"
 #include "pipeline/server/server.h"
-#include "pipeline/store/cache_folder.h"
 
 namespace carom::cli {
 namespace {
@@ -222,14 +222,8 @@ class FarmSite : public server::Site {
     bool is_new_ = false;                            // a page wants something else
     std::map<server::SocketId, std::string> pages_;  // and the job that each shows
     std::map<std::string, Sheet> sheets_;            // by job
-    std::int64_t made_ = 0;                          // sheets
+    std::int64_t made_ = 0;                          // sheets, of all jobs
 };
-
-std::string store_of(const FarmCommand& command) {
-    const std::string store =
-        command.store.empty() ? pipeline::default_cache_folder() : command.store;
-    return fs::absolute(store).lexically_normal().string();
-}
 
 }  // namespace
 

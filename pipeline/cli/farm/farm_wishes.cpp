@@ -55,8 +55,8 @@ struct Asked {
     Frames wanted;
 
     Asked(const FarmCommand& command, CommandContext& context)
-        : job(find_job(command)),
-          film(read_film(job, context)),
+        : job(find_job(command, JobUse::change)),
+          film(read_film(job, JobUse::change, context)),
           frames(film, context.stop),
           wanted(frames_of(command, frames.numbers())) {
         if (::access(job.folder.c_str(), W_OK) != 0) {  // before anything is dropped

@@ -101,7 +101,7 @@ void sleep_for(int seconds, const std::stop_token& stop) {
 /// Renders frames, and writes the film if all are there.
 pipeline::WorkerResult work(const FarmJob& job, const farm::OwnTask& task, Note& note,
                             CommandContext& context) {
-    FarmFilm film = read_film(job, context);
+    FarmFilm film = read_film(job, JobUse::work, context);
     const std::int64_t at_once =
         job.tasks_at_once > 0 ? std::min(job.tasks_at_once, job.workers) : job.workers;
     pipeline::WorkerOptions options;
@@ -158,7 +158,7 @@ void leave_the_end_to_engine(const FarmJob& job, const farm::OwnTask& task) {
 
 void farm_work(const FarmCommand& command, CommandContext& context) {
     const Clock::time_point begin = Clock::now();
-    const FarmJob job = find_job(command);
+    const FarmJob job = find_job(command, JobUse::work);
     refuse_other_machines(job);
     const render::TierLimit tier(job.tier);
     const farm::OwnTask task = farm::own_task();

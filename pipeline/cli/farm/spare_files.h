@@ -9,8 +9,10 @@ namespace carom::cli {
 /// Copies the files of the job's folder. Throws Error.
 void write_spare_files(const farm::FarmJob& job);
 
-/// Puts copies that are intact where the job's files have other contents or are missing. Returns
-/// whether any had. Throws Error if a folder cannot be read or written to.
+/// Puts copies that are intact where the job's files have other contents or are missing: only those
+/// that a job has, and none through a link. Returns whether any had. To be called by the owner of
+/// the folder, which others could change meanwhile. Throws Error if a folder cannot be read or
+/// written to.
 [[nodiscard]] bool restore_files(const farm::FarmJob& job);
 
 }  // namespace carom::cli
