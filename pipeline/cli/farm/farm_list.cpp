@@ -70,6 +70,7 @@ FoundJob found_job(const std::string& folder) {
             listed.frames = listed.finished = end->frames;
             return;
         }
+        (void)farm::read_round(job);  // one that is damaged must not keep the engine from answering
         found.has_ended = end.has_value();
         found.job = std::move(job);
     });
@@ -89,6 +90,19 @@ void look_at_frames(FoundJob& found, const farm::Answer& answer, CommandContext&
     });
 }
 
+/// What the engines say of these jobs, by their folders.
+std::map<std::string, farm::Answer> answers_for(const std::vector<farm::FarmJob>& jobs) {
+    try {
+        return farm::ask_engines(jobs);
+    } catch (const Error& error) {  // the jobs are listed all the same
+        std::map<std::string, farm::Answer> unknown;
+        for (const farm::FarmJob& job : jobs) {
+            unknown[job.folder].problem = error.what();
+        }
+        return unknown;
+    }
+}
+
 std::vector<ListedJob> jobs_of(const std::string& store, CommandContext& context) {
     std::vector<FoundJob> all;
     std::vector<farm::FarmJob> in_queue;
@@ -98,7 +112,7 @@ std::vector<ListedJob> jobs_of(const std::string& store, CommandContext& context
             in_queue.push_back(*all.back().job);
         }
     }
-    const std::map<std::string, farm::Answer> answers = farm::ask_engines(in_queue);
+    const std::map<std::string, farm::Answer> answers = answers_for(in_queue);
     std::vector<ListedJob> listed;
     for (FoundJob& found : all) {
         if (found.job) {

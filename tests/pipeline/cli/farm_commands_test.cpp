@@ -182,7 +182,7 @@ TEST_F(FarmExport, Change_IsWhatTheNextTasksGet) {
 TEST_F(FarmExport, Status_ShowsABarAndASheetWithTheColoursOfTheCameras) {
     ASSERT_EQ(export_job().exit_code, 0);
     EXPECT_THAT(run({"farm", "status", "made"}).out,
-                HasSubstr("running, 0 of 6 frames\nrender [>"));
+                HasSubstr("waiting, 0 of 6 frames\nrender [>"));
     ASSERT_EQ(run({"farm", "work", "made"}).exit_code, 0);
     const RunResult status = run({"farm", "status", "made", "--sheet", "sheet.png"});
     EXPECT_THAT(status.out, HasSubstr("complete, 6 of 6 frames"));
