@@ -12,19 +12,21 @@ ActionCosts costs_of_files() {
         .look = files(1),
         // open and read the claim; open the one of the next number, which does not exist
         .read_claim = files(3),
-        // open the claim, which does not exist; create, write and commit a draft; open, lock, link
-        // and remove it; open and read the claim
-        .claim = files(10),
+        // open the claim, which does not exist; create, lock, write and commit a draft; link and
+        // remove it; open and read the claim
+        .claim = files(9),
         // write, commit
         .beat = files(2),
-        // look for the old one; create, write, commit, rename; open the folder
-        .note = files(6),
+        // look for the old one; create, write, commit, rename; open the folder; and look whether
+        // there are wishes
+        .note = files(7),
         // open and read
         .read_leftover = files(2),
         // create and lock; open, write and commit the checksum; rename, unlock; write, commit,
-        // unlock and remove the claim; and the frame's writes and commit, of up to 1 MiB each,
-        // which is the most that Linux' NFS client sends at once
-        .publish = files(12),
+        // unlock and remove the claim; open, write and commit the diary of frames; and the frame's
+        // writes and commit, of up to 1 MiB each, which is the most that Linux' NFS client sends at
+        // once
+        .publish = files(15),
         .bytes_per_request = 1 << 20U,
         .list_page = files(1),
         .names_per_page = 200,  // a guess: names in one answer to the question for a list

@@ -7,7 +7,8 @@
 
 namespace carom {
 
-/// Who may read and write a new file. One that is replaced keeps its permissions.
+/// Who may read and write a file. One that is replaced keeps its permissions, except in a group's
+/// folder with of_folder.
 enum class FileAccess {
     of_user,    // as the user's mask says
     of_folder,  // if the folder is a group's (group_folder.h), the group; else as the mask says

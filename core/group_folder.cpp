@@ -2,7 +2,9 @@
 
 #include <filesystem>
 
+#include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace carom {
 
@@ -19,8 +21,17 @@ void share_file(int descriptor, const std::string& folder) {
 }
 
 void share_folder(const std::string& path) {
-    if (is_group_folder(std::filesystem::path(path).parent_path().string())) {
-        static_cast<void>(::chmod(path.c_str(), 02775));
+    if (!is_group_folder(std::filesystem::path(path).parent_path().string())) {
+        return;
+    }
+    // By name, a member of the group could have put a link there.
+    const int folder = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    struct stat status {};
+    if (folder >= 0 && ::fstat(folder, &status) == 0 && status.st_uid == ::geteuid()) {
+        static_cast<void>(::fchmod(folder, 02775));
+    }
+    if (folder >= 0) {
+        ::close(folder);
     }
 }
 

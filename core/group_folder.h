@@ -13,7 +13,8 @@ namespace carom {
 /// a group's. A failure is ignored: others of the group meet it with its reason.
 void share_file(int descriptor, const std::string& folder);
 
-/// The same for a folder of this user (mode 2775) if the one in which it lies is a group's.
+/// The same for a folder of this user (mode 2775) if the one in which it lies is a group's. One of
+/// another user, or a link, is left as it is.
 void share_folder(const std::string& path);
 
 }  // namespace carom

@@ -24,9 +24,11 @@ namespace {
 
 std::map<std::string, server::Resource> read_page() {
     const std::string folder = installed_path("share/carom/studio");
-    if (!std::filesystem::exists(folder + "/index.html")) {
-        throw Error("the studio's page is missing in '" + folder +
-                    "'; in carom's source tree 'scripts/run studio' builds it");
+    for (const char* page : {"/index.html", "/farm.html"}) {  // one may be of an older version
+        if (!std::filesystem::exists(folder + page)) {
+            throw Error("the studio's page is missing: '" + folder + page +
+                        "' does not exist; in carom's source tree 'scripts/run studio' builds it");
+        }
     }
     return server::read_page_files(folder);
 }

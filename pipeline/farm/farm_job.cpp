@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "core/error.h"
 #include "core/hash.h"
@@ -33,9 +34,10 @@ std::string name_of_film(const std::string& film) {
 }
 
 /// Returns whether it was made, which is not the case if the name is taken. Throws Error.
-bool make_folder(const std::string& path, bool is_private) {
+bool make_folder(const std::string& path, Readers readers) {
     if (::mkdir(path.c_str(), 0700) == 0) {
-        if (!is_private && ::chmod(path.c_str(), 0755) != 0) {
+        const mode_t mode = readers == Readers::group ? 02750 : 0755;
+        if (readers != Readers::none && ::chmod(path.c_str(), mode) != 0) {
             throw Error(pipeline::system_problem(path, "others cannot be allowed to read it"));
         }
         return true;
@@ -89,6 +91,7 @@ void write_job(const FarmJob& job) {
         .add("film_time_minutes", job.film_time)
         .add("exec_after", job.exec_after)
         .add("engine", job.engine)
+        .add("film_mask", job.film_mask)
         .add("sequence", job.is_sequence ? 1 : 0)
         .add("portable", job.is_portable ? 1 : 0)
         .add("id", job.id);
@@ -140,6 +143,7 @@ FarmJob read_job(const std::string& folder) {
         job.engine_options.push_back(option);
     }
     job.engine = text_of(record, "engine");
+    job.film_mask = record->text("film_mask").empty() ? -1 : record->integer("film_mask");
     job.is_sequence = record->integer("sequence") != 0;
     job.is_portable = record->integer("portable") != 0;
     job.id = text_of(record, "id");
@@ -153,6 +157,13 @@ FarmJob read_job(const std::string& folder) {
 bool is_job_folder(const std::string& folder) {
     std::error_code failure;
     return fs::exists(folder + "/job.json", failure) || failure == std::errc::permission_denied;
+}
+
+bool is_own(const std::string& folder) {
+    struct stat status {};
+    struct stat link {};
+    return ::stat(folder.c_str(), &status) == 0 && ::lstat(folder.c_str(), &link) == 0 &&
+           status.st_uid == ::geteuid() && link.st_uid == ::geteuid();
 }
 
 std::string job_id(const std::string& folder) {
@@ -198,13 +209,13 @@ std::vector<std::string> job_folders(const std::string& store) {
     return folders;
 }
 
-void make_store(const std::string& store, bool is_private) {
+void make_store(const std::string& store, Readers readers) {
     const fs::path path = fs::path(store) / "";  // ends in "/", also if the store's name does
     pipeline::create_folder(path.parent_path().parent_path().string());
-    (void)make_folder(path.parent_path().string(), is_private);
+    (void)make_folder(path.parent_path().string(), readers);
 }
 
-std::string make_job_folder(const std::string& store, const std::string& film, bool is_private) {
+std::string make_job_folder(const std::string& store, const std::string& film, Readers readers) {
     const std::string farm = farm_folder(store);
     pipeline::create_folder(farm);
     keep_entries_of_owners(store);
@@ -213,13 +224,21 @@ std::string make_job_folder(const std::string& store, const std::string& film, b
     const std::string name = name_of_film(film) + "-" + hash.to_string().substr(0, 6);
     for (int number = 1; number <= kMostJobs; ++number) {
         std::string folder = fmt::format("{}/{}-{}", farm, name, number);
-        if (make_folder(folder, is_private)) {
+        if (make_folder(folder, readers)) {
             pipeline::create_folder(folder + "/logs");
             pipeline::create_folder(folder + "/workers");
             return folder;
         }
     }
     throw Error("'" + farm + "' has too many jobs of this film; remove the old ones");
+}
+
+void let_readers_read(const std::string& folder) {
+    constexpr mode_t kReading = 055;
+    struct stat status {};
+    if (::stat(folder.c_str(), &status) == 0) {
+        ::umask(::umask(0) & ~(status.st_mode & kReading));
+    }
 }
 
 void write_end(const FarmJob& job, const JobEnd& end) {

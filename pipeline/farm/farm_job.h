@@ -42,6 +42,7 @@ struct FarmJob {
     std::vector<std::string> engine_options;  // words for the engine's own program that submits
     std::string exec_after;                   // a command of the shell when the film is there
     std::string engine = "slurm";             // or what else starts the tasks (engine.h)
+    std::int64_t film_mask = -1;              // the film's (umask); -1: that of its process
     bool is_sequence = false;                 // a film of several shots
     bool is_portable = false;  // the folder may be copied: its scripts and paths are relative
     std::string id;            // of such a job, which tells it from others of its film
@@ -58,6 +59,9 @@ void write_job(const FarmJob& job);
 /// Also of a folder that may not be looked into: read_job says so then.
 [[nodiscard]] bool is_job_folder(const std::string& folder);
 
+/// Whether the folder is this user's, and no other user's link to it.
+[[nodiscard]] bool is_own(const std::string& folder);
+
 /// The end of the folder's name that tells the jobs of a store apart: "1f3a5b-2"; of a folder with
 /// another kind of name all of it.
 [[nodiscard]] std::string job_id(const std::string& folder);
@@ -72,14 +76,20 @@ inline constexpr const char* kPartFolder = "part-";  // and a number from 1
 /// The folders of all jobs of a store, the newest first.
 [[nodiscard]] std::vector<std::string> job_folders(const std::string& store);
 
-/// Makes the store's folder if it does not exist: for its owner alone, or also readable for others.
-/// Throws Error.
-void make_store(const std::string& store, bool is_private);
+/// Who may read a folder besides its owner.
+enum class Readers { none, group, all };
 
-/// Makes a new folder for a job that makes this film: for its owner alone, or also readable for
-/// others. The mask of the process (umask) changes neither. Throws Error.
+/// Makes the store's folder if it does not exist. Throws Error.
+void make_store(const std::string& store, Readers readers);
+
+/// Makes a new folder for a job that makes this film. What is made in it is of its group, if it is
+/// for the group. The mask of the process (umask) changes neither folder. Throws Error.
 [[nodiscard]] std::string make_job_folder(const std::string& store, const std::string& film,
-                                          bool is_private);
+                                          Readers readers);
+
+/// Lets those read what this process and its tasks make who may read the job's folder, whatever the
+/// user's mask is. Slurm gives the mask of the process that submits to the tasks.
+void let_readers_read(const std::string& folder);
 
 /// How a job ended.
 struct JobEnd {

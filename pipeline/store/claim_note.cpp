@@ -107,7 +107,8 @@ std::optional<ClaimNote> read_claim_note(const std::string& path) {
         if (errno == ESTALE) {  // another machine has just removed it
             return ClaimNote{};
         }
-        if (attempt == kAttempts) {
+        const bool stays = errno == EACCES || errno == EISDIR || errno == ELOOP;
+        if (stays || attempt == kAttempts) {
             throw Error(system_problem(path, "the claim cannot be read"));
         }
         std::this_thread::sleep_for(kPause);

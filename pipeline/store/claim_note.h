@@ -25,8 +25,9 @@ struct ClaimNote {
 [[nodiscard]] std::optional<ClaimNote> parse_claim_note(const std::string& text);
 
 /// The note in a file; empty if there is no such file. The note of a file that cannot be understood
-/// has an empty host. Throws Error if it cannot be read, three times in a row: network file systems
-/// fail for a moment. The file is opened anew, because they look at the server's file only then.
+/// has an empty host. Throws Error if it cannot be read: at once if permission is missing or if it
+/// is no file, else three times in a row, since network file systems fail for a moment. The file is
+/// opened anew, because they look at the server's file only then.
 [[nodiscard]] std::optional<ClaimNote> read_claim_note(const std::string& path);
 
 /// The machine's name and what tells this run of it from others. The nodes of a Slurm cluster that

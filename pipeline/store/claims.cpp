@@ -97,18 +97,16 @@ struct Claim::Held {
         (void)!::pwrite(file.get(), text.data(), text.size(), 0);
         file.reset();  // hands it to the server, and gives up the lock
         const std::lock_guard lock(all.mutex_);
-        for (int i = 0; i <= number && !all.times_.keeps_finished; ++i) {
-            all.finished_.push_back(all.path(name, i));
+        if (!all.times_.keeps_finished) {
+            all.finished_.push_back({name, number, note});
         }
         is_finished = true;
     }
 
-    // The lowest number first: as long as this file is there, nobody takes a dead one below it for
-    // the last one.
     void release() {
         stop_heart();
-        for (int i = 0; i <= number && !is_finished; ++i) {
-            ::unlink(all.path(name, i).c_str());
+        if (!is_finished) {
+            all.remove(name, number);
         }
     }
 
@@ -139,8 +137,20 @@ bool Claim::replaces_dead_one() const {
 Claims::Claims(std::string folder, ClaimTimes times) : folder_(std::move(folder)), times_(times) {}
 
 Claims::~Claims() {
-    for (const std::string& path : finished_) {
-        ::unlink(path.c_str());
+    for (const Finished& own : finished_) {
+        try {
+            if (read_claim_note(path(own.name, own.number)) == own.note) {
+                remove(own.name, own.number);
+            }
+        } catch (const Error&) {
+            continue;  // whoever cannot read it does not know that it is still his
+        }
+    }
+}
+
+void Claims::remove(const std::string& name, int last) const {
+    for (int number = 0; number <= last; ++number) {
+        ::unlink(path(name, number).c_str());
     }
 }
 
@@ -217,8 +227,10 @@ std::unique_ptr<Claim::Held> Claims::make(const std::string& name, int number,
     const int failure = errno;
     ::unlink(draft.c_str());
     if (!is_linked && failure != EEXIST && !read_claim_note(own)) {  // perhaps there are no links
-        file = make_file(own, text_of(note));
-        if (!file.is_open() && errno != EEXIST) {
+        FileDescriptor made = make_file(own, text_of(note));
+        if (made.is_open()) {
+            file = std::move(made);
+        } else if (errno != EEXIST) {  // else it may be the link to the draft, seen late
             throw Error(system_problem(own, "the claim cannot be made"));
         }
     }

@@ -43,7 +43,7 @@ class Claim {
 
     /// The work is done and its result is in its place, where other machines may see it a little
     /// later: until then they see that it was finished. The file stays until `Claims` is destroyed
-    /// or longer.
+    /// or longer, unless somebody removes it.
     void finish();
 
     /// Whether the claim took the place of a dead one.
@@ -94,6 +94,15 @@ class Claims {
         std::optional<ClaimNote> note;
         int next = 0;
     };
+    /// A claim of this process whose work is done. Others may have removed it since.
+    struct Finished {
+        std::string name;
+        int number = 0;
+        ClaimNote note;
+    };
+    /// Removes the claims up to one of this process, the lowest number first: as long as its own is
+    /// there, nobody takes a dead one below it for the last one.
+    void remove(const std::string& name, int last) const;
     [[nodiscard]] Last last_of(const std::string& name) const;
     /// The file of the claim with that number.
     [[nodiscard]] std::string path(const std::string& name, int number) const;
@@ -105,8 +114,8 @@ class Claims {
     std::string folder_;
     ClaimTimes times_;
     std::mutex mutex_;
-    std::map<std::string, Seen> seen_;   // by path
-    std::vector<std::string> finished_;  // paths of this process's claims
+    std::map<std::string, Seen> seen_;  // by path
+    std::vector<Finished> finished_;
 };
 
 }  // namespace carom::pipeline

@@ -85,6 +85,11 @@ std::string system_problem(const std::string& path, const std::string& what) {
                        reason == EACCES || reason == EPERM ? owner_text(path) : "");
 }
 
+std::string name_of_owner(const std::string& path) {
+    struct stat status {};
+    return ::stat(path.c_str(), &status) == 0 ? name_of_user(status.st_uid) : "";
+}
+
 void create_folder(const std::string& path) {
     if (const std::error_code failure = make_folder(path)) {
         errno = failure.value();

@@ -108,6 +108,7 @@ std::optional<render::Film> FrameStore::decoded(const std::string& path, const H
                                                 FrameFileState state, const Decode& decode) const {
     switch (state) {
         case FrameFileState::missing:
+        case FrameFileState::unreadable:
             return std::nullopt;
         case FrameFileState::damaged:
             discard(path, describe_damage(path, key));

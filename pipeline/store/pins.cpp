@@ -37,8 +37,7 @@ std::string pins_folder(const std::string& cache_folder) {
 }
 
 std::string process_text() {
-    const std::string& host = this_host();
-    return fmt::format("process {} on {}", ::getpid(), host.substr(0, host.find('/')));
+    return owner_of({this_host(), std::to_string(::getpid())});
 }
 
 enum class PinState { fresh, old, not_counted, dead };

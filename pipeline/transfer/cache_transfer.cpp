@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -91,8 +92,17 @@ CacheFiles own_files(const std::string& cache_folder) {
     return files;
 }
 
-bool is_intact(const std::string& path, const CacheFile& file) {
-    return pipeline::is_intact({file.kind, path, file.key, 0, {}});
+/// Whether the file may be taken; else it is added to those of the result that may not.
+bool may_take(const std::string& path, const CacheFile& file, TransferResult& result) {
+    const pipeline::FrameFileState state = pipeline::state_of({file.kind, path, file.key, 0, {}});
+    if (state == pipeline::FrameFileState::damaged) {
+        result.damaged.push_back(file.path());
+    } else if (state == pipeline::FrameFileState::unreadable) {
+        result.unreadable.push_back(file.path());
+    } else {
+        return true;
+    }
+    return false;
 }
 
 /// Passes on the progress of rsync, which prints a line for each file.
@@ -173,10 +183,11 @@ class Arrivals {
     void take_one(const std::string& path, const CacheFile& file, std::uint64_t bytes,
                   TransferResult& result) const {
         const std::string place = cache_ + "/" + file.path();
-        if (!is_intact(path, file)) {
-            result.damaged.push_back(file.path());
+        if (!may_take(path, file, result)) {
+            ::unlink(path.c_str());
         } else if (::access(place.c_str(), F_OK) == 0) {
             ++result.there;  // made here meanwhile
+            ::unlink(path.c_str());
         } else {
             const pipeline::FileDescriptor opened(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
             (void)::fsync(opened.get());
@@ -187,9 +198,7 @@ class Arrivals {
                 throw Error(pipeline::system_problem(place, "the file cannot be moved here"));
             }
             count(file, bytes, result);
-            return;
         }
-        ::unlink(path.c_str());
     }
 
     std::string cache_;
@@ -309,12 +318,7 @@ TransferResult push(const TransferOptions& options, const WorkContext& context) 
             throw Stopped();
         }
         const std::string path = options.cache_folder + "/" + it->first.path();
-        if (is_intact(path, it->first)) {
-            ++it;
-        } else {
-            result.damaged.push_back(it->first.path());
-            it = files.erase(it);
-        }
+        it = may_take(path, it->first, result) ? std::next(it) : files.erase(it);
     }
     if (options.dry_run || files.empty()) {
         for (const auto& [file, bytes] : files) {

@@ -30,6 +30,7 @@ struct TransferResult {
     std::uint64_t there = 0;           // files that the receiving cache had
     std::uint64_t missing = 0;         // keys that neither cache has a file for
     std::vector<std::string> damaged;  // paths in the sending cache, of files that were not taken
+    std::vector<std::string> unreadable;  // likewise: this user may not read them
     /// pull: bytes of the whole cache, if it exceeds its limit.
     std::optional<std::uint64_t> exceeds_limit{};
 };

@@ -129,7 +129,7 @@ farm::Round submit_changed(const FarmJob& job, const FarmJob& before, const farm
 }  // namespace
 
 void farm_change(const FarmCommand& command, CommandContext& context) {
-    const FarmJob before = find_job(command);
+    const FarmJob before = find_job(command, JobUse::change);
     check_engine_options(before.engine, command.engine_options);
     const FarmJob job = changed(before, command);
     if (job == before) {

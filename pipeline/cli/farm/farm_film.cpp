@@ -7,14 +7,17 @@
 #include <optional>
 #include <system_error>
 
+#include <fmt/core.h>
+
 #include "core/text.h"
+#include "pipeline/camera/frame_plan.h"
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/farm/spare_files.h"
 #include "pipeline/cli/film_input.h"
 #include "pipeline/cli/sequence_films.h"
 #include "pipeline/cli/sequence_input.h"
 #include "pipeline/job/job_frames.h"
-#include "pipeline/store/cache_folder.h"
+#include "pipeline/store/file_descriptor.h"
 #include "pipeline/store/pins.h"
 #include "pipeline/store/reservations.h"
 #include "pipeline/store/sums_file.h"
@@ -46,33 +49,56 @@ bool is_named(const FarmJob& job, const std::string& name) {
     return round && std::ranges::find(round->numbers, *number) != round->numbers.end();
 }
 
+/// The job of a folder, if the name is its id, its film or one of its numbers. Throws Error if it
+/// has the id and cannot be read; counts it in `unreadable` if it might have been meant.
+std::optional<FarmJob> job_if_named(const std::string& folder, const std::string& name,
+                                    std::uint64_t& unreadable) {
+    if (farm::job_id(folder) == name) {
+        return farm::read_job(folder);
+    }
+    try {
+        FarmJob job = farm::read_job(folder);
+        if (is_named(job, name)) {
+            return job;
+        }
+    } catch (const Error&) {
+        ++unreadable;
+    }
+    return std::nullopt;
+}
+
+/// The tasks of a job, with its command after the film, have the rights of whoever submits them.
+void require_own(const std::string& folder) {
+    if (!farm::is_own(folder)) {
+        throw Error("'" + folder + "' is the job of the user " + pipeline::name_of_owner(folder) +
+                    "; nobody else can work on it or change it");
+    }
+}
+
 }  // namespace
 
-std::string absolute_path(const std::string& path) {
-    return fs::absolute(path).lexically_normal().string();
-}
-
-std::string store_of(const FarmCommand& command) {
-    return absolute_path(command.store.empty() ? pipeline::default_cache_folder() : command.store);
-}
-
-FarmJob find_job(const FarmCommand& command) {
+FarmJob find_job(const FarmCommand& command, JobUse use) {
     if (farm::is_job_folder(command.job)) {
+        if (use == JobUse::change) {
+            require_own(command.job);
+        }
+        if (use != JobUse::look) {
+            farm::let_readers_read(command.job);
+        }
         return farm::read_job(command.job);
     }
     const std::string store = store_of(command);
+    std::vector<std::string> folders = farm::job_folders(store);
+    std::ranges::stable_partition(folders, farm::is_own);
     std::uint64_t unreadable = 0;
-    for (const std::string& folder : farm::job_folders(store)) {
-        if (farm::job_id(folder) == command.job) {
-            return farm::read_job(folder);
+    for (const std::string& folder : folders) {
+        const std::optional<FarmJob> job = job_if_named(folder, command.job, unreadable);
+        if (job && use != JobUse::look) {
+            require_own(folder);
+            farm::let_readers_read(folder);
         }
-        try {
-            FarmJob job = farm::read_job(folder);
-            if (is_named(job, command.job)) {
-                return job;
-            }
-        } catch (const Error&) {
-            ++unreadable;
+        if (job) {
+            return *job;
         }
     }
     throw InputError(
@@ -135,6 +161,16 @@ std::string regular_file(const std::string& path) {
     return path;
 }
 
+/// Nothing is simulated for a job: what its file names may be anybody's.
+void require_bakes(const pipeline::Sequence& sequence) {
+    for (const pipeline::SequencePart& part : sequence.parts) {
+        const auto* shot = std::get_if<pipeline::ShotPart>(&part.content);
+        if (shot != nullptr && !shot->bake) {
+            throw InputError("'" + shot->path + "' is not the bake of a shot");
+        }
+    }
+}
+
 std::variant<FarmFilm::OneShot, FarmFilm::SeveralShots> read_content(const FarmJob& job,
                                                                      const CacheOptions& cache,
                                                                      CommandContext& context) {
@@ -143,6 +179,7 @@ std::variant<FarmFilm::OneShot, FarmFilm::SeveralShots> read_content(const FarmJ
     if (job.is_sequence) {
         input.path = regular_file(farm::sequence_path(job));
         FarmFilm::SeveralShots film{read_sequence_input(input, context.console, job.folder), {}};
+        require_bakes(film.sequence);
         film.bakes = obtain_bakes(film.sequence, cache, context);
         return film;
     }
@@ -152,15 +189,29 @@ std::variant<FarmFilm::OneShot, FarmFilm::SeveralShots> read_content(const FarmJ
     return film;
 }
 
+/// What became of the job's own files.
+OwnFiles restored(const FarmJob& job, const std::string& problem) {
+    try {
+        return farm::is_own(job.folder) ? restore_files(job) : OwnFiles::intact;
+    } catch (const Error& error) {
+        throw Error(problem + "; it cannot be restored: " + error.what());
+    }
+}
+
 /// The same; files of the job that are damaged are restored first. With intact files it is not the
 /// job's fault that it cannot be read, but for example that of a node that does not see a mesh.
 std::variant<FarmFilm::OneShot, FarmFilm::SeveralShots> read_intact_content(
-    const FarmJob& job, const CacheOptions& cache, CommandContext& context) {
+    const FarmJob& job, JobUse use, const CacheOptions& cache, CommandContext& context) {
     try {
         return read_content(job, cache, context);
     } catch (const InputError& error) {
         const std::string problem = error.what();
-        const OwnFiles files = restore_files(job);
+        if (use == JobUse::look) {
+            throw InputError(problem +
+                             "; a worker restores damaged files from their copies; if it cannot, "
+                             "submit the film again");
+        }
+        const OwnFiles files = restored(job, problem);
         if (files == OwnFiles::damaged) {
             throw InputError(problem + "; the job cannot go on: submit the film again");
         }
@@ -176,11 +227,30 @@ std::variant<FarmFilm::OneShot, FarmFilm::SeveralShots> read_intact_content(
     }
 }
 
+/// Whoever looks at all jobs must not be kept busy by one.
+void refuse_endless(const FarmJob& job, const FarmFilm& film) {
+    constexpr std::int64_t kMost = 200'000;  // two hours
+    const auto* one = std::get_if<FarmFilm::OneShot>(&film.content);
+    const std::int64_t count =
+        one != nullptr ? pipeline::frame_count(one->input.shot.cameras, one->input.shot.timing)
+                       : std::get<FarmFilm::SeveralShots>(film.content).sequence.frames();
+    if (count > kMost && !farm::is_own(job.folder)) {
+        throw InputError(
+            fmt::format("the film has {} frames; of the jobs of others only those with "
+                        "at most {} are looked at",
+                        count, kMost));
+    }
+}
+
 }  // namespace
 
-FarmFilm read_film(const FarmJob& job, CommandContext& context) {
-    const CacheOptions cache{job.store, "none"};
-    FarmFilm film{read_intact_content(job, cache, context), job_options(cache, job.frames, "")};
+FarmFilm read_film(const FarmJob& job, JobUse use, CommandContext& context) {
+    const CacheOptions cache{job.store, "none", use == JobUse::look};
+    FarmFilm film{read_intact_content(job, use, cache, context),
+                  job_options(cache, job.frames, "")};
+    if (use == JobUse::look) {
+        refuse_endless(job, film);
+    }
     film.options.tier = job.tier;
     film.options.threads = static_cast<int>(job.processors);
     film.options.claim_times = pipeline::claim_times(
@@ -259,11 +329,13 @@ farm::Progress FarmFrames::progress() const {
             if (found.pictures.contains(picture.key)) {
                 continue;
             }
-            // A picture that is to be denoised has all its samples.
-            samples +=
+            // A picture that is to be denoised has all its samples. A damaged file may say
+            // anything.
+            const auto most = static_cast<std::uint64_t>(part.samples);
+            samples += static_cast<std::int64_t>(
                 store.noisy_size_bytes(picture.noisy_key) > 0
-                    ? part.samples
-                    : static_cast<std::int64_t>(pipeline::stored_samples(store, picture.noisy_key));
+                    ? most
+                    : std::min(most, pipeline::stored_samples(store, picture.noisy_key)));
         }
     }
     return {std::ssize(found.missing), samples};
@@ -307,6 +379,7 @@ void FarmFrames::forget_claims() const {
     for (const Part& part : parts_) {
         for (const pipeline::FilmPlan::Picture& picture : part.plan.pictures) {
             store.forget_claims(picture.key);
+            store.forget_claims(picture.noisy_key);
         }
     }
 }

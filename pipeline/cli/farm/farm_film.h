@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "pipeline/cli/commands.h"
+#include "pipeline/cli/farm/store_path.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/farm/farm_job.h"
@@ -22,15 +23,19 @@
 
 namespace carom::cli {
 
-/// The same path from the root, without "." and "..".
-[[nodiscard]] std::string absolute_path(const std::string& path);
+/// What a command does with a job, whose files may be another user's work.
+enum class JobUse {
+    look,    // at anybody's, also where nothing may be written: nothing is
+    work,    // on this user's own, or in a folder that is named, as a task's script names it: the
+             // processes of containers are often those of another user than the folder's owner
+    change,  // this user's own
+};
 
-/// The store that the command names, absolute.
-[[nodiscard]] std::string store_of(const FarmCommand& command);
-
-/// The job that the command names. Other jobs of the store that cannot be read do not matter.
-/// Throws InputError if there is none, Error if it cannot be read.
-[[nodiscard]] farm::FarmJob find_job(const FarmCommand& command);
+/// The job that the command names, this user's own before those of others. Who does more than look
+/// makes files in its folder that all can read who may read the folder (let_readers_read). Other
+/// jobs of the store that cannot be read do not matter. Throws InputError if there is none, Error
+/// if it cannot be read or if it is another user's and must not be for this use.
+[[nodiscard]] farm::FarmJob find_job(const FarmCommand& command, JobUse use);
 
 /// What a job films, and the options with which its frames are rendered and encoded.
 struct FarmFilm {
@@ -54,10 +59,12 @@ struct FarmFilm {
     [[nodiscard]] std::vector<std::int64_t> missing_frames(const std::stop_token& stop,
                                                            pipeline::DamagedFrames damaged) const;
 };
-/// Reads the film of a job. Files of the job that are damaged are restored from their copies.
-/// Throws InputError, which says what to do, if the copies are damaged, too; Error if it is not
-/// known that no other machine can read it either.
-[[nodiscard]] FarmFilm read_film(const farm::FarmJob& job, CommandContext& context);
+/// Reads the film of a job, all of whose shots have to be baked. Files of this user's job that are
+/// damaged are restored from their copies, except to look. Who looks writes nothing to the store
+/// either, and is refused another user's film of too many frames. Throws InputError, which says
+/// what to do, if the copies are damaged, too; Error if it is not known that no other machine can
+/// read it either.
+[[nodiscard]] FarmFilm read_film(const farm::FarmJob& job, JobUse use, CommandContext& context);
 
 /// Which frames of a job are there, without reading them.
 class FarmFrames {

@@ -9,6 +9,7 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/text.h"
@@ -52,6 +53,25 @@ void cancel_quietly(const FarmJob& job, Which which, CommandContext& context) {
     }
 }
 
+/// The mask of the process, while it writes the film.
+class FilmMask {
+  public:
+    explicit FilmMask(const FarmJob& job)
+        : before_(::umask(job.film_mask < 0 ? 0 : static_cast<mode_t>(job.film_mask))) {
+        if (job.film_mask < 0) {
+            ::umask(before_);
+        }
+    }
+    ~FilmMask() { ::umask(before_); }
+    FilmMask(const FilmMask&) = delete;
+    FilmMask& operator=(const FilmMask&) = delete;
+    FilmMask(FilmMask&&) = delete;
+    FilmMask& operator=(FilmMask&&) = delete;
+
+  private:
+    mode_t before_;
+};
+
 /// Writes the film. Returns the frames that are missing, and writes nothing then. `end`: what is to
 /// be noted if it was written.
 std::vector<std::int64_t> write_film(const FarmJob& job, FarmFilm& film, farm::JobEnd& end,
@@ -70,6 +90,7 @@ std::vector<std::int64_t> write_film(const FarmJob& job, FarmFilm& film, farm::J
     }
     const pipeline::JobObserver observer =
         make_console_observer(context.console, std::ssize(film.frames()));
+    const FilmMask mask(job);
     if (const auto* one = std::get_if<FarmFilm::OneShot>(&film.content)) {
         (void)pipeline::mux_complete_film(one->input.shot, one->bake, film.options, observer,
                                           context.stop);
@@ -287,7 +308,7 @@ void go_on_with_more_time(const FarmJob& job, CommandContext& context) {
 Attempt try_film(const FarmJob& job, CommandContext& context) {
     Attempt attempt;
     try {
-        FarmFilm film = read_film(job, context);
+        FarmFilm film = read_film(job, JobUse::work, context);
         FilmClaims claims(job, film);
         const std::optional<pipeline::Claim> claim = claims.wait(context);
         const FarmFrames frames(film, context.stop);
@@ -353,7 +374,7 @@ void end_in_vain(const FarmJob& job, const std::string& problem, CommandContext&
 }
 
 void farm_finish(const FarmCommand& command, CommandContext& context) {
-    const FarmJob job = find_job(command);
+    const FarmJob job = find_job(command, JobUse::work);
     const farm::OwnTask task = farm::own_task();
     const TaskEnd task_end(job, farm::stages().back(), task);
     Attempt attempt;

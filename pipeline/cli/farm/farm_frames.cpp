@@ -12,13 +12,11 @@
 namespace carom::cli {
 namespace {
 
-constexpr double kSlow = 2;  // times the median
-
 /// Whether the user wants to see the frame.
-bool is_wanted(const FrameRow& row, const FarmCommand& command, double median) {
+bool is_wanted(const FrameRow& row, const FarmCommand& command) {
     const bool is_all = !command.only_failed && !command.only_slow && !command.only_missing;
     return is_all || (command.only_failed && row.failures > 0) ||
-           (command.only_slow && row.seconds && *row.seconds > kSlow * median) ||
+           (command.only_slow && row.is_slow) ||
            (command.only_missing && row.state != FrameState::done);
 }
 
@@ -32,7 +30,9 @@ std::string json_of(const FrameRow& row) {
         members.add("node", row.host).add("worker", row.worker);
     }
     if (row.seconds) {
-        members.add("seconds", *row.seconds).add("memory_bytes", row.memory);
+        members.add("seconds", *row.seconds)
+            .add("slow", row.is_slow ? 1 : 0)
+            .add("memory_bytes", row.memory);
     }
     members.add("tries", row.tries).add("failures", row.failures);
     if (row.ended > 0) {
@@ -73,7 +73,8 @@ std::string json_of(const farm::FarmJob& job, const JobState& state, const Frame
         .add("state", state.state)
         .add("message", state.message)
         .add("frames", state.frames)
-        .add("finished", std::ssize(state.finished));
+        .add("finished", std::ssize(state.finished))
+        .add("median_seconds", table.median_seconds);
     if (state.left) {
         members.add("seconds_left", *state.left);
     }
@@ -102,21 +103,20 @@ std::string text_of(const FrameRow& row) {
 }  // namespace
 
 void farm_frames(const FarmCommand& command, CommandContext& context) {
-    const farm::FarmJob job = find_job(command);
-    const FarmFilm film = read_film(job, context);
+    const farm::FarmJob job = find_job(command, JobUse::look);
+    const FarmFilm film = read_film(job, JobUse::look, context);
     const FarmFrames frames(film, context.stop);
     const JobState state = state_of(job, frames);
     FrameTable table =
         frame_table(job, frames, state, farm::read_wishes(job), farm::read_frame_records(job));
-    const double median = median_seconds(table.frames);
-    std::erase_if(table.frames,
-                  [&](const FrameRow& row) { return !is_wanted(row, command, median); });
+    std::erase_if(table.frames, [&](const FrameRow& row) { return !is_wanted(row, command); });
     if (command.json) {
         return print_text(json_of(job, state, table));
     }
     std::string text = fmt::format("{}: {}, {} of {} frames", printable(job.film), state.state,
                                    state.finished.size(), state.frames);
-    text += median > 0 ? ", median " + time_text(median) + " a frame\n" : "\n";
+    text += table.median_seconds > 0 ? ", median " + time_text(table.median_seconds) + " a frame\n"
+                                     : "\n";
     text += fmt::format("{:>6} {:8} {:14} {:>10} {:>8} {:>5} {}\n", "FRAME", "STATE", "NODE",
                         "TIME", "MEMORY", "TRIES", "WORKER");
     for (const FrameRow& row : table.frames) {

@@ -6,8 +6,6 @@
 #include <sstream>
 
 #include <fmt/core.h>
-#include <pwd.h>
-#include <sys/stat.h>
 
 #include "core/printable.h"
 #include "pipeline/cli/farm/farm_actions.h"
@@ -15,6 +13,7 @@
 #include "pipeline/cli/farm/farm_state.h"
 #include "pipeline/cli/helper_program.h"
 #include "pipeline/cli/terminal/duration_text.h"
+#include "pipeline/store/file_descriptor.h"
 
 namespace carom::cli {
 namespace {
@@ -33,16 +32,6 @@ struct ListedJob {
     std::int64_t finished = 0;
     std::optional<double> left;  // seconds
 };
-
-/// The name of the folder's owner, or his number; empty if it is not known.
-std::string owner_of(const std::string& folder) {
-    struct stat status {};
-    if (::stat(folder.c_str(), &status) != 0) {
-        return "";
-    }
-    const passwd* user = ::getpwuid(status.st_uid);
-    return user != nullptr ? user->pw_name : std::to_string(status.st_uid);
-}
 
 /// What is known of a job before its frames are looked at.
 struct FoundJob {
@@ -70,7 +59,7 @@ FoundJob found_job(const std::string& folder) {
     FoundJob found;
     ListedJob& listed = found.listed;
     listed.folder = folder;
-    listed.owner = owner_of(folder);
+    listed.owner = pipeline::name_of_owner(folder);
     fill(listed, [&] {
         farm::FarmJob job = farm::read_job(folder);
         listed.film = job.film;
@@ -81,6 +70,7 @@ FoundJob found_job(const std::string& folder) {
             listed.frames = listed.finished = end->frames;
             return;
         }
+        (void)farm::read_round(job);  // one that is damaged must not keep the engine from answering
         found.has_ended = end.has_value();
         found.job = std::move(job);
     });
@@ -90,7 +80,7 @@ FoundJob found_job(const std::string& folder) {
 void look_at_frames(FoundJob& found, const farm::Answer& answer, CommandContext& context) {
     ListedJob& listed = found.listed;
     fill(listed, [&] {
-        const FarmFilm film = read_film(*found.job, context);
+        const FarmFilm film = read_film(*found.job, JobUse::look, context);
         const JobState state = state_of(*found.job, FarmFrames(film, context.stop), answer);
         listed.state = state.state;
         listed.message = state.message;
@@ -98,6 +88,19 @@ void look_at_frames(FoundJob& found, const farm::Answer& answer, CommandContext&
         listed.finished = std::ssize(state.finished);
         listed.left = state.left;
     });
+}
+
+/// What the engines say of these jobs, by their folders.
+std::map<std::string, farm::Answer> answers_for(const std::vector<farm::FarmJob>& jobs) {
+    try {
+        return farm::ask_engines(jobs);
+    } catch (const Error& error) {  // the jobs are listed all the same
+        std::map<std::string, farm::Answer> unknown;
+        for (const farm::FarmJob& job : jobs) {
+            unknown[job.folder].problem = error.what();
+        }
+        return unknown;
+    }
 }
 
 std::vector<ListedJob> jobs_of(const std::string& store, CommandContext& context) {
@@ -109,7 +112,7 @@ std::vector<ListedJob> jobs_of(const std::string& store, CommandContext& context
             in_queue.push_back(*all.back().job);
         }
     }
-    const std::map<std::string, farm::Answer> answers = farm::ask_engines(in_queue);
+    const std::map<std::string, farm::Answer> answers = answers_for(in_queue);
     std::vector<ListedJob> listed;
     for (FoundJob& found : all) {
         if (found.job) {

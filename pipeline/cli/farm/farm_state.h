@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,11 @@ struct JobState {
     std::int64_t continued = 0;
     farm::Round round;
     std::vector<farm::WorkerNote> workers;
+    std::filesystem::file_time_type newest_note = std::filesystem::file_time_type::min();
+
+    /// Whether the worker of one of these notes works or waits: it has not said that it ended, and
+    /// its note is not much older than the newest one, by the store's clock.
+    [[nodiscard]] bool is_alive(const farm::FarmJob& job, const farm::WorkerNote& worker) const;
 };
 
 /// `answer`: what the engine says of the job; without it the engine is asked, unless the job has

@@ -43,7 +43,30 @@ std::string unusual_wait(const std::vector<farm::Task>& tasks) {
     return "";
 }
 
-std::string state_in_queue(const farm::Answer& answer, std::string& message) {
+/// Seconds without a word until a worker counts as dead.
+std::chrono::duration<double> silence_of(const FarmJob& job) {
+    constexpr double kLeast = 60;
+    return std::chrono::duration<double>(std::max(kLeast, 2 * job.dead_after));
+}
+
+/// Of a job that has no queue, by the age of its workers' notes.
+std::string state_of_workers(const FarmJob& job, const JobState& state, std::string& message) {
+    const auto now = fs::file_time_type::clock::now();
+    const bool is_any = std::ranges::any_of(state.workers, [&](const farm::WorkerNote& worker) {
+        return worker.state != "ended" && now - worker.written <= silence_of(job);
+    });
+    if (is_any) {
+        return "running";
+    }
+    message = "no worker is at work; '" + job.folder + "/README.md' says how they are started";
+    return "waiting";
+}
+
+std::string state_in_queue(const FarmJob& job, const JobState& state, const farm::Answer& answer,
+                           std::string& message) {
+    if (!answer.has_queue()) {
+        return state_of_workers(job, state, message);
+    }
     if (!answer.tasks) {
         message = answer.problem;
         return "running";
@@ -77,7 +100,7 @@ std::optional<double> seconds_left(const FarmJob& job, const JobState& state) {
     double rate = 0;  // of these, per second
     for (const farm::WorkerNote& worker : state.workers) {
         const double elapsed = job.budget - worker.seconds_left;
-        if (worker.frame >= 0 && elapsed > 0) {
+        if (worker.frame >= 0 && elapsed > 0 && state.is_alive(job, worker)) {
             const double own = static_cast<double>(worker.rendered) + worker.fraction;
             done += own;
             rate += own / elapsed;
@@ -100,6 +123,10 @@ ProgressSnapshot snapshot_of(const JobState& state) {
 
 }  // namespace
 
+bool JobState::is_alive(const FarmJob& job, const farm::WorkerNote& worker) const {
+    return worker.state != "ended" && newest_note - worker.written <= silence_of(job);
+}
+
 JobState state_of(const FarmJob& job, const FarmFrames& frames,
                   const std::optional<farm::Answer>& answer) {
     JobState state;
@@ -114,13 +141,15 @@ JobState state_of(const FarmJob& job, const FarmFrames& frames,
     for (const farm::WorkerNote& worker : state.workers) {
         state.twice += worker.twice;
         state.continued += worker.continued;
+        state.newest_note = std::max(state.newest_note, worker.written);
     }
     if (const auto end = farm::read_end(job)) {
         state.state = end->state;
         state.message = end->message;
         return state;
     }
-    state.state = state_in_queue(answer ? *answer : farm::engine_of(job).ask(job), state.message);
+    state.state =
+        state_in_queue(job, state, answer ? *answer : farm::engine_of(job).ask(job), state.message);
     if (state.state == "running") {
         state.left = seconds_left(job, state);
     }
@@ -256,11 +285,11 @@ std::string end_of(const fs::path& path, int lines) {
 }  // namespace
 
 void farm_status(const FarmCommand& command, CommandContext& context) {
-    const FarmJob job = find_job(command);
+    const FarmJob job = find_job(command, JobUse::look);
     if (command.wait) {
         return wait_for_job(job, context);
     }
-    const FarmFilm film = read_film(job, context);
+    const FarmFilm film = read_film(job, JobUse::look, context);
     const FarmFrames frames(film, context.stop);
     const JobState state = state_of(job, frames);
     print_text(command.json ? json_of(job, state) : text_of(job, state));
@@ -270,12 +299,18 @@ void farm_status(const FarmCommand& command, CommandContext& context) {
 }
 
 void wait_for_job(const FarmJob& job, CommandContext& context) {
-    const FarmFilm film = read_film(job, context);
+    const FarmFilm film = read_film(job, JobUse::look, context);
     const FarmFrames frames(film, context.stop);
     const auto begin = std::chrono::steady_clock::now();
     const std::int64_t found = std::ssize(frames.stored().frames);
+    std::string told;
     while (true) {
         const JobState state = state_of(job, frames);
+        const bool goes_on = state.state == "running" || state.state == "waiting";
+        if (goes_on && !state.message.empty() && state.message != told) {
+            told = state.message;
+            context.console.warning(told);
+        }
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
         ProgressSnapshot progress = snapshot_of(state);
         progress.frames_found = found;
@@ -298,7 +333,7 @@ void wait_for_job(const FarmJob& job, CommandContext& context) {
 }
 
 void farm_logs(const FarmCommand& command, CommandContext&) {
-    const FarmJob job = find_job(command);
+    const FarmJob job = find_job(command, JobUse::look);
     if (command.frame) {
         return print_frame_log(job, *command.frame);
     }

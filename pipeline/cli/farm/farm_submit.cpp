@@ -55,12 +55,6 @@ void print_submissions(FarmJob job) {
     print_text(text);
 }
 
-/// Whatever the user's mask is. Slurm gives the mask of this process to the tasks.
-void let_others_read() {
-    constexpr mode_t kOthersReading = 055;
-    ::umask(::umask(0) & ~kOthersReading);
-}
-
 std::function<void(const std::string&)> waits_told_to(CommandContext& context) {
     return [&context](const std::string& message) { context.console.warning(message); };
 }
@@ -109,24 +103,32 @@ Round submit_now(const FarmJob& job, Round round, const std::vector<std::int64_t
 void farm_submit(const FarmCommand& command, CommandContext& context) {
     const std::string store = store_of(command);
     if (!command.group.empty() && !command.dry_run) {
-        pipeline::give_to_group(store, command.group);
+        pipeline::give_to_group(store, command.group, context.stop);
     }
-    const bool is_shared = command.is_shared || is_group_folder(store);
-    if (is_shared) {
-        let_others_read();
+    const farm::Readers readers = command.is_shared        ? farm::Readers::all
+                                  : is_group_folder(store) ? farm::Readers::group
+                                                           : farm::Readers::none;
+    farm::make_store(store, readers);
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    if (command.is_shared) {
+        farm::let_readers_read(store);
     }
-    farm::make_store(store, !is_shared);
     PlannedFarm planned = plan_farm(command, context);
     FarmJob& job = planned.job;
+    if (readers == farm::Readers::group) {
+        job.film_mask = mask;  // the film is not in the store
+    }
     if (command.dry_run) {
         return print_submissions(job);
     }
-    job.folder = farm::make_job_folder(job.store, job.film, !is_shared);
+    job.folder = farm::make_job_folder(job.store, job.film, readers);
+    farm::let_readers_read(job.folder);
     Round round;
     try {
         write_folder(planned);
         farm::write_scripts(job, own_program());
-        const FarmFilm film = read_film(job, context);
+        const FarmFilm film = read_film(job, JobUse::change, context);
         const FarmFrames frames(film, context.stop);
         frames.pin(job, film, context.stop, waits_told_to(context));
         round.begin = frames.progress();
@@ -147,7 +149,7 @@ void farm_submit(const FarmCommand& command, CommandContext& context) {
 }
 
 void farm_resume(const FarmCommand& command, CommandContext& context) {
-    const FarmJob job = find_job(command);
+    const FarmJob job = find_job(command, JobUse::change);
     refuse_without_queue(job, "start them again as '" + job.folder + "/README.md' says");
     const farm::Engine& engine = farm::engine_of(job);
     const farm::Answer answer = engine.ask(job);
@@ -170,7 +172,7 @@ void farm_resume(const FarmCommand& command, CommandContext& context) {
     if (!job.is_portable) {
         farm::write_scripts(job, own_program());
     }
-    const FarmFilm film = read_film(job, context);
+    const FarmFilm film = read_film(job, JobUse::change, context);
     const FarmFrames frames(film, context.stop);
     frames.pin(job, film, context.stop, waits_told_to(context));
     round.begin = frames.progress();
@@ -179,7 +181,7 @@ void farm_resume(const FarmCommand& command, CommandContext& context) {
 }
 
 void farm_cancel(const FarmCommand& command, CommandContext& context) {
-    const FarmJob job = find_job(command);
+    const FarmJob job = find_job(command, JobUse::change);
     refuse_without_queue(job, "stop them there");
     const auto known = farm::read_end(job);
     if (known && known->state == "complete") {

@@ -17,10 +17,10 @@
 #include <unistd.h>
 
 #include "core/json_text.h"
+#include "pipeline/cli/farm/store_path.h"
 #include "pipeline/cli/page_server.h"
 #include "pipeline/farm/program.h"
 #include "pipeline/server/server.h"
-#include "pipeline/store/cache_folder.h"
 
 namespace carom::cli {
 namespace {
@@ -35,12 +35,14 @@ constexpr int kSheetShare = 19;
 constexpr std::size_t kLongestId = 200;
 constexpr std::string_view kSheetFolder = "/sheet/";
 
-/// Whether the text may be an id of a job: no option, no path.
+/// Whether the text may be an id of a job, which is the name of a folder: no option, no path, and
+/// no more than an address of the page may have.
 bool is_id(std::string_view text) {
     return !text.empty() && text.size() <= kLongestId && text.front() != '-' &&
            text.find_first_not_of(
                "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-               "_-") == std::string_view::npos;
+               "_-.") == std::string_view::npos &&
+           text.find_first_not_of('.') != std::string_view::npos;
 }
 
 /// A folder for the time of the program.
@@ -67,7 +69,8 @@ class OwnFolder {
 /// The contact sheet of a job as it was last made.
 struct Sheet {
     std::shared_ptr<const std::string> bytes;
-    std::string frames;  // the answer of `farm frames` that it belongs to
+    std::int64_t number = 0;  // counts the sheets of all jobs; 0: there is none yet
+    std::string frames;       // the answer of `farm frames` that it belongs to
     Clock::time_point next{};
 };
 
@@ -108,7 +111,18 @@ class FarmSite : public server::Site {
     void opened(server::SocketId socket) override { want(socket, ""); }
     /// A page sends the id of the job that it shows, or nothing if it shows none.
     void received(server::SocketId socket, std::string text) override {
-        want(socket, is_id(text) ? text : "");
+        const bool is_known = text.empty() || is_id(text);
+        want(socket, is_known ? text : "");
+        if (!is_known) {
+            JsonMembers members;
+            members.add("t", "frames")
+                .add("job", text)
+                .add("problem",
+                     "the page shows only jobs whose folders have simple names: at most " +
+                         std::to_string(kLongestId) +
+                         " letters, digits and _ - . ; 'carom farm frames FOLDER' shows this one");
+            server_->send(socket, {false, members.object(), "frames"});
+        }
     }
     void closed(server::SocketId socket) override {
         const std::lock_guard lock(mutex_);
@@ -164,15 +178,18 @@ class FarmSite : public server::Site {
         return farm::run_program(all);
     }
 
-    /// Sends what a subcommand has printed to all pages, or to those that show the job: in "data",
-    /// or else its errors in "problem".
+    /// Sends what a subcommand has printed to all pages, or to those that show the job, with the
+    /// number of its sheet: in "data", or else its errors in "problem".
     void tell(const std::string& kind, const farm::ProgramResult& result, const std::string& job) {
         JsonMembers members;
         members.add("t", kind).add("job", job);
+        const std::lock_guard lock(mutex_);
+        if (!job.empty()) {
+            members.add("sheet", sheets_[job].number);
+        }
         const std::string text =
             result.exit_code == 0 ? fmt::format("{{{},\"data\":{}}}", members.text(), result.output)
                                   : members.add("problem", result.errors).object();
-        const std::lock_guard lock(mutex_);
         for (const auto& [socket, shown] : pages_) {
             if (job.empty() || shown == job) {
                 server_->send(socket, {false, text, kind});
@@ -202,9 +219,9 @@ class FarmSite : public server::Site {
                      std::max<Clock::duration>(kSheetPause, kSheetShare * (Clock::now() - begin));
         if (made.exit_code == 0 && file) {
             sheet.bytes = std::make_shared<const std::string>(bytes.str());
-            ++made_;
+            sheet.number = ++made_;
             JsonMembers members;
-            members.add("t", "sheet").add("job", job).add("number", made_);
+            members.add("t", "sheet").add("job", job).add("number", sheet.number);
             for (const auto& [socket, shown] : pages_) {
                 if (shown == job) {
                     server_->send(socket, {false, members.object(), "sheet"});
@@ -222,14 +239,8 @@ class FarmSite : public server::Site {
     bool is_new_ = false;                            // a page wants something else
     std::map<server::SocketId, std::string> pages_;  // and the job that each shows
     std::map<std::string, Sheet> sheets_;            // by job
-    std::int64_t made_ = 0;                          // sheets
+    std::int64_t made_ = 0;                          // sheets, of all jobs
 };
-
-std::string store_of(const FarmCommand& command) {
-    const std::string store =
-        command.store.empty() ? pipeline::default_cache_folder() : command.store;
-    return fs::absolute(store).lexically_normal().string();
-}
 
 }  // namespace
 

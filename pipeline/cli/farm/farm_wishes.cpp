@@ -1,6 +1,8 @@
 // Which frames of a job come again, first, or not at all.
 #include <algorithm>
+#include <chrono>
 #include <iterator>
+#include <thread>
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -56,8 +58,8 @@ struct Asked {
     Frames wanted;
 
     Asked(const FarmCommand& command, CommandContext& context)
-        : job(find_job(command)),
-          film(read_film(job, context)),
+        : job(find_job(command, JobUse::change)),
+          film(read_film(job, JobUse::change, context)),
           frames(film, context.stop),
           wanted(frames_of(command, frames.numbers())) {
         if (::access(job.folder.c_str(), W_OK) != 0) {  // before anything is dropped
@@ -83,12 +85,15 @@ void forget_film(const farm::FarmJob& job) {
     }
 }
 
-/// Takes the pictures of these frames out of the store. Returns the frames whose pictures are being
-/// rendered just now, which stay, and adds to `frames` others that show the same pictures.
-Frames drop(const FarmFilm& film, const FarmFrames& all, Frames& frames) {
-    const pipeline::FrameStore store = pipeline::open_store(film.options);
-    const Frames wanted = frames;
-    Frames busy;
+/// A picture and the frames that show it.
+struct Shown {
+    pipeline::FilmPlan::Picture picture;
+    Frames frames;
+};
+
+/// The pictures that the wanted frames show.
+std::vector<Shown> pictures_of(const FarmFrames& all, const Frames& wanted) {
+    std::vector<Shown> pictures;
     for (const auto& [plan, shift, samples] : all.parts()) {
         std::map<std::size_t, Frames> shown;  // by picture
         for (std::size_t i = 0; i < plan.frames.size(); ++i) {
@@ -98,40 +103,88 @@ Frames drop(const FarmFilm& film, const FarmFrames& all, Frames& frames) {
             }
         }
         for (const auto& [picture, showing] : shown) {
-            if (std::ranges::none_of(showing, [&](std::int64_t f) { return wanted.contains(f); })) {
-                continue;
+            if (std::ranges::any_of(showing, [&](std::int64_t f) { return wanted.contains(f); })) {
+                pictures.push_back({plan.pictures[picture], showing});
             }
-            const pipeline::FilmPlan::Picture& dropped = plan.pictures[picture];
-            const bool is_dropped = pipeline::drop_frame(store, dropped.key, dropped.noisy_key);
-            (is_dropped ? frames : busy).insert(showing.begin(), showing.end());
         }
     }
-    for (const std::int64_t frame : busy) {
-        frames.erase(frame);
+    return pictures;
+}
+
+/// Takes pictures out of the store. Those that somebody has claimed are left in the list; each is
+/// tried again until a claim of a dead worker would have counted as dead.
+void drop(const pipeline::FrameStore& store, std::chrono::milliseconds dead_after,
+          std::vector<Shown>& pictures, CommandContext& context) {
+    constexpr std::chrono::milliseconds kPause{500};
+    const auto end = std::chrono::steady_clock::now() + dead_after + kPause;
+    const auto drop_all = [&] {
+        std::erase_if(pictures, [&](const Shown& shown) {
+            return pipeline::drop_frame(store, shown.picture.key, shown.picture.noisy_key);
+        });
+    };
+    drop_all();
+    if (!pictures.empty()) {
+        context.console.info(fmt::format(
+            "{} claimed; waiting for {} s to see whether by workers that are alive",
+            counted(pictures.size(), "picture") + (pictures.size() == 1 ? " is" : " are"),
+            std::chrono::ceil<std::chrono::seconds>(dead_after).count()));
     }
-    return busy;
+    while (!pictures.empty() && std::chrono::steady_clock::now() < end) {
+        if (context.stop.stop_requested()) {
+            throw Stopped();
+        }
+        std::this_thread::sleep_for(kPause);
+        drop_all();
+    }
+}
+
+/// Who works on pictures that stay.
+std::string holders_of(const pipeline::FrameStore& store, const std::vector<Shown>& pictures) {
+    std::set<std::string> holders;
+    for (const Shown& shown : pictures) {
+        for (const Hash128& key : {shown.picture.key, shown.picture.noisy_key}) {
+            if (std::string holder = store.claim_holder(key); !holder.empty()) {
+                holders.insert(std::move(holder));
+            }
+        }
+    }
+    return join(std::vector<std::string>(holders.begin(), holders.end()), "; ");
 }
 
 }  // namespace
 
 void farm_retry(const FarmCommand& command, CommandContext& context) {
-    Asked asked(command, context);
-    const Frames busy = drop(asked.film, asked.frames, asked.wanted);
+    const Asked asked(command, context);
+    std::vector<Shown> pictures = pictures_of(asked.frames, asked.wanted);
+    Frames again = asked.wanted;
+    for (const Shown& shown : pictures) {
+        again.insert(shown.frames.begin(), shown.frames.end());
+    }
+    const pipeline::FrameStore store = pipeline::open_store(asked.film.options);
+    drop(store, asked.film.options.claim_times.dead_after, pictures, context);
+    Frames busy;
+    for (const Shown& shown : pictures) {
+        busy.insert(shown.frames.begin(), shown.frames.end());
+    }
     if (!busy.empty()) {
-        context.console.warning(named(busy) + " " + (busy.size() == 1 ? "is" : "are") +
-                                " being rendered now, and " +
-                                (busy.size() == 1 ? "stays" : "stay"));
+        context.console.warning(fmt::format(
+            "{} {} being rendered now, and {}: {}", named(busy), busy.size() == 1 ? "is" : "are",
+            busy.size() == 1 ? "stays" : "stay", holders_of(store, pictures)));
     }
-    if (asked.wanted.empty()) {
-        return;
-    }
+    std::erase_if(again, [&](std::int64_t frame) { return busy.contains(frame); });
     farm::change_wishes(asked.job, [&](farm::Wishes& wishes) {
         for (const std::int64_t frame : asked.wanted) {
+            wishes.skipped.erase(frame);
+        }
+        for (const std::int64_t frame : again) {
             wishes.retried[frame] = wishes.revision;
             wishes.skipped.erase(frame);
         }
     });
-    context.console.info("rendered again: " + named(asked.wanted) + hint(asked.job));
+    if (again.empty()) {
+        return;
+    }
+    context.console.info("rendered again: " + named(again) + hint(asked.job));
     forget_film(asked.job);
 }
 

@@ -102,7 +102,7 @@ void sleep_for(int seconds, const std::stop_token& stop) {
 /// Renders frames, and writes the film if all are there.
 pipeline::WorkerResult work(const FarmJob& job, const farm::OwnTask& task, Note& note,
                             CommandContext& context) {
-    FarmFilm film = read_film(job, context);
+    FarmFilm film = read_film(job, JobUse::work, context);
     const std::int64_t at_once =
         job.tasks_at_once > 0 ? std::min(job.tasks_at_once, job.workers) : job.workers;
     pipeline::WorkerOptions options;
@@ -161,7 +161,7 @@ bool needs_no_worker(const FarmJob& job, CommandContext& context) {
 }  // namespace
 
 void farm_work(const FarmCommand& command, CommandContext& context) {
-    const FarmJob job = find_job(command);
+    const FarmJob job = find_job(command, JobUse::work);
     if (needs_no_worker(job, context)) {
         return;
     }

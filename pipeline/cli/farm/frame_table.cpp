@@ -1,7 +1,6 @@
 #include "pipeline/cli/farm/frame_table.h"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -14,7 +13,7 @@ namespace fs = std::filesystem;
 using farm::FrameRecord;
 using farm::WorkerNote;
 
-constexpr double kLeastSilence = 60;  // seconds until a worker counts as dead
+constexpr double kSlow = 2;  // times the median
 
 /// The frame and its layer under which workers note a picture.
 using PictureName = std::pair<std::int64_t, std::int64_t>;
@@ -46,16 +45,11 @@ struct Workers {
     std::map<std::string, std::int64_t> on_host;  // of those alive, also of those that wait
 
     Workers(const farm::FarmJob& job, const JobState& state) {
-        fs::file_time_type newest = fs::file_time_type::min();
-        for (const WorkerNote& note : state.workers) {
-            newest = std::max(newest, note.written);
-        }
-        const std::chrono::duration<double> silence(std::max(kLeastSilence, 2 * job.dead_after));
         for (const WorkerNote& note : state.workers) {
             if (note.state == "ended") {
                 continue;
             }
-            const bool is_alive = state.state == "running" && newest - note.written <= silence;
+            const bool is_alive = state.state == "running" && state.is_alive(job, note);
             on_host[note.host] += is_alive ? 1 : 0;
             if (note.frame >= 0 && note.fraction < 1) {
                 (is_alive ? alive : dead)[note.frame] = &note;
@@ -163,6 +157,22 @@ std::vector<NodeRow> nodes_of(const std::vector<FrameRecord>& records, const Wor
     return rows;
 }
 
+/// Of those that have any; 0 if none has.
+double median_seconds(const std::vector<FrameRow>& rows) {
+    std::vector<double> seconds;
+    for (const FrameRow& row : rows) {
+        if (row.seconds) {
+            seconds.push_back(*row.seconds);
+        }
+    }
+    if (seconds.empty()) {
+        return 0;
+    }
+    const auto middle = seconds.begin() + std::ssize(seconds) / 2;
+    std::ranges::nth_element(seconds, middle);
+    return *middle;
+}
+
 }  // namespace
 
 const char* name_of(FrameState state) {
@@ -209,23 +219,12 @@ FrameTable frame_table(const farm::FarmJob& job, const FarmFrames& frames, const
         }
         table.frames.push_back(std::move(row));
     }
+    table.median_seconds = median_seconds(table.frames);
+    for (FrameRow& row : table.frames) {
+        row.is_slow = row.seconds && *row.seconds > kSlow * table.median_seconds;
+    }
     table.nodes = nodes_of(records, workers);
     return table;
-}
-
-double median_seconds(const std::vector<FrameRow>& rows) {
-    std::vector<double> seconds;
-    for (const FrameRow& row : rows) {
-        if (row.seconds) {
-            seconds.push_back(*row.seconds);
-        }
-    }
-    if (seconds.empty()) {
-        return 0;
-    }
-    const auto middle = seconds.begin() + std::ssize(seconds) / 2;
-    std::ranges::nth_element(seconds, middle);
-    return *middle;
 }
 
 std::string log_path(const farm::FarmJob& job, const farm::FrameRecord& record) {

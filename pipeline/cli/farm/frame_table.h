@@ -24,6 +24,7 @@ struct FrameRow {
     std::string host;               // of the last attempt; empty: nobody has noted any
     std::string worker;             // likewise
     std::optional<double> seconds;  // of the attempts that rendered its pictures
+    bool is_slow = false;           // it took more than twice the median
     std::int64_t memory = 0;        // bytes, the most of these
     std::int64_t tries = 0;         // attempts that ended, or were cut off
     std::int64_t failures = 0;      // of these
@@ -42,17 +43,15 @@ struct NodeRow {
 
 struct FrameTable {
     std::vector<FrameRow> frames;  // ascending
+    double median_seconds = 0;     // of them; 0: none has any
     std::vector<NodeRow> nodes;    // by name
 };
 
-/// Joins what is stored, what the workers have noted, and the wishes. Workers count as alive if
-/// their notes are not much older than the newest one, by the store's clock. `records`: by time.
+/// Joins what is stored, what the workers have noted, and the wishes. `records`: by
+/// time.
 [[nodiscard]] FrameTable frame_table(const farm::FarmJob& job, const FarmFrames& frames,
                                      const JobState& state, const farm::Wishes& wishes,
                                      const std::vector<farm::FrameRecord>& records);
-
-/// The median of the seconds of the rows that have any; 0 if none has.
-[[nodiscard]] double median_seconds(const std::vector<FrameRow>& rows);
 
 /// The folder of the workers' logs and the record's name in it; empty if it is not inside.
 [[nodiscard]] std::string log_path(const farm::FarmJob& job, const farm::FrameRecord& record);

@@ -27,9 +27,11 @@ std::string skipped_text(const std::vector<std::int64_t>& skipped) {
         return "";
     }
     return skipped.size() == 1
-               ? fmt::format("frame {} was skipped; the frame before it is shown", skipped.front())
-               : fmt::format("the frames {} were skipped; the ones before them are shown",
-                             pipeline::frames_text(skipped));
+               ? fmt::format("frame {} was skipped; another one of its shot is shown, or black",
+                             skipped.front())
+               : fmt::format(
+                     "the frames {} were skipped; others of their shots are shown, or black",
+                     pipeline::frames_text(skipped));
 }
 
 }  // namespace carom::cli

@@ -30,7 +30,7 @@ std::vector<std::string> files_below(const std::string& folder) {
     std::error_code failure;
     for (fs::recursive_directory_iterator entry(folder, failure), end; !failure && entry != end;
          entry.increment(failure)) {
-        if (entry->is_regular_file(failure)) {
+        if (fs::is_regular_file(entry->symlink_status(failure))) {
             files.push_back(entry->path().lexically_relative(folder).string());
         }
     }
@@ -58,6 +58,29 @@ std::vector<std::string> own_files(const FarmJob& job) {
         }
     }
     return files;
+}
+
+bool is_part_folder(const std::string& name) {
+    const std::string prefix = farm::kPartFolder;
+    return name.starts_with(prefix) && name.size() > prefix.size() &&
+           name.find_first_not_of("0123456789", prefix.size()) == std::string::npos;
+}
+
+/// Whether a job has such a file of its own, which is named relative to its folder.
+bool is_of_job(const FarmJob& job, const fs::path& file) {
+    if (!job.is_sequence) {
+        return file == job.name + ".bake";
+    }
+    return file == job.name + ".yaml" ||
+           (file.extension() == ".bake" && is_part_folder(file.parent_path().string()));
+}
+
+/// Whether the file, or the folder in the job's in which it lies, is a link.
+bool is_linked(const FarmJob& job, const fs::path& file) {
+    std::error_code ignored;
+    const fs::path folder = job.folder;
+    return fs::is_symlink(folder / file, ignored) ||
+           (file.has_parent_path() && fs::is_symlink(folder / file.parent_path(), ignored));
 }
 
 std::string content_of(const std::string& path) {
@@ -96,7 +119,14 @@ void write_spare_files(const FarmJob& job) {
 }
 
 OwnFiles restore_files(const FarmJob& job) {
-    const std::vector<std::string> files = files_below(spare_folder(job));
+    std::error_code ignored;
+    if (fs::is_symlink(spare_folder(job), ignored)) {
+        return OwnFiles::damaged;
+    }
+    std::vector<std::string> files = files_below(spare_folder(job));
+    std::erase_if(files, [&](const std::string& file) {
+        return !is_of_job(job, file) || is_linked(job, file);
+    });
     OwnFiles result = OwnFiles::intact;
     for (const std::string& file : files) {
         const std::string own = job.folder + "/" + file;

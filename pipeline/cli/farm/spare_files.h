@@ -13,8 +13,9 @@ void write_spare_files(const farm::FarmJob& job);
 /// damaged or missing like a copy.
 enum class OwnFiles { intact, restored, damaged };
 
-/// Puts copies that are intact where the job's files have other contents or are missing. Throws
-/// Error if a file or folder cannot be read or written to.
+/// Puts copies that are intact where the job's files have other contents or are missing: only those
+/// that a job has, and none through a link. To be called by the owner of the folder, which others
+/// could change meanwhile. Throws Error if a file or folder cannot be read or written to.
 [[nodiscard]] OwnFiles restore_files(const farm::FarmJob& job);
 
 }  // namespace carom::cli

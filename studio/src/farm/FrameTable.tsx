@@ -6,25 +6,18 @@ import type { FrameRow, FrameState } from './farm_types';
 export type Filter = 'all' | 'rendering' | 'failed' | 'slow' | 'missing';
 
 const kFilters: readonly Filter[] = ['all', 'rendering', 'failed', 'slow', 'missing'];
-const kSlow = 2; // times the median, as for `carom farm frames --slow`
 const kFirst = 100; // rows, until all are wanted
 
 const filter = signal<Filter>('all');
 const showsAll = signal(false);
 
-export function medianSeconds(rows: FrameRow[]): number {
-    const all = rows.flatMap(({ seconds }) => (seconds === undefined ? [] : [seconds])).sort((a, b) => a - b);
-    return all[Math.floor(all.length / 2)] ?? 0;
-}
-
 /// The frames that a filter lets through.
 export function chosen(rows: FrameRow[], by: Filter): FrameRow[] {
-    const median = medianSeconds(rows);
     const isChosen: Record<Filter, (row: FrameRow) => boolean> = {
         all: () => true,
         rendering: ({ state }) => state === 'rendering',
         failed: ({ failures }) => failures > 0,
-        slow: ({ seconds }) => (seconds ?? 0) > kSlow * median,
+        slow: ({ slow }) => slow === 1,
         missing: ({ state }) => state !== 'done',
     };
     return rows.filter(isChosen[by]);

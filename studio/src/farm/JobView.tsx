@@ -1,7 +1,7 @@
 /// One job: how far it is, its contact sheet, rate, nodes and frames.
 import { withKey } from '../connection/key';
-import { FrameStrip, FrameTable, medianSeconds } from './FrameTable';
-import { frames, list, sheet, shownJob } from './farm_state';
+import { FrameStrip, FrameTable } from './FrameTable';
+import { frames, jobProblem, list, sheet, shownJob } from './farm_state';
 import { memoryText, nameOf, secondsText } from './farm_text';
 import type { JobFrames } from './farm_types';
 import { NodeTable } from './NodeTable';
@@ -12,7 +12,7 @@ function Fact({ name, value }: { name: string; value: string }) {
 }
 
 function Facts({ job }: { job: JobFrames }) {
-    const median = medianSeconds(job.rows);
+    const median = job.median_seconds;
     const memory = Math.max(0, ...job.rows.map(({ memory_bytes }) => memory_bytes ?? 0));
     const workers = job.nodes.reduce((sum, node) => sum + node.workers, 0);
     return (
@@ -41,7 +41,8 @@ function Unknown() {
         <section class="panel">
             <h2>{job ? nameOf(job.film) || job.id : shownJob.value}</h2>
             <p class="nothing">{job?.state === 'unreadable' ? job.message
-                : list.value && !job ? 'The store has no such job.' : 'The job is being read …'}</p>
+                : list.value && !job ? 'The store has no such job.'
+                    : jobProblem.value ? 'The job cannot be read.' : 'The job is being read …'}</p>
         </section>
     );
 }

@@ -2,7 +2,7 @@ import { render } from 'preact';
 import { Moon, Sun } from 'lucide-preact';
 import { takeKeys } from '../connection/key';
 import { shownTheme, switchTheme, watchTheme } from '../shell/theme';
-import { connect, connection, list, problem, shownJob, watchAddress } from './farm_state';
+import { connect, connection, jobProblem, list, listProblem, shownJob, watchAddress } from './farm_state';
 import { JobTable } from './JobTable';
 import { JobView } from './JobView';
 import './farm.css';
@@ -29,7 +29,8 @@ function App() {
                     <span class="hidden">{isDark ? 'Light theme' : 'Dark theme'}</span>
                 </button>
             </header>
-            {problem.value && <p class="problem" role="alert">{problem.value}</p>}
+            {[listProblem.value, jobProblem.value].map((problem) =>
+                problem && <p class="problem" role="alert" key={problem}>{problem}</p>)}
             <div class="body">
                 <JobTable />
                 {shownJob.value ? <JobView />

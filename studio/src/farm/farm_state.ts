@@ -7,8 +7,9 @@ const kReconnect = 2000; // ms
 
 export const connection = signal<'connecting' | 'open' | 'lost' | 'refused'>('connecting');
 export const list = signal<JobList | null>(null);
-/// What the store's jobs, or the job that is shown, could not be asked.
-export const problem = signal('');
+/// Why the jobs of the store cannot be listed, and why the job that is shown cannot be read.
+export const listProblem = signal('');
+export const jobProblem = signal('');
 /// The id of the job that is shown, which the address has behind "#"; empty: none.
 export const shownJob = signal('');
 export const frames = signal<JobFrames | null>(null);
@@ -29,6 +30,7 @@ function show(job: string): void {
         shownJob.value = job;
         frames.value = null;
         sheet.value = 0;
+        jobProblem.value = '';
         askForJob();
     }
 }
@@ -38,15 +40,19 @@ export function receive(message: Message): void {
     if (message.t !== 'list' && message.job !== shownJob.value) {
         return;
     }
-    if ('problem' in message) {
-        problem.value = message.problem;
-    } else if (message.t === 'list') {
-        list.value = message.data;
-        problem.value = '';
-    } else if (message.t === 'frames') {
-        frames.value = message.data;
-    } else {
+    if (message.t === 'sheet') {
         sheet.value = message.number;
+        return;
+    }
+    (message.t === 'list' ? listProblem : jobProblem).value = 'problem' in message ? message.problem : '';
+    if ('problem' in message) {
+        return;
+    }
+    if (message.t === 'list') {
+        list.value = message.data;
+    } else {
+        frames.value = message.data;
+        sheet.value = message.sheet;
     }
 }
 

@@ -22,6 +22,7 @@ export interface FrameRow {
     node?: string;
     worker?: string;
     seconds?: number;
+    slow?: 0 | 1; // 1: it took more than twice the median
     memory_bytes?: number;
     tries: number;
     failures: number;
@@ -45,6 +46,7 @@ export interface JobList {
 
 /// A job with its frames.
 export interface JobFrames extends Omit<Job, 'owner'> {
+    median_seconds: number; // of a frame; 0: none has been timed
     rows: FrameRow[];
     nodes: NodeRow[];
 }
@@ -52,5 +54,5 @@ export interface JobFrames extends Omit<Job, 'owner'> {
 /// What the server sends, by the member "t".
 export type Message =
     | { t: 'list'; data: JobList } | { t: 'list'; problem: string }
-    | { t: 'frames'; job: string; data: JobFrames } | { t: 'frames'; job: string; problem: string }
-    | { t: 'sheet'; job: string; number: number };
+    | { t: 'frames'; job: string; sheet: number; data: JobFrames } | { t: 'frames'; job: string; problem: string }
+    | { t: 'sheet'; job: string; number: number }; // the newest contact sheet of the job; 0: none yet

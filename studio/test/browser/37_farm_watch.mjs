@@ -24,6 +24,9 @@ function makeStore(carom, folder, path) {
     const jobs = join(folder, 'store', 'farm');
     mkdirSync(join(jobs, 'zzz-1'), { recursive: true });
     writeFileSync(join(jobs, 'zzz-1', 'job.json'), '{}');
+    for (const name of ['my.job', 'my job']) {
+        mkdirSync(join(jobs, name, 'job.json'), { recursive: true });
+    }
     const job = join(jobs, `bank_shot-${kId}`);
     farm(carom, ['export', path, '--format', 'parallel', '-o', job, '--frames', `0-${2 * kFrames - 1}x2`,
         '--quality', 'draft', '--set', 'render.size=[160,90]', '--set', 'render.samples=2']);
@@ -57,6 +60,9 @@ export async function check({ browser, carom, folder, path }) {
     const served = await serveWith(resolve(carom), ['farm', 'watch', '--store', store], folder);
     const { page, complaints } = await openAny(browser, served.address);
 
+    const sheetIsThere = () => page.waitForFunction(
+        () => document.querySelector('.sheet img')?.naturalWidth > 0, undefined, { timeout: kPatience });
+
     // All jobs, by the keyboard.
     await page.getByText('was written by another version of carom').waitFor();
     await page.locator('.job', { hasText: 'bank_shot' }).focus();
@@ -69,8 +75,7 @@ export async function check({ browser, carom, folder, path }) {
     farm(carom, ['skip', job, '22']);
     farm(carom, ['work', job]);
     await page.getByText(`${kFrames - 1} of ${kFrames}`).nth(1).waitFor({ timeout: kPatience });
-    await page.waitForFunction(() => document.querySelector('.sheet img')?.naturalWidth > 0,
-        undefined, { timeout: kPatience });
+    await sheetIsThere();
     equal(await page.locator('.frames tbody tr').count(), kFrames, 'frames in the table');
     equal(await page.locator('.strip .done').count(), 1, 'stretches of frames that are done');
     equal(await page.getByRole('region', { name: 'Nodes' }).getByRole('row').count(), 3, 'rows of nodes');
@@ -97,6 +102,21 @@ export async function check({ browser, carom, folder, path }) {
     await shoot(page, '37_farm_watch_400_jobs');
     await page.locator('.job', { hasText: 'zzz-1' }).click();
     await page.getByRole('main').getByText('was written by another version').waitFor();
+
+    // Who returns to a job, or loads it again, sees the sheet that there is.
+    await page.getByRole('link', { name: 'All jobs' }).click();
+    await page.locator('.job', { hasText: 'bank_shot' }).click();
+    await sheetIsThere();
+    await page.reload();
+    await sheetIsThere();
+
+    // A job with an unusual name, and one whose name the page does not take.
+    await page.getByRole('link', { name: 'All jobs' }).click();
+    await page.locator('.job', { hasText: 'my.job' }).click();
+    await page.getByRole('main').getByText('is no record').waitFor();
+    await page.getByRole('link', { name: 'All jobs' }).click();
+    await page.locator('.job', { hasText: 'my job' }).click();
+    await page.getByRole('alert').getByText('have simple names').waitFor();
 
     // Another server at the same address does not know the page.
     await served.end();

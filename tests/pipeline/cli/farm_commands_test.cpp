@@ -130,6 +130,10 @@ TEST_F(FarmExport, DamagedBake_IsRestoredFromItsCopyAndElseEndsTheJob) {
     const std::string damaged = bake.substr(0, bake.size() - 9);
     write_text(path("made/files.bake"), damaged);
     EXPECT_THAT(run({"farm", "status", "made"}).err,
+                HasSubstr("; a worker restores damaged files from their copies; if it cannot, "
+                          "submit the film again"));
+    EXPECT_EQ(text_of("made/files.bake"), damaged) << "to look changes nothing";
+    EXPECT_THAT(run({"farm", "finish", "made"}).err,
                 HasSubstr("; it was restored from the job's copy"));
     EXPECT_EQ(text_of("made/files.bake"), bake);
     for (const char* file : {"made/files.bake", "made/spare/files.bake"}) {
@@ -259,7 +263,7 @@ TEST_F(FarmExport, BudgetByDefault_EndsBeforeTheTimeLimit) {
 TEST_F(FarmExport, Status_ShowsABarAndASheetWithTheColoursOfTheCameras) {
     ASSERT_EQ(export_job().exit_code, 0);
     EXPECT_THAT(run({"farm", "status", "made"}).out,
-                HasSubstr("running, 0 of 6 frames\nrender [>"));
+                HasSubstr("waiting, 0 of 6 frames\nrender [>"));
     ASSERT_EQ(run({"farm", "work", "made"}).exit_code, 0);
     const RunResult status = run({"farm", "status", "made", "--sheet", "sheet.png"});
     EXPECT_THAT(status.out, HasSubstr("complete, 6 of 6 frames"));
@@ -300,6 +304,14 @@ TEST_F(FarmExport, Files_AreCopiedUnderNamesOfTheirOwn) {
 TEST_F(FarmExport, Folder_IsPrivate) {
     ASSERT_EQ(export_job().exit_code, 0);
     EXPECT_EQ(fs::status(path("made")).permissions(), fs::perms::owner_all);
+}
+
+TEST_F(FarmExport, FilmMask_IsThatOfTheFilmAlone) {
+    ASSERT_EQ(export_job().exit_code, 0);
+    replace("made/job.json", "\"film_mask\":-1", "\"film_mask\":63");  // 077
+    ASSERT_EQ(run({"farm", "work", "made"}).exit_code, 0);
+    EXPECT_EQ(fs::status(path("made/files.mp4")).permissions(), fs::perms(0600));
+    EXPECT_NE(fs::status(path("made/end.json")).permissions(), fs::perms(0600));
 }
 
 TEST_F(FarmExport, ChangedCopy_IsNotTakenFromElsewhere) {

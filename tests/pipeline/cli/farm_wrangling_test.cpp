@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "tests/pipeline/cli/end_to_end.h"
 
@@ -63,6 +64,10 @@ class FarmWrangling : public EndToEnd {
         write_text(path("cache/farm/" + job + "/job.json"), text);
     }
 
+    [[nodiscard]] std::string absolute(const std::string& name) const {
+        return fs::path(path(name)).lexically_normal().string();
+    }
+
     [[nodiscard]] std::vector<std::string> states() const {
         std::vector<std::string> states;
         const json frames = data({"frames", kId});
@@ -86,13 +91,14 @@ TEST_F(FarmWrangling, BadJobs_AreListedAndHideNoOther) {
 
     const RunResult list = farm({"list"});
     EXPECT_EQ(list.exit_code, 0);
-    EXPECT_THAT(list.out, HasSubstr("tiny.mp4                          0/6            running\n"));
+    EXPECT_THAT(list.out, HasSubstr("tiny.mp4                          0/6            waiting\n"));
     const std::string text = std::regex_replace(list.out, std::regex("\n  "), " ");
     EXPECT_THAT(text, HasSubstr("/zzz-1/job.json' was written by another version of carom; submit "
                                 "the film again\n"));
     EXPECT_THAT(text, HasSubstr("/xxx-1/job.json' is no record\n"));
-    EXPECT_THAT(text, HasSubstr("/www-1/endless.bake' is not a regular file; the job cannot go on: "
-                                "submit the film again\n"));
+    EXPECT_THAT(text,
+                HasSubstr("/www-1/endless.bake' is not a regular file; a worker restores damaged "
+                          "files from their copies; if it cannot, submit the film again\n"));
     EXPECT_THAT(list.out,
                 HasSubstr("\na-very-long-name-of-somebody-s-folder-that-fills-the-line\n"));
     const json jobs = data({"list"})["jobs"];
@@ -140,6 +146,7 @@ TEST_F(FarmWrangling, Frames_SayWhereAndHowLongAndAtWhatPrice) {
         EXPECT_EQ(row["state"], "done");
         EXPECT_NE(row["node"], "");
         EXPECT_GT(row["seconds"], 0);
+        EXPECT_EQ(row["slow"], row["seconds"] > 2 * double(frames["median_seconds"]) ? 1 : 0);
         EXPECT_GT(row["memory_bytes"], 1000000);
         EXPECT_EQ(row["tries"], 1);
         EXPECT_EQ(row["failures"], 0);
@@ -195,10 +202,11 @@ TEST_F(FarmWrangling, SkippedFrames_AreNotWaitedForAndNoted) {
     work();
     EXPECT_THAT(states(), ElementsAre("done", "done", "done", "skipped", "done", "done"));
     EXPECT_THAT(farm({"logs", kId}).out,
-                HasSubstr("warning: frame 3 was skipped; the frame before it is shown\n"));
+                HasSubstr("warning: frame 3 was skipped; another one of its shot is shown, or "
+                          "black\n"));
     EXPECT_EQ(farm({"finish", kId}).exit_code, 0);
     EXPECT_THAT(farm({"status", kId}).out,
-                HasSubstr("frame 3 was skipped; the frame before it is shown\n"));
+                HasSubstr("frame 3 was skipped; another one of its shot is shown, or black\n"));
     EXPECT_TRUE(exists(std::string(kJob) + "/tiny.mp4"));
     EXPECT_EQ(farm({"skip", kId, "3", "--undo"}).err.substr(0, 34),
               "carom: no longer skipped: frame 3;");
@@ -213,6 +221,153 @@ TEST_F(FarmWrangling, TimeLeft_IsThatOfTheFramesThatAreWanted) {
     EXPECT_NEAR(data({"status", kId})["seconds_left"], 300, 0.01);
     EXPECT_EQ(farm({"skip", kId, "3-5"}).exit_code, 0);
     EXPECT_NEAR(data({"status", kId})["seconds_left"], 150, 0.01);
+}
+
+TEST_F(FarmWrangling, TimeLeft_DoesNotCountWorkersThatAreDead) {
+    const double budget = json::parse(text_of(std::string(kJob) + "/job.json"))["budget_seconds"];
+    for (const int number : {1, 2}) {
+        const json note{
+            {"name", number}, {"host", "n1"},  {"state", "working"},          {"frame", number},
+            {"fraction", 0},  {"rendered", 2}, {"seconds_left", budget - 100}};
+        write_text(path(std::string(kJob) + "/workers/" + std::to_string(number) + ".json"),
+                   note.dump());
+    }
+    EXPECT_NEAR(data({"status", kId})["seconds_left"], 150, 0.01);
+    const std::string old = path(std::string(kJob) + "/workers/2.json");
+    fs::last_write_time(old, fs::last_write_time(old) - std::chrono::minutes(10));
+    EXPECT_NEAR(data({"status", kId})["seconds_left"], 300, 0.01);
+}
+
+TEST_F(FarmWrangling, JobThatNobodyWorksOn_WaitsAndSaysHowToStart) {
+    EXPECT_EQ(data({"status", kId})["state"], "waiting");
+    EXPECT_THAT(farm({"status", kId}).out, HasSubstr("no worker is at work; '" + absolute(kJob) +
+                                                     "/README.md' says how they are started\n"));
+    note("1", 2);
+    EXPECT_EQ(data({"status", kId})["state"], "running");
+    const std::string file = path(std::string(kJob) + "/workers/1.json");
+    fs::last_write_time(file, fs::last_write_time(file) - std::chrono::minutes(10));
+    EXPECT_EQ(data({"status", kId})["state"], "waiting");
+}
+
+TEST_F(FarmWrangling, DamagedRound_IsToldOfItsJobAlone) {
+    fs::copy(path(kJob), path("cache/farm/tiny-1a2b3c-2"), fs::copy_options::recursive);
+    std::string job = text_of("cache/farm/tiny-1a2b3c-2/job.json");
+    job.replace(job.find("\"parallel\""), 10, "\"slurm\"");
+    write_text(path("cache/farm/tiny-1a2b3c-2/job.json"), job);
+    write_text(path("cache/farm/tiny-1a2b3c-2/round.json"), "[1");
+    const RunResult list = farm({"list"});
+    EXPECT_EQ(list.exit_code, 0) << list.err;
+    EXPECT_THAT(list.out, HasSubstr("0/6            waiting\n"));
+    EXPECT_THAT(std::regex_replace(list.out, std::regex("\n  "), " "),
+                HasSubstr("/tiny-1a2b3c-2/round.json' is no JSON object\n"));
+}
+
+TEST_F(FarmWrangling, RetriedFramesThatAWorkerElsewhereHasClaimed_AreNoLongerSkipped) {
+    work();
+    fs::remove(path(std::string(kJob) + "/end.json"));
+    const std::string frames = path(std::string(kJob) + "/store/frames");
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(frames)) {
+        if (entry.path().extension() == ".exr" || entry.path().extension() == ".noisy") {
+            files.push_back(entry.path());
+        }
+    }
+    fs::create_directories(frames + "/locks");
+    for (const fs::path& file : files) {
+        write_text(frames + "/locks/" + file.stem().string() + ".0",
+                   "carom claim 1\nhost elsewhere/1\nprocess 7-1\nbeat 00000000000000000003\n"
+                   "state working \n");
+        fs::remove(file);
+    }
+    EXPECT_EQ(farm({"skip", kId, "3"}).exit_code, 0);
+    EXPECT_EQ(states()[3], "skipped");
+    EXPECT_EQ(farm({"retry", kId, "3"}).err, "carom: rendered again: frame 3\n");
+    EXPECT_EQ(states()[3], "missing");
+}
+
+/// What another user may do in a store that is shared, which only the system's administrator can
+/// imitate.
+class ForeignJobs : public FarmWrangling {
+  protected:
+    static constexpr unsigned kOther = 65534;
+
+    void SetUp() override {
+        if (::geteuid() != 0) {
+            GTEST_SKIP() << "needs two users";
+        }
+    }
+
+    /// Makes the job another user's.
+    void give_away() const { ASSERT_EQ(::lchown(path(kJob).c_str(), kOther, kOther), 0); }
+};
+
+TEST_F(ForeignJobs, AreLookedAtButNotChanged) {
+    give_away();
+    EXPECT_EQ(data({"status", kId})["frames"], 6);
+    EXPECT_EQ(data({"list"})["jobs"][0]["state"], "waiting");
+    const std::string owner = data({"list"})["jobs"][0]["owner"];
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{"cancel"},
+                                               {"resume"},
+                                               {"change", "--time", "1h"},
+                                               {"retry", "2"},
+                                               {"skip", "2"},
+                                               {"prefer", "2"},
+                                               {"work"},
+                                               {"finish"}}) {
+        std::vector<std::string> command = words;
+        command.insert(command.begin() + 1, kId);
+        const RunResult refused = farm(command);
+        EXPECT_EQ(refused.exit_code, 1) << words[0];
+        EXPECT_THAT(refused.err, HasSubstr("' is the job of the user " + owner +
+                                           "; nobody else can work on it or change it\n"));
+    }
+    EXPECT_EQ(farm({"cancel", kJob}).exit_code, 1) << "also if its folder is named";
+    EXPECT_FALSE(exists(std::string(kJob) + "/end.json"));
+    EXPECT_EQ(farm({"work", kJob}).exit_code, 0) << "as in a container with another user";
+}
+
+TEST_F(ForeignJobs, WithTheFilmOfAnotherJob_DoNotTakeItsPlace) {
+    fs::copy(path(kJob), path("cache/farm/tiny-ffffff-1"), fs::copy_options::recursive);
+    give_away();
+    const std::string copy = path("cache/farm/tiny-ffffff-1/job.json");
+    std::string text = text_of("cache/farm/tiny-ffffff-1/job.json");
+    text.replace(text.find("\"tiny.mp4\""), 10, "\"" + absolute(kJob) + "/tiny.mp4\"");
+    write_text(copy, text);
+    fs::last_write_time(copy, fs::last_write_time(copy) - std::chrono::hours(1));
+    const std::string film = std::string(kJob) + "/tiny.mp4";
+    EXPECT_THAT(std::string(data({"status", film})["folder"]), HasSubstr("/tiny-ffffff-1"));
+    EXPECT_EQ(farm({"skip", film, "2"}).exit_code, 0);
+    EXPECT_TRUE(exists("cache/farm/tiny-ffffff-1/wishes.json"));
+}
+
+TEST_F(ForeignJobs, LookingAtThem_WritesNothingAnywhere) {
+    const std::string job = kJob;
+    write_text(path("own"), "mine");
+    fs::create_directory(path(job + "/spare/part-1"));
+    for (const char* name : {"/spare/profile", "/spare/part-1/x.bake"}) {
+        write_text(path(job + name), "not yours");
+    }
+    fs::create_symlink(path("own"), path(job + "/profile"));
+    fs::create_directory_symlink(path("cache"), path(job + "/part-1"));
+    fs::rename(path(job + "/tiny.bake"), path(job + "/spare/other.bake"));
+    fs::create_symlink(path("own"), path(job + "/tiny.bake"));
+    std::string text = text_of(job + "/job.json");
+    text.replace(text.find("\"store\":\"store\""), 15, "\"store\":\"" + path("new") + "\"");
+    write_text(path(job + "/job.json"), text);
+    give_away();
+    const auto look = [&](int exit_code) {
+        EXPECT_EQ(farm({"list"}).exit_code, 0);
+        EXPECT_EQ(farm({"status", kId, "--sheet", "sheet.png"}).exit_code, exit_code);
+        EXPECT_EQ(farm({"frames", kId}).exit_code, exit_code);
+    };
+    look(2);
+    fs::remove(path(job + "/tiny.bake"));
+    fs::rename(path(job + "/spare/other.bake"), path(job + "/tiny.bake"));
+    look(0);
+    EXPECT_EQ(text_of("own"), "mine");
+    EXPECT_FALSE(exists("new"));
+    EXPECT_FALSE(exists("cache/x.bake"));
 }
 
 TEST_F(FarmWrangling, Wishes_AreForFramesOfTheJob) {

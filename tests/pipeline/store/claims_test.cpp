@@ -125,6 +125,22 @@ TEST(Claims, FinishedClaim_StaysUntilTheEnd) {
     EXPECT_THAT(names_in(folder.path()), ::testing::IsEmpty());
 }
 
+TEST(Claims, ClaimsThatReplacedAFinishedOne_AreNotRemovedAtItsEnd) {
+    const ScratchFolder folder;
+    std::optional<Claims> first(std::in_place, folder.path(), kQuick);
+    {
+        std::optional<Claim> claim = first->claim("frame");
+        ASSERT_TRUE(claim);
+        claim->finish();
+    }
+    Claims second(folder.path(), kQuick);
+    second.forget("frame");
+    const std::optional<Claim> again = second.claim("frame");
+    ASSERT_TRUE(again);
+    first.reset();
+    EXPECT_THAT(names_in(folder.path()), ::testing::ElementsAre("frame.0"));
+}
+
 TEST(Claims, Heartbeat_IsCountedWhileTheOwnerWorks) {
     const ScratchFolder folder;
     Claims claims(folder.path(), kQuick);

@@ -1,9 +1,12 @@
 #include "pipeline/store/drop_frame.h"
 
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include <gtest/gtest.h>
 
+#include "pipeline/store/cache_entry.h"
 #include "pipeline/store/sums_file.h"
 #include "tests/pipeline/store/sample_frames.h"
 #include "tests/scratch_folder.h"
@@ -16,6 +19,8 @@ using carom::testing::make_key;
 using carom::testing::ScratchFolder;
 using carom::testing::write_text;
 
+namespace fs = std::filesystem;
+
 struct Dropping {
     ScratchFolder folder;
     FrameStore store{folder.path("frames")};
@@ -25,7 +30,7 @@ struct Dropping {
     Dropping() {
         store.write(key, make_film(1), {});
         store.write_noisy(noisy_key, make_film(2));
-        std::filesystem::create_directories(folder.path("frames/locks"));
+        fs::create_directories(folder.path("frames/locks"));
     }
 
     void claim_elsewhere(const Hash128& claimed, ClaimNote::State state) const {
@@ -55,12 +60,39 @@ TEST(DropFrame, ClaimsOfOthersThatAreFinished_DoNotKeepIt) {
     EXPECT_TRUE(dropping.store.claim(dropping.noisy_key));
 }
 
+TEST(DropFrame, FrameThatIsNotThere_NeedsNoClaim) {
+    const Dropping dropping;
+    const Hash128 other = make_key(3);
+    dropping.claim_elsewhere(other, ClaimNote::State::working);
+    EXPECT_TRUE(drop_frame(dropping.store, other, other));
+    EXPECT_FALSE(dropping.store.claim(other)) << "who renders it goes on";
+}
+
+TEST(DropFrame, ClaimsOfADeadWorkerElsewhere_KeepItUntilTheyCountAsDead) {
+    const Dropping dropping;
+    dropping.claim_elsewhere(dropping.key, ClaimNote::State::working);
+    dropping.claim_elsewhere(dropping.noisy_key, ClaimNote::State::working);
+    fs::remove(dropping.store.path_of(dropping.key));
+    fs::remove(dropping.store.file_of(dropping.noisy_key, kNoisyExtension));
+    write_text(dropping.store.file_of(dropping.noisy_key, ".sums"), "of some samples");
+    constexpr std::chrono::milliseconds kDeadAfter{60};
+    const FrameStore store(dropping.folder.path("frames"), {},
+                           {std::chrono::milliseconds(5), kDeadAfter});
+    EXPECT_FALSE(drop_frame(store, dropping.key, dropping.noisy_key));
+    std::this_thread::sleep_for(kDeadAfter);
+    EXPECT_TRUE(drop_frame(store, dropping.key, dropping.noisy_key)) << "of both at once";
+    EXPECT_EQ(stored_samples(store, dropping.noisy_key), 0U);
+}
+
 TEST(DropFrame, FrameThatIsBeingRendered_Stays) {
     const Dropping dropping;
     const Hash128 other = make_key(3);
     dropping.claim_elsewhere(other, ClaimNote::State::working);
+    dropping.store.write_noisy(other, make_film(3));
     EXPECT_FALSE(drop_frame(dropping.store, other, other));
-    EXPECT_FALSE(drop_frame(dropping.store, dropping.key, other)) << "its noisy picture is begun";
+    const Hash128 begun = make_key(4);
+    dropping.claim_elsewhere(begun, ClaimNote::State::working);
+    EXPECT_FALSE(drop_frame(dropping.store, dropping.key, begun)) << "its noisy picture is begun";
     EXPECT_TRUE(dropping.store.contains(dropping.key));
 }
 

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <functional>
+#include <stop_token>
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>
@@ -57,7 +58,8 @@ std::vector<std::string> wrong_modes(const std::string& folder) {
     std::vector<std::string> wrong;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         const mode_t mode = mode_of(entry.path());
-        if (mode != (entry.is_directory() ? 02775U : 0664U)) {
+        const mode_t folder_mode = entry.path() == folder + "/farm" ? 03775U : 02775U;
+        if (mode != (entry.is_directory() ? folder_mode : 0664U)) {
             wrong.push_back(
                 fmt::format("{:o} {}", mode, entry.path().lexically_relative(folder).string()));
         }
@@ -85,9 +87,10 @@ TEST(GroupStore, WhateverTheMask_AllInItIsTheGroups) {
     const ScratchFolder folder;
     const std::string store = folder.path("a/store");
     const Mask mask(077);
-    give_to_group(store, own_group());
+    give_to_group(store, own_group(), {});
     EXPECT_TRUE(is_group_folder(store));
     EXPECT_EQ(mode_of(store), 03775U) << "nobody may replace the folders of others";
+    EXPECT_EQ(mode_of(store + "/farm"), 03775U) << "nor their jobs";
     use(store, [&] { EXPECT_THAT(wrong_modes(store), ::testing::IsEmpty()); });
 }
 
@@ -113,16 +116,43 @@ TEST(GroupStore, StoreThatExists_IsGivenWithItsContentButNotItsJobs) {
         write_text(folder.path("outside"), "");
         fs::create_symlink(folder.path("outside"), store + "/frames/link");
     }
-    give_to_group(store, own_group());
+    give_to_group(store, own_group(), {});
     EXPECT_THAT(wrong_modes(store),
                 ::testing::UnorderedElementsAre("700 farm/a-1", "600 farm/a-1/worker.sh",
                                                 "777 frames/link"));
     EXPECT_EQ(mode_of(folder.path("outside")), 0600U);
 }
 
+TEST(GroupStore, StoreThatKeepsOthersOut_StaysSo) {
+    const ScratchFolder folder;
+    const std::string store = folder.path("store");
+    give_to_group(store, own_group(), {});
+    ::chmod(store.c_str(), 02770);
+    give_to_group(store, own_group(), {});
+    EXPECT_EQ(mode_of(store), 03770U);
+}
+
+TEST(GroupStore, Stop_EndsIt) {
+    const ScratchFolder folder;
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_THROW(give_to_group(folder.path("store"), own_group(), stop.get_token()), Stopped);
+}
+
+TEST(GroupStore, LinkInThePlaceOfANewFolder_ChangesNothing) {
+    const ScratchFolder folder;
+    const std::string store = folder.path("store");
+    give_to_group(store, own_group(), {});
+    fs::create_directory(folder.path("private"));
+    fs::permissions(folder.path("private"), fs::perms(0700));
+    fs::create_directory_symlink(folder.path("private"), store + "/frames");
+    share_folder(store + "/frames");
+    EXPECT_EQ(mode_of(folder.path("private")), 0700U);
+}
+
 TEST(GroupStore, GroupThatDoesNotExist_IsAnError) {
     const ScratchFolder folder;
-    EXPECT_THAT([&] { give_to_group(folder.path("store"), "no such group"); },
+    EXPECT_THAT([&] { give_to_group(folder.path("store"), "no such group", {}); },
                 ThrowsMessage<Error>("there is no group 'no such group'"));
     EXPECT_FALSE(fs::exists(folder.path("store")));
 }
@@ -152,7 +182,7 @@ TEST(GroupStore, AnotherUser_WorksInItAndReplacesWhatItMayNotRead) {
     fs::permissions(folder.path(), fs::perms(0755));
     const std::string store = folder.path("store");
     const Mask mask(077);
-    give_to_group(store, "nogroup");
+    give_to_group(store, "nogroup", {});
     const FrameStore frames(store + "/frames");
     frames.write(make_key(1), make_film(2), {});
     const auto take = [&] {

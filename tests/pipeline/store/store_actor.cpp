@@ -1,6 +1,6 @@
 // Uses a frame store in a separate process, which a test may kill:
 //   write FOLDER        writes frames without end
-//   claim FOLDER FILE   claims frame 1, creates FILE and sleeps
+//   claim FOLDER FILE   claims frame 2 for a moment, then frame 1, creates FILE and sleeps
 //   repeat FOLDER DIR   claims frame 1 300 times and creates and removes DIR each time; fails if
 //                       another process has created DIR meanwhile
 //   take FOLDER         reads frame 1, or claims and writes it if it is not there
@@ -28,6 +28,7 @@ void write_without_end(const FrameStore& store) {
 }
 
 int claim_and_sleep(const FrameStore& store, const char* file) {
+    (void)store.claim(make_key(2));
     const std::optional<Claim> claim = store.claim(make_key(1));
     if (!claim || ::close(::open(file, O_CREAT | O_WRONLY, 0600)) != 0) {
         return 1;
