@@ -74,7 +74,7 @@ export async function check({ browser, carom, folder, path }) {
     // It follows what workers do.
     farm(carom, ['skip', job, '22']);
     farm(carom, ['work', job]);
-    await page.getByText(`${kFrames - 1} of ${kFrames}`).nth(1).waitFor({ timeout: kPatience });
+    await page.getByRole('main').getByText(`${kFrames - 1} of ${kFrames}`).waitFor({ timeout: kPatience });
     await sheetIsThere();
     equal(await page.locator('.frames tbody tr').count(), kFrames, 'frames in the table');
     equal(await page.locator('.strip .done').count(), 1, 'stretches of frames that are done');
