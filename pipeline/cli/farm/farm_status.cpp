@@ -64,7 +64,7 @@ std::string state_of_workers(const FarmJob& job, const JobState& state, std::str
 
 std::string state_in_queue(const FarmJob& job, const JobState& state, const farm::Answer& answer,
                            std::string& message) {
-    if (!answer.has_queue()) {
+    if (!farm::has_queue(job)) {
         return state_of_workers(job, state, message);
     }
     if (!answer.tasks) {
