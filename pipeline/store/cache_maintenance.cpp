@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "core/error.h"
+#include "pipeline/store/frame_checksum.h"
 #include "pipeline/store/incoming.h"
 #include "pipeline/store/pins.h"
 #include "sim/timeline/bake_file.h"

@@ -11,9 +11,10 @@
 #include <vector>
 
 #include "pipeline/store/cache_entry.h"
-#include "pipeline/store/frame_checksum.h"
 
 namespace carom::pipeline {
+
+enum class FrameFileState;
 
 /// The limit of a cache whose size is not limited.
 inline constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();

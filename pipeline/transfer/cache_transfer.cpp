@@ -15,6 +15,7 @@
 #include "core/group_folder.h"
 #include "pipeline/store/cache_maintenance.h"
 #include "pipeline/store/file_descriptor.h"
+#include "pipeline/store/frame_checksum.h"
 #include "pipeline/store/incoming.h"
 #include "pipeline/store/pins.h"
 #include "pipeline/store/reservations.h"
