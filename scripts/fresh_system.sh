@@ -6,7 +6,7 @@ if [ -n "${CAROM_TREE:-}" ]; then tree=$CAROM_TREE; else tree=$(mktemp -d --tmpd
 
 leave_system() {
   umount "$tree/ccache" 2>/dev/null || true
-  umount "$tree/proc" 2>/dev/null || true
+  umount "$tree/dev/pts" "$tree/sys" "$tree/proc" 2>/dev/null || true
   [ -n "${CAROM_TREE:-}" ] || rm -rf "$tree"
 }
 trap leave_system EXIT
@@ -27,8 +27,10 @@ make_system() {
   fi
   chmod 755 "$tree"  # mktemp makes it 0700, and users other than root run programs in it, munge's installation does
   cp -r /etc/apt/. "$tree/etc/apt/"
-  cp /etc/resolv.conf "$tree/etc/resolv.conf"
+  cp /etc/resolv.conf /etc/hosts "$tree/etc/"
   mountpoint -q "$tree/proc" || mount -t proc proc "$tree/proc"
+  mountpoint -q "$tree/sys" || mount -t sysfs sysfs "$tree/sys"
+  mountpoint -q "$tree/dev/pts" || mount -t devpts devpts "$tree/dev/pts"
   inside apt-get update -q >/dev/null
 }
 
@@ -43,11 +45,11 @@ npm_words() {
   fi
 }
 
-# Puts the committed sources into /srv/carom, and this system's compiler cache into /ccache.
+# Puts a clone of the committed sources into /srv/carom, and this system's compiler cache into /ccache.
 put_sources() {
   local cache
-  mkdir -p "$tree/srv/carom"
-  git archive HEAD | tar -x -C "$tree/srv/carom"
+  rm -rf "$tree/srv/carom"
+  git clone -q --depth 1 "file://$PWD" "$tree/srv/carom"
   npm_words
   # ccache distinguishes the languages of compiler messages.
   build_words=(${LANG:+LANG="$LANG"} "${npm_config[@]}")
