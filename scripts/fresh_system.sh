@@ -5,9 +5,14 @@ release=bookworm
 if [ -n "${CAROM_TREE:-}" ]; then tree=$CAROM_TREE; else tree=$(mktemp -d --tmpdir carom_tree_XXXXXX); fi
 
 leave_system() {
-  umount "$tree/ccache" 2>/dev/null || true
-  umount "$tree/dev/pts" "$tree/sys" "$tree/proc" 2>/dev/null || true
-  [ -n "${CAROM_TREE:-}" ] || rm -rf "$tree"
+  local place
+  for place in ccache dev/pts sys proc; do umount -R "$tree/$place" 2>/dev/null || true; done
+  [ -z "${CAROM_TREE:-}" ] || return 0
+  if grep -qF " $tree/" /proc/self/mounts; then
+    echo "$0: something is still mounted below $tree, which is kept" >&2
+  else
+    rm -rf "$tree"
+  fi
 }
 trap leave_system EXIT
 
@@ -29,7 +34,8 @@ make_system() {
   cp -r /etc/apt/. "$tree/etc/apt/"
   cp /etc/resolv.conf /etc/hosts "$tree/etc/"
   mountpoint -q "$tree/proc" || mount -t proc proc "$tree/proc"
-  mountpoint -q "$tree/sys" || mount -t sysfs sysfs "$tree/sys"
+  # With all that is mounted below it, since Slurm looks for the groups of processes there.
+  mountpoint -q "$tree/sys" || { mount --rbind /sys "$tree/sys" && mount --make-rslave "$tree/sys"; }
   mountpoint -q "$tree/dev/pts" || mount -t devpts devpts "$tree/dev/pts"
   inside apt-get update -q >/dev/null
 }
