@@ -243,7 +243,10 @@ void let_readers_read(const std::string& folder) {
 
 void write_end(const FarmJob& job, const JobEnd& end) {
     JsonMembers members;
-    members.add("state", end.state).add("message", end.message).add("frames", end.frames);
+    members.add("state", end.state)
+        .add("message", end.message)
+        .add("frames", end.frames)
+        .add("skipped", end.skipped);
     write_record(job.folder + "/end.json", members);
 }
 
@@ -255,7 +258,7 @@ void remove_end(const FarmJob& job) {
 std::optional<JobEnd> read_end(const FarmJob& job) {
     const std::optional<Record> record = Record::read(job.folder + "/end.json");
     return record ? std::optional(JobEnd{record->text("state"), record->text("message"),
-                                         record->integer("frames")})
+                                         record->integer("frames"), record->integer("skipped")})
                   : std::nullopt;
 }
 

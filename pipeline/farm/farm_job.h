@@ -95,7 +95,8 @@ void let_readers_read(const std::string& folder);
 struct JobEnd {
     std::string state;  // "complete", "stopped", "failed"
     std::string message;
-    std::int64_t frames = 0;  // of the film; 0: not known
+    std::int64_t frames = 0;   // of the film; 0: not known
+    std::int64_t skipped = 0;  // of these, others stand in for them
 };
 void write_end(const FarmJob& job, const JobEnd& end);
 void remove_end(const FarmJob& job);

@@ -120,7 +120,8 @@ TaskState state_of(const std::string& name, const std::string& exit) {
     return TaskState::cancelled;  // also DEADLINE, PREEMPTED, REVOKED, and what is not known
 }
 
-/// A time of Slurm: "30:00", "1:00:00", "2-00:00:00"; 0 for "infinite" and what is no time.
+/// The minutes of a time as Slurm prints it: 30 for "30:00", 60 for "1:00:00", 2880 for
+/// "2-00:00:00". 0 for "infinite", and for a text that is not a time.
 std::int64_t minutes_in(const std::string& text) {
     const std::size_t dash = text.find('-');
     std::int64_t minutes = dash == std::string::npos ? 0 : 24 * 60 * number_in(text);

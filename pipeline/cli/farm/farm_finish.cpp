@@ -83,7 +83,7 @@ std::vector<std::int64_t> write_film(const FarmJob& job, FarmFilm& film, farm::J
     if (!missing.empty()) {
         return missing;
     }
-    end = {"complete", skipped_text(skipped), std::ssize(film.frames())};
+    end = {"complete", skipped_text(skipped), std::ssize(film.frames()), std::ssize(skipped)};
     film.options.so_far = !skipped.empty();
     if (!skipped.empty()) {
         context.console.warning(end.message);

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "core/printable.h"
+#include "core/text.h"
 #include "pipeline/cli/farm/farm_actions.h"
 #include "pipeline/cli/farm/frame_table.h"
 #include "pipeline/cli/terminal/duration_text.h"
@@ -58,11 +59,11 @@ std::string json_of(const NodeRow& row) {
 
 template <class Row>
 std::string list_of(const std::vector<Row>& rows) {
-    std::string text;
+    std::vector<std::string> objects;
     for (const Row& row : rows) {
-        text += (text.empty() ? "" : ",") + json_of(row);
+        objects.push_back(json_of(row));
     }
-    return "[" + text + "]";
+    return "[" + join(objects, ",") + "]";
 }
 
 std::string json_of(const farm::FarmJob& job, const JobState& state, const FrameTable& table) {

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "core/printable.h"
+#include "core/text.h"
 #include "pipeline/cli/farm/farm_actions.h"
 #include "pipeline/cli/farm/farm_film.h"
 #include "pipeline/cli/farm/farm_state.h"
@@ -67,7 +68,8 @@ FoundJob found_job(const std::string& folder) {
         if (end && end->state == "complete" && end->frames > 0) {
             listed.state = end->state;
             listed.message = end->message;
-            listed.frames = listed.finished = end->frames;
+            listed.frames = end->frames;
+            listed.finished = end->frames - end->skipped;
             return;
         }
         (void)farm::read_round(job);  // one that is damaged must not keep the engine from answering
@@ -207,23 +209,23 @@ void farm_list(const FarmCommand& command, CommandContext& context) {
     CommandContext quiet{silent,        context.stop,          context.factory,
                          context.music, context.text_problems, context.view};
     const std::string store = store_of(command);
-    std::string text;
+    std::vector<std::string> jobs;
     for (const ListedJob& job : jobs_of(store, quiet)) {
         if (command.is_running && job.state != "running" && job.state != "waiting") {
             continue;
         }
-        text += command.json ? (text.empty() ? "" : ",") + json_of(job) : text_of(job);
+        jobs.push_back(command.json ? json_of(job) : text_of(job));
     }
     if (command.json) {
         return print_text(
-            fmt::format("{{\"store\":{},\"jobs\":[{}]}}\n", json_string(store), text));
+            fmt::format("{{\"store\":{},\"jobs\":[{}]}}\n", json_string(store), join(jobs, ",")));
     }
-    if (text.empty()) {
+    if (jobs.empty()) {
         context.console.info(fmt::format("the store '{}' has no {}job", store,
                                          command.is_running ? "running " : ""));
         return;
     }
-    print_text(row("JOB", "OWNER", "FILM", "FRAMES", "LEFT", "STATE") + text);
+    print_text(row("JOB", "OWNER", "FILM", "FRAMES", "LEFT", "STATE") + join(jobs, ""));
 }
 
 }  // namespace carom::cli

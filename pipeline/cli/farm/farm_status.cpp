@@ -205,12 +205,12 @@ std::string json_of(const FarmJob& job, const JobState& state) {
     if (state.left) {
         members.add("seconds_left", *state.left);
     }
-    std::string workers;
+    std::vector<std::string> workers;
     for (const farm::WorkerNote& worker : state.workers) {
-        workers += (workers.empty() ? "" : ",") + worker_json(worker);
+        workers.push_back(worker_json(worker));
     }
     return fmt::format("{{{},\"slurm\":{},\"workers\":[{}]}}\n", members.text(),
-                       farm::numbers_of(state.round).object(), workers);
+                       farm::numbers_of(state.round).object(), join(workers, ","));
 }
 
 std::string worker_text(const farm::WorkerNote& worker) {

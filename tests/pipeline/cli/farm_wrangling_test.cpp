@@ -208,6 +208,9 @@ TEST_F(FarmWrangling, SkippedFrames_AreNotWaitedForAndNoted) {
     EXPECT_THAT(farm({"status", kId}).out,
                 HasSubstr("frame 3 was skipped; another one of its shot is shown, or black\n"));
     EXPECT_TRUE(exists(std::string(kJob) + "/tiny.mp4"));
+    const auto listed = data({"list"})["jobs"][0];
+    EXPECT_EQ(listed["finished"], 5);
+    EXPECT_EQ(listed["frames"], 6);
     EXPECT_EQ(farm({"skip", kId, "3", "--undo"}).err.substr(0, 34),
               "carom: no longer skipped: frame 3;");
     EXPECT_THAT(farm({"finish", kId}).err, HasSubstr("1 frame is missing: 3"));
