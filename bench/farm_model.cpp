@@ -12,29 +12,6 @@
 namespace carom::bench {
 namespace {
 
-// Requests that an NFS client sends for each action, counted from the calls of pipeline/store and
-// pipeline/farm. To open a file is one more than its reads and writes; a commit is what fsync() and
-// the closing of a written file send.
-constexpr double kLook = 1;
-// open and read the claim; open the one of the next number, which does not exist
-constexpr double kReadClaim = 3;
-// open the claim, which does not exist; create, write and commit a draft; open, lock, link and
-// remove it; open and read the claim
-constexpr double kClaim = 10;
-// write, commit
-constexpr double kBeat = 2;
-// create and lock; open, write and commit the checksum; rename, unlock; write, commit, unlock and
-// remove the claim; and the frame's writes and commit, of up to 1 MiB each, which is the most that
-// Linux' NFS client sends at once
-constexpr double kPublish = 12;
-constexpr double kBytesPerRequest = 1 << 20U;
-// look for the old one; create, write, commit, rename; open the folder
-constexpr double kNote = 6;
-// open and read
-constexpr double kReadLeftover = 2;
-// A guess: names in one answer to the question for a list of the folder.
-constexpr double kNamesPerRequest = 200;
-
 // More than a worker can have; keeps the random numbers of the workers apart.
 constexpr std::uint64_t kTasksPerWorker = 1U << 20U;
 
@@ -45,6 +22,7 @@ struct Worker {
     double task_started = 0;
     double slowness = 1;
     int frame = -1;  // that it renders
+    bool is_claiming = false;
     double render_started = 0;
     double render_seconds = 0;
     std::vector<int> order;  // of the film's frames: its own share first
@@ -73,6 +51,7 @@ class Farm {
   public:
     Farm(const FarmSettings& settings, const std::vector<double>& frame_seconds)
         : settings_(settings),
+          costs_(costs_of(settings.kind)),
           seconds_(frame_seconds),
           frames_(static_cast<int>(frame_seconds.size())),
           workers_(static_cast<std::size_t>(settings.workers)),
@@ -107,11 +86,14 @@ class Farm {
         clock_.after(seconds, action(step, index, frame));
     }
 
-    void ask(double requests, Step then, int index, int frame = -1) {
-        clock_.ask({requests, 0}, action(then, index, frame));
+    void ask(const Demand& demand, Step then, int index, int frame = -1) {
+        clock_.ask(demand, action(then, index, frame));
     }
 
     void handle(const Action& action) {
+        if (action.asked >= 0 && is_waited_for(action.step)) {
+            result_.wait_seconds += clock_.now() - action.asked;
+        }
         switch (action.step) {
             case Step::none:
                 return;
@@ -148,6 +130,12 @@ class Farm {
         }
     }
 
+    /// Whether the worker does nothing else meanwhile.
+    [[nodiscard]] static bool is_waited_for(Step step) {
+        return step == Step::read || step == Step::looked || step == Step::tried ||
+               step == Step::stored || step == Step::polled;
+    }
+
     void start_task(int index) {
         Worker& it = worker(index);
         const int task = it.task;
@@ -164,16 +152,19 @@ class Farm {
         if (!is_listing()) {
             it.order = own_share_first(frames_.order(), index, settings_.workers);
         }
-        const double leftovers = is_listing() ? 0 : kReadLeftover * claim_files_;
-        clock_.ask({settings_.load_requests + leftovers, settings_.load_bytes},
-                   action(Step::read, index));
+        Demand load = Demand::of(Verb::get, settings_.load_requests);
+        load.bytes = settings_.load_bytes;
+        if (!is_listing()) {
+            load += claim_files_ * costs_.read_leftover;
+        }
+        ask(load, Step::read, index);
         write_note(index);
     }
 
     /// A worker tells about itself while it runs.
     void write_note(int index) {
         if (settings_.note_seconds > 0) {
-            ask(kNote, Step::noted, index);
+            ask(costs_.note, Step::noted, index);
         }
     }
 
@@ -208,12 +199,12 @@ class Farm {
             return end_task(index, settings_.next_task_delay);
         }
         if (is_listing()) {
-            return ask(list_requests(), Step::looked, index);
+            return ask(list(), Step::looked, index);
         }
         if (it.position == it.order.size()) {
             return wait(index);
         }
-        ask(kLook, Step::looked, index);
+        ask(costs_.look, Step::looked, index);
     }
 
     void looked(int index) {
@@ -228,7 +219,9 @@ class Farm {
         try_claim(index, number);
     }
 
-    [[nodiscard]] double list_requests() const { return 2 + frames_.count() / kNamesPerRequest; }
+    [[nodiscard]] Demand list() const {
+        return (2 + frames_.count() / costs_.names_per_page) * costs_.list_page;
+    }
 
     /// Workers that read the same list try different frames of it.
     [[nodiscard]] int choose_listed(int index) const {
@@ -238,11 +231,13 @@ class Farm {
 
     void try_claim(int index, int number) {
         const bool is_open = frames_[number].state == FrameState::open;
-        ask(is_open ? kClaim : kReadClaim, Step::tried, index, number);
+        worker(index).is_claiming = is_open;
+        ask(is_open ? costs_.claim : costs_.read_claim, Step::tried, index, number);
     }
 
     void tried(int index, int number) {
         if (frames_[number].state != FrameState::open) {
+            result_.vain_claims += worker(index).is_claiming ? 1 : 0;
             return look(index);
         }
         claim(index, number);
@@ -275,7 +270,7 @@ class Farm {
 
     void beat(int index, int number) {
         if (worker(index).frame == number) {
-            ask(kBeat, Step::beaten, index, number);
+            ask(costs_.beat, Step::beaten, index, number);
         }
     }
 
@@ -287,8 +282,12 @@ class Farm {
     }
 
     [[nodiscard]] Demand publishing() const {
-        return {kPublish + std::ceil(settings_.frame_bytes / kBytesPerRequest),
-                settings_.frame_bytes};
+        const double parts = costs_.bytes_per_request > 0
+                                 ? std::ceil(settings_.frame_bytes / costs_.bytes_per_request)
+                                 : 0;
+        Demand demand = costs_.publish + Demand::of(Verb::get, parts);
+        demand.bytes = settings_.frame_bytes;
+        return demand;
     }
 
     void rendered(int index) { clock_.ask(publishing(), action(Step::stored, index)); }
@@ -315,9 +314,9 @@ class Farm {
         }
         if (is_listing()) {
             it.watch.fill(frames_, settings_.watched_claims, it.random, clock_.now());
-            return ask(list_requests() + kReadClaim * it.watch.count(), Step::polled, index);
+            return ask(list() + it.watch.count() * costs_.read_claim, Step::polled, index);
         }
-        ask((kLook + kReadClaim) * frames_.unfinished(), Step::polled, index);
+        ask(frames_.unfinished() * (costs_.look + costs_.read_claim), Step::polled, index);
     }
 
     void polled(int index) {
@@ -327,7 +326,7 @@ class Farm {
             return try_claim(index, number);
         }
         if (const int number = dead_claim_seen_by(it); number >= 0) {
-            ask(kClaim, Step::none, index);
+            ask(costs_.claim, Step::none, index);
             return claim(index, number);
         }
         if (const int number = slow_frame(); number >= 0) {
@@ -373,8 +372,13 @@ class Farm {
             result_.worker_seconds += it.is_running ? clock_.now() - it.task_started : 0;
         }
         result_.finished = clock_.now();
-        result_.requests = clock_.requests();
-        result_.peak_requests = clock_.peak_requests();
+        const auto& requests = clock_.asked().requests;
+        result_.lists = requests[static_cast<std::size_t>(Verb::list)];
+        result_.heads = requests[static_cast<std::size_t>(Verb::head)];
+        result_.gets = requests[static_cast<std::size_t>(Verb::get)];
+        result_.puts = requests[static_cast<std::size_t>(Verb::put)];
+        result_.peak_reads = clock_.peak_reads();
+        result_.peak_writes = clock_.peak_writes();
         result_.peak_bytes = clock_.peak_bytes();
         result_.peak_claims = claim_load_.peak();
         result_.slowest_request = clock_.slowest_request();
@@ -383,6 +387,7 @@ class Farm {
     }
 
     const FarmSettings& settings_;
+    const ActionCosts& costs_;
     const std::vector<double>& seconds_;
     FarmFrames frames_;
     std::vector<Worker> workers_;

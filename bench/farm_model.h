@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "bench/farm_requests.h"
 #include "bench/farm_store.h"
 
 namespace carom::bench {
@@ -17,6 +18,7 @@ enum class Search {
 };
 
 struct FarmSettings {
+    StoreKind kind = StoreKind::files;
     int workers = 10;
     double budget = 600;             // s after which a task starts no frame
     double time_limit = 0;           // s after which a task is stopped and hands over; 0 = never
@@ -49,12 +51,18 @@ struct FarmResult {
     double last_first_claim = 0;  // s when the last frame is claimed for the first time
     double tasks = 0;             // started
     double worker_seconds = 0;    // time of all tasks
-    double requests = 0;
-    double peak_requests = 0;  // in the busiest second
+    double wait_seconds = 0;      // of all tasks: for answers without which they cannot go on
+    double lists = 0;             // requests of an object store
+    double heads = 0;
+    double gets = 0;  // or all requests of a file system
+    double puts = 0;
+    double peak_reads = 0;  // in the busiest second; all requests of a file system
+    double peak_writes = 0;
     double peak_bytes = 0;
     double peak_claims = 0;
     double slowest_request = 0;  // s
     double unfinished = 0;       // frames when the run was given up
+    double vain_claims = 0;      // that others had made a moment before
     double frames_again = 0;     // renderings of a frame beyond the first, also unfinished ones
     double lost_tasks = 0;
 };

@@ -1,11 +1,11 @@
 // farm_simulation: how a farm of 10 to 10,000 workers renders a film, as markdown tables. Each row
 // is the mean of several runs with different random numbers; the same options print the same bytes.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -59,10 +59,15 @@ class MeanResult {
 
   private:
     static constexpr double FarmResult::*kValues[] = {
-        &FarmResult::finished,       &FarmResult::last_first_claim, &FarmResult::tasks,
-        &FarmResult::worker_seconds, &FarmResult::requests,         &FarmResult::peak_requests,
-        &FarmResult::peak_bytes,     &FarmResult::peak_claims,      &FarmResult::slowest_request,
-        &FarmResult::frames_again,   &FarmResult::lost_tasks,       &FarmResult::unfinished};
+        &FarmResult::finished,     &FarmResult::last_first_claim,
+        &FarmResult::tasks,        &FarmResult::worker_seconds,
+        &FarmResult::wait_seconds, &FarmResult::lists,
+        &FarmResult::heads,        &FarmResult::gets,
+        &FarmResult::puts,         &FarmResult::peak_reads,
+        &FarmResult::peak_writes,  &FarmResult::peak_bytes,
+        &FarmResult::peak_claims,  &FarmResult::slowest_request,
+        &FarmResult::vain_claims,  &FarmResult::frames_again,
+        &FarmResult::lost_tasks,   &FarmResult::unfinished};
 
     FarmResult sum_;
     int count_ = 0;
@@ -84,6 +89,7 @@ FarmSettings undisturbed(FarmSettings settings) {
     settings.lost_nodes_per_hour = 0;
     settings.slow_nodes = 0;
     settings.store.requests_per_second = 0;
+    settings.store.writes_per_second = 0;
     settings.store.bytes_per_second = 0;
     return settings;
 }
@@ -118,43 +124,106 @@ std::string amount(double value) {
     return fmt::format("{},{:03}", rounded / 1000, rounded % 1000);
 }
 
-constexpr std::array kColumns = {"workers", "budget",     "frames done",     "later by",
-                                 "tasks",   "CPU h held", "useful",          "requests/s",
-                                 "MB/s",    "claims/s",   "slowest request", "again"};
+/// What a row is about.
+struct Row {
+    const Options& options;
+    const FarmSettings& farm;
+    const std::vector<double>& seconds;
+    FarmResult result;
+};
+
+struct Column {
+    const char* title;
+    std::function<std::string(const Row&)> cell;
+};
 
 void print_line(const std::vector<std::string>& cells) {
     fmt::print("| {} |\n", fmt::join(cells, " | "));
 }
 
-void print_head() {
-    print_line({kColumns.begin(), kColumns.end()});
+std::string percent(double share) {
+    return fmt::format("{:.0f} %", 100 * share);
+}
+
+/// How much later the frames are done than in the undisturbed farm.
+std::string delay(const Row& row) {
+    if (row.result.unfinished > 0) {
+        return "";
+    }
+    const FarmResult ideal = mean_of_runs(undisturbed(row.farm), row.seconds, 1);
+    return percent(std::max(0.0, row.result.finished / ideal.finished - 1));
+}
+
+double work_of(const std::vector<double>& seconds) {
+    return std::accumulate(seconds.begin(), seconds.end(), 0.0);
+}
+
+/// Of the table about a store of this kind.
+std::vector<Column> columns_of(StoreKind kind) {
+    const auto per_second = [](double FarmResult::*value) {
+        return [value](const Row& row) { return amount(row.result.*value); };
+    };
+    const auto total = per_second;
+    std::vector<Column> columns = {
+        {"workers", [](const Row& row) { return amount(row.farm.workers); }},
+        {"budget", [](const Row& row) { return duration(row.farm.budget); }},
+        {"frames done", [](const Row& row) { return finish(row.result); }},
+        {"later by", delay},
+        {"tasks", total(&FarmResult::tasks)},
+        {"CPU h held",
+         [](const Row& row) {
+             return fmt::format("{:.1f}", row.result.worker_seconds * row.options.cpus / 3600);
+         }},
+        {"useful",
+         [](const Row& row) { return percent(work_of(row.seconds) / row.result.worker_seconds); }},
+    };
+    const auto add = [&columns](std::vector<Column> more) {
+        columns.insert(columns.end(), more.begin(), more.end());
+    };
+    if (kind == StoreKind::files) {
+        add({{"requests/s", per_second(&FarmResult::peak_reads)}});
+    } else {
+        add({{"waiting",
+              [](const Row& row) {
+                  return percent(row.result.wait_seconds / row.result.worker_seconds);
+              }},
+             {"reads/s", per_second(&FarmResult::peak_reads)},
+             {"writes/s", per_second(&FarmResult::peak_writes)},
+             {"lists", total(&FarmResult::lists)},
+             {"heads", total(&FarmResult::heads)},
+             {"gets", total(&FarmResult::gets)},
+             {"puts", total(&FarmResult::puts)},
+             {"in vain", total(&FarmResult::vain_claims)}});
+    }
+    add({{"MB/s", [](const Row& row) { return amount(row.result.peak_bytes / 1e6); }},
+         {"claims/s", per_second(&FarmResult::peak_claims)},
+         {"slowest request",
+          [](const Row& row) { return request_time(row.result.slowest_request); }},
+         {"again", [](const Row& row) { return fmt::format("{:.1f}", row.result.frames_again); }}});
+    return columns;
+}
+
+void print_head(const std::vector<Column>& columns) {
+    std::vector<std::string> titles;
+    for (const Column& column : columns) {
+        titles.emplace_back(column.title);
+    }
+    print_line(titles);
     fmt::print("|");
-    for (std::size_t i = 0; i < kColumns.size(); ++i) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
         fmt::print("---:|");
     }
     fmt::print("\n");
 }
 
-/// How much later the frames are done than in the undisturbed farm.
-std::string delay(const FarmResult& result, const FarmSettings& farm,
-                  const std::vector<double>& seconds) {
-    if (result.unfinished > 0) {
-        return "";
+void print_row(const Options& options, const FarmSettings& farm, const std::vector<double>& seconds,
+               const std::vector<Column>& columns) {
+    const Row row{options, farm, seconds, mean_of_runs(farm, seconds, options.runs)};
+    std::vector<std::string> cells;
+    for (const Column& column : columns) {
+        cells.push_back(column.cell(row));
     }
-    const FarmResult ideal = mean_of_runs(undisturbed(farm), seconds, 1);
-    return fmt::format("{:.0f} %", std::max(0.0, 100 * (result.finished / ideal.finished - 1)));
-}
-
-void print_row(const Options& options, const FarmSettings& farm,
-               const std::vector<double>& seconds) {
-    const FarmResult result = mean_of_runs(farm, seconds, options.runs);
-    const double work = std::accumulate(seconds.begin(), seconds.end(), 0.0);
-    print_line(
-        {amount(farm.workers), duration(farm.budget), finish(result), delay(result, farm, seconds),
-         amount(result.tasks), fmt::format("{:.1f}", result.worker_seconds * options.cpus / 3600),
-         fmt::format("{:.0f} %", 100 * work / result.worker_seconds), amount(result.peak_requests),
-         amount(result.peak_bytes / 1e6), amount(result.peak_claims),
-         request_time(result.slowest_request), fmt::format("{:.1f}", result.frames_again)});
+    print_line(cells);
 }
 
 void print_farm(const Options& options, const std::vector<FrameTimes>& measured) {
@@ -163,7 +232,8 @@ void print_farm(const Options& options, const std::vector<FrameTimes>& measured)
     for (double& frame : seconds) {
         frame /= options.cpus;
     }
-    print_head();
+    const std::vector<Column> columns = columns_of(options.farm.kind);
+    print_head(columns);
     for (const int workers : options.workers) {
         for (const double budget : options.budgets) {
             FarmSettings farm = options.farm;
@@ -173,12 +243,12 @@ void print_farm(const Options& options, const std::vector<FrameTimes>& measured)
             farm.time_limit = 60 * options.time_limit;
             farm.lost_nodes_per_hour = options.lost_percent / 100;
             farm.slow_nodes = options.slow_percent / 100;
-            print_row(options, farm, seconds);
+            print_row(options, farm, seconds, columns);
         }
     }
     const double bytes = 2 * frames * options.farm.frame_bytes;  // to verify and to encode them
     const double read = bytes / options.farm.store.client_bytes_per_second;
-    const double work = std::accumulate(seconds.begin(), seconds.end(), 0.0) * options.cpus;
+    const double work = work_of(seconds) * options.cpus;
     fmt::print(
         "\n{} frames of {:.3g} CPU s on average, {:.1f} CPU hours. The last job reads {:.1f} GB, "
         "at "
@@ -249,12 +319,26 @@ void describe_farm(CLI::App& app, Options& options) {
 
 void describe_store(CLI::App& app, Options& options) {
     FarmSettings& farm = options.farm;
+    app.add_option("--store", farm.kind,
+                   "files: a network file system; objects: an object store, with a latency of "
+                   "0.1 s and 85 MB/s for each worker unless told")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, StoreKind>{
+            {"files", StoreKind::files}, {"objects", StoreKind::objects}}));
     app.add_option("--latency", farm.store.latency, "s")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
-    app.add_option("--store-requests", farm.store.requests_per_second, "per second; 0 = any")
+    app.add_option("--store-requests", farm.store.requests_per_second,
+                   "per second; 0 = any; of objects: only those that read")
+        ->capture_default_str();
+    app.add_option("--store-writes", farm.store.writes_per_second,
+                   "of objects: requests that write, per second; 0 = any")
         ->capture_default_str();
     app.add_option("--store-bytes", farm.store.bytes_per_second, "per second; 0 = any")
+        ->capture_default_str();
+    app.add_option("--client-bytes", farm.store.client_bytes_per_second,
+                   "per second, of the network of a worker")
+        ->capture_default_str();
+    app.add_option("--load-requests", farm.load_requests, "files that a task reads first")
         ->capture_default_str();
     app.add_option("--load-bytes", farm.load_bytes, "that a task reads first")
         ->capture_default_str();
@@ -279,6 +363,12 @@ void describe_store(CLI::App& app, Options& options) {
             std::map<std::string, Search>{{"walk", Search::walk}, {"list", Search::list}}));
 }
 
+void use_unless_given(const CLI::App& app, const char* option, double value, double& place) {
+    if (app.count(option) == 0) {
+        place = value;
+    }
+}
+
 int run(int argc, char** argv) {
     Options options;
     CLI::App app("Simulates a farm that renders a film.");
@@ -286,6 +376,10 @@ int run(int argc, char** argv) {
     describe_farm(app, options);
     describe_store(app, options);
     CLI11_PARSE(app, argc, argv);
+    if (options.farm.kind == StoreKind::objects) {
+        use_unless_given(app, "--latency", 0.1, options.farm.store.latency);
+        use_unless_given(app, "--client-bytes", 85e6, options.farm.store.client_bytes_per_second);
+    }
     const std::vector<FrameTimes> measured = read_frame_times(options.times);
     if (options.prints_cost) {
         print_cost(options, measured);

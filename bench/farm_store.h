@@ -16,7 +16,8 @@ inline constexpr double kNever = std::numeric_limits<double>::infinity();
 
 struct StoreSettings {
     double latency = 0.001;                // s from question to answer when the server is idle
-    double requests_per_second = 0;        // what the server can do; 0 means any number
+    double requests_per_second = 0;        // what the server can do; 0 means any number. Objects:
+    double writes_per_second = 0;          // of those that write; the others are those that read
     double bytes_per_second = 0;           // likewise
     double client_bytes_per_second = 1e9;  // what the network of one worker carries
 };

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "core/error.h"
+#include "core/group_folder.h"
 #include "core/write_all.h"
 
 namespace carom {
@@ -42,7 +43,8 @@ void flush_folder(const std::string& folder) {
 
 }  // namespace
 
-AtomicWriter::AtomicWriter(const std::string& path) : path_(path) {
+AtomicWriter::AtomicWriter(const std::string& path, FileAccess access)
+    : path_(path), access_(access) {
     if (path.empty()) {
         throw Error("cannot write a file without a name");
     }
@@ -81,6 +83,9 @@ void AtomicWriter::finish() {
     if (::stat(target_.c_str(), &replaced) == 0) {
         static_cast<void>(::fchmod(descriptor_, replaced.st_mode & 0777U));
     }
+    if (access_ == FileAccess::of_folder) {
+        share_file(descriptor_, folder_of(target_));
+    }
     if (::fsync(descriptor_) != 0) {
         fail(path_, errno);
     }
@@ -94,8 +99,9 @@ void AtomicWriter::finish() {
     flush_folder(folder_of(target_));
 }
 
-void write_file_atomically(const std::string& path, std::span<const std::byte> bytes) {
-    AtomicWriter file(path);
+void write_file_atomically(const std::string& path, std::span<const std::byte> bytes,
+                           FileAccess access) {
+    AtomicWriter file(path, access);
     file.write(bytes);
     file.finish();
 }

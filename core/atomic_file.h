@@ -7,17 +7,25 @@
 
 namespace carom {
 
+/// Who may read and write a file. One that is replaced keeps its permissions, except in a group's
+/// folder with of_folder.
+enum class FileAccess {
+    of_user,    // as the user's mask says
+    of_folder,  // if the folder is a group's (group_folder.h), the group; else as the mask says
+};
+
 /// Writes `bytes` to a temporary file beside `path`, flushes it to disk and renames it to `path`.
 /// If `path` is a link, its target is replaced. Throws Error with the system's reason and leaves no
 /// temporary file.
-void write_file_atomically(const std::string& path, std::span<const std::byte> bytes);
+void write_file_atomically(const std::string& path, std::span<const std::byte> bytes,
+                           FileAccess access = FileAccess::of_user);
 
 /// The same for bytes that come in pieces. Without finish(), the destructor removes the temporary
 /// file.
 class AtomicWriter {
   public:
     /// Makes the temporary file. Throws Error as write_file_atomically does, as all functions do.
-    explicit AtomicWriter(const std::string& path);
+    explicit AtomicWriter(const std::string& path, FileAccess access = FileAccess::of_user);
     ~AtomicWriter();
     AtomicWriter(const AtomicWriter&) = delete;
     AtomicWriter& operator=(const AtomicWriter&) = delete;
@@ -31,7 +39,8 @@ class AtomicWriter {
     void finish();
 
   private:
-    std::string path_;    // as given by the caller
+    std::string path_;  // as given by the caller
+    FileAccess access_;
     std::string target_;  // the final name
     std::string name_;    // the temporary one
     int descriptor_ = -1;

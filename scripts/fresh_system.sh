@@ -5,9 +5,14 @@ release=bookworm
 if [ -n "${CAROM_TREE:-}" ]; then tree=$CAROM_TREE; else tree=$(mktemp -d --tmpdir carom_tree_XXXXXX); fi
 
 leave_system() {
-  umount "$tree/ccache" 2>/dev/null || true
-  umount "$tree/proc" 2>/dev/null || true
-  [ -n "${CAROM_TREE:-}" ] || rm -rf "$tree"
+  local place
+  for place in ccache dev/pts sys proc; do umount -R "$tree/$place" 2>/dev/null || true; done
+  [ -z "${CAROM_TREE:-}" ] || return 0
+  if grep -qF " $tree/" /proc/self/mounts; then
+    echo "$0: something is still mounted below $tree, which is kept" >&2
+  else
+    rm -rf "$tree"
+  fi
 }
 trap leave_system EXIT
 
@@ -25,9 +30,13 @@ make_system() {
     }
     rm -f "$tree.log"
   fi
+  chmod 755 "$tree"  # mktemp makes it 0700, and users other than root run programs in it, munge's installation does
   cp -r /etc/apt/. "$tree/etc/apt/"
-  cp /etc/resolv.conf "$tree/etc/resolv.conf"
+  cp /etc/resolv.conf /etc/hosts "$tree/etc/"
   mountpoint -q "$tree/proc" || mount -t proc proc "$tree/proc"
+  # With all that is mounted below it, since Slurm looks for the groups of processes there.
+  mountpoint -q "$tree/sys" || { mount --rbind /sys "$tree/sys" && mount --make-rslave "$tree/sys"; }
+  mountpoint -q "$tree/dev/pts" || mount -t devpts devpts "$tree/dev/pts"
   inside apt-get update -q >/dev/null
 }
 
@@ -42,11 +51,11 @@ npm_words() {
   fi
 }
 
-# Puts the committed sources into /srv/carom, and this system's compiler cache into /ccache.
+# Puts a clone of the committed sources into /srv/carom, and this system's compiler cache into /ccache.
 put_sources() {
   local cache
-  mkdir -p "$tree/srv/carom"
-  git archive HEAD | tar -x -C "$tree/srv/carom"
+  rm -rf "$tree/srv/carom"
+  git clone -q --depth 1 "file://$PWD" "$tree/srv/carom"
   npm_words
   # ccache distinguishes the languages of compiler messages.
   build_words=(${LANG:+LANG="$LANG"} "${npm_config[@]}")

@@ -1,8 +1,9 @@
 // Builds the page: `node build.mjs OUTDIR [--check] [--readable]`.
 //
-// Writes index.html, main.js, main.css, favicon.svg, the fonts and LICENCES.txt into OUTDIR, all in
-// one folder without subfolders. --check looks at the types first; --readable leaves names and
-// lines as they are, with a map to the sources. Ends with 1, and says why, if anything is wrong.
+// Writes index.html, main.js and main.css of the studio, farm.html, farm.js and farm.css of `carom farm
+// watch`, favicon.svg, the fonts and LICENCES.txt into OUTDIR, all in one folder without subfolders.
+// --check looks at the types first; --readable leaves names and lines as they are, with a map to the
+// sources. Ends with 1, and says why, if anything is wrong.
 //
 // The packages are those of the folder that CAROM_NODE_MODULES names (an absolute path), or of
 // node_modules beside this file.
@@ -37,7 +38,7 @@ async function bundle(out, readable) {
     const result = await build({
         absWorkingDir: here,
         nodePaths: [packages],
-        entryPoints: { main: 'src/main.tsx' },
+        entryPoints: { main: 'src/main.tsx', farm: 'src/farm/farm.tsx' },
         outdir: out,
         bundle: true,
         format: 'esm',
@@ -66,7 +67,9 @@ async function main(words) {
     await mkdir(out, { recursive: true });
     const inputs = await bundle(resolve(out), words.includes('--readable'));
     await writeFile(join(out, 'LICENCES.txt'), await collectLicences(here, inputs));
-    await copyFile(join(here, 'index.html'), join(out, 'index.html'));
+    for (const name of ['index.html', 'farm.html']) {
+        await copyFile(join(here, name), join(out, name));
+    }
     await copyFile(join(here, 'src/style/favicon.svg'), join(out, 'favicon.svg'));
 }
 

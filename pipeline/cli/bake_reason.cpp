@@ -13,6 +13,7 @@
 #include "core/text.h"
 #include "pipeline/config/changed_keys.h"
 #include "pipeline/store/cache_folder.h"
+#include "pipeline/store/file_descriptor.h"
 #include "sim/bake.h"
 
 namespace carom::cli {
@@ -79,10 +80,10 @@ std::string BakeReason::text(pipeline::BakeOrigin origin) const {
 
 void BakeReason::save_record() const {
     const std::string text = "# physics " + hash_ + "\n" + shot_.resolved_text;
-    std::error_code ignored;
-    fs::create_directories(fs::path(path_).parent_path(), ignored);
     try {
-        write_file_atomically(path_, std::as_bytes(std::span<const char>(text)));
+        pipeline::create_folder(fs::path(path_).parent_path().string());
+        write_file_atomically(path_, std::as_bytes(std::span<const char>(text)),
+                              FileAccess::of_folder);
     } catch (const Error&) {  // the failure to save the bake was already reported
         return;
     }

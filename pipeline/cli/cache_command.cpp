@@ -1,4 +1,5 @@
 #include <array>
+#include <cerrno>
 #include <cstdlib>
 #include <ctime>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "pipeline/cli/run_program.h"
 #include "pipeline/store/cache_folder.h"
 #include "pipeline/store/cache_maintenance.h"
+#include "pipeline/store/file_descriptor.h"
 #include "pipeline/store/reservations.h"
 
 namespace carom::cli {
@@ -174,6 +176,10 @@ void verify(const CacheCommand& command, CommandContext& context) {
             context.console.warning("the damaged file '" + entry.path + "' cannot be removed");
         }
     }
+    for (const CacheEntry& entry : result.unreadable) {
+        errno = EACCES;
+        context.console.warning(pipeline::system_problem(entry.path, "it cannot be checked"));
+    }
     if (!result.damaged.empty()) {
         const bool is_one = result.damaged.size() == 1;
         throw Error(
@@ -182,6 +188,10 @@ void verify(const CacheCommand& command, CommandContext& context) {
                         command.keep ? ""
                         : is_one     ? " and was removed; it is made again when it is needed"
                                  : " and were removed; they are made again when they are needed"));
+    }
+    if (!result.unreadable.empty()) {
+        throw Error(fmt::format("{} of {} in '{}' cannot be checked; none of the others is damaged",
+                                result.unreadable.size(), counted(result.checked, "file"), folder));
     }
     context.console.info("checked " + counted(result.checked, "file") + " in '" + folder +
                          "': none is damaged");

@@ -63,6 +63,7 @@ void add(const TransferResult& from, TransferResult& to) {
     to.there += from.there;
     to.missing += from.missing;
     to.damaged.insert(to.damaged.end(), from.damaged.begin(), from.damaged.end());
+    to.unreadable.insert(to.unreadable.end(), from.unreadable.begin(), from.unreadable.end());
     to.exceeds_limit = from.exceeds_limit;
 }
 
@@ -77,11 +78,18 @@ void report(const TransferOptions& options, const TransferResult& result, Comman
     for (const std::string& path : result.damaged) {
         context.console.warning("'" + path + "' is damaged and was not copied");
     }
+    for (const std::string& path : result.unreadable) {
+        context.console.warning("'" + path + "' may not be read by you and was not copied");
+    }
     context.console.info(counts_text(result, options.dry_run));
     if (!result.damaged.empty()) {
         throw Error(counted(result.damaged.size(), "damaged file") +
                     (result.damaged.size() == 1 ? " was" : " were") +
                     " not copied; 'carom cache verify' removes damaged files where they are");
+    }
+    if (!result.unreadable.empty()) {
+        throw Error(counted(result.unreadable.size(), "file") + " of other users " +
+                    (result.unreadable.size() == 1 ? "was" : "were") + " not copied");
     }
 }
 
@@ -99,6 +107,7 @@ void copy_between_caches(const CacheCommand& command, const std::optional<std::s
     const pipeline::JobObserver observer = make_console_observer(context.console);
     WorkContext work;
     work.stop = context.stop;
+    options.on_wait = observer.on_warning;
     work.progress = [&observer](double fraction) { observer.on_progress("copy", fraction); };
     TransferResult result;
     for (const std::string& place : places) {

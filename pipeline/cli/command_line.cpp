@@ -2,6 +2,7 @@
 // compile.
 #include "pipeline/cli/command_line.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -69,6 +70,9 @@ void add_option(CLI::App& app, const Option& option) {
     }
 }
 
+/// The option that takes all words behind it.
+constexpr const char* kRest = "--";
+
 bool is_handled_by_parser(const Option& option) {
     const auto* flag = std::get_if<bool*>(&option.target);
     return flag != nullptr && *flag == nullptr;
@@ -76,7 +80,7 @@ bool is_handled_by_parser(const Option& option) {
 
 void add_command(CLI::App& app, const CommandDescription& command) {
     for (const Option& option : command.options) {
-        if (!is_handled_by_parser(option)) {
+        if (!is_handled_by_parser(option) && option.name != kRest) {
             add_option(app, option);
         }
     }
@@ -94,6 +98,24 @@ void add_command(CLI::App& app, const CommandDescription& command) {
     app.require_subcommand(command.commands.empty() ? 0 : 1);
     if (command.chosen) {
         app.callback(command.chosen);
+    }
+}
+
+/// Takes the words after "--" out of the arguments, if the command has an option for them.
+void take_rest(const CommandDescription& program, std::vector<std::string>& arguments) {
+    const CommandDescription* command = &program;
+    for (const std::string& word : arguments) {
+        const CommandDescription* below = command->find_command(word);
+        if (below == nullptr) {
+            break;
+        }
+        command = below;
+    }
+    const Option* rest = command->find_option(kRest);
+    const auto mark = std::find(arguments.begin(), arguments.end(), kRest);
+    if (rest != nullptr && mark != arguments.end()) {
+        std::get<std::vector<std::string>*>(rest->target)->assign(mark + 1, arguments.end());
+        arguments.erase(mark, arguments.end());
     }
 }
 
@@ -161,9 +183,11 @@ EarlyExit exit_with_usage_error(const CLI::App& app, const CommandDescription& p
 
 }  // namespace
 
-std::variant<CommandLine, EarlyExit> parse_command_line(const std::vector<std::string>& arguments) {
+std::variant<CommandLine, EarlyExit> parse_command_line(const std::vector<std::string>& given) {
     ProgramOptions options;
     const CommandDescription program = describe_program(options);
+    std::vector<std::string> arguments = given;
+    take_rest(program, arguments);
     CLI::App app;
     app.set_version_flag("--version", "carom " CAROM_VERSION);
     add_command(app, program);

@@ -42,6 +42,13 @@ struct CacheOptions {
     bool no_store = false;  // nothing is written to it
 };
 
+/// The server of a page.
+struct PageOptions {
+    int port = 0;              // 0: any free port
+    bool no_browser = false;   // only print the address
+    std::string idle = "12h";  // the server ends when nothing happened for so long
+};
+
 /// The appearance of a plan or a plot.
 struct DrawingOptions {
     std::string page = "auto";  // or "light", "dark"
@@ -96,7 +103,23 @@ void run_for_shot(const CacheCommand& command, CommandContext& context);
 
 /// Films on a cluster. Strings are as typed.
 struct FarmCommand {
-    enum class Action { submit, export_job, status, cancel, logs, resume, work, finish };
+    enum class Action {
+        submit,
+        export_job,
+        list,
+        status,
+        frames,
+        watch,
+        cancel,
+        change,
+        logs,
+        resume,
+        retry,
+        skip,
+        prefer,
+        work,
+        finish
+    };
     Action action = Action::submit;
     InputOptions input;
     std::string store;   // the cache that all machines share; empty: the default
@@ -105,22 +128,33 @@ struct FarmCommand {
     std::string format = "slurm";
     std::string frames;
     std::string tier;  // "avx2"; empty: AVX2, or the machine's best below it
-    std::string job;   // all others: the film, the job's folder or a number of Slurm's
+    std::string job;   // all others: the film, the job's folder, its id or a number in the queue
     std::string partition;
     std::string account;
     std::string time;
     std::string memory = "auto";
-    std::string budget = "10 min";
+    std::string budget;  // empty: what the format needs
     std::string dead_after = "30 s";
     int workers = 0;        // 0: as many as the film has work for
     int tasks_at_once = 0;  // 0: as many as the cluster has room for
     int processors = 1;
+    std::optional<std::int64_t> priority;
+    std::string exec_after;                   // a command of the shell
+    std::vector<std::string> engine_options;  // after --
     bool dry_run = false;
     bool wait = false;
     bool is_shared = false;
-    bool json = false;  // status
-    std::string sheet;  // status: a picture of the film so far
-    int lines = 20;     // logs
+    std::string group;                  // submit: with which the store is shared; empty: as it is
+    bool json = false;                  // status, list, frames
+    std::string sheet;                  // status: a picture of the film so far
+    int lines = 20;                     // logs
+    std::optional<std::int64_t> frame;  // logs: only of this one
+    bool is_running = false;            // list: only those that have not ended
+    bool only_failed = false;           // frames
+    bool only_slow = false;
+    bool only_missing = false;
+    bool undo = false;  // skip, prefer
+    PageOptions page;   // watch
 };
 void describe(FarmCommand& command, CommandDescription& description);
 void run(const FarmCommand& command, CommandContext& context);
@@ -298,10 +332,8 @@ void run(const ImportTrackCommand& command, CommandContext& context);
 struct StudioCommand {
     InputOptions input;  // of a shot
     CacheOptions cache;
-    int port = 0;              // 0: any free port
-    bool no_browser = false;   // only print the address
-    std::string output;        // folder of films and exports; empty: that of the shot
-    std::string idle = "12h";  // the server ends when nothing happened for so long
+    PageOptions page;
+    std::string output;  // folder of films and exports; empty: that of the shot
 };
 void describe(StudioCommand& command, CommandDescription& description);
 void run(const StudioCommand& command, CommandContext& context);
@@ -419,6 +451,10 @@ constexpr CommandRow<T> kRowOf = std::get<CommandRow<T>>(kCommandTable);
     const auto* cache = std::get_if<CacheCommand>(&command);
     if (cache != nullptr && !cache->input.path.empty()) {
         return Program::film;
+    }
+    const auto* farm = std::get_if<FarmCommand>(&command);
+    if (farm != nullptr && farm->action == FarmCommand::Action::watch) {
+        return Program::studio;
     }
     const auto* sound = std::get_if<SoundCommand>(&command);
     if (sound != nullptr && needs_encoder(*sound)) {

@@ -6,7 +6,8 @@
 
 namespace carom::cli {
 
-/// Seconds from "30d", "12h", "90 min" or "20 s". Throws InputError.
+/// Seconds from "30d" or a time as shots have it, with its unit: "12h", "90 min", "20 s", "500 ms".
+/// Throws InputError.
 [[nodiscard]] std::chrono::duration<double> parse_duration(const std::string& text);
 
 }  // namespace carom::cli

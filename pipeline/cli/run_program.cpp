@@ -78,6 +78,18 @@ ExitCode run_guarded(const Command& command, const CommandHandler& handler,
         return refuse(error);
     } catch (const pipeline::NoView& error) {  // only known when the motion is
         return refuse(error);
+    } catch (const TryAgain& error) {
+        console.end_progress();
+        console.error(error.what());
+        return kTryAgain;
+    } catch (const OutOfTime& error) {
+        console.end_progress();
+        console.warning(error.what());
+        return kOutOfTime;
+    } catch (const OutOfMemory& error) {
+        console.end_progress();
+        console.error(error.what());
+        return kOutOfMemory;
     } catch (const OutputClosed&) {
         console.end_progress();
     } catch (const pipeline::CacheUnusable& error) {

@@ -32,6 +32,25 @@ using FindTextProblems = std::vector<pipeline::Problem> (*)(const pipeline::Shot
                                                             const pipeline::ShotSource*,
                                                             const sim::Timeline&);
 
+/// A job of the farm goes on when its tasks are started again, which is for somebody else to do:
+/// exit code 75.
+class TryAgain : public Error {
+  public:
+    using Error::Error;
+};
+
+/// The time limit of a task of the farm was over: exit code 124.
+class OutOfTime : public Error {
+  public:
+    OutOfTime() : Error("the time limit of this task was over; another one goes on") {}
+};
+
+/// The memory of a task of the farm did not suffice: exit code 137.
+class OutOfMemory : public Error {
+  public:
+    OutOfMemory() : Error("there is not enough memory") {}
+};
+
 /// Nobody reads standard output any more ("carom report … | head -1"): the command ends silently.
 class OutputClosed : public Error {
   public:

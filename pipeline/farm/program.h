@@ -19,4 +19,8 @@ struct ProgramResult {
     const std::vector<std::string>& words,
     const std::optional<std::vector<std::string>>& variables = std::nullopt);
 
+/// The same with a program that prints into an open file. Returns its exit code.
+[[nodiscard]] int run_program_into(int file, const std::vector<std::string>& words,
+                                   const std::vector<std::string>& variables);
+
 }  // namespace carom::farm

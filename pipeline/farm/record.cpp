@@ -2,11 +2,12 @@
 
 #include <cerrno>
 #include <charconv>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <system_error>
 
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include "core/atomic_file.h"
 #include "core/error.h"
@@ -14,13 +15,27 @@
 namespace carom::farm {
 namespace {
 
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kLongest = 1 << 20;  // bytes of a record
+
+/// Others may have written the file: a pipe would never end.
 std::optional<std::string> text_of_file(const std::string& path) {
+    std::error_code failure;
+    const fs::file_status status = fs::status(path, failure);
+    if (status.type() == fs::file_type::not_found) {
+        return std::nullopt;
+    }
+    if (failure) {
+        throw Error("'" + path + "' cannot be read: " + failure.message());
+    }
+    const std::uintmax_t size = fs::is_regular_file(status) ? fs::file_size(path, failure) : 0;
+    if (!fs::is_regular_file(status) || size > kLongest) {
+        throw Error("'" + path + "' is no record");
+    }
     std::ifstream file(path, std::ios::binary);
     if (!file) {
-        if (::access(path.c_str(), F_OK) != 0 && errno == ENOENT) {
-            return std::nullopt;
-        }
-        throw Error("'" + path + "' cannot be read");
+        throw Error("'" + path + "' cannot be read: " + std::generic_category().message(errno));
     }
     std::ostringstream text;
     text << file.rdbuf();
@@ -31,16 +46,20 @@ std::optional<std::string> text_of_file(const std::string& path) {
 
 std::optional<Record> Record::read(const std::string& path) {
     const std::optional<std::string> text = text_of_file(path);
-    if (!text) {
-        return std::nullopt;
-    }
-    const auto root = nlohmann::json::parse(*text, nullptr, false);
+    return text ? std::optional(parse(*text, path)) : std::nullopt;
+}
+
+Record Record::parse(const std::string& text, const std::string& path) {
+    const auto root = nlohmann::json::parse(text, nullptr, false);
     if (!root.is_object()) {
         throw Error("'" + path + "' is no JSON object");
     }
     Record record;
     record.path_ = path;
     for (const auto& [name, value] : root.items()) {
+        if (value.is_structured()) {
+            throw Error("'" + path + "': '" + name + "' is neither a text nor a number");
+        }
         record.members_[name] = value.is_string() ? value.get<std::string>() : value.dump();
     }
     return record;

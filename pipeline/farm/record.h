@@ -15,6 +15,8 @@ class Record {
   public:
     /// Reads a file. Empty if it does not exist. Throws Error if it is not a flat JSON object.
     [[nodiscard]] static std::optional<Record> read(const std::string& path);
+    /// A text from the file `path`, which errors name. Throws Error likewise.
+    [[nodiscard]] static Record parse(const std::string& text, const std::string& path);
 
     /// Empty or 0 if there is no such member. Throws Error if it is no number.
     [[nodiscard]] std::string text(const std::string& name) const;

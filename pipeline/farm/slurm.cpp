@@ -1,16 +1,19 @@
 #include "pipeline/farm/slurm.h"
 
+#include <algorithm>
 #include <charconv>
-#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <iterator>
+#include <map>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include <fmt/core.h>
-#include <sys/stat.h>
 
-#include "core/atomic_file.h"
 #include "core/error.h"
-#include "core/hash.h"
+#include "core/text.h"
 #include "pipeline/farm/program.h"
 #include "pipeline/farm/shell_text.h"
 #include "pipeline/farm/task_environment.h"
@@ -18,13 +21,9 @@
 namespace carom::farm {
 namespace {
 
-// Seconds between Slurm's wish that a task ends and its end by force: the worker puts its frame
-// down meanwhile.
-constexpr int kGrace = 30;
-
-/// Of a stage's job in the queue.
-std::string name_of(const Stage& stage) {
-    return "carom-" + stage.name;
+/// Of a stage's job in the queue: the film first, since queues show few letters.
+std::string name_of(const FarmJob& job, const Stage& stage) {
+    return simple_name(std::filesystem::path(job.film).stem().string()) + "-" + stage.name;
 }
 
 /// A path in a pattern of Slurm, where % begins a replacement.
@@ -61,97 +60,244 @@ void refuse_backslash(const FarmJob& job) {
     }
 }
 
-std::int64_t submit(const std::vector<std::string>& words) {
-    const ProgramResult result = run_program(words, task_environment());
-    if (result.exit_code != 0) {
-        throw Error("Slurm did not take the job: " + complaint(result));
-    }
-    // "12" or, with several clusters, "12;name".
+/// The number at the beginning of a text; 0 if there is none.
+std::int64_t number_in(std::string_view text) {
     std::int64_t number = 0;
-    const char* text = result.output.data();
-    const auto [end, error] = std::from_chars(text, text + result.output.size(), number);
-    if (error != std::errc() || number <= 0) {
-        throw Error("sbatch printed no number of a job: " + trimmed(result.output));
-    }
+    (void)std::from_chars(text.data(), text.data() + text.size(), number);
     return number;
 }
 
-/// Tells the job's tasks from all others in the queue, also if Slurm has lost its numbers and gives
-/// them to others.
-std::string tag_of(const FarmJob& job) {
-    return "carom-" + hash_bytes(std::as_bytes(std::span(job.folder))).to_string();
+std::vector<std::string> split(const std::string& line, char separator) {
+    std::vector<std::string> parts;
+    std::istringstream text(line);
+    for (std::string part; std::getline(text, part, separator);) {
+        parts.push_back(trimmed(part));
+    }
+    return parts;
 }
 
-struct QueuedTask {
-    std::string number;  // of the job
-    std::string state;
-};
+/// The stage whose jobs have this name, or nullptr.
+const Stage* stage_named(const FarmJob& job, const std::string& name) {
+    const auto found = std::ranges::find_if(
+        stages(), [&](const Stage& stage) { return name_of(job, stage) == name; });
+    return found == stages().end() ? nullptr : &*found;
+}
 
-/// Empty if Slurm does not answer.
-std::optional<std::vector<QueuedTask>> tasks_of(const FarmJob& job, std::string& problem) {
-    std::string names;
-    for (const Stage& stage : stages()) {
-        names += (names.empty() ? "" : ",") + name_of(stage);
+/// `exit`: how the task's program ended, as "CODE:SIGNAL" or as a wait status (wait(2)).
+TaskState state_of(const std::string& name, const std::string& exit) {
+    const std::size_t colon = exit.find(':');
+    const std::int64_t status = number_in(exit);
+    const std::int64_t code = colon == std::string::npos ? status >> 8 : status;
+    const std::int64_t signal =
+        colon == std::string::npos ? status & 0x7F : number_in(exit.substr(colon + 1));
+    constexpr std::int64_t kKilled = 9;
+    const auto is_any = [&](std::initializer_list<std::string_view> names) {
+        return std::ranges::any_of(names, [&](std::string_view one) {
+            return name.starts_with(one);  // "CANCELLED by 1000"
+        });
+    };
+    if (is_any({"PENDING", "REQUEUE", "RESV_DEL_HOLD", "SPECIAL_EXIT", "EXPEDITING"})) {
+        return TaskState::waiting;
     }
-    const ProgramResult result =
-        run_program({"squeue", "--noheader", "--array", "--name=" + names, "--format=%F %T %k"});
-    if (result.exit_code != 0) {
-        problem = complaint(result);
-        return std::nullopt;
+    if (is_any({"RUNNING", "SUSPENDED", "CONFIGURING", "COMPLETING", "POWER_UP_NODE", "RESIZING",
+                "SIGNALING", "STAGE_OUT", "STOPPED", "UPDATE_DB"})) {
+        return TaskState::running;
     }
-    std::vector<QueuedTask> tasks;
-    std::istringstream lines(result.output);
-    for (std::string line; std::getline(lines, line);) {
-        std::istringstream words(line);
-        QueuedTask task;
-        std::string tag;
-        words >> task.number >> task.state >> tag;
-        if (tag == tag_of(job)) {
-            tasks.push_back(std::move(task));
+    if (is_any({"COMPLETED"})) {
+        return TaskState::done;
+    }
+    if (is_any({"TIMEOUT"}) || (is_any({"FAILED"}) && code == kOutOfTime)) {
+        return TaskState::out_of_time;
+    }
+    if (is_any({"OUT_OF_MEMORY"}) ||
+        (is_any({"FAILED"}) && (signal == kKilled || code == kOutOfMemory))) {
+        return TaskState::out_of_memory;
+    }
+    const bool is_own_fault = is_any({"FAILED"}) && code != kWrongInput && code != kStopped;
+    if (is_own_fault || is_any({"BOOT_FAIL", "NODE_FAIL", "LAUNCH_FAILED", "RECONFIG_FAIL"})) {
+        return TaskState::failed;
+    }
+    return TaskState::cancelled;  // also DEADLINE, PREEMPTED, REVOKED, and what is not known
+}
+
+/// The minutes of a time as Slurm prints it: 30 for "30:00", 60 for "1:00:00", 2880 for
+/// "2-00:00:00". 0 for "infinite", and for a text that is not a time.
+std::int64_t minutes_in(const std::string& text) {
+    const std::size_t dash = text.find('-');
+    std::int64_t minutes = dash == std::string::npos ? 0 : 24 * 60 * number_in(text);
+    const std::vector<std::string> parts =
+        split(dash == std::string::npos ? text : text.substr(dash + 1), ':');
+    if (parts.size() == 3) {
+        minutes += 60 * number_in(parts[0]) + number_in(parts[1]);
+    } else if (parts.size() == 2) {
+        minutes += number_in(parts[0]);
+    }
+    return minutes;
+}
+
+/// The jobs in the queue of whose tasks the accounts may know more than the controller, which
+/// forgets tasks some minutes after their end. None while workers are active, and if nothing is
+/// known of the round.
+std::vector<std::int64_t> numbers_for_accounting(const FarmJob& job,
+                                                 const std::vector<Task>& tasks) {
+    if (std::ranges::any_of(tasks, [](const Task& task) {
+            return task.stage != nullptr && task.stage->is_array && is_active(task);
+        })) {
+        return {};
+    }
+    try {
+        const Round round = read_round(job).value_or(Round{});
+        std::vector<std::int64_t> numbers = round.not_learned;
+        numbers.insert(numbers.end(), round.numbers.begin(), round.numbers.end());
+        std::erase(numbers, 0);
+        return numbers;
+    } catch (const Error&) {
+        return {};
+    }
+}
+
+/// What the accounts have of these jobs in the queue; empty where Slurm keeps none.
+std::string ask_accounting(const std::set<std::string>& numbers) {
+    if (numbers.empty()) {
+        return "";
+    }
+    const ProgramResult result = run_program(
+        {"sacct", "--noheader", "--parsable2", "--allocations",
+         "--jobs=" + join(std::vector<std::string>(numbers.begin(), numbers.end()), ","),
+         "--format=JobID,State,ExitCode,NodeList,JobName"});
+    return result.exit_code == 0 ? result.output : "";
+}
+
+/// The partitions that a submission means if the job names none.
+std::string partitions_of(const FarmJob& job) {
+    const char* variable = std::getenv("SBATCH_PARTITION");
+    return job.partition.empty() && variable != nullptr ? variable : job.partition;
+}
+
+}  // namespace
+
+std::vector<Task> parse_queue(const FarmJob& job, const std::string& lines) {
+    std::vector<Task> tasks;
+    const std::string tag = Slurm().tag(job);
+    std::istringstream text(lines);
+    for (std::string line; std::getline(text, line);) {
+        const std::vector<std::string> parts = split(line, '|');
+        if (parts.size() == 7 && parts[5] == tag) {
+            const TaskState state = state_of(parts[1], parts[2]);
+            tasks.push_back({number_in(parts[0]), stage_named(job, parts[4]), parts[3], state,
+                             state == TaskState::waiting ? parts[6] : ""});
         }
     }
     return tasks;
 }
 
-void write_script(const FarmJob& job, const Stage& stage, const std::string& commands) {
-    const std::string path = job.folder + "/" + stage.script;
-    const std::string text = fmt::format("#!/bin/sh\n# {}\n{}", stage.purpose, commands);
-    write_file_atomically(path, std::as_bytes(std::span(text)));
-    ::chmod(path.c_str(), 0755);
+std::vector<Task> parse_accounting(const FarmJob& job, const std::vector<std::int64_t>& numbers,
+                                   const std::string& lines) {
+    std::vector<Task> tasks;
+    std::istringstream text(lines);
+    for (std::string line; std::getline(text, line);) {
+        const std::vector<std::string> parts = split(line, '|');
+        const Stage* stage = parts.size() == 5 ? stage_named(job, parts[4]) : nullptr;
+        const std::int64_t number = number_in(line);
+        if (stage != nullptr && std::ranges::find(numbers, number) != numbers.end()) {
+            tasks.push_back({number, stage, parts[3] == "None assigned" ? "" : parts[3],
+                             state_of(parts[1], parts[2]), ""});
+        }
+    }
+    return tasks;
+}
+
+std::vector<Task> joined(std::vector<Task> queue, std::vector<Task> accounts) {
+    std::erase_if(accounts, is_active);
+    std::set<std::int64_t> numbers;
+    for (const Task& task : accounts) {
+        numbers.insert(task.job);
+    }
+    for (const std::int64_t number : numbers) {
+        const auto is_ended = [&](const Task& task) {
+            return task.job == number && !is_active(task);
+        };
+        if (std::ranges::count_if(accounts, is_ended) > std::ranges::count_if(queue, is_ended)) {
+            std::erase_if(queue, is_ended);
+            std::ranges::copy_if(accounts, std::back_inserter(queue), is_ended);
+        }
+    }
+    return queue;
+}
+
+Limits parse_partitions(const std::string& lines, const std::string& partitions) {
+    const std::vector<std::string> wanted = split(partitions, ',');
+    Limits limits;
+    bool has_minutes = true;  // else a partition gives any number
+    std::istringstream text(lines);
+    for (std::string line; std::getline(text, line);) {
+        const std::vector<std::string> parts = split(line, '|');
+        if (parts.size() != 3) {
+            continue;
+        }
+        const bool is_default = parts[0].ends_with('*');
+        const std::string name = is_default ? parts[0].substr(0, parts[0].size() - 1) : parts[0];
+        if (wanted.empty() ? is_default : std::ranges::find(wanted, name) != wanted.end()) {
+            const std::int64_t minutes = minutes_in(parts[1]);
+            has_minutes = has_minutes && minutes > 0;
+            limits.minutes = has_minutes ? std::max(limits.minutes, minutes) : 0;
+            limits.megabytes = std::max(limits.megabytes, number_in(parts[2]));
+        }
+    }
+    return limits;
+}
+
+namespace {
+
+/// The nodes that the user's option leaves out; empty if it is another option.
+std::string user_excludes(const std::string& option) {
+    for (const std::string_view name : {"--exclude=", "-x"}) {
+        if (option.starts_with(name)) {
+            return option.substr(name.size());
+        }
+    }
+    return "";
+}
+
+/// Where the job wants to run, and how soon.
+void add_wishes(std::vector<std::string>& words, const FarmJob& job, const Round& round) {
+    if (!job.partition.empty()) {
+        words.push_back("--partition=" + job.partition);
+    }
+    if (!job.account.empty()) {
+        words.push_back("--account=" + job.account);
+    }
+    if (job.priority != 0) {
+        words.push_back(fmt::format("--nice={}", -job.priority));
+    }
+    std::vector<std::string> excluded = excluded_nodes(round);
+    for (const std::string& option : job.engine_options) {
+        if (const std::string nodes = user_excludes(option); !nodes.empty()) {
+            excluded.push_back(nodes);
+        } else {
+            words.push_back(option);
+        }
+    }
+    if (!excluded.empty()) {
+        words.push_back("--exclude=" + join(excluded, ","));
+    }
 }
 
 }  // namespace
 
-void write_scripts(const FarmJob& job, const std::string& carom) {
-    for (const Stage& stage : stages()) {
-        write_script(job, stage,
-                     fmt::format("exec {} farm {} {}\n", shell_word(carom), stage.command,
-                                 shell_word(job.folder)));
-    }
-}
-
-void write_portable_scripts(const FarmJob& job) {
-    for (const Stage& stage : stages()) {
-        // Slurm runs a copy of the script.
-        write_script(job, stage,
-                     fmt::format("cd \"${{SLURM_SUBMIT_DIR:-$(dirname \"$0\")}}\" || exit 1\n"
-                                 "exec \"${{CAROM:-carom}}\" farm {} .\n",
-                                 stage.command));
-    }
-}
-
-std::vector<std::string> submission(const FarmJob& job, const Stage& stage,
-                                    const std::string& after, int delay) {
+std::vector<std::string> submission(const FarmJob& job, const Round& round, const Stage& stage,
+                                    const Begin& begin) {
     std::vector<std::string> words{"sbatch",
                                    "--parsable",
-                                   "--job-name=" + name_of(stage),
+                                   "--job-name=" + name_of(job, stage),
                                    "--requeue",
                                    "--open-mode=append",
-                                   "--comment=" + tag_of(job),
+                                   "--comment=" + Slurm().tag(job),
+                                   "--chdir=" + job.folder,
                                    fmt::format("--signal=B:TERM@{}", kGrace),
                                    fmt::format("--cpus-per-task={}", job.processors),
-                                   fmt::format("--mem={}M", job.memory),
-                                   "--time=" + job.*stage.time};
+                                   fmt::format("--mem={}M", memory_of(job, round)),
+                                   fmt::format("--time={}", time_of(job, round, stage))};
     const std::string logs = pattern_of(job.folder) + "/logs/" + stage.name;
     if (stage.is_array) {
         words.push_back(fmt::format(
@@ -161,79 +307,113 @@ std::vector<std::string> submission(const FarmJob& job, const Stage& stage,
     } else {
         words.push_back("--output=" + logs + "-%j.log");
     }
-    if (!job.partition.empty()) {
-        words.push_back("--partition=" + job.partition);
-    }
-    if (!job.account.empty()) {
-        words.push_back("--account=" + job.account);
+    add_wishes(words, job, round);
+    std::string after;
+    for (const std::int64_t number : begin.after) {
+        after += (after.empty() ? "--dependency=afterany:" : ":") + std::to_string(number);
     }
     if (!after.empty()) {
-        words.push_back("--dependency=afterany:" + after);
+        words.push_back(after);
     }
-    if (delay > 0) {
-        words.push_back(fmt::format("--begin=now+{}seconds", delay));
+    if (begin.delay > 0) {
+        words.push_back(fmt::format("--begin=now+{}seconds", begin.delay));
     }
     words.push_back(job.folder + "/" + stage.script);
     return words;
 }
 
-SlurmJobs submit_all(const FarmJob& job) {
+std::int64_t Slurm::submit(const FarmJob& job, const Round& round, const Stage& stage,
+                           const Begin& begin) const {
     refuse_backslash(job);
-    SlurmJobs jobs;
-    jobs.numbers.clear();
-    try {
+    const ProgramResult result =
+        run_program(submission(job, round, stage, begin), task_environment());
+    if (result.exit_code != 0) {
+        throw Error("Slurm did not take the job: " + complaint(result));
+    }
+    const std::int64_t number = number_in(result.output);  // "12" or, with clusters, "12;name"
+    if (number <= 0) {
+        throw Error("sbatch printed no number of a job: " + trimmed(result.output));
+    }
+    return number;
+}
+
+std::vector<Answer> Slurm::ask(const std::vector<FarmJob>& jobs) const {
+    std::set<std::string> names;
+    for (const FarmJob& job : jobs) {
         for (const Stage& stage : stages()) {
-            const std::string before =
-                jobs.numbers.empty() ? "" : std::to_string(jobs.numbers.back());
-            jobs.numbers.push_back(submit(submission(job, stage, before, 0)));
-        }
-    } catch (const Error&) {
-        for (const std::int64_t number : jobs.numbers) {
-            (void)run_program({"scancel", std::to_string(number)});
-        }
-        throw;
-    }
-    return jobs;
-}
-
-std::int64_t submit_last(const FarmJob& job, int delay) {
-    return submit(submission(job, stages().back(), {}, delay));
-}
-
-std::optional<QueueCounts> count_tasks(const FarmJob& job, std::string& problem) {
-    const std::optional<std::vector<QueuedTask>> tasks = tasks_of(job, problem);
-    if (!tasks) {
-        return std::nullopt;
-    }
-    QueueCounts counts;
-    for (const QueuedTask& task : *tasks) {
-        if (task.state == "PENDING" || task.state == "REQUEUED" || task.state == "REQUEUE_HOLD" ||
-            task.state == "SUSPENDED") {
-            ++counts.waiting;
-        } else if (task.state == "RUNNING" || task.state == "CONFIGURING" ||
-                   task.state == "COMPLETING" || task.state == "STOPPED") {
-            ++counts.running;
+            names.insert(name_of(job, stage));
         }
     }
-    return counts;
+    const ProgramResult queue = run_program(
+        {"squeue", "--noheader", "--array", "--states=all",
+         "--name=" + join(std::vector<std::string>(names.begin(), names.end()), ","),
+         "--Format=ArrayJobID:20|,State:20|,exit_code:20|,NodeList:200|,Name:100|,Comment:100|,"
+         "Reason:100"});
+    if (queue.exit_code != 0) {
+        return std::vector<Answer>(jobs.size(), {{}, "Slurm does not answer: " + complaint(queue)});
+    }
+    std::vector<Answer> answers;
+    std::vector<std::vector<std::int64_t>> numbers;
+    std::set<std::string> all_numbers;
+    for (const FarmJob& job : jobs) {
+        answers.push_back({parse_queue(job, queue.output), ""});
+        numbers.push_back(numbers_for_accounting(job, *answers.back().tasks));
+        for (const std::int64_t number : numbers.back()) {
+            all_numbers.insert(std::to_string(number));
+        }
+    }
+    const std::string accounts = ask_accounting(all_numbers);
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+        answers[i].tasks =
+            joined(std::move(*answers[i].tasks), parse_accounting(jobs[i], numbers[i], accounts));
+    }
+    return answers;
 }
 
-void cancel(const FarmJob& job) {
-    std::string problem;
-    const std::optional<std::vector<QueuedTask>> tasks = tasks_of(job, problem);
-    if (!tasks) {
-        throw Error("Slurm does not answer: " + problem);
-    }
-    std::set<std::string> numbers;
-    for (const QueuedTask& task : *tasks) {
-        numbers.insert(task.number);
-    }
-    for (const std::string& number : numbers) {
-        const ProgramResult result = run_program({"scancel", number});
+Limits Slurm::limits(const FarmJob& job) const {
+    const ProgramResult result = run_program({"sinfo", "--noheader", "--format=%P|%l|%m"});
+    return parse_partitions(result.output, partitions_of(job));
+}
+
+void Slurm::cancel(const FarmJob& job, Which which) const {
+    const auto meant_in = [&](const Answer& answer) {
+        if (!answer.tasks) {
+            throw Error(answer.problem);
+        }
+        std::set<std::int64_t> numbers;
+        for (const Task& task : *answer.tasks) {
+            const bool is_meant = which == Which::all || task.state == TaskState::waiting;
+            const bool is_worker = task.stage != nullptr && task.stage->is_array;
+            if (is_active(task) && is_meant && (which != Which::waiting_workers || is_worker)) {
+                numbers.insert(task.job);
+            }
+        }
+        return numbers;
+    };
+    std::map<std::int64_t, std::string> problems;  // of jobs in the queue
+    for (const std::int64_t number : meant_in(ask(job))) {
+        std::vector<std::string> words{"scancel", std::to_string(number)};
+        if (which != Which::all) {
+            words.emplace_back("--state=PENDING");
+        }
+        const ProgramResult result = run_program(words);
         if (result.exit_code != 0) {
-            throw Error("Slurm did not cancel job " + number + ": " + complaint(result));
+            problems[number] =
+                fmt::format("Slurm did not cancel job {}: {}", number, complaint(result));
         }
     }
+    if (problems.empty()) {
+        return;
+    }
+    for (const std::int64_t number : meant_in(ask(job))) {  // else it has ended by itself
+        if (const auto problem = problems.find(number); problem != problems.end()) {
+            throw Error(problem->second);
+        }
+    }
+}
+
+std::string Slurm::tag(const FarmJob& job) const {
+    return tag_of_folder(job);
 }
 
 }  // namespace carom::farm

@@ -9,7 +9,7 @@ const std::vector<Stage>& stages() {
         {"frames", "worker.sh", "work", "Renders frames until its time is over or all are there.",
          true, &FarmJob::time},
         {"film", "film.sh", "finish",
-         "Writes the film if all frames are there, else asks for the missing.", false,
+         "Writes the film if no worker has, else asks for missing frames.", false,
          &FarmJob::film_time}};
     return all;
 }

@@ -19,12 +19,13 @@ std::optional<WorkerNote> read_worker(const std::string& path) {
         if (!record) {
             return std::nullopt;
         }
+        std::error_code unknown;
         return WorkerNote{record->text("name"),           record->text("host"),
                           record->text("state"),          record->integer("frame"),
                           record->number("fraction"),     record->integer("heartbeat"),
                           record->number("seconds_left"), record->integer("rendered"),
                           record->integer("twice"),       record->integer("continued"),
-                          record->text("problem")};
+                          record->text("problem"),        fs::last_write_time(path, unknown)};
     } catch (const Error&) {
         return std::nullopt;
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct WorkerNote {
     std::int64_t twice = 0;      // of these, pictures that another worker had rendered, too
     std::int64_t continued = 0;  // of these, pictures that another worker had begun
     std::string problem;         // why it ended; empty: it did its work
+    std::filesystem::file_time_type written{};  // as the store says; only of notes that were read
 };
 
 /// Replaces the worker's note. Throws Error.

@@ -4,11 +4,15 @@
 #include <filesystem>
 #include <thread>
 
+#include <fmt/core.h>
+
+#include "core/atomic_file.h"
 #include "core/error.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/store/cache_entry.h"
 #include "pipeline/store/cache_folder.h"
 #include "pipeline/store/claims.h"
+#include "pipeline/store/wait_notice.h"
 #include "sim/bake.h"
 
 namespace carom::pipeline {
@@ -61,13 +65,8 @@ CachedBake read_cached(const std::string& path, const Hash128& physics_hash, Use
 }
 
 void save(const sim::Bake& bake, const std::string& path) {
-    std::error_code failure;
-    fs::create_directories(fs::path(path).parent_path(), failure);
-    if (failure) {
-        throw Error("'" + fs::path(path).parent_path().string() +
-                    "': the folder cannot be created: " + failure.message());
-    }
-    sim::write_bake(bake, path);
+    create_folder(fs::path(path).parent_path().string());
+    write_file_atomically(path, sim::encode_bake(bake), FileAccess::of_folder);
 }
 
 // The bake as the cache stores it: without the keyed motions.
@@ -131,20 +130,26 @@ constexpr std::chrono::milliseconds kPollInterval{100};
 /// Waits while another process, perhaps on another machine, simulates the same world. Returns the
 /// claim to do it now, or nothing if the bake is there, or if the cache cannot be written to.
 std::optional<Claim> claim_bake(Claims& claims, const Hash128& physics_hash,
-                                const std::string& path, const std::stop_token& stop) {
+                                const std::string& path, const JobObserver& observer,
+                                const std::stop_token& stop) {
+    const std::string name = physics_hash.to_string();
+    WaitNotice wait;
     while (true) {
         if (stop.stop_requested()) {
             throw Stopped();
         }
-        std::optional<Claim> claim;
         try {
-            claim = claims.claim(physics_hash.to_string());
+            std::optional<Claim> claim = claims.claim(name);
+            std::error_code ignored;
+            if (claim || fs::exists(path, ignored)) {
+                return claim;
+            }
+            if (const std::optional<std::string> waited = wait.due()) {
+                warn(observer, fmt::format("waiting for {} for the simulation of this shot: {}",
+                                           *waited, claims.holder(name)));
+            }
         } catch (const Error&) {
             return std::nullopt;
-        }
-        std::error_code ignored;
-        if (claim || fs::exists(path, ignored)) {
-            return claim;
         }
         std::this_thread::sleep_for(kPollInterval);
     }
@@ -176,7 +181,7 @@ BakedShot bake_or_reuse(const Shot& shot, const std::string& cache_folder,
     }
     const std::string path = bake_path(cache_folder, physics_hash);
     Claims claims(fs::path(path).parent_path().parent_path().string() + "/locks");
-    const std::optional<Claim> claim = claim_bake(claims, physics_hash, path, stop);
+    const std::optional<Claim> claim = claim_bake(claims, physics_hash, path, observer, stop);
     std::error_code ignored;
     if (cached.origin == BakeOrigin::simulated && fs::exists(path, ignored)) {
         // Another process has made it meanwhile.

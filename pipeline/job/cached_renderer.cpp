@@ -3,7 +3,10 @@
 #include <chrono>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "core/error.h"
+#include "core/text.h"
 #include "pipeline/job/denoised_picture.h"
 #include "pipeline/job/frame_grace.h"
 #include "pipeline/job/job_metadata.h"
@@ -39,6 +42,18 @@ CachedRender CachedRenderer::render(const FilmPlan::Picture& picture, const Work
         claim->finish();
     }
     return result;
+}
+
+std::string CachedRenderer::waiting_text(const FilmPlan::Picture& picture, std::int64_t frame,
+                                         std::size_t others, const std::string& waited) const {
+    std::string holder = store_.claim_holder(picture.key);
+    if (holder.empty()) {
+        holder = store_.claim_holder(picture.noisy_key);
+    }
+    return fmt::format(
+        "waiting for {} for frame {}: {}{}", waited, frame,
+        holder.empty() ? "nobody has claimed it now" : holder,
+        others > 0 ? fmt::format("; {} wait as well", counted(others, "other frame")) : "");
 }
 
 namespace {

@@ -51,6 +51,11 @@ class CachedRenderer {
     /// them. Throws Error, Stopped.
     CachedRender render(const FilmPlan::Picture& picture, const WorkContext& context);
 
+    /// For people, what is waited for after `waited`, if this picture and `others` more are claimed
+    /// elsewhere; `frame` is how the picture is named. Throws Error if a claim cannot be read.
+    [[nodiscard]] std::string waiting_text(const FilmPlan::Picture& picture, std::int64_t frame,
+                                           std::size_t others, const std::string& waited) const;
+
   private:
     [[nodiscard]] CachedRender render_frame(const FilmPlan::Picture& picture,
                                             const WorkContext& context);

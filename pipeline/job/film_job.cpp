@@ -120,7 +120,8 @@ FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOp
     if (options.so_far) {
         plan = plan_so_far(plan, [&](const Hash128& key) { return store.contains(key); });
     }
-    FilmRoom room(plan, store, bake, shot, options);
+    FilmRoom room(plan, store, bake, shot, options,
+                  [&](const std::string& message) { safe_observer.warning(message); });
     CachePruner pruner(cache_folder_of(options), options.cache_limit, safe_observer);
     mark_whole_film(source, plan, options, store, stop);
     pruner.prune();

@@ -1,5 +1,7 @@
 #include "pipeline/job/film_room.h"
 
+#include <utility>
+
 #include "pipeline/job/forecast_sizes.h"
 #include "pipeline/job/job_frames.h"
 #include "pipeline/store/cache_maintenance.h"
@@ -29,14 +31,16 @@ std::uint64_t bytes_of(const FilmPlan::Picture& picture, const FrameStore& store
 }  // namespace
 
 FilmRoom::FilmRoom(const FilmPlan& plan, const FrameStore& store, const sim::Bake& bake,
-                   const Shot& shot, const FilmJobOptions& options)
+                   const Shot& shot, const FilmJobOptions& options,
+                   std::function<void(const std::string&)> on_wait)
     : plan_(plan),
       store_(store),
       cache_folder_(cache_folder_of(options)),
       limit_(options.cache_limit),
       begin_(std::chrono::system_clock::now() - kClockSlack),
       bytes_each_(usual_bytes(shot)),
-      pin_(cache_folder_, keys_of(plan, bake), bytes_each_) {
+      pin_(cache_folder_, keys_of(plan, bake), bytes_each_),
+      on_wait_(std::move(on_wait)) {
     std::uint64_t bytes = 0;
     std::uint64_t stored = 0;
     for (const FilmPlan::Picture& picture : plan.pictures) {
@@ -77,7 +81,7 @@ void FilmRoom::require(const std::stop_token& stop) {
     if (is_complete) {
         return;  // a job that only reads also works with a read-only cache
     }
-    RoomRequest request{cache_folder_, pin_.name(), removable(), kLeastPart, {}};
+    RoomRequest request{cache_folder_, pin_.name(), removable(), kLeastPart, {}, on_wait_};
     reserve_room(
         request, [this] { pin_.expect(bytes_each_); }, stop);
 }

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <stop_token>
 #include <string>
 
@@ -19,8 +20,9 @@ namespace carom::pipeline {
 /// reserved, but a lack of room is not an error. For one thread at a time. Refers to its arguments.
 class FilmRoom {
   public:
+    /// `on_wait`: that of RoomRequest.
     FilmRoom(const FilmPlan& plan, const FrameStore& store, const sim::Bake& bake, const Shot& shot,
-             const FilmJobOptions& options);
+             const FilmJobOptions& options, std::function<void(const std::string&)> on_wait);
 
     /// Throws NoRoom if it is known that the missing frames do not fit beside what other jobs have
     /// reserved. Throws Error, Stopped.
@@ -41,6 +43,7 @@ class FilmRoom {
     bool is_measured_ = false;
     std::uint64_t bytes_each_ = 0;
     Pin pin_;
+    std::function<void(const std::string&)> on_wait_;
 };
 
 }  // namespace carom::pipeline

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -13,10 +14,33 @@
 
 namespace carom::pipeline {
 
+/// What somebody wants of the frames while they are rendered, by the numbers that are told.
+struct FrameWishes {
+    std::int64_t revision = 0;         // another one for others
+    std::set<std::int64_t> preferred;  // before all others
+    std::set<std::int64_t> skipped;    // not at all
+};
+
+/// What became of a picture that a worker began.
+struct FrameAttempt {
+    enum class End { rendered, stopped, failed };
+    End end = End::rendered;
+    std::int64_t frame = 0;  // that shows it
+    std::size_t layer = 0;   // of that frame (FilmPlan::Picture)
+    double seconds = 0;
+    bool twice = false;      // another worker had rendered it, too
+    bool continued = false;  // another attempt had begun it
+    std::string problem{};   // of one that failed
+};
+
 struct WorkerOptions {
     std::size_t number = 0;  // of this worker: where it begins, so that few want the same frame
     std::size_t of = 1;
     std::chrono::duration<double> budget{600};  // no frame is begun afterwards
+    /// Asked at most once a second. When the revision has changed the worker looks at all pictures
+    /// again, since some may have been taken out of the store.
+    std::function<FrameWishes()> wishes{};
+    std::function<void(const FrameAttempt&)> on_attempt{};
 };
 
 /// What a worker does now.
@@ -33,7 +57,7 @@ struct WorkerState {
 
 struct WorkerResult {
     WorkerState state;
-    bool is_complete = false;  // all pictures are in the store
+    bool is_complete = false;  // all pictures but the skipped ones are in the store
 };
 
 /// The numbers 0 to count - 1 in bit-reversed order: 0, 4, 2, 6, 1, 5, 3, 7. The first few are
@@ -49,11 +73,11 @@ struct WorkerFilm {
 };
 
 /// Renders pictures that nobody has rendered or claimed, one after the other, until all are there
-/// or the budget is over. A worker begins with its own share of the bit-reversed order of the first
-/// film, goes on with what is left of the others' share, and then with the next film. It waits for
-/// pictures that others have claimed when nothing else is left, and renders those whose workers
-/// have died. `on_state` is called when the state changes, and every second at least. Throws Error,
-/// Stopped.
+/// that are wanted or the budget is over. A worker begins with its own share of the bit-reversed
+/// order of the first film, goes on with what is left of the others' share, and then with the next
+/// film. It waits for pictures that others have claimed when nothing else is left, and renders
+/// those whose workers have died. `on_state` is called when the state changes, and every second at
+/// least. Throws Error, Stopped.
 WorkerResult work_on_films(const std::vector<WorkerFilm>& films, const WorkerOptions& worker,
                            const JobObserver& observer,
                            const std::function<void(const WorkerState&)>& on_state,

@@ -30,13 +30,22 @@ void FrameScheduler::run(const std::stop_token& stop) {
             }
             ++next;
         } else if (!deferred_.empty()) {
-            queue_.wait_for_request(kClaimPollInterval, stop);
+            wait_for_others(stop);
         } else if (queue_.reader_is_done()) {
             return;
         } else {
             queue_.wait_for_reader(stop);
         }
     }
+}
+
+void FrameScheduler::wait_for_others(const std::stop_token& stop) {
+    if (const std::optional<std::string> waited = wait_.due()) {
+        const FilmPlan::Picture& picture = plan_.pictures[deferred_.front()];
+        observer_.warning(
+            renderer_.waiting_text(picture, picture.frame, deferred_.size() - 1, *waited));
+    }
+    queue_.wait_for_request(kClaimPollInterval, stop);
 }
 
 bool FrameScheduler::try_render(std::size_t picture, const std::stop_token& stop) {
@@ -51,6 +60,7 @@ bool FrameScheduler::try_render(std::size_t picture, const std::stop_token& stop
     if (result.origin == RenderOrigin::claimed_elsewhere) {
         return false;
     }
+    wait_.end();
     if (result.origin == RenderOrigin::rendered && !is_rendered_[picture]) {
         is_rendered_[picture] = true;
         ++rendered_;

@@ -11,6 +11,7 @@
 #include "pipeline/job/film_plan.h"
 #include "pipeline/job/frame_queue.h"
 #include "pipeline/job/thread_safe_observer.h"
+#include "pipeline/store/wait_notice.h"
 
 namespace carom::pipeline {
 
@@ -47,6 +48,7 @@ class FrameScheduler {
     [[nodiscard]] bool try_render(std::size_t picture, const std::stop_token& stop);
     /// Returns after the first deferred picture that is finished; false if none could be.
     [[nodiscard]] bool retry_deferred(const std::stop_token& stop);
+    void wait_for_others(const std::stop_token& stop);
     void repair(std::size_t picture, const std::stop_token& stop);
     void report(std::size_t picture, const CachedRender& result);
 
@@ -56,6 +58,7 @@ class FrameScheduler {
     ThreadSafeObserver& observer_;
     std::function<void(std::size_t picture)> on_stored_;
     std::deque<std::size_t> deferred_;  // pictures that other processes have claimed
+    WaitNotice wait_;                   // for them
     std::vector<bool> is_reported_;
     std::vector<bool> is_rendered_;
     std::vector<int> repairs_;

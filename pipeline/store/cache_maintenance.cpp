@@ -1,8 +1,12 @@
 #include "pipeline/store/cache_maintenance.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <set>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 #include "core/error.h"
 #include "pipeline/store/frame_checksum.h"
@@ -11,19 +15,28 @@
 #include "sim/timeline/bake_file.h"
 
 namespace carom::pipeline {
-bool is_intact(const CacheEntry& entry) {
-    if (entry.kind == CacheEntry::Kind::sums) {
-        return true;  // whoever goes on with them checks them
+
+FrameFileState state_of(const CacheEntry& entry) {
+    if (::faccessat(AT_FDCWD, entry.path.c_str(), R_OK, AT_EACCESS) != 0 && errno == EACCES) {
+        return FrameFileState::unreadable;
     }
-    if (entry.kind == CacheEntry::Kind::frame || entry.kind == CacheEntry::Kind::noisy) {
-        return verify_checksum(entry.path, entry.key) != FrameFileState::damaged;
+    switch (entry.kind) {
+        case CacheEntry::Kind::sums:
+            return FrameFileState::intact;  // whoever goes on with them checks them
+        case CacheEntry::Kind::frame:
+        case CacheEntry::Kind::noisy:
+            return verify_checksum(entry.path, entry.key);
+        case CacheEntry::Kind::bake:
+            break;
     }
     try {
-        return sim::read_bake(entry.path).physics_hash == entry.key;
+        return sim::read_bake(entry.path).physics_hash == entry.key ? FrameFileState::intact
+                                                                    : FrameFileState::damaged;
     } catch (const sim::OtherBakeVersion&) {
-        return true;  // it is made again when it is needed
+        return FrameFileState::intact;  // it is made again when it is needed
     } catch (const Error&) {
-        return !std::filesystem::exists(entry.path);
+        return std::filesystem::exists(entry.path) ? FrameFileState::damaged
+                                                   : FrameFileState::missing;
     }
 }
 
@@ -77,8 +90,11 @@ VerifyResult verify_cache(const std::string& folder,
         if (stop.stop_requested()) {
             throw Stopped();
         }
-        if (!is_intact(entry)) {
+        const FrameFileState state = state_of(entry);
+        if (state == FrameFileState::damaged) {
             result.damaged.push_back(entry);
+        } else if (state == FrameFileState::unreadable) {
+            result.unreadable.push_back(entry);
         }
         ++result.checked;
         if (progress) {

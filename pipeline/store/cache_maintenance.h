@@ -14,6 +14,8 @@
 
 namespace carom::pipeline {
 
+enum class FrameFileState;
+
 /// The limit of a cache whose size is not limited.
 inline constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
@@ -51,17 +53,18 @@ struct PruneResult {
 /// Throws Error if the folder cannot be read.
 PruneResult prune_cache(const std::string& folder, const PruneOptions& options);
 
-/// Whether the file is what its name says, by its checksum. A file that was removed in the meantime
-/// is not damaged. Throws Error if it cannot be read.
-[[nodiscard]] bool is_intact(const CacheEntry& entry);
+/// Whether the file is what its name says, by its checksum. It is missing if it was removed in the
+/// meantime. Throws Error if it cannot be read for another reason than that this user may not.
+[[nodiscard]] FrameFileState state_of(const CacheEntry& entry);
 
 struct VerifyResult {
     std::uint64_t checked = 0;
     std::vector<CacheEntry> damaged;
+    std::vector<CacheEntry> unreadable;  // other users', of which nothing is known
 };
 
-/// Reads every frame and bake and verifies its checksum. Throws Error if the folder or a file
-/// cannot be read, Stopped.
+/// Reads every frame and bake and verifies its checksum. Throws Error if the folder cannot be read,
+/// or a file for another reason than that this user may not; Stopped.
 [[nodiscard]] VerifyResult verify_cache(const std::string& folder,
                                         const std::function<void(double fraction)>& progress,
                                         const std::stop_token& stop);

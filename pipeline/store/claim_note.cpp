@@ -3,11 +3,13 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <charconv>
+#include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <random>
 #include <sstream>
+#include <thread>
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -20,6 +22,8 @@ namespace carom::pipeline {
 namespace {
 
 constexpr std::size_t kLongest = 1024;  // bytes of a note
+constexpr int kAttempts = 3;            // to read a file
+constexpr std::chrono::milliseconds kPause{20};
 
 std::string host_name() {
     std::array<char, 256> name{};
@@ -47,9 +51,10 @@ std::string describe_host() {
 }  // namespace
 
 std::string text_of(const ClaimNote& note) {
-    return fmt::format("carom claim 1\nhost {}\nprocess {}\nbeat {:020}\nstate {:8}\n", note.host,
+    return fmt::format("carom claim 1\nhost {}\nprocess {}\nbeat {:020}\nstate {:8}\n{}", note.host,
                        note.process, note.beat,
-                       note.state == ClaimNote::State::finished ? "finished" : "working");
+                       note.state == ClaimNote::State::finished ? "finished" : "working",
+                       note.since.empty() ? "" : "since " + note.since + "\n");
 }
 
 std::optional<ClaimNote> parse_claim_note(const std::string& text) {
@@ -69,24 +74,45 @@ std::optional<ClaimNote> parse_claim_note(const std::string& text) {
         return std::nullopt;
     }
     note.state = state == "finished" ? ClaimNote::State::finished : ClaimNote::State::working;
+    std::string since;
+    in >> since >> note.since;  // other versions of carom do not write it
     return note;
 }
 
-std::optional<ClaimNote> read_claim_note(const std::string& path) {
+namespace {
+
+/// What is in a file. Empty, with errno, if it cannot be read.
+std::optional<std::string> read_text(const std::string& path) {
     const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (!file.is_open()) {
+    std::string text(kLongest, '\0');
+    const ssize_t size =
+        file.is_open() ? ::pread(file.get(), text.data(), text.size(), 0) : ssize_t{-1};
+    if (size < 0) {
+        return std::nullopt;
+    }
+    text.resize(static_cast<std::size_t>(size));
+    return text;
+}
+
+}  // namespace
+
+std::optional<ClaimNote> read_claim_note(const std::string& path) {
+    for (int attempt = 1;; ++attempt) {
+        if (const std::optional<std::string> text = read_text(path)) {
+            return parse_claim_note(*text).value_or(ClaimNote{});
+        }
         if (errno == ENOENT || errno == ENOTDIR) {
             return std::nullopt;
         }
         if (errno == ESTALE) {  // another machine has just removed it
             return ClaimNote{};
         }
-        throw Error(system_problem(path, "the claim cannot be read"));
+        const bool stays = errno == EACCES || errno == EISDIR || errno == ELOOP;
+        if (stays || attempt == kAttempts) {
+            throw Error(system_problem(path, "the claim cannot be read"));
+        }
+        std::this_thread::sleep_for(kPause);
     }
-    std::string text(kLongest, '\0');
-    const ssize_t size = ::pread(file.get(), text.data(), text.size(), 0);
-    text.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
-    return parse_claim_note(text).value_or(ClaimNote{});
 }
 
 const std::string& this_host() {
@@ -102,6 +128,20 @@ std::string new_claim_process() {
     static std::atomic<std::uint64_t> count{0};
     static const std::uint32_t start = std::random_device()();
     return fmt::format("{}-{:08x}-{}", ::getpid(), start, ++count);
+}
+
+std::string time_now() {
+    const std::time_t now = std::time(nullptr);
+    std::tm parts{};
+    ::gmtime_r(&now, &parts);
+    std::array<char, 32> text{};
+    std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
+    return text.data();
+}
+
+std::string owner_of(const ClaimNote& note) {
+    return fmt::format("process {} on {}", note.process.substr(0, note.process.find('-')),
+                       note.host.substr(0, note.host.find('/')));
 }
 
 }  // namespace carom::pipeline

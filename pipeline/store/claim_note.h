@@ -13,6 +13,7 @@ struct ClaimNote {
     std::string process;     // differs for all processes and claims of a host
     std::uint64_t beat = 0;  // counted up while the owner works
     State state = State::working;
+    std::string since{};  // when the claim was made, by the owner's clock, for people
 
     bool operator==(const ClaimNote&) const = default;
 };
@@ -24,8 +25,9 @@ struct ClaimNote {
 [[nodiscard]] std::optional<ClaimNote> parse_claim_note(const std::string& text);
 
 /// The note in a file; empty if there is no such file. The note of a file that cannot be understood
-/// has an empty host. Throws Error if it cannot be read. The file is opened anew, because network
-/// file systems look at the server's file only then.
+/// has an empty host. Throws Error if it cannot be read: at once if permission is missing or if it
+/// is no file, else three times in a row, since network file systems fail for a moment. The file is
+/// opened anew, because they look at the server's file only then.
 [[nodiscard]] std::optional<ClaimNote> read_claim_note(const std::string& path);
 
 /// The machine's name and what tells this run of it from others. The nodes of a Slurm cluster that
@@ -35,7 +37,14 @@ struct ClaimNote {
 /// Begins the names of files that are only for processes of this machine.
 [[nodiscard]] std::string host_prefix();
 
-/// A new value for ClaimNote::process.
+/// A new value for ClaimNote::process: the process's number, which another one in another container
+/// may have, too, a random number, and a count.
 [[nodiscard]] std::string new_claim_process();
+
+/// The time of this machine as ClaimNote::since has it: "2026-11-29T07:40:18Z".
+[[nodiscard]] std::string time_now();
+
+/// Whose claim it is, for people: "process 4711 on n7".
+[[nodiscard]] std::string owner_of(const ClaimNote& note);
 
 }  // namespace carom::pipeline

@@ -4,18 +4,18 @@
 #include <condition_variable>
 #include <cstdlib>
 #include <filesystem>
-#include <string_view>
 #include <system_error>
 #include <thread>
 
 #include <fcntl.h>
 #include <fmt/core.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include "core/error.h"
+#include "core/group_folder.h"
 #include "core/write_all.h"
 #include "pipeline/store/file_descriptor.h"
+#include "pipeline/store/lock_file.h"
 
 namespace carom::pipeline {
 namespace {
@@ -25,42 +25,29 @@ using State = ClaimNote::State;
 
 constexpr int kMostNumbers = 1000;  // of claims on one name, all but the last of them dead
 
-bool write_text(int descriptor, const std::string& text) {
-    return write_all(descriptor, std::as_bytes(std::span(text)));
-}
-
-/// Writes a new file. Closing it hands the text to a network file system's server. False and errno
-/// if it exists or cannot be written.
-bool write_new(const std::string& path, const std::string& text) {
-    const int descriptor = ::open(path.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-    if (descriptor < 0) {
-        return false;
-    }
-    const bool is_written = write_text(descriptor, text);
-    const int failure = errno;
-    const bool is_closed = ::close(descriptor) == 0;
-    if (!is_written) {
-        errno = failure;
-    }
-    return is_written && is_closed;
-}
-
-bool locks(int descriptor) {
-    return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
-}
-
-/// Locks a file that nobody else wants, though one who looks for dead claims may have it for a
-/// moment. Where there are no locks, the beats have to suffice.
-void lock_own(int descriptor) {
-    while (!locks(descriptor) && (errno == EWOULDBLOCK || errno == EINTR)) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-}
-
 /// Whether nobody has locked a file of this machine, because its owner has ended.
 bool is_abandoned(const std::string& path) {
-    const FileDescriptor file(::open(path.c_str(), O_RDWR | O_CLOEXEC));
-    return file.is_open() && locks(file.get());
+    return lock_state_of(path) == LockState::acquired;
+}
+
+/// Makes a file with this text and locks it. Closed, with errno, if it exists or cannot be written.
+FileDescriptor make_file(const std::string& path, const std::string& text) {
+    FileDescriptor file(::open(path.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0666));
+    if (!file.is_open()) {
+        return file;
+    }
+    share_file(file.get(), fs::path(path).parent_path().string());
+    // Before it says whose it is, or others on this machine would take the owner for dead. Where
+    // there are no locks, the beats have to suffice.
+    lock_own_file(file.get(), path);
+    // To close it once hands the text to a network file system's server.
+    if (!write_all(file.get(), std::as_bytes(std::span(text))) || ::close(::dup(file.get())) != 0) {
+        const int failure = errno;
+        ::unlink(path.c_str());
+        file.reset();
+        errno = failure;
+    }
+    return file;
 }
 
 }  // namespace
@@ -110,18 +97,16 @@ struct Claim::Held {
         (void)!::pwrite(file.get(), text.data(), text.size(), 0);
         file.reset();  // hands it to the server, and gives up the lock
         const std::lock_guard lock(all.mutex_);
-        for (int i = 0; i <= number && !all.times_.keeps_finished; ++i) {
-            all.finished_.push_back(all.path(name, i));
+        if (!all.times_.keeps_finished) {
+            all.finished_.push_back({name, number, note});
         }
         is_finished = true;
     }
 
-    // The lowest number first: as long as this file is there, nobody takes a dead one below it for
-    // the last one.
     void release() {
         stop_heart();
-        for (int i = 0; i <= number && !is_finished; ++i) {
-            ::unlink(all.path(name, i).c_str());
+        if (!is_finished) {
+            all.remove(name, number);
         }
     }
 
@@ -152,8 +137,20 @@ bool Claim::replaces_dead_one() const {
 Claims::Claims(std::string folder, ClaimTimes times) : folder_(std::move(folder)), times_(times) {}
 
 Claims::~Claims() {
-    for (const std::string& path : finished_) {
-        ::unlink(path.c_str());
+    for (const Finished& own : finished_) {
+        try {
+            if (read_claim_note(path(own.name, own.number)) == own.note) {
+                remove(own.name, own.number);
+            }
+        } catch (const Error&) {
+            continue;  // whoever cannot read it does not know that it is still his
+        }
+    }
+}
+
+void Claims::remove(const std::string& name, int last) const {
+    for (int number = 0; number <= last; ++number) {
+        ::unlink(path(name, number).c_str());
     }
 }
 
@@ -161,53 +158,80 @@ std::string Claims::path(const std::string& name, int number) const {
     return fmt::format("{}/{}.{}", folder_, name, number);
 }
 
-std::optional<Claim> Claims::claim(const std::string& name) {
-    std::optional<ClaimNote> last;
-    int number = 0;
-    for (; number < kMostNumbers; ++number) {
-        std::optional<ClaimNote> note = read_claim_note(path(name, number));
+Claims::Last Claims::last_of(const std::string& name) const {
+    Last last;
+    for (; last.next < kMostNumbers; ++last.next) {
+        std::optional<ClaimNote> note = read_claim_note(path(name, last.next));
         if (!note) {
             break;
         }
-        last = std::move(note);
+        last.note = std::move(note);
     }
-    if (last && !is_dead(path(name, number - 1), *last)) {
+    return last;
+}
+
+std::optional<Claim> Claims::claim(const std::string& name) {
+    const Last last = last_of(name);
+    if (last.note && !is_dead(path(name, last.next - 1), *last.note)) {
         return std::nullopt;
     }
-    std::unique_ptr<Claim::Held> held = make(name, number, last);
+    std::unique_ptr<Claim::Held> held = make(name, last.next, last.note);
     return held ? std::optional<Claim>(std::move(held)) : std::nullopt;
+}
+
+std::string Claims::holder(const std::string& name) {
+    const Last last = last_of(name);
+    if (!last.note) {
+        return "";
+    }
+    const std::string file = path(name, last.next - 1);
+    if (last.note->host.empty()) {
+        return "'" + file + "' does not say who has claimed it";
+    }
+    std::string text = owner_of(*last.note) + " has claimed it";
+    if (!last.note->since.empty()) {
+        text += " since " + last.note->since;
+    }
+    if (last.note->state == State::finished) {
+        return text + " and finished it, which is not seen here yet";
+    }
+    const auto now = std::chrono::steady_clock::now();
+    const std::lock_guard lock(mutex_);
+    const auto seen = seen_.find(file);
+    const bool is_same = seen != seen_.end() && seen->second.note == *last.note;
+    const auto silent = now - (is_same ? seen->second.since : now);
+    return fmt::format("{}; its last sign of life came {} s ago", text,
+                       std::chrono::floor<std::chrono::seconds>(silent).count());
 }
 
 /// The file of a claim under a name of its own, locked.
 FileDescriptor Claims::make_draft(const std::string& path, const ClaimNote& note) const {
-    bool is_written = write_new(path, text_of(note));
-    if (!is_written && errno == ENOENT) {
+    FileDescriptor file = make_file(path, text_of(note));
+    if (!file.is_open() && errno == ENOENT) {
         create_folder(folder_);
-        is_written = write_new(path, text_of(note));
+        file = make_file(path, text_of(note));
     }
-    if (!is_written) {
-        const std::string problem = system_problem(path, "a claim cannot be written");
-        ::unlink(path.c_str());
-        throw Error(problem);
+    if (!file.is_open()) {
+        throw Error(system_problem(path, "a claim cannot be written"));
     }
-    FileDescriptor file(::open(path.c_str(), O_RDWR | O_CLOEXEC));
-    lock_own(file.get());
     return file;
 }
 
 std::unique_ptr<Claim::Held> Claims::make(const std::string& name, int number,
                                           const std::optional<ClaimNote>& replaced) {
-    ClaimNote note{this_host(), new_claim_process(), 0, State::working};
+    ClaimNote note{this_host(), new_claim_process(), 0, State::working, time_now()};
     const std::string own = path(name, number);
     const std::string draft = fmt::format("{}/new-{}{}", folder_, host_prefix(), note.process);
     FileDescriptor file = make_draft(draft, note);
     const bool is_linked = ::link(draft.c_str(), own.c_str()) == 0;
     const int failure = errno;
     ::unlink(draft.c_str());
-    if (!is_linked && (failure == EPERM || failure == EOPNOTSUPP || failure == ENOSYS)) {
-        if (write_new(own, text_of(note))) {  // a file system without hard links
-            file = FileDescriptor(::open(own.c_str(), O_RDWR | O_CLOEXEC));
-            lock_own(file.get());
+    if (!is_linked && failure != EEXIST && !read_claim_note(own)) {  // perhaps there are no links
+        FileDescriptor made = make_file(own, text_of(note));
+        if (made.is_open()) {
+            file = std::move(made);
+        } else if (errno != EEXIST) {  // else it may be the link to the draft, seen late
+            throw Error(system_problem(own, "the claim cannot be made"));
         }
     }
     if (read_claim_note(own) != note) {
@@ -255,11 +279,18 @@ void Claims::remove_dead() const {
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_, ignored)) {
         paths.push_back(entry.path().string());
     }
+    const auto is_dead_here = [&](const std::string& path) {
+        try {
+            const std::optional<ClaimNote> note = read_claim_note(path);
+            const bool is_own = note && (note->host.empty() || note->host == this_host());
+            const bool is_kept = times_.keeps_finished && note && note->state == State::finished;
+            return is_own && !is_kept && is_abandoned(path);
+        } catch (const Error&) {
+            return false;  // another user's
+        }
+    };
     for (const std::string& path : paths) {
-        const std::optional<ClaimNote> note = read_claim_note(path);
-        const bool is_own = note && (note->host.empty() || note->host == this_host());
-        const bool is_kept = times_.keeps_finished && note && note->state == State::finished;
-        if (is_own && !is_kept && is_abandoned(path)) {
+        if (is_dead_here(path)) {
             ::unlink(path.c_str());
         }
     }

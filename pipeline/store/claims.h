@@ -8,10 +8,12 @@
 //
 // The file of a claim on NAME is NAME.0. Whoever finds it dead claims NAME.1, and so on: there is
 // no moment at which a file has to be replaced, so two processes that find the same claim dead
-// cannot both take it over. Making the file may report a failure though it was made (a reply of a
-// network file system was lost), so that its content decides, and no attribute of a file is asked
-// for, because attributes may be a minute old. If all this fails, two processes do the same work:
-// what is made has to be the same then.
+// cannot both take it over. The file is a hard link to a draft, so that nobody sees it without its
+// content; if that fails for another reason than that it exists, it is created exclusively. Either
+// may report a failure though the file was made (a reply of a network file system was lost), so
+// that its content decides, and no attribute of a file is asked for, because attributes may be a
+// minute old. If all this fails, two processes do the same work: what is made has to be the same
+// then.
 #pragma once
 
 #include <chrono>
@@ -41,7 +43,7 @@ class Claim {
 
     /// The work is done and its result is in its place, where other machines may see it a little
     /// later: until then they see that it was finished. The file stays until `Claims` is destroyed
-    /// or longer.
+    /// or longer, unless somebody removes it.
     void finish();
 
     /// Whether the claim took the place of a dead one.
@@ -63,8 +65,14 @@ class Claims {
 
     /// The claim on `name`, or nothing if another process has it, or if it finished the work on
     /// another machine and the result should be seen soon. Without waiting: who wants it calls
-    /// again, at least once a second. Throws Error if the folder cannot be written to.
+    /// again, at least once a second. Throws Error if the folder cannot be written to, or a file in
+    /// it cannot be made, locked or read.
     [[nodiscard]] std::optional<Claim> claim(const std::string& name);
+
+    /// For people, a sentence without its full stop about who has the claim on `name`, since when,
+    /// and how long ago this process saw its last sign of life; empty if nobody has it. Throws
+    /// Error if a claim cannot be read.
+    [[nodiscard]] std::string holder(const std::string& name);
 
     /// Removes all claims on `name`, whose result is there for all machines.
     void forget(const std::string& name) const;
@@ -81,6 +89,21 @@ class Claims {
         ClaimNote note;
         std::chrono::steady_clock::time_point since;
     };
+    /// The last of the claims on a name, the number of the one after it, from 0.
+    struct Last {
+        std::optional<ClaimNote> note;
+        int next = 0;
+    };
+    /// A claim of this process whose work is done. Others may have removed it since.
+    struct Finished {
+        std::string name;
+        int number = 0;
+        ClaimNote note;
+    };
+    /// Removes the claims up to one of this process, the lowest number first: as long as its own is
+    /// there, nobody takes a dead one below it for the last one.
+    void remove(const std::string& name, int last) const;
+    [[nodiscard]] Last last_of(const std::string& name) const;
     /// The file of the claim with that number.
     [[nodiscard]] std::string path(const std::string& name, int number) const;
     [[nodiscard]] bool is_dead(const std::string& path, const ClaimNote& note);
@@ -91,8 +114,8 @@ class Claims {
     std::string folder_;
     ClaimTimes times_;
     std::mutex mutex_;
-    std::map<std::string, Seen> seen_;   // by path
-    std::vector<std::string> finished_;  // paths of this process's claims
+    std::map<std::string, Seen> seen_;  // by path
+    std::vector<Finished> finished_;
 };
 
 }  // namespace carom::pipeline

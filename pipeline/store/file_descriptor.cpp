@@ -1,13 +1,18 @@
 #include "pipeline/store/file_descriptor.h"
 
+#include <array>
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
 
+#include <fmt/core.h>
+#include <grp.h>
+#include <pwd.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/error.h"
+#include "core/group_folder.h"
 
 namespace carom::pipeline {
 
@@ -18,36 +23,77 @@ void FileDescriptor::reset() {
     }
 }
 
-std::string system_problem(const std::string& path, const std::string& what) {
-    return "'" + path + "': " + what + ": " + std::generic_category().message(errno);
-}
-
 namespace {
 
-/// Makes all folders of the path, and asks for none whether it is there.
-std::error_code make_each(const std::string& path) {
-    int error = 0;
-    std::filesystem::path made;
-    for (const std::filesystem::path& part : std::filesystem::path(path)) {
-        made /= part;
-        const bool exists = ::mkdir(made.c_str(), 0777) == 0 || errno == EEXIST;
-        error = exists ? 0 : errno;
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestEntry = 16384;  // bytes of what the system knows of a user or group
+
+std::string name_of_user(uid_t user) {
+    std::array<char, kLongestEntry> text{};
+    passwd entry{};
+    passwd* found = nullptr;
+    (void)::getpwuid_r(user, &entry, text.data(), text.size(), &found);
+    return found != nullptr ? found->pw_name : std::to_string(user);
+}
+
+std::string name_of_group(gid_t group) {
+    std::array<char, kLongestEntry> text{};
+    ::group entry{};
+    ::group* found = nullptr;
+    (void)::getgrgid_r(group, &entry, text.data(), text.size(), &found);
+    return found != nullptr ? found->gr_name : std::to_string(group);
+}
+
+/// Whose the file is, or the folder in which it cannot be made.
+std::string owner_text(fs::path path) {
+    struct stat status {};
+    while (::lstat(path.c_str(), &status) != 0) {
+        if (!path.has_relative_path()) {
+            return "";
+        }
+        path = path.has_parent_path() ? path.parent_path() : fs::path(".");
     }
-    return {error, std::generic_category()};
+    return fmt::format("; '{}' belongs to the user {} and the group {}, mode {:o}", path.string(),
+                       name_of_user(status.st_uid), name_of_group(status.st_gid),
+                       status.st_mode & 07777U);
+}
+
+/// Makes a folder and those above it that are missing. That it exists is no failure: another
+/// machine may have made it at the same moment, and a network file system does not show it yet.
+std::error_code make_folder(const fs::path& path) {
+    std::error_code ignored;
+    if (path.empty() || fs::is_directory(path, ignored)) {
+        return {};
+    }
+    if (const std::error_code failure = make_folder(path.parent_path())) {
+        return failure;
+    }
+    if (::mkdir(path.c_str(), 0777) == 0) {
+        share_folder(path.string());
+        return {};
+    }
+    const int reason = errno == EEXIST && fs::is_regular_file(path, ignored) ? ENOTDIR : errno;
+    return {reason == EEXIST ? 0 : reason, std::generic_category()};
 }
 
 }  // namespace
 
+std::string system_problem(const std::string& path, const std::string& what) {
+    const int reason = errno;
+    return fmt::format("'{}': {}: {}{}", path, what, std::generic_category().message(reason),
+                       reason == EACCES || reason == EPERM ? owner_text(path) : "");
+}
+
+std::string name_of_owner(const std::string& path) {
+    struct stat status {};
+    return ::stat(path.c_str(), &status) == 0 ? name_of_user(status.st_uid) : "";
+}
+
 void create_folder(const std::string& path) {
-    std::error_code failure;
-    std::filesystem::create_directories(path, failure);
-    if (failure == std::errc::file_exists) {
-        // Another machine made it at the same moment, and a network file system does not show it
-        // yet: it exists for who makes it, but not for who looks for it.
-        failure = make_each(path);
-    }
-    if (failure) {
-        throw Error("'" + path + "': the folder cannot be created: " + failure.message());
+    if (const std::error_code failure = make_folder(path)) {
+        errno = failure.value();
+        throw Error(system_problem(path, "the folder cannot be created"));
     }
 }
 

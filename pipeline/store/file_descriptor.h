@@ -30,10 +30,15 @@ class FileDescriptor {
     int descriptor_ = -1;
 };
 
-/// "'path': what failed: the system's reason", where the reason is that of errno.
+/// "'path': what failed: the system's reason", where the reason is that of errno. If permission is
+/// missing, the text ends with whose file or folder it is that keeps this user out.
 [[nodiscard]] std::string system_problem(const std::string& path, const std::string& what);
 
-/// Creates the folder and its parents. Throws Error.
+/// The name of the user whose it is, or his number; empty if it is not known.
+[[nodiscard]] std::string name_of_owner(const std::string& path);
+
+/// Creates the folder and its parents, for the group if it lies in a group's folder
+/// (core/group_folder.h). Throws Error.
 void create_folder(const std::string& path);
 
 }  // namespace carom::pipeline

@@ -94,16 +94,21 @@ void write_with_checksum(const std::string& path, std::span<const std::byte> con
 
 namespace {
 
-/// Nothing if the file does not exist.
-std::optional<std::vector<std::byte>> read_if_exists(const std::string& path) {
+/// What is in the file; nothing, and why in `state`, if it is missing or unreadable.
+std::optional<std::vector<std::byte>> read_if_possible(const std::string& path,
+                                                       FrameFileState& state) {
     const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (!file.is_open()) {
-        if (errno == ENOENT || errno == ENOTDIR) {
-            return std::nullopt;
-        }
+    if (file.is_open()) {
+        return read_all(file.get(), path);
+    }
+    if (errno == ENOENT || errno == ENOTDIR) {
+        state = FrameFileState::missing;
+    } else if (errno == EACCES) {
+        state = FrameFileState::unreadable;
+    } else {
         throw Error(system_problem(path, "the frame cannot be read"));
     }
-    return read_all(file.get(), path);
+    return std::nullopt;
 }
 
 }  // namespace
@@ -113,9 +118,10 @@ FrameFileState verify_checksum(const std::string& path, const Hash128& key) {
 }
 
 CheckedContents read_checked(const std::string& path, const Hash128& key) {
-    std::optional<std::vector<std::byte>> bytes = read_if_exists(path);
+    FrameFileState state{};
+    std::optional<std::vector<std::byte>> bytes = read_if_possible(path, state);
     if (!bytes) {
-        return {FrameFileState::missing};
+        return {state};
     }
     if (bytes->size() < kTrailerSize) {
         return {FrameFileState::damaged};
@@ -130,9 +136,11 @@ CheckedContents read_checked(const std::string& path, const Hash128& key) {
 }
 
 std::string describe_damage(const std::string& path, const Hash128& key) {
-    const std::optional<std::vector<std::byte>> bytes = read_if_exists(path);
+    FrameFileState state{};
+    const std::optional<std::vector<std::byte>> bytes = read_if_possible(path, state);
     if (!bytes) {
-        return "it no longer exists";
+        return state == FrameFileState::missing ? "it no longer exists"
+                                                : "it can no longer be read";
     }
     if (bytes->size() < kTrailerSize) {
         return fmt::format("it has {} bytes, too few for a frame", bytes->size());

@@ -19,9 +19,14 @@ void append_checksum(const std::string& path, const Hash128& key);
 void write_with_checksum(const std::string& path, std::span<const std::byte> contents,
                          const Hash128& key);
 
-enum class FrameFileState { intact, damaged, missing };
+enum class FrameFileState {
+    intact,
+    damaged,
+    missing,
+    unreadable,  // another user's and not for this one: to whom wants the frame it is missing
+};
 
-/// Throws Error if the file exists but cannot be read.
+/// Throws Error if the file exists but cannot be read for another reason.
 [[nodiscard]] FrameFileState verify_checksum(const std::string& path, const Hash128& key);
 
 /// What a file whose checksum is correct contains before its checksum.
@@ -29,7 +34,7 @@ struct CheckedContents {
     FrameFileState state = FrameFileState::missing;
     std::vector<std::byte> bytes{};  // if it is intact
 };
-/// Throws Error if the file exists but cannot be read.
+/// Throws Error if the file exists but cannot be read for another reason.
 [[nodiscard]] CheckedContents read_checked(const std::string& path, const Hash128& key);
 
 /// What is wrong with a file that verify_checksum calls damaged: "it has 12 bytes, too few for a

@@ -55,7 +55,7 @@ std::string FrameStore::file_of(const Hash128& key, const char* extension) const
 }
 
 bool FrameStore::contains(const Hash128& key) const {
-    return ::access(path_of(key).c_str(), access_ == StoreAccess::only_read ? R_OK : F_OK) == 0;
+    return ::access(path_of(key).c_str(), R_OK) == 0;
 }
 
 std::uint64_t FrameStore::size_bytes(const Hash128& key) const {
@@ -108,6 +108,7 @@ std::optional<render::Film> FrameStore::decoded(const std::string& path, const H
                                                 FrameFileState state, const Decode& decode) const {
     switch (state) {
         case FrameFileState::missing:
+        case FrameFileState::unreadable:
             return std::nullopt;
         case FrameFileState::damaged:
             discard(path, describe_damage(path, key));

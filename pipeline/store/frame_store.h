@@ -42,7 +42,8 @@ class FrameStore {
     explicit FrameStore(std::string folder, DamageObserver on_damage = {}, ClaimTimes times = {},
                         StoreAccess access = StoreAccess::read_and_write);
 
-    /// Whether a file exists for the key (it may still turn out to be damaged).
+    /// Whether a file exists for the key (it may still turn out to be damaged). One that this user
+    /// may not read counts nowhere here as stored, and is replaced when the frame is written.
     [[nodiscard]] bool contains(const Hash128& key) const;
 
     /// The size of the file for the key; 0 if there is none. The file is opened, because network
@@ -79,9 +80,14 @@ class FrameStore {
     [[nodiscard]] std::uint64_t noisy_size_bytes(const Hash128& key) const;
 
     /// The right to render this frame, or nothing if another process has claimed it or finished it
-    /// on another machine. The store must outlive it. Throws CacheUnusable if the folder cannot be
-    /// written to.
+    /// on another machine. The store must outlive it. Throws CacheUnusable if the claim cannot be
+    /// made or read.
     [[nodiscard]] std::optional<Claim> claim(const Hash128& key) const;
+
+    /// Who has claimed the frame, as Claims::holder() says it.
+    [[nodiscard]] std::string claim_holder(const Hash128& key) const {
+        return claims_->holder(key.to_string());
+    }
 
     /// Removes the claims on a frame that all machines see.
     void forget_claims(const Hash128& key) const { claims_->forget(key.to_string()); }

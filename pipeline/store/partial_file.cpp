@@ -1,11 +1,7 @@
 #include "pipeline/store/partial_file.h"
 
-#include <atomic>
-#include <chrono>
-#include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <thread>
 #include <utility>
 
 #include <fmt/core.h>
@@ -15,24 +11,9 @@
 #include "pipeline/store/claim_note.h"
 
 namespace carom::pipeline {
-namespace {
-
-/// Unique among all writers that now run.
-std::string new_name(const std::string& key) {
-    static std::atomic<std::uint64_t> count{0};
-    return fmt::format("{}{}-{}-{}", host_prefix(), key, ::getpid(), ++count);
-}
-
-}  // namespace
-
 PartialFile::PartialFile(const std::string& folder, const std::string& key)
-    : path_(folder + "/" + new_name(key)), lock_(try_lock(path_)) {
-    // No other writer uses this name. Only remove_abandoned_files may lock it for a moment.
-    while (lock_.state == LockState::busy) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        lock_ = try_lock(path_);
-    }
-}
+    : path_(fmt::format("{}/{}{}-{}", folder, host_prefix(), key, new_claim_process())),
+      lock_(lock_own_file(path_)) {}
 
 PartialFile::PartialFile(PartialFile&& other) noexcept
     : path_(std::exchange(other.path_, {})), lock_(std::move(other.lock_)) {}

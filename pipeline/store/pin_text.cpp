@@ -1,9 +1,7 @@
 #include "pipeline/store/pin_text.h"
 
-#include <cerrno>
 #include <charconv>
-#include <fstream>
-#include <iterator>
+#include <span>
 #include <sstream>
 #include <string_view>
 
@@ -11,6 +9,7 @@
 #include <unistd.h>
 
 #include "core/error.h"
+#include "core/file_reader.h"
 #include "pipeline/store/cache_entry.h"
 
 namespace carom::pipeline {
@@ -63,18 +62,17 @@ PinText parse_pin(const std::string& text) {
 }
 
 std::optional<PinText> read_pin(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
+    try {
+        FileReader file(path);
+        std::string text(file.size().value_or(0), '\0');
+        text.resize(file.read(std::as_writable_bytes(std::span(text))));
+        return parse_pin(text);
+    } catch (const Error&) {
         if (::access(path.c_str(), F_OK) != 0) {
             return std::nullopt;  // removed meanwhile
         }
-        throw Error("'" + path + "' cannot be read");
+        throw;
     }
-    const std::string text(std::istreambuf_iterator<char>(file), {});
-    if (file.bad()) {
-        throw Error("'" + path + "' cannot be read");
-    }
-    return parse_pin(text);
 }
 
 }  // namespace carom::pipeline

@@ -1,17 +1,13 @@
 #include "pipeline/store/pins.h"
 
 #include <algorithm>
-#include <atomic>
-#include <cerrno>
 #include <condition_variable>
 #include <filesystem>
 #include <mutex>
 #include <optional>
 #include <system_error>
 
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -20,6 +16,7 @@
 #include "core/write_all.h"
 #include "pipeline/store/cache_folder.h"
 #include "pipeline/store/claim_note.h"
+#include "pipeline/store/lock_file.h"
 
 namespace carom::pipeline {
 namespace {
@@ -40,19 +37,7 @@ std::string pins_folder(const std::string& cache_folder) {
 }
 
 std::string process_text() {
-    const std::string& host = this_host();
-    return fmt::format("process {} on {}", ::getpid(), host.substr(0, host.find('/')));
-}
-
-enum class Lock { held, free, unknown };
-
-/// Whether a process of this machine has locked the file.
-Lock lock_of(const fs::path& path) {
-    const FileDescriptor file(::open(path.c_str(), O_RDWR | O_CLOEXEC));
-    if (file.is_open() && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0) {
-        return Lock::free;
-    }
-    return file.is_open() && errno == EWOULDBLOCK ? Lock::held : Lock::unknown;
+    return owner_of({this_host(), std::to_string(::getpid())});
 }
 
 enum class PinState { fresh, old, not_counted, dead };
@@ -84,9 +69,13 @@ PinState state_of(const std::string& cache_folder, const fs::path& path, const P
         return state_of_job(cache_folder, pin, age);
     }
     if (name.starts_with(host_prefix())) {
-        const Lock lock = lock_of(path);
-        if (lock != Lock::unknown) {
-            return lock == Lock::held ? PinState::fresh : PinState::dead;
+        switch (lock_state_of(path.string())) {
+            case LockState::busy:
+                return PinState::fresh;
+            case LockState::acquired:
+                return PinState::dead;
+            case LockState::unsupported:
+                break;
         }
     }
     if (age >= kProcessesCountFor) {
@@ -108,28 +97,21 @@ void check_pins_folder(const std::string& cache_folder, const std::string& probl
 
 }  // namespace
 
-Pin::Pin(const std::string& cache_folder, std::span<const Hash128> keys, std::uint64_t bytes_each) {
-    static std::atomic<std::uint64_t> count{0};
+Pin::Pin(const std::string& cache_folder, std::span<const Hash128> keys, std::uint64_t bytes_each)
+    : name_(host_prefix() + new_claim_process()), path_(pins_folder(cache_folder) + "/" + name_) {
     try {
         create_folder(pins_folder(cache_folder));
+        lock_ =
+            lock_own_file(path_).descriptor;  // where there are no locks, the time has to suffice
     } catch (const Error& error) {
         check_pins_folder(cache_folder, error.what());
         return;
     }
-    name_ = fmt::format("{}{}-{}", host_prefix(), ::getpid(), ++count);
-    path_ = pins_folder(cache_folder) + "/" + name_;
-    lock_ = FileDescriptor(::open(path_.c_str(), O_CREAT | O_TRUNC | O_RDWR | O_CLOEXEC, 0666));
-    if (!lock_.is_open()) {
-        check_pins_folder(cache_folder, system_problem(path_, "the file cannot be written"));
-    } else {
-        (void)::flock(lock_.get(), LOCK_EX);  // where there are no locks, the time has to suffice
-        const std::string text =
-            text_of({process_text(), {}, bytes_each, {keys.begin(), keys.end()}});
-        bytes_at_ = text.find(bytes_line(bytes_each));
-        (void)write_all(lock_.get(), std::as_bytes(std::span(text)));
-        (void)::fdatasync(lock_.get());  // hands it to a network file system's server
-        stay_young();
-    }
+    const std::string text = text_of({process_text(), {}, bytes_each, {keys.begin(), keys.end()}});
+    bytes_at_ = text.find(bytes_line(bytes_each));
+    (void)write_all(lock_.get(), std::as_bytes(std::span(text)));
+    (void)::fdatasync(lock_.get());  // hands it to a network file system's server
+    stay_young();
 }
 
 Pin::~Pin() {
@@ -171,7 +153,7 @@ void write_job_pin(const std::string& cache_folder, const JobPin& pin,
     const std::string text =
         text_of({"farm job " + pin.job, pin.folder, pin.bytes_each, {keys.begin(), keys.end()}});
     write_file_atomically(pins_folder(cache_folder) + "/" + job_pin_name(pin.job),
-                          std::as_bytes(std::span(text)));
+                          std::as_bytes(std::span(text)), FileAccess::of_folder);
 }
 
 void remove_job_pin(const std::string& cache_folder, const std::string& job) {
@@ -184,7 +166,7 @@ void forget_reservation(const std::string& cache_folder, const std::string& job)
         if (std::optional<PinText> pin = read_pin(path)) {
             pin->bytes_each = 0;
             const std::string text = text_of(*pin);
-            write_file_atomically(path, std::as_bytes(std::span(text)));
+            write_file_atomically(path, std::as_bytes(std::span(text)), FileAccess::of_folder);
         }
     } catch (const Error&) {
         return;

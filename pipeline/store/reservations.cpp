@@ -16,6 +16,7 @@
 #include "pipeline/store/cache_maintenance.h"
 #include "pipeline/store/claims.h"
 #include "pipeline/store/pins.h"
+#include "pipeline/store/wait_notice.h"
 
 namespace carom::pipeline {
 namespace {
@@ -99,11 +100,18 @@ void require_room(const RoomRequest& request) {
 }
 
 /// Waits while another process asks for room.
-Claim take_turn(Claims& claims, const std::stop_token& stop) {
+Claim take_turn(Claims& claims, const RoomRequest& request, const std::stop_token& stop) {
+    constexpr const char* kName = "room";
+    WaitNotice wait;
     while (!stop.stop_requested()) {
         try {
-            if (std::optional<Claim> turn = claims.claim("room")) {
+            if (std::optional<Claim> turn = claims.claim(kName)) {
                 return std::move(*turn);
+            }
+            const std::optional<std::string> waited = wait.due();
+            if (waited && request.on_wait) {
+                request.on_wait(fmt::format("waiting for {} to reserve room in the cache '{}': {}",
+                                            *waited, request.cache_folder, claims.holder(kName)));
             }
         } catch (const Error& error) {
             throw CacheUnusable(error.what());
@@ -143,7 +151,7 @@ std::optional<std::uint64_t> free_bytes(const std::string& folder) {
 void reserve_room(const RoomRequest& request, const std::function<void()>& write_pin,
                   const std::stop_token& stop) {
     Claims claims(request.cache_folder + "/locks");
-    const Claim turn = take_turn(claims, stop);
+    const Claim turn = take_turn(claims, request, stop);
     // Own changes of the folder also make a network file system look at it anew.
     write_pin();
     require_room(request);

@@ -45,6 +45,8 @@ struct RoomRequest {
     /// Of what the job needs, this part has to be there: less than 1 if the need is estimated.
     double least_part = 1;
     std::optional<std::uint64_t> free{};  // instead of free_bytes(), for tests
+    /// Told for whom this waits, if it does for long.
+    std::function<void(const std::string&)> on_wait{};
 };
 
 /// Calls `write_pin`, which writes the pin of the request or the bytes in it, and then throws

@@ -1,6 +1,6 @@
-// A file has the sums in pieces, each after its length in bytes (8 bytes, as the machine stores
-// them), then the length 0 and a hash of the key and of all pieces. So neither writing nor reading
-// needs a second copy of the sums in memory.
+// A file has the number of samples, then the sums in pieces, each after its length in bytes (8
+// bytes, as the machine stores them), then the length 0 and a hash of the key, the number and all
+// pieces. So neither writing nor reading needs a second copy of the sums in memory.
 #include "pipeline/store/sums_file.h"
 
 #include <algorithm>
@@ -34,6 +34,9 @@ class Reader {
   public:
     Reader(const std::string& path, const Hash128& key) : file_(path, std::ios::binary) {
         hasher_.add(key);
+        std::uint64_t samples = 0;
+        is_end_ = !read(samples);
+        hasher_.add_bytes(bytes_of(samples));
     }
 
     /// Fills `bytes` with what comes next.
@@ -100,6 +103,9 @@ void write_sums(const FrameStore& store, const Hash128& key, const render::Frame
     };
     Hasher hasher;
     hasher.add(key);
+    const std::uint64_t samples = sums.samples();
+    write(bytes_of(samples));
+    hasher.add_bytes(bytes_of(samples));
     const auto write_piece = [&](std::span<const std::byte> piece) {
         write(bytes_of(std::uint64_t{piece.size()}));
         write(piece);
@@ -122,6 +128,12 @@ render::FrameSums read_sums(const FrameStore& store, const Hash128& key, std::si
     std::optional<render::FrameSums> sums = render::FrameSums::load(
         [&](std::span<std::byte> bytes) { return reader.fill(bytes); }, pixels);
     return sums && reader.is_intact() ? std::move(*sums) : render::FrameSums();
+}
+
+std::uint64_t stored_samples(const FrameStore& store, const Hash128& key) {
+    std::ifstream file(store.file_of(key, kExtension), std::ios::binary);
+    std::uint64_t samples = 0;
+    return file.read(reinterpret_cast<char*>(&samples), sizeof(samples)) ? samples : 0;
 }
 
 void remove_sums(const FrameStore& store, const Hash128& key) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "core/hash.h"
 #include "pipeline/store/frame_store.h"
@@ -16,6 +17,10 @@ void write_sums(const FrameStore& store, const Hash128& key, const render::Frame
 /// number of pixels; empty ones if there are none or they are damaged.
 [[nodiscard]] render::FrameSums read_sums(const FrameStore& store, const Hash128& key,
                                           std::size_t pixels);
+
+/// How many samples the stored sums of the frame have, as their file says, which is not read to its
+/// end; 0 if there are none.
+[[nodiscard]] std::uint64_t stored_samples(const FrameStore& store, const Hash128& key);
 
 /// Removes them, when the frame is there.
 void remove_sums(const FrameStore& store, const Hash128& key);

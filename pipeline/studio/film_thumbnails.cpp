@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include <unistd.h>
-
 #include "core/error.h"
 #include "pipeline/config/load_shot.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/job/mixed_film.h"
 #include "pipeline/picture/lit_annotations.h"
+#include "pipeline/store/claim_note.h"
+#include "pipeline/store/file_descriptor.h"
 #include "render/film/image_file.h"
 
 namespace carom::studio {
@@ -42,7 +42,7 @@ sim::Timeline timeline_of(pipeline::Shot& shot, std::shared_ptr<const pipeline::
 }  // namespace
 
 std::string jpeg_of(const SmallPicture& picture, const std::string& folder) {
-    const std::string path = folder + "/thumbnail_" + std::to_string(::getpid()) + ".jpg";
+    const std::string path = folder + "/thumbnail_" + pipeline::new_claim_process() + ".jpg";
     render::write_display_image(picture.rgb, picture.width, picture.height, path);
     std::ifstream file(path, std::ios::binary);
     std::string bytes{std::istreambuf_iterator<char>(file), {}};
@@ -65,7 +65,7 @@ FilmThumbnails::FilmThumbnails(pipeline::Shot shot,
       store_(cache_folder + "/frames"),
       view_(shot_.output),
       graphics_(shot_, timeline_, 1) {
-    std::filesystem::create_directories(folder_);
+    pipeline::create_folder(folder_);
 }
 
 std::optional<SmallPicture> FilmThumbnails::small(std::int64_t frame) {

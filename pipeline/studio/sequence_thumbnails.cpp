@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pipeline/sequence/sequence_writer.h"
+#include "pipeline/store/file_descriptor.h"
 
 namespace carom::studio {
 
@@ -36,7 +37,7 @@ void mix_in(const SmallPicture& picture, double weight, SmallPicture& film) {
 
 SequenceThumbnails::SequenceThumbnails(const pipeline::Sequence& sequence, std::string cache_folder)
     : sequence_(sequence), cache_folder_(std::move(cache_folder)) {
-    std::filesystem::create_directories(cache_folder_ + "/studio");
+    pipeline::create_folder(cache_folder_ + "/studio");
 }
 
 std::optional<SmallPicture> SequenceThumbnails::layer(const pipeline::SequenceLayer& layer) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -11,8 +12,10 @@
 #include <unistd.h>
 
 #include "core/error.h"
+#include "core/group_folder.h"
 #include "pipeline/store/cache_maintenance.h"
 #include "pipeline/store/file_descriptor.h"
+#include "pipeline/store/frame_checksum.h"
 #include "pipeline/store/incoming.h"
 #include "pipeline/store/pins.h"
 #include "pipeline/store/reservations.h"
@@ -90,8 +93,17 @@ CacheFiles own_files(const std::string& cache_folder) {
     return files;
 }
 
-bool is_intact(const std::string& path, const CacheFile& file) {
-    return pipeline::is_intact({file.kind, path, file.key, 0, {}});
+/// Whether the file may be taken; else it is added to those of the result that may not.
+bool may_take(const std::string& path, const CacheFile& file, TransferResult& result) {
+    const pipeline::FrameFileState state = pipeline::state_of({file.kind, path, file.key, 0, {}});
+    if (state == pipeline::FrameFileState::damaged) {
+        result.damaged.push_back(file.path());
+    } else if (state == pipeline::FrameFileState::unreadable) {
+        result.unreadable.push_back(file.path());
+    } else {
+        return true;
+    }
+    return false;
 }
 
 /// Passes on the progress of rsync, which prints a line for each file.
@@ -172,21 +184,22 @@ class Arrivals {
     void take_one(const std::string& path, const CacheFile& file, std::uint64_t bytes,
                   TransferResult& result) const {
         const std::string place = cache_ + "/" + file.path();
-        if (!is_intact(path, file)) {
-            result.damaged.push_back(file.path());
+        if (!may_take(path, file, result)) {
+            ::unlink(path.c_str());
         } else if (::access(place.c_str(), F_OK) == 0) {
             ++result.there;  // made here meanwhile
+            ::unlink(path.c_str());
         } else {
             const pipeline::FileDescriptor opened(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
             (void)::fsync(opened.get());
-            pipeline::create_folder(fs::path(place).parent_path().string());
+            const std::string folder = fs::path(place).parent_path().string();
+            pipeline::create_folder(folder);
+            share_file(opened.get(), folder);
             if (::rename(path.c_str(), place.c_str()) != 0) {
                 throw Error(pipeline::system_problem(place, "the file cannot be moved here"));
             }
             count(file, bytes, result);
-            return;
         }
-        ::unlink(path.c_str());
     }
 
     std::string cache_;
@@ -226,7 +239,8 @@ void copy_here(const TransferOptions& options, const std::string& place, Selecti
 /// A pin that reserves room for the files.
 void require_room(const TransferOptions& options, const pipeline::Pin& pin, std::uint64_t removable,
                   const std::stop_token& stop) {
-    const pipeline::RoomRequest request{options.cache_folder, pin.name(), removable, 1, {}};
+    const pipeline::RoomRequest request{options.cache_folder, pin.name(), removable, 1, {},
+                                        options.on_wait};
     pipeline::reserve_room(
         request, [] {}, stop);
 }
@@ -305,12 +319,7 @@ TransferResult push(const TransferOptions& options, const WorkContext& context) 
             throw Stopped();
         }
         const std::string path = options.cache_folder + "/" + it->first.path();
-        if (is_intact(path, it->first)) {
-            ++it;
-        } else {
-            result.damaged.push_back(it->first.path());
-            it = files.erase(it);
-        }
+        it = may_take(path, it->first, result) ? std::next(it) : files.erase(it);
     }
     if (options.dry_run || files.empty()) {
         for (const auto& [file, bytes] : files) {

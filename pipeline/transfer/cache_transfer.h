@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -19,6 +20,7 @@ struct TransferOptions {
     std::optional<std::set<Hash128>> keys{};  // only frames and bakes with these; empty: all
     bool dry_run = false;                     // nothing is copied, only counted
     std::uint64_t cache_limit = 0;            // pull: bytes; older files are removed beyond it
+    std::function<void(const std::string&)> on_wait{};  // pull: that of RoomRequest
 };
 
 struct TransferResult {
@@ -28,6 +30,7 @@ struct TransferResult {
     std::uint64_t there = 0;           // files that the receiving cache had
     std::uint64_t missing = 0;         // keys that neither cache has a file for
     std::vector<std::string> damaged;  // paths in the sending cache, of files that were not taken
+    std::vector<std::string> unreadable;  // likewise: this user may not read them
     /// pull: bytes of the whole cache, if it exceeds its limit.
     std::optional<std::uint64_t> exceeds_limit{};
 };

@@ -56,8 +56,8 @@ class FailingWrites : public EndToEnd, public ::testing::WithParamInterface<Outp
         EXPECT_EQ(result.exit_code, 0) << result.err;
         std::istringstream lines(text_of("cache_writes"));
         int most = 0;
-        for (int count = 0; lines >> count;) {
-            most = std::max(most, count);
+        for (std::string line; std::getline(lines, line);) {
+            most = std::max(most, std::stoi(line));
         }
         std::filesystem::remove(path(file));
         return most;

@@ -1,11 +1,18 @@
-// Preloaded into a program (LD_PRELOAD), it lets writes to files fail and the clock jump.
+// Preloaded into a program (LD_PRELOAD), it lets writes to files and other calls fail and the clock
+// jump.
 //   CAROM_FAULT=KIND:N      at the N-th write, counted from 1: `full`, from then on every one fails
-//   for want of space; `io`, this
-//                           one fails; `short`, this one writes half of what it should
-//   CAROM_FAULT_COUNT=FILE  the number of writes is appended to FILE at the end
+//                           for want of space; `io`, this one fails; `short`, this one writes half
+//                           of what it should
+//   CAROM_FAILING=CALL:ERRNO:N  the N-th `link`, `read` or `flock` fails with this number of an
+//                           error; each one if N is 0
+//   CAROM_FAULT_COUNT=FILE  a line with the numbers of writes, links, reads and locks is appended
+//   to
+//                           FILE at the end
 //   CAROM_CLOCK_JUMP=N      from the N-th look on, the clock of the day is an hour late
 // Writes are those to regular files other than the three standard streams, what flushes, cuts and
-// renames them included. What a stream of <cstdio> only puts into its buffer is none.
+// renames them included. What a stream of <cstdio> only puts into its buffer is none. Reads are
+// those of regular files, except through <cstdio>.
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
@@ -44,8 +51,30 @@ struct Plan {
     }
 };
 
+enum class Call { link, read, flock };
+constexpr std::array kCalls{"link", "read", "flock"};  // in the order of Call
+
+/// Which call fails.
+struct Failing {
+    std::string call;
+    int error = 0;
+    long at = 0;  // 0: each
+
+    Failing() {
+        const char* text = std::getenv("CAROM_FAILING");
+        const char* first = text != nullptr ? std::strchr(text, ':') : nullptr;
+        const char* second = first != nullptr ? std::strchr(first + 1, ':') : nullptr;
+        if (second != nullptr) {
+            call.assign(text, first);
+            error = std::atoi(first + 1);
+            at = std::atol(second + 1);
+        }
+    }
+};
+
 struct Counter {
     std::atomic<long> count{0};
+    std::array<std::atomic<long>, kCalls.size()> calls{};
 
     ~Counter() {
         const char* path = std::getenv("CAROM_FAULT_COUNT");
@@ -53,7 +82,11 @@ struct Counter {
             return;
         }
         const int file = ::open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-        const std::string line = std::to_string(count.load()) + "\n";
+        std::string line = std::to_string(count.load());
+        for (const std::atomic<long>& of_call : calls) {
+            line += " " + std::to_string(of_call.load());
+        }
+        line += "\n";
         if (real<ssize_t(int, const void*, size_t)>("write")(file, line.data(), line.size()) < 0) {
             std::abort();
         }
@@ -71,6 +104,23 @@ Counter& counter() {
     return instance;
 }
 
+/// Whether this call is to fail, with errno set.
+bool fails(Call call) {
+    static const Failing failing;
+    const auto index = static_cast<std::size_t>(call);
+    const long number = ++counter().calls[index];
+    if (failing.call != kCalls[index] || (failing.at != 0 && failing.at != number)) {
+        return false;
+    }
+    errno = failing.error;
+    return true;
+}
+
+bool is_regular(int file) {
+    struct stat status {};
+    return ::fstat(file, &status) == 0 && S_ISREG(status.st_mode);
+}
+
 Fault next() {
     const long number = ++counter().count;
     if (plan().kind == "full" && number >= plan().at) {
@@ -83,11 +133,7 @@ Fault next() {
 }
 
 Fault fault_of(int file) {
-    struct stat status {};
-    if (file <= STDERR_FILENO || ::fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) {
-        return Fault::none;
-    }
-    return next();
+    return file <= STDERR_FILENO || !is_regular(file) ? Fault::none : next();
 }
 
 /// Whether the call is to fail, with errno set.
@@ -192,6 +238,32 @@ int ftruncate64(int file, off64_t length) {
 int rename(const char* from, const char* to) {
     static const auto call = real<int(const char*, const char*)>("rename");
     return fails(next()) ? -1 : call(from, to);
+}
+
+int link(const char* from, const char* to) {
+    static const auto call = real<int(const char*, const char*)>("link");
+    return fails(Call::link) ? -1 : call(from, to);
+}
+
+ssize_t read(int file, void* data, size_t size) {
+    static const auto call = real<ssize_t(int, void*, size_t)>("read");
+    return is_regular(file) && fails(Call::read) ? -1 : call(file, data, size);
+}
+
+ssize_t pread64(int file, void* data, size_t size, off64_t offset) {
+    static const auto call = real<ssize_t(int, void*, size_t, off64_t)>("pread64");
+    return is_regular(file) && fails(Call::read) ? -1 : call(file, data, size, offset);
+}
+
+ssize_t pread(int file, void* data, size_t size, off_t offset) {
+    return pread64(file, data, size, offset);
+}
+
+// The name flock is also that of a structure.
+int lock_file(int file, int operation) __asm__("flock");
+int lock_file(int file, int operation) {
+    static const auto call = real<int(int, int)>("flock");
+    return fails(Call::flock) ? -1 : call(file, operation);
 }
 
 int clock_gettime(clockid_t clock, timespec* time) {

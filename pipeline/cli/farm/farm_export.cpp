@@ -2,17 +2,19 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
+#include <span>
 #include <system_error>
 
 #include <fmt/core.h>
 #include <sys/stat.h>
 
-#include "core/atomic_file.h"
+#include "core/hash.h"
 #include "pipeline/cli/farm/farm_actions.h"
 #include "pipeline/cli/farm/farm_files.h"
 #include "pipeline/cli/farm/farm_film.h"
 #include "pipeline/cli/farm/farm_plan.h"
-#include "pipeline/farm/slurm.h"
+#include "pipeline/farm/engine_files.h"
+#include "pipeline/farm/scripts.h"
 #include "pipeline/store/file_descriptor.h"
 
 namespace carom::cli {
@@ -20,17 +22,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write_script(const std::string& path, const std::string& text) {
-    write_file_atomically(path, std::as_bytes(std::span(text)));
-    ::chmod(path.c_str(), 0755);
-}
+constexpr std::size_t kIdDigits = 6;
 
-std::string readme_text(const PlannedFarm& planned, const std::string& start) {
+std::string readme_text(const PlannedFarm& planned, const farm::EngineFiles& engine) {
     const farm::FarmJob& job = planned.job;
     const std::vector<pipeline::WorkerFilm> shots = planned.film.shots();
     const bool is_ocio = std::ranges::any_of(shots, [](const pipeline::WorkerFilm& film) {
         return film.shot.output.view == pipeline::ViewTransform::ocio;
     });
+    const std::string program = engine.start.ends_with(".sh")
+                                    ? fmt::format(
+                                          "If carom is not found by its name, say\nwhere it is:\n\n"
+                                          "    CAROM=/path/to/carom {}\n\n",
+                                          engine.sentence)
+                                    : "\n\n";
     return fmt::format(
         "# The film {}\n\n"
         "This folder has all that is needed to render the film of {}, except carom itself. The\n"
@@ -41,36 +46,14 @@ std::string readme_text(const PlannedFarm& planned, const std::string& start) {
         "and\n"
         "started again: finished frames are in store/. The folder may be moved or copied to other\n"
         "machines; all that take part have to see it. Their processors need {} instructions, so\n"
-        "that the frames have the same bytes everywhere. If carom is not found by its name, say\n"
-        "where it is:\n\n"
-        "    CAROM=/path/to/carom {}\n\n"
-        "{}`carom farm status .` tells how far it is.\n",
-        fs::path(job.film).filename().string(), job.name, start, job.tier, start,
+        "that the frames have the same bytes everywhere. {}"
+        "{}{}`carom farm status .` tells how far it is.\n",
+        fs::path(job.film).filename().string(), job.name, engine.sentence, job.tier, program,
+        engine.note,
         is_ocio ? "The environment variable OCIO has to name the shot's OpenColorIO "
                   "configuration.\n\n"
                 : "");
 }
-
-std::string parallel_script(const farm::FarmJob& job) {
-    return fmt::format(
-        "#!/bin/sh\n"
-        "# Renders the film with GNU parallel. JOBS: workers at a time (one for each processor).\n"
-        "cd \"$(dirname \"$0\")\" || exit 1\n"
-        "round=0\n"
-        "while [ $round -lt 20 ]; do\n"
-        "  round=$((round + 1))\n"
-        "  seq {} | parallel --jobs \"${{JOBS:-100%}}\" -N0 ./worker.sh\n"
-        "  ./film.sh && exit 0\n"
-        "done\n"
-        "exit 1\n",
-        job.workers);
-}
-
-constexpr const char* kSlurmScript =
-    "#!/bin/sh\n"
-    "# Submits the film to Slurm.\n"
-    "cd \"$(dirname \"$0\")\" || exit 1\n"
-    "exec \"${CAROM:-carom}\" farm resume .\n";
 
 void copy_all_files(FarmFilm& film, const std::string& folder) {
     if (auto* one = std::get_if<FarmFilm::OneShot>(&film.content)) {
@@ -103,19 +86,21 @@ void farm_export(const FarmCommand& command, CommandContext& context) {
         job.store = "store";
         job.film = fs::path(job.film).filename().string();
         job.root = ".";
-        job.engine = command.format;
         job.is_portable = true;
+        job.id = hash_bytes(std::as_bytes(std::span(folder))).to_string().substr(0, kIdDigits);
         pipeline::create_folder(folder + "/logs");
         pipeline::create_folder(folder + "/workers");
         copy_all_files(planned.film, folder);
         write_folder(planned);
         farm::write_portable_scripts(job);
-        const bool is_slurm = command.format == "slurm";
-        const std::string start = is_slurm ? "submit.sh" : "run.sh";
-        write_script(folder + "/" + start, is_slurm ? kSlurmScript : parallel_script(job));
-        const std::string readme = readme_text(planned, "./" + start);
-        write_file_atomically(folder + "/README.md", std::as_bytes(std::span(readme)));
-        print_path(folder + "/" + start);
+        const farm::EngineFiles engine = farm::engine_files(job);
+        for (const farm::EngineFile& file : engine.files) {
+            farm::write_engine_file(job, file);
+        }
+        pipeline::create_folder(folder + "/container");
+        farm::write_engine_file(job, farm::container_file());
+        farm::write_engine_file(job, {"README.md", readme_text(planned, engine)});
+        print_path(folder + "/" + engine.start);
     } catch (...) {
         std::error_code ignored;
         fs::remove_all(folder, ignored);

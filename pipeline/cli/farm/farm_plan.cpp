@@ -1,6 +1,7 @@
 #include "pipeline/cli/farm/farm_plan.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -12,12 +13,15 @@
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/duration_text.h"
 #include "pipeline/cli/farm/farm_film.h"
+#include "pipeline/cli/farm/spare_files.h"
 #include "pipeline/cli/film_input.h"
 #include "pipeline/cli/forecast_report.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/sequence_films.h"
 #include "pipeline/cli/sequence_input.h"
 #include "pipeline/cli/terminal/duration_text.h"
+#include "pipeline/farm/engine.h"
+#include "pipeline/farm/engine_options.h"
 #include "pipeline/job/film_status.h"
 #include "pipeline/sequence/load_sequence.h"
 #include "pipeline/sequence/sequence_text.h"
@@ -33,19 +37,42 @@ using farm::FarmJob;
 
 constexpr std::int64_t kMostWorkers = 1000;  // Slurm's usual limit of an array
 constexpr std::uint64_t kMegabyte = 1000000;
+constexpr double kLeastBudget = 1;     // s; a worker would render nothing
+constexpr double kLeastDeadAfter = 1;  // s; a heartbeat of a sixth of it has to reach the store
 
 /// Of a worker, MB. `needed`: bytes, as forecast; it may be a quarter too small.
-std::int64_t megabytes_of(const FarmCommand& command, std::uint64_t needed) {
-    if (command.memory == "auto") {
-        return static_cast<std::int64_t>(1.3 * static_cast<double>(needed) / kMegabyte) + 100;
+std::int64_t memory_for(std::uint64_t needed) {
+    return static_cast<std::int64_t>(1.3 * static_cast<double>(needed) / kMegabyte) + 100;
+}
+
+/// The value of an option that is a time of at least that many seconds.
+double seconds_of(const char* option, const std::string& text, double least) {
+    const double seconds = parse_duration(text).count();
+    if (seconds < least) {
+        throw InputError(
+            fmt::format("{}: '{}' is too short; the least is {} s", option, text, least));
     }
-    try {
-        const bool is_short = !command.memory.empty() && command.memory.back() != 'B';
-        const std::string size = command.memory + (is_short ? "B" : "");  // Slurm's "500M"
-        return static_cast<std::int64_t>(pipeline::parse_cache_size(size) / kMegabyte);
-    } catch (const Error& error) {
-        throw InputError(std::string("--mem: ") + error.what());
+    return seconds;
+}
+
+/// Short tasks find room sooner; what is started outside carom is not started again.
+double budget_of(const FarmCommand& command) {
+    const bool has_limit = has_time_limit(command.format);
+    const std::string usual = has_limit ? "10 min" : "8760 h";
+    const double budget =
+        seconds_of("--budget", command.budget.empty() ? usual : command.budget, kLeastBudget);
+    if (!has_limit || command.time.empty()) {
+        return budget;
     }
+    const std::int64_t limit = minutes_of(command.time);
+    if (command.budget.empty()) {
+        return budget_within(limit, budget);
+    }
+    if (budget >= 60.0 * static_cast<double>(limit)) {
+        throw InputError(fmt::format("--budget: '{}' is not shorter than --time, which is {} min",
+                                     command.budget, limit));
+    }
+    return budget;
 }
 
 /// So many that each one's budget is used, but not more than there are pictures.
@@ -61,15 +88,15 @@ std::int64_t workers_for(const FarmJob& job, const pipeline::FilmForecast& forec
 }
 
 /// Minutes for the budget and a frame that was begun just before its end.
-std::string time_for(const FarmJob& job, const pipeline::FilmForecast& forecast) {
+std::int64_t time_for(const FarmJob& job, const pipeline::FilmForecast& forecast) {
     const double frame = forecast.seconds_per_picture * (1 + forecast.error);
-    return fmt::format("{:.0f}",
-                       std::ceil((job.budget + 2 * frame + forecast.preparation_seconds) / 60) + 5);
+    const double seconds = job.budget + 2 * frame + forecast.preparation_seconds;
+    return static_cast<std::int64_t>(std::ceil(seconds / 60)) + 5;
 }
 
 /// Minutes to read all frames and to encode them.
-std::string time_for_film(const pipeline::FilmForecast& forecast) {
-    return fmt::format("{:.0f}", std::ceil(3 * forecast.encoding_seconds / 60) + 15);
+std::int64_t time_for_film(const pipeline::FilmForecast& forecast) {
+    return static_cast<std::int64_t>(std::ceil(3 * forecast.encoding_seconds / 60)) + 15;
 }
 
 /// The tier of the job's frames.
@@ -103,18 +130,27 @@ FarmJob job_of(const FarmCommand& command, const FarmFilm& film,
     job.tier = tier_of(command);
     job.tasks_at_once = command.tasks_at_once;
     job.processors = command.processors;
-    job.memory = megabytes_of(command, forecast.memory_bytes);
+    job.memory =
+        command.memory == "auto" ? memory_for(forecast.memory_bytes) : megabytes_of(command.memory);
     if (forecast.pictures > 0) {  // as forecast; it may be a quarter too small
         const auto pictures = static_cast<std::uint64_t>(forecast.pictures);
         job.frame_bytes = static_cast<std::int64_t>(forecast.store_bytes * 5 / (4 * pictures));
     }
-    job.budget = parse_duration(command.budget).count();
-    job.dead_after = parse_duration(command.dead_after).count();
+    job.budget = budget_of(command);
+    job.dead_after = seconds_of("--dead-after", command.dead_after, kLeastDeadAfter);
     job.partition = command.partition;
     job.account = command.account;
     job.workers = command.workers > 0 ? command.workers : workers_for(job, forecast);
-    job.time = command.time.empty() ? time_for(job, forecast) : command.time;
-    job.film_time = command.time.empty() ? time_for_film(forecast) : command.time;
+    job.time = command.time.empty() ? time_for(job, forecast) : minutes_of(command.time);
+    job.film_time = time_for_film(forecast);
+    if (!command.time.empty()) {
+        job.film_time = std::max(job.time, job.film_time);
+    }
+    job.priority = command.priority.value_or(0);
+    job.exec_after = command.exec_after;
+    check_engine_options(command.format, command.engine_options);
+    job.engine_options = command.engine_options;
+    job.engine = command.format;
     return job;
 }
 
@@ -221,6 +257,43 @@ pipeline::FilmForecast forecast_all(const FarmFilm& film, std::int64_t& missing,
 
 }  // namespace
 
+std::int64_t minutes_of(const std::string& time) {
+    const double minutes = seconds_of("--time", time, 60) / 60;
+    return static_cast<std::int64_t>(std::ceil(minutes));
+}
+
+std::int64_t megabytes_of(const std::string& size) {
+    std::int64_t megabytes = 0;
+    try {
+        const bool is_short = !size.empty() && size.back() != 'B';  // Slurm's "500M"
+        megabytes = static_cast<std::int64_t>(
+            pipeline::parse_cache_size(size + (is_short ? "B" : "")) / kMegabyte);
+    } catch (const Error& error) {
+        throw InputError(std::string("--mem: ") + error.what());
+    }
+    if (megabytes < 1) {
+        throw InputError("--mem: '" + size + "' is too little; the least is 1 MB");
+    }
+    return megabytes;
+}
+
+bool has_time_limit(const std::string& engine) {
+    return engine == "slurm" || engine == "pbs";
+}
+
+double budget_within(std::int64_t minutes, double seconds) {
+    const std::chrono::duration<double> usable = farm::usable_time(std::chrono::minutes(minutes));
+    return std::min(seconds, usable.count());
+}
+
+void check_engine_options(const std::string& engine, const std::vector<std::string>& options) {
+    for (const std::string& option : options) {
+        if (const std::string problem = farm::problem_of_option(engine, option); !problem.empty()) {
+            throw InputError(problem);
+        }
+    }
+}
+
 PlannedFarm plan_farm(const FarmCommand& command, CommandContext& context) {
     PlannedFarm planned;
     planned.film = read_input(command, context);
@@ -263,6 +336,7 @@ void write_folder(const PlannedFarm& planned) {
         const std::string text = pipeline::sequence_text(sequence, name);
         write_file_atomically(farm::sequence_path(job), std::as_bytes(std::span(text)));
     }
+    write_spare_files(job);
     farm::write_job(job);
 }
 

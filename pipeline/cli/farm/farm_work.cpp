@@ -1,58 +1,32 @@
-// The tasks of a job: its workers, and the last one that writes the film.
-#include <cstdlib>
-#include <optional>
+// The workers of a job.
+#include <chrono>
+#include <new>
 #include <thread>
 
 #include <fmt/core.h>
-#include <unistd.h>
 
-#include "core/text.h"
 #include "pipeline/cli/farm/farm_actions.h"
 #include "pipeline/cli/farm/farm_film.h"
+#include "pipeline/cli/farm/farm_finish.h"
+#include "pipeline/cli/farm/frame_diary.h"
+#include "pipeline/cli/farm/task_end.h"
 #include "pipeline/cli/job_observer.h"
-#include "pipeline/farm/slurm.h"
+#include "pipeline/farm/engine.h"
+#include "pipeline/farm/own_task.h"
 #include "pipeline/farm/worker_file.h"
-#include "pipeline/job/film_status.h"
 #include "pipeline/job/film_worker.h"
-#include "pipeline/job/job_frames.h"
 #include "render/acceleration/vector_tier.h"
 
 namespace carom::cli {
 namespace {
 
 using farm::FarmJob;
-using farm::SlurmJobs;
 using farm::WorkerNote;
 
-constexpr int kAttempts = 3;     // of a worker whose store fails
-constexpr int kMostRounds = 20;  // of workers, and of attempts to write the film
-constexpr int kRoundsWithoutProgress = 3;
-constexpr int kLongestGrace = 120;  // seconds
-constexpr int kPause = 10;          // seconds, before another attempt to write the film
+constexpr int kAttempts = 3;  // of a worker whose store fails, or which finds frames damaged
 
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value != nullptr ? value : "";
-}
-
-/// From 0: Slurm's, or that of GNU parallel, which counts from 1.
-std::int64_t task_number() {
-    const std::string in_parallel = variable("PARALLEL_SEQ");
-    return in_parallel.empty() ? std::strtoll(variable("SLURM_ARRAY_TASK_ID").c_str(), nullptr, 10)
-                               : std::strtoll(in_parallel.c_str(), nullptr, 10) - 1;
-}
-
-/// Of the worker: that of its task.
-std::string own_name() {
-    const std::string job = variable("SLURM_ARRAY_JOB_ID");
-    return job.empty() ? fmt::format("{}{}", pipeline::host_prefix(), ::getpid())
-                       : fmt::format("{}_{}", job, task_number());
-}
-
-std::string own_host() {
-    const std::string node = variable("SLURMD_NODENAME");
-    return node.empty() ? pipeline::this_host() : node;
-}
+static_assert(farm::kWrongInput == kWrongUsage && farm::kOutOfTime == kOutOfTime &&
+              farm::kOutOfMemory == kOutOfMemory && farm::kStopped == kInterrupted);
 
 void refuse_other_machines(const FarmJob& job) {
     if (!render::machine_has_tier(job.tier)) {
@@ -66,9 +40,9 @@ void refuse_other_machines(const FarmJob& job) {
 /// The note of a worker, written again when its state has changed.
 class Note {
   public:
-    explicit Note(const FarmJob& job) : job_(job) {
-        note_.name = own_name();
-        note_.host = own_host();
+    Note(const FarmJob& job, const farm::OwnTask& task) : job_(job) {
+        note_.name = task.name;
+        note_.host = task.host;
     }
 
     void tell(const pipeline::WorkerState& state) {
@@ -125,106 +99,80 @@ void sleep_for(int seconds, const std::stop_token& stop) {
     }
 }
 
-pipeline::WorkerResult work(const FarmJob& job, const FarmFilm& film, Note& note,
+/// Renders frames, and writes the film if all are there.
+pipeline::WorkerResult work(const FarmJob& job, const farm::OwnTask& task, Note& note,
                             CommandContext& context) {
+    FarmFilm film = read_film(job, JobUse::work, context);
     const std::int64_t at_once =
         job.tasks_at_once > 0 ? std::min(job.tasks_at_once, job.workers) : job.workers;
     pipeline::WorkerOptions options;
     options.of = static_cast<std::size_t>(at_once);
-    options.number = static_cast<std::size_t>(task_number() % at_once);
+    options.number = static_cast<std::size_t>(task.number % at_once);
     options.budget = std::chrono::duration<double>(job.budget);
-    return pipeline::work_on_films(
-        film.shots(), options, make_console_observer(context.console),
-        [&](const pipeline::WorkerState& state) { note.tell(state); }, context.stop);
-}
-
-[[noreturn]] void give_up(const FarmJob& job, const std::string& problem) {
-    farm::write_end(job, {"failed", problem});
-    FarmFrames::forget_reservation(job);
-    throw Error(problem);
-}
-
-/// The problem of a worker, if there is one.
-std::string problem_of_workers(const FarmJob& job) {
-    for (const WorkerNote& note : farm::read_workers(job)) {
-        if (!note.problem.empty()) {
-            return "; worker " + note.name + ": " + note.problem;
+    FrameDiary diary(job, task.name, task.host, context.console);
+    options.wishes = [&] { return diary.wishes(); };
+    options.on_attempt = [&](const pipeline::FrameAttempt& attempt) { diary.add(attempt); };
+    std::int64_t revision = diary.wishes().revision;
+    for (int attempt = 1;; ++attempt) {
+        const pipeline::WorkerResult result = pipeline::work_on_films(
+            film.shots(), options, make_console_observer(context.console),
+            [&](const pipeline::WorkerState& state) { note.tell(state); }, context.stop);
+        if (!result.is_complete || complete_film(job, film, context)) {
+            return result;
         }
+        if (const std::int64_t now = diary.wishes().revision; now != revision) {
+            revision = now;  // frames are missing because somebody wants them again
+            attempt = 0;
+        }
+        if (attempt == kAttempts) {
+            throw Error("frames in the store are damaged again and again");
+        }
+        note.begin_again("");
     }
-    return "";
 }
 
-/// What is to be done if frames are missing or the film cannot be written. The next round is noted
-/// before it is submitted: a store that cannot be written to ends the job.
-void submit_again(const FarmJob& job, SlurmJobs slurm, std::int64_t missing,
-                  const std::string& problem, CommandContext& context) {
-    if (farm::read_end(job)) {
-        throw Error(problem + "; the job was cancelled");
+[[noreturn]] void end_stopped(const TaskEnd& end, Note& note) {
+    if (end.is_out_of_time()) {
+        note.end("its time limit was over");
+        throw OutOfTime();
     }
-    if (job.engine != "slurm") {
-        throw Error(problem);
-    }
-    if (slurm.round >= kMostRounds) {
-        give_up(job, problem + "; this was the last attempt");
-    }
-    if (missing > 0 && missing >= slurm.missing && slurm.round >= kRoundsWithoutProgress) {
-        give_up(job, problem + "; the last workers finished no frame" + problem_of_workers(job));
-    }
-    ++slurm.round;
-    slurm.missing = missing;
-    farm::write_slurm_jobs(job, slurm);
-    if (missing > 0) {
-        slurm.numbers = farm::submit_all(job).numbers;
-    } else {
-        slurm.numbers.back() = farm::submit_last(job, kPause);
-    }
-    farm::write_slurm_jobs(job, slurm);
-    context.console.warning(problem + "; submitted again");
+    note.end("stopped");
+    end.leave_to_engine();
+    throw Stopped();
 }
 
-/// Writes the film. Returns the frames that are missing, and writes nothing then.
-std::vector<std::int64_t> write_film(const FarmJob& job, CommandContext& context) {
-    FarmFilm film = read_film(job, context);
-    film.options.output = job.film;
-    std::vector<std::int64_t> missing =
-        film.missing_frames(context.stop, pipeline::DamagedFrames::remove);
-    if (!missing.empty()) {
-        return missing;
-    }
-    const pipeline::JobObserver observer =
-        make_console_observer(context.console, std::ssize(film.frames()));
-    if (const auto* one = std::get_if<FarmFilm::OneShot>(&film.content)) {
-        (void)pipeline::mux_complete_film(one->input.shot, one->bake, film.options, observer,
-                                          context.stop);
-    } else {
-        const auto& [sequence, bakes] = std::get<FarmFilm::SeveralShots>(film.content);
-        (void)pipeline::mux_sequence(sequence, bakes, film.options, observer, context.stop);
-    }
-    context.console.end_progress();
-    FarmFrames(film, context.stop).forget_claims();
-    return {};
-}
-
-/// For Slurm a task that ends by itself is done. One that is still there when its grace is over is
-/// run again if it was pre-empted, and not if its user has cancelled it.
-void leave_the_end_to_slurm(const FarmJob& job) {
-    const bool is_task = !variable("SLURM_JOB_ID").empty();
-    for (int second = 0; is_task && second < kLongestGrace && !farm::read_end(job); ++second) {
-        std::this_thread::sleep_for(std::chrono::seconds(1));
+/// Whether there is nothing to do for a worker: of a film that is there frames may be gone from the
+/// store. What has failed or was stopped goes on when workers are started again; of a queue these
+/// are left ones.
+bool needs_no_worker(const FarmJob& job, CommandContext& context) {
+    try {
+        const auto end = farm::read_end(job);
+        if (!end || (end->state != "complete" && !farm::has_queue(job))) {
+            return false;
+        }
+        context.console.info(fmt::format("the job is {}{}{}", end->state,
+                                         end->message.empty() ? "" : ": ", end->message));
+        return true;
+    } catch (const Error&) {
+        return false;
     }
 }
 
 }  // namespace
 
 void farm_work(const FarmCommand& command, CommandContext& context) {
-    const FarmJob job = find_job(command);
+    const FarmJob job = find_job(command, JobUse::work);
+    if (needs_no_worker(job, context)) {
+        return;
+    }
     refuse_other_machines(job);
     const render::TierLimit tier(job.tier);
-    Note note(job);
+    const farm::OwnTask task = farm::own_task();
+    const TaskEnd end(job, farm::stages().front(), task);
+    Note note(job, task);
     for (int attempt = 1;; ++attempt) {
         try {
-            const FarmFilm film = read_film(job, context);
-            const pipeline::WorkerResult result = work(job, film, note, context);
+            const pipeline::WorkerResult result = work(job, task, note, context);
             note.end("");
             context.console.info(fmt::format(
                 "{} pictures rendered, {} of them twice, {} of them begun by other workers; the "
@@ -234,9 +182,15 @@ void farm_work(const FarmCommand& command, CommandContext& context) {
                 result.state.pictures));
             return;
         } catch (const Stopped&) {
-            note.end("stopped");
-            leave_the_end_to_slurm(job);
+            end_stopped(end, note);
+        } catch (const InputError& error) {
+            note.end(error.what());
+            end_in_vain(job, error.what(), context);
             throw;
+        } catch (const std::bad_alloc&) {
+            const OutOfMemory error;
+            note.end(error.what());
+            throw error;
         } catch (const Error& error) {
             if (attempt == kAttempts) {
                 note.end(error.what());
@@ -247,30 +201,6 @@ void farm_work(const FarmCommand& command, CommandContext& context) {
             sleep_for(2 * attempt, context.stop);
         }
     }
-}
-
-void farm_finish(const FarmCommand& command, CommandContext& context) {
-    const FarmJob job = find_job(command);
-    const SlurmJobs slurm = farm::read_slurm_jobs(job).value_or(SlurmJobs{});
-    std::vector<std::int64_t> missing;
-    std::string problem;
-    try {
-        missing = write_film(job, context);
-    } catch (const Stopped&) {
-        throw;
-    } catch (const Error& error) {
-        problem = error.what();
-    }
-    if (!missing.empty()) {
-        problem = fmt::format("{} {} missing: {}", counted(missing.size(), "frame"),
-                              missing.size() == 1 ? "is" : "are", pipeline::frames_text(missing));
-    }
-    if (!problem.empty()) {
-        return submit_again(job, slurm, std::ssize(missing), problem, context);
-    }
-    FarmFrames::unpin(job);
-    farm::write_end(job, {"complete", ""});
-    print_path(job.film);
 }
 
 }  // namespace carom::cli

@@ -32,24 +32,10 @@ void describe(StudioCommand& command, CommandDescription& description) {
         .offers(Offer::files, {"yaml", "yml"})
         .is_required = false;
     description
-        .option("--port", &command.port, "N",
-                "The port of the address, 1024 to 65535. 0, the default, means any free port.")
-        .between(0, 65535)
-        .checked_by([](const std::string& text) {
-            const bool is_system = !text.empty() && text != "0" && text.size() <= 4 &&
-                                   text.find_first_not_of("0123456789") == std::string::npos &&
-                                   std::stoi(text) > 0 && std::stoi(text) < 1024;
-            return is_system ? "ports below 1024 belong to the system; take 1024 to 65535, or 0"
-                             : std::string();
-        });
-    description.flag("--no-browser", command.no_browser, "Only print the address.");
-    description
         .option("-o,--output", &command.output, "FOLDER",
                 "The folder of films and exports. The default is that of the shot.")
         .offers(Offer::folders);
-    description.option("--idle", &command.idle, "TIME",
-                       "End the server when for so long nothing was asked: 12h (the default), "
-                       "90min.");
+    add_page(description, command.page);
     add_changes(description, command.input);
     add_cache(description, command.cache);
     description.examples = {

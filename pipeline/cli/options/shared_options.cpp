@@ -79,6 +79,24 @@ void add_tier(CommandDescription& description, std::string& tier, const std::str
         .one_of({render::kTierOptions.begin(), render::kTierOptions.end()});
 }
 
+void add_page(CommandDescription& description, PageOptions& page) {
+    description
+        .option("--port", &page.port, "N",
+                "The port of the address, 1024 to 65535. 0, the default, means any free port.")
+        .between(0, 65535)
+        .checked_by([](const std::string& text) {
+            const bool is_system = !text.empty() && text != "0" && text.size() <= 4 &&
+                                   text.find_first_not_of("0123456789") == std::string::npos &&
+                                   std::stoi(text) > 0 && std::stoi(text) < 1024;
+            return is_system ? "ports below 1024 belong to the system; take 1024 to 65535, or 0"
+                             : std::string();
+        });
+    description.flag("--no-browser", page.no_browser, "Only print the address.");
+    description.option("--idle", &page.idle, "TIME",
+                       "End the server when for so long nothing was asked: 12h (the default), "
+                       "90min.");
+}
+
 void add_threads(CommandDescription& description, int& threads) {
     description
         .option("--threads", &threads, "N",

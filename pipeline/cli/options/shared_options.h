@@ -21,6 +21,8 @@ void add_frames(CommandDescription& description, std::string& frames);
 void add_dry_run(CommandDescription& description, bool& dry_run);
 /// --tier, with a sentence about the default.
 void add_tier(CommandDescription& description, std::string& tier, const std::string& help);
+/// --port, --no-browser and --idle.
+void add_page(CommandDescription& description, PageOptions& page);
 void add_threads(CommandDescription& description, int& threads);
 void add_output(CommandDescription& description, std::string& output, const char* help);
 void add_drawing(CommandDescription& description, DrawingOptions& drawing);

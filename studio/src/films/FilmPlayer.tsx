@@ -41,6 +41,7 @@ export function FilmPlayer({ address, fps, width, height, children }: Properties
     const frame = useSignal(0);
     const frames = useSignal(0);
     const isPlaying = useSignal(false);
+    const sought = useRef<number | null>(null); // the frame whose picture has not come yet
     const isBroken = useSignal(false);
     const goTo = (wanted: number) => {
         const video = element.current;
@@ -50,6 +51,7 @@ export function FilmPlayer({ address, fps, width, height, children }: Properties
             const next = Math.min(Math.max(wanted, 0), last);
             video.currentTime = timeOf(next, fps);
             frame.value = next;
+            sought.current = next;
         }
     };
     const toggle = () => {
@@ -58,15 +60,18 @@ export function FilmPlayer({ address, fps, width, height, children }: Properties
     };
     useEffect(() => {
         isBroken.value = false;
+        sought.current = null;
         const video = element.current;
         if (!video) {
             return undefined;
         }
         let id = 0;
         const show: VideoFrameRequestCallback = (_, { mediaTime }) => {
-            // A picture from before a seek may arrive after it was asked for.
-            if (!video.seeking) {
-                frame.value = frameAt(mediaTime, fps);
+            // A picture from before a seek may arrive after it, on a busy machine also when it has ended.
+            const shown = frameAt(mediaTime, fps);
+            if (sought.current === null || sought.current === shown) {
+                sought.current = null;
+                frame.value = shown;
             }
             id = video.requestVideoFrameCallback(show);
         };
@@ -99,7 +104,11 @@ export function FilmPlayer({ address, fps, width, height, children }: Properties
             <video ref={element} src={withKey(address)} width={width} height={height} loop tabIndex={0}
                 aria-label="The film" preload="auto" onClick={toggle}
                 onError={() => { isBroken.value = true; }}
-                onPlay={() => { isPlaying.value = true; }} onPause={() => { isPlaying.value = false; }}
+                onPlay={() => {
+                    isPlaying.value = true;
+                    sought.current = null;
+                }}
+                onPause={() => { isPlaying.value = false; }}
                 onLoadedMetadata={(event) => {
                     frames.value = Math.round(event.currentTarget.duration * fps);
                 }} />

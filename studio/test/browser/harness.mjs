@@ -38,10 +38,14 @@ export function copyShots() {
 /// Starts `carom studio`, without a shot if that is empty, and resolves to its address, a function
 /// that ends it, and one that kills it without leave to write anything. The user's list of recent
 /// shots is not touched. `pid` is the server's process. `more`: other words of the command.
-export async function serve(carom, shot, folder, more = []) {
-    const cache = join(folder, 'cache');
-    const words = ['studio', ...shot ? [shot] : [], '--no-browser', '--root', folder,
-        '--cache', cache, '--idle', '10min', ...more];
+export function serve(carom, shot, folder, more = []) {
+    return serveWith(carom, ['studio', ...shot ? [shot] : [], '--root', folder,
+        '--cache', join(folder, 'cache'), ...more], folder);
+}
+
+/// The same with any command that serves a page.
+export async function serveWith(carom, command, folder) {
+    const words = [...command, '--no-browser', '--idle', '10min'];
     const server = spawn(carom, words, {
         stdio: ['ignore', 'pipe', 'pipe'],
         env: { ...process.env, XDG_STATE_HOME: join(folder, 'state') },
@@ -74,9 +78,8 @@ export async function serve(carom, shot, folder, more = []) {
 /// ms, of a wait for a film, a document or another answer that takes a while: a machine may be busy.
 export const kPatience = 300_000;
 
-/// Opens the page and waits until it shows the shot, or the start page. `complaints` of the result
-/// are what the page wrote to the console as errors.
-export async function open(browser, address, size = { width: 1280, height: 720 }) {
+/// Opens a page.
+export async function openAny(browser, address, size = { width: 1280, height: 720 }) {
     const context = await browser.newContext({ viewport: size, deviceScaleFactor: 1 });
     const page = await context.newPage();
     page.once('close', () => context.close().catch(() => undefined));
@@ -89,6 +92,13 @@ export async function open(browser, address, size = { width: 1280, height: 720 }
     });
     page.on('pageerror', (error) => complaints.push(error.message));
     await page.goto(address);
+    return { page, complaints };
+}
+
+/// Opens the studio's page and waits until it shows the shot, or the start page. `complaints` of the result
+/// are what the page wrote to the console as errors.
+export async function open(browser, address, size) {
+    const { page, complaints } = await openAny(browser, address, size);
     await page.waitForFunction(() => window.studio?.state.problems.value?.complete
         || (window.studio?.state.isStarting.value && window.studio.state.start.value));
     if (await page.evaluate(() => !window.studio.state.isStarting.value)) {

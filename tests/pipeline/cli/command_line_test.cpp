@@ -39,6 +39,14 @@ TEST(CommandLine, Help_ShowsFourFirstCommandsAndThenAllInGroups) {
     }
 }
 
+TEST(CommandLine, WordsAfterTheMark_AreForTheEngineWhereItHasSome) {
+    const auto submit = parsed<FarmCommand>({"farm", "submit", "a.yaml", "--", "--qos=high", "-q"});
+    EXPECT_EQ(submit.input.path, "a.yaml");
+    EXPECT_THAT(submit.engine_options, ElementsAre("--qos=high", "-q"));
+    EXPECT_THAT(parsed<FarmCommand>({"farm", "submit", "a.yaml"}).engine_options, IsEmpty());
+    EXPECT_EQ(parsed<CheckCommand>({"check", "--", "-a.yaml"}).input.path, "-a.yaml");
+}
+
 std::vector<std::string> all_commands() {
     std::vector<std::string> names;
     ProgramOptions options;

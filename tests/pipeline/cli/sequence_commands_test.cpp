@@ -139,10 +139,10 @@ TEST_F(SequenceRun, Farm_RendersTheSameFilmWithoutTheOriginals) {
     std::filesystem::rename(path("made"), path("a job's $HOME"));
     // Two frames show the title alone.
     EXPECT_THAT(must_run({"farm", "status", "a job's $HOME"}).out,
-                HasSubstr("running, 2 of 12 frames, 0 of 10 pictures"));
+                HasSubstr("waiting, 2 of 12 frames, 0 of 10 pictures"));
     (void)must_run({"farm", "work", "a job's $HOME"});
     EXPECT_THAT(must_run({"farm", "status", "a job's $HOME", "--sheet", "sheet.png"}).out,
-                HasSubstr("running, 12 of 12 frames, 10 of 10 pictures"));
+                HasSubstr("complete, 12 of 12 frames, 10 of 10 pictures"));
     EXPECT_TRUE(exists("sheet.png"));
     (void)must_run({"farm", "finish", "a job's $HOME"});
     EXPECT_EQ(hash_file(path("a job's $HOME/film.mkv")), hash_file(path("film.mkv")));

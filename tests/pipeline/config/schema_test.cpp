@@ -2,7 +2,6 @@
 #include "pipeline/config/schema.h"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -19,59 +18,18 @@
 #include "pipeline/config/parse_yaml.h"
 #include "pipeline/config/shot_source.h"
 #include "tests/folders.h"
+#include "tests/pipeline/config/yaml_as_json.h"
 
 namespace carom::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
+using carom::testing::to_json;
 using nlohmann::json;
 
 std::string read(const fs::path& path) {
     std::ifstream stream(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// Converts YAML to JSON by the core schema of YAML 1.2, like an editor.
-json to_json(const config::Node& node) {
-    switch (node.kind) {
-        case config::Node::Kind::null:
-            return nullptr;
-        case config::Node::Kind::sequence: {
-            json list = json::array();
-            for (const config::Node& item : node.items) {
-                list.push_back(to_json(item));
-            }
-            return list;
-        }
-        case config::Node::Kind::map: {
-            json map = json::object();
-            for (const config::Entry& entry : node.entries) {
-                map[entry.key] = to_json(entry.value);
-            }
-            return map;
-        }
-        case config::Node::Kind::scalar:
-            break;
-    }
-    if (!node.quoted) {
-        if (node.text == "true" || node.text == "false") {
-            return node.text == "true";
-        }
-        const char* const begin = node.text.data() + (node.text.starts_with('+') ? 1 : 0);
-        const char* const end = node.text.data() + node.text.size();
-        std::int64_t whole = 0;
-        if (const auto [stop, code] = std::from_chars(begin, end, whole);
-            stop == end && code == std::errc()) {
-            return whole;
-        }
-        double number = 0;
-        if (const auto [stop, code] = std::from_chars(begin, end, number);
-            stop == end && code == std::errc() &&
-            node.text.find_first_of("in") == std::string::npos) {
-            return number;
-        }
-    }
-    return node.text;
 }
 
 class SchemaCheck {

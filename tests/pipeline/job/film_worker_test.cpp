@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "pipeline/job/film_status.h"
+#include "pipeline/job/job_frames.h"
 #include "render/frame/frame_sums_data.h"
 #include "tests/pipeline/job/tiny_shot.h"
 #include "tests/scratch_folder.h"
@@ -153,6 +154,64 @@ TEST(FilmWorker, StoppedPicture_IsGoneOnWithByTheNextWorker) {
          std::filesystem::recursive_directory_iterator(farm.folder.path("cache"))) {
         EXPECT_NE(entry.path().extension(), ".sums") << "sums of a finished frame stay";
     }
+}
+
+TEST(FilmWorker, Wishes_ArePreferredFirstAndSkippedNever) {
+    Farm farm;
+    WorkerOptions options;
+    options.wishes = [] { return FrameWishes{1, {6}, {2, 3}}; };
+    std::vector<std::int64_t> attempts;
+    options.on_attempt = [&](const FrameAttempt& attempt) {
+        EXPECT_EQ(attempt.end, FrameAttempt::End::rendered);
+        attempts.push_back(attempt.frame);
+    };
+    const WorkerResult result = farm.work(options);
+    EXPECT_TRUE(result.is_complete);
+    EXPECT_THAT(attempts, ElementsAre(6, 0, 8, 4, 1, 5, 7));
+    const FilmStatus status = film_status(farm.shot, farm.bake, farm.options(), {});
+    EXPECT_THAT(status.missing, ElementsAre(2, 3));
+}
+
+// Somebody takes a picture out of the store that this worker has seen there, while it renders the
+// last one that it knows of.
+TEST(FilmWorker, ChangedWishes_LetItLookAtAllPicturesAgain) {
+    Farm farm;
+    EXPECT_TRUE(farm.work({}).is_complete);
+    const int before = farm.rendered;
+    const FilmSource source(farm.shot, farm.bake.timeline);
+    const FilmPlan plan = plan_film(source, job_frames(farm.shot, farm.options()), {});
+    const FrameStore store = open_store(farm.options());
+    std::filesystem::remove(store.path_of(plan.pictures[3].key));
+    FilmJobOptions slow = farm.options();
+    std::int64_t revision = 0;
+    slow.renderer = [&](const FrameInputs& inputs, const WorkContext&, render::FrameSums*) {
+        if (++farm.rendered == before + 1) {
+            std::filesystem::remove(store.path_of(plan.pictures[0].key));
+            ++revision;
+        }
+        return carom::testing::fake_picture(farm.shot, inputs);
+    };
+    WorkerOptions options;
+    options.wishes = [&] { return FrameWishes{revision, {}, {}}; };
+    const WorkerResult result = work_on_film(farm.shot, farm.bake, slow, options, {}, {}, {});
+    EXPECT_TRUE(result.is_complete);
+    EXPECT_EQ(result.state.rendered, 2);
+    EXPECT_EQ(result.state.finished, result.state.pictures);
+}
+
+TEST(FilmWorker, FailedPicture_IsToldWithItsProblem) {
+    Farm farm;
+    FilmJobOptions options = farm.options();
+    options.renderer = [](const FrameInputs&, const WorkContext&,
+                          render::FrameSums*) -> render::Film { throw Error("a lamp is broken"); };
+    WorkerOptions worker;
+    std::vector<std::string> told;
+    worker.on_attempt = [&](const FrameAttempt& attempt) {
+        EXPECT_EQ(attempt.end, FrameAttempt::End::failed);
+        told.push_back(std::to_string(attempt.frame) + ": " + attempt.problem);
+    };
+    EXPECT_THROW((void)work_on_film(farm.shot, farm.bake, options, worker, {}, {}, {}), Error);
+    EXPECT_THAT(told, ElementsAre("0: a lamp is broken"));
 }
 
 TEST(FilmWorker, BudgetThatIsOver_BeginsNothing) {

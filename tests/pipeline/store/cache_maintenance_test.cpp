@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include "core/error.h"
 #include "pipeline/store/claim_note.h"
@@ -236,6 +237,27 @@ TEST(VerifyCache, DamagedFiles_AreListed) {
     std::stop_source stop;
     stop.request_stop();
     EXPECT_THROW((void)verify_cache(cache.path(), {}, stop.get_token()), Stopped);
+}
+
+/// Another user, which only the system's administrator can become.
+TEST(VerifyCache, FilesOfOthers_AreNeitherIntactNorDamaged) {
+    if (::geteuid() != 0) {
+        GTEST_SKIP() << "needs two users";
+    }
+    constexpr uid_t kOther = 65534;
+    const Cache cache;
+    const std::string frame = cache.add_frame(1, 1), bake = cache.add_bake(2);
+    (void)cache.add_frame(2, 1);
+    fs::permissions(cache.path(), fs::perms(0755));
+    for (const std::string& path : {frame, bake}) {
+        fs::permissions(path, fs::perms(0600));
+    }
+    ASSERT_EQ(::seteuid(kOther), 0);
+    const VerifyResult result = verify_cache(cache.path(), {}, {});
+    ASSERT_EQ(::seteuid(0), 0);
+    EXPECT_EQ(result.checked, 3U);
+    EXPECT_THAT(result.damaged, IsEmpty());
+    ASSERT_EQ(result.unreadable.size(), 2U);
 }
 
 TEST(VerifyCache, BakeOfAnotherVersion_IsNotDamaged) {

@@ -42,6 +42,9 @@ TEST(ClaimNote, Text_IsReadAgainAndHasTheSameLengthForEachBeat) {
     EXPECT_EQ(parse_claim_note(text_of(note)), note);
     const ClaimNote later{"host/1", "12-ab-3", 1234567, ClaimNote::State::working};
     EXPECT_EQ(text_of(later).size(), text_of(note).size());
+    ClaimNote dated = note;
+    dated.since = time_now();
+    EXPECT_EQ(parse_claim_note(text_of(dated)), dated);
     for (const char* text : {"", "carom claim 2\n", "carom claim 1\nhost a\nprocess b\nbeat x\n"}) {
         EXPECT_FALSE(parse_claim_note(text)) << text;
     }
@@ -122,6 +125,22 @@ TEST(Claims, FinishedClaim_StaysUntilTheEnd) {
     EXPECT_THAT(names_in(folder.path()), ::testing::IsEmpty());
 }
 
+TEST(Claims, ClaimsThatReplacedAFinishedOne_AreNotRemovedAtItsEnd) {
+    const ScratchFolder folder;
+    std::optional<Claims> first(std::in_place, folder.path(), kQuick);
+    {
+        std::optional<Claim> claim = first->claim("frame");
+        ASSERT_TRUE(claim);
+        claim->finish();
+    }
+    Claims second(folder.path(), kQuick);
+    second.forget("frame");
+    const std::optional<Claim> again = second.claim("frame");
+    ASSERT_TRUE(again);
+    first.reset();
+    EXPECT_THAT(names_in(folder.path()), ::testing::ElementsAre("frame.0"));
+}
+
 TEST(Claims, Heartbeat_IsCountedWhileTheOwnerWorks) {
     const ScratchFolder folder;
     Claims claims(folder.path(), kQuick);
@@ -134,6 +153,33 @@ TEST(Claims, Heartbeat_IsCountedWhileTheOwnerWorks) {
         std::this_thread::sleep_for(milliseconds(1));
     }
     EXPECT_GE(beat(), first + 3);
+}
+
+TEST(Claims, ClaimThatCannotBeRead_IsAnErrorWithItsReasonAndNobodyWaits) {
+    const ScratchFolder folder;
+    fs::create_directory(folder.path("frame.0"));
+    Claims claims(folder.path(), kQuick);
+    EXPECT_THAT([&] { (void)claims.claim("frame"); },
+                ::testing::ThrowsMessage<Error>("'" + folder.path("frame.0") +
+                                                "': the claim cannot be read: Is a directory"));
+    EXPECT_NO_THROW(claims.remove_dead());
+}
+
+TEST(Claims, Holder_IsNamedWithItsLastSignOfLife) {
+    const ScratchFolder folder;
+    Claims claims(folder.path(), kQuick);
+    EXPECT_EQ(claims.holder("frame"), "");
+    write_text(folder.path("frame.0"), text_of({"n7/1", "4711-ab-1", 3, ClaimNote::State::working,
+                                                "2026-11-29T07:40:18Z"}));
+    EXPECT_FALSE(claims.claim("frame"));
+    const std::string holder = "process 4711 on n7 has claimed it since 2026-11-29T07:40:18Z";
+    EXPECT_EQ(claims.holder("frame"), holder + "; its last sign of life came 0 s ago");
+    write_text(folder.path("frame.0"), text_of({"n7/1", "4711-ab-1", 3, ClaimNote::State::finished,
+                                                "2026-11-29T07:40:18Z"}));
+    EXPECT_EQ(claims.holder("frame"), holder + " and finished it, which is not seen here yet");
+    write_text(folder.path("frame.0"), "");
+    EXPECT_EQ(claims.holder("frame"),
+              "'" + folder.path("frame.0") + "' does not say who has claimed it");
 }
 
 TEST(Claims, FolderThatCannotBeMade_IsAnErrorWithItsReason) {

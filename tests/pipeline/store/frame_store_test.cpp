@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "pipeline/store/frame_checksum.h"
+#include "pipeline/store/lock_file.h"
 #include "tests/folders.h"
 #include "tests/pipeline/store/child_process.h"
 #include "tests/pipeline/store/sample_frames.h"
@@ -249,6 +250,18 @@ TEST(FrameClaim, KilledOwner_ReleasesItsClaim) {
     EXPECT_EQ(names_in(folder.path("locks")).size(), 1u);
     EXPECT_TRUE(store.claim(make_key(1)));
     EXPECT_THAT(names_in(folder.path("locks")), IsEmpty());
+}
+
+TEST(FrameClaim, LinkWhoseReplyWasLostAndThatIsSeenLate_IsHeldAllTheSame) {
+    const ScratchFolder folder;
+    const FrameStore store(folder.path());
+    ChildProcess owner({"/usr/bin/env",
+                        "LD_PRELOAD=" CAROM_BINARY_DIR "/tests/libcarom_late_files.so", kActor,
+                        "claim", folder.path(), folder.path("claimed")});
+    ASSERT_TRUE(owner.wait_until([&] { return fs::exists(folder.path("claimed")); }));
+    EXPECT_EQ(lock_state_of(folder.path("locks/") + make_key(1).to_string() + ".0"),
+              LockState::busy)
+        << "else others on this machine take it for dead";
 }
 
 TEST(FrameClaim, LockOfAKilledOwner_IsRemovedByTheNextStore) {

@@ -1,6 +1,7 @@
 // A library to preload that makes the local file system behave like a network file system at its
 // worst, for one of several "machines" that share a folder:
-//   - link() makes the link and then, every second time, reports a failure: the reply was lost;
+//   - link() makes the link and then, every second time, reports a failure: the reply was lost; who
+//     opens it to read it finds it missing once;
 //   - stat() and its relatives repeat for a minute what they said of a path of the store before;
 //   - a frame that another process has renamed into its place appears a second later.
 #include <cerrno>
@@ -37,7 +38,8 @@ struct Kept {
 struct State {
     std::mutex mutex;
     std::map<std::string, Kept> kept;
-    std::set<std::string> own;  // that this process has renamed
+    std::set<std::string> own;     // that this process has renamed
+    std::set<std::string> unseen;  // links
     int links = 0;
 };
 
@@ -86,6 +88,12 @@ bool is_late(const char* path) {
     return age < kLate;
 }
 
+/// Whether it is a link that this process is told to be missing, for the first time.
+bool is_unseen(const char* path) {
+    const std::lock_guard lock(state().mutex);
+    return state().unseen.erase(path) > 0;
+}
+
 }  // namespace
 
 extern "C" {
@@ -94,6 +102,7 @@ int link(const char* from, const char* to) {
     const int result = next<int(const char*, const char*)>("link")(from, to);
     const std::lock_guard lock(state().mutex);
     if (result == 0 && ++state().links % 2 == 0) {
+        state().unseen.insert(to);
         errno = EIO;
         return -1;
     }
@@ -134,7 +143,7 @@ int access(const char* path, int mode) {
 }
 
 int open(const char* path, int flags, ...) {
-    if (is_late(path)) {
+    if (is_late(path) || ((flags & O_CREAT) == 0 && is_unseen(path))) {
         errno = ENOENT;
         return -1;
     }

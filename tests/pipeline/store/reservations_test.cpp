@@ -125,6 +125,13 @@ TEST(Reservations, KilledProcess_ReservesNothing) {
     EXPECT_TRUE(fs::is_empty(cache.path() + "/pins"));
 }
 
+TEST(Pins, ProcessesOfOneNumber_HaveDifferentNames) {
+    const Cache cache;
+    const Pin pin(cache.path(), keys(1, 2));
+    EXPECT_THAT(pin.name(), ::testing::MatchesRegex(host_prefix() + "[0-9]+-[0-9a-f]{8}-[0-9]+"))
+        << "in two containers, two processes of this machine may have the same number";
+}
+
 TEST(Reservations, ProcessOfAnotherMachine_CountsWhileItRenewsItsPin) {
     const Cache cache;
     cache.add_foreign_pin(5);

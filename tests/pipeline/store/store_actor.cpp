@@ -1,8 +1,9 @@
 // Uses a frame store in a separate process, which a test may kill:
 //   write FOLDER        writes frames without end
-//   claim FOLDER FILE   claims frame 1, creates FILE and sleeps
+//   claim FOLDER FILE   claims frame 2 for a moment, then frame 1, creates FILE and sleeps
 //   repeat FOLDER DIR   claims frame 1 300 times and creates and removes DIR each time; fails if
 //                       another process has created DIR meanwhile
+//   take FOLDER         reads frame 1, or claims and writes it if it is not there
 #include <cstdint>
 #include <string_view>
 #include <thread>
@@ -27,6 +28,7 @@ void write_without_end(const FrameStore& store) {
 }
 
 int claim_and_sleep(const FrameStore& store, const char* file) {
+    (void)store.claim(make_key(2));
     const std::optional<Claim> claim = store.claim(make_key(1));
     if (!claim || ::close(::open(file, O_CREAT | O_WRONLY, 0600)) != 0) {
         return 1;
@@ -50,6 +52,18 @@ int claim_repeatedly(const FrameStore& store, const char* folder) {
     return 0;
 }
 
+int take(const FrameStore& store) {
+    if (store.read(make_key(1))) {
+        return 0;
+    }
+    std::optional<Claim> claim = store.claim(make_key(1));
+    if (!claim || store.contains(make_key(1))) {
+        return 1;
+    }
+    store.write(make_key(1), carom::testing::make_film(1), {});
+    return store.read(make_key(1)) ? 0 : 1;
+}
+
 }  // namespace
 
 int main(int, char** arguments) {
@@ -57,6 +71,9 @@ int main(int, char** arguments) {
     const FrameStore store(arguments[2]);
     if (action == "write") {
         write_without_end(store);
+    }
+    if (action == "take") {
+        return take(store);
     }
     return action == "claim" ? claim_and_sleep(store, arguments[3])
                              : claim_repeatedly(store, arguments[3]);

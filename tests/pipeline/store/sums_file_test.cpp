@@ -45,6 +45,8 @@ TEST_F(SumsFile, WrittenSums_AreReadBackUntilTheyAreRemoved) {
     write_sums(store, key, make_sums());
     render::FrameSums sums = read_sums(store, key, kPixels);
     EXPECT_EQ(sums.samples(), make_sums().samples());
+    EXPECT_EQ(stored_samples(store, key), make_sums().samples());
+    EXPECT_EQ(stored_samples(store, make_key(2)), 0U);
     EXPECT_EQ(sums.data().statistics.shadow_rays, 77U);
     EXPECT_EQ(sums.data().pixels[19995].radiance, Vec3(19995, 0.5, 1e300));
     EXPECT_EQ(sums.data().pixels[19995].objects[1].object, 19995U);
