@@ -9,7 +9,7 @@ namespace {
 
 /// Counts up with every change to the simulation that can change a bake, unless kSchemaVersion
 /// does: bakes of an older version are not read anyway.
-constexpr std::int64_t kSimulationRevision = 12;
+constexpr std::int64_t kSimulationRevision = 13;
 
 }  // namespace
 

@@ -1,7 +1,6 @@
 #include "sim/impact/group_impact.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -41,13 +40,25 @@ struct Compression {
     }
 };
 
-struct State {
-    std::vector<Motion> bodies;
-    std::vector<Compression> contacts;
-    double loss = 0;  // of energy, J
+/// A value at the beginning of a step, at the present stage and, so far, at its end.
+template <class Value>
+struct Stepped {
+    Value start, now, end;
+
+    void begin() { now = end = start; }
+    void follow(const Value& rate, double ahead, double weight) {
+        end.add(rate, weight);
+        now = start;
+        now.add(rate, ahead);
+    }
+    void finish() { start = end; }
 };
 
-/// What does not change while a contact is closed.
+struct Load {
+    Vec3 force{0, 0, 0};
+    Vec3 torque{0, 0, 0};
+};
+
 struct ContactData {
     Vec3 normal;
     Vec3 first_arm, second_arm;
@@ -58,7 +69,9 @@ struct ContactData {
     double stick_factor = 0;  // greatest friction per slip, kg/s
     double friction = 0;
     double largest_slip = 0;  // since it closed, m/s
+    double opening = 0;       // speed when the step began, m/s
     bool is_near = false;     // may close in this step
+    Vec3 friction_impulse{0, 0, 0};
 };
 
 Vec3 point_velocity(const Motion& motion, const Vec3& arm) {
@@ -103,36 +116,33 @@ class Group {
     std::vector<GroupContactResult> run();
 
   private:
-    struct Force {
-        double normal = 0;
-        Vec3 friction{0, 0, 0};
-    };
-
     void prepare(std::size_t index);
     void choose_step();
     void begin_step();
-    void look_at(std::size_t index, double reach);
+    void look_at(std::size_t index, double margin);
+    void turn_to_approach(std::size_t index);
     void step();
-    void find_rates(const State& state, State& rates, double weight);
-    Force force_at(std::size_t index, const State& state, State& rates) const;
-    [[nodiscard]] Vec3 relative_velocity(std::size_t index, const State& state) const;
+    void follow_stage(double ahead, double weight);
+    Compression press(std::size_t index, double weight);
+    void add_load(std::size_t index, const Vec3& force);
+    [[nodiscard]] Vec3 relative_velocity(std::size_t index) const;
     [[nodiscard]] bool is_finished() const;
-    [[nodiscard]] double kinetic_energy(const std::vector<Motion>& motions) const;
-    void balance_energy();
+    [[nodiscard]] double kinetic_energy() const;
+    void balance_energy(double wanted);
+    bool balance_once(double wanted);
     void separate();
-    void apply(std::size_t index, const Vec3& impulse, std::vector<Motion>& motions) const;
 
     std::vector<GroupBody>& bodies_;
     std::span<const GroupContact> contacts_;
     const BallBall& law_;
     std::vector<Imath::M33d> inertias_;
-    std::vector<ContactData> data_;
+    std::vector<Stepped<Motion>> motions_;
+    std::vector<Load> loads_;
     std::vector<double> counts_;  // contacts of each body
+    std::vector<ContactData> data_;
+    std::vector<Stepped<Compression>> compressions_;
     std::vector<GroupContactResult> results_;
-    std::vector<Vec3> friction_impulses_;
-    std::vector<Motion> start_;
-    State state_, trial_;
-    std::array<State, 4> rates_;
+    double loss_ = 0;  // of energy, J
     double time_ = 0;
     double duration_ = 0;  // of a step
 };
@@ -142,24 +152,23 @@ Group::Group(std::vector<GroupBody>& bodies, std::span<const GroupContact> conta
     : bodies_(bodies),
       contacts_(contacts),
       law_(law),
-      data_(contacts.size()),
+      motions_(bodies.size()),
+      loads_(bodies.size()),
       counts_(bodies.size(), 0),
-      results_(contacts.size()),
-      friction_impulses_(contacts.size(), Vec3(0, 0, 0)) {
-    for (const GroupBody& body : bodies) {
-        state_.bodies.push_back({body.velocity, body.angular_velocity});
+      data_(contacts.size()),
+      compressions_(contacts.size()),
+      results_(contacts.size()) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const GroupBody& body = bodies[i];
+        motions_[i].start = {body.velocity, body.angular_velocity};
+        motions_[i].begin();
         inertias_.push_back(body.inverse_mass > 0 ? body.inverse_inertia.inverse()
                                                   : Imath::M33d(0.0));
     }
-    start_ = state_.bodies;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         prepare(i);
     }
     choose_step();
-    trial_ = state_;
-    for (State& rates : rates_) {
-        rates = state_;
-    }
 }
 
 void Group::prepare(std::size_t index) {
@@ -180,7 +189,8 @@ void Group::prepare(std::size_t index) {
         1 / (greatest_response(a, contact.first_arm) + greatest_response(b, contact.second_arm));
     counts_[contact.first] += a.inverse_mass > 0 ? 1 : 0;
     counts_[contact.second] += b.inverse_mass > 0 ? 1 : 0;
-    state_.contacts.push_back({-contact.gap, 0});
+    compressions_[index].start.depth = -contact.gap;
+    compressions_[index].begin();
 }
 
 /// Steps are equal, so that the result changes continuously with the start. A speed that no two
@@ -190,7 +200,7 @@ void Group::choose_step() {
     double speed = 0;
     double recovery = 1;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        speed = std::max(speed, length(relative_velocity(i, state_)));
+        speed = std::max(speed, length(relative_velocity(i)));
         recovery = std::min(recovery, data_[i].recovery);
     }
     CAROM_ASSERT(speed > 0);
@@ -207,202 +217,205 @@ void Group::choose_step() {
     }
 }
 
-Vec3 Group::relative_velocity(std::size_t index, const State& state) const {
+Vec3 Group::relative_velocity(std::size_t index) const {
     const GroupContact& contact = contacts_[index];
     const ContactData& data = data_[index];
-    Vec3 relative = point_velocity(state.bodies[contact.first], data.first_arm) -
-                    point_velocity(state.bodies[contact.second], data.second_arm);
-    relative.z += state.contacts[index].rise;
+    Vec3 relative = point_velocity(motions_[contact.first].now, data.first_arm) -
+                    point_velocity(motions_[contact.second].now, data.second_arm);
+    relative.z += compressions_[index].now.rise;
     return relative;
 }
 
 std::vector<GroupContactResult> Group::run() {
-    for (int i = 0; i < kMaxSteps; ++i) {
+    const double energy = kinetic_energy();
+    for (int i = 0; i < kMaxSteps && (i == 0 || !is_finished()); ++i) {
         begin_step();
         step();
-        if (is_finished()) {
-            break;
-        }
     }
-    balance_energy();
+    balance_energy(energy - loss_);
     separate();
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        bodies_[i].velocity = state_.bodies[i].velocity;
-        bodies_[i].angular_velocity = state_.bodies[i].angular;
+        bodies_[i].velocity = motions_[i].now.velocity;
+        bodies_[i].angular_velocity = motions_[i].now.angular;
     }
     for (std::size_t i = 0; i < results_.size(); ++i) {
-        results_[i].impulse.tangential = length(friction_impulses_[i]);
+        results_[i].impulse.tangential = length(data_[i].friction_impulse);
     }
-    return results_;
+    return std::move(results_);
 }
 
 void Group::begin_step() {
+    constexpr double kMargin = 0.2;  // of the greatest speed: how much speeds change in a step
     double fastest = 0;
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        const Vec3& velocity = state_.bodies[i].velocity;
-        fastest = std::max(fastest, velocity.dot(velocity));
+    for (const Stepped<Motion>& motion : motions_) {
+        fastest = std::max(fastest, motion.now.velocity.dot(motion.now.velocity));
     }
-    const double reach = 4 * std::sqrt(fastest) * duration_;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        look_at(i, reach);
+        look_at(i, kMargin * std::sqrt(fastest) * duration_);
     }
 }
 
-/// Which contacts may close in this step, and their normals: those with which the bodies would meet
-/// if they flew on from their places before the impact, as they do if the gap is wide. The friction
-/// is that at the greatest slip since they met, which for two bodies alone is the first one.
-void Group::look_at(std::size_t index, double reach) {
+/// The friction of a contact is that at the greatest slip since it closed, which for two bodies
+/// alone is the slip with which they meet.
+void Group::look_at(std::size_t index, double margin) {
     const GroupContact& contact = contacts_[index];
     ContactData& data = data_[index];
-    const bool is_open = state_.contacts[index].depth <= 0;
-    if (is_open && contact.are_spheres && contact.gap > 0) {
-        const Vec3 velocity =
-            state_.bodies[contact.first].velocity - state_.bodies[contact.second].velocity;
-        const double first_radius = length(contact.first_arm);
-        const double second_radius = length(contact.second_arm);
-        data.normal =
-            normal_of_approach(contact.normal * (first_radius + second_radius + contact.gap),
-                               velocity, first_radius + second_radius);
-        data.first_arm = data.normal * -first_radius;
-        data.second_arm = data.normal * second_radius;
+    Compression& compression = compressions_[index].start;
+    Vec3 relative = relative_velocity(index);
+    if (!data.is_near && time_ > 0) {  // it was left out of the last step
+        compression.depth -= 0.5 * duration_ * (data.opening + relative.dot(data.normal));
     }
-    data.is_near = state_.contacts[index].depth > -reach;
+    const bool is_open = compression.depth <= 0;
+    if (is_open && contact.are_spheres && contact.gap > 0 && relative != Vec3(0, 0, 0)) {
+        turn_to_approach(index);
+        relative = relative_velocity(index);
+    }
+    data.opening = relative.dot(data.normal);
+    const double closing = std::max(-data.opening, 0.0);
+    data.is_near = compression.depth + 2 * closing * duration_ + margin > 0;
     if (!data.is_near) {
         return;
     }
-    const Vec3 relative = relative_velocity(index, state_);
-    const double opening = relative.dot(data.normal);
-    const double slip = length(relative - data.normal * opening);
+    const double slip = length(relative - data.normal * data.opening);
     if (is_open || slip > data.largest_slip) {
         data.largest_slip = slip;
         data.friction = contact.friction ? *contact.friction : ball_friction(law_, slip);
     }
+    results_[index].approach = std::max(results_[index].approach, closing);
     if (is_open && !results_[index].touched_after) {
-        results_[index].approach = -opening;
         results_[index].slip = slip;
         results_[index].normal = data.normal;
     }
 }
 
-/// One step of the classical Runge-Kutta method. The impulses are sums of the same forces for both
-/// bodies of a contact.
+/// Two spheres meet with the normal that they would have if they flew on from their places before
+/// the impact, as they do if the gap is wide.
+void Group::turn_to_approach(std::size_t index) {
+    const GroupContact& contact = contacts_[index];
+    ContactData& data = data_[index];
+    const double first_radius = length(contact.first_arm);
+    const double second_radius = length(contact.second_arm);
+    const double distance = first_radius + second_radius;
+    data.normal = normal_of_approach(
+        contact.normal * (distance + contact.gap),
+        motions_[contact.first].now.velocity - motions_[contact.second].now.velocity, distance);
+    data.first_arm = data.normal * -first_radius;
+    data.second_arm = data.normal * second_radius;
+}
+
+/// One step of the classical Runge-Kutta method.
 void Group::step() {
-    constexpr std::array<double, 4> kWeights{1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
-    constexpr std::array<double, 4> kAhead{0, 0.5, 0.5, 1};
-    for (std::size_t stage = 0; stage < 4; ++stage) {
-        trial_ = state_;
-        if (stage > 0) {
-            const State& rates = rates_[stage - 1];
-            for (std::size_t i = 0; i < bodies_.size(); ++i) {
-                trial_.bodies[i].add(rates.bodies[i], kAhead[stage] * duration_);
-            }
-            for (std::size_t i = 0; i < contacts_.size(); ++i) {
-                trial_.contacts[i].add(rates.contacts[i], kAhead[stage] * duration_);
-            }
-        }
-        find_rates(trial_, rates_[stage], kWeights[stage] * duration_);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        compressions_[i].begin();
     }
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        for (std::size_t stage = 0; stage < 4; ++stage) {
-            state_.bodies[i].add(rates_[stage].bodies[i], kWeights[stage] * duration_);
-        }
+    follow_stage(0.5, 1.0 / 6);
+    follow_stage(0.5, 1.0 / 3);
+    follow_stage(1, 1.0 / 3);
+    follow_stage(0, 1.0 / 6);
+    for (Stepped<Motion>& motion : motions_) {
+        motion.finish();
+        motion.begin();
     }
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        const bool was_open = state_.contacts[i].depth <= 0;
-        for (std::size_t stage = 0; stage < 4; ++stage) {
-            state_.contacts[i].add(rates_[stage].contacts[i], kWeights[stage] * duration_);
-        }
-        if (was_open && state_.contacts[i].depth > 0 && !results_[i].touched_after) {
+        if (compressions_[i].start.depth <= 0 && compressions_[i].end.depth > 0 &&
+            !results_[i].touched_after) {
             results_[i].touched_after = time_;
         }
+        compressions_[i].finish();
+        compressions_[i].begin();
     }
     time_ += duration_;
 }
 
-/// `weight` (s): of these forces in the impulses.
-void Group::find_rates(const State& state, State& rates, double weight) {
-    std::fill(rates.bodies.begin(), rates.bodies.end(), Motion{});
-    rates.loss = 0;
+/// `ahead`: of the next stage, and `weight`: of this one, in durations of the step.
+void Group::follow_stage(double ahead, double weight) {
+    std::fill(loads_.begin(), loads_.end(), Load{});
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        const Force force = force_at(i, state, rates);
-        if (force.normal > 0) {
-            const Vec3 total = data_[i].normal * force.normal + force.friction;
-            apply(i, total, rates.bodies);
-            results_[i].impulse.normal += force.normal * weight;
-            friction_impulses_[i] += force.friction * weight;
+        if (data_[i].is_near) {
+            compressions_[i].follow(press(i, weight * duration_), ahead * duration_,
+                                    weight * duration_);
         }
     }
-    state_.loss += rates.loss * weight;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const Load& load = loads_[i];
+        motions_[i].follow(
+            {load.force * bodies_[i].inverse_mass, load.torque * bodies_[i].inverse_inertia},
+            ahead * duration_, weight * duration_);
+    }
 }
 
-/// The force on the first body, with the rates of the contact and the energy that it takes away.
-Group::Force Group::force_at(std::size_t index, const State& state, State& rates) const {
+/// Loads both bodies with the force of the contact, which acts for `weight` (s); returns the rate
+/// of compression.
+Compression Group::press(std::size_t index, double weight) {
     const GroupContact& contact = contacts_[index];
-    const ContactData& data = data_[index];
-    const Vec3 relative = relative_velocity(index, state);
+    ContactData& data = data_[index];
+    const Vec3 relative = relative_velocity(index);
     const double opening = relative.dot(data.normal);
-    const double depth = state.contacts[index].depth;
-    rates.contacts[index] = {-opening, 0};
-    if (depth <= 0 || !data.is_near) {
-        return {};
+    const double depth = compressions_[index].now.depth;
+    if (depth <= 0) {
+        return {-opening, 0};
     }
     const double e2 = data.recovery * data.recovery;
     const double full =
         contact.stiffness.factor * (contact.stiffness.is_flat ? depth : depth * std::sqrt(depth));
-    Force force{full, {0, 0, 0}};
-    if (opening > 0) {
-        rates.contacts[index].depth = -opening / e2;
-        force.normal = full * data.recovered;
-    } else {
-        rates.loss -= (1 - e2 * data.recovered) * full * opening;
-    }
+    const bool recovers = opening > 0;
+    const double normal_force = recovers ? full * data.recovered : full;
+    Compression rate{recovers ? -opening / e2 : -opening, 0};
+    double power = recovers ? 0 : (1 - e2 * data.recovered) * full * opening;  // of losses, < 0
     const Vec3 slip = relative - data.normal * opening;
     const double speed = length(slip);
-    const double limit = data.friction * force.normal;
-    const double stick = data.stick_factor * speed;
-    if (limit > 0 && speed > 0) {
-        force.friction = slip * (-std::min(limit, stick) / speed);
-        rates.loss -= force.friction.dot(slip);
+    Vec3 friction(0, 0, 0);
+    if (speed > 0) {
+        friction = slip * -std::min(data.friction * normal_force / speed, data.stick_factor);
+        power += friction.dot(slip);
     }
+    const Vec3 force = data.normal * normal_force + friction;
     if (contact.is_level) {
-        const double lift = data.normal.z * force.normal + force.friction.z;
-        rates.contacts[index].rise =
-            lift * (bodies_[contact.first].inverse_mass + bodies_[contact.second].inverse_mass);
-        rates.loss += lift * state.contacts[index].rise;
+        rate.rise =
+            force.z * (bodies_[contact.first].inverse_mass + bodies_[contact.second].inverse_mass);
+        power -= force.z * compressions_[index].now.rise;
     }
-    return force;
+    add_load(index, force);
+    loss_ -= power * weight;
+    results_[index].impulse.normal += normal_force * weight;
+    data.friction_impulse += friction * weight;
+    return rate;
 }
 
-/// Adds the change that an impulse on the first body causes.
-void Group::apply(std::size_t index, const Vec3& impulse, std::vector<Motion>& motions) const {
+void Group::add_load(std::size_t index, const Vec3& force) {
     const GroupContact& contact = contacts_[index];
-    const GroupBody& a = bodies_[contact.first];
-    const GroupBody& b = bodies_[contact.second];
-    const Vec3 along = contact.is_level ? Vec3(impulse.x, impulse.y, 0) : impulse;
-    motions[contact.first].velocity += along * a.inverse_mass;
-    motions[contact.second].velocity -= along * b.inverse_mass;
-    motions[contact.first].angular += data_[index].first_arm.cross(impulse) * a.inverse_inertia;
-    motions[contact.second].angular -= data_[index].second_arm.cross(impulse) * b.inverse_inertia;
+    Load& first = loads_[contact.first];
+    Load& second = loads_[contact.second];
+    const Vec3 along = contact.is_level ? Vec3(force.x, force.y, 0) : force;
+    first.force += along;
+    second.force -= along;
+    first.torque += data_[index].first_arm.cross(force);
+    second.torque -= data_[index].second_arm.cross(force);
 }
 
-/// True if no contact pushes any more. One that does not recover neither pushes nor opens.
+/// True if no contact pushes any more, nor will within the time of a contact. One that does not
+/// recover neither pushes nor opens.
 bool Group::is_finished() const {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        if (state_.contacts[i].depth <= 0) {
-            continue;
+        if (compressions_[i].now.depth > 0 && data_[i].recovered > 0) {
+            return false;
         }
-        if (data_[i].recovered > 0 || relative_velocity(i, state_).dot(data_[i].normal) < 0) {
+    }
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const double closing = -relative_velocity(i).dot(data_[i].normal);
+        const double depth = compressions_[i].now.depth;
+        if (closing > 0 && depth + closing * kStepsPerContact * duration_ > 0) {
             return false;
         }
     }
     return true;
 }
 
-double Group::kinetic_energy(const std::vector<Motion>& motions) const {
+double Group::kinetic_energy() const {
     double energy = 0;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         if (bodies_[i].inverse_mass > 0) {
-            const Motion& motion = motions[i];
+            const Motion& motion = motions_[i].now;
             energy += 0.5 * (motion.velocity.dot(motion.velocity) / bodies_[i].inverse_mass +
                              motion.angular.dot(motion.angular * inertias_[i]));
         }
@@ -414,53 +427,59 @@ double Group::kinetic_energy(const std::vector<Motion>& motions) const {
 /// millionth (Hairer, Lubich and Wanner, Geometric Numerical Integration, 2006, section IV.4). All
 /// impulses are multiplied by one factor, which keeps the momentum. Where nothing recovers, that
 /// factor has no effect on the energy and stays 1.
-void Group::balance_energy() {
-    constexpr double kLeastEffect = 0.01;
-    const double wanted = kinetic_energy(start_) - state_.loss;
-    for (int pass = 0; pass < 3; ++pass) {
-        double effect = 0;  // of the factor on the energy
-        double change = 0;
-        std::vector<Motion> changes = state_.bodies;
-        for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            changes[i].add(start_[i], -1);
-            if (bodies_[i].inverse_mass > 0) {
-                const double mass = 1 / bodies_[i].inverse_mass;
-                const Vec3 turn = changes[i].angular * inertias_[i];
-                effect += mass * state_.bodies[i].velocity.dot(changes[i].velocity) +
-                          state_.bodies[i].angular.dot(turn);
-                change += mass * changes[i].velocity.dot(changes[i].velocity) +
-                          changes[i].angular.dot(turn);
-            }
-        }
-        const double least = kLeastEffect * change;
-        const double scale = effect * effect + least * least;
-        if (scale <= 0) {
-            return;
-        }
-        const double extra = (wanted - kinetic_energy(state_.bodies)) * effect / scale;
-        for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            state_.bodies[i].add(changes[i], extra);
-        }
-        for (std::size_t i = 0; i < results_.size(); ++i) {
-            results_[i].impulse.normal *= 1 + extra;
-            friction_impulses_[i] *= 1 + extra;
-        }
+void Group::balance_energy(double wanted) {
+    constexpr int kPasses = 3;
+    for (int pass = 0; pass < kPasses && balance_once(wanted); ++pass) {
     }
+}
+
+/// Newton's method for the factor, kept from large steps where the factor has little effect.
+bool Group::balance_once(double wanted) {
+    constexpr double kLeastEffect = 0.01;
+    double effect = 0;  // of the factor on the energy
+    double size = 0;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        if (bodies_[i].inverse_mass <= 0) {
+            continue;
+        }
+        const Motion& motion = motions_[i].now;
+        const Vec3 change = motion.velocity - bodies_[i].velocity;
+        const Vec3 turn = motion.angular - bodies_[i].angular_velocity;
+        const Vec3 spin = turn * inertias_[i];
+        effect += motion.velocity.dot(change) / bodies_[i].inverse_mass + motion.angular.dot(spin);
+        size += change.dot(change) / bodies_[i].inverse_mass + turn.dot(spin);
+    }
+    const double least = kLeastEffect * size;
+    const double scale = effect * effect + least * least;
+    if (scale <= 0) {
+        return false;
+    }
+    const double extra = (wanted - kinetic_energy()) * effect / scale;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        Motion& motion = motions_[i].now;
+        motion.velocity += (motion.velocity - bodies_[i].velocity) * extra;
+        motion.angular += (motion.angular - bodies_[i].angular_velocity) * extra;
+    }
+    for (std::size_t i = 0; i < results_.size(); ++i) {
+        results_[i].impulse.normal *= 1 + extra;
+        data_[i].friction_impulse *= 1 + extra;
+    }
+    return true;
 }
 
 /// Bodies that touched when the impact began and pushed each other come apart at kLeastSeparation
 /// or faster.
 void Group::separate() {
     constexpr int kMaxPasses = 100;
-    for (Compression& contact : state_.contacts) {
-        contact.rise = 0;
+    for (Stepped<Compression>& compression : compressions_) {
+        compression.now.rise = 0;
     }
     for (int pass = 0; pass < kMaxPasses; ++pass) {
-        std::vector<Motion> next = state_.bodies;
+        std::fill(loads_.begin(), loads_.end(), Load{});
         bool is_done = true;
         for (std::size_t i = 0; i < contacts_.size(); ++i) {
             const GroupContact& contact = contacts_[i];
-            const double opening = relative_velocity(i, state_).dot(data_[i].normal);
+            const double opening = relative_velocity(i).dot(data_[i].normal);
             if (contact.gap > 0 || results_[i].impulse.normal <= 0 || opening < -kLeastSeparation ||
                 opening >= kLeastSeparation * (1 - 1e-6)) {
                 continue;
@@ -468,13 +487,16 @@ void Group::separate() {
             is_done = false;
             const double impulse = data_[i].mass * (kLeastSeparation - opening) /
                                    std::max(counts_[contact.first], counts_[contact.second]);
-            apply(i, data_[i].normal * impulse, next);
+            add_load(i, data_[i].normal * impulse);
             results_[i].impulse.normal += impulse;
         }
         if (is_done) {
             break;
         }
-        state_.bodies = next;
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            motions_[i].now.velocity += loads_[i].force * bodies_[i].inverse_mass;
+            motions_[i].now.angular += loads_[i].torque * bodies_[i].inverse_inertia;
+        }
     }
 }
 

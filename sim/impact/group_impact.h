@@ -52,8 +52,8 @@ struct GroupContact {
 /// What happened at a contact.
 struct GroupContactResult {
     std::optional<double> touched_after;  // s; nothing if the bodies have not touched
-    double approach = 0;                  // speed at which they met, m/s
-    double slip = 0;                      // of their surfaces then, m/s
+    double approach = 0;                  // greatest speed of closing, at first for a pair, m/s
+    double slip = 0;                      // of their surfaces when they met, m/s
     Vec3 normal{0, 0, 1};                 // then
     ImpulsePair impulse;
 };

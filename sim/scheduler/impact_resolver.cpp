@@ -13,16 +13,6 @@ namespace {
 
 const std::string kCushion = "cushion";
 
-/// Restitution and friction of two balls that collide.
-ContactNumbers pair_law(const StaticEnvironment& environment, const Ball& a, const Ball& b,
-                        double slip_speed) {
-    ContactNumbers law = environment.contacts.between(a.material, b.material);
-    if (a.material == MaterialId::ball && b.material == MaterialId::ball) {
-        law.friction = ball_friction(environment.law.ball_ball, slip_speed);
-    }
-    return law;
-}
-
 /// The foot of the perpendicular from `point` to the nose line of a face.
 Vec2 nearest_on(const billiards::CushionFace& face, const Vec2& point) {
     return point - face.normal * (point - face.from).dot(face.normal);
@@ -53,6 +43,20 @@ BallBody surface_moving_at(const Vec3& velocity) {
 /// slowly than it falls never comes apart from it.
 bool lies_in_pocket(const Ball& ball) {
     return (ball.is_stepped() || ball.is_lying) && ball.segment.state.position.z < 0;
+}
+
+/// The contacts that closed, in the order of time in which they did.
+std::vector<std::size_t> in_order_of_touch(const std::vector<GroupContactResult>& results) {
+    std::vector<std::size_t> touched;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        if (results[i].touched_after) {
+            touched.push_back(i);
+        }
+    }
+    std::stable_sort(touched.begin(), touched.end(), [&](std::size_t i, std::size_t k) {
+        return *results[i].touched_after < *results[k].touched_after;
+    });
+    return touched;
 }
 
 }  // namespace
@@ -109,6 +113,84 @@ void ImpactResolver::record(const Impact& impact) {
          length(a.state.angular_velocity - b.state.angular_velocity) * radius});
 }
 
+ImpactGroup ImpactResolver::group_of(const PredictedEvent& event) const {
+    return find_impact_group(balls_.all(), event.first, event.second, event.time, predictor_,
+                             environment_);
+}
+
+bool ImpactResolver::involves_stepped(const PredictedEvent& event) const {
+    if (balls_.stepped_count() == 0) {
+        return false;
+    }
+    const ImpactGroup group = group_of(event);
+    return std::any_of(group.indices.begin(), group.indices.end(),
+                       [&](std::uint32_t index) { return balls_.all()[index].is_stepped(); });
+}
+
+/// False, without effect, if the two balls come apart before they or others touch a third one: the
+/// law of pairs is exact for them.
+bool ImpactResolver::resolve_group_impact(const PredictedEvent& event) {
+    const ImpactGroup group = group_of(event);
+    if (group.contacts.empty()) {
+        return false;
+    }
+    std::vector<GroupBody> bodies;
+    for (const BallBody& ball : group.balls) {
+        bodies.push_back(group_body(ball));
+    }
+    const std::vector<GroupContactResult> results =
+        group_impact(bodies, group.contacts, environment_.law.ball_ball);
+    std::vector<BallBody> after = group.balls;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        after[i].state.velocity = bodies[i].velocity;
+        after[i].state.angular_velocity = bodies[i].angular_velocity;
+    }
+    const std::vector<std::size_t> touched = in_order_of_touch(results);
+    if (touched.size() < 2) {
+        return false;
+    }
+    std::vector<char> has_touched(after.size(), 0);
+    std::vector<char> activates(after.size(), 0);
+    for (const std::size_t i : touched) {
+        const GroupContact& contact = group.contacts[i];
+        const Ball& a = balls_[group.indices[contact.first]];
+        const Ball& b = balls_[group.indices[contact.second]];
+        const Vec3& normal = results[i].normal;
+        const BallBody& first = group.balls[contact.first];
+        const BallBody& second = group.balls[contact.second];
+        record({event.time, results[i].approach, a.name, b.name,
+                first.state.position - normal * first.radius, normal, results[i].impulse,
+                mean_body(after[contact.first], first.state),
+                mean_body(after[contact.second], second.state)});
+        const double separation =
+            (after[contact.first].state.velocity - after[contact.second].state.velocity)
+                .dot(normal);
+        const bool stays =
+            stays_in_contact(a, separation, normal) || stays_in_contact(b, separation, normal);
+        for (const std::size_t member : {contact.first, contact.second}) {
+            has_touched[member] = 1;
+            activates[member] |= stays || lies_in_pocket(balls_[group.indices[member]]);
+        }
+    }
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        if (has_touched[i] != 0) {
+            wake_neighbours(group.indices[i], event.time);
+        }
+    }
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        if (has_touched[i] == 0) {
+            continue;
+        }
+        const MotionState before = balls_[group.indices[i]].segment.state_at(event.time);
+        after[i].state.orientation = before.orientation;
+        balls_.change_state(group.indices[i], event.time, before, after[i].state);
+        if (activates[i] != 0) {
+            balls_.activate(group.indices[i], event.time);
+        }
+    }
+    return true;
+}
+
 void ImpactResolver::resolve_ball_impact(const PredictedEvent& event) {
     Ball& a = balls_[event.first];
     Ball& b = balls_[event.second];
@@ -118,6 +200,9 @@ void ImpactResolver::resolve_ball_impact(const PredictedEvent& event) {
     const MotionState before_b = body_b.state;
     const Vec3 normal = unit(before_a.position - before_b.position);
     const double approach = -(before_a.velocity - before_b.velocity).dot(normal);
+    if (resolve_group_impact(event)) {
+        return;
+    }
     const Vec3 slip = contact_slip(body_a, body_b, normal);
     const ContactNumbers law = pair_law(environment_, a, b, std::sqrt(slip.dot(slip)));
     const ImpulsePair impulse =

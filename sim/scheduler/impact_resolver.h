@@ -4,6 +4,7 @@
 #include <string>
 
 #include "sim/scheduler/balls.h"
+#include "sim/scheduler/impact_group.h"
 #include "sim/scheduler/predicted_event.h"
 #include "sim/scheduler/stepped_bodies.h"
 
@@ -12,14 +13,23 @@ namespace carom::sim {
 class ImpactResolver {
   public:
     ImpactResolver(const StaticEnvironment& environment, Balls& balls, SteppedBodies& stepped,
-                   Recorder& recorder)
-        : environment_(environment), balls_(balls), stepped_(stepped), recorder_(recorder) {}
+                   const EventPredictor& predictor, Recorder& recorder)
+        : environment_(environment),
+          balls_(balls),
+          stepped_(stepped),
+          predictor_(predictor),
+          recorder_(recorder) {}
 
     /// Changes the balls of the event; their versions count up.
     void resolve(const PredictedEvent& event);
 
+    /// Whether a ball that ODE steps may take part in this impact of two balls.
+    [[nodiscard]] bool involves_stepped(const PredictedEvent& event) const;
+
   private:
     void resolve_ball_impact(const PredictedEvent& event);
+    [[nodiscard]] ImpactGroup group_of(const PredictedEvent& event) const;
+    bool resolve_group_impact(const PredictedEvent& event);
     void resolve_solid_impact(const PredictedEvent& event);
     void resolve_face_impact(const PredictedEvent& event, const Vec2& centre);
     void resolve_cushion_impact(const PredictedEvent& event, const Vec2& nearest,
@@ -47,6 +57,7 @@ class ImpactResolver {
     const StaticEnvironment& environment_;
     Balls& balls_;
     SteppedBodies& stepped_;
+    const EventPredictor& predictor_;
     Recorder& recorder_;
 };
 

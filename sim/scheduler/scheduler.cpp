@@ -36,7 +36,7 @@ Scheduler::Scheduler(const WorldDescription& world)
       balls_(world, environment_, recorder_),
       stepped_(world, environment_, balls_, recorder_),
       predictor_(environment_, balls_.all(), stepped_.all()),
-      resolver_(environment_, balls_, stepped_, recorder_),
+      resolver_(environment_, balls_, stepped_, predictor_, recorder_),
       schedule_(world.events),
       placer_(world, balls_, stepped_, recorder_),
       respotting_(world, balls_, recorder_, placer_),
@@ -147,7 +147,8 @@ bool Scheduler::needs_step(const PredictedEvent& event) const {
         return true;
     }
     return event.kind == PredictedEventKind::ball &&
-           (balls_.all()[event.first].is_stepped() || balls_.all()[event.second].is_stepped());
+           (balls_.all()[event.first].is_stepped() || balls_.all()[event.second].is_stepped() ||
+            resolver_.involves_stepped(event));
 }
 
 double Scheduler::window_end_from(double now) const {
@@ -311,11 +312,13 @@ void Scheduler::process(const PredictedEvent& event) {
     }
     now_ = event.time;
     const bool was_stepping = stepped_.is_active();
+    const std::size_t stepped_before = balls_.stepped_count();
     resolver_.resolve(event);
     predict();
     check_triggers();
     // A ball that was just activated is stepped by ODE from here on, in a new window.
-    const bool was_activated = balls_.all()[event.first].is_stepped() || !was_stepping;
+    const bool was_activated = balls_.all()[event.first].is_stepped() || !was_stepping ||
+                               balls_.stepped_count() > stepped_before;
     if ((stepped_.is_active() && was_activated) || balls_.is_return_due()) {
         window_end_ = now_;
     }

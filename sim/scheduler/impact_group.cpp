@@ -1,0 +1,157 @@
+#include "sim/scheduler/impact_group.h"
+
+#include <algorithm>
+
+#include "core/length.h"
+#include "sim/scheduler/balls.h"
+
+namespace carom::sim {
+namespace {
+
+/// Of phenolic resin: often quoted, by which method is not known (docs/sound.md).
+constexpr double kModulus = 5.84e9;  // Pa
+constexpr double kPoisson = 0.34;
+constexpr double kReducedModulus = kModulus / (2 * (1 - kPoisson * kPoisson));
+
+ContactStiffness stiffness_of(const Ball& a, const Ball& b) {
+    return hertz_stiffness(kReducedModulus, a.radius * b.radius / (a.radius + b.radius));
+}
+
+bool is_level(const StaticEnvironment& environment, const Ball& a, const Ball& b) {
+    return !environment.law.hop && a.ground != Ground::none && b.ground != Ground::none;
+}
+
+class GroupFinder {
+  public:
+    GroupFinder(const std::vector<Ball>& balls, double time, const EventPredictor& predictor,
+                const StaticEnvironment& environment)
+        : balls_(balls), time_(time), predictor_(predictor), environment_(environment) {}
+
+    ImpactGroup find(std::uint32_t first, std::uint32_t second) {
+        add(first);
+        add(second);
+        const BallBody& a = group_.balls[0];
+        const BallBody& b = group_.balls[1];
+        const Vec3 apart = a.state.position - b.state.position;
+        const Vec3 relative = a.state.velocity - b.state.velocity;
+        const double approach = -relative.dot(unit(apart));
+        if (approach <= kLeastLoggedSpeed) {
+            return std::move(group_);
+        }
+        const double mass = a.mass * b.mass / (a.mass + b.mass);
+        // Until they part, each changes its speed by less than this.
+        const double change = 3 * approach * mass / std::min(a.mass, b.mass);
+        speed_ = std::max(length(a.state.velocity), length(b.state.velocity)) + change;
+        const double duration =
+            contact_time(stiffness_of(balls_[first], balls_[second]), mass, approach);
+        add_near(0, 2, duration);
+        if (group_.balls.size() > 2) {
+            // With more balls it takes longer.
+            reach_time_ = 3 * duration;
+            for (std::size_t i = 0; i < group_.balls.size(); ++i) {
+                add_near(i, i + 1, reach_time_);
+            }
+            add_contacts();
+        }
+        return std::move(group_);
+    }
+
+  private:
+    /// Without the orientation, which costs most and is not needed.
+    void add(std::uint32_t index) {
+        const Ball& ball = balls_[index];
+        BallBody body{ball.mass, ball.radius, {}};
+        body.state.position = ball.segment.position_at(time_);
+        body.state.velocity = ball.segment.velocity_at(time_);
+        body.state.angular_velocity = ball.segment.angular_velocity_at(time_);
+        group_.indices.push_back(index);
+        group_.balls.push_back(body);
+    }
+
+    [[nodiscard]] double gap(const BallBody& a, const Vec3& centre, double radius) const {
+        return length(a.state.position - centre) - a.radius - radius;
+    }
+
+    /// Adds the balls that the members `from` to `to` can reach within `duration`.
+    void add_near(std::size_t from, std::size_t to, double duration) {
+        for (std::size_t i = from; i < to; ++i) {
+            predictor_.find_near(group_.indices[i], near_);
+            for (const std::uint32_t other : near_) {
+                const Ball& ball = balls_[other];
+                const double closing = speed_ + length(ball.segment.velocity_at(time_));
+                if (!ball.is_returned() && !contains(other) &&
+                    gap(group_.balls[i], ball.segment.position_at(time_), ball.radius) <=
+                        closing * duration) {
+                    add(other);
+                }
+            }
+        }
+    }
+
+    [[nodiscard]] bool contains(std::uint32_t index) const {
+        return std::find(group_.indices.begin(), group_.indices.end(), index) !=
+               group_.indices.end();
+    }
+
+    void add_contacts() {
+        for (std::size_t k = 1; k < group_.balls.size(); ++k) {
+            for (std::size_t i = 0; i < k; ++i) {
+                const BallBody& a = group_.balls[i];
+                const BallBody& b = group_.balls[k];
+                const double apart = gap(a, b.state.position, b.radius);
+                if (k == 1 || apart <= 2 * speed_ * reach_time_) {
+                    group_.contacts.push_back(contact(i, k));
+                    group_.contacts.back().gap = k == 1 ? 0 : std::max(apart, 0.0);
+                }
+            }
+        }
+    }
+
+    [[nodiscard]] GroupContact contact(std::size_t i, std::size_t k) const {
+        const Ball& a = balls_[group_.indices[i]];
+        const Ball& b = balls_[group_.indices[k]];
+        GroupContact contact;
+        contact.first = i;
+        contact.second = k;
+        contact.normal = unit(group_.balls[i].state.position - group_.balls[k].state.position);
+        contact.first_arm = contact.normal * -a.radius;
+        contact.second_arm = contact.normal * b.radius;
+        contact.are_spheres = true;
+        contact.stiffness = stiffness_of(a, b);
+        contact.is_level = is_level(environment_, a, b);
+        const ContactNumbers law = pair_law(environment_, a, b, 0);
+        contact.restitution = law.restitution;
+        if (a.material != MaterialId::ball || b.material != MaterialId::ball) {
+            contact.friction = law.friction;
+        }
+        return contact;
+    }
+
+    const std::vector<Ball>& balls_;
+    double time_;
+    const EventPredictor& predictor_;
+    const StaticEnvironment& environment_;
+    ImpactGroup group_;
+    double speed_ = 0;       // of any ball of the group, at most, m/s
+    double reach_time_ = 0;  // s
+    std::vector<std::uint32_t> near_;
+};
+
+}  // namespace
+
+ContactNumbers pair_law(const StaticEnvironment& environment, const Ball& a, const Ball& b,
+                        double slip_speed) {
+    ContactNumbers law = environment.contacts.between(a.material, b.material);
+    if (a.material == MaterialId::ball && b.material == MaterialId::ball) {
+        law.friction = ball_friction(environment.law.ball_ball, slip_speed);
+    }
+    return law;
+}
+
+ImpactGroup find_impact_group(const std::vector<Ball>& balls, std::uint32_t first,
+                              std::uint32_t second, double time, const EventPredictor& predictor,
+                              const StaticEnvironment& environment) {
+    return GroupFinder(balls, time, predictor, environment).find(first, second);
+}
+
+}  // namespace carom::sim

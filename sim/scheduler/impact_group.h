@@ -1,0 +1,31 @@
+// The balls that take part in an impact of two, for group_impact().
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/impact/group_impact.h"
+#include "sim/scheduler/ball_state.h"
+#include "sim/scheduler/event_predictor.h"
+
+namespace carom::sim {
+
+struct ImpactGroup {
+    std::vector<std::uint32_t> indices;  // in Balls; first the two that meet
+    std::vector<BallBody> balls;         // in the same order, without their orientations
+    std::vector<GroupContact> contacts;  // first that of the two
+};
+
+/// Restitution and friction of two balls that collide with surfaces slipping at `slip_speed` (m/s).
+[[nodiscard]] ContactNumbers pair_law(const StaticEnvironment& environment, const Ball& a,
+                                      const Ball& b, double slip_speed);
+
+/// The balls `first` and `second`, which meet at `time`, and those that may touch one of them,
+/// directly or through others, while they compress each other. Only the two, without contacts, if
+/// nothing else is so near or they meet at kLeastLoggedSpeed or slower.
+[[nodiscard]] ImpactGroup find_impact_group(const std::vector<Ball>& balls, std::uint32_t first,
+                                            std::uint32_t second, double time,
+                                            const EventPredictor& predictor,
+                                            const StaticEnvironment& environment);
+
+}  // namespace carom::sim
