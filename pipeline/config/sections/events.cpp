@@ -185,13 +185,14 @@ void check_tip(Reader& reader, const Node& node, ForceEvent& event) {
 void add_strike_keys(MapSpec<ForceEvent>& s) {
     s.key(
         "speed", [](ForceEvent& e) -> std::optional<double>& { return strike_of(e).speed; },
-        quantity(Dimension::speed, above_up_to(0, 100)), "speed of the stick at the impact");
+        quantity(Dimension::speed, above_up_to(0, 100)),
+        "speed of the stick at the impact; a ball that moves away from it faster is not reached");
     s.key(
         "ball_speed",
         [](ForceEvent& e) -> std::optional<double>& { return strike_of(e).ball_speed; },
         quantity(Dimension::speed, above_up_to(0, 100)),
-        "speed that the strike gives to a resting ball. One that touches other balls is pushed, "
-        "together with them, until it has this speed");
+        "speed of the ball after the strike, however it moved before. One that touches other balls "
+        "is pushed, together with them, until it has this speed");
     add_toward(s);
     s.key(
         "direction", [](ForceEvent& e) -> std::optional<double>& { return strike_of(e).direction; },

@@ -96,7 +96,7 @@ TEST(BakeBytes_OfAJumpAndAMasse, AreTheSameInEveryBuild) {
     world.contact_law.hop = true;
     world.events = {strike_towards("cue", "five", 5, 0.1, {0, 0}, 0.6),
                     strike_towards("cue", "one", 3, 2, {-0.3, -0.2}, 1.1)};
-    expect_hashes(world, "fd2ca44f50ebdd1a190e48f3bac29cec", "864c349b4c122023f8ef049d1523e44b");
+    expect_hashes(world, "c800b926775136835a9ac7523d5145de", "cfc44321b6d4cc532fbb621fe467fc1e");
 }
 
 TEST(BakeBytes_OfMathavansCushions, AreTheSameInEveryBuild) {
