@@ -301,5 +301,18 @@ TEST(Strike_OnMovingBalls, ReachesOnlyThoseThatDoNotOutrunIt) {
     EXPECT_EQ(timeline.warnings[0].field, "speed");
 }
 
+// Thirty of these once put 30 million impulses into the schedule before the shot began.
+TEST(Force_OfAnHourInAShortShot, IsThatOfTheTimeThatItActs) {
+    WorldDescription world = cloth_world(0.3);
+    world.contact_law.ball_cloth = {0, 0, 0, 0.5};
+    world.bodies = {ball("cue", 0, 0)};
+    for (int i = 0; i < 30; ++i) {
+        world.events.push_back({"cue", 0.1, {}, 0, Force{{0.01, 0, 0}, 3600, {}, Axes::world}});
+    }
+    const Timeline timeline = bake(world);
+    // Impulses every 3.6 ms: there are never more than a million.
+    EXPECT_NEAR(state_at(timeline, "cue", 0.3).velocity.x, 30 * 0.01 * 0.2 / kMass, 0.008);
+}
+
 }  // namespace
 }  // namespace carom::sim::test
