@@ -139,6 +139,33 @@ TEST(GroupImpact_RowOfElasticBalls, FragmentsAsOfHertzLaw) {
     }
 }
 
+/// Belk, Perfectly centered break of a perfectly aligned pool ball rack, MathOverflow 2014: the
+/// same law of force, integrated by Mathematica; speeds of a rack hit at 10, by rows from the apex.
+TEST(GroupImpact_RackOfElasticBalls, BreaksAsPublished) {
+    const std::vector<std::vector<double>> expected{{1.20},
+                                                    {1.57, 1.57},
+                                                    {1.42, 0.12, 1.42},
+                                                    {1.31, 0.25, 0.25, 1.31},
+                                                    {5.60, 2.57, 2.63, 2.57, 5.60}};
+    std::vector<BallBody> balls{ball({-2 * kRadius, 0, 0}, {10, 0, 0})};
+    for (std::size_t row = 0; row < expected.size(); ++row) {
+        for (std::size_t i = 0; i <= row; ++i) {
+            const double across = 2 * static_cast<double>(i) - static_cast<double>(row);
+            balls.push_back(
+                ball({std::sqrt(3.0) * kRadius * static_cast<double>(row), kRadius * across, 0}));
+        }
+    }
+    collide(balls, {});
+    EXPECT_NEAR(length(balls[0].state.velocity), 1.79, 0.006);
+    std::size_t next = 1;
+    for (const std::vector<double>& row : expected) {
+        for (const double speed : row) {
+            EXPECT_NEAR(length(balls[next].state.velocity), speed, 0.006) << next;
+            ++next;
+        }
+    }
+}
+
 TEST(GroupImpact_BallIntoTheGapOfTwo, SplitsThemAsMirrorImages) {
     for (const double shift : {0.0, 1e-12}) {
         const double x = std::sqrt(3.0) * kRadius;
