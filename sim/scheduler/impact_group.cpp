@@ -25,18 +25,19 @@ class GroupFinder {
   public:
     GroupFinder(const std::vector<Ball>& balls, double time, const EventPredictor& predictor,
                 const StaticEnvironment& environment)
-        : balls_(balls), time_(time), predictor_(predictor), environment_(environment) {}
+        : balls_(balls), time_(time), predictor_(predictor), environment_(environment) {
+        group_.indices.reserve(4);
+        group_.balls.reserve(4);
+        near_.reserve(16);
+    }
 
     ImpactGroup find(std::uint32_t first, std::uint32_t second) {
-        add(first);
-        add(second);
-        const BallBody& a = group_.balls[0];
-        const BallBody& b = group_.balls[1];
-        const Vec3 apart = a.state.position - b.state.position;
+        const BallBody a = body(first);
+        const BallBody b = body(second);
         const Vec3 relative = a.state.velocity - b.state.velocity;
-        const double approach = -relative.dot(unit(apart));
+        const double approach = -relative.dot(unit(a.state.position - b.state.position));
         if (approach <= kLeastLoggedSpeed) {
-            return std::move(group_);
+            return {};
         }
         const double mass = a.mass * b.mass / (a.mass + b.mass);
         // Until they part, each changes its speed by less than this.
@@ -44,26 +45,34 @@ class GroupFinder {
         speed_ = std::max(length(a.state.velocity), length(b.state.velocity)) + change;
         const double duration =
             contact_time(stiffness_of(balls_[first], balls_[second]), mass, approach);
-        add_near(0, 2, duration);
-        if (group_.balls.size() > 2) {
-            // With more balls it takes longer.
-            reach_time_ = 3 * duration;
-            for (std::size_t i = 0; i < group_.balls.size(); ++i) {
-                add_near(i, i + 1, reach_time_);
-            }
-            add_contacts();
+        add(first, a);
+        add(second, b);
+        add_near(0, duration);
+        add_near(1, duration);
+        if (group_.indices.size() == 2) {
+            return {};
         }
+        // With more balls it takes longer.
+        reach_time_ = 3 * duration;
+        for (std::size_t i = 0; i < group_.balls.size(); ++i) {
+            add_near(i, reach_time_);
+        }
+        add_contacts();
         return std::move(group_);
     }
 
   private:
     /// Without the orientation, which costs most and is not needed.
-    void add(std::uint32_t index) {
+    [[nodiscard]] BallBody body(std::uint32_t index) const {
         const Ball& ball = balls_[index];
         BallBody body{ball.mass, ball.radius, {}};
         body.state.position = ball.segment.position_at(time_);
         body.state.velocity = ball.segment.velocity_at(time_);
         body.state.angular_velocity = ball.segment.angular_velocity_at(time_);
+        return body;
+    }
+
+    void add(std::uint32_t index, const BallBody& body) {
         group_.indices.push_back(index);
         group_.balls.push_back(body);
     }
@@ -72,18 +81,18 @@ class GroupFinder {
         return length(a.state.position - centre) - a.radius - radius;
     }
 
-    /// Adds the balls that the members `from` to `to` can reach within `duration`.
-    void add_near(std::size_t from, std::size_t to, double duration) {
-        for (std::size_t i = from; i < to; ++i) {
-            predictor_.find_near(group_.indices[i], near_);
-            for (const std::uint32_t other : near_) {
-                const Ball& ball = balls_[other];
-                const double closing = speed_ + length(ball.segment.velocity_at(time_));
-                if (!ball.is_returned() && !contains(other) &&
-                    gap(group_.balls[i], ball.segment.position_at(time_), ball.radius) <=
-                        closing * duration) {
-                    add(other);
-                }
+    /// Adds the balls that member `i` can reach within `duration`.
+    void add_near(std::size_t i, double duration) {
+        predictor_.find_near(group_.indices[i], near_);
+        for (const std::uint32_t other : near_) {
+            const Ball& ball = balls_[other];
+            if (ball.is_returned() || contains(other)) {
+                continue;
+            }
+            const double closing = speed_ + length(ball.segment.velocity_at(time_));
+            if (gap(group_.balls[i], ball.segment.position_at(time_), ball.radius) <=
+                closing * duration) {
+                add(other, body(other));
             }
         }
     }
@@ -121,7 +130,8 @@ class GroupFinder {
         contact.is_level = is_level(environment_, a, b);
         const ContactNumbers law = pair_law(environment_, a, b, 0);
         contact.restitution = law.restitution;
-        if (a.material != MaterialId::ball || b.material != MaterialId::ball) {
+        const bool has_own = named_law(environment_, a, b) != nullptr;
+        if (has_own || a.material != MaterialId::ball || b.material != MaterialId::ball) {
             contact.friction = law.friction;
         }
         return contact;
@@ -139,8 +149,17 @@ class GroupFinder {
 
 }  // namespace
 
+const PairContact* named_law(const StaticEnvironment& environment, const Ball& a, const Ball& b) {
+    const auto& pairs = environment.law.pairs;
+    const auto found = pairs.empty() ? pairs.end() : pairs.find(std::minmax(a.name, b.name));
+    return found != pairs.end() ? &found->second : nullptr;
+}
+
 ContactNumbers pair_law(const StaticEnvironment& environment, const Ball& a, const Ball& b,
                         double slip_speed) {
+    if (const PairContact* named = named_law(environment, a, b)) {
+        return {named->restitution, named->friction, 0, 0};
+    }
     ContactNumbers law = environment.contacts.between(a.material, b.material);
     if (a.material == MaterialId::ball && b.material == MaterialId::ball) {
         law.friction = ball_friction(environment.law.ball_ball, slip_speed);

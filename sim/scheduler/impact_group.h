@@ -16,13 +16,17 @@ struct ImpactGroup {
     std::vector<GroupContact> contacts;  // first that of the two
 };
 
+/// The entry of ContactLaw::pairs that names these two balls instead of two materials, or nullptr.
+[[nodiscard]] const PairContact* named_law(const StaticEnvironment& environment, const Ball& a,
+                                           const Ball& b);
+
 /// Restitution and friction of two balls that collide with surfaces slipping at `slip_speed` (m/s).
 [[nodiscard]] ContactNumbers pair_law(const StaticEnvironment& environment, const Ball& a,
                                       const Ball& b, double slip_speed);
 
 /// The balls `first` and `second`, which meet at `time`, and those that may touch one of them,
-/// directly or through others, while they compress each other. Only the two, without contacts, if
-/// nothing else is so near or they meet at kLeastLoggedSpeed or slower.
+/// directly or through others, while they compress each other. Empty if no other is so near or they
+/// meet at kLeastLoggedSpeed or slower.
 [[nodiscard]] ImpactGroup find_impact_group(const std::vector<Ball>& balls, std::uint32_t first,
                                             std::uint32_t second, double time,
                                             const EventPredictor& predictor,

@@ -47,7 +47,7 @@ bool Scheduler::run(const WorkContext& context, std::uint64_t max_steps) {
     const auto overlaps =
         find_start_overlaps(world_, environment_.has_cushions ? &environment_.table() : nullptr);
     if (!overlaps.empty()) {
-        throw Error("body '" + overlaps[0].ball + "' " + overlaps[0].sentence() + " at the start");
+        throw Error("body '" + overlaps[0].body + "' " + overlaps[0].sentence() + " at the start");
     }
     const auto places =
         find_place_problems(world_, environment_.has_cushions ? &environment_.table() : nullptr);

@@ -125,6 +125,23 @@ TEST(ThreeBalls_FrozenCombination, IsHitAsOneRow) {
     EXPECT_EQ(count_events(timeline, EventKind::impact), 3);
 }
 
+/// A bad contact of two balls only: they throw more than others (a kick).
+TEST(TwoBalls_WithALawOfTheirOwn, FollowIt) {
+    const auto throw_of = [](const std::string& other) {
+        WorldDescription world = cloth_world(0.5);
+        world.contact_law.ball_ball = {0.95, 0.05, BallFriction::constant};
+        world.contact_law.pairs[{"cue", other}] = {0.9, 0.2, 0};
+        world.contact_law.ball_cloth = {0, 0, 0, 0.5};
+        world.bodies = {ball("cue", -0.3, -kRadius, {1.5, 0, 0}), ball("one", 0, 0)};
+        const Timeline timeline = bake(world);
+        const Vec3 v = state_at(timeline, "one", 0.5).velocity;
+        return kPi / 6 - direction_of(v);
+    };
+    const double stick = std::tan(kPi / 6) / (3.5 * 1.9);  // of the friction that stops the slip
+    EXPECT_NEAR(throw_of("two"), std::atan(0.05), 1e-9);
+    EXPECT_NEAR(throw_of("one"), std::atan(std::min(0.2, stick)), 1e-9);
+}
+
 TEST(Balls_OfOtherMaterials, UseTheirOwnPair) {
     WorldDescription world = cloth_world(0.4);
     world.contact_law.pairs[{"ball", "lead"}] = {0.0, 0.0, 0.0};
