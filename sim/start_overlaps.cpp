@@ -199,6 +199,132 @@ void check_solids(const Ball& ball, const WorldDescription& world, DeepestOverla
     }
 }
 
+/// A body that is neither a ball nor a mesh.
+struct Solid {
+    const Body* body = nullptr;
+    SolidShape solid;
+    PlacedShape placed;
+};
+
+std::vector<Solid> solids_of(const WorldDescription& world) {
+    std::vector<Solid> solids;
+    for (const Body& body : world.bodies) {
+        std::optional<SolidShape> solid = solid_shape(body.shape);
+        if (solid && is_finite(body.pose.position)) {
+            const Vec3 centre = body.path ? body.path->centre : Vec3(0, 0, 0);
+            const Pose pose{body.pose.position + to_world(body.pose.orientation, centre),
+                            body.pose.orientation * solid->principal};
+            const ConvexShape* shape = solid->shape.get();
+            solids.push_back({&body, std::move(*solid), {shape, pose}});
+        }
+    }
+    return solids;
+}
+
+/// Directions in world axes that may separate the solid best from another.
+void add_normals(const PlacedShape& solid, std::vector<Vec3>& normals) {
+    const auto add = [&](const Vec3& normal) {
+        normals.push_back(to_world(solid.pose.orientation, normal));
+        normals.push_back(-normals.back());
+    };
+    using Kind = ConvexShape::Kind;
+    if (solid.shape->kind() == Kind::capsule || solid.shape->kind() == Kind::cylinder) {
+        return add({0, 0, 1});
+    }
+    for (const PolyhedronFace& face : solid.shape->solid().faces) {
+        add(face.normal);
+    }
+}
+
+/// How far (m) the two overlap, at most; 0 or less if they do not.
+double overlap_of(const PlacedShape& a, const PlacedShape& b) {
+    const Vec3 apart = a.pose.position - b.pose.position;
+    const double reach = a.shape->bounding_radius() + b.shape->bounding_radius();
+    if (apart.dot(apart) >= reach * reach) {
+        return 0;
+    }
+    const double cover = a.shape->core_gap() + b.shape->core_gap();
+    if (const auto closest = closest_core_points(a, b, 0, reach)) {
+        const Vec3 gap = closest->on_a - closest->on_b;
+        return cover - std::sqrt(gap.dot(gap));
+    }
+    std::vector<Vec3> normals;
+    add_normals(a, normals);
+    add_normals(b, normals);
+    if (apart.dot(apart) > 0) {
+        normals.push_back(apart / std::sqrt(apart.dot(apart)));
+    }
+    double least = reach;
+    for (const Vec3& normal : normals) {
+        least = std::min(least, -gap_along(a, b, normal));
+    }
+    return least;
+}
+
+/// Overlaps with the slate, which has holes, and with the rails around the cushions.
+void check_table(const PlacedShape& solid, const billiards::TableGeometry* table,
+                 const billiards::TableMeasures& measures, DeepestOverlap& deepest) {
+    const Vec3 low = solid.support({0, 0, -1});
+    const bool is_under_table = solid.support({0, 0, 1}).z <= 0;
+    if (table == nullptr) {
+        return deepest.consider(is_under_table ? 0 : -low.z, kPolygonError, "the cloth");
+    }
+    const Vec2 outside(0.5 * measures.length + measures.cushion_width,
+                       0.5 * measures.width + measures.cushion_width);
+    const Vec2 place(low.x, low.y);
+    if (!is_under_table && std::abs(place.x) <= outside.x && std::abs(place.y) <= outside.y &&
+        !is_over_pocket(place, *table)) {
+        deepest.consider(-low.z, kPolygonError, "the cloth");
+    }
+    const Vec2 centre(solid.pose.position.x, solid.pose.position.y);
+    if (is_over_pocket(centre, *table, solid.shape->bounding_radius())) {
+        return;
+    }
+    const double half_rail = 0.5 * measures.rail_width;
+    for (const double side : {-1.0, 1.0}) {
+        const ConvexShape across = ConvexShape::box(
+            {half_rail, outside.y + measures.rail_width, 0.5 * measures.rail_height});
+        const ConvexShape along = ConvexShape::box(
+            {outside.x + measures.rail_width, half_rail, 0.5 * measures.rail_height});
+        const double height = 0.5 * measures.rail_height;
+        const PlacedShape end{&across, {{side * (outside.x + half_rail), 0, height}, Quat()}};
+        const PlacedShape edge{&along, {{0, side * (outside.y + half_rail), height}, Quat()}};
+        deepest.consider(overlap_of(solid, end), kPolygonError, "a rail");
+        deepest.consider(overlap_of(solid, edge), kPolygonError, "a rail");
+    }
+}
+
+void add_solid_overlaps(const WorldDescription& world, const billiards::TableGeometry* table,
+                        std::vector<StartOverlap>& overlaps) {
+    const std::vector<Solid> solids = solids_of(world);
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+        const Solid& solid = solids[i];
+        if (solid.body->kind != BodyKind::dynamic) {
+            continue;
+        }
+        DeepestOverlap deepest;
+        for (std::size_t k = 0; k < solids.size(); ++k) {
+            if (k >= i && solids[k].body->kind == BodyKind::dynamic) {
+                continue;
+            }
+            const double depth = overlap_of(solid.placed, solids[k].placed);
+            if (depth > kPolygonError) {
+                deepest.consider(depth, kPolygonError, "'" + solids[k].body->name + "'");
+            }
+        }
+        if (world.table) {
+            check_table(solid.placed, table, *world.table, deepest);
+        }
+        if (world.floor_height) {
+            deepest.consider(*world.floor_height - solid.placed.support({0, 0, -1}).z,
+                             kPolygonError, "the floor");
+        }
+        if (auto overlap = deepest.of(solid.body->name)) {
+            overlaps.push_back(std::move(*overlap));
+        }
+    }
+}
+
 /// The world with only the fixed bodies and the ball that the event puts down, where it puts it;
 /// without the ball if the world has none of that name.
 WorldDescription world_with_placed_ball(const WorldDescription& world, const ForceEvent& event,
@@ -272,6 +398,7 @@ std::vector<StartOverlap> find_start_overlaps(const WorldDescription& world,
             overlaps.push_back(std::move(*overlap));
         }
     }
+    add_solid_overlaps(world, table, overlaps);
     return overlaps;
 }
 

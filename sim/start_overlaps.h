@@ -1,4 +1,4 @@
-// Balls that overlap other bodies or the table at the start, or where an event puts them.
+// Bodies that overlap others or the table at the start, or where an event puts them.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 namespace carom::sim {
 
 struct StartOverlap {
-    std::string ball;
+    std::string body;
     std::string other;  // "the cloth", "a cushion", "a rail", "a pocket", "the floor" or "'ramp'"
     double depth = 0;   // m
 
@@ -19,11 +19,13 @@ struct StartOverlap {
     [[nodiscard]] std::string sentence() const;
 };
 
-/// The moving balls that overlap something at the start by more than rounding, each with its
-/// deepest overlap: neither an impact time nor a separation could be found for them. The world must
-/// have no other problems. `table`: the world's table geometry (all parts, or those used for
-/// collisions); nullptr if there is no table or it has no cushions. `find_problems` reports balls
-/// that overlap each other.
+/// The moving balls that overlap something at the start by more than rounding, and the other
+/// moving bodies that overlap one another, fixed ones, keyed ones, the cloth, a rail or the floor
+/// by more than 0.1 mm, each with its deepest overlap: neither an impact time nor a separation
+/// could be found for them. Of two moving bodies the later one is named. The world must have no
+/// other problems. `table`: the world's table geometry (all parts, or those used for collisions);
+/// nullptr if there is no table or it has no cushions. `find_problems` reports balls that overlap
+/// each other.
 [[nodiscard]] std::vector<StartOverlap> find_start_overlaps(const WorldDescription& world,
                                                             const billiards::TableGeometry* table);
 

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "core/finite.h"
+#include "sim/limits.h"
 #include "sim/shape/mass_properties.h"
 
 namespace carom::sim {
@@ -58,6 +59,29 @@ bool is_not_negative(double value) {
 }
 bool is_fraction(double value) {
     return value >= 0 && value <= 1;
+}
+bool is_size(double value) {
+    return value >= kLeastSize && value <= kMostSize;
+}
+bool is_speed(double value) {
+    return value > 0 && value <= kMostSpeed;
+}
+bool is_within(const Vec3& v, double most) {
+    return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;
+}
+
+std::string size_range() {
+    return fmt::format(" has to be in [{:g}, {:g}] m", kLeastSize, kMostSize);
+}
+
+std::string within(double most, const char* unit) {
+    return fmt::format(" has to be within {:g} {} in each direction", most, unit);
+}
+
+/// The names of surfaces that triggers and logged impacts use.
+const std::set<std::string>& surface_names() {
+    static const std::set<std::string> names{"cushion", "cloth", "floor", "rail", "pocket"};
+    return names;
 }
 
 void check_pair(const PairContact& pair, const std::string& key, const std::string& names,
@@ -125,17 +149,16 @@ void check_hull(const ConvexHull& shape, ProblemCollector& collector) {
 
 void check_shape(const Body& body, ProblemCollector& collector) {
     if (const auto* sphere = std::get_if<Sphere>(&body.shape)) {
-        collector.require(is_positive(sphere->radius), "radius", "radius has to be greater than 0");
+        collector.require(is_size(sphere->radius), "radius", "radius" + size_range());
     } else if (const auto* box = std::get_if<Box>(&body.shape)) {
-        collector.require(
-            is_positive(box->size.x) && is_positive(box->size.y) && is_positive(box->size.z),
-            "size", "every edge of a box has to be longer than 0");
+        collector.require(is_size(box->size.x) && is_size(box->size.y) && is_size(box->size.z),
+                          "size", "every edge of a box" + size_range());
     } else if (const auto* capsule = std::get_if<Capsule>(&body.shape)) {
-        collector.require(is_positive(capsule->radius) && is_positive(capsule->length), "",
-                          "radius and length of a capsule have to be greater than 0");
+        collector.require(is_size(capsule->radius) && is_size(capsule->length), "",
+                          "each of the radius and the length of a capsule" + size_range());
     } else if (const auto* cylinder = std::get_if<Cylinder>(&body.shape)) {
-        collector.require(is_positive(cylinder->radius) && is_positive(cylinder->height), "",
-                          "radius and height of a cylinder have to be greater than 0");
+        collector.require(is_size(cylinder->radius) && is_size(cylinder->height), "",
+                          "each of the radius and the height of a cylinder" + size_range());
     } else if (const auto* hull = std::get_if<ConvexHull>(&body.shape)) {
         check_hull(*hull, collector);
     } else if (const auto* mesh = std::get_if<TriangleMesh>(&body.shape)) {
@@ -159,6 +182,8 @@ void check_shape(const Body& body, ProblemCollector& collector) {
 void check_body(const Body& body, ProblemCollector& collector) {
     collector.about_body(body.name);
     collector.require(!body.name.empty(), "", "the name is empty");
+    collector.require(!surface_names().contains(body.name), "",
+                      "this is the name of a surface; choose another one");
     check_shape(body, collector);
     if (body.kind == BodyKind::dynamic) {
         collector.require(is_positive(body.mass), "mass", "mass has to be greater than 0");
@@ -169,9 +194,12 @@ void check_body(const Body& body, ProblemCollector& collector) {
     const double norm = std::sqrt(q.r * q.r + q.v.dot(q.v));
     collector.require(std::abs(norm - 1) < 1e-6, "rotate",
                       "the orientation has to be a unit quaternion");
-    collector.require(is_finite(body.pose.position) && is_finite(body.velocity) &&
-                          is_finite(body.angular_velocity),
-                      "at", "position and velocities have to be finite");
+    collector.require(is_finite(body.pose.position) && (!body.path || is_finite(body.path->centre)),
+                      "at", "its position has to be finite");
+    collector.require(is_within(body.velocity, kMostSpeed), "velocity",
+                      "its velocity" + within(kMostSpeed, "m/s"));
+    collector.require(is_within(body.angular_velocity, kMostSpin), "spin",
+                      "its spin" + within(kMostSpin, "rad/s"));
 }
 
 void check_overlaps(const WorldDescription& world, ProblemCollector& collector) {
@@ -231,13 +259,13 @@ class EventChecker {
     }
 
     void check_trigger(const Trigger& trigger) {
+        collector_.require(trigger.nth >= 1, "when", "nth has to be 1 or more");
         const bool all_rest = trigger.kind == Trigger::Kind::resting && trigger.a.empty();
         collector_.require(all_rest || find(trigger.a) != nullptr, "when",
                            "its trigger names '" + trigger.a + "', which does not exist");
         if (trigger.kind == Trigger::Kind::contact) {
-            static const std::set<std::string> surfaces{"cushion", "cloth", "floor", "rail",
-                                                        "pocket"};
-            collector_.require(find(trigger.b) != nullptr || surfaces.contains(trigger.b), "when",
+            collector_.require(find(trigger.b) != nullptr || surface_names().contains(trigger.b),
+                               "when",
                                "its trigger names '" + trigger.b + "', which does not exist");
         }
         if (trigger.kind == Trigger::Kind::crossing) {
@@ -252,25 +280,28 @@ class EventChecker {
     }
 
     void check_action(const Force& force) {
-        collector_.require(is_finite(force.newtons) && is_finite(force.at_point), "newtons",
-                           "the force has to be finite");
+        collector_.require(is_within(force.newtons, kMostForce), "newtons",
+                           "the force" + within(kMostForce, "N"));
+        require_point(force.at_point);
         collector_.require(is_positive(force.duration), "duration",
                            "a force has to last longer than 0 s");
     }
     void check_action(const Torque& torque) {
-        collector_.require(is_finite(torque.newton_metres), "newton_metres",
-                           "the torque has to be finite");
+        collector_.require(is_within(torque.newton_metres, kMostTorque), "newton_metres",
+                           "the torque" + within(kMostTorque, "N m"));
         collector_.require(is_positive(torque.duration), "duration",
                            "a torque has to last longer than 0 s");
     }
     void check_action(const Impulse& impulse) {
-        collector_.require(is_finite(impulse.newton_seconds) && is_finite(impulse.at_point),
-                           "newton_seconds", "the impulse has to be finite");
+        collector_.require(is_within(impulse.newton_seconds, kMostImpulse), "newton_seconds",
+                           "the impulse" + within(kMostImpulse, "N s"));
+        require_point(impulse.at_point);
     }
     void check_action(const SetVelocity& velocity) {
-        collector_.require(is_finite(velocity.linear.value_or(Vec3(0, 0, 0))) &&
-                               is_finite(velocity.angular.value_or(Vec3(0, 0, 0))),
-                           "", "the velocity has to be finite");
+        collector_.require(is_within(velocity.linear.value_or(Vec3(0, 0, 0)), kMostSpeed), "linear",
+                           "the velocity" + within(kMostSpeed, "m/s"));
+        collector_.require(is_within(velocity.angular.value_or(Vec3(0, 0, 0)), kMostSpin),
+                           "angular", "the angular velocity" + within(kMostSpin, "rad/s"));
     }
     void check_action(const Strike& strike) {
         const Body* body = find(*object_);
@@ -283,8 +314,8 @@ class EventChecker {
         collector_.require(strike.speed.has_value() != strike.ball_speed.has_value(), "speed",
                            "a strike needs exactly one of speed and ball_speed");
         collector_.require(
-            is_positive(strike.speed.value_or(1)) && is_positive(strike.ball_speed.value_or(1)),
-            "speed", "the speed of a strike has to be greater than 0");
+            is_speed(strike.speed.value_or(1)) && is_speed(strike.ball_speed.value_or(1)), "speed",
+            fmt::format("the speed of a strike has to be in (0, {:g}] m/s", kMostSpeed));
         if (strike.toward) {
             collector_.require(find(*strike.toward) != nullptr, "toward",
                                "it aims at '" + *strike.toward + "', which does not exist");
@@ -316,6 +347,10 @@ class EventChecker {
         require_ball("only a ball can be taken off");
         collector_.require(world_.table.has_value(), "",
                            "without a table a ball cannot be taken off");
+    }
+    void require_point(const Vec3& point) {
+        collector_.require(is_finite(point), "at_point",
+                           "the point on which it acts has to be finite");
     }
     void require_ball(const std::string& sentence) {
         const Body* body = find(*object_);
@@ -363,6 +398,8 @@ std::vector<Diagnostic> find_problems(const WorldDescription& world) {
                       "duration has to be in (0, 3600] s");
     collector.require(world.step >= 1e-5 && world.step <= 0.1, "step",
                       "step has to be in [1e-5, 0.1] s");
+    collector.require(std::isfinite(world.floor_height.value_or(0)), "floor",
+                      "the height of the floor has to be finite");
     collector.require(is_positive(world.key_reduction.position_error) &&
                           is_positive(world.key_reduction.orientation_error),
                       "key_reduction",

@@ -115,8 +115,8 @@ ValueType<Vec2> vector2(Dimension dimension, Range range) {
     return vector_type<Vec2, 2>(dimension, range);
 }
 
-ValueType<Coordinates> coordinates(Dimension dimension) {
-    return convert<Coordinates>(list_of(quantity(dimension), 2, 3),
+ValueType<Coordinates> coordinates(Dimension dimension, Range range) {
+    return convert<Coordinates>(list_of(quantity(dimension, range), 2, 3),
                                 [](const std::vector<double>& values) {
                                     const bool has_z = values.size() == 3;
                                     const double z = has_z ? values[2] : 0.0;

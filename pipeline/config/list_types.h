@@ -59,6 +59,6 @@ struct Coordinates {
     Vec3 value;
     bool has_z = false;
 };
-[[nodiscard]] ValueType<Coordinates> coordinates(Dimension dimension);
+[[nodiscard]] ValueType<Coordinates> coordinates(Dimension dimension, Range range = {});
 
 }  // namespace carom::pipeline::config

@@ -27,7 +27,7 @@ cameras:
   gravity: 9.81 m/s^2
   ball_ball: {restitution: 0.93}
   pairs:
-    - {between: [tile, cloth], friction: 0.35, restitution: 0.1}
+    - {between: [ball, floor], friction: 0.35, restitution: 0.1}
 )"},
         {"stick", R"(physics:
   shaft: low_deflection
@@ -75,7 +75,7 @@ conditions:
 )"},
         {"pair", R"(physics:
   pairs:
-    - {between: [tile, ball], friction: 0.15, restitution: 0.5}
+    - {between: [ball, rail], friction: 0.15, restitution: 0.5}
 )"},
         {"ball_set", R"(ball_set: {kind: snooker, mass: 142 g}
 )"},

@@ -85,9 +85,23 @@ struct LoggedStrike {
     double time = 0;
     Vec3 centre{0, 0, 0};  // of the ball
     Vec3 aim{1, 0, 0};
-    double radius = 0;
-    double mass = 0;
+    sim::RigidBody ball;  // with its velocities before the strike
 };
+
+/// The state of a ball before an event changes it at `time`.
+MotionState state_before(const std::string& name, double time, const sim::Timeline& timeline) {
+    const sim::Track* track = timeline.find(name);
+    if (track == nullptr) {
+        return {};
+    }
+    MotionState state = track->sample(time);
+    const auto key = std::ranges::lower_bound(track->keys(), time, {}, &sim::Key::time);
+    if (key != track->keys().end() && key->time == time) {
+        state.velocity = key->velocity_in;
+        state.angular_velocity = key->angular_velocity_in;
+    }
+    return state;
+}
 
 /// The line of the stick at an elevation: where the front of the tip is, and where it points.
 struct StickLine {
@@ -104,7 +118,7 @@ StickLine line_at(const LoggedStrike& logged, const Strike& strike, double eleva
     const double depth = std::sqrt(std::max(0.0, 1 - strike.tip.dot(strike.tip)));
     const Vec3 to_contact = right * strike.tip.x + up * strike.tip.y - direction * depth;
     const double dome = dome_radius(stick);
-    return {logged.centre + to_contact * (logged.radius + dome) + direction * dome, direction};
+    return {logged.centre + to_contact * (logged.ball.radius + dome) + direction * dome, direction};
 }
 
 std::vector<LoggedStrike> logged_strikes(const ShownStick& stick,
@@ -126,12 +140,16 @@ std::vector<LoggedStrike> logged_strikes(const ShownStick& stick,
                 body == world.bodies.end() || !std::holds_alternative<sim::Sphere>(body->shape)) {
                 continue;
             }
-            LoggedStrike logged{i, event.time, event.place, {}, 0, body->mass};
-            logged.radius = std::get<sim::Sphere>(body->shape).radius;
+            LoggedStrike logged{i, event.time, event.place, {}, {}};
+            logged.ball =
+                sim::RigidBody::ball(body->mass, std::get<sim::Sphere>(body->shape).radius,
+                                     state_before(event.a, event.time, timeline));
             logged.aim = aim_of(*strike, event.place, event.time, world, timeline);
-            const Vec3 given =
-                sim::strike_ball(*strike, logged.aim, logged.mass, logged.radius).velocity;
-            const double difference = (given - event.vector).length();
+            const auto given = sim::strike_ball(*strike, logged.aim, logged.ball);
+            if (!given) {
+                continue;
+            }
+            const double difference = (given->velocity - event.vector).length();
             if (difference < least) {
                 least = difference;
                 best = logged;
@@ -147,14 +165,17 @@ std::vector<LoggedStrike> logged_strikes(const ShownStick& stick,
     return found;
 }
 
-/// The stick's speed before the contact (Alciatore, TP B-8, solved for the stick's speed).
-double stick_speed(const Strike& strike, double mass) {
+/// The stick's speed before the contact that changes the ball's velocity by `given` (Alciatore, TP
+/// B-8, solved for the stick's speed).
+double stick_speed(const Strike& strike, const LoggedStrike& logged, const Vec3& given) {
     if (strike.speed) {
         return *strike.speed;
     }
-    return strike.ball_speed.value_or(1) *
-           (1 + mass / strike.stick_mass + 2.5 * strike.tip.dot(strike.tip)) /
-           (1 + strike.tip_restitution);
+    const sim::RigidBody& ball = logged.ball;
+    const sim::TipContact tip = sim::tip_contact(strike, logged.aim, ball.radius);
+    return tip.point_speed(ball.state.velocity, ball.state.angular_velocity) +
+           given.length() * (1 + ball.mass / strike.stick_mass + 2.5 * strike.tip.dot(strike.tip)) /
+               (1 + strike.tip_restitution);
 }
 
 /// How far the tip may go on: not into the cloth, and not into a ball that lies ahead.
@@ -245,10 +266,11 @@ StickStrike to_stroke(const LoggedStrike& logged, const ShownStick& stick,
                       const sim::WorldDescription& world, const sim::Timeline& timeline) {
     const auto& strike = std::get<Strike>(world.events[logged.event].action);
     const StickLine line = line_at(logged, strike, strike.elevation, stick);
-    const double speed = stick_speed(strike, logged.mass);
-    const Vec3 given = sim::strike_ball(strike, logged.aim, logged.mass, logged.radius).velocity;
+    const auto struck = sim::strike_ball(strike, logged.aim, logged.ball);
+    const Vec3 given = struck ? struck->velocity : Vec3(0, 0, 0);
+    const double speed = stick_speed(strike, logged, given);
     // The ball takes its momentum from the stick.
-    const double after = speed - logged.mass / strike.stick_mass * given.dot(line.direction);
+    const double after = speed - logged.ball.mass / strike.stick_mass * given.dot(line.direction);
     return {logged.time,
             line.front,
             line.direction,

@@ -96,7 +96,7 @@ class Bodies {
     [[nodiscard]] std::vector<std::uint32_t> take_changed();
     /// Makes all predictions invalid: all balls count as changed.
     void invalidate_predictions();
-    /// Whether a body is in the solver.
+    [[nodiscard]] std::size_t solver_count() const { return solver_count_; }
     [[nodiscard]] bool is_solver_active() const { return solver_count_ > 0; }
 
     void add_energy(double time, EnergySample& sample) const;

@@ -43,6 +43,11 @@ class EventPredictor {
     /// rest.
     void predict_all_solid_impacts(const SearchHorizon& horizon, PredictedEventQueue& queue);
 
+    /// Replaces `found` by the other balls within the cells around ball `index`.
+    void find_near(std::uint32_t index, std::vector<std::uint32_t>& found) const {
+        grid_.find_near(index, found);
+    }
+
     [[nodiscard]] std::uint32_t solid_version() const { return solid_version_; }
 
   private:

@@ -104,12 +104,16 @@ void ForceApplier::apply(const Strike& strike, const DueAction& due, std::uint32
                             ": the tip is more than half a radius off centre, where it would "
                             "slip off the ball (a miscue)"});
     }
+    const std::optional<StrikeResult> free = strike_ball(strike, aim, struck.rigid_at(due.time));
+    if (!free) {
+        return warn_of_unreached(strike, due, struck.name());
+    }
     if (strike.toward) {
         aimed_strikes_.push_back({struck.name(), *strike.toward, due.time, due.event});
     }
     TouchingBalls touching = find_touching_balls(bodies_.balls(), body, due.time, environment_);
     if (touching.indices.size() == 1) {
-        strike_free(strike, aim, due.time, body);
+        strike_free(*free, due.time, body);
     } else {
         strike_group(strike, aim, due.time, std::move(touching));
     }
@@ -123,11 +127,19 @@ void ForceApplier::apply(const RemoveBall& /*remove*/, const DueAction& due, std
     placer_.remove(due.event, body, due.time);
 }
 
-void ForceApplier::strike_free(const Strike& strike, const Vec3& aim, double time,
-                               std::uint32_t body) {
+void ForceApplier::warn_of_unreached(const Strike& strike, const DueAction& due,
+                                     const std::string& ball) {
+    const std::string reason =
+        strike.speed ? "the ball moves away from the stick as fast as the stick comes, or faster"
+                     : "the ball already has this speed";
+    recorder_.warn({Subject::event(due.event), strike.speed ? "speed" : "ball_speed",
+                    "strike on '" + ball + "' at " + seconds(due.time) + ": " + reason +
+                        "; the strike is skipped"});
+}
+
+void ForceApplier::strike_free(const StrikeResult& result, double time, std::uint32_t body) {
     const MovingBody& struck = bodies_[body];
     const MotionState before = struck.segment.state_at(time);
-    const StrikeResult result = strike_ball(strike, aim, struck.mass, struck.radius);
     MotionState after = before;
     after.velocity += result.velocity;
     after.angular_velocity += result.angular_velocity;

@@ -9,6 +9,7 @@
 #include "sim/scheduler/bodies.h"
 #include "sim/scheduler/force_schedule.h"
 #include "sim/scheduler/touching_balls.h"
+#include "sim/stick/strike.h"
 
 namespace carom::sim {
 
@@ -30,7 +31,8 @@ class ForceApplier {
     void apply(const Strike& strike, const DueAction& due, std::uint32_t body);
     void apply(const PlaceBall& place, const DueAction& due, std::uint32_t body);
     void apply(const RemoveBall& remove, const DueAction& due, std::uint32_t body);
-    void strike_free(const Strike& strike, const Vec3& aim, double time, std::uint32_t body);
+    void strike_free(const StrikeResult& result, double time, std::uint32_t body);
+    void warn_of_unreached(const Strike& strike, const DueAction& due, const std::string& ball);
     void strike_group(const Strike& strike, const Vec3& aim, double time, TouchingBalls touching);
     void apply_kick(const DueAction& due, std::uint32_t body);
     void apply_impulse(std::uint32_t body, double time, const Vec3& impulse,

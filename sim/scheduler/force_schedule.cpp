@@ -61,26 +61,31 @@ std::vector<DueAction> ForceSchedule::take_due(double now) {
         const DueAction action = *due_.begin();
         due_.erase(due_.begin());
         if (action.kick < 0) {
-            add_kicks(action);
+            begin_train(action);
             rest_triggers_.note_action(action.event);
-        } else if (--kicks_left_[action.event] == 0) {
-            kicks_left_.erase(action.event);
+        } else if (Train& train = trains_.at(action.event); ++train.next == train.count) {
+            trains_.erase(action.event);
+        } else {
+            add_kick(action.event, train);
         }
         taken.push_back(action);
     }
     return taken;
 }
 
-void ForceSchedule::add_kicks(const DueAction& begin) {
+void ForceSchedule::begin_train(const DueAction& begin) {
     const double duration = duration_of(events_[begin.event]);
     if (duration <= 0) {
         return;
     }
-    const int count = kick_count(duration);
-    kicks_left_[begin.event] = count;
-    for (int i = 0; i < count; ++i) {
-        due_.insert({begin.time + (i + 0.5) * duration / count, begin.event, i});
-    }
+    const Train train{begin.time, kick_count(duration), 0};
+    trains_[begin.event] = train;
+    add_kick(begin.event, train);
+}
+
+void ForceSchedule::add_kick(std::size_t event, const Train& train) {
+    const double part = (train.next + 0.5) * duration_of(events_[event]) / train.count;
+    due_.insert({train.begin + part, event, train.next});
 }
 
 void ForceSchedule::check_triggers(const Event& event) {
@@ -113,7 +118,7 @@ void ForceSchedule::check_rest_triggers(double now, const MotionQuery& query) {
 }
 
 bool ForceSchedule::has_kicks_left(const std::string& name) const {
-    return std::any_of(kicks_left_.begin(), kicks_left_.end(), [&](const auto& acting) {
+    return std::any_of(trains_.begin(), trains_.end(), [&](const auto& acting) {
         return name.empty() || events_[acting.first].object == name;
     });
 }

@@ -66,13 +66,21 @@ class ForceSchedule {
         int count = 0;  // of the occurrences so far, except rest
     };
 
-    void add_kicks(const DueAction& begin);
+    /// A force or torque that acts now.
+    struct Train {
+        double begin = 0;  // scene time, s
+        int count = 0;     // of impulses
+        int next = 0;      // number of the one that is due; the later ones are not listed yet
+    };
+
+    void begin_train(const DueAction& begin);
+    void add_kick(std::size_t event, const Train& train);
 
     const std::vector<ForceEvent>& events_;
     std::set<DueAction> due_;
     std::map<std::size_t, Wait> waiting_;  // events that wait for their triggers
     RestTriggers rest_triggers_;
-    std::map<std::size_t, int> kicks_left_;  // of the forces and torques that act now, by event
+    std::map<std::size_t, Train> trains_;  // by event
     std::set<std::pair<double, std::size_t>> watch_from_;
 };
 

@@ -14,16 +14,6 @@ namespace {
 
 const std::string kCushion = "cushion";
 
-/// Restitution and friction of two balls that collide.
-ContactCoefficients pair_law(const StaticEnvironment& environment, const MovingBody& a,
-                             const MovingBody& b, double slip_speed) {
-    ContactCoefficients law = environment.contacts.between(a.material, b.material);
-    if (a.material == MaterialId::ball && b.material == MaterialId::ball) {
-        law.friction = ball_friction(environment.law.ball_ball, slip_speed);
-    }
-    return law;
-}
-
 /// The foot of the perpendicular from `point` to the nose line of a face.
 Vec2 nearest_on(const billiards::CushionFace& face, const Vec2& point) {
     return point - face.normal * (point - face.from).dot(face.normal);
@@ -54,6 +44,20 @@ RigidBody surface_moving_at(const Vec3& velocity) {
 /// slowly than it falls never comes apart from it.
 bool lies_in_pocket(const MovingBody& ball) {
     return (ball.is_in_solver() || ball.is_asleep()) && ball.segment.state.position.z < 0;
+}
+
+/// The contacts that closed, in the order of time in which they did.
+std::vector<std::size_t> in_order_of_touch(const std::vector<GroupContactResult>& results) {
+    std::vector<std::size_t> touched;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        if (results[i].touched_after) {
+            touched.push_back(i);
+        }
+    }
+    std::stable_sort(touched.begin(), touched.end(), [&](std::size_t i, std::size_t k) {
+        return *results[i].touched_after < *results[k].touched_after;
+    });
+    return touched;
 }
 
 }  // namespace
@@ -110,6 +114,84 @@ void ImpactResolver::record(const Impact& impact) {
          length(a.state.angular_velocity - b.state.angular_velocity) * radius});
 }
 
+ImpactGroup ImpactResolver::group_of(const PredictedEvent& event) const {
+    return find_impact_group(bodies_.balls(), event.first, event.second, event.time, predictor_,
+                             environment_);
+}
+
+bool ImpactResolver::involves_solver(const PredictedEvent& event) const {
+    if (!bodies_.is_solver_active()) {
+        return false;
+    }
+    const ImpactGroup group = group_of(event);
+    return std::any_of(group.indices.begin(), group.indices.end(),
+                       [&](std::uint32_t index) { return bodies_[index].is_in_solver(); });
+}
+
+/// False, without effect, if the two balls come apart before they or others touch a third one: the
+/// law of pairs is exact for them.
+bool ImpactResolver::resolve_group_impact(const PredictedEvent& event) {
+    const ImpactGroup group = group_of(event);
+    if (group.contacts.empty()) {
+        return false;
+    }
+    std::vector<GroupBody> bodies;
+    for (const RigidBody& ball : group.balls) {
+        bodies.push_back(group_body(ball));
+    }
+    const std::vector<GroupContactResult> results =
+        group_impact(bodies, group.contacts, environment_.law.ball_ball);
+    std::vector<RigidBody> after = group.balls;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        after[i].state.velocity = bodies[i].velocity;
+        after[i].state.angular_velocity = bodies[i].angular_velocity;
+    }
+    const std::vector<std::size_t> touched = in_order_of_touch(results);
+    if (touched.size() < 2) {
+        return false;
+    }
+    std::vector<char> has_touched(after.size(), 0);
+    std::vector<char> activates(after.size(), 0);
+    for (const std::size_t i : touched) {
+        const GroupContact& contact = group.contacts[i];
+        const MovingBody& a = bodies_[group.indices[contact.first]];
+        const MovingBody& b = bodies_[group.indices[contact.second]];
+        const Vec3& normal = results[i].normal;
+        const RigidBody& first = group.balls[contact.first];
+        const RigidBody& second = group.balls[contact.second];
+        record({event.time, results[i].approach, a.name(), b.name(),
+                first.state.position - normal * first.radius, normal, results[i].impulse,
+                mean_body(after[contact.first], first.state),
+                mean_body(after[contact.second], second.state)});
+        const double separation =
+            (after[contact.first].state.velocity - after[contact.second].state.velocity)
+                .dot(normal);
+        const bool stays =
+            stays_in_contact(a, separation, normal) || stays_in_contact(b, separation, normal);
+        for (const std::size_t member : {contact.first, contact.second}) {
+            has_touched[member] = 1;
+            activates[member] |= stays || lies_in_pocket(bodies_[group.indices[member]]);
+        }
+    }
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        if (has_touched[i] != 0) {
+            bodies_.wake(group.indices[i], event.time);
+        }
+    }
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        if (has_touched[i] == 0) {
+            continue;
+        }
+        const MotionState before = bodies_[group.indices[i]].segment.state_at(event.time);
+        after[i].state.orientation = before.orientation;
+        bodies_.change_state(group.indices[i], event.time, before, after[i].state);
+        if (activates[i] != 0) {
+            bodies_.enter_solver(group.indices[i], event.time);
+        }
+    }
+    return true;
+}
+
 void ImpactResolver::resolve_ball_impact(const PredictedEvent& event) {
     MovingBody& a = bodies_[event.first];
     MovingBody& b = bodies_[event.second];
@@ -119,6 +201,9 @@ void ImpactResolver::resolve_ball_impact(const PredictedEvent& event) {
     const MotionState before_b = body_b.state;
     const Vec3 normal = unit(before_a.position - before_b.position);
     const double approach = -(before_a.velocity - before_b.velocity).dot(normal);
+    if (resolve_group_impact(event)) {
+        return;
+    }
     const Vec3 slip = contact_slip(body_a, body_b, normal);
     const ContactCoefficients law = pair_law(environment_, a, b, std::sqrt(slip.dot(slip)));
     const ImpulsePair impulse = ball_ball_impact(bodies_.impact_solver(), body_a, body_b, normal,

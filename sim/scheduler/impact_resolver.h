@@ -4,20 +4,27 @@
 #include <string>
 
 #include "sim/scheduler/bodies.h"
+#include "sim/scheduler/impact_group.h"
 #include "sim/scheduler/predicted_event.h"
 
 namespace carom::sim {
 
 class ImpactResolver {
   public:
-    ImpactResolver(const StaticEnvironment& environment, Bodies& bodies, Recorder& recorder)
-        : environment_(environment), bodies_(bodies), recorder_(recorder) {}
+    ImpactResolver(const StaticEnvironment& environment, Bodies& bodies,
+                   const EventPredictor& predictor, Recorder& recorder)
+        : environment_(environment), bodies_(bodies), predictor_(predictor), recorder_(recorder) {}
 
     /// Changes the balls of the event; their versions count up.
     void resolve(const PredictedEvent& event);
 
+    /// Whether a ball in the solver may take part in this impact of two balls.
+    [[nodiscard]] bool involves_solver(const PredictedEvent& event) const;
+
   private:
     void resolve_ball_impact(const PredictedEvent& event);
+    [[nodiscard]] ImpactGroup group_of(const PredictedEvent& event) const;
+    bool resolve_group_impact(const PredictedEvent& event);
     void resolve_solid_impact(const PredictedEvent& event);
     void resolve_face_impact(const PredictedEvent& event, const Vec2& centre);
     void resolve_cushion_impact(const PredictedEvent& event, const Vec2& nearest,
@@ -42,6 +49,7 @@ class ImpactResolver {
 
     const StaticEnvironment& environment_;
     Bodies& bodies_;
+    const EventPredictor& predictor_;
     Recorder& recorder_;
 };
 

@@ -36,7 +36,7 @@ Scheduler::Scheduler(const WorldDescription& world)
       bodies_(world, environment_, recorder_),
       stepper_(environment_, bodies_, recorder_),
       predictor_(environment_, bodies_),
-      resolver_(environment_, bodies_, recorder_),
+      resolver_(environment_, bodies_, predictor_, recorder_),
       schedule_(world.events),
       placer_(world, bodies_, recorder_),
       respotting_(world, bodies_, recorder_, placer_),
@@ -47,7 +47,7 @@ bool Scheduler::run(const WorkContext& context, std::uint64_t max_steps) {
     const auto overlaps =
         find_start_overlaps(world_, environment_.has_cushions ? &environment_.table() : nullptr);
     if (!overlaps.empty()) {
-        throw Error("body '" + overlaps[0].ball + "' " + overlaps[0].sentence() + " at the start");
+        throw Error("body '" + overlaps[0].body + "' " + overlaps[0].sentence() + " at the start");
     }
     const auto places =
         find_place_problems(world_, environment_.has_cushions ? &environment_.table() : nullptr);
@@ -145,8 +145,9 @@ bool Scheduler::needs_step(const PredictedEvent& event) const {
     if (event.kind == PredictedEventKind::solid) {
         return true;
     }
-    return event.kind == PredictedEventKind::ball && (bodies_.all()[event.first].is_in_solver() ||
-                                                      bodies_.all()[event.second].is_in_solver());
+    return event.kind == PredictedEventKind::ball &&
+           (bodies_.all()[event.first].is_in_solver() ||
+            bodies_.all()[event.second].is_in_solver() || resolver_.involves_solver(event));
 }
 
 double Scheduler::window_end_from(double now) const {
@@ -310,13 +311,14 @@ void Scheduler::process(const PredictedEvent& event) {
         return;
     }
     now_ = event.time;
-    const bool was_stepping = bodies_.is_solver_active();
+    const std::size_t in_solver_before = bodies_.solver_count();
     resolver_.resolve(event);
     predict();
     check_triggers();
     // A ball that was just activated is stepped by ODE from here on, in a new window.
-    const bool was_activated = bodies_[event.first].is_in_solver() || !was_stepping;
-    if ((bodies_.is_solver_active() && was_activated) || bodies_.is_return_due()) {
+    const bool was_activated = bodies_[event.first].is_in_solver() || in_solver_before == 0 ||
+                               bodies_.solver_count() > in_solver_before;
+    if ((bodies_.solver_count() > 0 && was_activated) || bodies_.is_return_due()) {
         window_end_ = now_;
     }
 }

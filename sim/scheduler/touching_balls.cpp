@@ -5,6 +5,7 @@
 
 #include "core/length.h"
 #include "sim/numeric/tolerances.h"
+#include "sim/scheduler/impact_group.h"
 
 namespace carom::sim {
 namespace {
@@ -20,8 +21,9 @@ PushContact contact_of(const MovingBody& a, const MovingBody& b, const Vec3& nor
                        const StaticEnvironment& environment) {
     PushContact contact;
     contact.normal = normal;
-    if (a.material != MaterialId::ball || b.material != MaterialId::ball) {
-        contact.friction = environment.contacts.between(a.material, b.material).friction;
+    const bool has_own = named_law(environment, a, b) != nullptr;
+    if (has_own || a.material != MaterialId::ball || b.material != MaterialId::ball) {
+        contact.friction = pair_law(environment, a, b, 0).friction;
     }
     contact.is_level = !environment.law.hop && a.ground != Ground::none && b.ground != Ground::none;
     return contact;

@@ -1,7 +1,9 @@
 #include "sim/stick/push.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/assert.h"
 #include "core/length.h"
 #include "sim/numeric/false_position.h"
 #include "sim/stick/contact_impulses.h"
@@ -69,12 +71,21 @@ class Push {
 
     [[nodiscard]] const PushState& state() const { return state_; }
 
-    /// The speed of the tip relative to the struck point, whose motion before the push it shares.
+    /// The speed of the tip relative to the struck point.
     [[nodiscard]] double closing_speed(const PushState& state) const {
         const Velocities& struck = state.velocities[group_.struck];
         const double point = tip_.direction.dot(struck.linear - start_.linear) +
                              tip_.lever.dot(struck.angular - start_.angular);
-        return strike_.speed.value_or(0) - state.impulse / strike_.stick_mass - point;
+        return strike_.speed.value_or(0) - tip_.point_speed(start_.linear, start_.angular) -
+               state.impulse / strike_.stick_mass - point;
+    }
+
+    /// What the struck ball's speed along the impulse lacks to that of the ball being `speed`.
+    [[nodiscard]] double lacking(double speed, const PushState& state) const {
+        const Vec3& velocity = state.velocities[group_.struck].linear;
+        const double along = tip_.direction.dot(velocity);
+        const double across2 = velocity.dot(velocity) - along * along;
+        return std::sqrt(std::max(speed * speed - across2, 0.0)) - along;
     }
 
     /// The change of the struck ball's velocity.
@@ -178,13 +189,14 @@ PushResult push_balls(TouchingGroup& group, const Strike& strike, const Vec3& ai
                       const BallBall& law) {
     const RigidBody& struck = group.balls[group.struck];
     const TipContact tip = tip_contact(strike, aim, struck.radius);
-    const StrikeResult free = strike_ball(strike, aim, struck.mass, struck.radius);
+    const std::optional<StrikeResult> free = strike_ball(strike, aim, struck);
+    CAROM_ASSERT(free.has_value());
     Push push(group, tip, strike, law);
     const double increment =
-        struck.mass * length(free.velocity) / (push.is_proportional() ? 1 : kIncrements);
+        struck.mass * length(free->velocity) / (push.is_proportional() ? 1 : kIncrements);
     if (strike.ball_speed) {
         push.run_until(
-            [&](const PushState& state) { return *strike.ball_speed - length(push.gained(state)); },
+            [&](const PushState& state) { return push.lacking(*strike.ball_speed, state); },
             increment);
     } else {
         push.run_until([&](const PushState& state) { return push.closing_speed(state); },

@@ -34,8 +34,9 @@ struct PushResult {
 /// Pushes the group with the stick and changes the states of its balls. While the tip presses, the
 /// balls do not rebound from each other: no contact closes, none pulls, and friction acts against
 /// the slip. The tip's impulse ends when its restitution has returned e^2 of the work of its
-/// compression; with `ball_speed`, when the struck ball's velocity has changed by that much. A
-/// group of one ball moves as strike_ball() says. docs/physics.md derives the closed forms.
+/// compression; with `ball_speed`, when the struck ball has this speed. A group of one ball moves
+/// as strike_ball() says, whose result must not be empty for the struck ball. docs/physics.md
+/// derives the closed forms.
 PushResult push_balls(TouchingGroup& group, const Strike& strike, const Vec3& aim,
                       const BallBall& law);
 

@@ -7,18 +7,24 @@
 namespace carom::sim {
 namespace {
 
-/// Alciatore, TP A-30 with the tip's restitution e of TP B-8:
+/// The change of the ball's speed along the impulse. Alciatore, TP A-30 with the tip's restitution
+/// e of TP B-8, for a ball at rest:
 /// v = (1 + e) V0 / (1 + m/M + 5/2 (a^2 + b^2) / R^2); a and b are the offsets to the right and up
 /// across the stick. (The proof uses b for the height above the centre and c for the depth of the
 /// contact in the horizontal frame of a stick raised by theta; its b cos(theta) - c sin(theta) is
-/// our b.)
-double ball_speed(const Strike& strike, double mass) {
+/// our b.) For a moving ball V0 is the speed relative to the struck point.
+double speed_change(const Strike& strike, const TipContact& tip, const RigidBody& ball) {
+    const Vec3& velocity = ball.state.velocity;
     if (strike.ball_speed) {
-        return *strike.ball_speed;
+        const double along = tip.direction.dot(velocity);
+        const double across2 = velocity.dot(velocity) - along * along;
+        const double square = *strike.ball_speed * *strike.ball_speed - across2;
+        return square > 0 ? std::sqrt(square) - along : 0;
     }
     const double offset2 = strike.tip.dot(strike.tip);
-    return (1 + strike.tip_restitution) * *strike.speed /
-           (1 + mass / strike.stick_mass + 2.5 * offset2);
+    const double closing = *strike.speed - tip.point_speed(velocity, ball.state.angular_velocity);
+    return (1 + strike.tip_restitution) * closing /
+           (1 + ball.mass / strike.stick_mass + 2.5 * offset2);
 }
 
 /// `aim` turned by the squirt, counter-clockwise for a tip to the right (Alciatore, TP A-31):
@@ -40,15 +46,22 @@ TipContact tip_contact(const Strike& strike, const Vec3& aim, double radius) {
     const Vec3 up(0, 0, 1);
     const double a = strike.tip.x * radius;
     const double b = strike.tip.y * radius;
+    const Vec3 down = up * elevation.sin;
     // r x F with F along the stick: (-b, a sin, a cos) in (right, aim, up).
-    return {squirted(aim, strike) * elevation.cos - up * elevation.sin,
-            right * -b + aim * (a * elevation.sin) + up * (a * elevation.cos)};
+    return {squirted(aim, strike) * elevation.cos - down,
+            right * -b + aim * (a * elevation.sin) + up * (a * elevation.cos),
+            aim * elevation.cos - down};
 }
 
-StrikeResult strike_ball(const Strike& strike, const Vec3& aim, double mass, double radius) {
-    const TipContact tip = tip_contact(strike, aim, radius);
-    const double speed = ball_speed(strike, mass);
-    return {tip.direction * speed, tip.lever * (5 * speed / (2 * radius * radius))};
+std::optional<StrikeResult> strike_ball(const Strike& strike, const Vec3& aim,
+                                        const RigidBody& ball) {
+    const TipContact tip = tip_contact(strike, aim, ball.radius);
+    const double speed = speed_change(strike, tip, ball);
+    if (speed <= 0) {
+        return std::nullopt;
+    }
+    return StrikeResult{tip.direction * speed,
+                        tip.lever * (5 * speed / (2 * ball.radius * ball.radius))};
 }
 
 }  // namespace carom::sim

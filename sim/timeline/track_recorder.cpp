@@ -24,6 +24,9 @@ constexpr double kTinyJump = 4e-4;
 constexpr double kSpinRadius = 0.03;
 constexpr double kTrainInterval = 1e-3;  // s
 
+/// Keys are no further apart than this number of states, 4 s of steps.
+constexpr std::size_t kMostSkipped = 4096;
+
 bool is_same(const Vec3& a, const Vec3& b) {
     const double size = std::max(1.0, std::max(a.length(), b.length()));
     return (a - b).length() <= kSame * size;
@@ -104,35 +107,6 @@ class SpanCheck {
     const KeyReduction& reduction_;
 };
 
-/// The largest step from `begin` (at most to `end`) that passes, found by doubling and bisection;
-/// for n keys it evaluates O(n log n) states.
-std::size_t next_key(std::span<const Key> keys, std::size_t begin, std::size_t end,
-                     const KeyReduction& reduction) {
-    const auto passes = [&](std::size_t step) {
-        return step <= 1 || SpanCheck(keys.subspan(begin, step + 1), reduction).passes();
-    };
-    const std::size_t longest = end - begin;
-    std::size_t good = 1;
-    std::size_t bad = longest + 1;
-    while (good < longest && bad > longest) {
-        const std::size_t step = std::min(2 * good, longest);
-        if (passes(step)) {
-            good = step;
-        } else {
-            bad = step;
-        }
-    }
-    while (bad - good > 1 && good < longest) {
-        const std::size_t step = good + (bad - good) / 2;
-        if (passes(step)) {
-            good = step;
-        } else {
-            bad = step;
-        }
-    }
-    return begin + good;
-}
-
 }  // namespace
 
 TrackRecorder::TrackRecorder(std::string name, KeyReduction reduction)
@@ -145,10 +119,66 @@ void TrackRecorder::add_key(const Key& key, bool is_kept) {
         throw Error(fmt::format("track '{}': a state at {:f} s was added after one at {:f} s",
                                 name_, key.time, dense_.back().time));
     }
-    if (is_kept || dense_.empty()) {
-        kept_.push_back(dense_.size());
-    }
     dense_.push_back(key);
+    if (is_kept || dense_.size() == 1) {
+        keep_last();
+    }
+    // The last state may still be changed.
+    reduce(1);
+}
+
+bool TrackRecorder::is_last_kept() const {
+    return dense_.size() == 1 || (!kept_.empty() && kept_.back() == dense_.size() - 1);
+}
+
+void TrackRecorder::keep_last() {
+    kept_time_ = dense_.back().time;
+    if (dense_.size() > 1) {
+        kept_.push_back(dense_.size() - 1);
+    }
+}
+
+bool TrackRecorder::can_skip(std::size_t step) const {
+    return step <= 1 || SpanCheck(std::span(dense_).first(step + 1), reduction_).passes();
+}
+
+/// Makes keys of all states but the last `open` ones, which may still change, as far as they decide
+/// which ones. From each key the largest step that passes is found by doubling and bisection; for n
+/// states this evaluates O(n log n).
+void TrackRecorder::reduce(std::size_t open) {
+    for (;;) {
+        const std::size_t longest =
+            kept_.empty() ? kMostSkipped : std::min(kept_.front(), kMostSkipped);
+        const std::size_t step = std::min(2 * good_, longest);
+        if (step + open >= dense_.size()) {
+            return;
+        }
+        if (good_ < longest && can_skip(step)) {
+            good_ = step;
+            continue;
+        }
+        std::size_t bad = good_ < longest ? step : good_ + 1;
+        while (bad - good_ > 1) {
+            const std::size_t middle = good_ + (bad - good_) / 2;
+            (can_skip(middle) ? good_ : bad) = middle;
+        }
+        advance(good_);
+    }
+}
+
+void TrackRecorder::advance(std::size_t step) {
+    if (keys_.empty()) {
+        keys_.push_back(dense_.front());
+    }
+    keys_.push_back(dense_[step]);
+    dense_.erase(dense_.begin(), dense_.begin() + static_cast<std::ptrdiff_t>(step));
+    if (!kept_.empty() && kept_.front() == step) {
+        kept_.pop_front();
+    }
+    for (std::size_t& index : kept_) {
+        index -= step;
+    }
+    good_ = 1;
 }
 
 /// Whether a break need not be kept: it is one of a train, and a kept key is near. The ends of
@@ -161,7 +191,7 @@ bool TrackRecorder::is_in_train(double time, const MotionState& before, const Mo
         return was_tiny_ = false;
     }
     was_tiny_ = jump <= kTinyJump && (jump > 0 || was_tiny_);
-    return was_tiny_ && !dense_.empty() && time - dense_[kept_.back()].time < kTrainInterval;
+    return was_tiny_ && !dense_.empty() && time - kept_time_ < kTrainInterval;
 }
 
 void TrackRecorder::add(double time, const MotionState& state) {
@@ -197,8 +227,8 @@ void TrackRecorder::add_break(double time, const MotionState& before, const Moti
     }
     last.velocity_out = after.velocity;
     last.angular_velocity_out = after.angular_velocity;
-    if (kept_.back() != dense_.size() - 1 && !is_in_train(time, before, after)) {
-        kept_.push_back(dense_.size() - 1);
+    if (!is_last_kept() && !is_in_train(time, before, after)) {
+        keep_last();
     }
 }
 
@@ -206,8 +236,8 @@ double TrackRecorder::add_jump(double time, const MotionState& before, const Mot
     MotionState stopped = before;
     stopped.velocity = stopped.angular_velocity = Vec3(0, 0, 0);
     add_break(time, before, stopped);
-    if (kept_.back() != dense_.size() - 1) {
-        kept_.push_back(dense_.size() - 1);
+    if (!is_last_kept()) {
+        keep_last();
     }
     Key landed = smooth_key(time_after_jump(time), after);
     landed.velocity_in = landed.angular_velocity_in = Vec3(0, 0, 0);
@@ -220,23 +250,18 @@ double TrackRecorder::add_jump(double time, const MotionState& before, const Mot
 }
 
 Track TrackRecorder::finish() {
-    std::vector<Key> keys;
     if (!dense_.empty()) {
-        if (kept_.back() != dense_.size() - 1) {
-            kept_.push_back(dense_.size() - 1);
+        if (!is_last_kept()) {
+            keep_last();
         }
-        keys.push_back(dense_.front());
-        std::size_t current = 0;
-        for (const std::size_t end : kept_) {
-            while (current < end) {
-                current = next_key(dense_, current, end, reduction_);
-                keys.push_back(dense_[current]);
-            }
+        reduce(0);
+        if (keys_.empty()) {
+            keys_.push_back(dense_.front());
         }
     }
     dense_.clear();
     kept_.clear();
-    return Track(std::move(name_), std::move(keys));
+    return Track(std::move(name_), std::move(keys_));
 }
 
 }  // namespace carom::sim

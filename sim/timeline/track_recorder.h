@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,12 @@ struct KeyReduction {
     double orientation_error = 1.7453292519943e-4;  // rad (0.01 degree), > 0
 };
 
-/// Takes states in order of time. Keys added by `add` may be dropped; those of `add_break` and
-/// `add_jump`, the first and the last are kept, except within trains of tiny breaks (two balls that
-/// press against each other part and meet again thousands of times a second), of which one in a
-/// millisecond is kept. Throws an Error that names the track if times are out of order or two
-/// states of one instant differ.
+/// Takes states in order of time and drops keys as soon as it can, so that it never holds more than
+/// a few thousand states besides the keys of the track. Keys added by `add` may be dropped; those
+/// of `add_break` and `add_jump`, the first and the last are kept, except within trains of tiny
+/// breaks (two balls that press against each other part and meet again thousands of times a
+/// second), of which one in a millisecond is kept. Throws an Error that names the track if times
+/// are out of order or two states of one instant differ.
 class TrackRecorder {
   public:
     explicit TrackRecorder(std::string name, KeyReduction reduction = {});
@@ -45,14 +47,22 @@ class TrackRecorder {
 
   private:
     void add_key(const Key& key, bool is_kept);
+    void keep_last();
+    [[nodiscard]] bool is_last_kept() const;
+    void reduce(std::size_t open);
+    void advance(std::size_t step);
+    [[nodiscard]] bool can_skip(std::size_t step) const;
     [[nodiscard]] bool is_in_train(double time, const MotionState& before,
                                    const MotionState& after);
 
     std::string name_;
     KeyReduction reduction_;
-    std::vector<Key> dense_;
-    std::vector<std::size_t> kept_;  // indices into dense_, increasing
-    bool was_tiny_ = false;          // the last break was tiny, or belongs to a train
+    std::vector<Key> keys_;         // those of the track so far
+    std::vector<Key> dense_;        // the states from the last one of these on
+    std::deque<std::size_t> kept_;  // indices of dense_ that have to be keys, increasing, > 0
+    std::size_t good_ = 1;          // so many states can be skipped at once
+    double kept_time_ = 0;          // of the last state that has to be a key
+    bool was_tiny_ = false;         // the last break was tiny, or belongs to a train
 };
 
 }  // namespace carom::sim

@@ -272,5 +272,47 @@ TEST(Bake_Progress, RisesToOne) {
     EXPECT_EQ(fractions.back(), 1);
 }
 
+TEST(Strike_OnMovingBalls, ReachesOnlyThoseThatDoNotOutrunIt) {
+    WorldDescription world = cloth_world(0.6);
+    world.contact_law.ball_cloth = {0, 0, 0, 0.5};
+    world.bodies = {ball("away", -2, 0, {3, 0, 0}), ball("toward", 2, 1, {-3, 0, 0}),
+                    ball("rest", 0, 2)};
+    for (const Body& body : world.bodies) {
+        ForceEvent event;
+        event.object = body.name;
+        event.time = 0.5;
+        Strike strike;
+        strike.direction = 0;
+        strike.speed = 1;
+        event.action = strike;
+        world.events.push_back(event);
+    }
+    const Timeline timeline = bake(world);
+    const double rest = 1.73 / (1 + kMass / 0.567);
+    EXPECT_EQ(state_at(timeline, "away", 0.6).velocity, Vec3(3, 0, 0));
+    EXPECT_NEAR(state_at(timeline, "toward", 0.6).velocity.x, 4 * rest - 3, 1e-12);
+    EXPECT_NEAR(state_at(timeline, "rest", 0.6).velocity.x, rest, 1e-12);
+    EXPECT_EQ(count_events(timeline, EventKind::strike), 2);
+    ASSERT_EQ(timeline.warnings.size(), 1U);
+    EXPECT_EQ(
+        timeline.warnings[0].sentence,
+        "strike on 'away' at 0.500 s: the ball moves away from the stick as fast as the stick "
+        "comes, or faster; the strike is skipped");
+    EXPECT_EQ(timeline.warnings[0].field, "speed");
+}
+
+// Thirty of these once put 30 million impulses into the schedule before the shot began.
+TEST(Force_OfAnHourInAShortShot, IsThatOfTheTimeThatItActs) {
+    WorldDescription world = cloth_world(0.3);
+    world.contact_law.ball_cloth = {0, 0, 0, 0.5};
+    world.bodies = {ball("cue", 0, 0)};
+    for (int i = 0; i < 30; ++i) {
+        world.events.push_back({"cue", 0.1, {}, 0, Force{{0.01, 0, 0}, 3600, {}, Axes::world}});
+    }
+    const Timeline timeline = bake(world);
+    // Impulses every 3.6 ms: there are never more than a million.
+    EXPECT_NEAR(state_at(timeline, "cue", 0.3).velocity.x, 30 * 0.01 * 0.2 / kMass, 0.008);
+}
+
 }  // namespace
 }  // namespace carom::sim::test

@@ -131,9 +131,10 @@ TEST(AlmostFrozenPair, IsStruckFirstAndCollidesAfterwards) {
         const ForceEvent event = strike_along("cue", degrees * kDegree, 2, 0, {0.2, 0.1});
         struck.events = {event};
         WorldDescription given = frozen_pair(1, 1e-4);
-        const StrikeResult free = strike_ball(
-            std::get<Strike>(event.action),
-            {std::cos(degrees * kDegree), std::sin(degrees * kDegree), 0}, kMass, kRadius);
+        const StrikeResult free =
+            *strike_ball(std::get<Strike>(event.action),
+                         {std::cos(degrees * kDegree), std::sin(degrees * kDegree), 0},
+                         BallBody{kMass, kRadius, {}});
         given.events = {event};
         given.events[0].action = SetVelocity{free.velocity, free.angular_velocity};
         const Timeline a = bake(struck);

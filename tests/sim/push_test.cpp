@@ -95,7 +95,8 @@ TEST(Push_OfOneBall, IsThatOfAFreeBall) {
     for (const double elevation : {0.0, 0.4}) {
         Strike strike = level_strike(3, {0.3, -0.2});
         strike.elevation = elevation;
-        const StrikeResult free = strike_ball(strike, towards(0.7), kMass, kRadius);
+        const StrikeResult free =
+            *strike_ball(strike, towards(0.7), RigidBody::ball(kMass, kRadius));
         TouchingGroup group = group_of({ball_at(0, 0)});
         const PushResult push = push_balls(group, strike, towards(0.7), kConstant);
         const MotionState& state = group.balls[0].state;
@@ -204,7 +205,7 @@ TEST(Push_AwayFromTheOtherBall, LeavesItAlone) {
     TouchingGroup group = frozen_pair(0.05);
     const Strike strike = level_strike(2, {0.1, 0.2});
     const PushResult push = push_balls(group, strike, towards(2), kConstant);
-    const StrikeResult free = strike_ball(strike, towards(2), kMass, kRadius);
+    const StrikeResult free = *strike_ball(strike, towards(2), RigidBody::ball(kMass, kRadius));
     EXPECT_NEAR((group.balls[0].state.velocity - free.velocity).length(), 0, 1e-13);
     EXPECT_EQ(group.balls[1].state.velocity, Vec3(0, 0, 0));
     EXPECT_EQ(push.contacts[0].normal, 0);
@@ -228,7 +229,7 @@ TEST(Push_OnABallOfExtremeMass, HasTheLimitsOfNoneAndOfAWall) {
     TouchingGroup light = frozen_pair(0);
     light.balls[1].mass = 1e-9;
     push_balls(light, strike, aim, kConstant);
-    const StrikeResult free = strike_ball(strike, aim, kMass, kRadius);
+    const StrikeResult free = *strike_ball(strike, aim, RigidBody::ball(kMass, kRadius));
     EXPECT_NEAR((light.balls[0].state.velocity - free.velocity).length(), 0, 1e-7);
     TouchingGroup heavy = frozen_pair(0);
     heavy.balls[1].mass = 1e9;
@@ -384,6 +385,40 @@ TEST(Push_Random, TurnsWithTheShot) {
         }
         EXPECT_NEAR(difference(first.group, second.group), 0, 1e-9) << seed;
     }
+}
+
+/// Seen from balls that move together, the stick is faster or slower.
+TEST(Push_OfBallsThatMoveTogether, IsThatOfRestingOnesByTheRelativeSpeed) {
+    const Vec3 common(-1.5, 0.2, 0);
+    const Vec3 aim = towards(0.4);
+    RandomPush resting = random_push(3);
+    resting.strike = level_strike(2, {0.2, 0.1});
+    RandomPush moving = resting;
+    for (RigidBody& ball : moving.group.balls) {
+        ball.state.velocity = common;
+    }
+    resting.strike.speed = 2 - aim.dot(common);
+    const PushResult a = push_balls(resting.group, resting.strike, aim, resting.law);
+    const PushResult b = push_balls(moving.group, moving.strike, aim, moving.law);
+    EXPECT_NEAR(a.impulse, b.impulse, 1e-5 * a.impulse);
+    for (std::size_t i = 0; i < moving.group.balls.size(); ++i) {
+        EXPECT_NEAR(
+            (resting.group.balls[i].state.velocity + common - moving.group.balls[i].state.velocity)
+                .length(),
+            0, 1e-4);
+    }
+}
+
+TEST(Push_ByBallSpeed, GivesThatSpeedToBallsThatMove) {
+    RandomPush push = random_push(3);
+    push.strike = level_strike(2);
+    push.strike.speed.reset();
+    push.strike.ball_speed = 2;
+    for (RigidBody& ball : push.group.balls) {
+        ball.state.velocity = Vec3(-1.5, 0.2, 0);
+    }
+    push_balls(push.group, push.strike, {1, 0, 0}, push.law);
+    EXPECT_NEAR(push.group.balls[push.group.struck].state.velocity.length(), 2, 1e-9);
 }
 
 }  // namespace

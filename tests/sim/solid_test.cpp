@@ -274,13 +274,15 @@ TEST(World_WithBadSolids, NamesTheProblems) {
         solid("a", Capsule{0, 1}, {0, 0, 0}), solid("b", Cylinder{1, -1}, {0, 0, 0}),
         solid("c", ConvexHull{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {0, 0, 0}),
         solid("d", ConvexHull{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0, 0, 0})};
-    EXPECT_EQ(problem_sentences(world),
-              (std::vector<std::string>{
-                  "body 'a': radius and length of a capsule have to be greater than 0",
-                  "body 'b': radius and height of a cylinder have to be greater than 0",
-                  "body 'c': a convex hull needs at least four points that do not lie in a plane",
-                  "body 'd': the points of a convex hull have to be relative to its centre of "
-                  "mass"}));
+    EXPECT_EQ(
+        problem_sentences(world),
+        (std::vector<std::string>{
+            "body 'a': each of the radius and the length of a capsule has to be in [1e-05, 1000] m",
+            "body 'b': each of the radius and the height of a cylinder has to be in [1e-05, 1000] "
+            "m",
+            "body 'c': a convex hull needs at least four points that do not lie in a plane",
+            "body 'd': the points of a convex hull have to be relative to its centre of "
+            "mass"}));
 }
 
 }  // namespace

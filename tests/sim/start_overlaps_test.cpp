@@ -112,5 +112,68 @@ TEST(StartOverlaps_OfABallInTheSlate, AreRefusedByTheBake) {
     }
 }
 
+Body solid(const std::string& name, const BodyShape& shape, const Vec3& place) {
+    Body body;
+    body.name = name;
+    body.shape = shape;
+    body.mass = 1;
+    body.material = "wood";
+    body.pose.position = place;
+    return body;
+}
+
+std::string overlap_of(const std::vector<Body>& bodies, bool has_cushions = false) {
+    WorldDescription world = has_cushions ? walled_world(0.1) : cloth_world(0.1);
+    world.bodies = bodies;
+    try {
+        (void)bake(world);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+const BodyShape kBox = Box{{0.1, 0.1, 0.1}};
+
+TEST(StartOverlaps_OfSolids, AreRefusedWhateverTheirShapes) {
+    const Body lower = solid("lower", kBox, {0, 0, 0.05});
+    EXPECT_EQ(overlap_of({lower, solid("upper", kBox, {0.05, 0, 0.1})}),
+              "body 'upper' overlaps 'lower' by 50.00 mm at the start");
+    EXPECT_EQ(overlap_of({lower, solid("upper", Capsule{0.02, 0.1}, {0, 0, 0.16})}),
+              "body 'upper' overlaps 'lower' by 10.00 mm at the start");
+    EXPECT_EQ(overlap_of({lower, solid("upper", Cylinder{0.03, 0.06}, {0.075, 0, 0.05})}),
+              "body 'upper' overlaps 'lower' by 5.00 mm at the start");
+    Body turned = solid("upper", kBox, {0.12, 0, 0.05});
+    turned.pose.orientation = Quat(std::cos(0.3926990817), 0, 0, std::sin(0.3926990817));
+    EXPECT_EQ(overlap_of({lower, turned}), "body 'upper' overlaps 'lower' by 0.71 mm at the start");
+    Body fixed = lower;
+    fixed.kind = BodyKind::fixed;
+    EXPECT_EQ(overlap_of({solid("upper", kBox, {0, 0, 0.149}), fixed}),
+              "body 'upper' overlaps 'lower' by 1.00 mm at the start");
+}
+
+TEST(StartOverlaps_OfSolidsThatTouch, AreNone) {
+    const Body lower = solid("lower", kBox, {0, 0, 0.05});
+    EXPECT_EQ(overlap_of({lower, solid("upper", kBox, {0, 0, 0.15}),
+                          solid("beside", kBox, {0.1, 0, 0.05}),
+                          solid("can", Cylinder{0.03, 0.06}, {0, 0.08, 0.03}),
+                          solid("over", Capsule{0.02, 0.1}, {0.1, 0, 0.17})}),
+              "");
+}
+
+TEST(StartOverlaps_OfSolidsInTheTable, AreRefused) {
+    EXPECT_EQ(overlap_of({solid("box", kBox, {0, 0, 0.03})}),
+              "body 'box' overlaps the cloth by 20.00 mm at the start");
+    EXPECT_EQ(overlap_of({solid("box", kBox, {0, 0, 0.03})}, true),
+              "body 'box' overlaps the cloth by 20.00 mm at the start");
+    const billiards::TableMeasures table = *walled_world(1).table;
+    const double rail = 0.5 * table.length + table.cushion_width + 0.5 * table.rail_width;
+    EXPECT_EQ(overlap_of({solid("box", kBox, {rail, 0, table.rail_height + 0.05})}, true), "");
+    EXPECT_EQ(overlap_of({solid("box", kBox, {rail, 0, table.rail_height + 0.045})}, true),
+              "body 'box' overlaps a rail by 5.00 mm at the start");
+    // Under the slate, and on the floor beside the table.
+    EXPECT_EQ(overlap_of({solid("box", kBox, {0, 0, -0.4})}, true), "");
+}
+
 }  // namespace
 }  // namespace carom::sim::test

@@ -13,7 +13,7 @@ constexpr double kRadius = 0.028575;
 constexpr double kMass = 0.170097;
 
 StrikeResult struck(const Strike& strike) {
-    return strike_ball(strike, Vec3(0, 1, 0), kMass, kRadius);
+    return *strike_ball(strike, Vec3(0, 1, 0), RigidBody::ball(kMass, kRadius));
 }
 
 /// A tip that loses no energy, as in TP A-30, on a shaft with 1/30 of the ball's mass at its end.
@@ -189,6 +189,69 @@ TEST(Strike_ByBallSpeed, GivesThatSpeed) {
     strike.tip = {0.3, 0.1};
     strike.elevation = 0.2;
     EXPECT_NEAR(struck(strike).velocity.length(), 3, 1e-13);
+}
+
+RigidBody moving(const Vec3& velocity, const Vec3& spin = {0, 0, 0}) {
+    RigidBody ball = RigidBody::ball(kMass, kRadius);
+    ball.state.velocity = velocity;
+    ball.state.angular_velocity = spin;
+    return ball;
+}
+
+// The stick pushes off what it meets: its speed counts relative to the struck point.
+TEST(Strike_OnAMovingBall, ChangesItsVelocityByTheRelativeSpeed) {
+    const Strike strike = at_tip(0.3, 0.2, 0.4);
+    const StrikeResult rest = struck(strike);
+    const TipContact tip = tip_contact(strike, Vec3(0, 1, 0), kRadius);
+    for (const RigidBody& ball :
+         {moving({0, 1, 0}), moving({0.5, -3, 0}), moving({1, -1, 0}, {20, -30, 40})}) {
+        const StrikeResult result = *strike_ball(strike, Vec3(0, 1, 0), ball);
+        const double v = Vec3(0, std::cos(0.4), -std::sin(0.4)).dot(ball.state.velocity) +
+                         tip.lever.dot(ball.state.angular_velocity);
+        const double part = (2 - v) / 2;
+        EXPECT_NEAR((result.velocity - rest.velocity * part).length(), 0, 1e-13);
+        EXPECT_NEAR((result.angular_velocity - rest.angular_velocity * part).length(), 0, 1e-10);
+    }
+}
+
+TEST(Strike_ByATipWithoutLosses, KeepsTheEnergyOfBallAndStick) {
+    Strike strike = at_tip(0, 0.3);
+    strike.end_mass_ratio = 1e-9;
+    const RigidBody ball = moving({0.4, -1.5, 0}, {30, 10, -20});
+    const StrikeResult result = *strike_ball(strike, Vec3(0, 1, 0), ball);
+    const auto energy = [](const Vec3& v, const Vec3& w) {
+        return 0.5 * kMass * (v.dot(v) + 0.4 * kRadius * kRadius * w.dot(w));
+    };
+    const double stick = 2 - kMass * result.velocity.y / strike.stick_mass;
+    EXPECT_NEAR(
+        energy(ball.state.velocity + result.velocity,
+               ball.state.angular_velocity + result.angular_velocity) +
+            0.5 * strike.stick_mass * stick * stick,
+        energy(ball.state.velocity, ball.state.angular_velocity) + 0.5 * strike.stick_mass * 4,
+        1e-12);
+}
+
+TEST(Strike_OnABallThatOutrunsIt, DoesNotHappen) {
+    const Strike strike = at_tip(0, 0);
+    EXPECT_FALSE(strike_ball(strike, Vec3(0, 1, 0), moving({0, 2, 0})));
+    EXPECT_FALSE(strike_ball(strike, Vec3(0, 1, 0), moving({0, 3, 0})));
+    EXPECT_TRUE(strike_ball(strike, Vec3(0, 1, 0), moving({5, 1.9, 0})));
+    Strike by_ball = strike;
+    by_ball.speed.reset();
+    by_ball.ball_speed = 3;
+    EXPECT_FALSE(strike_ball(by_ball, Vec3(0, 1, 0), moving({0, 3, 0})));
+    EXPECT_FALSE(strike_ball(by_ball, Vec3(0, 1, 0), moving({4, 0, 0})));
+}
+
+TEST(Strike_ByBallSpeed, GivesThatSpeedToAMovingBall) {
+    Strike strike;
+    strike.ball_speed = 3;
+    strike.tip = {0.3, 0.1};
+    for (const Vec3& velocity : {Vec3(0, -2, 0), Vec3(1, 1, 0), Vec3(-2, 0.5, 0)}) {
+        const StrikeResult result = *strike_ball(strike, Vec3(0, 1, 0), moving(velocity));
+        EXPECT_NEAR((velocity + result.velocity).length(), 3, 1e-13);
+        EXPECT_GT(result.velocity.y, 0);
+    }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // Problems of a world.
 #include <functional>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -71,6 +72,50 @@ TEST(Bake_WorldWithProblems, ThrowsTheFirst) {
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(), "duration has to be in (0, 3600] s");
     }
+}
+
+TEST(FindProblems_OfNumbersBeyondTheLimits, StateTheLimit) {
+    using World = WorldDescription;
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(first_problem([](World& w) {
+                  w.bodies[0].velocity = {1e200, 3, 0};
+              }),
+              "body 'cue': its velocity has to be within 1000 m/s in each direction");
+    EXPECT_EQ(first_problem([&](World& w) { w.bodies[0].velocity.y = nan; }),
+              "body 'cue': its velocity has to be within 1000 m/s in each direction");
+    EXPECT_EQ(first_problem([](World& w) {
+                  w.bodies[0].angular_velocity = {1e9, 0, 0};
+              }),
+              "body 'cue': its spin has to be within 10000 rad/s in each direction");
+    EXPECT_EQ(first_problem([](World& w) { w.bodies[0].shape = Sphere{1e-320}; }),
+              "body 'cue': radius has to be in [1e-05, 1000] m");
+    EXPECT_EQ(first_problem([&](World& w) { w.floor_height = nan; }),
+              "the height of the floor has to be finite");
+    EXPECT_EQ(first_problem([](World& w) { w.bodies[1].name = "cushion"; }),
+              "body 'cushion': this is the name of a surface; choose another one");
+    EXPECT_EQ(first_problem([](World& w) {
+                  w.events[0].trigger = Trigger{};
+                  w.events[0].trigger->a = "one";
+                  w.events[0].trigger->b = "cushion";
+                  w.events[0].trigger->nth = 0;
+              }),
+              "event 1 on 'cue': nth has to be 1 or more");
+    const auto of_action = [](const auto& action) {
+        return first_problem([&](World& w) { w.events[0].action = action; });
+    };
+    EXPECT_EQ(of_action(Impulse{{0, 2000, 0}, {}, Axes::world}),
+              "event 1 on 'cue': the impulse has to be within 1000 N s in each direction");
+    EXPECT_EQ(of_action(Impulse{{0, 1, 0}, {0, nan, 0}, Axes::world}),
+              "event 1 on 'cue': the point on which it acts has to be finite");
+    EXPECT_EQ(of_action(Force{{0, -2e5, 0}, 1, {}, Axes::world}),
+              "event 1 on 'cue': the force has to be within 100000 N in each direction");
+    EXPECT_EQ(of_action(Torque{{nan, 0, 0}, 1, Axes::world}),
+              "event 1 on 'cue': the torque has to be within 10000 N m in each direction");
+    EXPECT_EQ(of_action(SetVelocity{Vec3(0, 0, 1e4), {}}),
+              "event 1 on 'cue': the velocity has to be within 1000 m/s in each direction");
+    EXPECT_EQ(
+        of_action(SetVelocity{{}, Vec3(0, 0, 1e5)}),
+        "event 1 on 'cue': the angular velocity has to be within 10000 rad/s in each direction");
 }
 
 }  // namespace

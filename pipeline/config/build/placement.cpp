@@ -58,8 +58,8 @@ void check_placement(Builder& builder) {
     const auto overlaps = sim::find_start_overlaps(
         builder.shot.world, has_cushions ? builder.table_geometry.get() : nullptr);
     for (const sim::StartOverlap& overlap : overlaps) {
-        builder.reader.error(builder.placed.at(overlap.ball),
-                             quote(overlap.ball) + " " + overlap.sentence());
+        builder.reader.error(builder.placed.at(overlap.body),
+                             quote(overlap.body) + " " + overlap.sentence());
     }
     for (const Diagnostic& problem : sim::find_place_problems(
              builder.shot.world, has_cushions ? builder.table_geometry.get() : nullptr)) {

@@ -1,4 +1,5 @@
 #include "pipeline/config/sections/sections.h"
+#include "sim/limits.h"
 
 namespace carom::pipeline::config {
 
@@ -59,7 +60,7 @@ const MapSpec<BallSetSection>& ball_set_spec() {
                                {"carom", BallSet::carom}}),
               "determines radius, mass and colours. The default is the kind of the table");
         s.key(
-            "radius", &BallSetSection::radius, length(inside(0, 0.5)),
+            "radius", &BallSetSection::radius, length(between(0.001, 0.5)),
             "radius of a ball. The defaults are pool 28.575 mm, snooker 26.25 mm, carom 30.75 mm");
         s.key("mass", &BallSetSection::mass, quantity(Dimension::mass, inside(0, 100)),
               "mass of a ball. The defaults are pool 170.097 g, snooker 140 g, carom 210 g");
@@ -94,13 +95,15 @@ const MapSpec<BallSection>& ball_spec() {
         s.key("touching", &BallSection::touching, record(touching_spec()),
               "position against another ball");
         s.at_most_one_of({"at", "touching"});
-        s.key("velocity", &BallSection::velocity, coordinates(Dimension::speed),
+        s.key("velocity", &BallSection::velocity,
+              coordinates(Dimension::speed, between(-sim::kMostSpeed, sim::kMostSpeed)),
               "velocity at the start");
-        s.key("spin", &BallSection::spin, vector3(Dimension::angular_speed),
+        s.key("spin", &BallSection::spin,
+              vector3(Dimension::angular_speed, between(-sim::kMostSpin, sim::kMostSpin)),
               "angular velocity at the start, world axes");
         s.key("rotate", &BallSection::rotate, rotation(),
               "orientation. By default the seed chooses it");
-        s.key("radius", &BallSection::radius, length(inside(0, 0.5)),
+        s.key("radius", &BallSection::radius, length(between(0.001, 0.5)),
               "radius. The default is that of the set");
         s.key("mass", &BallSection::mass, quantity(Dimension::mass, inside(0, 100)),
               "mass. The default is that of the set");

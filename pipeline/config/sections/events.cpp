@@ -2,6 +2,7 @@
 
 #include "pipeline/config/sections/occurrences.h"
 #include "pipeline/config/sections/sections.h"
+#include "sim/limits.h"
 
 namespace carom::pipeline::config {
 
@@ -66,7 +67,7 @@ const MapSpec<ForceEvent>& force_spec() {
         s.key(
              "newtons",
              [](ForceEvent& e) -> Vec3& { return std::get<sim::Force>(e.action).newtons; },
-             vector3(Dimension::force), "the force")
+             vector3(Dimension::force, between(-sim::kMostForce, sim::kMostForce)), "the force")
             .required();
         add_point_and_axes<sim::Force>(s);
         return s;
@@ -88,7 +89,7 @@ const MapSpec<ForceEvent>& torque_spec() {
         s.key(
              "newton_metres",
              [](ForceEvent& e) -> Vec3& { return std::get<Torque>(e.action).newton_metres; },
-             vector3(Dimension::torque), "the torque")
+             vector3(Dimension::torque, between(-sim::kMostTorque, sim::kMostTorque)), "the torque")
             .required();
         s.key(
             "axes", [](ForceEvent& e) -> sim::Axes& { return std::get<Torque>(e.action).axes; },
@@ -107,7 +108,8 @@ const MapSpec<ForceEvent>& impulse_spec() {
         s.key(
              "newton_seconds",
              [](ForceEvent& e) -> Vec3& { return std::get<sim::Impulse>(e.action).newton_seconds; },
-             vector3(Dimension::impulse), "the impulse")
+             vector3(Dimension::impulse, between(-sim::kMostImpulse, sim::kMostImpulse)),
+             "the impulse")
             .required();
         add_point_and_axes<sim::Impulse>(s);
         return s;
@@ -127,13 +129,14 @@ const MapSpec<ForceEvent>& velocity_spec() {
             [](ForceEvent& e) -> std::optional<Vec3>& {
                 return std::get<SetVelocity>(e.action).linear;
             },
-            vector3(Dimension::speed), "velocity in world axes. By default it is left unchanged");
+            vector3(Dimension::speed, between(-sim::kMostSpeed, sim::kMostSpeed)),
+            "velocity in world axes. By default it is left unchanged");
         s.key(
             "angular",
             [](ForceEvent& e) -> std::optional<Vec3>& {
                 return std::get<SetVelocity>(e.action).angular;
             },
-            vector3(Dimension::angular_speed),
+            vector3(Dimension::angular_speed, between(-sim::kMostSpin, sim::kMostSpin)),
             "angular velocity in world axes. By default it is left unchanged");
         s.check([](Reader& reader, const Node& node, ForceEvent&) {
             if (node.find("linear") == nullptr && node.find("angular") == nullptr) {
@@ -185,13 +188,14 @@ void check_tip(Reader& reader, const Node& node, ForceEvent& event) {
 void add_strike_keys(MapSpec<ForceEvent>& s) {
     s.key(
         "speed", [](ForceEvent& e) -> std::optional<double>& { return strike_of(e).speed; },
-        quantity(Dimension::speed, above_up_to(0, 100)), "speed of the stick at the impact");
+        quantity(Dimension::speed, above_up_to(0, 100)),
+        "speed of the stick at the impact; a ball that moves away from it faster is not reached");
     s.key(
         "ball_speed",
         [](ForceEvent& e) -> std::optional<double>& { return strike_of(e).ball_speed; },
         quantity(Dimension::speed, above_up_to(0, 100)),
-        "speed that the strike gives to a resting ball. One that touches other balls is pushed, "
-        "together with them, until it has this speed");
+        "speed of the ball after the strike, however it moved before. One that touches other balls "
+        "is pushed, together with them, until it has this speed");
     add_toward(s);
     s.key(
         "direction", [](ForceEvent& e) -> std::optional<double>& { return strike_of(e).direction; },

@@ -7,6 +7,7 @@
 
 #include "pipeline/config/units.h"
 #include "pipeline/shot/solid_mesh.h"
+#include "sim/limits.h"
 #include "sim/shape/mass_properties.h"
 
 namespace carom::pipeline::config {
@@ -26,10 +27,10 @@ const MapSpec<sim::Capsule>& capsule_spec() {
     static const MapSpec<sim::Capsule> spec = [] {
         MapSpec<sim::Capsule> s("capsule",
                                 "A cylinder whose axis is z with a hemisphere at each end.");
-        s.key("radius", &sim::Capsule::radius, length(above_up_to(0, 1000)),
+        s.key("radius", &sim::Capsule::radius, length(between(sim::kLeastSize, sim::kMostSize)),
               "radius of the cylinder and of the hemispheres")
             .required();
-        s.key("length", &sim::Capsule::length, length(above_up_to(0, 1000)),
+        s.key("length", &sim::Capsule::length, length(between(sim::kLeastSize, sim::kMostSize)),
               "distance between the centres of the hemispheres")
             .required();
         return s;
@@ -40,9 +41,10 @@ const MapSpec<sim::Capsule>& capsule_spec() {
 const MapSpec<sim::Cylinder>& cylinder_spec() {
     static const MapSpec<sim::Cylinder> spec = [] {
         MapSpec<sim::Cylinder> s("cylinder", "A cylinder whose axis is z.");
-        s.key("radius", &sim::Cylinder::radius, length(above_up_to(0, 1000)), "radius of the caps")
+        s.key("radius", &sim::Cylinder::radius, length(between(sim::kLeastSize, sim::kMostSize)),
+              "radius of the caps")
             .required();
-        s.key("height", &sim::Cylinder::height, length(above_up_to(0, 1000)),
+        s.key("height", &sim::Cylinder::height, length(between(sim::kLeastSize, sim::kMostSize)),
               "height from cap to cap")
             .required();
         return s;
@@ -199,7 +201,7 @@ void add_shapes(MapSpec<ObjectSection>& s) {
         [](const Vec3& size) { return render::BoxShape{size}; },
         "lengths of the edges along x, y and z");
     add_shape(
-        s, "sphere", length(above_up_to(0, 1000)),
+        s, "sphere", length(between(sim::kLeastSize, sim::kMostSize)),
         [](double radius) { return render::SphereShape{radius}; }, "radius of a sphere");
     add_shape(
         s, "rectangle", vector2(Dimension::length, above_up_to(0, 1000)),

@@ -5,6 +5,7 @@
 #include "pipeline/config/sections/object_shapes.h"
 #include "pipeline/config/sections/repeat.h"
 #include "pipeline/config/sections/sections.h"
+#include "sim/limits.h"
 
 namespace carom::pipeline::config {
 
@@ -30,9 +31,11 @@ const MapSpec<ObjectPhysics>& object_physics_spec() {
               "mass, instead of the density");
         s.key("material", &ObjectPhysics::material, text("a physical material"),
               "physical material for the contact law (see `physics.pairs`)");
-        s.key("velocity", &ObjectPhysics::velocity, vector3(Dimension::speed),
+        s.key("velocity", &ObjectPhysics::velocity,
+              vector3(Dimension::speed, between(-sim::kMostSpeed, sim::kMostSpeed)),
               "velocity at the start");
-        s.key("spin", &ObjectPhysics::spin, vector3(Dimension::angular_speed),
+        s.key("spin", &ObjectPhysics::spin,
+              vector3(Dimension::angular_speed, between(-sim::kMostSpin, sim::kMostSpin)),
               "angular velocity at the start, world axes");
         s.at_most_one_of({"density", "mass"});
         return s;

@@ -249,7 +249,8 @@ const MapSpec<PairEntry>& pair_spec() {
         MapSpec<PairEntry> s("pair", "The contact law of two physical materials.");
         s.key("between", &PairEntry::between, list_of(text("a physical material"), 2, 2),
               "the two materials, in any order: `ball`, `cloth`, `cushion`, `rail`, `floor` or an "
-              "object's own")
+              "object's own. Or the names of two balls, which then follow this law instead of "
+              "`ball_ball` when they hit each other")
             .required();
         const auto add = [&s](const char* name, double PairContact::*field, Range range,
                               const char* description) {

@@ -29,7 +29,7 @@ TEST(ResolvedText, EveryKindOfValue_LoadsToTheSameShot) {
         load("carom: 1\n"
              "include: ../../../configs/balls/pool.yaml\n"
              "simulation: {duration: 9 s, step: 1/240 s, seed: 7}\n"
-             "physics: {gravity: [0, 0, -9.81], hop: true, pairs: [{between: [a, b]}]}\n"
+             "physics: {gravity: [0, 0, -9.81], hop: true, pairs: [{between: [ball, rail]}]}\n"
              "balls:\n"
              "  cue: {at: [-0.75, 0.12], look: {colour: \"#ff0000\", striped: true}}\n"
              "  one: {at: [0.5, 0], spin: [0, 60 rpm, 0]}\n"

@@ -47,7 +47,9 @@ TEST(Physics, Contacts_AreOverriddenValueByValue) {
         "  ball_cushion: {model: mirror}\n"
         "  otherwise: {friction: 0.3}\n"
         "  pairs: [{between: [lacquer, cloth], restitution: 0.4}]\n"
-        "  hop: true\n");
+        "  hop: true\n"
+        "objects: {tile: {box: [0.1, 0.1, 0.1], at: [0, 0, 0.05], physics: {mass: 1, material: "
+        "lacquer}}}\n");
     const sim::ContactLaw& law = shot.world.contact_law;
     EXPECT_EQ(law.ball_cloth.sliding_friction, 0.21);
     EXPECT_EQ(law.ball_cloth.rolling_friction, sim::BallCloth{}.rolling_friction);

@@ -102,6 +102,20 @@ TEST(TrackRecorder, RollingInAStraightLine_NeedsTwoKeys) {
     expect_within_bound(track, dense);
 }
 
+/// An hour of steps must not be held until the end.
+TEST(TrackRecorder, RollingForAnHour_HasAKeyAtLeastEveryFourThousandStates) {
+    TrackRecorder recorder("ball");
+    constexpr int kStates = 20'000;
+    for (int index = 0; index < kStates; ++index) {
+        const double t = index / 960.0;
+        recorder.add(t, MotionState{{0.05 * t, 0, kRadius},
+                                    rotation_from_vector({0, 0.05 * t / kRadius, 0}),
+                                    {0.05, 0, 0},
+                                    {0, 0.05 / kRadius, 0}});
+    }
+    EXPECT_EQ(recorder.finish().keys().size(), 1 + (kStates - 2) / 4096 + 1);
+}
+
 TEST(TrackRecorder, Parabola_NeedsTwoKeys) {
     Dense dense;
     for (int index = 0; index < 200; ++index) {

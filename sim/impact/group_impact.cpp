@@ -1,0 +1,533 @@
+#include "sim/impact/group_impact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/assert.h"
+#include "core/elementary.h"
+#include "core/length.h"
+
+namespace carom::sim {
+namespace {
+
+/// Steps in the time of the shortest contact.
+constexpr double kStepsPerContact = 100;
+/// A body of less restitution would recover at more than a hundred times the speed of compression.
+/// Below, the force of recovery is less instead.
+constexpr double kLeastRecovery = 0.1;
+constexpr int kMaxSteps = 1'000'000;
+
+/// The motion of a body, or its rate of change.
+struct Motion {
+    Vec3 velocity{0, 0, 0};
+    Vec3 angular{0, 0, 0};
+
+    void add(const Motion& other, double factor) {
+        velocity += other.velocity * factor;
+        angular += other.angular * factor;
+    }
+};
+
+/// How far the bodies of a contact compress each other, or its rate of change.
+struct Compression {
+    double depth = 0;  // m; if negative, the gap. Bodies that recover do so faster than they part
+    double rise = 0;   // relative vertical velocity that a level contact keeps to itself, m/s
+
+    void add(const Compression& other, double factor) {
+        depth += other.depth * factor;
+        rise += other.rise * factor;
+    }
+};
+
+/// A value at the beginning of a step, at the present stage and, so far, at its end.
+template <class Value>
+struct Stepped {
+    Value start, now, end;
+
+    void begin() { now = end = start; }
+    void follow(const Value& rate, double ahead, double weight) {
+        end.add(rate, weight);
+        now = start;
+        now.add(rate, ahead);
+    }
+    void finish() { start = end; }
+};
+
+struct Load {
+    Vec3 force{0, 0, 0};
+    Vec3 torque{0, 0, 0};
+};
+
+struct ContactData {
+    Vec3 normal;
+    Vec3 first_arm, second_arm;
+    double recovery = 1;      // restitution, or the least one with which the bodies recover
+    double recovered = 1;     // the part of the force with which they do
+    double mass = 0;          // against an impulse along the normal, kg
+    double slip_mass = 0;     // against one across it, at least, kg
+    double stick_factor = 0;  // greatest friction per slip, kg/s
+    double friction = 0;
+    double largest_slip = 0;  // since it closed, m/s
+    double opening = 0;       // speed when the step began, m/s
+    bool is_near = false;     // may close in this step
+    Vec3 friction_impulse{0, 0, 0};
+};
+
+Vec3 point_velocity(const Motion& motion, const Vec3& arm) {
+    return motion.velocity + motion.angular.cross(arm);
+}
+
+/// Response of a body to an impulse along `direction` at `arm`, 1/kg.
+double response(const GroupBody& body, const Vec3& arm, const Vec3& direction) {
+    const Vec3 turn = arm.cross(direction);
+    return body.inverse_mass + turn.dot(turn * body.inverse_inertia);
+}
+
+/// At least the response to an impulse in any direction.
+double greatest_response(const GroupBody& body, const Vec3& arm) {
+    double largest = 0;
+    for (int i = 0; i < 3; ++i) {
+        const auto& row = body.inverse_inertia[i];
+        largest = std::max(largest, std::abs(row[0]) + std::abs(row[1]) + std::abs(row[2]));
+    }
+    return body.inverse_mass + largest * arm.dot(arm);
+}
+
+/// The unit vector between two spheres' centres when they touch, if they fly from `apart` (first
+/// minus second) with this relative velocity; if they will not touch, where they are closest.
+Vec3 normal_of_approach(const Vec3& apart, const Vec3& velocity, double distance) {
+    const double closing = -apart.dot(velocity);
+    if (closing <= 0) {
+        return unit(apart);
+    }
+    const double square = velocity.dot(velocity);
+    const double beyond = apart.dot(apart) - distance * distance;
+    const double root = closing * closing - square * beyond;
+    const double time = root > 0 ? beyond / (closing + std::sqrt(root)) : closing / square;
+    return unit(apart + velocity * time);
+}
+
+class Group {
+  public:
+    Group(std::vector<GroupBody>& bodies, std::span<const GroupContact> contacts,
+          const BallBall& law);
+
+    std::vector<GroupContactResult> run();
+
+  private:
+    void prepare(std::size_t index);
+    void choose_step();
+    void begin_step();
+    void look_at(std::size_t index, double margin);
+    void turn_to_approach(std::size_t index);
+    void step();
+    void follow_stage(double ahead, double weight);
+    Compression press(std::size_t index, double weight);
+    void add_load(std::size_t index, const Vec3& force);
+    [[nodiscard]] Vec3 relative_velocity(std::size_t index) const;
+    [[nodiscard]] bool is_finished() const;
+    [[nodiscard]] double kinetic_energy() const;
+    void balance_energy(double wanted);
+    bool balance_once(double wanted);
+    void separate();
+
+    std::vector<GroupBody>& bodies_;
+    std::span<const GroupContact> contacts_;
+    const BallBall& law_;
+    std::vector<Imath::M33d> inertias_;
+    std::vector<Stepped<Motion>> motions_;
+    std::vector<Load> loads_;
+    std::vector<double> counts_;  // contacts of each body
+    std::vector<ContactData> data_;
+    std::vector<Stepped<Compression>> compressions_;
+    std::vector<GroupContactResult> results_;
+    double loss_ = 0;  // of energy, J
+    double time_ = 0;
+    double duration_ = 0;  // of a step
+};
+
+Group::Group(std::vector<GroupBody>& bodies, std::span<const GroupContact> contacts,
+             const BallBall& law)
+    : bodies_(bodies),
+      contacts_(contacts),
+      law_(law),
+      motions_(bodies.size()),
+      loads_(bodies.size()),
+      counts_(bodies.size(), 0),
+      data_(contacts.size()),
+      compressions_(contacts.size()),
+      results_(contacts.size()) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const GroupBody& body = bodies[i];
+        motions_[i].start = {body.velocity, body.angular_velocity};
+        motions_[i].begin();
+        inertias_.push_back(body.inverse_mass > 0 ? body.inverse_inertia.inverse()
+                                                  : Imath::M33d(0.0));
+    }
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        prepare(i);
+    }
+    choose_step();
+}
+
+void Group::prepare(std::size_t index) {
+    const GroupContact& contact = contacts_[index];
+    const GroupBody& a = bodies_[contact.first];
+    const GroupBody& b = bodies_[contact.second];
+    ContactData& data = data_[index];
+    CAROM_ASSERT(contact.gap >= 0);
+    data.normal = contact.normal;
+    data.first_arm = contact.first_arm;
+    data.second_arm = contact.second_arm;
+    data.recovery = std::max(contact.restitution, kLeastRecovery);
+    const double part = contact.restitution / data.recovery;
+    data.recovered = part * part;
+    data.mass = 1 / (response(a, contact.first_arm, contact.normal) +
+                     response(b, contact.second_arm, contact.normal));
+    data.slip_mass =
+        1 / (greatest_response(a, contact.first_arm) + greatest_response(b, contact.second_arm));
+    counts_[contact.first] += a.inverse_mass > 0 ? 1 : 0;
+    counts_[contact.second] += b.inverse_mass > 0 ? 1 : 0;
+    compressions_[index].start.depth = -contact.gap;
+    compressions_[index].begin();
+}
+
+/// Steps are equal, so that the result changes continuously with the start. A speed that no two
+/// bodies have at first is reached only if light ones are hit by heavy ones, and contacts become
+/// shorter with its fifth root only.
+void Group::choose_step() {
+    double speed = 0;
+    double recovery = 1;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        speed = std::max(speed, length(relative_velocity(i)));
+        recovery = std::min(recovery, data_[i].recovery);
+    }
+    CAROM_ASSERT(speed > 0);
+    double shortest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        shortest = std::min(shortest, contact_time(contacts_[i].stiffness, data_[i].mass, speed));
+    }
+    duration_ = shortest * recovery / kStepsPerContact;
+    // Friction that stops a slip would overshoot if several contacts of a body stopped it at once.
+    // The method follows rates of up to 2.78 per step.
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const double count = std::max(counts_[contacts_[i].first], counts_[contacts_[i].second]);
+        data_[i].stick_factor = 1.5 * data_[i].slip_mass / (count * duration_);
+    }
+}
+
+Vec3 Group::relative_velocity(std::size_t index) const {
+    const GroupContact& contact = contacts_[index];
+    const ContactData& data = data_[index];
+    Vec3 relative = point_velocity(motions_[contact.first].now, data.first_arm) -
+                    point_velocity(motions_[contact.second].now, data.second_arm);
+    relative.z += compressions_[index].now.rise;
+    return relative;
+}
+
+std::vector<GroupContactResult> Group::run() {
+    const double energy = kinetic_energy();
+    for (int i = 0; i < kMaxSteps && (i == 0 || !is_finished()); ++i) {
+        begin_step();
+        step();
+    }
+    balance_energy(energy - loss_);
+    separate();
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        bodies_[i].velocity = motions_[i].now.velocity;
+        bodies_[i].angular_velocity = motions_[i].now.angular;
+    }
+    for (std::size_t i = 0; i < results_.size(); ++i) {
+        results_[i].impulse.tangential = length(data_[i].friction_impulse);
+    }
+    return std::move(results_);
+}
+
+void Group::begin_step() {
+    constexpr double kMargin = 0.2;  // of the greatest speed: how much speeds change in a step
+    double fastest = 0;
+    for (const Stepped<Motion>& motion : motions_) {
+        fastest = std::max(fastest, motion.now.velocity.dot(motion.now.velocity));
+    }
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        look_at(i, kMargin * std::sqrt(fastest) * duration_);
+    }
+}
+
+/// The friction of a contact is that at the greatest slip since it closed, which for two bodies
+/// alone is the slip with which they meet.
+void Group::look_at(std::size_t index, double margin) {
+    const GroupContact& contact = contacts_[index];
+    ContactData& data = data_[index];
+    Compression& compression = compressions_[index].start;
+    Vec3 relative = relative_velocity(index);
+    if (!data.is_near && time_ > 0) {  // it was left out of the last step
+        compression.depth -= 0.5 * duration_ * (data.opening + relative.dot(data.normal));
+    }
+    const bool is_open = compression.depth <= 0;
+    if (is_open && contact.are_spheres && contact.gap > 0 && relative != Vec3(0, 0, 0)) {
+        turn_to_approach(index);
+        relative = relative_velocity(index);
+    }
+    data.opening = relative.dot(data.normal);
+    const double closing = std::max(-data.opening, 0.0);
+    data.is_near = compression.depth + 2 * closing * duration_ + margin > 0;
+    if (!data.is_near) {
+        return;
+    }
+    const double slip = length(relative - data.normal * data.opening);
+    if (is_open || slip > data.largest_slip) {
+        data.largest_slip = slip;
+        data.friction = contact.friction ? *contact.friction : ball_friction(law_, slip);
+    }
+    results_[index].approach = std::max(results_[index].approach, closing);
+    if (is_open && !results_[index].touched_after) {
+        results_[index].slip = slip;
+        results_[index].normal = data.normal;
+    }
+}
+
+/// Two spheres meet with the normal that they would have if they flew on from their places before
+/// the impact, as they do if the gap is wide.
+void Group::turn_to_approach(std::size_t index) {
+    const GroupContact& contact = contacts_[index];
+    ContactData& data = data_[index];
+    const double first_radius = length(contact.first_arm);
+    const double second_radius = length(contact.second_arm);
+    const double distance = first_radius + second_radius;
+    data.normal = normal_of_approach(
+        contact.normal * (distance + contact.gap),
+        motions_[contact.first].now.velocity - motions_[contact.second].now.velocity, distance);
+    data.first_arm = data.normal * -first_radius;
+    data.second_arm = data.normal * second_radius;
+}
+
+/// One step of the classical Runge-Kutta method.
+void Group::step() {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        compressions_[i].begin();
+    }
+    follow_stage(0.5, 1.0 / 6);
+    follow_stage(0.5, 1.0 / 3);
+    follow_stage(1, 1.0 / 3);
+    follow_stage(0, 1.0 / 6);
+    for (Stepped<Motion>& motion : motions_) {
+        motion.finish();
+        motion.begin();
+    }
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        if (compressions_[i].start.depth <= 0 && compressions_[i].end.depth > 0 &&
+            !results_[i].touched_after) {
+            results_[i].touched_after = time_;
+        }
+        compressions_[i].finish();
+        compressions_[i].begin();
+    }
+    time_ += duration_;
+}
+
+/// `ahead`: of the next stage, and `weight`: of this one, in durations of the step.
+void Group::follow_stage(double ahead, double weight) {
+    std::fill(loads_.begin(), loads_.end(), Load{});
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        if (data_[i].is_near) {
+            compressions_[i].follow(press(i, weight * duration_), ahead * duration_,
+                                    weight * duration_);
+        }
+    }
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const Load& load = loads_[i];
+        motions_[i].follow(
+            {load.force * bodies_[i].inverse_mass, load.torque * bodies_[i].inverse_inertia},
+            ahead * duration_, weight * duration_);
+    }
+}
+
+/// Loads both bodies with the force of the contact, which acts for `weight` (s); returns the rate
+/// of compression.
+Compression Group::press(std::size_t index, double weight) {
+    const GroupContact& contact = contacts_[index];
+    ContactData& data = data_[index];
+    const Vec3 relative = relative_velocity(index);
+    const double opening = relative.dot(data.normal);
+    const double depth = compressions_[index].now.depth;
+    if (depth <= 0) {
+        return {-opening, 0};
+    }
+    const double e2 = data.recovery * data.recovery;
+    const double full =
+        contact.stiffness.factor * (contact.stiffness.is_flat ? depth : depth * std::sqrt(depth));
+    const bool recovers = opening > 0;
+    const double normal_force = recovers ? full * data.recovered : full;
+    Compression rate{recovers ? -opening / e2 : -opening, 0};
+    double power = recovers ? 0 : (1 - e2 * data.recovered) * full * opening;  // of losses, < 0
+    const Vec3 slip = relative - data.normal * opening;
+    const double speed = length(slip);
+    Vec3 friction(0, 0, 0);
+    if (speed > 0) {
+        friction = slip * -std::min(data.friction * normal_force / speed, data.stick_factor);
+        power += friction.dot(slip);
+    }
+    const Vec3 force = data.normal * normal_force + friction;
+    if (contact.is_level) {
+        rate.rise =
+            force.z * (bodies_[contact.first].inverse_mass + bodies_[contact.second].inverse_mass);
+        power -= force.z * compressions_[index].now.rise;
+    }
+    add_load(index, force);
+    loss_ -= power * weight;
+    results_[index].impulse.normal += normal_force * weight;
+    data.friction_impulse += friction * weight;
+    return rate;
+}
+
+void Group::add_load(std::size_t index, const Vec3& force) {
+    const GroupContact& contact = contacts_[index];
+    Load& first = loads_[contact.first];
+    Load& second = loads_[contact.second];
+    const Vec3 along = contact.is_level ? Vec3(force.x, force.y, 0) : force;
+    first.force += along;
+    second.force -= along;
+    first.torque += data_[index].first_arm.cross(force);
+    second.torque -= data_[index].second_arm.cross(force);
+}
+
+/// True if no contact pushes any more, nor will within the time of a contact. One that does not
+/// recover neither pushes nor opens.
+bool Group::is_finished() const {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        if (compressions_[i].now.depth > 0 && data_[i].recovered > 0) {
+            return false;
+        }
+    }
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const double closing = -relative_velocity(i).dot(data_[i].normal);
+        const double depth = compressions_[i].now.depth;
+        if (closing > 0 && depth + closing * kStepsPerContact * duration_ > 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+double Group::kinetic_energy() const {
+    double energy = 0;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        if (bodies_[i].inverse_mass > 0) {
+            const Motion& motion = motions_[i].now;
+            energy += 0.5 * (motion.velocity.dot(motion.velocity) / bodies_[i].inverse_mass +
+                             motion.angular.dot(motion.angular * inertias_[i]));
+        }
+    }
+    return energy;
+}
+
+/// Projects the velocities onto the balance of energy, from which the steps deviate by about a
+/// millionth (Hairer, Lubich and Wanner, Geometric Numerical Integration, 2006, section IV.4). All
+/// impulses are multiplied by one factor, which keeps the momentum. Where nothing recovers, that
+/// factor has no effect on the energy and stays 1.
+void Group::balance_energy(double wanted) {
+    constexpr int kPasses = 3;
+    for (int pass = 0; pass < kPasses && balance_once(wanted); ++pass) {
+    }
+}
+
+/// Newton's method for the factor, kept from large steps where the factor has little effect.
+bool Group::balance_once(double wanted) {
+    constexpr double kLeastEffect = 0.01;
+    double effect = 0;  // of the factor on the energy
+    double size = 0;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        if (bodies_[i].inverse_mass <= 0) {
+            continue;
+        }
+        const Motion& motion = motions_[i].now;
+        const Vec3 change = motion.velocity - bodies_[i].velocity;
+        const Vec3 turn = motion.angular - bodies_[i].angular_velocity;
+        const Vec3 spin = turn * inertias_[i];
+        effect += motion.velocity.dot(change) / bodies_[i].inverse_mass + motion.angular.dot(spin);
+        size += change.dot(change) / bodies_[i].inverse_mass + turn.dot(spin);
+    }
+    const double least = kLeastEffect * size;
+    const double scale = effect * effect + least * least;
+    if (scale <= 0) {
+        return false;
+    }
+    const double extra = (wanted - kinetic_energy()) * effect / scale;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        Motion& motion = motions_[i].now;
+        motion.velocity += (motion.velocity - bodies_[i].velocity) * extra;
+        motion.angular += (motion.angular - bodies_[i].angular_velocity) * extra;
+    }
+    for (std::size_t i = 0; i < results_.size(); ++i) {
+        results_[i].impulse.normal *= 1 + extra;
+        data_[i].friction_impulse *= 1 + extra;
+    }
+    return true;
+}
+
+/// Bodies that touched when the impact began and pushed each other come apart at kLeastSeparation
+/// or faster.
+void Group::separate() {
+    constexpr int kMaxPasses = 100;
+    for (Stepped<Compression>& compression : compressions_) {
+        compression.now.rise = 0;
+    }
+    for (int pass = 0; pass < kMaxPasses; ++pass) {
+        std::fill(loads_.begin(), loads_.end(), Load{});
+        bool is_done = true;
+        for (std::size_t i = 0; i < contacts_.size(); ++i) {
+            const GroupContact& contact = contacts_[i];
+            const double opening = relative_velocity(i).dot(data_[i].normal);
+            if (contact.gap > 0 || results_[i].impulse.normal <= 0 || opening < -kLeastSeparation ||
+                opening >= kLeastSeparation * (1 - 1e-6)) {
+                continue;
+            }
+            is_done = false;
+            const double impulse = data_[i].mass * (kLeastSeparation - opening) /
+                                   std::max(counts_[contact.first], counts_[contact.second]);
+            add_load(i, data_[i].normal * impulse);
+            results_[i].impulse.normal += impulse;
+        }
+        if (is_done) {
+            break;
+        }
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            motions_[i].now.velocity += loads_[i].force * bodies_[i].inverse_mass;
+            motions_[i].now.angular += loads_[i].torque * bodies_[i].inverse_inertia;
+        }
+    }
+}
+
+}  // namespace
+
+GroupBody group_body(const RigidBody& ball) {
+    GroupBody body;
+    body.inverse_mass = 1 / ball.mass;
+    body.inverse_inertia = Imath::M33d() * (2.5 / (ball.mass * ball.radius * ball.radius));
+    body.velocity = ball.state.velocity;
+    body.angular_velocity = ball.state.angular_velocity;
+    return body;
+}
+
+ContactStiffness hertz_stiffness(double reduced_modulus, double reduced_radius) {
+    return {4.0 / 3 * reduced_modulus * std::sqrt(reduced_radius), false};
+}
+
+double contact_time(const ContactStiffness& stiffness, double reduced_mass, double speed) {
+    if (stiffness.is_flat) {
+        constexpr double kPi = 3.14159265358979323846;
+        return kPi * std::sqrt(reduced_mass / stiffness.factor);
+    }
+    const double depth = power(5 * reduced_mass * speed * speed / (4 * stiffness.factor), 0.4);
+    return 2.943275 * depth / speed;
+}
+
+std::vector<GroupContactResult> group_impact(std::vector<GroupBody>& bodies,
+                                             std::span<const GroupContact> contacts,
+                                             const BallBall& law) {
+    return Group(bodies, contacts, law).run();
+}
+
+}  // namespace carom::sim

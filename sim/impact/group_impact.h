@@ -1,0 +1,75 @@
+// The impact of several bodies at once: their contacts are integrated over the time of compression.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/impact/ball_impact.h"
+
+namespace carom::sim {
+
+/// A body of a group. One that does not yield has no inverse mass and stands still.
+struct GroupBody {
+    double inverse_mass = 0;           // 1/kg
+    Imath::M33d inverse_inertia{0.0};  // world axes, 1/(kg m^2)
+    Vec3 velocity{0, 0, 0};            // m/s
+    Vec3 angular_velocity{0, 0, 0};    // rad/s
+};
+
+[[nodiscard]] GroupBody group_body(const RigidBody& ball);
+
+/// The force between two bodies that compress each other by d > 0: factor d^(3/2) (Hertz) for
+/// curved surfaces, factor d for flat ones.
+struct ContactStiffness {
+    double factor = 0;  // N/m^(3/2) or N/m, > 0
+    bool is_flat = false;
+};
+
+/// Hertz's factor, 4/3 E sqrt(R), with 1/E the sum of (1 - nu^2)/modulus and 1/R the sum of the
+/// curvatures. `reduced_modulus`: E, Pa; `reduced_radius`: R, m.
+[[nodiscard]] ContactStiffness hertz_stiffness(double reduced_modulus, double reduced_radius);
+
+/// How long two bodies that meet at `speed` (> 0, m/s) touch each other without losses, s.
+[[nodiscard]] double contact_time(const ContactStiffness& stiffness, double reduced_mass,
+                                  double speed);
+
+/// Two bodies of a group that touch or may touch.
+struct GroupContact {
+    std::size_t first = 0, second = 0;  // indices in the group
+    Vec3 normal{0, 0, 1};               // unit, from the second body towards the first
+    Vec3 first_arm{0, 0, 0};            // from its centre of mass to the contact, m
+    Vec3 second_arm{0, 0, 0};
+    double gap = 0;            // m, >= 0
+    bool are_spheres = false;  // until they touch, the normal follows their centres
+    ContactStiffness stiffness;
+    double restitution = 0;          // of the two bodies alone, at every speed, [0, 1]
+    std::optional<double> friction;  // Coulomb, >= 0; otherwise ball_friction() at the slip
+    bool is_level = false;           // the bodies keep their vertical velocities
+};
+
+/// What happened at a contact.
+struct GroupContactResult {
+    std::optional<double> touched_after;  // s; nothing if the bodies have not touched
+    double approach = 0;                  // greatest speed of closing, at first for a pair, m/s
+    double slip = 0;                      // of their surfaces when they met, m/s
+    Vec3 normal{0, 0, 1};                 // then
+    ImpulsePair impulse;
+};
+
+/// Follows the group from the moment when a contact without a gap begins to close until no body
+/// compresses another, nor will within the time of a contact, and sets the velocities of that
+/// moment. Positions stay, as in every impact. At least one pair has to move. docs/physics.md,
+/// "Impacts of several bodies", has the model and what it follows: Hertz 1882, and Walton and Braun
+/// 1986 for the losses.
+///
+/// The result does not depend on the order of bodies and contacts, except in the last bits. It
+/// changes continuously with velocities, gaps and normals. The impulses at a contact are opposite;
+/// the energy never rises, except by that of separating at kLeastSeparation where the bodies
+/// touched before the impact.
+std::vector<GroupContactResult> group_impact(std::vector<GroupBody>& bodies,
+                                             std::span<const GroupContact> contacts,
+                                             const BallBall& law);
+
+}  // namespace carom::sim

@@ -1,0 +1,36 @@
+// The balls that take part in an impact of two, for group_impact().
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/impact/group_impact.h"
+#include "sim/scheduler/event_predictor.h"
+
+namespace carom::sim {
+
+struct ImpactGroup {
+    std::vector<std::uint32_t> indices;  // in Bodies; first the two that meet
+    std::vector<RigidBody> balls;        // in the same order, without their orientations
+    std::vector<GroupContact> contacts;  // first that of the two
+};
+
+/// The entry of ContactLaw::pairs that names these two balls instead of two materials, or nullptr.
+[[nodiscard]] const PairContact* named_law(const StaticEnvironment& environment,
+                                           const MovingBody& a, const MovingBody& b);
+
+/// Restitution and friction of two balls that collide with surfaces slipping at `slip_speed` (m/s).
+[[nodiscard]] ContactCoefficients pair_law(const StaticEnvironment& environment,
+                                           const MovingBody& a, const MovingBody& b,
+                                           double slip_speed);
+
+/// The balls `first` and `second`, which meet at `time`, and those that may touch one of them,
+/// directly or through others, while they compress each other. Empty if no other is so near or they
+/// meet at kLeastLoggedSpeed or slower.
+[[nodiscard]] ImpactGroup find_impact_group(std::span<const MovingBody> balls, std::uint32_t first,
+                                            std::uint32_t second, double time,
+                                            const EventPredictor& predictor,
+                                            const StaticEnvironment& environment);
+
+}  // namespace carom::sim
