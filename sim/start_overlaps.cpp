@@ -8,7 +8,9 @@
 
 #include "core/finite.h"
 #include "sim/solid_shape.h"
+#include "sim/spatial/convex_contacts.h"
 #include "sim/spatial/convex_impact_time.h"
+#include "sim/spatial/mesh_contacts.h"
 #include "sim/spatial/static_mesh.h"
 
 namespace carom::sim {
@@ -20,7 +22,8 @@ constexpr double kRounding = 1e-6;
 constexpr double kPolygonError = 1e-4;
 
 struct Ball {
-    Vec3 centre;
+    const Body* body = nullptr;
+    Vec3 centre{0, 0, 0};
     double radius = 0;
     Vec2 from_above;  // x and y of the centre
 };
@@ -34,11 +37,10 @@ class DeepestOverlap {
             other_ = other;
         }
     }
-    [[nodiscard]] std::optional<StartOverlap> of(const std::string& ball) const {
-        if (other_.empty()) {
-            return std::nullopt;
+    void append_to(std::vector<StartOverlap>& overlaps, const std::string& body) const {
+        if (!other_.empty()) {
+            overlaps.push_back({body, other_, depth_});
         }
-        return StartOverlap{ball, other_, depth_};
     }
 
   private:
@@ -111,20 +113,7 @@ void check_cloth(const Ball& ball, const billiards::TableGeometry* table,
     }
 }
 
-std::vector<Aabb> ball_bounds(const WorldDescription& world) {
-    std::vector<Aabb> boxes;
-    for (const Body& body : world.bodies) {
-        const auto* sphere = std::get_if<Sphere>(&body.shape);
-        if (sphere == nullptr || body.kind != BodyKind::dynamic || !is_finite(body.pose.position)) {
-            continue;
-        }
-        boxes.push_back({body.pose.position, body.pose.position});
-        boxes.back().grow(sphere->radius);
-    }
-    return boxes;
-}
-
-bool is_near_any(const billiards::Surface& surface, const std::vector<Aabb>& balls) {
+bool is_near_any(const billiards::Surface& surface, const std::vector<Aabb>& bodies) {
     if (surface.vertices.empty()) {
         return false;
     }
@@ -132,14 +121,25 @@ bool is_near_any(const billiards::Surface& surface, const std::vector<Aabb>& bal
     for (const Vec3& vertex : surface.vertices) {
         bounds.extend(vertex);
     }
-    return std::any_of(balls.begin(), balls.end(),
-                       [&](const Aabb& ball) { return ball.overlaps(bounds); });
+    return std::any_of(bodies.begin(), bodies.end(),
+                       [&](const Aabb& body) { return body.overlaps(bounds); });
 }
 
-/// The surfaces of cushion tops, rails and pockets near balls.
-StaticMesh table_mesh(const billiards::TableGeometry& table, const std::vector<Aabb>& balls,
-                      std::vector<std::string>& names) {
+/// Surfaces, and what each is called in a message.
+struct NamedMesh {
     StaticMesh mesh;
+    std::vector<std::string> names;
+
+    void add(std::vector<Vec3> vertices, std::vector<MeshTriangle> triangles, std::string name) {
+        mesh.add(std::move(vertices), std::move(triangles),
+                 static_cast<std::uint32_t>(names.size()));
+        names.push_back(std::move(name));
+    }
+};
+
+/// The surfaces of cushion tops, rails and pockets near bodies.
+NamedMesh table_mesh(const billiards::TableGeometry& table, const std::vector<Aabb>& bodies) {
+    NamedMesh mesh;
     for (const billiards::Surface& surface : table.surfaces) {
         using billiards::SurfacePart;
         std::string name;
@@ -153,17 +153,16 @@ StaticMesh table_mesh(const billiards::TableGeometry& table, const std::vector<A
             surface.part == SurfacePart::pocket_floor) {
             name = "a pocket";
         }
-        if (name.empty() || !is_near_any(surface, balls)) {
+        if (name.empty() || !is_near_any(surface, bodies)) {
             continue;
         }
-        mesh.add(surface.vertices, surface.triangles, static_cast<std::uint32_t>(names.size()));
-        names.push_back(name);
+        mesh.add(surface.vertices, surface.triangles, name);
     }
     return mesh;
 }
 
-StaticMesh scenery_mesh(const WorldDescription& world, std::vector<std::string>& names) {
-    StaticMesh mesh;
+NamedMesh scenery_mesh(const WorldDescription& world) {
+    NamedMesh mesh;
     for (const Body& body : world.bodies) {
         const auto* triangles = std::get_if<TriangleMesh>(&body.shape);
         if (body.kind != BodyKind::fixed || triangles == nullptr) {
@@ -173,29 +172,14 @@ StaticMesh scenery_mesh(const WorldDescription& world, std::vector<std::string>&
         for (Vec3& v : vertices) {
             v = body.pose.position + to_world(body.pose.orientation, v);
         }
-        mesh.add(std::move(vertices), triangles->triangles,
-                 static_cast<std::uint32_t>(names.size()));
-        names.push_back("'" + body.name + "'");
+        mesh.add(std::move(vertices), triangles->triangles, "'" + body.name + "'");
     }
     return mesh;
 }
 
-void check_mesh(const Ball& ball, const StaticMesh& mesh, const std::vector<std::string>& names,
-                DeepestOverlap& deepest) {
-    for (const SurfaceContact& contact : mesh.contacts(ball.centre, ball.radius, 0)) {
-        deepest.consider(contact.depth, kPolygonError, names[contact.surface]);
-    }
-}
-
-void check_solids(const Ball& ball, const WorldDescription& world, DeepestOverlap& deepest) {
-    for (const Body& body : world.bodies) {
-        const std::optional<SolidShape> solid = solid_shape(body.shape);
-        if (!solid) {
-            continue;
-        }
-        const Pose pose{body.pose.position, body.pose.orientation * solid->principal};
-        const Contact contact = convex_contact(*solid->shape, pose, ball.centre, ball.radius);
-        deepest.consider(contact.depth, kRounding, "'" + body.name + "'");
+void check_mesh(const Ball& ball, const NamedMesh& surfaces, DeepestOverlap& deepest) {
+    for (const SurfaceContact& contact : surfaces.mesh.contacts(ball.centre, ball.radius, 0)) {
+        deepest.consider(contact.depth, kPolygonError, surfaces.names[contact.surface]);
     }
 }
 
@@ -221,44 +205,32 @@ std::vector<Solid> solids_of(const WorldDescription& world) {
     return solids;
 }
 
-/// Directions in world axes that may separate the solid best from another.
-void add_normals(const PlacedShape& solid, std::vector<Vec3>& normals) {
-    const auto add = [&](const Vec3& normal) {
-        normals.push_back(to_world(solid.pose.orientation, normal));
-        normals.push_back(-normals.back());
-    };
-    using Kind = ConvexShape::Kind;
-    if (solid.shape->kind() == Kind::capsule || solid.shape->kind() == Kind::cylinder) {
-        return add({0, 0, 1});
-    }
-    for (const PolyhedronFace& face : solid.shape->solid().faces) {
-        add(face.normal);
+void check_solids(const Ball& ball, const std::vector<Solid>& solids, DeepestOverlap& deepest) {
+    for (const Solid& solid : solids) {
+        const Contact contact =
+            convex_contact(*solid.placed.shape, solid.placed.pose, ball.centre, ball.radius);
+        deepest.consider(contact.depth, kRounding, "'" + solid.body->name + "'");
     }
 }
 
-/// How far (m) the two overlap, at most; 0 or less if they do not.
-double overlap_of(const PlacedShape& a, const PlacedShape& b) {
+void check_pair(const PlacedShape& a, const PlacedShape& b, const std::string& name_of_b,
+                DeepestOverlap& deepest) {
     const Vec3 apart = a.pose.position - b.pose.position;
     const double reach = a.shape->bounding_radius() + b.shape->bounding_radius();
     if (apart.dot(apart) >= reach * reach) {
-        return 0;
+        return;
     }
-    const double cover = a.shape->core_gap() + b.shape->core_gap();
-    if (const auto closest = closest_core_points(a, b, 0, reach)) {
-        const Vec3 gap = closest->on_a - closest->on_b;
-        return cover - std::sqrt(gap.dot(gap));
+    std::vector<Contact> contacts;
+    convex_contacts(a, b, 0, contacts);
+    for (const Contact& contact : contacts) {
+        deepest.consider(contact.depth, kPolygonError, name_of_b);
     }
-    std::vector<Vec3> normals;
-    add_normals(a, normals);
-    add_normals(b, normals);
-    if (apart.dot(apart) > 0) {
-        normals.push_back(apart / std::sqrt(apart.dot(apart)));
+}
+
+void check_mesh(const PlacedShape& solid, const NamedMesh& surfaces, DeepestOverlap& deepest) {
+    for (const SurfaceContact& contact : mesh_contacts(solid, surfaces.mesh, bounds_of(solid), 0)) {
+        deepest.consider(contact.depth, kPolygonError, surfaces.names[contact.surface]);
     }
-    double least = reach;
-    for (const Vec3& normal : normals) {
-        least = std::min(least, -gap_along(a, b, normal));
-    }
-    return least;
 }
 
 /// Overlaps with the slate, which has holes, and with the rails around the cushions.
@@ -289,38 +261,17 @@ void check_table(const PlacedShape& solid, const billiards::TableGeometry* table
         const double height = 0.5 * measures.rail_height;
         const PlacedShape end{&across, {{side * (outside.x + half_rail), 0, height}, Quat()}};
         const PlacedShape edge{&along, {{0, side * (outside.y + half_rail), height}, Quat()}};
-        deepest.consider(overlap_of(solid, end), kPolygonError, "a rail");
-        deepest.consider(overlap_of(solid, edge), kPolygonError, "a rail");
+        check_pair(solid, end, "a rail", deepest);
+        check_pair(solid, edge, "a rail", deepest);
     }
 }
 
-void add_solid_overlaps(const WorldDescription& world, const billiards::TableGeometry* table,
-                        std::vector<StartOverlap>& overlaps) {
-    const std::vector<Solid> solids = solids_of(world);
+/// The moving solids before `index`, and all others that move by keys or stand still.
+void check_solids(const std::vector<Solid>& solids, std::size_t index, DeepestOverlap& deepest) {
     for (std::size_t i = 0; i < solids.size(); ++i) {
-        const Solid& solid = solids[i];
-        if (solid.body->kind != BodyKind::dynamic) {
-            continue;
-        }
-        DeepestOverlap deepest;
-        for (std::size_t k = 0; k < solids.size(); ++k) {
-            if (k >= i && solids[k].body->kind == BodyKind::dynamic) {
-                continue;
-            }
-            const double depth = overlap_of(solid.placed, solids[k].placed);
-            if (depth > kPolygonError) {
-                deepest.consider(depth, kPolygonError, "'" + solids[k].body->name + "'");
-            }
-        }
-        if (world.table) {
-            check_table(solid.placed, table, *world.table, deepest);
-        }
-        if (world.floor_height) {
-            deepest.consider(*world.floor_height - solid.placed.support({0, 0, -1}).z,
-                             kPolygonError, "the floor");
-        }
-        if (auto overlap = deepest.of(solid.body->name)) {
-            overlaps.push_back(std::move(*overlap));
+        const Body& other = *solids[i].body;
+        if (i < index || other.kind != BodyKind::dynamic) {
+            check_pair(solids[index].placed, solids[i].placed, "'" + other.name + "'", deepest);
         }
     }
 }
@@ -366,19 +317,27 @@ std::string StartOverlap::sentence() const {
 
 std::vector<StartOverlap> find_start_overlaps(const WorldDescription& world,
                                               const billiards::TableGeometry* table) {
-    std::vector<std::string> table_names;
-    std::vector<std::string> scenery_names;
-    const StaticMesh surfaces =
-        table != nullptr ? table_mesh(*table, ball_bounds(world), table_names) : StaticMesh();
-    const StaticMesh scenery = scenery_mesh(world, scenery_names);
-    std::vector<StartOverlap> overlaps;
+    const std::vector<Solid> solids = solids_of(world);
+    std::vector<Ball> balls;
+    std::vector<Aabb> bounds;
     for (const Body& body : world.bodies) {
         const auto* sphere = std::get_if<Sphere>(&body.shape);
-        if (sphere == nullptr || body.kind != BodyKind::dynamic || !is_finite(body.pose.position)) {
-            continue;
+        if (sphere != nullptr && body.kind == BodyKind::dynamic && is_finite(body.pose.position)) {
+            const Vec3& centre = body.pose.position;
+            balls.push_back({&body, centre, sphere->radius, {centre.x, centre.y}});
+            bounds.push_back({centre, centre});
+            bounds.back().grow(sphere->radius);
         }
-        const Vec3& centre = body.pose.position;
-        const Ball ball{centre, sphere->radius, {centre.x, centre.y}};
+    }
+    for (const Solid& solid : solids) {
+        if (solid.body->kind == BodyKind::dynamic) {
+            bounds.push_back(bounds_of(solid.placed));
+        }
+    }
+    const NamedMesh surfaces = table != nullptr ? table_mesh(*table, bounds) : NamedMesh();
+    const NamedMesh scenery = scenery_mesh(world);
+    std::vector<StartOverlap> overlaps;
+    for (const Ball& ball : balls) {
         DeepestOverlap deepest;
         if (world.table) {
             check_cloth(ball, table, *world.table, deepest);
@@ -386,19 +345,34 @@ std::vector<StartOverlap> find_start_overlaps(const WorldDescription& world,
         if (table != nullptr) {
             check_noses(ball, *table, *world.table, deepest);
             check_cushions_and_rails(ball, *table, *world.table, deepest);
-            check_mesh(ball, surfaces, table_names, deepest);
         }
         if (world.floor_height) {
-            deepest.consider(ball.radius - (centre.z - *world.floor_height), kRounding,
+            deepest.consider(ball.radius - (ball.centre.z - *world.floor_height), kRounding,
                              "the floor");
         }
-        check_solids(ball, world, deepest);
-        check_mesh(ball, scenery, scenery_names, deepest);
-        if (auto overlap = deepest.of(body.name)) {
-            overlaps.push_back(std::move(*overlap));
-        }
+        check_solids(ball, solids, deepest);
+        check_mesh(ball, surfaces, deepest);
+        check_mesh(ball, scenery, deepest);
+        deepest.append_to(overlaps, ball.body->name);
     }
-    add_solid_overlaps(world, table, overlaps);
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+        if (solids[i].body->kind != BodyKind::dynamic) {
+            continue;
+        }
+        const PlacedShape& solid = solids[i].placed;
+        DeepestOverlap deepest;
+        check_solids(solids, i, deepest);
+        check_mesh(solid, surfaces, deepest);
+        check_mesh(solid, scenery, deepest);
+        if (world.table) {
+            check_table(solid, table, *world.table, deepest);
+        }
+        if (world.floor_height) {
+            deepest.consider(*world.floor_height - solid.support({0, 0, -1}).z, kPolygonError,
+                             "the floor");
+        }
+        deepest.append_to(overlaps, solids[i].body->name);
+    }
     return overlaps;
 }
 

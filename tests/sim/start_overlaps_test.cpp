@@ -152,6 +152,24 @@ TEST(StartOverlaps_OfSolids, AreRefusedWhateverTheirShapes) {
               "body 'upper' overlaps 'lower' by 1.00 mm at the start");
 }
 
+/// A fixed flat sheet of two triangles at the height, 1 m wide.
+Body sheet(double height) {
+    TriangleMesh mesh;
+    mesh.vertices = {{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    Body body = solid("sheet", mesh, {0, 0, height});
+    body.kind = BodyKind::fixed;
+    return body;
+}
+
+TEST(StartOverlaps_OfSolidsInAMesh, AreRefused) {
+    EXPECT_EQ(overlap_of({sheet(0.3), solid("box", kBox, {0, 0, 0.35})}), "");
+    EXPECT_EQ(overlap_of({sheet(0.3), solid("box", kBox, {0.1, 0, 0.347})}),
+              "body 'box' overlaps 'sheet' by 3.00 mm at the start");
+    EXPECT_EQ(overlap_of({sheet(0.3), solid("can", Cylinder{0.03, 0.06}, {0, 0.1, 0.272})}),
+              "body 'can' overlaps 'sheet' by 2.00 mm at the start");
+}
+
 TEST(StartOverlaps_OfSolidsThatTouch, AreNone) {
     const Body lower = solid("lower", kBox, {0, 0, 0.05});
     EXPECT_EQ(overlap_of({lower, solid("upper", kBox, {0, 0, 0.15}),
@@ -171,6 +189,10 @@ TEST(StartOverlaps_OfSolidsInTheTable, AreRefused) {
     EXPECT_EQ(overlap_of({solid("box", kBox, {rail, 0, table.rail_height + 0.05})}, true), "");
     EXPECT_EQ(overlap_of({solid("box", kBox, {rail, 0, table.rail_height + 0.045})}, true),
               "body 'box' overlaps a rail by 5.00 mm at the start");
+    const double nose = 0.5 * table.length;
+    EXPECT_EQ(overlap_of({solid("box", kBox, {nose - 0.0501, 0, 0.05})}, true), "");
+    EXPECT_EQ(overlap_of({solid("box", kBox, {nose - 0.047, 0, 0.05})}, true),
+              "body 'box' overlaps a cushion by 3.00 mm at the start");
     // Under the slate, and on the floor beside the table.
     EXPECT_EQ(overlap_of({solid("box", kBox, {0, 0, -0.4})}, true), "");
 }
