@@ -10,6 +10,7 @@
 #include "core/finite.h"
 #include "sim/limits.h"
 #include "sim/shape/mass_properties.h"
+#include "sim/timeline/surface.h"
 
 namespace carom::sim {
 namespace {
@@ -76,12 +77,6 @@ std::string size_range() {
 
 std::string within(double most, const char* unit) {
     return fmt::format(" has to be within {:g} {} in each direction", most, unit);
-}
-
-/// The names of surfaces that triggers and logged impacts use.
-const std::set<std::string>& surface_names() {
-    static const std::set<std::string> names{"cushion", "cloth", "floor", "rail", "pocket"};
-    return names;
 }
 
 void check_pair(const PairContact& pair, const std::string& key, const std::string& names,
@@ -182,7 +177,7 @@ void check_shape(const Body& body, ProblemCollector& collector) {
 void check_body(const Body& body, ProblemCollector& collector) {
     collector.about_body(body.name);
     collector.require(!body.name.empty(), "", "the name is empty");
-    collector.require(!surface_names().contains(body.name), "",
+    collector.require(!is_surface(body.name), "",
                       "this is the name of a surface; choose another one");
     check_shape(body, collector);
     if (body.kind == BodyKind::dynamic) {
@@ -264,8 +259,7 @@ class EventChecker {
         collector_.require(all_rest || find(trigger.a) != nullptr, "when",
                            "its trigger names '" + trigger.a + "', which does not exist");
         if (trigger.kind == Trigger::Kind::contact) {
-            collector_.require(find(trigger.b) != nullptr || surface_names().contains(trigger.b),
-                               "when",
+            collector_.require(find(trigger.b) != nullptr || is_surface(trigger.b), "when",
                                "its trigger names '" + trigger.b + "', which does not exist");
         }
         if (trigger.kind == Trigger::Kind::crossing) {

@@ -7,8 +7,8 @@
 #include "pipeline/cli/run_program.h"
 #include "pipeline/config/parse_moment.h"
 #include "pipeline/config/reader.h"
-#include "pipeline/config/surface_names.h"
 #include "pipeline/config/text.h"
+#include "sim/timeline/surface.h"
 
 namespace carom::cli {
 
@@ -24,8 +24,7 @@ void check_name(const std::string& option, const std::string& name, const sim::T
     for (const sim::Track& track : timeline.tracks) {
         known.push_back(track.name());
     }
-    if (name.empty() || pipeline::config::is_surface(name) ||
-        std::ranges::find(known, name) != known.end()) {
+    if (name.empty() || sim::is_surface(name) || std::ranges::find(known, name) != known.end()) {
         return;
     }
     throw InputError(option + ": there is no ball or object " + pipeline::config::quote(name) +

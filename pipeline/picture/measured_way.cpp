@@ -32,7 +32,8 @@ WayEnd end_of(const sim::Event& event, const std::string& object, const std::str
         case impact: {
             const std::string& touched = is_first ? event.b : event.a;
             const bool is_same = touched == other && event.time - contact < sim::kOneContact;
-            return touched == "cloth" || is_same ? WayEnd::none : WayEnd::contact;
+            return event.surface() == sim::Surface::cloth || is_same ? WayEnd::none
+                                                                     : WayEnd::contact;
         }
         case potted:
             return WayEnd::potted;

@@ -75,7 +75,8 @@ std::vector<std::pair<double, Vec2>> ghosts_of(const PlanDrawing& plan, const Pl
     const Vec2 start = place(plan.timeline.start_time);
     for (const sim::Event& event : plan.timeline.events) {
         const bool concerns = event.a == object.track->name() || event.b == object.track->name();
-        const bool is_ground = event.b == "cloth" || event.b == "pocket" || event.b == "floor";
+        const bool is_ground =
+            sim::is_level(event.surface()) || event.surface() == sim::Surface::pocket;
         if (event.kind != sim::EventKind::impact || !concerns || is_ground ||
             event.time >= object.gone || ghosts.size() >= kMostGhosts) {
             continue;

@@ -45,7 +45,7 @@ EventText impact_text(const ReportedEvent& impact) {
     const auto& other_speed = b_moves_in ? impact.a : impact.b;
     EventText text;
     text.brief = mover + " → " + other;
-    if (mover_speed && (event.b == "cloth" || event.b == "floor")) {
+    if (mover_speed && sim::is_level(event.surface())) {
         text.brief = mover + " lands on the " + event.b;
     } else if (mover_speed && !other_speed) {
         text.brief +=

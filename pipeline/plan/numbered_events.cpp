@@ -90,8 +90,9 @@ class Grouping {
         const Event& event = row.event;
         const sim::Body* a = find_body(shot_, event.a);
         const sim::Body* b = find_body(shot_, event.b);
-        const bool is_ground = event.b == "cloth" || event.b == "floor" || event.b == "rail";
-        if (event.b == "pocket" || (is_ground && !is_landing(event, a))) {
+        const bool is_ground =
+            sim::is_level(event.surface()) || event.surface() == sim::Surface::rail;
+        if (event.surface() == sim::Surface::pocket || (is_ground && !is_landing(event, a))) {
             return;
         }
         const bool among_balls = is_ball(a) && (b == nullptr || is_ball(b));
@@ -154,8 +155,9 @@ class Grouping {
                 pause < longest_pause) {
                 return &*group;
             }
-            if (group->first.event.kind == EventKind::strike && event.b == "cloth" &&
-                event.a == group->first.event.a && pause < kSameMoment) {
+            if (group->first.event.kind == EventKind::strike &&
+                event.surface() == sim::Surface::cloth && event.a == group->first.event.a &&
+                pause < kSameMoment) {
                 return &*group;  // a steep stick presses the ball onto the slate
             }
         }

@@ -31,10 +31,9 @@ constexpr std::array kGroups{
                [](const ReportedEvent& row) {
                    return row.event.kind == EventKind::impact && row.a && row.b;
                }},
-    EventGroup{"cushions",
-               [](const ReportedEvent& row) {
-                   return row.event.kind == EventKind::impact && row.event.b == "cushion";
-               }},
+    EventGroup{
+        "cushions",
+        [](const ReportedEvent& row) { return row.event.surface() == sim::Surface::cushion; }},
     EventGroup{"strikes", is_one_of<EventKind::strike>},
     EventGroup{"pots", is_one_of<EventKind::potted>},
     EventGroup{"motion", is_one_of<EventKind::sliding, EventKind::rolling, EventKind::spinning,

@@ -158,7 +158,7 @@ void find_fate(const Timeline& timeline, const Track& track, ReportedObject& obj
         if (event.a != object.name && event.b != object.name) {
             continue;
         }
-        if (event.kind == EventKind::impact && event.b == "cushion") {
+        if (event.surface() == sim::Surface::cushion) {
             ++object.cushions;
         } else if (event.a == object.name && event.kind == EventKind::potted) {
             object.fate = Fate::potted;

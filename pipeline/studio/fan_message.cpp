@@ -87,7 +87,8 @@ std::vector<Point> path_of(const sim::Track& track) {
 
 /// Whether the event is an outcome for people. Those of surfaces and of phases of motion are not.
 bool is_outcome(const sim::Event& event) {
-    const bool is_ground = event.b == "cloth" || event.b == "floor" || event.b == "pocket";
+    const bool is_ground =
+        sim::is_level(event.surface()) || event.surface() == sim::Surface::pocket;
     return event.kind == sim::EventKind::potted || event.kind == sim::EventKind::off_table ||
            (event.kind == sim::EventKind::impact && !is_ground);
 }

@@ -6,12 +6,12 @@
 #include <Imath/ImathMatrixAlgo.h>
 
 #include "pipeline/camera/frame_plan.h"
-#include "pipeline/config/surface_names.h"
 #include "pipeline/studio/camera_paths.h"
 #include "pipeline/studio/triple.h"
 #include "pipeline/studio/value_places.h"
 #include "sim/billiards/layout.h"
 #include "sim/billiards/spots.h"
+#include "sim/timeline/surface.h"
 
 namespace carom::studio {
 
@@ -79,7 +79,7 @@ Names names_of(const pipeline::Shot& shot, const std::vector<SceneObject>& objec
     for (const pipeline::CameraRig& camera : shot.cameras) {
         names.cameras.push_back(camera.name);
     }
-    names.surfaces = pipeline::config::surface_names();
+    names.surfaces.assign(sim::surface_names().begin(), sim::surface_names().end());
     if (shot.world.table) {
         for (const auto& spot : sim::billiards::spots_of(*shot.world.table)) {
             names.spots.push_back(spot.name);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/vectors.h"
+#include "sim/timeline/surface.h"
 
 namespace carom::sim {
 
@@ -44,6 +45,10 @@ struct Event {
     double tangential_impulse = 0;  // N s, impact only
     Vec3 vector{0, 0, 0};  // force events: the force, torque, impulse or velocity, world axes
 
+    /// What b names in an impact, if it is not a body.
+    [[nodiscard]] Surface surface() const {
+        return kind == EventKind::impact ? surface_named(b) : Surface::none;
+    }
     bool operator==(const Event&) const = default;
 };
 
@@ -57,6 +62,8 @@ struct LastingContact {
     double normal_force = 0;  // N, mean over that time
     double slip = 0;          // m/s, mean speed of the surfaces past each other while they touch
 
+    /// What b names, if it is not a body.
+    [[nodiscard]] Surface surface() const { return surface_named(b); }
     bool operator==(const LastingContact&) const = default;
 };
 

@@ -189,7 +189,10 @@ TEST(StartOverlaps_OfSolidsInTheTable, AreRefused) {
     EXPECT_EQ(overlap_of({solid("box", kBox, {rail, 0, table.rail_height + 0.05})}, true), "");
     EXPECT_EQ(overlap_of({solid("box", kBox, {rail, 0, table.rail_height + 0.045})}, true),
               "body 'box' overlaps a rail by 5.00 mm at the start");
-    const double nose = 0.5 * table.length;
+    double nose = 0;
+    for (const billiards::CushionFace& face : billiards::build_table(table, 0.028575).faces) {
+        nose = face.normal.x < -0.9 ? face.from.x : nose;
+    }
     EXPECT_EQ(overlap_of({solid("box", kBox, {nose - 0.0501, 0, 0.05})}, true), "");
     EXPECT_EQ(overlap_of({solid("box", kBox, {nose - 0.047, 0, 0.05})}, true),
               "body 'box' overlaps a cushion by 3.00 mm at the start");

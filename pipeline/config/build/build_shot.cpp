@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "pipeline/config/build/builder.h"
-#include "pipeline/config/surface_names.h"
+#include "sim/timeline/surface.h"
 
 namespace carom::pipeline::config {
 
@@ -18,7 +18,7 @@ void Builder::report(const Diagnostic& problem) {
 }
 
 bool Builder::claim_name(const std::string& name, const Place& place, const std::string& noun) {
-    if (is_surface(name)) {
+    if (sim::is_surface(name)) {
         reader.error(place, noun + " '" + name +
                                 "' has the name of a part of the table; choose another name");
         return false;

@@ -3,9 +3,9 @@
 
 #include "core/text.h"
 #include "pipeline/config/build/builder.h"
-#include "pipeline/config/surface_names.h"
 #include "pipeline/config/text.h"
 #include "sim/billiards/spots.h"
+#include "sim/timeline/surface.h"
 
 namespace carom::pipeline::config {
 
@@ -51,7 +51,7 @@ std::vector<std::string> known_names(const Builder& builder, ReferenceKind kind)
             append(names, builder.bodies);
             append(names, builder.fixed);
             append(names, builder.kinematic);
-            names.insert(names.end(), surface_names().begin(), surface_names().end());
+            names.insert(names.end(), sim::surface_names().begin(), sim::surface_names().end());
             break;
         case ReferenceKind::body:
             append(names, builder.bodies);

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "pipeline/config/build/builder.h"
-#include "pipeline/config/surface_names.h"
 #include "pipeline/config/text.h"
+#include "sim/timeline/surface.h"
 
 namespace carom::pipeline::config {
 
@@ -47,7 +47,7 @@ void report_unknown_material(Builder& builder, const Node& name,
 /// Refuses pairs of physical materials that have no effect.
 void check_pairs(Builder& builder) {
     std::vector<std::string> known{"ball"};
-    known.insert(known.end(), surface_names().begin(), surface_names().end());
+    known.insert(known.end(), sim::surface_names().begin(), sim::surface_names().end());
     for (const sim::Body& body : builder.shot.world.bodies) {
         known.push_back(body.material);
     }
@@ -76,7 +76,7 @@ void check_pairs(Builder& builder) {
             builder.reader.error(names[0].place, quote(names[0].text) + " and " +
                                                      quote(names[1].text) + " follow '" + key +
                                                      "'; a pair has no effect on them");
-        } else if (is_surface(names[0].text) && is_surface(names[1].text)) {
+        } else if (sim::is_surface(names[0].text) && sim::is_surface(names[1].text)) {
             builder.reader.error(names[0].place, quote(names[0].text) + " and " +
                                                      quote(names[1].text) +
                                                      " never move against each other");

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "pipeline/config/surface_names.h"
+#include "sim/timeline/surface.h"
 
 namespace carom::pipeline::config {
 
@@ -72,11 +72,11 @@ void add_kind(MapSpec<Moment>& s, std::string_view key, Trigger::Kind kind,
 /// The object of a contact comes first; the two names may be given in any order.
 void check_contact(Reader& reader, const Node& node, Moment& moment) {
     Trigger& trigger = moment.trigger;
-    if (trigger.kind != Trigger::Kind::contact || !is_surface(trigger.a)) {
+    if (trigger.kind != Trigger::Kind::contact || !sim::is_surface(trigger.a)) {
         return;
     }
     std::swap(trigger.a, trigger.b);
-    if (is_surface(trigger.a)) {
+    if (sim::is_surface(trigger.a)) {
         reader.error(node.find("contact")->value.place,
                      "'" + trigger.b + "' and '" + trigger.a +
                          "' are parts of the table; one of the two has to be an object");
