@@ -43,8 +43,8 @@ std::unordered_map<std::string_view, std::vector<Touch>> touches_of(const SoundS
     std::unordered_map<std::string_view, std::vector<Touch>> touches;
     for (const sim::Event& event : shot.timeline->events) {
         if (const std::optional<ImpactSound> sound = sounds.sound_of(event)) {
-            for (const std::string_view name : {event.a, event.b}) {
-                touches[name].push_back({event.time, sound->contact_time});
+            for (const std::string* name : {&event.a, &event.b}) {
+                touches[*name].push_back({event.time, sound->contact_time});
             }
         }
     }
