@@ -101,19 +101,14 @@ struct Rise {
     double from = 0;
     double to = 0;
 
-    [[nodiscard]] double at(double time) const {
-        if (!(from < to)) {
-            return 1;
-        }
-        const double x = std::clamp((time - from) / (to - from), 0.0, 1.0);
-        return sine(0.5 * std::numbers::pi * x);
-    }
+    [[nodiscard]] double at(double time) const { return from < to ? sine(angle_at(time)) : 1; }
     [[nodiscard]] double fall_at(double time) const {
-        if (!(from < to)) {
-            return 1;
-        }
-        const double x = std::clamp((time - from) / (to - from), 0.0, 1.0);
-        return cosine(0.5 * std::numbers::pi * x);
+        return from < to ? cosine(angle_at(time)) : 1;
+    }
+
+  private:
+    [[nodiscard]] double angle_at(double time) const {
+        return 0.5 * std::numbers::pi * std::clamp((time - from) / (to - from), 0.0, 1.0);
     }
 };
 

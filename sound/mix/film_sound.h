@@ -45,7 +45,8 @@ struct SoundLevels {
 inline constexpr double kQuietFilm = -23;
 
 /// The samples come in order, in blocks of any size: their bits do not depend on it, nor on
-/// threads. Memory does not grow with the film's length. Used by one thread at a time.
+/// threads. Memory does not grow with the film's length, except by 32 bytes for each event that the
+/// film shows. Used by one thread at a time.
 class FilmSound {
   public:
     /// Copies `scene`, whose timelines must outlive this object. Unless the scene has a fixed

@@ -61,7 +61,7 @@ struct RollingSource {
     /// Where the sound comes from: the body's place at a scene time.
     [[nodiscard]] Vec3 place(double scene_time) const;
 
-    /// The intervals that end after this time begin here.
+    /// The first interval that ends after this time, or the end of the list.
     [[nodiscard]] std::vector<Interval>::const_iterator first_ending_after(double time) const;
 
     /// Whether it may sound at some time of the scene from the earlier to the later one, which may
