@@ -16,7 +16,7 @@ struct Onset {
     std::size_t event = 0;  // index in the shot's timeline's events
     std::size_t clip = 0;   // index in the shot's clips
 
-    auto operator<=>(const Onset&) const = default;
+    auto operator<=>(const Onset&) const = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// The impacts and strikes that a film shows, except contacts of things that settle (settling.h):
