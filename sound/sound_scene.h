@@ -1,5 +1,5 @@
 // What a film's sound is computed from, as plain data: the things that sound, the places from which
-// they are heard, and the way from film time to scene time.
+// they are heard, and the map from film time to scene time.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -18,6 +19,11 @@ namespace carom::sound {
 inline constexpr int kSampleRate = 48000;     // Hz, of all sound
 inline constexpr double kSpeedOfSound = 343;  // m/s, in air of 20 degrees Celsius
 
+/// The film time (s) of a sample.
+[[nodiscard]] constexpr double time_of_sample(std::int64_t sample) {
+    return static_cast<double>(sample) / kSampleRate;
+}
+
 /// What a solid is made of, for the duration of its contacts and for its own modes.
 struct Material {
     double modulus = 5.84e9;    // Young's modulus, Pa, > 0
@@ -28,7 +34,7 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
-/// A mode of a structure that an impact excites.
+/// A mode of a resonator, which an impact excites.
 struct Mode {
     double frequency = 440;  // Hz, > 0
     double q = 10;           // > 0.5
@@ -37,15 +43,16 @@ struct Mode {
     bool operator==(const Mode&) const = default;
 };
 
-/// A surface or a tip that bodies touch, whose contact time is measured instead of computed.
-struct Structure {
+/// A surface or a tip that bodies touch: a bank of modes. Its contact time is measured instead of
+/// computed.
+struct Resonator {
     double contact = 1e-3;        // s, of a contact at `reference_speed`
     double contact_exponent = 0;  // of the contact time over the speed of approach
     double reference_speed = 1;   // m/s
     double restitution = 0.5;     // [0, 1], from an impulse to a speed of approach
     std::vector<Mode> modes;
 
-    bool operator==(const Structure&) const = default;
+    bool operator==(const Resonator&) const = default;
 };
 
 struct BallShape {
@@ -73,6 +80,10 @@ struct SoundBody {
 enum class Group { balls, cushions, cloth, stick, pockets, objects, rolling };
 inline constexpr std::size_t kGroupCount = 7;
 
+/// Their names in shots and of files, by Group.
+inline constexpr std::array<std::string_view, kGroupCount> kGroupNames{
+    "balls", "cushions", "cloth", "stick", "pockets", "objects", "rolling"};
+
 /// Where the listener is, and where it looks: orthogonal unit vectors.
 struct Listener {
     Vec3 position{0, 0, 0};
@@ -86,32 +97,32 @@ enum class Stereo { sphere, pan, mono };
 enum class Width { frame, real };
 
 /// How a camera's sound is made.
-struct PassageSettings {
+struct ClipSettings {
     double gain = 0;              // dB
     double pitch = 1;             // exponent of the speed: 1 follows it, 0 keeps the pitch
     double lowest = 0.125;        // the pitch goes no lower than at this speed, > 0
     bool mirrors_reverse = true;  // backwards, sounds are mirrored in time about their instants
-    bool has_delay = true;        // the way to the listener takes its time
+    bool has_delay = true;        // sound takes its time to the listener
     Stereo stereo = Stereo::sphere;
     Width width = Width::frame;
-    double ratio = 2;                       // of the dynamics, >= 1; 1 leaves levels as they are
+    double ratio = 2;  // of the compression of levels, >= 1; 1 leaves them as they are
     std::array<double, kGroupCount> mix{};  // dB, by Group
 };
 
-/// A stretch of the film, shown by one camera, in which scene time never turns: it rises, falls or
+/// A segment of the film, shown by one camera, in which scene time is monotonic: it rises, falls or
 /// stands still. All times are of the film, s, in [from, to). Functions may be called for times up
-/// to 30 ms outside of it, and depend on nothing but their argument. Where one passage goes on at
+/// to 30 ms outside of it, and depend on nothing but their argument. Where one clip continues at
 /// the scene time at which another ends, both give the same number there: an impact at that instant
 /// is then heard once.
-struct Passage {
+struct Clip {
     double from = 0;
     double to = 0;
     std::string camera;
     std::function<double(double)> scene_time;  // s
-    std::function<double(double)> speed;  // scene s per film s; of one sign in the whole passage
+    std::function<double(double)> speed;       // scene s per film s; of one sign in the whole clip
     std::function<Listener(double)> listener;
     std::function<double(double)> weight;  // of the pressure, [0, 1]; it changes during fades
-    PassageSettings settings;
+    ClipSettings settings;
 };
 
 /// The room in which the listener is.
@@ -126,19 +137,19 @@ struct RoomSettings {
     bool operator==(const RoomSettings&) const = default;
 };
 
-/// The structures, by what bodies touch.
-struct Structures {
-    Structure cushion, bed, stick, pocket, wood, box_on_cloth;
+/// The resonators, by what bodies touch.
+struct Resonators {
+    Resonator cushion, bed, stick, pocket, wood, box_on_cloth;
 };
 
 /// One shot of a film: its motion, what sounds in it, and how the film shows it.
 struct SoundShot {
     const sim::Timeline* timeline = nullptr;
     std::vector<SoundBody> bodies;
-    std::vector<Passage> passages;  // in order of time; fades overlap
-    bool has_bed = false;           // a slate bed at z = 0, under cloth
-    double bed_reflection = 0.85;   // of the pressure, [0, 1]
-    Structures structures;
+    std::vector<Clip> clips;       // in order of time; fades overlap
+    bool has_bed = false;          // a slate bed at z = 0, under cloth
+    double bed_reflection = 0.85;  // of the pressure, [0, 1]
+    Resonators resonators;
     RoomSettings room;
 };
 

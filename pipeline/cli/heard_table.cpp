@@ -13,11 +13,11 @@ namespace carom::cli {
 namespace {
 
 /// The level at the listener after the gain, dB.
-double level_of(const sound::HeardImpact& heard) {
+double level_of(const sound::AudibleImpact& heard) {
     return sound::level_of(heard.peak) + heard.gain;
 }
 
-std::string pair_text(const sound::HeardImpact& heard) {
+std::string pair_text(const sound::AudibleImpact& heard) {
     return heard.b.empty() ? heard.a : heard.a + " - " + heard.b;
 }
 
@@ -28,11 +28,11 @@ std::string level_text(double level, const char* unit, const char* otherwise = "
 
 }  // namespace
 
-std::string heard_to_csv(std::span<const sound::HeardImpact> heard) {
+std::string heard_to_csv(std::span<const sound::AudibleImpact> heard) {
     std::string text =
         "film_time,scene_time,kind,a,b,camera,speed,time_factor,distance,delay,impulse,"
         "contact_time,peak_time,peak,gain\n";
-    for (const sound::HeardImpact& one : heard) {
+    for (const sound::AudibleImpact& one : heard) {
         text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.4f}\n", one.film_time,
                             one.scene_time, sim::to_string(one.kind), one.a, one.b, one.camera,
                             one.speed, one.time_factor, one.distance, one.delay, one.impulse,
@@ -41,7 +41,7 @@ std::string heard_to_csv(std::span<const sound::HeardImpact> heard) {
     return text;
 }
 
-std::string sound_report(const FilmLoudness& film, std::span<const sound::HeardImpact> heard) {
+std::string sound_report(const FilmLoudness& film, std::span<const sound::AudibleImpact> heard) {
     constexpr std::size_t kLines = 10;
     const std::string asked = film.asked ? fmt::format(" (asked for: {:g})", *film.asked) : "";
     std::string text = fmt::format(
@@ -57,14 +57,14 @@ std::string sound_report(const FilmLoudness& film, std::span<const sound::HeardI
         text += "music       is included\n";
     }
     text += fmt::format("impacts     {}\n", heard.size());
-    std::vector<sound::HeardImpact> loudest(std::min(kLines, heard.size()));
+    std::vector<sound::AudibleImpact> loudest(std::min(kLines, heard.size()));
     std::ranges::partial_sort_copy(
         heard, loudest, [](const auto& a, const auto& b) { return level_of(a) > level_of(b); });
     if (!loudest.empty()) {
         text += fmt::format("\n{:>9}  {:>9}  {:<30} {:<14} {:>6} {:>9} {:>8}\n", "film s",
                             "scene s", "the loudest", "camera", "m", "Pa", "dB");
     }
-    for (const sound::HeardImpact& one : loudest) {
+    for (const sound::AudibleImpact& one : loudest) {
         text += fmt::format("{:9.4f}  {:9.4f}  {:<30} {:<14} {:6.2f} {:9.3g} {:8.1f}\n",
                             one.film_time, one.scene_time, pair_text(one), one.camera, one.distance,
                             one.peak, level_of(one));

@@ -5,15 +5,15 @@
 #include <span>
 #include <string>
 
+#include "sound/mix/auralisation.h"
 #include "sound/mix/film_sound.h"
-#include "sound/mix/heard.h"
 
 namespace carom::cli {
 
 /// Columns film_time,scene_time,kind,a,b,camera,speed,time_factor,distance,delay,impulse,
 /// contact_time,peak_time,peak,gain, one row per impact in order of film time: s, m, N s, Pa at the
 /// listener before the gain, dB.
-[[nodiscard]] std::string heard_to_csv(std::span<const sound::HeardImpact> heard);
+[[nodiscard]] std::string heard_to_csv(std::span<const sound::AudibleImpact> heard);
 
 /// What a report says of a whole film.
 struct FilmLoudness {
@@ -25,6 +25,6 @@ struct FilmLoudness {
 
 /// Loudness and true peak, the pressure of full scale, and the loudest ten impacts.
 [[nodiscard]] std::string sound_report(const FilmLoudness& film,
-                                       std::span<const sound::HeardImpact> heard);
+                                       std::span<const sound::AudibleImpact> heard);
 
 }  // namespace carom::cli

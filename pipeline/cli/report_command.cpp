@@ -20,7 +20,7 @@
 #include "pipeline/report/report_text.h"
 #include "pipeline/sound/film_levels.h"
 #include "pipeline/sound/film_scene.h"
-#include "sound/mix/heard.h"
+#include "sound/mix/auralisation.h"
 
 namespace carom::cli {
 
@@ -38,9 +38,9 @@ void add_heard_times(const pipeline::Shot& shot, const sim::Timeline& timeline,
     }
     const std::int64_t frames = pipeline::frame_count(shot.cameras, shot.timing);
     const sound::SoundScene scene = pipeline::film_scene(shot, timeline, 0, frames);
-    sound::list_heard(scene, [&report](const sound::HeardImpact& impact) {
+    for (const sound::AudibleImpact& impact : sound::audible_impacts(scene)) {
         report.events[impact.event].heard_at->push_back(impact.film_time);
-    });
+    }
 }
 
 int columns_of_output(const ReportCommand& command) {

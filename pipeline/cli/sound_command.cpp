@@ -1,7 +1,6 @@
 #include "pipeline/cli/sound_command.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -24,7 +23,7 @@
 #include "pipeline/sound/film_scene.h"
 #include "pipeline/sound/loudness_note.h"
 #include "sound/file/wav_file.h"
-#include "sound/group_names.h"
+#include "sound/sound_scene.h"
 
 namespace carom::cli {
 
@@ -111,20 +110,11 @@ void read_film(const SoundCommand& command, CommandContext& context, FilmInput& 
 
 /// Passes all samples to the file, if there is one.
 void copy_all(sound::FilmSound& source, SoundFile* file, const WorkContext& work) {
-    std::array<double, 4096> left{};
-    std::array<double, 4096> right{};
-    while (const std::size_t count = source.read(left, right)) {
-        if (work.stop.stop_requested()) {
-            throw Stopped();
-        }
+    source.read_rest(work, [file](std::span<const double> left, std::span<const double> right) {
         if (file != nullptr) {
-            file->write(std::span(left).first(count), std::span(right).first(count));
+            file->write(left, right);
         }
-        if (work.progress) {
-            work.progress(static_cast<double>(source.position()) /
-                          static_cast<double>(source.frames()));
-        }
-    }
+    });
     if (file != nullptr) {
         file->finish();
     }
@@ -210,7 +200,7 @@ void write_sound(const SoundCommand& command, CommandContext& context, const Sou
             write_stems(command, film, sound.gain(), stage("stems"), make);
         }
         if (command.report) {
-            const auto heard = sound::heard(film.scene, stage("report"));
+            const auto heard = sound::audible_impacts(film.scene, stage("report"));
             context.console.end_progress();
             print_text(sound_report({.levels = sound.levels(),
                                      .full_scale = sound.gain().full_scale,
@@ -220,7 +210,7 @@ void write_sound(const SoundCommand& command, CommandContext& context, const Sou
         }
     }
     if (!command.heard.empty()) {
-        const auto heard = sound::heard(film.scene, stage("heard"));
+        const auto heard = sound::audible_impacts(film.scene, stage("heard"));
         context.console.end_progress();
         write_text_output(command.heard, heard_to_csv(heard));
     }

@@ -47,11 +47,11 @@ void change(const SoundSettings& settings, std::string_view name, sound::Materia
     }
 }
 
-void change(const SoundSettings& settings, std::string_view name, sound::Structure& structure) {
+void change(const SoundSettings& settings, std::string_view name, sound::Resonator& resonator) {
     for (const SoundMaterial& own : settings.materials) {
         if (own.name == name) {
-            structure.contact = own.contact.value_or(structure.contact);
-            structure.modes = own.modes.value_or(structure.modes);
+            resonator.contact = own.contact.value_or(resonator.contact);
+            resonator.modes = own.modes.value_or(resonator.modes);
         }
     }
 }
@@ -82,14 +82,14 @@ double ball_mass(const sim::WorldDescription& world) {
     return sim::Body{}.mass;
 }
 
-sound::Structures structures_of(const sim::WorldDescription& world, const SoundSettings& settings) {
-    sound::Structures structures = sound::default_structures(ball_mass(world));
-    change(settings, "cushion", structures.cushion);
-    change(settings, "cloth", structures.bed);
-    change(settings, "tip", structures.stick);
-    change(settings, "pocket", structures.pocket);
-    change(settings, "wood", structures.wood);
-    return structures;
+sound::Resonators resonators_of(const sim::WorldDescription& world, const SoundSettings& settings) {
+    sound::Resonators resonators = sound::default_resonators(ball_mass(world));
+    change(settings, "cushion", resonators.cushion);
+    change(settings, "cloth", resonators.bed);
+    change(settings, "tip", resonators.stick);
+    change(settings, "pocket", resonators.pocket);
+    change(settings, "wood", resonators.wood);
+    return resonators;
 }
 
 }  // namespace
@@ -104,13 +104,13 @@ sound::SoundShot sound_shot(const Shot& shot, const sim::Timeline& timeline,
     }
     result.has_bed = world.table.has_value();
     result.bed_reflection = shot.sound.bed_reflection;
-    result.structures = structures_of(world, shot.sound);
+    result.resonators = resonators_of(world, shot.sound);
     result.room = shot.sound.room;
     result.room.floor_centre.z =
         world.floor_height.value_or(result.has_bed ? -kFloorBelowBed : 0.0);
     if (!shot.sound.is_silent) {
         const double aspect = static_cast<double>(shot.render.width) / shot.render.height;
-        result.passages = passages_of(shot.cameras, timeline, shot.sound, aspect, part);
+        result.clips = clips_of(shot.cameras, timeline, shot.sound, aspect, part);
     }
     return result;
 }

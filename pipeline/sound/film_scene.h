@@ -4,13 +4,13 @@
 #include <cstdint>
 
 #include "pipeline/shot/shot.h"
-#include "pipeline/sound/passages.h"
+#include "pipeline/sound/clips.h"
 #include "sim/timeline/timeline.h"
 #include "sound/sound_scene.h"
 
 namespace carom::pipeline {
 
-/// A part of the shot's film as a shot of a scene. A shot without sound has no passages. Refers to
+/// A part of the shot's film as a shot of a scene. A shot without sound has no clips. Refers to
 /// both arguments; `timeline` has the tracks of moved objects (add_keyed_motions), and moments have
 /// their times.
 [[nodiscard]] sound::SoundShot sound_shot(const Shot& shot, const sim::Timeline& timeline,

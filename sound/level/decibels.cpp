@@ -23,7 +23,7 @@ double pressure_of(double level) {
     return kReferencePressure * factor_of(level);
 }
 
-double dynamics_factor(double pressure, double ratio, double quiet) {
+double compressor_gain(double pressure, double ratio, double quiet) {
     constexpr double kCentre = 80;  // dB
     constexpr double kFades = 20;   // dB, from `quiet` down
     if (ratio == 1) {

@@ -22,12 +22,12 @@ inline constexpr double kReferencePressure = 20e-6;  // Pa, of 0 dB (ISO 1683)
 /// "Theory of temporal auditory summation", J. Acoust. Soc. Am. 32), so an impact of half a
 /// millisecond is as loud as a lasting sound 26 dB below its peak.
 inline constexpr double kQuietImpact = 60;
-inline constexpr double kQuietRush = 34;
+inline constexpr double kQuietNoise = 34;
 
 /// Brings the levels of single sounds closer together: the factor for a sound of `pressure` (Pa) at
 /// 1 m, so that its distance from 80 dB is divided by `ratio` >= 1. Below the level `quiet` (dB, at
 /// most 80) the gain falls linearly, and from 20 dB below it there is none: what nobody would hear
 /// stays so.
-[[nodiscard]] double dynamics_factor(double pressure, double ratio, double quiet);
+[[nodiscard]] double compressor_gain(double pressure, double ratio, double quiet);
 
 }  // namespace carom::sound

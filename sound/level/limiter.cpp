@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "core/assert.h"
+#include "sound/sound_scene.h"
 
 namespace carom::sound {
 namespace {
 
 /// Of the way back to 1, from sample to sample: 63 % in 60 ms.
-constexpr double kRecovery = 1 / (0.060 * 48000);
+constexpr double kRecovery = 1 / (0.060 * kSampleRate);
 
 /// The factors change from sample to sample, so a peak between two of them, which is interpolated
 /// from many, may be a little higher than its own factor makes it.

@@ -40,11 +40,6 @@ const std::array<Taps, 3>& phases() {
 
 }  // namespace
 
-void PeakInterpolator::store(double sample) {
-    window_[next_] = window_[next_ + kTaps] = sample;
-    next_ = next_ + 1 == kTaps ? 0 : next_ + 1;
-}
-
 double PeakInterpolator::highest() const {
     const double* oldest = window_.data() + next_;
     double most = std::abs(oldest[kDelay - 1]);
@@ -58,13 +53,9 @@ double PeakInterpolator::highest() const {
     return most;
 }
 
-double PeakInterpolator::push(double sample) {
-    store(sample);
-    return highest();
-}
-
 double PeakInterpolator::push_above(double sample, double least) {
-    store(sample);
+    window_[next_] = window_[next_ + kTaps] = sample;
+    next_ = next_ + 1 == kTaps ? 0 : next_ + 1;
     if (std::abs(sample) * kMostGain > least) {
         loud_for_ = kTaps;
     }

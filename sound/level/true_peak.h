@@ -17,15 +17,11 @@ class PeakInterpolator {
     static constexpr std::size_t kDelay = kTaps / 2;
 
     /// The highest absolute value from the sample pushed kDelay calls ago up to, and not including,
-    /// the one after it. Samples before the first are 0.
-    double push(double sample);
-
-    /// The same, but may return 0, quickly, if the value is not above `least`, which must not
-    /// fall from call to call.
+    /// the one after it. Samples before the first are 0. It may return 0, quickly, if the value is
+    /// not above `least`, which must not fall from call to call.
     double push_above(double sample, double least);
 
   private:
-    void store(double sample);
     [[nodiscard]] double highest() const;
 
     std::array<double, 2 * kTaps> window_{};  // the last kTaps samples, twice, so that they adjoin

@@ -10,7 +10,8 @@
 #include "sound/level/decibels.h"
 #include "sound/level/loudness.h"
 #include "sound/level/true_peak.h"
-#include "sound/mix/film_samples.h"
+#include "sound/mix/film_mix.h"
+#include "sound/mix/film_sound.h"
 
 namespace carom::sound {
 namespace {
@@ -40,8 +41,8 @@ struct Trial {
 /// Hears a film as often as it takes to find its gain.
 class GainSearch {
   public:
-    GainSearch(const SoundScene& scene, FilmBlocks& blocks, const WorkContext& context)
-        : scene_(scene), blocks_(blocks), context_(context) {}
+    GainSearch(const std::shared_ptr<FilmMix>& mix, const WorkContext& context)
+        : scene_(mix->scene()), mix_(mix), context_(context) {}
 
     /// The highest true peak of the film, Pa.
     [[nodiscard]] double peak();
@@ -55,23 +56,23 @@ class GainSearch {
     std::optional<double> level_without_limiter();
     [[nodiscard]] Trial trial_at(double level);
     [[nodiscard]] Trial nearest(double start, double lowest);
-    void report(std::int64_t samples) const;
+    void report(double part) const;
 
     const SoundScene& scene_;
-    FilmBlocks& blocks_;
+    std::shared_ptr<FilmMix> mix_;
     const WorkContext& context_;
     double peak_ = 0;  // Pa
     int passes_ = 0;   // so far
 };
 
-/// How many passes there will be is not known, so each takes a part of what is left.
-void GainSearch::report(std::int64_t samples) const {
+/// `part`: of this pass. How many passes there will be is not known, so each takes a part of what
+/// is left.
+void GainSearch::report(double part) const {
     if (context_.stop.stop_requested()) {
         throw Stopped();
     }
     if (context_.progress) {
-        const double done =
-            passes_ + static_cast<double>(samples) / static_cast<double>(scene_.frames);
+        const double done = passes_ + part;
         context_.progress(done / (done + 1));
     }
 }
@@ -79,13 +80,13 @@ void GainSearch::report(std::int64_t samples) const {
 /// Hands all blocks of the film to `sink`, Pa.
 template <class Sink>
 void GainSearch::hear(const Sink& sink) {
-    blocks_.rewind();
+    mix_->rewind();
     constexpr auto kSamples = static_cast<std::int64_t>(kBlock);
     for (std::int64_t frame = 0; frame < scene_.frames; frame += kSamples) {
-        report(frame);
+        report(static_cast<double>(frame) / static_cast<double>(scene_.frames));
         std::array<double, kBlock> left{};
         std::array<double, kBlock> right{};
-        blocks_.next(left, right);
+        mix_->next(left, right);
         const auto count = static_cast<std::size_t>(std::min(scene_.frames - frame, kSamples));
         sink(std::span(left).first(count), std::span(right).first(count));
     }
@@ -136,16 +137,10 @@ std::optional<double> GainSearch::level_without_limiter() {
 }
 
 Trial GainSearch::trial_at(double level) {
-    FilmSamples samples(scene_.frames, {.full_scale = pressure_of(level), .limits = true}, blocks_);
-    LoudnessMeter meter;
-    std::array<double, 4096> left{};
-    std::array<double, 4096> right{};
-    while (const std::size_t count = samples.read(left, right)) {
-        report(samples.position());
-        meter.add(std::span(left).first(count), std::span(right).first(count));
-    }
+    FilmSound sound(mix_, {.full_scale = pressure_of(level), .limits = true});
+    sound.read_rest({[this](double part) { report(part); }, context_.stop});
     ++passes_;
-    return {level, meter.integrated(), samples.limited()};
+    return {level, sound.levels().loudness, sound.levels().limited};
 }
 
 /// The limiter takes loudness away, and the more of it, the louder the film. So the level is
@@ -208,9 +203,10 @@ FilmGain GainSearch::with_loudness(double added) {
 
 }  // namespace
 
-FilmGain find_gain(const SoundScene& scene, FilmBlocks& blocks, const AddedSound& added,
+FilmGain find_gain(const std::shared_ptr<FilmMix>& mix, const AddedSound& added,
                    const WorkContext& context) {
-    GainSearch search(scene, blocks, context);
+    const SoundScene& scene = mix->scene();
+    GainSearch search(mix, context);
     const auto full_scale_for_peak = [&search] {
         const double peak = search.peak() / factor_of(kHighestTruePeak);
         return peak > kLeastFullScale ? pressure_of(rounded(level_of(peak))) : kLeastFullScale;
@@ -221,7 +217,7 @@ FilmGain find_gain(const SoundScene& scene, FilmBlocks& blocks, const AddedSound
     } else if (added || !scene.loudness) {
         gain.added = gain.full_scale = full_scale_for_peak();
     }
-    blocks.add(added, gain.added);
+    mix->add(added, gain.added);
     if (scene.loudness) {
         gain = search.with_loudness(gain.added);
     } else if (added && !scene.full_scale) {

@@ -1,14 +1,15 @@
 // The gain of a whole film.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "core/progress.h"
 #include "sound/mix/added_sound.h"
-#include "sound/mix/film_blocks.h"
-#include "sound/sound_scene.h"
 
 namespace carom::sound {
+
+class FilmMix;
 
 inline constexpr double kHighestTruePeak = -1;  // dBTP, of every film
 
@@ -37,9 +38,9 @@ struct FilmGain {
     std::optional<FoundLoudness> found{};  // empty unless the scene asks for a loudness
 };
 
-/// The gain that the scene asks for, of all that is heard, with the added sound, which is added to
-/// `blocks`. The film is mixed several times, except with a fixed gain. Throws Stopped.
-[[nodiscard]] FilmGain find_gain(const SoundScene& scene, FilmBlocks& blocks,
-                                 const AddedSound& added, const WorkContext& context);
+/// The gain that the scene of `mix` asks for, of all that is heard, with the added sound, which is
+/// added to `mix`. The film is mixed several times, except with a fixed gain. Throws Stopped.
+[[nodiscard]] FilmGain find_gain(const std::shared_ptr<FilmMix>& mix, const AddedSound& added,
+                                 const WorkContext& context);
 
 }  // namespace carom::sound

@@ -1,16 +1,21 @@
-// The sound of a whole film: it mixes impacts and rolling of all shots, as the film's passages show
+// The sound of a whole film: it mixes impacts and rolling of all shots, as the film's clips show
 // them, into two channels of samples.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 
 #include "core/progress.h"
+#include "sound/level/limiter.h"
+#include "sound/level/loudness.h"
 #include "sound/mix/added_sound.h"
 #include "sound/mix/film_gain.h"
+#include "sound/mix/shot_bus.h"
 #include "sound/sound_scene.h"
 
 namespace carom::sound {
@@ -40,7 +45,8 @@ struct SoundLevels {
 inline constexpr double kQuietFilm = -23;
 
 /// The samples come in order, in blocks of any size: their bits do not depend on it, nor on
-/// threads. Memory does not grow with the film's length. Used by one thread at a time.
+/// threads. Memory does not grow with the film's length, except by 32 bytes for each event that the
+/// film shows. Used by one thread at a time.
 class FilmSound {
   public:
     /// Copies `scene`, whose timelines must outlive this object. Unless the scene has a fixed
@@ -48,26 +54,29 @@ class FilmSound {
     /// that. Throws Stopped, and what the added sound throws.
     explicit FilmSound(SoundScene scene, const FilmSoundOptions& options = {},
                        const WorkContext& context = {});
-    ~FilmSound();
-    FilmSound(FilmSound&&) noexcept;
-    FilmSound& operator=(FilmSound&&) noexcept;
-    FilmSound(const FilmSound&) = delete;
-    FilmSound& operator=(const FilmSound&) = delete;
+
+    /// The sound of a film that is mixed already, with this gain. It reads `mix` from the
+    /// beginning; other sounds that read it cannot continue.
+    FilmSound(std::shared_ptr<FilmMix> mix, const FilmGain& gain);
 
     /// The length of each channel in samples, at kSampleRate.
-    [[nodiscard]] std::int64_t frames() const;
+    [[nodiscard]] std::int64_t frames() const { return frames_; }
 
     /// How many samples of each channel have been read.
-    [[nodiscard]] std::int64_t position() const;
+    [[nodiscard]] std::int64_t position() const { return position_; }
 
     /// The gain of the whole film. After its last sample was read, it is known whether a film with
     /// a fixed gain needed the limiter.
     [[nodiscard]] FilmGain gain() const;
 
     /// Fills the channels, which have the same size, with the next samples in units of full scale.
-    /// Returns how many were written to each: less than asked for only at the film's end. The true
+    /// Returns how many were written to each: fewer than asked for only at the film's end. The true
     /// peak of the whole film is at most kHighestTruePeak.
     [[nodiscard]] std::size_t read(std::span<double> left, std::span<double> right);
+
+    /// Reads all that is left, and hands each block to `sink`, if there is one. Throws Stopped.
+    using Sink = std::function<void(std::span<const double> left, std::span<const double> right)>;
+    void read_rest(const WorkContext& context = {}, const Sink& sink = {});
 
     /// The levels of all samples that have been read so far.
     [[nodiscard]] SoundLevels levels() const;
@@ -79,8 +88,22 @@ class FilmSound {
     [[nodiscard]] std::optional<double> gentle_loudness(const WorkContext& context = {});
 
   private:
-    class Implementation;
-    std::unique_ptr<Implementation> implementation_;
+    using Block = std::array<double, kBlock>;
+
+    void begin();
+    void make_block();
+    [[nodiscard]] double limited() const;
+
+    std::shared_ptr<FilmMix> whole_;
+    std::shared_ptr<FilmMix> part_;  // what is wanted of it; null: all
+    std::int64_t frames_;
+    FilmGain gain_;
+    std::optional<Limiter> limiter_;
+    Block left_{}, right_{};  // samples that are ready
+    std::size_t next_ = kBlock;
+    std::size_t to_skip_ = 0;  // samples by which the limiter is late
+    std::int64_t position_ = 0;
+    LoudnessMeter meter_;
 };
 
 }  // namespace carom::sound

@@ -1,50 +1,72 @@
-// What rolls and slides in one shot, as its passages hear it.
+// What rolls, slides and scrapes in one shot, as one of its clips hears it.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "sound/mix/shot_bus.h"
 #include "sound/rolling/rolling_source.h"
 #include "sound/sound_scene.h"
+#include "sound/space/head.h"
 
 namespace carom::sound {
 
 /// Distance and direction are those at the edges of each block, and straight lines between them.
-/// The dynamics are those of the sources, wherever they are heard from. Where one passage follows
+/// The dynamics are those of the sources, wherever they are heard from. Where one clip follows
 /// another, both cross over within 5 ms. Rolling has no single reflections: it is noise, to which
 /// they add nothing that the reverberation does not.
 class RollingMix {
   public:
-    /// `shot` must outlive it and not change. `is_on`: whether there is any.
-    RollingMix(const SoundShot& shot, bool is_on);
-    ~RollingMix();
-    RollingMix(RollingMix&&) noexcept;
-    RollingMix& operator=(RollingMix&&) noexcept;
-    RollingMix(const RollingMix&) = delete;
-    RollingMix& operator=(const RollingMix&) = delete;
+    /// Both must outlive it and not change.
+    RollingMix(const Clip& clip, const std::vector<RollingSource>& sources);
 
-    /// Whether a passage is shown in the block that begins with this sample.
-    [[nodiscard]] bool sounds(std::int64_t block) const;
+    /// Whether the clip is heard before, or after, a film time (s).
+    [[nodiscard]] static bool begins_before(const Clip& clip, double film_time);
+    [[nodiscard]] bool is_heard_after(double film_time) const;
 
-    /// Returns the bus, which it makes if there is none.
-    using BusMaker = std::function<ShotBus&()>;
+    /// Makes the block of kBlock samples that begins with `block` of the film, in order of time.
+    /// Returns whether anything is heard in it.
+    [[nodiscard]] bool make_block(std::int64_t block);
 
-    /// Adds a block; in order of time. Asks for the bus only if something is heard.
-    void add_block(std::int64_t block, const BusMaker& bus);
+    /// Adds the block that was made.
+    void add_to(ShotBus& bus) const;
 
   private:
-    class PassageRolling;
+    using BlockSamples = std::array<double, kBlock + 1>;  // the first is before the block
 
-    const SoundShot* shot_;
-    bool is_on_;
-    std::vector<std::vector<RollingSource>> unused_;  // sets of sources that no passage uses now
-    std::vector<std::unique_ptr<PassageRolling>> open_;
-    std::size_t next_passage_ = 0;
+    /// A source at the edge of a block.
+    struct Edge {
+        struct Path {
+            Ear ear;
+            double delay = 0;  // samples
+            double gain = 0;   // of the pressure at 1 m
+        };
+        double gain = 0;  // of the same, without distance
+        Path left, right;
+    };
+    struct Source {
+        explicit Source(const RollingSource& source);
+
+        RollingVoice voice;
+        std::vector<double> history;  // the pressure at 1 m, a ring by the film's sample
+        std::optional<Edge> edge;     // at the beginning of the next block
+        std::size_t silent_for;       // samples
+    };
+
+    void play(std::int64_t block);
+    [[nodiscard]] Edge edge_at(const Source& source, std::int64_t sample) const;
+    static void add_path(std::span<const double> history, std::int64_t block, Edge::Path begin,
+                         Edge::Path end, std::span<double> samples);
+    void mix(Source& source, std::int64_t block);
+
+    const Clip* clip_;
+    std::vector<Source> sources_;
+    bool is_begun_ = false;
+    BlockSamples left_{}, right_{}, room_{};
 };
 
 }  // namespace carom::sound

@@ -26,14 +26,10 @@ ShotBus::ShotBus(const RoomSettings& room, bool is_mono)
     : is_mono_(is_mono), reverberation_(room), quiet_for_(kRing) {
     second_half_.a1 = ears_of(Stereo::sphere, Width::real, {}, {0, 1, 0}).left.a1;
     // All walls have the same filter (room.h).
-    const Reflections reflections = reflections_of(room, room.floor_centre, room.floor_centre);
-    const double pole = reflections.size() > 0 ? reflections[0].pole : 0;
+    const auto reflections = reflections_of(room, room.floor_centre, room.floor_centre);
+    const double pole = reflections.empty() ? 0 : reflections[0].pole;
     walls_.b0 = 1 - pole;
     walls_.a1 = -pole;
-}
-
-std::size_t ShotBus::index(const Key& key) {
-    return (key.is_right ? 1U : 0U) + (key.is_reflected ? 2U : 0U) + (key.is_filtered ? 4U : 0U);
 }
 
 void ShotBus::add(const BusInput& input, std::span<const double> samples) {
@@ -48,8 +44,9 @@ void ShotBus::add(const BusInput& input, std::span<const double> samples) {
         }
         return;
     }
-    const bool is_right = input.to == BusInput::To::right;
-    Line& line = lines_[index({is_right, input.is_reflected, input.is_filtered})];
+    Line& line =
+        lines_[(input.to == BusInput::To::right ? kRight : 0) |
+               (input.is_reflected ? kReflected : 0) | (input.is_filtered ? kFiltered : 0)];
     if (line.ring.empty()) {
         line.ring.assign(kRing, 0);
     }
@@ -60,7 +57,8 @@ void ShotBus::add(const BusInput& input, std::span<const double> samples) {
     add_filtered(input, samples.data() + before_end, ring.first(kBlock - before_end));
 }
 
-void ShotBus::take(Line& line, const Key& key, std::span<double> channel) {
+void ShotBus::take(unsigned index, std::span<double> channel) {
+    Line& line = lines_[index];
     if (line.ring.empty()) {
         return;
     }
@@ -68,10 +66,10 @@ void ShotBus::take(Line& line, const Key& key, std::span<double> channel) {
     for (std::size_t n = 0; n < kBlock; ++n) {
         double sample = line.ring[at_ + n];
         line.ring[at_ + n] = 0;
-        if (key.is_reflected) {
+        if ((index & kReflected) != 0) {
             sample = line.walls.run(walls_, sample);
         }
-        if (key.is_filtered) {
+        if ((index & kFiltered) != 0) {
             sample = line.ear.run(second_half_, sample);
         }
         channel[n] += sample;
@@ -80,13 +78,8 @@ void ShotBus::take(Line& line, const Key& key, std::span<double> channel) {
 
 void ShotBus::take(std::span<double> left, std::span<double> right) {
     CAROM_ASSERT(left.size() == kBlock && right.size() == kBlock);
-    for (const bool is_filtered : {false, true}) {
-        for (const bool is_reflected : {false, true}) {
-            for (const bool is_right : {false, true}) {
-                const Key key{is_right, is_reflected, is_filtered};
-                take(lines_[index(key)], key, is_right ? right : left);
-            }
-        }
+    for (unsigned index = 0; index < lines_.size(); ++index) {
+        take(index, (index & kRight) != 0 ? right : left);
     }
     if (is_mono_) {
         std::array<double, kBlock> first{};

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -42,7 +41,7 @@ class ShotBus {
 
     void add(const BusInput& input, std::span<const double> samples);
 
-    /// Adds what is heard in the current block, of kBlock samples, and goes on to the next one.
+    /// Adds what is heard in the current block, of kBlock samples, and continues with the next one.
     void take(std::span<double> left, std::span<double> right);
 
     /// Whether nothing more comes if nothing more is added.
@@ -56,12 +55,10 @@ class ShotBus {
         std::vector<double> ring;  // empty until something is added
         EarFilter walls, ear;
     };
-    struct Key {
-        bool is_right = false, is_reflected = false, is_filtered = false;
-    };
+    // The properties of a line are the bits of its index.
+    static constexpr unsigned kRight = 1, kReflected = 2, kFiltered = 4;
 
-    [[nodiscard]] static std::size_t index(const Key& key);
-    void take(Line& line, const Key& key, std::span<double> channel);
+    void take(unsigned index, std::span<double> channel);
 
     Ear second_half_;  // of an ear's filter
     Ear walls_;

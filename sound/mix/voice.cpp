@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "sound/level/decibels.h"
-#include "sound/source/sphere_sound.h"
 #include "sound/space/room.h"
 
 namespace carom::sound {
@@ -41,19 +40,19 @@ std::size_t delay_in_samples(double seconds) {
 
 }  // namespace
 
-Voice::Voice(const Heard& heard, const RoomSettings& room)
+Voice::Voice(const AuralisedImpact& heard, const RoomSettings& room)
     : rate_(heard.is_mirrored ? -heard.row.time_factor : heard.row.time_factor),
-      contact_time_(heard.arrival.contact_time),
-      shape_(heard.arrival.shape) {
+      contact_time_(heard.direct.contact_time),
+      shape_(heard.direct.shape) {
     const double factor = factor_of(heard.row.gain);
     least_ = kEndsAt * heard.row.peak * factor;
-    const std::size_t spheres = add_spheres(heard.arrival.spheres, factor);
-    const std::size_t modes = add_modes(heard.arrival, factor);
+    const std::size_t spheres = add_spheres(heard.direct.spheres, factor);
+    const std::size_t modes = add_modes(heard.direct, factor);
     const double arrival = heard.row.film_time + heard.row.delay;
     const Ears ears =
         ears_of(heard.settings.stereo, heard.settings.width, heard.listener, heard.sound.place);
     play_at_ears(spheres, arrival, ears, false);
-    play_at_ears(modes, arrival, scaled(ears, 1 / heard.arrival.distance), false);
+    play_at_ears(modes, arrival, scaled(ears, 1 / heard.direct.distance), false);
     if (room.kind != RoomSettings::Kind::none) {
         play_in_room(heard, room, modes, factor);
     }
@@ -69,22 +68,21 @@ std::size_t Voice::add_spheres(const std::vector<SphereWave>& spheres, double fa
     for (const SphereWave& sphere : spheres) {
         const Partial partial{sphere.partial.pole, factor * sphere.partial.residue};
         waves.push_back(
-            {sphere.onset, PulseTrain(contact_time_, std::span(&partial, 1), least_, shape_)});
+            {sphere.onset, ModeBank(contact_time_, std::span(&partial, 1), least_, shape_)});
     }
     waves_.push_back(std::move(waves));
     return waves_.size() - 1;
 }
 
 /// The modes at 1 m.
-std::size_t Voice::add_modes(const Arrival& arrival, double factor) {
-    std::vector<Partial> partials = arrival.modes;
+std::size_t Voice::add_modes(const DirectSound& sound, double factor) {
+    std::vector<Partial> partials = sound.modes;
     for (Partial& partial : partials) {
-        partial.residue = (factor * arrival.distance) * partial.residue;
+        partial.residue = (factor * sound.distance) * partial.residue;
     }
     Waves waves;
     if (!partials.empty()) {
-        waves.push_back(
-            {0, PulseTrain(contact_time_, partials, least_ * arrival.distance, shape_)});
+        waves.push_back({0, ModeBank(contact_time_, partials, least_ * sound.distance, shape_)});
     }
     waves_.push_back(std::move(waves));
     return waves_.size() - 1;
@@ -98,7 +96,7 @@ void Voice::play(std::size_t waves, double arrival, std::vector<BusInput> output
     double end = begin;
     for (const Wave& wave : waves_[waves]) {
         begin = std::min(begin, wave.onset);
-        end = std::max(end, wave.onset + wave.train.end());
+        end = std::max(end, wave.onset + wave.bank.end());
     }
     const auto [film_begin, film_end] =
         std::minmax({arrival + begin / rate_, arrival + end / rate_});
@@ -118,27 +116,27 @@ void Voice::play_at_ears(std::size_t waves, double arrival, const Ears& ears, bo
     }
 }
 
-void Voice::play_in_room(const Heard& heard, const RoomSettings& room, std::size_t modes,
+void Voice::play_in_room(const AuralisedImpact& heard, const RoomSettings& room, std::size_t modes,
                          double factor) {
     const Vec3& source = heard.sound.place;
     const double instant = heard.row.film_time;
-    // What all ways to the listener have too much if there is no delay.
+    // Without a delay, all paths are shortened by that of the direct sound.
     const double early = heard.settings.has_delay ? 0 : heard.row.distance / kSpeedOfSound;
     std::vector<BusInput> mode_outputs{{BusInput::To::room, false, false, 1, 0, 0}};
     for (const Reflection& reflection : reflections_of(room, source, heard.listener.position)) {
         const Vec3 listener = mirrored(heard.listener.position, reflection, source);
         const double distance = std::max((listener - source).length(), kNearest);
-        const double way = distance / kSpeedOfSound - early;
+        const double delay = distance / kSpeedOfSound - early;
         const Ears ears = scaled(
             ears_of(heard.settings.stereo, heard.settings.width, heard.listener, reflection.image),
             reflection.gain);
         play_at_ears(add_spheres(spheres_at(listener, heard.sound, distance), factor),
-                     instant + way, ears, true);
+                     instant + delay, ears, true);
         const Ears far = scaled(ears, 1 / distance);
         mode_outputs.push_back(input_of(BusInput::To::left, far.left, true));
-        mode_outputs.back().delay = delay_in_samples(way + far.left.delay);
+        mode_outputs.back().delay = delay_in_samples(delay + far.left.delay);
         mode_outputs.push_back(input_of(BusInput::To::right, far.right, true));
-        mode_outputs.back().delay = delay_in_samples(way + far.right.delay);
+        mode_outputs.back().delay = delay_in_samples(delay + far.right.delay);
     }
     play(modes, instant, std::move(mode_outputs));
     if (!heard.sound.spheres.empty()) {
@@ -154,10 +152,10 @@ void Voice::add(std::int64_t block, ShotBus& bus) const {
             continue;
         }
         std::array<double, kBlock + 1> samples{};
-        const double film_time = static_cast<double>(block - 1) / kSampleRate;
+        const double film_time = time_of_sample(block - 1);
         const double scene_time = (film_time - playing.arrival) * rate_;
         for (const Wave& wave : waves_[playing.waves]) {
-            wave.train.add(scene_time - wave.onset, rate_ / kSampleRate, samples);
+            wave.bank.add(scene_time - wave.onset, rate_ / kSampleRate, samples);
         }
         for (const BusInput& output : playing.outputs) {
             bus.add(output, samples);

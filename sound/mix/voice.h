@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "sound/mix/hearing.h"
+#include "sound/mix/auralisation.h"
 #include "sound/mix/shot_bus.h"
-#include "sound/source/pulse_train.h"
+#include "sound/source/mode_bank.h"
 
 namespace carom::sound {
 
@@ -17,7 +17,7 @@ namespace carom::sound {
 class Voice {
   public:
     /// `heard` in a room. It lasts until it has fallen 60 dB below its peak, and fades out then.
-    Voice(const Heard& heard, const RoomSettings& room);
+    Voice(const AuralisedImpact& heard, const RoomSettings& room);
 
     /// The samples of the film, [first(), last()), outside of which it adds nothing.
     [[nodiscard]] std::int64_t first() const { return first_; }
@@ -29,7 +29,7 @@ class Voice {
   private:
     struct Wave {
         double onset = 0;  // s, scene time
-        PulseTrain train;
+        ModeBank bank;
     };
     using Waves = std::vector<Wave>;
 
@@ -43,10 +43,10 @@ class Voice {
     };
 
     [[nodiscard]] std::size_t add_spheres(const std::vector<SphereWave>& spheres, double factor);
-    [[nodiscard]] std::size_t add_modes(const Arrival& arrival, double factor);
+    [[nodiscard]] std::size_t add_modes(const DirectSound& sound, double factor);
     void play(std::size_t waves, double arrival, std::vector<BusInput> outputs);
     void play_at_ears(std::size_t waves, double arrival, const Ears& ears, bool is_reflected);
-    void play_in_room(const Heard& heard, const RoomSettings& room, std::size_t modes,
+    void play_in_room(const AuralisedImpact& heard, const RoomSettings& room, std::size_t modes,
                       double factor);
 
     double rate_;          // scene time over film time; negative if it is mirrored

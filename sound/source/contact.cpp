@@ -23,20 +23,19 @@ double reduced_modulus(const Material& first, const Material& second) {
                 (1 - second.poisson * second.poisson) / second.modulus);
 }
 
-Contact hertz_contact(const ContactPair& pair, double impulse) {
+double hertz_contact_time(const ContactPair& pair, double impulse) {
     CAROM_ASSERT(impulse > 0);
     const double speed = impulse / (pair.reduced_mass * (1 + pair.restitution));
     const double stiffness = pair.reduced_modulus * std::sqrt(pair.reduced_radius);
-    const double overlap =
+    const double indentation =
         power(15 * pair.reduced_mass * speed * speed / (16 * stiffness), 2.0 / 5);
-    return {speed, 2.943 * overlap / speed, 4.0 / 3 * stiffness * overlap * std::sqrt(overlap),
-            overlap};
+    return 2.943 * indentation / speed;
 }
 
-double structure_contact_time(const Structure& structure, double mass, double impulse) {
+double resonator_contact_time(const Resonator& resonator, double mass, double impulse) {
     constexpr double kLeastSpeed = 1e-3;
-    const double speed = std::max(impulse / (mass * (1 + structure.restitution)), kLeastSpeed);
-    return structure.contact * power(speed / structure.reference_speed, structure.contact_exponent);
+    const double speed = std::max(impulse / (mass * (1 + resonator.restitution)), kLeastSpeed);
+    return resonator.contact * power(speed / resonator.reference_speed, resonator.contact_exponent);
 }
 
 }  // namespace carom::sound

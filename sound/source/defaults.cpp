@@ -39,9 +39,9 @@ Material default_material(std::string_view name) {
     return found == kMaterials.end() ? kHardwood : found->material;
 }
 
-Structures default_structures(double ball_mass) {
-    Structures structures;
-    structures.cushion = {std::numbers::pi * std::sqrt(ball_mass / kCushionStiffness),
+Resonators default_resonators(double ball_mass) {
+    Resonators resonators;
+    resonators.cushion = {std::numbers::pi * std::sqrt(ball_mass / kCushionStiffness),
                           0,
                           1,
                           0.85,
@@ -51,7 +51,7 @@ Structures default_structures(double ball_mass) {
                            {720, 9, 0.30},
                            {1150, 10, 0.20},
                            {1900, 10, 0.10}}};
-    structures.bed = {1e-3,
+    resonators.bed = {1e-3,
                       -0.2,
                       1,
                       0.5,
@@ -62,16 +62,16 @@ Structures default_structures(double ball_mass) {
                        {840, 18, 0.25},
                        {1350, 20, 0.15}}};
     // The reference is the ball's speed after the strike, which is its impulse over its mass.
-    structures.stick = {1.3e-3,
+    resonators.stick = {1.3e-3,
                         -0.1,
                         3,
                         0,
                         {{1430, 22, 0.25}, {2860, 28, 0.20}, {4290, 32, 0.12}, {310, 12, 0.10}}};
-    structures.pocket = {
+    resonators.pocket = {
         3.5e-3, 0, 1, 0.15, {{110, 2.5, 0.5}, {210, 3, 0.6}, {380, 4, 0.4}, {900, 4, 0.15}}};
-    structures.wood = {0.8e-3, 0, 1, 0.5, structures.cushion.modes};
-    structures.box_on_cloth = {0.9e-3, 0, 1, 0.3, structures.bed.modes};
-    return structures;
+    resonators.wood = {0.8e-3, 0, 1, 0.5, resonators.cushion.modes};
+    resonators.box_on_cloth = {0.9e-3, 0, 1, 0.3, resonators.bed.modes};
+    return resonators;
 }
 
 }  // namespace carom::sound

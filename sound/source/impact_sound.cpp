@@ -66,7 +66,7 @@ double pair_contact_time(const SoundBody& a, const SoundBody& b, double impulse)
     const ContactPair pair{reduced(contact_mass(a), contact_mass(b)), reduced_radius(a, b),
                            reduced_modulus(a.material, b.material),
                            (a.material.restitution + b.material.restitution) / 2};
-    return hertz_contact(pair, impulse).duration;
+    return hertz_contact_time(pair, impulse);
 }
 
 void append(const std::vector<Mode>& modes, std::vector<Mode>& all) {
@@ -93,10 +93,10 @@ double ImpactSounds::longest_decay() const {
             longest = std::max(longest, -1 / mode_pole(mode).re);
         }
     };
-    const Structures& s = shot_.structures;
-    for (const Structure* structure :
+    const Resonators& s = shot_.resonators;
+    for (const Resonator* resonator :
          {&s.cushion, &s.bed, &s.stick, &s.pocket, &s.wood, &s.box_on_cloth}) {
-        include(structure->modes);
+        include(resonator->modes);
     }
     for (const SoundBody& body : shot_.bodies) {
         const auto* box = std::get_if<BoxShape>(&body.shape);
@@ -136,10 +136,10 @@ std::optional<ImpactSound> ImpactSounds::of_strike(const sim::Event& event) cons
     sound.place = event.place - event.vector * (radius / speed);
     sound.impulse = event.normal_impulse > 0 ? event.normal_impulse : struck->body->mass * speed;
     sound.contact_time =
-        structure_contact_time(shot_.structures.stick, struck->body->mass, sound.impulse);
+        resonator_contact_time(shot_.resonators.stick, struck->body->mass, sound.impulse);
     sound.shape = PulseShape::soft;
     add_sphere(event.place, radius, event.vector, sound);
-    append(shot_.structures.stick.modes, sound.modes);
+    append(shot_.resonators.stick.modes, sound.modes);
     return sound;
 }
 
@@ -155,19 +155,19 @@ ImpactSound ImpactSounds::of_bodies(const sim::Event& event, const Entry& a, con
 }
 
 ImpactSound ImpactSounds::of_surface(const sim::Event& event, const Entry& body) const {
-    const Structures& structures = shot_.structures;
+    const Resonators& resonators = shot_.resonators;
     ImpactSound sound;
-    const Structure* structure = &structures.wood;
+    const Resonator* resonator = &resonators.wood;
     double mode_factor = 1;
     if (event.b == "cushion") {
-        structure = &structures.cushion;
+        resonator = &resonators.cushion;
         sound.group = Group::cushions;
     } else if (event.b == "cloth") {
-        structure = is_ball(*body.body) ? &structures.bed : &structures.box_on_cloth;
+        resonator = is_ball(*body.body) ? &resonators.bed : &resonators.box_on_cloth;
         sound.group = Group::cloth;
         mode_factor = kBoxOnClothModes;
     } else if (event.b == "pocket") {
-        structure = &structures.pocket;
+        resonator = &resonators.pocket;
         sound.group = Group::pockets;
     } else {
         sound.group = event.b == "rail" ? Group::cushions : Group::objects;
@@ -177,10 +177,10 @@ ImpactSound ImpactSounds::of_surface(const sim::Event& event, const Entry& body)
     }
     sound.place = event.place;
     sound.impulse = event.normal_impulse;
-    sound.contact_time = structure_contact_time(*structure, body.body->mass, event.normal_impulse);
+    sound.contact_time = resonator_contact_time(*resonator, body.body->mass, event.normal_impulse);
     sound.shape = PulseShape::soft;
     add_body(body, event, 1, mode_factor, sound);
-    append(structure->modes, sound.modes);
+    append(resonator->modes, sound.modes);
     return sound;
 }
 
@@ -190,10 +190,10 @@ void ImpactSounds::add_body(const Entry& entry, const sim::Event& event, double 
     if (std::isinf(body.mass)) {
         return;
     }
-    const Vec3 jump = event.normal * (sign * event.normal_impulse / body.mass);
+    const Vec3 velocity_step = event.normal * (sign * event.normal_impulse / body.mass);
     const double radius = radius_of(body);
     if (is_ball(body)) {
-        add_sphere(event.place + event.normal * (sign * radius), radius, jump, sound);
+        add_sphere(event.place + event.normal * (sign * radius), radius, velocity_step, sound);
         return;
     }
     // The sphere that stands for the body is at the body's centre: laid against the contact it
@@ -202,7 +202,7 @@ void ImpactSounds::add_body(const Entry& entry, const sim::Event& event, double 
     if (entry.track != nullptr) {
         state = entry.track->sample(event.time);
     }
-    add_sphere(state.position, radius, jump, sound);
+    add_sphere(state.position, radius, velocity_step, sound);
     if (const auto* box = std::get_if<BoxShape>(&body.shape)) {
         const Vec3 direction = to_body(state.orientation, event.normal);
         for (Mode mode : box_modes(box->size, body.mass, body.material, direction)) {
@@ -212,12 +212,13 @@ void ImpactSounds::add_body(const Entry& entry, const sim::Event& event, double 
     }
 }
 
-void ImpactSounds::add_sphere(const Vec3& centre, double radius, const Vec3& jump,
+void ImpactSounds::add_sphere(const Vec3& centre, double radius, const Vec3& velocity_step,
                               ImpactSound& sound) const {
-    sound.spheres.push_back({centre, radius, jump, 1});
+    sound.spheres.push_back({centre, radius, velocity_step, 1});
     if (shot_.has_bed && shot_.bed_reflection > 0 && centre.z > 0) {
         sound.spheres.push_back({Vec3(centre.x, centre.y, -centre.z), radius,
-                                 Vec3(jump.x, jump.y, -jump.z), shot_.bed_reflection});
+                                 Vec3(velocity_step.x, velocity_step.y, -velocity_step.z),
+                                 shot_.bed_reflection});
     }
 }
 

@@ -1,5 +1,5 @@
-// From the event log to sources of sound: which spheres jump and which modes are excited by an
-// impact.
+// From the event log to sources of sound: which spheres are accelerated and which modes are excited
+// by an impact.
 #pragma once
 
 #include <optional>
@@ -12,12 +12,12 @@
 
 namespace carom::sound {
 
-/// A rigid sphere whose velocity changes by `jump` during the contact.
+/// A rigid sphere whose velocity changes by `velocity_step` during the contact.
 struct SphereSource {
-    Vec3 centre{0, 0, 0};  // m
-    double radius = 0;     // m
-    Vec3 jump{0, 0, 0};    // m/s
-    double factor = 1;     // of the pressure: less than 1 for a mirror image in the bed
+    Vec3 centre{0, 0, 0};         // m
+    double radius = 0;            // m
+    Vec3 velocity_step{0, 0, 0};  // m/s
+    double factor = 1;            // of the pressure: less than 1 for a mirror image in the bed
     bool operator==(const SphereSource&) const = default;
 };
 
@@ -27,7 +27,7 @@ struct ImpactSound {
     Vec3 place{0, 0, 0};                     // m, of the contact, from which the modes sound, too
     double impulse = 0;                      // N s, > 0
     double contact_time = 0;                 // s
-    PulseShape shape = PulseShape::elastic;  // of the force; soft with structures
+    PulseShape shape = PulseShape::elastic;  // of the force; soft with resonators
     std::vector<SphereSource> spheres;
     std::vector<Mode> modes;  // gains for 1 N s
 };
@@ -61,7 +61,8 @@ class ImpactSounds {
     [[nodiscard]] ImpactSound of_surface(const sim::Event& event, const Entry& body) const;
     void add_body(const Entry& entry, const sim::Event& event, double sign, double mode_factor,
                   ImpactSound& sound) const;
-    void add_sphere(const Vec3& centre, double radius, const Vec3& jump, ImpactSound& sound) const;
+    void add_sphere(const Vec3& centre, double radius, const Vec3& velocity_step,
+                    ImpactSound& sound) const;
 
     const SoundShot& shot_;
     std::unordered_map<std::string_view, Entry> entries_;

@@ -1,4 +1,4 @@
-// The modes of structures and of boxes: damped vibrations that an impact excites.
+// The modes of resonators and of boxes: damped vibrations that an impact excites.
 #pragma once
 
 #include <vector>

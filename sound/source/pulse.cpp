@@ -33,17 +33,6 @@ const std::array<double, kPulseSines>& pulse_coefficients(PulseShape shape) {
     return shape == PulseShape::soft ? soft : elastic;
 }
 
-double pulse_force(double time, double duration, PulseShape shape) {
-    if (time <= 0 || time >= duration) {
-        return 0;
-    }
-    double force = 0;
-    for (std::size_t i = 0; i < kPulseSines; ++i) {
-        force += pulse_coefficients(shape)[i] * sine(pulse_harmonic(i) * kPi * time / duration);
-    }
-    return force / duration;
-}
-
 PoleResponse pole_response(Complex pole, double duration, PulseShape shape) {
     PoleResponse response;
     const Complex square = pole * pole;
@@ -56,22 +45,6 @@ PoleResponse pole_response(Complex pole, double duration, PulseShape shape) {
         response.a = response.a + response.c[i];
     }
     return response;
-}
-
-Complex pole_response_at(Complex pole, double duration, double time, PulseShape shape) {
-    if (time <= 0) {
-        return {};
-    }
-    const PoleResponse response = pole_response(pole, duration, shape);
-    if (time > duration) {
-        return (exponential((time - duration) * pole) + exponential(time * pole)) * response.a;
-    }
-    Complex result = exponential(time * pole) * response.a;
-    for (std::size_t i = 0; i < kPulseSines; ++i) {
-        const SinCos angle = sin_cos(pulse_harmonic(i) * kPi * time / duration);
-        result = result - (angle.cos * response.c[i] + angle.sin * response.s[i]);
-    }
-    return result;
 }
 
 }  // namespace carom::sound

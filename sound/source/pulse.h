@@ -30,11 +30,7 @@ enum class PulseShape { elastic, soft };
     return 2.0 * static_cast<double>(index) + 1;
 }
 
-/// f(t) in 1/s, for a contact of `duration` > 0 (s).
-[[nodiscard]] double pulse_force(double time, double duration,
-                                 PulseShape shape = PulseShape::elastic);
-
-/// The convolution of f with e^{pt}, for a pole p (1/s) with a real part below 0:
+/// The convolution r of f with e^{pt}, for a pole p (1/s) with a real part below 0:
 ///     during the contact   r(t) = e^{pt} a - sum_k [c_k cos(w_k t) + s_k sin(w_k t)]
 ///     after it             r(t) = (e^{p(t - T)} + e^{pt}) a
 /// with d_k = (b_k/T) / (p^2 + w_k^2), a = sum_k w_k d_k, c_k = w_k d_k and s_k = p d_k.
@@ -44,9 +40,5 @@ struct PoleResponse {
     std::array<Complex, kPulseSines> s{};
 };
 [[nodiscard]] PoleResponse pole_response(Complex pole, double duration, PulseShape shape);
-
-/// r(t), which is 0 before the contact. Its unit is that of e^{pt}: none.
-[[nodiscard]] Complex pole_response_at(Complex pole, double duration, double time,
-                                       PulseShape shape = PulseShape::elastic);
 
 }  // namespace carom::sound

@@ -43,12 +43,12 @@ Ears panned_ears(double aside) {
 }  // namespace
 
 Vec3 direction_of(const Listener& listener, const Vec3& place) {
-    const Vec3 way = place - listener.position;
-    const double length = std::sqrt(way.dot(way));
+    const Vec3 path = place - listener.position;
+    const double length = std::sqrt(path.dot(path));
     if (!(length > 0)) {
         return {0, 1, 0};
     }
-    return Vec3(way.dot(listener.right), way.dot(listener.ahead), way.dot(listener.up)) / length;
+    return Vec3(path.dot(listener.right), path.dot(listener.ahead), path.dot(listener.up)) / length;
 }
 
 Vec3 widened(const Vec3& direction, double half_width) {

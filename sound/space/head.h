@@ -8,7 +8,7 @@ namespace carom::sound {
 
 inline constexpr double kHeadRadius = 0.0875;  // m, of the rigid sphere that stands for the head
 
-/// What happens to a sound on its last way, from the centre of the head to one ear. The filter is
+/// What happens to a sound between the centre of the head and one ear. The filter is
 ///     y[n] = b0 x[n] + b1 x[n-1] - a1 y[n-1].
 struct Ear {
     double delay = 0;  // s, in addition to that of the head's centre; negative for the nearer ear

@@ -60,7 +60,7 @@ Reverberation::Reverberation(const RoomSettings& room) {
         return;
     }
     std::size_t first = 0;
-    double kept = 0;  // energy that a turn keeps, as a mean of all lines
+    double kept = 0;  // mean of the energy that is left after a turn through a line
     for (const std::size_t length : kLengths) {
         Line line;
         line.length = length;

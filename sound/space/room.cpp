@@ -1,6 +1,7 @@
 #include "sound/space/room.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -11,16 +12,6 @@ namespace {
 
 constexpr double kLeastClearance = 0.3;    // m, of source and listener to every wall
 constexpr double kGroundReflection = 0.9;  // of the pressure, outdoors
-
-constexpr std::array<std::string_view, 5> kNames{"none", "studio", "club", "hall", "outdoors"};
-
-RoomSettings box(const Vec3& size, double low, double high) {
-    RoomSettings room;
-    room.size = size;
-    room.reverberation_low = low;
-    room.reverberation_high = high;
-    return room;
-}
 
 double volume_of(const Vec3& size) {
     return size.x * size.y * size.z;
@@ -49,46 +40,21 @@ Reflection reflection_in(int axis, double side, double place, const Vec3& source
 
 }  // namespace
 
-RoomSettings club() {
-    return box({8, 6, 2.8}, 0.6, 0.35);
+std::span<const NamedRoom> rooms() {
+    using Kind = RoomSettings::Kind;
+    const Vec3 floor_centre(0, 0, -0.8);
+    static const std::array<NamedRoom, 5> kRooms{
+        {{"none", {.kind = Kind::none}},
+         {"studio", {Kind::box, {6, 5, 3}, floor_centre, 0.25, 0.18}},
+         {"club", {Kind::box, {8, 6, 2.8}, floor_centre, 0.6, 0.35}},
+         {"hall", {Kind::box, {30, 20, 8}, floor_centre, 1.2, 0.8}},
+         {"outdoors", {.kind = Kind::outdoors}}}};
+    return kRooms;
 }
 
-RoomSettings studio() {
-    return box({6, 5, 3}, 0.25, 0.18);
-}
-
-RoomSettings hall() {
-    return box({30, 20, 8}, 1.2, 0.8);
-}
-
-RoomSettings outdoors() {
-    RoomSettings room;
-    room.kind = RoomSettings::Kind::outdoors;
-    return room;
-}
-
-RoomSettings no_room() {
-    RoomSettings room;
-    room.kind = RoomSettings::Kind::none;
-    return room;
-}
-
-std::span<const std::string_view> room_names() {
-    return kNames;
-}
-
-std::optional<RoomSettings> room_of_name(std::string_view name) {
-    using Maker = RoomSettings (*)();
-    constexpr std::array<Maker, kNames.size()> kMakers{no_room, studio, club, hall, outdoors};
-    const auto found = std::find(kNames.begin(), kNames.end(), name);
-    if (found == kNames.end()) {
-        return std::nullopt;
-    }
-    return kMakers[static_cast<std::size_t>(found - kNames.begin())]();
-}
-
-Reflections reflections_of(const RoomSettings& room, const Vec3& source, const Vec3& listener) {
-    Reflections reflections;
+std::vector<Reflection> reflections_of(const RoomSettings& room, const Vec3& source,
+                                       const Vec3& listener) {
+    std::vector<Reflection> reflections;
     if (room.kind == RoomSettings::Kind::none) {
         return reflections;
     }

@@ -1,29 +1,23 @@
 // The room around the listener: its first reflections. What follows them is in reverberation.h.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "core/vectors.h"
 #include "sound/sound_scene.h"
 
 namespace carom::sound {
 
-/// Rooms by name. Their measures are plausible; no published ones of billiard rooms were found.
-[[nodiscard]] RoomSettings club();      // 8 x 6 x 2.8 m, 0.6 s (0.35 s at high frequencies)
-[[nodiscard]] RoomSettings studio();    // 6 x 5 x 3 m, 0.25 s (0.18 s)
-[[nodiscard]] RoomSettings hall();      // 30 x 20 x 8 m, 1.2 s (0.8 s)
-[[nodiscard]] RoomSettings outdoors();  // only the ground reflects
-[[nodiscard]] RoomSettings no_room();
+struct NamedRoom {
+    std::string_view name;
+    RoomSettings room;
+};
 
-/// The names: "none", "studio", "club", "hall", "outdoors".
-[[nodiscard]] std::span<const std::string_view> room_names();
-
-/// The room of that name, or nothing.
-[[nodiscard]] std::optional<RoomSettings> room_of_name(std::string_view name);
+/// The rooms that have a name: "none", "studio", "club", "hall", "outdoors" (where only the ground
+/// reflects). Their measures are plausible; no published ones of billiard rooms were found.
+[[nodiscard]] std::span<const NamedRoom> rooms();
 
 /// A sound's mirror image in one surface of the room. It sounds like the source itself, at its
 /// distance, after the filter y[n] = (1 - pole) gain x[n] + pole y[n-1].
@@ -34,22 +28,6 @@ struct Reflection {
     double pole = 0;      // [0, 1)
 
     bool operator==(const Reflection&) const = default;
-};
-
-/// The reflections of one source.
-class Reflections {
-  public:
-    static constexpr std::size_t kMost = 6;
-
-    void push_back(const Reflection& reflection) { list_[count_++] = reflection; }
-    [[nodiscard]] std::size_t size() const { return count_; }
-    [[nodiscard]] const Reflection& operator[](std::size_t index) const { return list_[index]; }
-    [[nodiscard]] const Reflection* begin() const { return list_.data(); }
-    [[nodiscard]] const Reflection* end() const { return list_.data() + count_; }
-
-  private:
-    std::array<Reflection, kMost> list_{};
-    std::size_t count_ = 0;
 };
 
 /// The images of the source in the walls, in the order -x, +x, -y, +y, floor, ceiling (outdoors the
@@ -64,8 +42,8 @@ class Reflections {
 ///
 /// A source or listener beyond a wall, or less than 0.3 m in front of it, pushes this wall back to
 /// 0.3 m behind itself: nothing jumps when a camera flies through a wall.
-[[nodiscard]] Reflections reflections_of(const RoomSettings& room, const Vec3& source,
-                                         const Vec3& listener);
+[[nodiscard]] std::vector<Reflection> reflections_of(const RoomSettings& room, const Vec3& source,
+                                                     const Vec3& listener);
 
 inline constexpr double kHighFrequency = 8000;  // Hz, at which rooms have their "high" times
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "pipeline/config/value_types.h"
-#include "sound/group_names.h"
+#include "sound/sound_scene.h"
 
 namespace carom::pipeline::config {
 
@@ -83,7 +83,7 @@ MapSpec<CameraSound> make_mix_spec(const char* name, const char* description, bo
         s.set(
             sound::kGroupNames[i], gain(),
             [i](CameraSound& sound, double level) { sound.mix[i] = level; }, kGroups[i],
-            has_defaults ? gain().show(sound::PassageSettings{}.mix[i]) : "");
+            has_defaults ? gain().show(sound::ClipSettings{}.mix[i]) : "");
     }
     return s;
 }
@@ -110,7 +110,7 @@ class CommonKeys {
         : spec_(spec), access_(access), has_defaults_(has_defaults) {}
 
     void add_all() {
-        const sound::PassageSettings usual;
+        const sound::ClipSettings usual;
         add("listener", &CameraSound::listener, listener(), "camera",
             "`camera`: the film is heard from where it is seen; or one place");
         add("stereo", &CameraSound::stereo,

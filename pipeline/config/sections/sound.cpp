@@ -38,7 +38,7 @@ const MapSpec<RoomSettings>& room_spec() {
     static const MapSpec<RoomSettings> spec = [] {
         MapSpec<RoomSettings> s("room",
                                 "A room like a box. The middle of its floor is below the origin.",
-                                sound::club());
+                                RoomSettings{});
         s.key("size", &RoomSettings::size, vector3(Dimension::length, between(1, kLargestRoom)),
               "length along x, width along y and height");
         const auto times = list_of(time(above_up_to(0, kLongestReverberation)), 2, 2);
@@ -59,8 +59,8 @@ const MapSpec<RoomSettings>& room_spec() {
 /// A name, or a room's measures.
 ValueType<RoomSettings> room() {
     std::vector<std::pair<std::string, RoomSettings>> named;
-    for (const std::string_view name : sound::room_names()) {
-        named.emplace_back(name, sound::room_of_name(name).value());
+    for (const sound::NamedRoom& one : sound::rooms()) {
+        named.emplace_back(one.name, one.room);
     }
     return any_of<RoomSettings>({{is_scalar, choice(named)}, {is_map, record(room_spec())}});
 }

@@ -190,7 +190,7 @@ void write_camera_sound(Writer& out, const CameraSound& sound) {
 
 /// The same with the values that hold for what is not given.
 CameraSound with_defaults(CameraSound sound) {
-    const sound::PassageSettings usual;
+    const sound::ClipSettings usual;
     sound.pitch = sound.pitch.value_or(usual.pitch);
     sound.lowest = sound.lowest.value_or(usual.lowest);
     sound.mirrors_reverse = sound.mirrors_reverse.value_or(usual.mirrors_reverse);

@@ -35,7 +35,7 @@ std::optional<double> level(const CameraSound& sound, Group group) {
 TEST(Sound, WithoutTheSection_EverythingIsUsual) {
     const Shot shot = load_sections("");
     EXPECT_FALSE(shot.sound.is_silent);
-    EXPECT_EQ(shot.sound.room, sound::club());
+    EXPECT_EQ(shot.sound.room, sound::RoomSettings{});
     EXPECT_EQ(shot.sound.bed_reflection, 0.85);
     EXPECT_FALSE(shot.sound.full_scale);
     EXPECT_FALSE(shot.sound.loudness);
@@ -120,11 +120,10 @@ TEST(Sound, Words_StandForNumbers) {
 }
 
 TEST(Sound, RoomNames_AreThoseOfTheLibrary) {
-    for (const std::string_view name : sound::room_names()) {
-        EXPECT_EQ(read_sound("{room: " + std::string(name) + "}").room, sound::room_of_name(name))
-            << name;
+    for (const sound::NamedRoom& one : sound::rooms()) {
+        EXPECT_EQ(read_sound("{room: " + std::string(one.name) + "}").room, one.room) << one.name;
     }
-    EXPECT_EQ(read_sound("{room: {size: [8, 6, 2.8]}}").room, sound::club());
+    EXPECT_EQ(read_sound("{room: {size: [8, 6, 2.8]}}").room, sound::RoomSettings{});
 }
 
 TEST(Sound, None_IsSilent) {
@@ -150,7 +149,7 @@ TEST(Sound, Overrides_ReachEveryDepth) {
     const Shot shot = load("carom: 1\n" + kCamera + "sound: {room: hall, gain: auto}\n",
                            {"sound.room=none", "sound.gain.full_scale=20Pa", "sound.bed=0",
                             "sound.mix.rolling=-3 dB"});
-    EXPECT_EQ(shot.sound.room, sound::no_room());
+    EXPECT_EQ(shot.sound.room.kind, sound::RoomSettings::Kind::none);
     EXPECT_EQ(shot.sound.full_scale, 20);
     EXPECT_EQ(shot.sound.bed_reflection, 0);
     EXPECT_EQ(level(shot.sound.cameras, Group::rolling), -3);

@@ -6,7 +6,7 @@
 
 #include "pipeline/sound/film_levels.h"
 #include "pipeline/video/sound_length.h"
-#include "sound/mix/heard.h"
+#include "sound/mix/auralisation.h"
 #include "sound/source/defaults.h"
 #include "tests/pipeline/camera/rig_fixture.h"
 
@@ -77,12 +77,12 @@ TEST(FilmScene, Bodies_HaveTheirShapesMassesAndMaterials) {
     EXPECT_EQ(found.bodies[2].material, sound::default_material("steel"));
     EXPECT_TRUE(std::isinf(found.bodies[2].mass));
     EXPECT_NEAR(std::get<sound::OtherShape>(found.bodies[2].shape).volume, 0.0157, 1e-4);
-    EXPECT_EQ(found.structures.cushion.contact, 0.004);
-    EXPECT_EQ(found.structures.cushion.modes.size(), 1U);
-    EXPECT_EQ(found.structures.bed, sound::default_structures(0.2).bed);
+    EXPECT_EQ(found.resonators.cushion.contact, 0.004);
+    EXPECT_EQ(found.resonators.cushion.modes.size(), 1U);
+    EXPECT_EQ(found.resonators.bed, sound::default_resonators(0.2).bed);
     // Without the value of the shot, a cushion touches this ball for pi sqrt(m / k).
     shot.sound.materials.clear();
-    EXPECT_NEAR(sound_shot(shot, timeline, {}).structures.cushion.contact,
+    EXPECT_NEAR(sound_shot(shot, timeline, {}).resonators.cushion.contact,
                 M_PI * std::sqrt(0.2 / 55e3), 1e-12);
 }
 
@@ -98,14 +98,14 @@ TEST(FilmScene, AnImpact_IsHeardWhenTheFilmShowsIt) {
     impact.place = {0.03, 0, 0.03};
     impact.normal_impulse = 0.1;
     timeline.events.push_back(impact);
-    const auto all = sound::heard(film_scene(shot, timeline, 0, 50));
+    const auto all = sound::audible_impacts(film_scene(shot, timeline, 0, 50));
     ASSERT_EQ(all.size(), 1U);
     EXPECT_NEAR(all[0].film_time, 1.5, 1e-12);
     // In a film of its frames from 1 s on it comes half a second after the start.
-    const auto part = sound::heard(film_scene(shot, timeline, 25, 25));
+    const auto part = sound::audible_impacts(film_scene(shot, timeline, 25, 25));
     ASSERT_EQ(part.size(), 1U);
     EXPECT_NEAR(part[0].film_time, 0.5, 1e-12);
-    EXPECT_TRUE(sound::heard(film_scene(shot, timeline, 0, 37)).empty());
+    EXPECT_TRUE(sound::audible_impacts(film_scene(shot, timeline, 0, 37)).empty());
 }
 
 TEST(FilmLevels, AnImpact_IsLoudWhereTheFilmShowsIt) {
@@ -132,11 +132,11 @@ TEST(FilmLevels, AnImpact_IsLoudWhereTheFilmShowsIt) {
     EXPECT_TRUE(film_levels(shot, timeline).decibels.empty());
 }
 
-TEST(FilmScene, SilentShot_HasNoPassages) {
+TEST(FilmScene, SilentShot_HasNoClips) {
     Shot shot = small_shot();
     shot.sound.is_silent = true;
     const sim::Timeline timeline;
-    EXPECT_TRUE(film_scene(shot, timeline, 0, 50).shots[0].passages.empty());
+    EXPECT_TRUE(film_scene(shot, timeline, 0, 50).shots[0].clips.empty());
 }
 
 }  // namespace

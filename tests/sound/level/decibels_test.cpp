@@ -19,7 +19,7 @@ TEST(Decibels, PressuresAndFactors_AreThoseOfTheDefinition) {
 
 double level_after(double level, double ratio, double quiet) {
     const double pressure = pressure_of(level);
-    return level_of(pressure * dynamics_factor(pressure, ratio, quiet));
+    return level_of(pressure * compressor_gain(pressure, ratio, quiet));
 }
 
 TEST(Dynamics, Ratio_DividesTheDistanceFrom80Decibels) {
@@ -29,7 +29,7 @@ TEST(Dynamics, Ratio_DividesTheDistanceFrom80Decibels) {
                 << level << " dB, ratio " << ratio;
         }
     }
-    EXPECT_EQ(dynamics_factor(0.123, 1, 60), 1);
+    EXPECT_EQ(compressor_gain(0.123, 1, 60), 1);
 }
 
 // At 60 dB a ratio of 2 lifts by 10 dB, at 50 dB by half of that, and from 40 dB down not at all.
@@ -40,10 +40,10 @@ TEST(Dynamics, QuietSounds_AreLiftedLessAndLess) {
     for (const double level : {40.0, 30.0, 0.0}) {
         EXPECT_NEAR(level_after(level, 2, 60), level, 1e-10);
     }
-    EXPECT_EQ(dynamics_factor(0, 2, 60), 1);
+    EXPECT_EQ(compressor_gain(0, 2, 60), 1);
     double last = 0;
     for (double level = 1; level < 120; ++level) {
-        const double now = level_after(level, 4, kQuietRush);
+        const double now = level_after(level, 4, kQuietNoise);
         EXPECT_GT(now, last) << "a louder sound stays louder";
         last = now;
     }

@@ -8,10 +8,10 @@
 
 #include "small_film.h"
 #include "sound/level/decibels.h"
+#include "sound/mix/auralisation.h"
 #include "sound/mix/film_sound.h"
-#include "sound/mix/heard.h"
-#include "sound/source/arrival.h"
-#include "sound/space/room.h"
+#include "sound/source/direct_sound.h"
+#include "tests/sound/named_room.h"
 
 namespace carom::sound {
 namespace {
@@ -33,11 +33,11 @@ TEST(Dynamics, EachImpact_KeepsAPartOfItsDistanceFrom80Decibels) {
         film.collide(0.25, speed);
         film.show(0, 1, 0, 1, {0.9, -0.4, 0});
         const ImpactSound sound = *ImpactSounds(film.shot()).sound_of(film.timeline.events[0]);
-        const double pressure = find_peak(arrival_at(average_place(sound), sound)).pressure;
+        const double pressure = find_peak(direct_sound_at(average_place(sound), sound)).pressure;
         const double peak = level_of(pressure);
         const double natural = level_with_ratio(speed, 1);
         for (const double ratio : {2.0, 3.0, 4.0}) {
-            const double gain = decibels_of(dynamics_factor(pressure, ratio, kQuietImpact));
+            const double gain = decibels_of(compressor_gain(pressure, ratio, kQuietImpact));
             EXPECT_NEAR(level_with_ratio(speed, ratio) - natural, gain, 1e-9);
             if (speed > 0.1) {
                 EXPECT_NEAR(gain, (peak - 80) * (1 / ratio - 1), 1e-9);
@@ -50,7 +50,7 @@ TEST(Dynamics, EachImpact_KeepsAPartOfItsDistanceFrom80Decibels) {
 double energy_in_club(double ratio, const Vec3& place, double from) {
     SmallFilm film;
     film.collide(0.1, 2);
-    film.shot().room = club();
+    film.shot().room = room_named("club");
     film.shot().has_bed = true;
     film.show(0, 1, 0, 1, place).settings.ratio = ratio;
     const std::vector<double> samples = samples_of(film.scene).left;
@@ -105,11 +105,11 @@ TEST(Dynamics, OneImpact_DoesNotChangeAnother) {
 TEST(Dynamics, GainsOfCameraAndGroup_AreDecibels) {
     SmallFilm film;
     film.collide(0.25);
-    Passage& passage = film.show(0, 1, 0, 1);
+    Clip& clip = film.show(0, 1, 0, 1);
     const double before = level_of_peak(film);
-    passage.settings.gain = -6;
-    passage.settings.mix[static_cast<std::size_t>(Group::balls)] = 2.5;
-    passage.settings.mix[static_cast<std::size_t>(Group::cloth)] = 40;
+    clip.settings.gain = -6;
+    clip.settings.mix[static_cast<std::size_t>(Group::balls)] = 2.5;
+    clip.settings.mix[static_cast<std::size_t>(Group::cloth)] = 40;
     EXPECT_NEAR(level_of_peak(film) - before, -3.5, 1e-9);
 }
 
@@ -119,15 +119,15 @@ TEST(Dynamics, Fade_WeighsTheSoundsOfBothCameras) {
     film.collide(0.5);
     film.show(0, 1, 0, 1);
     const std::vector<double> single = samples_of(film.scene).left;
-    film.shot().passages.clear();
+    film.shot().clips.clear();
     film.show(0, 0.6, 0, 1).weight = [](double) { return std::sqrt(0.5); };
     film.show(0.4, 1, 0.4, 1).weight = [](double) { return std::sqrt(0.5); };
     const std::vector<double> faded = samples_of(film.scene).left;
     for (std::size_t n = 0; n < single.size(); ++n) {
         ASSERT_NEAR(faded[n], std::sqrt(2) * single[n], 1e-9);
     }
-    film.shot().passages[1].weight = [](double) { return 0.0; };
-    EXPECT_EQ(heard(film.scene).size(), 1);
+    film.shot().clips[1].weight = [](double) { return 0.0; };
+    EXPECT_EQ(audible_impacts(film.scene).size(), 1);
 }
 
 // A ring that began before the cut goes on, as the first camera heard it.
@@ -136,7 +136,7 @@ TEST(Dynamics, Cut_LetsARingGoOn) {
     film.touch(0.48, "cushion", 0.3);
     film.show(0, 1, 0, 1);
     const std::vector<double> single = samples_of(film.scene).left;
-    film.shot().passages.clear();
+    film.shot().clips.clear();
     film.show(0, 0.5, 0, 1);
     film.show(0.5, 1, 0.5, 1, {30, 0, 0});
     EXPECT_EQ(samples_of(film.scene).left, single);
@@ -149,7 +149,7 @@ TEST(Dynamics, MovingListener_HearsNoDoppler) {
     film.collide(0.25);
     film.show(0, 1, 0, 1, {0.3, -1, 0});
     const std::vector<double> at_rest = samples_of(film.scene).left;
-    film.shot().passages[0].listener = [](double t) {
+    film.shot().clips[0].listener = [](double t) {
         Listener listener;
         listener.position = Vec3(0.3 + 80 * (t - 0.25), -1, 0);
         return listener;
@@ -165,7 +165,7 @@ TEST(Dynamics, Delay_IsTheWayToTheListener) {
     film.collide(0.25);
     film.show(0, 1, 0, 1, {0, -3.43, 0});
     const std::vector<double> late = samples_of(film.scene).left;
-    film.shot().passages[0].settings.has_delay = false;
+    film.shot().clips[0].settings.has_delay = false;
     const std::vector<double> prompt = samples_of(film.scene).left;
     for (std::size_t n = 480; n < late.size(); ++n) {
         ASSERT_NEAR(late[n], prompt[n - 480], 1e-9);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 #include <random>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -14,9 +15,10 @@
 
 #include "core/error.h"
 #include "small_film.h"
-#include "sound/mix/heard.h"
-#include "sound/source/arrival.h"
+#include "sound/mix/auralisation.h"
+#include "sound/source/direct_sound.h"
 #include "sound/source/impact_sound.h"
+#include "tests/sound/closed_forms.h"
 
 namespace carom::sound {
 namespace {
@@ -29,16 +31,16 @@ TEST(FilmSound, Clack_AtAnyFractionOfASample_IsTheClosedForm) {
         const Vec3 place(0.5, -0.8, 0.3);
         film.show(0, 1, 0, 1, place);
         const Samples samples = samples_of(film.scene);
-        const Arrival arrival =
-            arrival_at(place, *ImpactSounds(film.shot()).sound_of(film.timeline.events[0]));
+        const DirectSound direct =
+            direct_sound_at(place, *ImpactSounds(film.shot()).sound_of(film.timeline.events[0]));
         const double delay = place.length() / 343;
-        const double peak = find_peak(arrival).pressure;
+        const double peak = find_peak(direct).pressure;
         for (std::size_t n = 11'900; n < 12'400; ++n) {
             const double time = static_cast<double>(n) / kSampleRate - instant - delay;
             // Each ball ends at -60 dB.
-            ASSERT_NEAR(samples.left[n], pressure_at(arrival, time), 2.1e-3 * peak) << n;
+            ASSERT_NEAR(samples.left[n], pressure_at(direct, time), 2.1e-3 * peak) << n;
             if (time < 300e-6) {
-                ASSERT_NEAR(samples.left[n], pressure_at(arrival, time), 1e-11 * peak) << n;
+                ASSERT_NEAR(samples.left[n], pressure_at(direct, time), 1e-11 * peak) << n;
             }
             ASSERT_EQ(samples.left[n], samples.right[n]);
         }
@@ -93,9 +95,9 @@ void fill(SmallFilm& film) {
     film.show(0, 0.3, 0, 1, {0.2, -1, 0.5});
     film.show(0.3, 0.7, 0.3, 0.3, {-1, -0.4, 1});
     film.show(0.7, 1, 0.42, -1, {1, 1, 1});
-    for (Passage& passage : film.shot().passages) {
-        passage.settings.stereo = Stereo::sphere;
-        passage.settings.ratio = 2;
+    for (Clip& clip : film.shot().clips) {
+        clip.settings.stereo = Stereo::sphere;
+        clip.settings.ratio = 2;
     }
 }
 
@@ -110,6 +112,37 @@ TEST(FilmSound, BlocksOfAnySize_HaveTheSameBits) {
         EXPECT_EQ(blocks.left, whole.left);
         EXPECT_EQ(blocks.right, whole.right);
     }
+}
+
+TEST(FilmSound, ReadRest_HandsOverAllThatIsLeft) {
+    SmallFilm film;
+    fill(film);
+    const Samples whole = samples_of(film.scene);
+    FilmSound sound(film.scene, {.gain = FilmGain{.full_scale = *film.scene.full_scale}});
+    std::vector<double> left(1000);
+    std::vector<double> right(1000);
+    ASSERT_EQ(sound.read(left, right), left.size());
+    double done = 0;
+    const auto on_progress = [&done](double part) {
+        EXPECT_GT(part, done);
+        done = part;
+    };
+    sound.read_rest({on_progress, {}},
+                    [&](std::span<const double> more_left, std::span<const double> more_right) {
+                        left.insert(left.end(), more_left.begin(), more_left.end());
+                        right.insert(right.end(), more_right.begin(), more_right.end());
+                    });
+    EXPECT_EQ(left, whole.left);
+    EXPECT_EQ(right, whole.right);
+    EXPECT_EQ(done, 1);
+}
+
+TEST(FilmSound, ReadRest_WhenStopped_Throws) {
+    SmallFilm film;
+    FilmSound sound(film.scene);
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_THROW(sound.read_rest({{}, stop.get_token()}), Stopped);
 }
 
 TEST(FilmSound, Groups_AsFilesOfTheirOwn_AddUpToTheFilm) {
@@ -158,13 +191,8 @@ TEST(FilmSound, AutomaticGain_OfAQuietFilm_StopsAt80Decibels) {
 /// The levels of a film that was read to its end, which are as loud as its gain says.
 SoundLevels levels_of(const SoundScene& scene, const AddedSound& added = {}) {
     FilmSound sound(scene, {.added = added});
-    std::vector<double> left(1024);
-    std::vector<double> right(1024);
-    std::int64_t total = 0;
-    while (const std::size_t count = sound.read(left, right)) {
-        total += static_cast<std::int64_t>(count);
-    }
-    EXPECT_EQ(total, scene.frames);
+    sound.read_rest();
+    EXPECT_EQ(sound.position(), scene.frames);
     const FilmGain gain = sound.gain();
     EXPECT_EQ(gain.found.has_value(), scene.loudness.has_value());
     if (gain.found) {
@@ -217,9 +245,7 @@ TEST(FilmSound, LoudnessOfASingleClack_IsMissedAndToldAsItIs) {
 /// What a film could have with some limiting, after it was read.
 std::optional<double> gentle_loudness_of(const SoundScene& scene, const AddedSound& added = {}) {
     FilmSound sound(scene, {.added = added});
-    std::vector<double> left(static_cast<std::size_t>(scene.frames));
-    std::vector<double> right = left;
-    EXPECT_EQ(sound.read(left, right), left.size());
+    sound.read_rest();
     return sound.gentle_loudness();
 }
 
@@ -396,12 +422,12 @@ TEST(FilmSound, RandomFilms_AreFinite) {
         film.shot().room.kind = RoomSettings::Kind::box;
         for (int i = 0; i < 4; ++i) {
             const Vec3 place(unit(random) - 0.5, unit(random) - 0.5, unit(random) - 0.2);
-            Passage& passage =
+            Clip& clip =
                 film.show(0.25 * i, 0.25 * (i + 1), unit(random), 6 * unit(random) - 3, place);
-            passage.settings.stereo = static_cast<Stereo>(run % 3);
-            passage.settings.ratio = 1 + 3 * unit(random);
-            passage.settings.pitch = unit(random);
-            passage.settings.has_delay = run % 2 == 0;
+            clip.settings.stereo = static_cast<Stereo>(run % 3);
+            clip.settings.ratio = 1 + 3 * unit(random);
+            clip.settings.pitch = unit(random);
+            clip.settings.has_delay = run % 2 == 0;
         }
         const Samples samples = samples_of(film.scene);
         for (std::size_t n = 0; n < samples.left.size(); ++n) {

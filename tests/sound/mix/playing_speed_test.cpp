@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "small_film.h"
+#include "sound/mix/auralisation.h"
 #include "sound/mix/film_sound.h"
-#include "sound/mix/heard.h"
 
 namespace carom::sound {
 namespace {
@@ -14,14 +14,14 @@ namespace {
 constexpr std::size_t kInstant = 12'000;  // samples: 0.25 s
 
 /// A clack at 0.25 s of a film that runs at this speed, without the way to the listener.
-std::vector<double> clack_at(double speed, const std::function<void(Passage&)>& change = {}) {
+std::vector<double> clack_at(double speed, const std::function<void(Clip&)>& change = {}) {
     SmallFilm film;
     // At a small scene time, so that the map rounds as little as the film time does.
     film.collide(0.125);
-    Passage& passage = film.show(0, 1, 0.125 - 0.25 * speed, speed, {0.5, -0.8, 0});
-    passage.settings.has_delay = false;
+    Clip& clip = film.show(0, 1, 0.125 - 0.25 * speed, speed, {0.5, -0.8, 0});
+    clip.settings.has_delay = false;
     if (change) {
-        change(passage);
+        change(clip);
     }
     return samples_of(film.scene).left;
 }
@@ -49,7 +49,7 @@ TEST(PlayingSpeed, VerySlowMotion_SoundsAsAtAnEighth) {
 
 TEST(PlayingSpeed, KeptPitch_DoesNotChangeTheSound) {
     const std::vector<double> normal = clack_at(1);
-    const std::vector<double> kept = clack_at(0.125, [](Passage& p) { p.settings.pitch = 0; });
+    const std::vector<double> kept = clack_at(0.125, [](Clip& p) { p.settings.pitch = 0; });
     for (std::size_t i = 0; i < normal.size(); ++i) {
         ASSERT_NEAR(kept[i], normal[i], 1e-9);
     }
@@ -66,11 +66,11 @@ TEST(PlayingSpeed, FastMotion_IsAtMostAnOctaveHigher) {
 TEST(PlayingSpeed, Lowest_IsTheSpeedBelowWhichThePitchStays) {
     SmallFilm film;
     film.collide(1);
-    Passage& passage = film.show(0, 100, 0, 0.025);
-    passage.settings.lowest = 0.25;
-    passage.settings.pitch = 0.5;
+    Clip& clip = film.show(0, 100, 0, 0.025);
+    clip.settings.lowest = 0.25;
+    clip.settings.pitch = 0.5;
     film.scene.frames = 100LL * kSampleRate;
-    const std::vector<HeardImpact> rows = heard(film.scene);
+    const std::vector<AudibleImpact> rows = audible_impacts(film.scene);
     ASSERT_EQ(rows.size(), 1);
     EXPECT_NEAR(rows[0].time_factor, 0.5, 1e-12);
 }
@@ -89,7 +89,7 @@ TEST(PlayingSpeed, Backwards_IsTheMirrorImage) {
 TEST(PlayingSpeed, BackwardsWithoutMirroring_IsAsForwards) {
     const std::vector<double> forward = clack_at(1);
     const std::vector<double> backward =
-        clack_at(-1, [](Passage& p) { p.settings.mirrors_reverse = false; });
+        clack_at(-1, [](Clip& p) { p.settings.mirrors_reverse = false; });
     for (std::size_t i = 0; i < forward.size(); ++i) {
         ASSERT_NEAR(backward[i], forward[i], 1e-9);
     }
@@ -103,7 +103,7 @@ TEST(PlayingSpeed, Backwards_ALongRingBeginsBeforeItsInstant) {
     film.scene.frames = 3LL * kSampleRate;
     film.show(0, 3, 10 - 2 * 0.125, 0.125).settings.has_delay = false;
     const std::vector<double> forward = samples_of(film.scene).left;
-    film.shot().passages.clear();
+    film.shot().clips.clear();
     film.show(0, 3, 10 + 2 * 0.125, -0.125).settings.has_delay = false;
     const std::vector<double> backward = samples_of(film.scene).left;
     const double peak = highest(forward);
@@ -118,10 +118,10 @@ TEST(PlayingSpeed, Ramp_GivesEachImpactTheSpeedOfItsInstant) {
     SmallFilm film;
     film.collide(0.5 * 0.2 * 0.2);
     film.collide(0.5 * 0.8 * 0.8);
-    Passage& passage = film.show(0, 1, 0, 1);
-    passage.scene_time = [](double t) { return 0.5 * t * t; };
-    passage.speed = [](double t) { return t; };
-    const std::vector<HeardImpact> rows = heard(film.scene);
+    Clip& clip = film.show(0, 1, 0, 1);
+    clip.scene_time = [](double t) { return 0.5 * t * t; };
+    clip.speed = [](double t) { return t; };
+    const std::vector<AudibleImpact> rows = audible_impacts(film.scene);
     ASSERT_EQ(rows.size(), 2);
     EXPECT_NEAR(rows[0].film_time, 0.2, 1e-12);
     EXPECT_NEAR(rows[0].time_factor, 0.2, 1e-9);

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sound/space/room.h"
+#include "tests/sound/named_room.h"
 
 namespace carom::sound {
 namespace {
@@ -41,7 +41,7 @@ Response response(ShotBus& bus, const BusInput& input, std::size_t at, int block
 }
 
 TEST(ShotBus, Input_GoesToItsChannelAfterItsDelay) {
-    ShotBus bus(no_room(), false);
+    ShotBus bus(room_named("none"), false);
     const Response heard =
         response(bus, {BusInput::To::right, false, false, 0.5, 0.25, 1000}, 239, 8);
     for (std::size_t n = 0; n < heard.left.size(); ++n) {
@@ -51,7 +51,7 @@ TEST(ShotBus, Input_GoesToItsChannelAfterItsDelay) {
 }
 
 TEST(ShotBus, LongestDelay_IsKeptAndALongerOneLeftOut) {
-    ShotBus bus(no_room(), false);
+    ShotBus bus(room_named("none"), false);
     const BusInput longest{BusInput::To::left, false, false, 1, 0, ShotBus::kLongestDelay};
     const Response heard = response(bus, longest, 7, 104);
     EXPECT_EQ(heard.left[ShotBus::kLongestDelay + 7], 1);
@@ -65,7 +65,7 @@ TEST(ShotBus, LongestDelay_IsKeptAndALongerOneLeftOut) {
 // Both halves of an ear's filter are the ear's filter.
 TEST(ShotBus, FilteredInput_IsThatOfTheEar) {
     const Ear ear = ears_of(Stereo::sphere, Width::real, {}, {1, 1, 0}).left;
-    ShotBus bus(no_room(), false);
+    ShotBus bus(room_named("none"), false);
     const Response heard =
         response(bus, {BusInput::To::left, false, true, ear.b0, ear.b1, 0}, 10, 2);
     EarFilter filter;
@@ -75,7 +75,7 @@ TEST(ShotBus, FilteredInput_IsThatOfTheEar) {
 }
 
 TEST(ShotBus, ReflectedInput_PassesTheWalls) {
-    RoomSettings room = club();
+    RoomSettings room = room_named("club");
     const double pole = reflections_of(room, {0, 0, 0}, {1, 1, 0})[0].pole;
     ASSERT_GT(pole, 0.01);
     ShotBus bus(room, false);
@@ -87,7 +87,7 @@ TEST(ShotBus, ReflectedInput_PassesTheWalls) {
 
 TEST(ShotBus, Reverberation_InMono_IsTheSameInBothChannels) {
     for (const bool is_mono : {true, false}) {
-        ShotBus bus(club(), is_mono);
+        ShotBus bus(room_named("club"), is_mono);
         const Response heard = response(bus, {BusInput::To::room, false, false, 1, 0, 0}, 0, 40);
         EXPECT_EQ(heard.left == heard.right, is_mono);
         EXPECT_NE(heard.left[5000], 0);
@@ -95,7 +95,7 @@ TEST(ShotBus, Reverberation_InMono_IsTheSameInBothChannels) {
 }
 
 TEST(ShotBus, Silence_ComesWhenNothingIsLeft) {
-    ShotBus bus(no_room(), false);
+    ShotBus bus(room_named("none"), false);
     EXPECT_EQ(response(bus, {BusInput::To::left, false, false, 1, 0, 20'000}, 0, 50).left.back(),
               0);
     EXPECT_FALSE(bus.is_silent());

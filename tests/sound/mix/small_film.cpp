@@ -25,7 +25,7 @@ SmallFilm::SmallFilm() {
     added.timeline = &timeline;
     added.bodies = {{"cue", BallShape{kRadius}, kMass, default_material("ball"), {}},
                     {"one", BallShape{kRadius}, kMass, default_material("ball"), {}}};
-    added.structures = default_structures(kMass);
+    added.resonators = default_resonators(kMass);
     added.room.kind = RoomSettings::Kind::none;
     scene.shots.push_back(std::move(added));
     scene.frames = kSampleRate;
@@ -53,24 +53,23 @@ void SmallFilm::touch(double time, const std::string& surface, double impulse) {
     timeline.events.push_back(event);
 }
 
-Passage& SmallFilm::show(double from, double to, double scene_from, double speed,
-                         const Vec3& place) {
-    Passage passage;
-    passage.from = from;
-    passage.to = to;
-    passage.camera = "camera";
-    passage.scene_time = [=](double t) { return scene_from + speed * (t - from); };
-    passage.speed = [=](double) { return speed; };
-    passage.listener = [=](double) {
+Clip& SmallFilm::show(double from, double to, double scene_from, double speed, const Vec3& place) {
+    Clip clip;
+    clip.from = from;
+    clip.to = to;
+    clip.camera = "camera";
+    clip.scene_time = [=](double t) { return scene_from + speed * (t - from); };
+    clip.speed = [=](double) { return speed; };
+    clip.listener = [=](double) {
         Listener listener;
         listener.position = place;
         return listener;
     };
-    passage.weight = [](double) { return 1.0; };
-    passage.settings.stereo = Stereo::mono;
-    passage.settings.ratio = 1;
-    shot().passages.push_back(std::move(passage));
-    return shot().passages.back();
+    clip.weight = [](double) { return 1.0; };
+    clip.settings.stereo = Stereo::mono;
+    clip.settings.ratio = 1;
+    shot().clips.push_back(std::move(clip));
+    return shot().clips.back();
 }
 
 Samples samples_of(const SoundScene& scene, FilmSoundOptions options, std::size_t block) {

@@ -26,9 +26,9 @@ struct SmallFilm {
     /// The cue ball touches a surface.
     void touch(double time, const std::string& surface, double impulse);
 
-    /// Adds a passage of a camera at `place`, which shows `scene_from` + speed (t - from).
-    Passage& show(double from, double to, double scene_from, double speed,
-                  const Vec3& place = {0, -1, 0});
+    /// Adds a clip of a camera at `place`, which shows `scene_from` + speed (t - from).
+    Clip& show(double from, double to, double scene_from, double speed,
+               const Vec3& place = {0, -1, 0});
 
     SoundShot& shot() { return scene.shots.front(); }
 

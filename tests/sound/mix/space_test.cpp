@@ -8,7 +8,7 @@
 #include "small_film.h"
 #include "sound/level/decibels.h"
 #include "sound/mix/film_sound.h"
-#include "sound/space/room.h"
+#include "tests/sound/named_room.h"
 
 namespace carom::sound {
 namespace {
@@ -31,9 +31,9 @@ TEST(Space, SoundFromTheLeft_IsEarlierAndLouderThere) {
     SmallFilm film;
     film.collide(0.25, 2);
     // Ahead is y, right is x: the balls are 30 degrees to the left.
-    Passage& passage = film.show(0, 1, 0, 1, {0.5, -std::sqrt(0.75), 0});
-    passage.settings.stereo = Stereo::sphere;
-    passage.settings.width = Width::real;
+    Clip& clip = film.show(0, 1, 0, 1, {0.5, -std::sqrt(0.75), 0});
+    clip.settings.stereo = Stereo::sphere;
+    clip.settings.width = Width::real;
     const Samples samples = samples_of(film.scene);
     const double threshold = 0.05 * highest(samples.left);
     const auto late = static_cast<double>(first_above(samples.right, threshold)) -
@@ -52,15 +52,15 @@ void fill(SmallFilm& film, double side) {
         event.normal = {0, -side, 0};
     }
     film.shot().has_bed = true;
-    Passage& passage = film.show(0, 1, 0, 1, {-1, side * 0.3, 0.5});
-    passage.listener = [side](double) {
+    Clip& clip = film.show(0, 1, 0, 1, {-1, side * 0.3, 0.5});
+    clip.listener = [side](double) {
         Listener listener;
         listener.position = {-1, side * 0.3, 0.5};
         listener.ahead = {1, 0, 0};
         listener.right = {0, -1, 0};
         return listener;
     };
-    passage.settings.stereo = Stereo::sphere;
+    clip.settings.stereo = Stereo::sphere;
     film.shot().room.kind = RoomSettings::Kind::outdoors;
 }
 
@@ -117,7 +117,7 @@ TEST(Space, Ground_Outdoors_IsOneEcho) {
 TEST(Space, Room_AfterAnImpact_FallsBySixtyDecibelsInItsTime) {
     SmallFilm film;
     film.collide(0.1, 5);
-    film.shot().room = club();
+    film.shot().room = room_named("club");
     film.show(0, 0.2, 0, 1);
     film.show(0.2, 3, 0.2, 0);
     film.scene.frames = 3LL * kSampleRate;
@@ -167,9 +167,9 @@ class RollingFilm : public SmallFilm {
 
     /// The root mean square of the left channel while the listener goes beside the ball, 1 m away.
     double level(double film_speed = 1) {
-        shot().passages.clear();
-        Passage& passage = show(0, 2, film_speed < 0 ? 2 : 0, film_speed);
-        passage.listener = [this, film_speed](double t) {
+        shot().clips.clear();
+        Clip& clip = show(0, 2, film_speed < 0 ? 2 : 0, film_speed);
+        clip.listener = [this, film_speed](double t) {
             Listener listener;
             const double scene_time = (film_speed < 0 ? 2 : 0) + film_speed * t;
             listener.position = timeline.find("two")->sample(scene_time).position - Vec3(1, 0, 0);
@@ -199,7 +199,7 @@ TEST(Space, RollingBall_AcrossACut_GoesOn) {
     RollingFilm film(1);
     film.show(0, 2, 0, 1, {-1, 0, 0.3});
     const std::vector<double> whole = samples_of(film.scene).left;
-    film.shot().passages.clear();
+    film.shot().clips.clear();
     film.show(0, 1, 0, 1, {-1, 0, 0.3});
     film.show(1, 2, 1, 1, {-1, 0, 0.3});
     const std::vector<double> cut = samples_of(film.scene).left;
@@ -215,14 +215,14 @@ TEST(Space, RollingBall_IsHeardLateByTheWay) {
     RollingFilm film(1);
     const double head = 0.0875 / 343;  // s, the least delay
     const double distance = 0.0875 + 343 * 128.0 / kSampleRate;
-    Passage& passage = film.show(0, 2, 0, 1);
-    passage.listener = [&film, distance](double t) {
+    Clip& clip = film.show(0, 2, 0, 1);
+    clip.listener = [&film, distance](double t) {
         Listener listener;
         listener.position = film.timeline.find("two")->sample(t).position - Vec3(distance, 0, 0);
         return listener;
     };
     const std::vector<double> late = samples_of(film.scene).left;
-    passage.settings.has_delay = false;
+    clip.settings.has_delay = false;
     const std::vector<double> prompt = samples_of(film.scene).left;
     ASSERT_LT(head * kSampleRate, 13);
     const double peak = highest(late);

@@ -8,8 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include "sound/rolling/rolling_level.h"
-
 namespace carom::sound {
 namespace {
 
@@ -52,43 +50,43 @@ struct Shot {
     Shot& operator=(const Shot&) = delete;
 
     [[nodiscard]] RollingSource source() const {
-        std::vector<RollingSource> sources = rolling_sources(shot);
+        const std::vector<RollingSource> sources = rolling_sources(shot);
         EXPECT_EQ(sources.size(), 1U);
-        return std::move(sources.at(0));
+        return sources.at(0);
     }
 };
 
 const std::vector<sim::Event> kRolling{event(sim::EventKind::rolling, 0)};
 
 /// Without dynamics.
-PassageSettings natural() {
-    PassageSettings settings;
+ClipSettings natural() {
+    ClipSettings settings;
     settings.ratio = 1;
     return settings;
 }
 
-Passage passage_of(std::function<double(double)> scene_time, double speed,
-                   const PassageSettings& settings = natural()) {
-    Passage passage;
-    passage.to = 1000;
-    passage.scene_time = std::move(scene_time);
-    passage.speed = [speed](double) { return speed; };
-    passage.settings = settings;
-    return passage;
+Clip clip_of(std::function<double(double)> scene_time, double speed,
+             const ClipSettings& settings = natural()) {
+    Clip clip;
+    clip.to = 1000;
+    clip.scene_time = std::move(scene_time);
+    clip.speed = [speed](double) { return speed; };
+    clip.settings = settings;
+    return clip;
 }
 
-Passage forward(double speed = 1, const PassageSettings& settings = natural()) {
-    return passage_of([speed](double time) { return speed * time; }, speed, settings);
+Clip forward(double speed = 1, const ClipSettings& settings = natural()) {
+    return clip_of([speed](double time) { return speed * time; }, speed, settings);
 }
 
-std::vector<double> played(RollingSource source, const Passage& passage, std::size_t count,
+std::vector<double> played(const RollingSource& source, const Clip& clip, std::size_t count,
                            std::size_t block = 1024) {
     std::vector<double> pressure(count);
-    source.begin();
+    RollingVoice voice(source);
     for (std::size_t first = 0; first < count; first += block) {
         const std::size_t size = std::min(block, count - first);
-        source.add(PassageBlock(passage, static_cast<std::int64_t>(first), size),
-                   std::span(pressure).subspan(first, size));
+        voice.add(ClipBlock(clip, static_cast<std::int64_t>(first), size),
+                  std::span(pressure).subspan(first, size));
     }
     return pressure;
 }
@@ -120,7 +118,7 @@ TEST(RollingBall, Level_Is40DecibelsAtOneMetrePerSecondAnd9MorePerDoubling) {
 }
 
 TEST(RollingBall, Sliding_Is3DecibelsMoreOfTheSlipSpeed) {
-    // The ball slides without turning, so both read-outs have the same speed.
+    // The ball slides without turning, so both oscillators have the same speed.
     const Shot shot(2, 0, kRolling);
     const double level = 49 + 10 * std::log10(1 + std::pow(10, 0.3));
     EXPECT_NEAR(decibels(played(shot.source(), forward(), 4 * kSampleRate)), level, 1);
@@ -166,8 +164,8 @@ TEST(RollingBall, Backwards_IsTheMirrorImage) {
     for (const double speed : {1.0, 0.25, 1.0 / 40}) {
         const std::vector<double> there = played(shot.source(), forward(speed), last + 1);
         const std::vector<double> back =
-            played(shot.source(),
-                   passage_of([&](double time) { return speed * (3 - time); }, -speed), last + 1);
+            played(shot.source(), clip_of([&](double time) { return speed * (3 - time); }, -speed),
+                   last + 1);
         double largest = 0;
         double most = 0;
         for (int n = 0; n <= last; ++n) {
@@ -182,13 +180,13 @@ TEST(RollingBall, Backwards_IsTheMirrorImage) {
 TEST(RollingBall, SlowPicture_LowersThePitch) {
     const Shot shot(6, 6 / kRadius, kRolling);
     const int normal = zero_crossings(played(shot.source(), forward(), 2 * kSampleRate));
-    const auto ratio_at = [&](double speed, const PassageSettings& settings) {
+    const auto ratio_at = [&](double speed, const ClipSettings& settings) {
         return zero_crossings(played(shot.source(), forward(speed, settings), 2 * kSampleRate)) /
                static_cast<double>(normal);
     };
-    PassageSettings keep = natural();
+    ClipSettings keep = natural();
     keep.pitch = 0;
-    PassageSettings root = natural();
+    ClipSettings root = natural();
     root.pitch = 0.5;
     EXPECT_NEAR(ratio_at(0.5, natural()), 0.5, 0.05);
     EXPECT_NEAR(ratio_at(0.25, keep), 1, 0.1);
@@ -199,21 +197,21 @@ TEST(RollingBall, SlowPicture_LowersThePitch) {
 
 TEST(RollingBall, AlmostStandingPicture_FadesThoughThePitchStays) {
     const Shot shot(6, 6 / kRadius, kRolling);
-    PassageSettings keep = natural();
+    ClipSettings keep = natural();
     keep.pitch = 0;
     // A tenth of a hundredth: 20 dB. Of the scene, 10 s show what lasts 10 ms.
-    const auto passage = [&](double speed) {
-        return passage_of([speed](double time) { return 1 + speed * time; }, speed, keep);
+    const auto clip = [&](double speed) {
+        return clip_of([speed](double time) { return 1 + speed * time; }, speed, keep);
     };
     const std::size_t count = 10 * kSampleRate;
-    EXPECT_NEAR(decibels(played(shot.source(), passage(1e-2), count)) -
-                    decibels(played(shot.source(), passage(1e-3), count)),
+    EXPECT_NEAR(decibels(played(shot.source(), clip(1e-2), count)) -
+                    decibels(played(shot.source(), clip(1e-3), count)),
                 20, 1);
 }
 
 TEST(RollingBall, StandingPicture_IsSilent) {
     const Shot shot(2, 0, kRolling);
-    const Passage frozen = passage_of([](double) { return 1.234; }, 0);
+    const Clip frozen = clip_of([](double) { return 1.234; }, 0);
     for (const double sample : played(shot.source(), frozen, 5000)) {
         ASSERT_EQ(sample, 0);
     }
@@ -223,9 +221,9 @@ TEST(RollingBall, RampOfTheSpeed_HasNoStep) {
     // From normal speed to a stop within 2 s; the pitch is kept in one case.
     const Shot shot(2, 0, kRolling);
     for (const double pitch : {0.0, 0.5, 1.0}) {
-        PassageSettings settings = natural();
+        ClipSettings settings = natural();
         settings.pitch = pitch;
-        Passage ramp = passage_of([](double time) { return time - time * time / 4; }, 1, settings);
+        Clip ramp = clip_of([](double time) { return time - time * time / 4; }, 1, settings);
         ramp.speed = [](double time) { return std::max(0.0, 1 - time / 2); };
         const std::vector<double> pressure = played(shot.source(), ramp, 2 * kSampleRate);
         double steepest = 0;
@@ -243,7 +241,7 @@ TEST(RollingBall, BlockSize_ChangesNoBit) {
     events.push_back(event(sim::EventKind::airborne, 0.3));
     events.push_back(event(sim::EventKind::sliding, 0.5));
     const Shot shot(3, 10, events);
-    Passage ramp = passage_of([](double time) { return time - time * time / 4; }, 1);
+    Clip ramp = clip_of([](double time) { return time - time * time / 4; }, 1);
     ramp.speed = [](double time) { return 1 - time / 2; };
     ramp.settings.pitch = 0.4;
     const std::vector<double> whole = played(shot.source(), ramp, 50000, 50000);
@@ -252,10 +250,33 @@ TEST(RollingBall, BlockSize_ChangesNoBit) {
     }
 }
 
+// The duration of each contact is heard with the ball's own change of speed.
+TEST(RollingBall, Contacts_AreThoseWithAnything) {
+    std::vector<sim::Event> events = kRolling;
+    for (const char* other : {"cushion", "cloth", "two", "cushion"}) {
+        sim::Event impact = event(sim::EventKind::impact, static_cast<double>(events.size()) / 2);
+        impact.b = other;
+        impact.normal_impulse = 0.1;
+        events.push_back(impact);
+    }
+    events[3].a = "a_ball_with_a_long_name";
+    events[3].b = "one";
+    Shot shot(1, 1 / kRadius, events);
+    SoundBody other = shot.shot.bodies[0];
+    other.name = events[3].a;
+    shot.shot.bodies.push_back(other);
+    const RollingSource source = shot.source();
+    std::vector<double> times;
+    for (const ContactTime& contact : std::get<RollingBall>(source.motion).contacts) {
+        times.push_back(contact.time);
+        EXPECT_GT(contact.duration, 0);
+    }
+    EXPECT_EQ(times, (std::vector<double>{0.5, 1, 1.5, 2}));
+}
+
 TEST(RollingBall, Place_IsThatOfTheBall) {
     const Shot shot(2, 0, kRolling);
     EXPECT_NEAR((shot.source().place(1.5) - Vec3(3, 0, kRadius)).length(), 0, 1e-12);
-    EXPECT_EQ(shot.source().body(), "one");
 }
 
 /// A box that lies on "two" with a normal force and slips.
@@ -271,9 +292,9 @@ RollingSource scraping_source(double force, double slip, const std::string& othe
     SoundShot shot;
     shot.timeline = &timeline;
     shot.bodies.push_back(body);
-    std::vector<RollingSource> sources = rolling_sources(shot);
+    const std::vector<RollingSource> sources = rolling_sources(shot);
     EXPECT_EQ(sources.size(), 1U);
-    return std::move(sources.at(0));
+    return sources.at(0);
 }
 
 TEST(Scraping, Level_GrowsWithTheForceAndTheSlip) {
@@ -299,11 +320,11 @@ TEST(Scraping, PartsOfOneContact_DoNotFadeBetween) {
     SoundShot shot;
     shot.timeline = &timeline;
     shot.bodies.push_back(body);
-    std::vector<RollingSource> sources = rolling_sources(shot);
+    const std::vector<RollingSource> sources = rolling_sources(shot);
     ASSERT_EQ(sources.size(), 2U);
     const std::size_t second = kSampleRate;
-    const std::vector<double> box_two = played(std::move(sources[0]), forward(), 4 * second);
-    const std::vector<double> box_three = played(std::move(sources[1]), forward(), second);
+    const std::vector<double> box_two = played(sources[0], forward(), 4 * second);
+    const std::vector<double> box_three = played(sources[1], forward(), second);
     const auto level = [](const std::vector<double>& pressure, double from, double to) {
         return decibels({pressure.begin() + static_cast<int>(from * kSampleRate),
                          pressure.begin() + static_cast<int>(to * kSampleRate)});
@@ -319,7 +340,7 @@ TEST(Scraping, PartsOfOneContact_DoNotFadeBetween) {
 
 TEST(RollingBall, Dynamics_LiftWhatIsQuiet) {
     const Shot shot(1, 1 / kRadius, kRolling);  // 40 dB
-    PassageSettings film;
+    ClipSettings film;
     film.ratio = 2;
     EXPECT_NEAR(decibels(played(shot.source(), forward(1, film), kSampleRate)) -
                     decibels(played(shot.source(), forward(), kSampleRate)),
@@ -346,7 +367,7 @@ TEST(RollingBall, Blow_MakesNoStep) {
     impact.normal = {-1, 0, 0};
     impact.normal_impulse = 0.5;
     shot.timeline.events.push_back(impact);
-    shot.shot.structures.cushion.contact = 0.0055;
+    shot.shot.resonators.cushion.contact = 0.0055;
     for (const double speed : {1.0, 1.0 / 8}) {
         const auto count = static_cast<std::size_t>(1.5 / speed * kSampleRate);
         const std::vector<double> pressure = played(shot.source(), forward(speed), count);
@@ -376,7 +397,7 @@ TEST(Scraping, BallOnCloth_IsHeardOnlyByItsRolling) {
     Shot shot(1, 1 / kRadius, kRolling);
     shot.timeline.lasting_contacts = {{"one", "cloth", 0, 1, 2, 0.5},
                                       {"one", "cushion", 1, 2, 2, 0.5}};
-    std::vector<RollingSource> sources = rolling_sources(shot.shot);
+    const std::vector<RollingSource> sources = rolling_sources(shot.shot);
     ASSERT_EQ(sources.size(), 2U);
     EXPECT_FALSE(sources[1].sounds(0, 0.9));
     EXPECT_TRUE(sources[1].sounds(1.1, 1.9));

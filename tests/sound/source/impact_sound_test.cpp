@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sound/source/arrival.h"
 #include "sound/source/contact.h"
 #include "sound/source/defaults.h"
+#include "sound/source/direct_sound.h"
 #include "sound/source/mode_sound.h"
 
 namespace carom::sound {
@@ -21,7 +21,7 @@ class ImpactSoundTest : public testing::Test {
   protected:
     ImpactSoundTest() {
         shot_.timeline = &timeline_;
-        shot_.structures = default_structures(kMass);
+        shot_.resonators = default_resonators(kMass);
         shot_.has_bed = true;
         shot_.bed_reflection = 0.5;
         shot_.bodies = {{"cue", BallShape{kRadius}, kMass, default_material("ball"), {}},
@@ -68,11 +68,11 @@ TEST_F(ImpactSoundTest, TwoBalls_OnTheBed_AreTwoSpheresAndTheirImages) {
     EXPECT_EQ(sound->group, Group::balls);
     ASSERT_EQ(sound->spheres.size(), 4);
     EXPECT_EQ(sound->spheres[0].centre, Vec3(-kRadius, 0, kRadius));
-    EXPECT_NEAR(sound->spheres[0].jump.x, -0.2 / kMass, 1e-12);
+    EXPECT_NEAR(sound->spheres[0].velocity_step.x, -0.2 / kMass, 1e-12);
     EXPECT_EQ(sound->spheres[1].centre, Vec3(-kRadius, 0, -kRadius));
     EXPECT_EQ(sound->spheres[1].factor, 0.5);
     EXPECT_EQ(sound->spheres[2].centre, Vec3(kRadius, 0, kRadius));
-    EXPECT_NEAR(sound->spheres[2].jump.x, 0.2 / kMass, 1e-12);
+    EXPECT_NEAR(sound->spheres[2].velocity_step.x, 0.2 / kMass, 1e-12);
     EXPECT_TRUE(sound->modes.empty());
 }
 
@@ -81,9 +81,9 @@ TEST_F(ImpactSoundTest, Ball_OnTheCloth_HasAnImageThatMovesTheOtherWay) {
     ASSERT_TRUE(sound);
     EXPECT_EQ(sound->group, Group::cloth);
     ASSERT_EQ(sound->spheres.size(), 2);
-    EXPECT_NEAR(sound->spheres[0].jump.z, 0.3 / kMass, 1e-12);
-    EXPECT_NEAR(sound->spheres[1].jump.z, -0.3 / kMass, 1e-12);
-    EXPECT_EQ(sound->modes, shot_.structures.bed.modes);
+    EXPECT_NEAR(sound->spheres[0].velocity_step.z, 0.3 / kMass, 1e-12);
+    EXPECT_NEAR(sound->spheres[1].velocity_step.z, -0.3 / kMass, 1e-12);
+    EXPECT_EQ(sound->modes, shot_.resonators.bed.modes);
 }
 
 TEST_F(ImpactSoundTest, Surfaces_HaveTheirContactTimesModesAndGroups) {
@@ -91,14 +91,14 @@ TEST_F(ImpactSoundTest, Surfaces_HaveTheirContactTimesModesAndGroups) {
         return *sound_of(impact("cue", surface, {0, 0, 0.03}, {1, 0, 0}, 0.3));
     };
     EXPECT_EQ(heard("cushion").group, Group::cushions);
-    EXPECT_EQ(heard("cushion").contact_time, shot_.structures.cushion.contact);
-    EXPECT_EQ(heard("cushion").modes, shot_.structures.cushion.modes);
+    EXPECT_EQ(heard("cushion").contact_time, shot_.resonators.cushion.contact);
+    EXPECT_EQ(heard("cushion").modes, shot_.resonators.cushion.modes);
     EXPECT_EQ(heard("pocket").group, Group::pockets);
     EXPECT_EQ(heard("pocket").contact_time, 3.5e-3);
     EXPECT_EQ(heard("rail").group, Group::cushions);
     EXPECT_EQ(heard("rail").contact_time, 0.8e-3);
     EXPECT_EQ(heard("floor").group, Group::objects);
-    EXPECT_EQ(heard("floor").modes, shot_.structures.wood.modes);
+    EXPECT_EQ(heard("floor").modes, shot_.resonators.wood.modes);
 }
 
 TEST_F(ImpactSoundTest, Strike_OfABall_HasTheImpulseOfTheVelocityThatItGave) {
@@ -113,7 +113,7 @@ TEST_F(ImpactSoundTest, Strike_OfABall_HasTheImpulseOfTheVelocityThatItGave) {
     EXPECT_NEAR(sound->impulse, 3 * kMass, 1e-15);
     EXPECT_NEAR(sound->contact_time, 1.3e-3, 1e-15);
     EXPECT_NEAR((sound->place - Vec3(0, -kRadius, kRadius)).length(), 0, 1e-15);
-    EXPECT_EQ(sound->modes, shot_.structures.stick.modes);
+    EXPECT_EQ(sound->modes, shot_.resonators.stick.modes);
 }
 
 TEST_F(ImpactSoundTest, TwoBoxes_TouchWithAnEdgeThatMovesLikeAThirdOfEach) {
@@ -123,7 +123,7 @@ TEST_F(ImpactSoundTest, TwoBoxes_TouchWithAnEdgeThatMovesLikeAThirdOfEach) {
     const Material plastic = default_material("tile");
     const ContactPair pair{0.0346 / 6, 0.004, reduced_modulus(plastic, plastic),
                            plastic.restitution};
-    EXPECT_NEAR(sound->contact_time, hertz_contact(pair, 1e-3).duration, 1e-12);
+    EXPECT_NEAR(sound->contact_time, hertz_contact_time(pair, 1e-3), 1e-12);
     EXPECT_NEAR(sound->contact_time, 224e-6, 1e-6);
     // Each is the sphere of its volume at its own centre, and bends along its thickness.
     ASSERT_EQ(sound->spheres.size(), 4);
@@ -141,7 +141,7 @@ TEST_F(ImpactSoundTest, Box_ThatHasTurned_IsHitInItsOwnAxes) {
     const auto sound = sound_of(impact("tile_1", "cloth", {0, 0, 0}, {0, 0, 1}, 1e-3));
     ASSERT_TRUE(sound);
     EXPECT_EQ(sound->contact_time, 0.9e-3);
-    ASSERT_EQ(sound->modes.size(), 2 + shot_.structures.box_on_cloth.modes.size());
+    ASSERT_EQ(sound->modes.size(), 2 + shot_.resonators.box_on_cloth.modes.size());
     EXPECT_NEAR(sound->modes[0].frequency, 5830, 20);
     EXPECT_NEAR(sound->modes[0].gain, 1, 1e-9);  // half of a free tile's
 }
@@ -168,16 +168,16 @@ TEST_F(ImpactSoundTest, Events_ThatAreNoImpacts_AreSilent) {
     }
 }
 
-// The levels that the gains of the structures were set by.
+// The levels that the gains of the resonators were set by.
 TEST_F(ImpactSoundTest, Structures_AtOneMetre_HaveTheirLevels) {
     shot_.has_bed = false;
     const auto level = [&](const sim::Event& event) {
         const double pressure =
-            find_peak(arrival_at(event.place + Vec3(0, 1, 0), *sound_of(event))).pressure;
+            find_peak(direct_sound_at(event.place + Vec3(0, 1, 0), *sound_of(event))).pressure;
         return 20 * std::log10(pressure / 20e-6);
     };
     EXPECT_NEAR(level(impact("cue", "cushion", {0, 0, 0.036}, {1, 0, 0}, 1.85 * kMass)), 68, 1);
-    // A landing: the bed without the ball, which is silent at right angles to its jump.
+    // A landing: the bed without the ball, which is silent at right angles to its step.
     EXPECT_NEAR(level(impact("cue", "cloth", {0, 0, 0}, {0, 0, 1}, 1.5 * kMass)), 85, 6);
 }
 

@@ -1,4 +1,4 @@
-// Modes of structures and of boxes.
+// Modes of resonators and of boxes.
 #include "sound/source/mode_sound.h"
 
 #include <cmath>

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/sound/closed_forms.h"
+
 namespace carom::sound {
 namespace {
 

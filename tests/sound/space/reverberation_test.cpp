@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/splitmix.h"
-#include "sound/space/room.h"
+#include "tests/sound/named_room.h"
 
 namespace carom::sound {
 namespace {
@@ -83,7 +83,8 @@ double decay_time(const Channels& response, double frequency) {
 }
 
 TEST(Reverberation, Decay_TakesTheTimesOfTheRoom) {
-    for (const RoomSettings& room : {studio(), club(), hall()}) {
+    for (const RoomSettings& room :
+         {room_named("studio"), room_named("club"), room_named("hall")}) {
         SCOPED_TRACE(room.reverberation_low);
         const Channels channels = reverberated(room, impulse(2 * room.reverberation_low));
         EXPECT_NEAR(decay_time(channels, 200) / room.reverberation_low, 1, 0.05);
@@ -92,7 +93,7 @@ TEST(Reverberation, Decay_TakesTheTimesOfTheRoom) {
 }
 
 TEST(Reverberation, SteadySource_IsAsLoudAsItsDirectSoundAtTheCriticalDistance) {
-    for (RoomSettings room : {studio(), club(), hall()}) {
+    for (RoomSettings room : {room_named("studio"), room_named("club"), room_named("hall")}) {
         room.reverberation_high = room.reverberation_low;
         const std::vector<double> source = noise(6 * kSampleRate);
         const Channels channels = reverberated(room, source);
@@ -106,7 +107,7 @@ TEST(Reverberation, SteadySource_IsAsLoudAsItsDirectSoundAtTheCriticalDistance) 
 }
 
 TEST(Reverberation, Channels_AreNotCorrelated) {
-    const Channels channels = reverberated(club(), noise(4 * kSampleRate));
+    const Channels channels = reverberated(room_named("club"), noise(4 * kSampleRate));
     double product = 0;
     for (std::size_t n = 0; n < channels.left.size(); ++n) {
         product += channels.left[n] * channels.right[n];
@@ -117,7 +118,7 @@ TEST(Reverberation, Channels_AreNotCorrelated) {
 }
 
 TEST(Reverberation, FirstEcho_ComesAfter21Milliseconds) {
-    const Channels channels = reverberated(club(), impulse(0.1));
+    const Channels channels = reverberated(room_named("club"), impulse(0.1));
     for (std::size_t n = 0; n < 1009; ++n) {
         ASSERT_EQ(channels.left[n], 0);
     }
@@ -125,7 +126,7 @@ TEST(Reverberation, FirstEcho_ComesAfter21Milliseconds) {
 }
 
 TEST(Reverberation, LongAfterTheSource_IsExactlySilent) {
-    Reverberation reverberation(studio());
+    Reverberation reverberation(room_named("studio"));
     EXPECT_TRUE(reverberation.is_silent());
     std::vector<double> source(1024);
     source[3] = 1;
@@ -153,10 +154,10 @@ TEST(Reverberation, LongAfterTheSource_IsExactlySilent) {
 TEST(Reverberation, BlockSize_ChangesNoBit) {
     std::vector<double> source = noise(20000);
     std::fill(source.begin() + 3000, source.end() - 2000, 0);
-    const Channels whole = reverberated(club(), source);
+    const Channels whole = reverberated(room_named("club"), source);
     for (const std::size_t size : {1U, 64U, 1024U, 4096U}) {
         Channels parts{std::vector<double>(source.size()), std::vector<double>(source.size())};
-        Reverberation reverberation(club());
+        Reverberation reverberation(room_named("club"));
         for (std::size_t first = 0; first < source.size(); first += size) {
             const std::size_t count = std::min(size, source.size() - first);
             reverberation.add(std::span(source).subspan(first, count),
@@ -169,9 +170,9 @@ TEST(Reverberation, BlockSize_ChangesNoBit) {
 }
 
 TEST(Reverberation, NoBoxOrDeadRoom_AddsNothing) {
-    RoomSettings dead = club();
+    RoomSettings dead = room_named("club");
     dead.reverberation_low = dead.reverberation_high = 0.001;
-    for (const RoomSettings& room : {outdoors(), no_room(), dead}) {
+    for (const RoomSettings& room : {room_named("outdoors"), room_named("none"), dead}) {
         const Channels channels = reverberated(room, noise(5000));
         EXPECT_EQ(channels.left, std::vector<double>(5000));
     }
