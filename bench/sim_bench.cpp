@@ -121,8 +121,36 @@ void break_shot(benchmark::State& state, billiards::RackKind kind) {
                            benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
+/// `count` boxes that rest apart from each other, and one that slides past them.
+void resting_boxes(benchmark::State& state) {
+    const auto box = [](const std::string& name, const Vec3& place) {
+        Body body = ball(name, place);
+        body.shape = Box{{0.02, 0.02, 0.02}};
+        body.mass = 0.02;
+        body.material = "wood";
+        return body;
+    };
+    WorldDescription world;
+    world.duration = 2;
+    world.table = billiards::standard_table(billiards::TableKind::cloth, "");
+    for (int i = 0; i < static_cast<int>(state.range(0)); ++i) {
+        world.bodies.push_back(
+            box(fmt::format("box{}", i), {0.05 * (i % 20), 0.2 + 0.05 * (i / 20), 0.010001}));
+    }
+    world.bodies.push_back(box("slider", {0, 0, 0.010001}));
+    world.bodies.back().velocity = {3, 0, 0};
+    for (auto _ : state) {
+        const Timeline result = bake(world);
+        if (!result.warnings.empty() || result.find("slider")->keys().back().position.x < 0.5) {
+            state.SkipWithError("the box did not slide");
+        }
+        benchmark::DoNotOptimize(result);
+    }
+}
+
 }  // namespace
 
+BENCHMARK(resting_boxes)->RangeMultiplier(4)->Range(100, 1600)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(break_shot, nine_ball, billiards::RackKind::nine_ball)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(break_shot, fifteen_ball, billiards::RackKind::fifteen_ball)

@@ -23,8 +23,8 @@ namespace carom::sim {
                                                   const WorldDescription& world,
                                                   const WorkContext& context = {});
 
-/// Hash of everything in the description that can change the bake and of the simulation's revision
-/// number.
+/// Hash of everything in the description that can change the bake and of the simulation's version
+/// (sim/revision.h).
 [[nodiscard]] Hash128 physics_hash(const WorldDescription& world);
 
 }  // namespace carom::sim

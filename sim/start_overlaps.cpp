@@ -190,14 +190,22 @@ struct Solid {
     PlacedShape placed;
 };
 
+/// Where the body is at the start, by its path if it has one.
+Pose start_of(const Body& body) {
+    if (!body.path) {
+        return body.pose;
+    }
+    const MotionState start = body.path->track->sample(0);
+    return {start.position + to_world(start.orientation, body.path->centre), start.orientation};
+}
+
 std::vector<Solid> solids_of(const WorldDescription& world) {
     std::vector<Solid> solids;
     for (const Body& body : world.bodies) {
         std::optional<SolidShape> solid = solid_shape(body.shape);
-        if (solid && is_finite(body.pose.position)) {
-            const Vec3 centre = body.path ? body.path->centre : Vec3(0, 0, 0);
-            const Pose pose{body.pose.position + to_world(body.pose.orientation, centre),
-                            body.pose.orientation * solid->principal};
+        const Pose start = start_of(body);
+        if (solid && is_finite(start.position)) {
+            const Pose pose{start.position, start.orientation * solid->principal};
             const ConvexShape* shape = solid->shape.get();
             solids.push_back({&body, std::move(*solid), {shape, pose}});
         }
@@ -205,21 +213,26 @@ std::vector<Solid> solids_of(const WorldDescription& world) {
     return solids;
 }
 
+/// False if the solid is certainly apart from a sphere. Without this the cost of many bodies would
+/// be that of their names.
+bool is_near(const PlacedShape& solid, const Vec3& centre, double radius) {
+    const Vec3 apart = solid.pose.position - centre;
+    const double reach = solid.shape->bounding_radius() + radius;
+    return apart.dot(apart) < reach * reach;
+}
+
 void check_solids(const Ball& ball, const std::vector<Solid>& solids, DeepestOverlap& deepest) {
     for (const Solid& solid : solids) {
-        const Contact contact =
-            convex_contact(*solid.placed.shape, solid.placed.pose, ball.centre, ball.radius);
-        deepest.consider(contact.depth, kRounding, "'" + solid.body->name + "'");
+        if (is_near(solid.placed, ball.centre, ball.radius)) {
+            const Contact contact =
+                convex_contact(*solid.placed.shape, solid.placed.pose, ball.centre, ball.radius);
+            deepest.consider(contact.depth, kRounding, "'" + solid.body->name + "'");
+        }
     }
 }
 
 void check_pair(const PlacedShape& a, const PlacedShape& b, const std::string& name_of_b,
                 DeepestOverlap& deepest) {
-    const Vec3 apart = a.pose.position - b.pose.position;
-    const double reach = a.shape->bounding_radius() + b.shape->bounding_radius();
-    if (apart.dot(apart) >= reach * reach) {
-        return;
-    }
     std::vector<Contact> contacts;
     convex_contacts(a, b, 0, contacts);
     for (const Contact& contact : contacts) {
@@ -270,7 +283,10 @@ void check_table(const PlacedShape& solid, const billiards::TableGeometry* table
 void check_solids(const std::vector<Solid>& solids, std::size_t index, DeepestOverlap& deepest) {
     for (std::size_t i = 0; i < solids.size(); ++i) {
         const Body& other = *solids[i].body;
-        if (i < index || other.kind != BodyKind::dynamic) {
+        const bool is_other = i < index || other.kind != BodyKind::dynamic;
+        const PlacedShape& placed = solids[i].placed;
+        if (is_other &&
+            is_near(solids[index].placed, placed.pose.position, placed.shape->bounding_radius())) {
             check_pair(solids[index].placed, solids[i].placed, "'" + other.name + "'", deepest);
         }
     }

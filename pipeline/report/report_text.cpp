@@ -176,7 +176,8 @@ std::string fate_text(const ReportedObject& object) {
         case Fate::spins:
             return fmt::format("spinning since {:.3f} s", object.fate_time);
         case Fate::moves:
-            return fmt::format("moving at {:.3f} m/s", object.speed);
+            return "moving at " + (object.speed < 0.001 ? fmt::format("{:.1e} m/s", object.speed)
+                                                        : fmt::format("{:.3f} m/s", object.speed));
         case Fate::potted:
             return fmt::format("potted at {:.3f} s: ", object.fate_time) + object.pocket;
         case Fate::off_table:
@@ -224,11 +225,19 @@ std::string energy_table(const ShotReport& report, int columns) {
         text += cell(mark.when, when) + number(sample.time, 9, 5) + number(sample.kinetic, 11, 6) +
                 number(sample.potential, 11, 6) + number(sample.total(), 11, 6) + "\n";
     }
-    if (report.largest_energy_rise == 0) {
-        return text + "it never rises between force events\n";
+    const bool is_driven =
+        std::ranges::any_of(report.energy, [](const auto& mark) { return mark.sample.work != 0; });
+    if (is_driven) {
+        text += fmt::format("objects moved by keys have put in {:.6f} J\n",
+                            report.energy.back().sample.work);
     }
-    return text + fmt::format("largest rise between force events: {:.1e} of the kinetic energy\n",
-                              report.largest_energy_rise);
+    const std::string apart = is_driven ? "apart from that " : "";
+    if (report.largest_energy_rise == 0) {
+        return text + apart + "it never rises between force events\n";
+    }
+    return text + apart +
+           fmt::format("the largest rise between force events is {:.1e} of the kinetic energy\n",
+                       report.largest_energy_rise);
 }
 
 std::string moments_table(const ShotReport& report) {

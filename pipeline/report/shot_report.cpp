@@ -16,7 +16,7 @@ using sim::Timeline;
 using sim::Track;
 
 constexpr double kSameTime = 1e-9;    // s
-constexpr double kStill = 1e-6;       // m/s, rad/s
+constexpr double kStill = 1e-6;       // m, m/s, rad/s
 constexpr double kPathRate = 480;     // samples per second along a path
 constexpr int kMostPathSteps = 4800;  // between two keys
 
@@ -59,9 +59,16 @@ std::optional<double> cut_of(const Event& event, const Track* a, const Track* b)
     }
     const Vec3 approach =
         velocities_at(*b, event.time).before - velocities_at(*a, event.time).before;
-    const double along = approach.dot(event.normal);
-    const double across = (approach - event.normal * along).length();
-    return along > 0 ? std::optional<double>(std::atan2(across, along)) : std::nullopt;
+    if (approach.dot(event.normal) <= 0) {
+        return std::nullopt;
+    }
+    // Balls of unequal size on the cloth have a tilted line of centres.
+    const Vec2 path(approach.x, approach.y);
+    const Vec2 line(event.normal.x, event.normal.y);
+    const double along = path.dot(line);
+    return along > kStill * line.length()
+               ? std::optional<double>(std::atan2(std::abs(path.cross(line)), along))
+               : std::nullopt;
 }
 
 ReportedEvent reported(const Timeline& timeline, const Event& event) {
@@ -123,18 +130,23 @@ void measure_motion(const Track& track, ReportedObject& object) {
     }
 }
 
-/// The time since which an object has been at rest at its last key; the start of the track if it
-/// never moved.
-double stopped_at(const Track& track) {
+bool has_stopped(const Key& from, const Key& to) {
+    return (to.position - from.position).length() <= kStill &&
+           from.velocity_out.length() <= kStill && to.velocity_in.length() <= kStill;
+}
+
+bool stands(const Key& from, const Key& to) {
+    return has_stopped(from, to) && from.orientation == to.orientation &&
+           from.angular_velocity_out.length() <= kStill &&
+           to.angular_velocity_in.length() <= kStill;
+}
+
+/// The time since which an object has been at rest, or has turned in place, at its last key; the
+/// start of the track if it has done nothing else.
+double stopped_at(const Track& track, bool (*has_state)(const Key&, const Key&)) {
     const auto keys = track.keys();
     std::size_t i = keys.size() - 1;
-    const auto stands = [&](const Key& from, const Key& to) {
-        return from.position == to.position && from.orientation == to.orientation &&
-               from.velocity_out.length() <= kStill && to.velocity_in.length() <= kStill &&
-               from.angular_velocity_out.length() <= kStill &&
-               to.angular_velocity_in.length() <= kStill;
-    };
-    while (i > 0 && stands(keys[i - 1], keys[i])) {
+    while (i > 0 && has_state(keys[i - 1], keys[i])) {
         --i;
     }
     return keys[i].time;
@@ -144,14 +156,15 @@ void find_fate(const Timeline& timeline, const Track& track, ReportedObject& obj
     const Key& last = track.keys().back();
     // After its last key an object is at rest; for example one that is moved by keys, when they
     // end.
-    const bool has_stopped = last.time < timeline.end_time - kSameTime;
+    const bool has_ended = last.time < timeline.end_time - kSameTime;
     object.place = last.position;
-    object.speed = has_stopped ? 0 : last.velocity_in.length();
-    const double spin = has_stopped ? 0 : last.angular_velocity_in.length();
+    object.speed = has_ended ? 0 : last.velocity_in.length();
+    const double spin = has_ended ? 0 : last.angular_velocity_in.length();
     const Fate end_state = object.speed > kStill ? Fate::moves
                            : spin > kStill       ? Fate::spins
                                                  : Fate::rests;
-    const double rest_time = std::max(timeline.start_time, stopped_at(track));
+    const double rest_time = std::max(
+        timeline.start_time, stopped_at(track, end_state == Fate::spins ? has_stopped : stands));
     object.fate = end_state;
     object.fate_time = rest_time;
     for (const Event& event : timeline.events) {

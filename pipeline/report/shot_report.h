@@ -22,8 +22,8 @@ struct ReportedEvent {
     sim::Event event;
     std::optional<SpeedChange> a;  // speeds of the event's objects, if they have tracks
     std::optional<SpeedChange> b;
-    /// For two balls the cut angle between relative velocity and line of centres, rad; 0 is a full
-    /// hit.
+    /// For two balls the cut angle between relative velocity and line of centres, as seen from
+    /// above, rad; 0 is a full hit. Nothing if one of the two is vertical.
     std::optional<double> cut;
     /// For impacts and strikes, if the film is known: when it makes them heard, s.
     std::optional<std::vector<double>> heard_at = {};
@@ -39,7 +39,7 @@ struct ReportedObject {
     double rise = 0;       // largest height of its centre above the start, m
     int cushions = 0;      // number of cushions hit
     Fate fate = Fate::rests;
-    double fate_time = 0;  // start of rest or spinning, or time of leaving, s
+    double fate_time = 0;  // start of rest or of spinning in place, or time of leaving, s
     std::string pocket;    // potted only
     Vec3 place{0, 0, 0};   // at the end
     double speed = 0;      // at the end, m/s
@@ -68,7 +68,7 @@ struct ShotReport {
         energy;  // at the ends, after force events, at about ten regular times
     std::vector<sim::EnergySample> energy_samples;  // all samples of the timeline
     std::vector<ReportedMoment> moments;            // of the shot: report_of_shot
-    double largest_energy_rise = 0;  // between force events, as in sim/timeline/energy.h
+    double largest_energy_rise = 0;  // without the work of keyed objects: sim/timeline/energy.h
 };
 
 [[nodiscard]] ShotReport report_of(const sim::Timeline& timeline);

@@ -122,6 +122,8 @@ struct StepWorld::State {
     void solve_all(double duration, const Vec3& gravity, std::span<const int> moving,
                    std::span<const MotionState> states, std::span<const StepContact> contacts,
                    std::vector<Velocities>& after, std::vector<ImpulsePair>& impulses);
+    void add_works(double duration, std::span<const StepContact> contacts,
+                   std::vector<StepMotion>& motions) const;
     [[nodiscard]] ImpulsePair impulse_of(const StepContact& contact,
                                          const dJointFeedback& feedback_of_contact,
                                          double duration) const;
@@ -335,6 +337,24 @@ void StepWorld::State::solve_all(double duration, const Vec3& gravity, std::span
     }
 }
 
+/// The work of a kinematic body is that against the forces on it, which keep its velocities.
+void StepWorld::State::add_works(double duration, std::span<const StepContact> contacts,
+                                 std::vector<StepMotion>& motions) const {
+    const auto add = [&](int number, const dReal* force, const dReal* torque) {
+        if (moving_body(number) != nullptr && is_kinematic(number)) {
+            const auto slot = static_cast<std::size_t>(slots[static_cast<std::size_t>(number)]);
+            const MotionState& kept = motions[slot].after;
+            motions[slot].work -=
+                (to_vec3(force).dot(kept.velocity) + to_vec3(torque).dot(kept.angular_velocity)) *
+                duration;
+        }
+    };
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        add(contacts[i].first, feedback[i].f1, feedback[i].t1);
+        add(contacts[i].second, feedback[i].f2, feedback[i].t2);
+    }
+}
+
 void StepWorld::step(double duration, const Vec3& gravity, std::span<const int> moving,
                      std::span<const MotionState> midpoints, std::span<const StepContact> contacts,
                      std::vector<StepMotion>& motions, std::vector<ImpulsePair>& impulses) {
@@ -343,12 +363,14 @@ void StepWorld::step(double duration, const Vec3& gravity, std::span<const int> 
     motions.resize(moving.size());
     for (std::size_t i = 0; i < moving.size(); ++i) {
         StepMotion& motion = motions[i];
+        motion.work = 0;
         motion.after = midpoints[i];
         motion.after.velocity = after[i].linear;
         motion.after.angular_velocity = after[i].angular;
         const Vec3& inertia = state_->properties[static_cast<std::size_t>(moving[i])].body.inertia;
         motion.end = drift(motion.after, inertia, 0.5 * duration);
     }
+    state_->add_works(duration, contacts, motions);
 }
 
 void StepWorld::solve_impact(std::span<const int> moving, std::span<const MotionState> states,

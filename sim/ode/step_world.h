@@ -26,6 +26,7 @@ struct StepContact : Contact {
 struct StepMotion {
     MotionState after;  // at the midpoint, after the change
     MotionState end;
+    double work = 0;  // of a kinematic body: what its contacts did on the others, J
 };
 
 class StepWorld {

@@ -419,6 +419,7 @@ void Bodies::finish(double time) {
 }
 
 void Bodies::add_energy(double time, EnergySample& sample) const {
+    sample.work = work_;
     for (const MovingBody& body : bodies_) {
         body.add_energy(time, environment_.gravity, sample);
     }

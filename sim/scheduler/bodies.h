@@ -100,6 +100,8 @@ class Bodies {
     [[nodiscard]] bool is_solver_active() const { return solver_count_ > 0; }
 
     void add_energy(double time, EnergySample& sample) const;
+    /// Adds to EnergySample::work, J.
+    void add_work(double work) { work_ += work; }
     [[nodiscard]] bool are_all_at_rest() const;
 
   private:
@@ -125,6 +127,7 @@ class Bodies {
     std::vector<std::uint32_t> changed_;
     std::vector<char> is_changed_;  // per ball, so that none is listed twice
     std::size_t solver_count_ = 0;
+    double work_ = 0;  // of kinematic bodies until now, J
 };
 
 }  // namespace carom::sim

@@ -19,26 +19,22 @@ std::vector<Placement> placements_of(std::span<const MovingBody> bodies) {
 }
 
 std::vector<BodyContact> ContactFinder::find(std::span<const MovingBody> bodies,
-                                             std::span<const Placement> placed) const {
+                                             std::span<const Placement> placed) {
+    const auto placed_body = [&](std::size_t number) -> Placed {
+        return {static_cast<int>(number), bodies[number], placed[number].state};
+    };
     std::vector<BodyContact> found;
+    const std::vector<NearPairs::Pair>& pairs = near_pairs_.find(bodies, placed);
+    auto pair = pairs.begin();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (!placed[i].is_collidable()) {
-            continue;
+        if (placed[i].is_in_solver() && bodies[i].is_ball()) {
+            find_for_ball(placed_body(i), found);
+        } else if (placed[i].is_in_solver() && !bodies[i].is_kinematic()) {
+            find_for_solid(placed_body(i), found);
         }
-        const Placed first{static_cast<int>(i), bodies[i], placed[i].state};
-        const bool is_kinematic = first.body.is_kinematic();
-        if (placed[i].is_in_solver() && !is_kinematic) {
-            if (first.body.is_ball()) {
-                find_for_ball(first, found);
-            } else {
-                find_for_solid(first, found);
-            }
-        }
-        for (std::size_t j = i + 1; j < bodies.size(); ++j) {
-            const bool can_move = !is_kinematic || !bodies[j].is_kinematic();
-            if (placed[j].is_collidable() && can_move &&
-                (placed[i].is_in_solver() || placed[j].is_in_solver())) {
-                find_between(first, {static_cast<int>(j), bodies[j], placed[j].state}, found);
+        for (; pair != pairs.end() && pair->first == i; ++pair) {
+            if (!bodies[i].is_kinematic() || !bodies[pair->second].is_kinematic()) {
+                find_between(placed_body(i), placed_body(pair->second), found);
             }
         }
     }

@@ -10,6 +10,7 @@
 
 #include "sim/ode/step_world.h"
 #include "sim/scheduler/moving_body.h"
+#include "sim/scheduler/near_pairs.h"
 #include "sim/scheduler/static_environment.h"
 
 namespace carom::sim {
@@ -47,15 +48,6 @@ struct BodyContact {
     [[nodiscard]] bool is_between_bodies() const { return contact.second >= 0; }
 };
 
-/// Where a body is at an instant of a step, and in which mode it was when the step began.
-struct Placement {
-    MotionState state;
-    Mode mode = Mode::gone;
-
-    [[nodiscard]] bool is_in_solver() const { return mode == Mode::solver; }
-    [[nodiscard]] bool is_collidable() const { return is_in_solver() || mode == Mode::asleep; }
-};
-
 /// Where the bodies are now.
 [[nodiscard]] std::vector<Placement> placements_of(std::span<const MovingBody> bodies);
 
@@ -66,9 +58,9 @@ class ContactFinder {
     /// All contacts of the bodies in the solver, in a fixed order. `placed`: the bodies'
     /// placements, in the same order.
     [[nodiscard]] std::vector<BodyContact> find(std::span<const MovingBody> bodies,
-                                                std::span<const Placement> placed) const;
+                                                std::span<const Placement> placed);
     /// Likewise where the bodies are now.
-    [[nodiscard]] std::vector<BodyContact> find(std::span<const MovingBody> bodies) const {
+    [[nodiscard]] std::vector<BodyContact> find(std::span<const MovingBody> bodies) {
         return find(bodies, placements_of(bodies));
     }
 
@@ -102,6 +94,7 @@ class ContactFinder {
              const Contact& contact, std::vector<BodyContact>& found) const;
 
     const StaticEnvironment& environment_;
+    NearPairs near_pairs_;
 };
 
 }  // namespace carom::sim

@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "sim/motion/time_of_impact.h"
+#include "sim/numeric/tolerances.h"
+#include "sim/spatial/aabb_tree.h"
 
 namespace carom::sim {
 namespace {
@@ -59,6 +61,15 @@ std::optional<double> level_face_impact_time(const MotionSegment& segment,
     const bool is_behind =
         (Vec2(p.x, p.y) - face.from).dot(face.normal) < -0.5 * distance;  // far outside
     return fraction >= 0 && fraction <= 1 && !is_behind ? time : std::nullopt;
+}
+
+/// A box around all places of a body that rests, or moves along a straight path, in [now, until].
+Aabb reach_of(const MovingBody& body, double now, double until) {
+    const Vec3 start = body.segment.position_at(now);
+    Aabb box{start, start};
+    box.extend(body.segment.position_at(until));
+    box.grow(body.bounding_radius() + kBallMargin);
+    return box;
 }
 
 }  // namespace
@@ -210,9 +221,21 @@ void EventPredictor::search_again(const PredictedEvent& search, const SearchHori
     }
 }
 
+/// Of the pairs of a resting ball and a solid, of which there may be very many, only those are
+/// tested in which the solid moves, and may reach the ball during ODE's step.
 void EventPredictor::predict_all_solid_impacts(const SearchHorizon& horizon,
                                                PredictedEventQueue& queue) {
     ++solid_version_;
+    std::vector<std::uint32_t> moving_solids;
+    std::vector<Aabb> boxes;
+    for (auto i = static_cast<std::uint32_t>(balls_.size()); i < bodies_.size(); ++i) {
+        if (bodies_[i].is_in_solver()) {
+            moving_solids.push_back(i);
+            boxes.push_back(reach_of(bodies_[i], horizon.now, horizon.step_end));
+        }
+    }
+    const AabbTree tree(boxes);
+    std::vector<std::uint32_t> found;
     for (std::uint32_t i = 0; i < balls_.size(); ++i) {
         const MovingBody& ball = balls_[i];
         if (ball.is_in_solver() || ball.is_asleep() || ball.is_gone()) {
@@ -220,21 +243,32 @@ void EventPredictor::predict_all_solid_impacts(const SearchHorizon& horizon,
         }
         // Without a next search the prediction extends to the end of the segment.
         const double until = std::min({horizon.step_end, ball.segment.end, next_search_[i]});
-        predict_solid_impacts(i, horizon.now, until, queue);
+        if (!ball.is_still()) {
+            predict_solid_impacts(i, horizon.now, until, queue);
+            continue;
+        }
+        tree.query(reach_of(ball, horizon.now, until), found);
+        for (const std::uint32_t index : found) {
+            predict_solid_impact(i, moving_solids[index], horizon.now, until, queue);
+        }
     }
 }
 
 void EventPredictor::predict_solid_impacts(std::uint32_t index, double now, double until,
                                            PredictedEventQueue& queue) const {
-    const MovingBody& ball = balls_[index];
-    for (std::size_t i = balls_.size(); i < bodies_.size(); ++i) {
-        const MovingBody& solid = bodies_[i];
-        if (!ball.is_still() || solid.is_in_solver()) {
-            push(queue, ball, index, PredictedEventKind::solid, i,
-                 convex_impact_time(ball.segment, ball.radius, solid.motion(), now, until),
-                 solid_version_);
+    for (auto i = static_cast<std::uint32_t>(balls_.size()); i < bodies_.size(); ++i) {
+        if (!balls_[index].is_still() || bodies_[i].is_in_solver()) {
+            predict_solid_impact(index, i, now, until, queue);
         }
     }
+}
+
+void EventPredictor::predict_solid_impact(std::uint32_t index, std::uint32_t solid, double now,
+                                          double until, PredictedEventQueue& queue) const {
+    const MovingBody& ball = balls_[index];
+    push(queue, ball, index, PredictedEventKind::solid, solid,
+         convex_impact_time(ball.segment, ball.radius, bodies_[solid].motion(), now, until),
+         solid_version_);
 }
 
 void EventPredictor::predict_scenery_impacts(std::uint32_t index, double now, double until,

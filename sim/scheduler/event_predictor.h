@@ -61,6 +61,8 @@ class EventPredictor {
                           PredictedEventQueue& queue);
     void predict_solid_impacts(std::uint32_t index, double now, double until,
                                PredictedEventQueue& queue) const;
+    void predict_solid_impact(std::uint32_t index, std::uint32_t solid, double now, double until,
+                              PredictedEventQueue& queue) const;
     void predict_scenery_impacts(std::uint32_t index, double now, double until,
                                  PredictedEventQueue& queue) const;
     void predict_fixed_sphere_impacts(std::uint32_t index, double now, double until,

@@ -92,12 +92,13 @@ void StepSleep::update_rest_timers(const std::vector<int>& moving, const SolvedC
     }
 }
 
-bool StepSleep::is_held(int number, const SolvedContacts& solved, double time) {
+bool StepSleep::is_held(int number, const SolvedContacts& solved, std::span<const std::size_t> own,
+                        double time) {
     const MovingBody& held = body(number);
     const double rested = time - held.slow_since;
     const bool is_rising = held.max_point_speed() > held.least_speed + kRisingSpeed;
-    const bool is_supported = is_stably_supported(held, number, solved, gravity_) ||
-                              (rested > kLeaningSleepDelay && leans(number, solved, gravity_));
+    const bool is_supported = is_stably_supported(held, number, solved, own, gravity_) ||
+                              (rested > kLeaningSleepDelay && leans(number, solved, own, gravity_));
     return (!is_rising && is_supported) || rested > time_to_tip(held, gravity_);
 }
 
@@ -122,9 +123,10 @@ std::vector<int> StepSleep::falling_asleep(const std::vector<int>& moving,
             stays_awake[static_cast<std::size_t>(islands.root(number))] = 1;
         }
     }
+    const ContactsOfBodies contacts(solved.contacts, bodies_.all().size());
     for (const int number : candidates) {
         char& stays = stays_awake[static_cast<std::size_t>(islands.root(number))];
-        if (stays == 0 && !is_held(number, solved, time)) {
+        if (stays == 0 && !is_held(number, solved, contacts.of(number), time)) {
             stays = 1;
         }
     }

@@ -30,7 +30,8 @@ class StepSleep {
     void update_rest_timers(const std::vector<int>& moving, const SolvedContacts& solved,
                             double time);
     [[nodiscard]] bool is_movable(int number);
-    [[nodiscard]] bool is_held(int number, const SolvedContacts& solved, double time);
+    [[nodiscard]] bool is_held(int number, const SolvedContacts& solved,
+                               std::span<const std::size_t> own, double time);
 
     [[nodiscard]] MovingBody& body(int number) {
         return bodies_[static_cast<std::uint32_t>(number)];

@@ -16,7 +16,7 @@ namespace carom::sim {
 /// Holds the start and the result of a trial step. The bodies themselves are not changed.
 class StepTrial {
   public:
-    StepTrial(ode::StepWorld& world, const ContactFinder& finder, const StepBounces& bounces,
+    StepTrial(ode::StepWorld& world, ContactFinder& finder, const StepBounces& bounces,
               const Vec3& gravity, const std::vector<MovingBody>& bodies)
         : world_(world), finder_(finder), bounces_(bounces), gravity_(gravity), bodies_(bodies) {}
 
@@ -53,7 +53,7 @@ class StepTrial {
     void move_to(double fraction);
 
     ode::StepWorld& world_;
-    const ContactFinder& finder_;
+    ContactFinder& finder_;
     const StepBounces& bounces_;
     Vec3 gravity_;
     const std::vector<MovingBody>& bodies_;

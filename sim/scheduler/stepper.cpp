@@ -1,6 +1,7 @@
 #include "sim/scheduler/stepper.h"
 
 #include <algorithm>
+#include <array>
 
 #include "sim/scheduler/step_loads.h"
 
@@ -47,10 +48,31 @@ double Stepper::try_step(double now, double until) {
     while (sleep_.wake_by_contact(contacts, now)) {
         contacts = finder_.find(bodies_.all());
     }
-    bounces_.resolve(contacts, now);
+    resolve_impacts(contacts, now);
     trial_.attempt(now, until, contacts);
     set_paths();
     return trial_.end();
+}
+
+/// Where moving kinematic bodies take part, the change of energy is their work.
+void Stepper::resolve_impacts(const std::vector<BodyContact>& contacts, double now) {
+    const auto energy = [this] {
+        double sum = 0;
+        for (const MovingBody& body : bodies_.all()) {
+            sum += body.is_in_solver() && !body.is_kinematic() ? body.kinetic_energy() : 0;
+        }
+        return sum;
+    };
+    const bool is_driven = std::ranges::any_of(contacts, [this](const BodyContact& found) {
+        return std::ranges::any_of(
+            std::array{found.contact.first, found.contact.second}, [this](int number) {
+                return number >= 0 && bodies_[static_cast<std::uint32_t>(number)].is_kinematic() &&
+                       bodies_[static_cast<std::uint32_t>(number)].is_in_solver();
+            });
+    });
+    const double before = is_driven ? energy() : 0;
+    bounces_.resolve(contacts, now);
+    bodies_.add_work(is_driven ? energy() - before : 0);
 }
 
 void Stepper::set_paths() {
@@ -79,8 +101,9 @@ void Stepper::commit(double end) {
     }
     log_contacts();
     for (std::size_t slot = 0; slot < trial_.moving().size(); ++slot) {
-        bodies_[static_cast<std::uint32_t>(trial_.moving()[slot])].state =
-            trial_.motions()[slot].end;
+        const ode::StepMotion& motion = trial_.motions()[slot];
+        bodies_[static_cast<std::uint32_t>(trial_.moving()[slot])].state = motion.end;
+        bodies_.add_work(motion.work);
     }
     const std::vector<int> asleep = sleep_.falling_asleep(trial_.moving(), trial_.solved(), end);
     for (const int moving : trial_.moving()) {

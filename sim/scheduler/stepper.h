@@ -38,6 +38,7 @@ class Stepper {
 
   private:
     void begin_window(double now);
+    void resolve_impacts(const std::vector<BodyContact>& contacts, double now);
     void set_paths();
     void log_contacts();
     void finish_solid_step(std::uint32_t number, double end, bool falls_asleep);

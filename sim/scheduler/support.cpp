@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/length.h"
 #include "core/rigid.h"
@@ -107,8 +108,25 @@ bool is_round_below(const MovingBody& body, const Vec3& up) {
 
 }  // namespace
 
+ContactsOfBodies::ContactsOfBodies(const std::vector<BodyContact>& contacts, std::size_t body_count)
+    : begins_(body_count + 1, 0) {
+    const auto for_each_place = [&](const auto& visit) {
+        for (std::size_t i = 0; i < contacts.size(); ++i) {
+            visit(static_cast<std::size_t>(contacts[i].contact.first), i);
+            if (contacts[i].is_between_bodies()) {
+                visit(static_cast<std::size_t>(contacts[i].contact.second), i);
+            }
+        }
+    };
+    for_each_place([&](std::size_t body, std::size_t) { ++begins_[body + 1]; });
+    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+    contacts_.resize(begins_.back());
+    std::vector<std::size_t> next = begins_;
+    for_each_place([&](std::size_t body, std::size_t i) { contacts_[next[body]++] = i; });
+}
+
 bool is_stably_supported(const MovingBody& body, int number, const SolvedContacts& solved,
-                         const Vec3& gravity) {
+                         std::span<const std::size_t> own, const Vec3& gravity) {
     const double strength = length(gravity);
     if (strength == 0) {
         return true;
@@ -121,11 +139,8 @@ bool is_stably_supported(const MovingBody& body, int number, const SolvedContact
     double lever = 0;
     bool is_carried = false;
     std::vector<Vec2> points;
-    for (std::size_t i = 0; i < solved.contacts.size(); ++i) {
+    for (const std::size_t i : own) {
         const ode::StepContact& contact = solved.contacts[i].contact;
-        if (contact.first != number && contact.second != number) {
-            continue;
-        }
         points.push_back(project(contact.point));
         const double rise = contact.normal.dot(up) * (contact.first == number ? 1 : -1);
         if (rise > -kLoadSlope) {
@@ -148,13 +163,11 @@ bool is_stably_supported(const MovingBody& body, int number, const SolvedContact
     return beside <= (is_round_below(body, up) ? kBesideRolling + lever : kBesideBalanced);
 }
 
-bool leans(int number, const SolvedContacts& solved, const Vec3& gravity) {
+bool leans(int number, const SolvedContacts& solved, std::span<const std::size_t> own,
+           const Vec3& gravity) {
     const double strength = length(gravity);
-    for (std::size_t i = 0; i < solved.contacts.size(); ++i) {
+    for (const std::size_t i : own) {
         const ode::StepContact& contact = solved.contacts[i].contact;
-        if (contact.first != number && contact.second != number) {
-            continue;
-        }
         const double sign = contact.first == number ? 1 : -1;
         const double rise = -sign * contact.normal.dot(gravity) / strength;
         if (solved.impulses[i].normal > 0 && rise > -kLoadSlope && rise < kLevelNormal) {

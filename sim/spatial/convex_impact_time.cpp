@@ -37,7 +37,8 @@ std::optional<double> convex_impact_time(const MotionSegment& ball, double radiu
     const double solid_speed =
         length(solid.state.velocity) + bounding_radius * length(solid.state.angular_velocity);
     const double speed = ball_speed + solid_speed;
-    const Vec3 apart = ball.position_at(now) - solid.pose_at(now).position;
+    const Vec3 centre = solid.state.position + solid.state.velocity * (now - solid.start);
+    const Vec3 apart = ball.position_at(now) - centre;
     if (length(apart) > bounding_radius + radius + speed * span) {
         return std::nullopt;
     }

@@ -135,6 +135,21 @@ std::vector<Track> read_tracks(const fb::Content& content, const Names& names, B
     return tracks;
 }
 
+std::vector<EnergySample> read_energy(const fb::Content& content, const FieldReader& reader,
+                                      ByteBudget& budget) {
+    auto samples = read_list<EnergySample>(*content.energy(), reader, budget);
+    if (const auto* work = content.energy_work()) {
+        if (work->size() != samples.size()) {
+            throw Error(fmt::format("it has the work of {} energy samples, but {} samples",
+                                    work->size(), samples.size()));
+        }
+        for (std::uint32_t i = 0; i < work->size(); ++i) {
+            samples[i].work = work->Get(i);
+        }
+    }
+    return samples;
+}
+
 std::vector<Diagnostic> read_warnings(const fb::Content& content, ByteBudget& budget) {
     std::vector<Diagnostic> warnings;
     for (const fb::Warning* warning : *content.warnings()) {
@@ -227,8 +242,7 @@ Bake decode_content(std::span<const std::byte> content) {
     const auto reader = [&names](const char* user) { return FieldReader(names, user); };
     bake.timeline.tracks = read_tracks(root, names, budget);
     bake.timeline.events = read_list<Event>(*root.events(), reader("an event"), budget);
-    bake.timeline.energy =
-        read_list<EnergySample>(*root.energy(), reader("an energy sample"), budget);
+    bake.timeline.energy = read_energy(root, reader("an energy sample"), budget);
     bake.timeline.lasting_contacts =
         read_list<LastingContact>(*root.lasting_contacts(), reader("a lasting contact"), budget);
     bake.timeline.put_backs =

@@ -122,7 +122,7 @@ std::size_t estimated_size(const Bake& bake) {
     for (const Event& event : bake.timeline.events) {
         size += 32 + event.a.size() + event.b.size() + sizeof(fb::Event);
     }
-    size += bake.timeline.energy.size() * sizeof(fb::EnergySample);
+    size += bake.timeline.energy.size() * (sizeof(fb::EnergySample) + sizeof(double));
     for (const LastingContact& contact : bake.timeline.lasting_contacts) {
         size += 32 + contact.a.size() + contact.b.size() + sizeof(fb::LastingContact);
     }
@@ -136,6 +136,17 @@ std::size_t estimated_size(const Bake& bake) {
         size += 64 + asset.path.size();
     }
     return size;
+}
+
+Offset<flatbuffers::Vector<double>> write_work(FlatBufferBuilder& builder,
+                                               const std::vector<EnergySample>& energy) {
+    std::vector<double> work;
+    work.reserve(energy.size());
+    for (const EnergySample& sample : energy) {
+        work.push_back(sample.work);
+    }
+    const bool is_any = std::ranges::any_of(work, [](double value) { return value != 0; });
+    return is_any ? builder.CreateVector(work) : Offset<flatbuffers::Vector<double>>();
 }
 
 std::vector<std::byte> bytes_of(const FlatBufferBuilder& builder) {
@@ -165,11 +176,12 @@ std::vector<std::byte> encode_content(const Bake& bake) {
     const auto warnings_offset = write_warnings(builder, warnings);
     const auto text_offset = builder.CreateString(shot_text);
     const auto assets_offset = write_assets(builder, assets);
+    const auto work_offset = write_work(builder, energy);
     const fb::Hash hash = to_format(physics_hash);
     builder.Finish(fb::CreateContent(builder, &hash, start_time, end_time, tracks_offset,
                                      names_offset, events_offset, energy_offset, contacts_offset,
-                                     put_backs_offset, warnings_offset, text_offset,
-                                     assets_offset));
+                                     put_backs_offset, warnings_offset, text_offset, assets_offset,
+                                     work_offset));
     return bytes_of(builder);
 }
 

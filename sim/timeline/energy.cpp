@@ -31,23 +31,24 @@ bool is_forced(const Timeline& timeline, double from, double to) {
     });
 }
 
-/// Calls `visit` with each rise of the total energy above its lowest value since the last force
-/// event, and with the largest kinetic energy since then, J.
+/// Calls `visit` with each rise of the total energy, less the work of bodies moved by keys, above
+/// its lowest value since the last force event, and with the largest kinetic energy since then, J.
 template <typename Visit>
 void visit_rises(const Timeline& timeline, Visit visit) {
     double lowest = std::numeric_limits<double>::infinity();
     double kinetic = 0;
     for (std::size_t i = 0; i < timeline.energy.size(); ++i) {
         const EnergySample& sample = timeline.energy[i];
+        const double own = sample.total() - sample.work;
         if (i > 0 && is_forced(timeline, timeline.energy[i - 1].time, sample.time)) {
-            lowest = sample.total();
+            lowest = own;
             kinetic = 0;
         }
         kinetic = std::max(kinetic, sample.kinetic);
-        if (sample.total() > lowest && kinetic > 0) {
-            visit(sample.total() - lowest, kinetic);
+        if (own > lowest && kinetic > 0) {
+            visit(own - lowest, kinetic);
         }
-        lowest = std::min(lowest, sample.total());
+        lowest = std::min(lowest, own);
     }
 }
 

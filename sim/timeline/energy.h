@@ -5,9 +5,9 @@
 
 namespace carom::sim {
 
-/// The largest rise of the total energy above its lowest value since the last force event, as a
-/// fraction of the largest kinetic energy since then; 0 if energy only decreases. Samples during a
-/// force or torque do not count.
+/// The largest rise of the total energy, less the work of bodies moved by keys, above its lowest
+/// value since the last force event, as a fraction of the largest kinetic energy since then; 0 if
+/// it only decreases. Samples during a force or torque do not count.
 [[nodiscard]] double largest_energy_rise(const Timeline& timeline);
 
 /// The largest such rise in joules.

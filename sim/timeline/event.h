@@ -82,6 +82,8 @@ struct EnergySample {
     double time = 0;
     double kinetic = 0;  // translation and rotation
     double potential = 0;
+    double work = 0;  // that bodies moved by keys have done on the others since the start; of their
+                      // impacts what it gave less what was lost there
 
     [[nodiscard]] double total() const { return kinetic + potential; }
     bool operator==(const EnergySample&) const = default;

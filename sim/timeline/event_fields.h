@@ -31,7 +31,7 @@ constexpr auto fields_of(Describes<PutBack>) {
 constexpr auto fields_of(Describes<EnergySample>) {
     using T = EnergySample;
     return fields<T>(field("time", &T::time), field("kinetic", &T::kinetic),
-                     field("potential", &T::potential));
+                     field("potential", &T::potential), field("work", &T::work));
 }
 
 }  // namespace carom::sim

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "shots.h"
+#include "sim/timeline/energy.h"
 
 namespace carom::sim::test {
 namespace {
@@ -269,6 +270,50 @@ TEST(KinematicBody_WithoutAPath, IsAProblem) {
     EXPECT_EQ(problem_sentences(world),
               std::vector<std::string>{
                   "body 'pusher': a kinematic body needs a path, and no other body can have one"});
+}
+
+TEST(KinematicSolid_StrikingABody, HasDoneTheWorkThatTheBodyGot) {
+    const std::vector<Key> keys = straight({{0, {-0.5, 0, 0}}, {1, {0.7, 0, 0}}});
+    Body sphere = ball("sphere", 0, 0);
+    sphere.pose.position.z = 0;
+    for (const Body& struck : {sphere, crate({0.1, 0.1, 0.1}, {0, 0, 0})}) {
+        WorldDescription world = space(1);
+        world.bodies = {struck, pusher(Box{{0.1, 0.3, 0.3}}, keys)};
+        const Timeline timeline = bake(world);
+        const EnergySample& end = timeline.energy.back();
+        EXPECT_EQ(timeline.energy.front().work, 0) << struck.name;
+        EXPECT_NEAR(end.work, 0.5 * struck.mass * 1.92 * 1.92, 1e-3 * end.work) << struck.name;
+        EXPECT_NEAR(end.work, end.kinetic, 1e-12) << struck.name;
+        EXPECT_LT(largest_energy_rise(timeline), 1e-12) << struck.name;
+    }
+}
+
+/// The energy goes into the motion of the crate and into its friction on the cloth.
+TEST(KinematicSolid_PushingACrate, DoesTheWorkOfItsFriction) {
+    WorldDescription world = cloth_world(1);
+    world.contact_law.otherwise = {0, 0.3, 0};
+    world.bodies = {
+        crate({0.1, 0.1, 0.1}, {0, 0, 0.05}),
+        pusher(Box{{0.1, 0.3, 0.098}}, straight({{0, {-0.2, 0, 0.05}}, {1, {0.8, 0, 0.05}}}))};
+    const Timeline timeline = bake(world);
+    const MotionState end = state_at(timeline, "crate", 1);
+    ASSERT_NEAR(end.velocity.x, 1, 1e-3);
+    const double work = 0.5 * 0.5 + 0.3 * 0.5 * 9.81 * end.position.x;
+    EXPECT_NEAR(timeline.energy.back().work, work, 0.002 * work);
+    EXPECT_LT(largest_energy_rise(timeline), 1e-6);
+}
+
+TEST(KinematicSolid_ThatRecedes, TakesEnergy) {
+    WorldDescription world = space(1);
+    world.contact_law.otherwise = {1, 0, 0};
+    world.bodies = {crate({0.1, 0.1, 0.1}, {-0.5, 0, 0}),
+                    pusher(Box{{0.1, 0.3, 0.3}}, straight({{0, {0, 0, 0}}, {1, {1, 0, 0}}}))};
+    world.bodies[0].velocity = {2, 0, 0};
+    const Timeline timeline = bake(world);
+    const EnergySample& end = timeline.energy.back();
+    EXPECT_NEAR(end.kinetic, 0, 1e-6);  // 2 - 2 (2 - 1) m/s
+    EXPECT_NEAR(end.work, end.kinetic - 0.5 * 0.5 * 4, 1e-12);
+    EXPECT_LT(largest_energy_rise(timeline), 1e-12);
 }
 
 }  // namespace

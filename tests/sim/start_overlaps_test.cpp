@@ -179,6 +179,19 @@ TEST(StartOverlaps_OfSolidsThatTouch, AreNone) {
               "");
 }
 
+/// The centre of a keyed body's shape may be beside the point that its keys move.
+TEST(StartOverlaps_OfKeyedSolids, AreWhereTheirPathsBegin) {
+    Body keyed = solid("keyed", kBox, {0.2, 0, 0.05});
+    keyed.kind = BodyKind::kinematic;
+    keyed.path = KeyedPath{std::make_shared<Track>("keyed", std::vector<Key>{{0, {0, 0, 0.05}}}),
+                           {0.2, 0, 0}};
+    EXPECT_EQ(overlap_of({keyed, solid("box", kBox, {0.27, 0, 0.05})}),
+              "body 'box' overlaps 'keyed' by 30.00 mm at the start");
+    EXPECT_EQ(overlap_of({keyed, ball("cue", 0.265, 0)}),
+              "body 'cue' overlaps 'keyed' by 13.58 mm at the start");
+    EXPECT_EQ(overlap_of({keyed, solid("box", kBox, {0.4, 0, 0.05}), ball("cue", 0, 0)}), "");
+}
+
 TEST(StartOverlaps_OfSolidsInTheTable, AreRefused) {
     EXPECT_EQ(overlap_of({solid("box", kBox, {0, 0, 0.03})}),
               "body 'box' overlaps the cloth by 20.00 mm at the start");

@@ -84,6 +84,33 @@ TEST(ShotReport, Impact_HasSpeedsAndCutAngle) {
     EXPECT_FALSE(report.events[2].cut);
 }
 
+/// A larger cue ball on the cloth: the line of centres is tilted, and the shot is straight.
+TEST(ShotReport, CutAngle_IsThatSeenFromAbove) {
+    for (const double turn : {0.0, 0.4}) {
+        sim::Timeline timeline = cut_shot();
+        const Vec3 between(std::cos(turn), std::sin(turn), -0.1);
+        const Vec3 resting = between * 0.055;
+        Key hit = key(1, resting, {0, 0, 0}, {1, 0, 0});
+        timeline.tracks[1] = sim::Track("one", {key(0, resting, {0, 0, 0}, {0, 0, 0}), hit});
+        timeline.events[1].normal = -between.normalized();
+        ASSERT_TRUE(report_of(timeline).events[1].cut);
+        EXPECT_NEAR(*report_of(timeline).events[1].cut, turn, 1e-12);
+    }
+}
+
+/// A ball that falls on another has no cut angle.
+TEST(ShotReport, ImpactFromAbove_HasNoCutAngle) {
+    sim::Timeline timeline;
+    timeline.end_time = 1;
+    const Vec3 zero(0, 0, 0);
+    timeline.tracks.emplace_back(
+        "upper", std::vector<Key>{key(1, {0.01, 0, 0.08}, {0, 0, -2}, {0.1, 0, 1})});
+    timeline.tracks.emplace_back("lower", std::vector<Key>{key(1, {0, 0, 0.03}, zero, zero)});
+    timeline.events = {event(EventKind::impact, 1, "upper", "lower")};
+    timeline.events[0].normal = Vec3(0.01, 0, 0.05).normalized();
+    EXPECT_FALSE(report_of(timeline).events[0].cut);
+}
+
 TEST(ShotReport, StrikeAndImpact_HaveTheirImpulses) {
     const std::string text = report_text(report_of(cut_shot()));
     EXPECT_THAT(text, HasSubstr(" 0.3400 "));
@@ -128,6 +155,26 @@ TEST(ShotReport, KeyedObjectAfterItsLastKey_IsAtRest) {
     EXPECT_THAT(report_text(report_of(timeline)), HasSubstr("at rest since 0.750 s"));
 }
 
+/// As a body that turns in the air without gravity: its axis and spin change all the time.
+TEST(ShotReport, ObjectThatTurnsInPlace_HasSpunSinceItStopped) {
+    sim::Timeline timeline;
+    timeline.end_time = 3;
+    const Vec3 zero(0, 0, 0);
+    std::vector<Key> keys{key(0, zero, {1, 0, 0}, {1, 0, 0}), key(1, {1, 0, 0}, {1, 0, 0}, zero),
+                          key(2, {1, 0, 0}, zero, zero), key(3, {1, 0, 0}, zero, zero)};
+    for (Key& turning : keys) {
+        turning.angular_velocity_in = turning.angular_velocity_out = {0, turning.time, 10};
+    }
+    timeline.tracks.emplace_back("t", keys);
+    EXPECT_EQ(report_of(timeline).objects[0].fate, Fate::spins);
+    EXPECT_THAT(report_text(report_of(timeline)), HasSubstr("  spinning since 1.000 s\n"));
+    timeline.tracks[0] = sim::Track("t", {keys[2], keys[3]});
+    EXPECT_THAT(report_text(report_of(timeline)), HasSubstr("  spinning since 2.000 s\n"));
+    keys[3].velocity_in = {2e-4, 0, 0};
+    timeline.tracks[0] = sim::Track("t", keys);
+    EXPECT_THAT(report_text(report_of(timeline)), HasSubstr("  moving at 2.0e-04 m/s\n"));
+}
+
 /// It starts and stops smoothly, and is fastest half-way, at 1.5 times its mean speed.
 TEST(ShotReport, KeyedObject_HasItsTopSpeedBetweenTwoKeys) {
     sim::Timeline timeline = cut_shot();
@@ -154,6 +201,20 @@ TEST(ShotReport, Energy_IsListedAfterForceEvents) {
     EXPECT_EQ(report.energy[11].sample.kinetic, 3);
     EXPECT_EQ(report.energy_samples.size(), 4U);
     EXPECT_EQ(report.largest_energy_rise, 0);
+}
+
+TEST(ShotReport, WorkOfKeyedObjects_IsNoRise) {
+    sim::Timeline timeline = cut_shot();
+    EXPECT_THAT(report_text(report_of(timeline)),
+                HasSubstr("\nit never rises between force events\n"));
+    timeline.energy = {{0, 1, 0, 0}, {1, 4, 0, 3.25}, {2, 3.5, 0, 3.25}};
+    EXPECT_THAT(report_text(report_of(timeline)),
+                HasSubstr("\nobjects moved by keys have put in 3.250000 J\n"
+                          "apart from that it never rises between force events\n"));
+    timeline.energy[2].kinetic = 4.4;
+    EXPECT_THAT(report_text(report_of(timeline)),
+                HasSubstr("\napart from that the largest rise between force events is 9.1e-02 of "
+                          "the kinetic energy\n"));
 }
 
 TEST(ShotReport, BallThatIsPutBack_HasNotTravelledThere) {

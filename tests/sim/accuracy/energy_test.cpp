@@ -33,6 +33,12 @@ TEST(LargestEnergyRise, ForceEventsDoNotCount) {
     EXPECT_EQ(largest_energy_rise(timeline), 0);
 }
 
+TEST(LargestEnergyRise, IsThatWithoutTheWorkOfKeyedBodies) {
+    EXPECT_EQ(largest_energy_rise(with_energy({{0, 1, 0, 0}, {1, 4, 0, 3}, {2, 4, 1, 5}})), 0);
+    EXPECT_DOUBLE_EQ(largest_energy_gain(with_energy({{0, 1, 0, 0}, {1, 4, 0, 2.5}})), 0.5);
+    EXPECT_DOUBLE_EQ(largest_energy_gain(with_energy({{0, 4, 0, 0}, {1, 3, 0, -2}})), 1);
+}
+
 TEST(Energy_WithLosses, NeverRises) {
     for (const CushionModel model :
          {CushionModel::mirror, CushionModel::han2005, CushionModel::mathavan2010}) {

@@ -101,6 +101,14 @@ TEST(BakeForgery, EnergyNotFinite_IsNamed) {
               "'shot.bake' is damaged: energy sample 1 has a value that is not finite");
 }
 
+TEST(BakeForgery, WorkOfAnotherNumberOfSamples_IsRefused) {
+    EXPECT_EQ(refusal_after([](fb::Content& content) {
+                  auto* work = content.mutable_energy_work();
+                  reinterpret_cast<flatbuffers::uoffset_t*>(work)[0] = work->size() - 1;
+              }),
+              "'shot.bake' is damaged: it has the work of 2 energy samples, but 3 samples");
+}
+
 TEST(BakeForgery, InfiniteDuration_IsRefused) {
     EXPECT_EQ(refusal_after([](fb::Content& content) { content.mutate_end_time(HUGE_VAL); }),
               "'shot.bake' is damaged: its start or end time is not finite");

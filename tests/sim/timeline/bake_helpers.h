@@ -33,7 +33,7 @@ inline Bake small_bake() {
     timeline.warnings = {{Subject::event(3), "tip", "the tip is far off centre", Severity::warning},
                          {Subject::body("one"), "", "'one' is not potted", Severity::warning},
                          {{}, "", "the simulation gave up on something", Severity::warning}};
-    timeline.energy = {{0, 1.5, 0.25}, {0.5, 1.5, 0.25}, {2, 1.25, -0.25}};
+    timeline.energy = {{0, 1.5, 0.25}, {0.5, 1.5, 0.25, 0.5}, {2, 1.25, -0.25, 0.75}};
     return bake;
 }
 

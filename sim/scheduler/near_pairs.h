@@ -1,0 +1,64 @@
+// Finds the bodies that may touch each other during a step.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "sim/scheduler/moving_body.h"
+#include "sim/spatial/aabb_tree.h"
+
+namespace carom::sim {
+
+/// Where a body is at an instant of a step, and in which mode it was when the step began.
+struct Placement {
+    MotionState state;
+    Mode mode = Mode::gone;
+
+    [[nodiscard]] bool is_in_solver() const { return mode == Mode::solver; }
+};
+
+/// The pairs of bodies near each other, with a margin for their motion, so that they hold for
+/// several steps (the list of Verlet, Computer "experiments" on classical fluids I, Phys. Rev. 159,
+/// 1967). A new list costs n log n for n bodies in the solver; a sleeping body only costs the look
+/// whether it has stayed where it was.
+class NearPairs {
+  public:
+    using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+    /// Pairs (i, k), i < k, in ascending order, of two bodies in the solver, or of one and a
+    /// sleeping one: all whose bounding spheres are less than kSolidMargin apart, and others.
+    /// `placed`: the placements of `bodies`, in the same order. The result is valid until the next
+    /// call, which has to be for the same bodies.
+    [[nodiscard]] const std::vector<Pair>& find(std::span<const MovingBody> bodies,
+                                                std::span<const Placement> placed);
+
+  private:
+    struct Member {
+        std::uint32_t number = 0;  // of a body
+        Vec3 centre{0, 0, 0};
+        double slack = 0;  // the list holds while it is this near to `centre`, m; 0: it sleeps
+
+        bool operator==(const Member&) const = default;
+    };
+    class Group {
+      public:
+        void update(std::vector<Member> members, std::span<const MovingBody> bodies);
+        [[nodiscard]] bool holds(std::span<const Placement> placed) const;
+        [[nodiscard]] const std::vector<Member>& members() const { return members_; }
+        [[nodiscard]] const AabbTree& tree() const { return tree_; }
+
+      private:
+        std::vector<Member> members_;
+        AabbTree tree_;  // of boxes that contain them while the list holds
+    };
+    void add_pairs(const Member& member, const Aabb& box, const Group& group);
+
+    Group awake_, asleep_;
+    std::size_t count_ = 0;  // of bodies in both groups
+    std::vector<std::uint32_t> found_;
+    std::vector<Pair> pairs_;
+};
+
+}  // namespace carom::sim
