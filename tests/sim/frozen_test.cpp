@@ -134,7 +134,7 @@ TEST(AlmostFrozenPair, IsStruckFirstAndCollidesAfterwards) {
         const StrikeResult free =
             *strike_ball(std::get<Strike>(event.action),
                          {std::cos(degrees * kDegree), std::sin(degrees * kDegree), 0},
-                         BallBody{kMass, kRadius, {}});
+                         RigidBody::ball(kMass, kRadius));
         given.events = {event};
         given.events[0].action = SetVelocity{free.velocity, free.angular_velocity};
         const Timeline a = bake(struck);
