@@ -1,12 +1,23 @@
 // Impacts of balls with balls and with surfaces, solved by ODE as isolated impacts.
 #pragma once
 
+#include <cstddef>
+#include <optional>
+
 #include "core/pose.h"
 #include "sim/contact_law.h"
 #include "sim/numeric/tolerances.h"
 #include "sim/ode/impact_solver.h"
 
 namespace carom::sim {
+
+/// Two bodies of a group that touch, or may touch.
+struct TouchingPair {
+    std::size_t first = 0, second = 0;  // indices in the group
+    Vec3 normal{0, 0, 1};               // unit, from the second to the first
+    std::optional<double> friction;     // Coulomb, >= 0; otherwise ball_friction() at the slip
+    bool is_level = false;              // the vertical part of the impulse is left out
+};
 
 /// Impact of two balls: restitution along `normal` (unit, from b towards a), Coulomb friction
 /// against the tangential relative surface velocity. Changes both velocities.

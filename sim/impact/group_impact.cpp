@@ -7,6 +7,7 @@
 #include "core/assert.h"
 #include "core/elementary.h"
 #include "core/length.h"
+#include "core/rigid.h"
 
 namespace carom::sim {
 namespace {
@@ -16,7 +17,9 @@ constexpr double kStepsPerContact = 100;
 /// A body of less restitution would recover at more than a hundred times the speed of compression.
 /// Below, the force of recovery is less instead.
 constexpr double kLeastRecovery = 0.1;
-constexpr int kMaxSteps = 1'000'000;
+/// An impact without end has a body that keeps its velocity.
+constexpr int kMaxSteps = 20'000;
+constexpr int kMaxFreeSteps = 1'000'000;
 
 /// The motion of a body, or its rate of change.
 struct Motion {
@@ -65,6 +68,7 @@ struct ContactData {
     double recovery = 1;      // restitution, or the least one with which the bodies recover
     double recovered = 1;     // the part of the force with which they do
     double mass = 0;          // against an impulse along the normal, kg
+    double slight_depth = 0;  // of bodies that met at kLeastSeparation, m
     double slip_mass = 0;     // against one across it, at least, kg
     double stick_factor = 0;  // greatest friction per slip, kg/s
     double friction = 0;
@@ -108,6 +112,28 @@ Vec3 normal_of_approach(const Vec3& apart, const Vec3& velocity, double distance
     return unit(apart + velocity * time);
 }
 
+/// How far two bodies that meet at `speed` compress each other without losses, m.
+double greatest_depth(const ContactStiffness& stiffness, double reduced_mass, double speed) {
+    return stiffness.is_flat
+               ? speed * std::sqrt(reduced_mass / stiffness.factor)
+               : power(5 * reduced_mass * speed * speed / (4 * stiffness.factor), 0.4);
+}
+
+Imath::M33d inverse_inertia_in_world(const RigidBody& body) {
+    Imath::M33d sum(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+        Vec3 own(0, 0, 0);
+        own[axis] = 1;
+        const Vec3 direction = to_world(body.state.orientation, own);
+        for (int i = 0; i < 3; ++i) {
+            for (int k = 0; k < 3; ++k) {
+                sum[i][k] += direction[i] * direction[k] / body.inertia[axis];
+            }
+        }
+    }
+    return sum;
+}
+
 class Group {
   public:
     Group(std::vector<GroupBody>& bodies, std::span<const GroupContact> contacts,
@@ -143,6 +169,8 @@ class Group {
     std::vector<Stepped<Compression>> compressions_;
     std::vector<GroupContactResult> results_;
     double loss_ = 0;  // of energy, J
+    double work_ = 0;  // of the bodies that keep their velocities, J
+    int max_steps_ = kMaxFreeSteps;
     double time_ = 0;
     double duration_ = 0;  // of a step
 };
@@ -164,6 +192,10 @@ Group::Group(std::vector<GroupBody>& bodies, std::span<const GroupContact> conta
         motions_[i].begin();
         inertias_.push_back(body.inverse_mass > 0 ? body.inverse_inertia.inverse()
                                                   : Imath::M33d(0.0));
+        if (body.inverse_mass <= 0 &&
+            (body.velocity != Vec3(0, 0, 0) || body.angular_velocity != Vec3(0, 0, 0))) {
+            max_steps_ = kMaxSteps;
+        }
     }
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         prepare(i);
@@ -185,6 +217,7 @@ void Group::prepare(std::size_t index) {
     data.recovered = part * part;
     data.mass = 1 / (response(a, contact.first_arm, contact.normal) +
                      response(b, contact.second_arm, contact.normal));
+    data.slight_depth = greatest_depth(contact.stiffness, data.mass, kLeastSeparation);
     data.slip_mass =
         1 / (greatest_response(a, contact.first_arm) + greatest_response(b, contact.second_arm));
     counts_[contact.first] += a.inverse_mass > 0 ? 1 : 0;
@@ -228,7 +261,10 @@ Vec3 Group::relative_velocity(std::size_t index) const {
 
 std::vector<GroupContactResult> Group::run() {
     const double energy = kinetic_energy();
-    for (int i = 0; i < kMaxSteps && (i == 0 || !is_finished()); ++i) {
+    for (int i = 0; i == 0 || !is_finished(); ++i) {
+        if (i == max_steps_) {
+            return {};
+        }
         begin_step();
         step();
     }
@@ -338,6 +374,11 @@ void Group::follow_stage(double ahead, double weight) {
     }
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         const Load& load = loads_[i];
+        if (bodies_[i].inverse_mass <= 0) {
+            work_ -= (load.force.dot(bodies_[i].velocity) +
+                      load.torque.dot(bodies_[i].angular_velocity)) *
+                     weight * duration_;
+        }
         motions_[i].follow(
             {load.force * bodies_[i].inverse_mass, load.torque * bodies_[i].inverse_inertia},
             ahead * duration_, weight * duration_);
@@ -393,18 +434,19 @@ void Group::add_load(std::size_t index, const Vec3& force) {
     second.torque -= data_[index].second_arm.cross(force);
 }
 
-/// True if no contact pushes any more, nor will within the time of a contact. One that does not
-/// recover neither pushes nor opens.
+/// True if no contact pushes any more, nor will within the time of a contact; slower than the
+/// bodies part in any case does not count, as piles that recover little settle without end. A
+/// contact that does not recover neither pushes nor opens.
 bool Group::is_finished() const {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        if (compressions_[i].now.depth > 0 && data_[i].recovered > 0) {
+        if (compressions_[i].now.depth > data_[i].slight_depth && data_[i].recovered > 0) {
             return false;
         }
     }
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         const double closing = -relative_velocity(i).dot(data_[i].normal);
         const double depth = compressions_[i].now.depth;
-        if (closing > 0 && depth + closing * kStepsPerContact * duration_ > 0) {
+        if (closing > kLeastSeparation && depth + closing * kStepsPerContact * duration_ > 0) {
             return false;
         }
     }
@@ -425,8 +467,8 @@ double Group::kinetic_energy() const {
 
 /// Projects the velocities onto the balance of energy, from which the steps deviate by about a
 /// millionth (Hairer, Lubich and Wanner, Geometric Numerical Integration, 2006, section IV.4). All
-/// impulses are multiplied by one factor, which keeps the momentum. Where nothing recovers, that
-/// factor has no effect on the energy and stays 1.
+/// impulses are multiplied by one factor, which keeps the momentum. `wanted`: without `work_`.
+/// Where nothing recovers, that factor has no effect on the energy and stays 1.
 void Group::balance_energy(double wanted) {
     constexpr int kPasses = 3;
     for (int pass = 0; pass < kPasses && balance_once(wanted); ++pass) {
@@ -436,7 +478,7 @@ void Group::balance_energy(double wanted) {
 /// Newton's method for the factor, kept from large steps where the factor has little effect.
 bool Group::balance_once(double wanted) {
     constexpr double kLeastEffect = 0.01;
-    double effect = 0;  // of the factor on the energy
+    double effect = -work_;  // of the factor on the energy
     double size = 0;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         if (bodies_[i].inverse_mass <= 0) {
@@ -454,7 +496,8 @@ bool Group::balance_once(double wanted) {
     if (scale <= 0) {
         return false;
     }
-    const double extra = (wanted - kinetic_energy()) * effect / scale;
+    const double extra = (wanted + work_ - kinetic_energy()) * effect / scale;
+    work_ *= 1 + extra;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         Motion& motion = motions_[i].now;
         motion.velocity += (motion.velocity - bodies_[i].velocity) * extra;
@@ -502,13 +545,13 @@ void Group::separate() {
 
 }  // namespace
 
-GroupBody group_body(const RigidBody& ball) {
-    GroupBody body;
-    body.inverse_mass = 1 / ball.mass;
-    body.inverse_inertia = Imath::M33d() * (2.5 / (ball.mass * ball.radius * ball.radius));
-    body.velocity = ball.state.velocity;
-    body.angular_velocity = ball.state.angular_velocity;
-    return body;
+GroupBody group_body(const RigidBody& body) {
+    GroupBody result;
+    result.inverse_mass = 1 / body.mass;
+    result.inverse_inertia = inverse_inertia_in_world(body);
+    result.velocity = body.state.velocity;
+    result.angular_velocity = body.state.angular_velocity;
+    return result;
 }
 
 ContactStiffness hertz_stiffness(double reduced_modulus, double reduced_radius) {
@@ -516,12 +559,9 @@ ContactStiffness hertz_stiffness(double reduced_modulus, double reduced_radius) 
 }
 
 double contact_time(const ContactStiffness& stiffness, double reduced_mass, double speed) {
-    if (stiffness.is_flat) {
-        constexpr double kPi = 3.14159265358979323846;
-        return kPi * std::sqrt(reduced_mass / stiffness.factor);
-    }
-    const double depth = power(5 * reduced_mass * speed * speed / (4 * stiffness.factor), 0.4);
-    return 2.943275 * depth / speed;
+    constexpr double kPi = 3.14159265358979323846;
+    return (stiffness.is_flat ? kPi : 2.943275) * greatest_depth(stiffness, reduced_mass, speed) /
+           speed;
 }
 
 std::vector<GroupContactResult> group_impact(std::vector<GroupBody>& bodies,

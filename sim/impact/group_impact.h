@@ -10,7 +10,7 @@
 
 namespace carom::sim {
 
-/// A body of a group. One that does not yield has no inverse mass and stands still.
+/// A body of a group. One that does not yield has no inverse mass and keeps its velocities.
 struct GroupBody {
     double inverse_mass = 0;           // 1/kg
     Imath::M33d inverse_inertia{0.0};  // world axes, 1/(kg m^2)
@@ -18,7 +18,7 @@ struct GroupBody {
     Vec3 angular_velocity{0, 0, 0};    // rad/s
 };
 
-[[nodiscard]] GroupBody group_body(const RigidBody& ball);
+[[nodiscard]] GroupBody group_body(const RigidBody& body);
 
 /// The force between two bodies that compress each other by d > 0: factor d^(3/2) (Hertz) for
 /// curved surfaces, factor d for flat ones.
@@ -35,18 +35,14 @@ struct ContactStiffness {
 [[nodiscard]] double contact_time(const ContactStiffness& stiffness, double reduced_mass,
                                   double speed);
 
-/// Two bodies of a group that touch or may touch.
-struct GroupContact {
-    std::size_t first = 0, second = 0;  // indices in the group
-    Vec3 normal{0, 0, 1};               // unit, from the second body towards the first
-    Vec3 first_arm{0, 0, 0};            // from its centre of mass to the contact, m
+/// A contact of a group, which may still be open.
+struct GroupContact : TouchingPair {
+    Vec3 first_arm{0, 0, 0};  // from its centre of mass to the contact, m
     Vec3 second_arm{0, 0, 0};
     double gap = 0;            // m, >= 0
     bool are_spheres = false;  // until they touch, the normal follows their centres
     ContactStiffness stiffness;
-    double restitution = 0;          // of the two bodies alone, at every speed, [0, 1]
-    std::optional<double> friction;  // Coulomb, >= 0; otherwise ball_friction() at the slip
-    bool is_level = false;           // the bodies keep their vertical velocities
+    double restitution = 0;  // of the two bodies alone, at every speed, [0, 1]
 };
 
 /// What happened at a contact.
@@ -62,12 +58,13 @@ struct GroupContactResult {
 /// compresses another, nor will within the time of a contact, and sets the velocities of that
 /// moment. Positions stay, as in every impact. At least one pair has to move. docs/physics.md,
 /// "Impacts of several bodies", has the model and what it follows: Hertz 1882, and Walton and Braun
-/// 1986 for the losses.
+/// 1986 for the losses. Returns nothing, and changes nothing, if the impact does not end, because a
+/// body that keeps its velocity squeezes others.
 ///
 /// The result does not depend on the order of bodies and contacts, except in the last bits. It
 /// changes continuously with velocities, gaps and normals. The impulses at a contact are opposite;
-/// the energy never rises, except by that of separating at kLeastSeparation where the bodies
-/// touched before the impact.
+/// the energy never rises by more than the work of bodies that keep their velocities, and that of
+/// separating at kLeastSeparation where the bodies touched before the impact.
 std::vector<GroupContactResult> group_impact(std::vector<GroupBody>& bodies,
                                              std::span<const GroupContact> contacts,
                                              const BallBall& law);

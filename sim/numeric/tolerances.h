@@ -12,6 +12,9 @@ inline constexpr double kContactDistance = 1e-12;
 inline constexpr double kOnLine = 1e-11;
 /// Closed, where a time of impact is found by bisection.
 inline constexpr double kClosedBySearch = 1e-10;
+/// Closed, where several bodies take part in an impact: no ball is polished as well. The result
+/// would multiply rounding errors of the places by the speed over the compression, some 1e4 / s.
+inline constexpr double kPolish = 1e-9;
 /// Frozen, that is, pushed together by a strike. While the tip presses, a ball moves ten times as
 /// far. Coordinates rounded to 0.01 mm leave 14 micrometres, the balls of a rack about 30.
 inline constexpr double kFrozenGap = 5e-5;

@@ -1,12 +1,14 @@
 #include "sim/ode/box_collider.h"
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 
 #include <fmt/core.h>
 
 #include "core/assert.h"
 #include "core/error.h"
+#include "core/rigid.h"
 #include "sim/numeric/tolerances.h"
 #include "sim/ode/handles.h"
 
@@ -40,23 +42,37 @@ Geom make_box(const Vec3& size, const Pose& pose, double skin) {
     return geom;
 }
 
-void collide(dGeomID a, dGeomID b, int most, std::vector<Contact>& contacts) {
+/// `skins`: by which the two are larger together.
+void collide(dGeomID a, dGeomID b, double skins, int most, std::vector<Contact>& contacts) {
     std::array<dContactGeom, 8> found{};
     const int count = dCollide(a, b, most, found.data(), sizeof(dContactGeom));
     for (int i = 0; i < count; ++i) {
         const dContactGeom& contact = found[static_cast<std::size_t>(i)];
-        contacts.push_back(
-            {to_vec3(contact.pos), to_vec3(contact.normal), contact.depth - kSolidMargin});
+        contacts.push_back({to_vec3(contact.pos), to_vec3(contact.normal), contact.depth - skins});
     }
+}
+
+/// How far a box reaches along a unit vector, m.
+double extent(const Vec3& size, const Pose& pose, const Vec3& direction) {
+    const Vec3 own = to_body(pose.orientation, direction);
+    return 0.5 * (std::abs(own.x) * size.x + std::abs(own.y) * size.y + std::abs(own.z) * size.z);
 }
 
 }  // namespace
 
+/// ODE's points lie on one of the two boxes. Half-way between both they do not depend on the order.
 void collide_boxes(const Vec3& size_a, const Pose& a, const Vec3& size_b, const Pose& b,
-                   std::vector<Contact>& contacts) {
-    const Geom first = make_box(size_a, a, 0.5 * kSolidMargin);
-    const Geom second = make_box(size_b, b, 0.5 * kSolidMargin);
-    collide(first.get(), second.get(), 4, contacts);
+                   double margin, std::vector<Contact>& contacts) {
+    const Geom first = make_box(size_a, a, 0.5 * margin);
+    const Geom second = make_box(size_b, b, 0.5 * margin);
+    const std::size_t count = contacts.size();
+    collide(first.get(), second.get(), margin, 4, contacts);
+    for (std::size_t i = count; i < contacts.size(); ++i) {
+        Contact& contact = contacts[i];
+        const double beyond_a =
+            (a.position - contact.point).dot(contact.normal) - extent(size_a, a, contact.normal);
+        contact.point += contact.normal * (beyond_a + 0.5 * contact.depth);
+    }
 }
 
 // Members are destroyed in reverse order: the geom before its data.
@@ -103,7 +119,7 @@ void TriangleSurface::collide(const Vec3& size, const Pose& box,
                               std::vector<Contact>& contacts) const {
     const Geom geom = make_box(size, box, kSolidMargin);
     const std::scoped_lock lock(triangle_lock());
-    ode::collide(geom.get(), state_->geom.get(), 8, contacts);
+    ode::collide(geom.get(), state_->geom.get(), kSolidMargin, 8, contacts);
 }
 
 }  // namespace carom::sim::ode

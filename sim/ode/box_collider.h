@@ -11,9 +11,9 @@
 
 namespace carom::sim::ode {
 
-/// Up to four contacts of two boxes with gaps up to kSolidMargin, with normals from b towards a.
+/// Up to four contacts of two boxes with gaps up to `margin`, with normals from b towards a.
 void collide_boxes(const Vec3& size_a, const Pose& a, const Vec3& size_b, const Pose& b,
-                   std::vector<Contact>& contacts);
+                   double margin, std::vector<Contact>& contacts);
 
 /// A triangle surface for collisions with boxes. ODE's triangle code keeps process-wide state in
 /// Debian's build, so all calls share one lock.

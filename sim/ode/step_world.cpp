@@ -185,11 +185,9 @@ void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
     }
     dContact contact{};
     dSurfaceParameters& surface = contact.surface;
-    surface.mode = dContactBounce | dContactSoftERP | dContactSoftCFM | dContactApprox1 |
-                   dContactFDir1 | dContactMotionN | dContactSlip1 | dContactSlip2;
+    surface.mode = dContactSoftERP | dContactSoftCFM | dContactApprox1 | dContactFDir1 |
+                   dContactMotionN | dContactSlip1 | dContactSlip2;
     surface.mu = attempt.has_friction() ? from.friction : 0;
-    surface.bounce = from.restitution;
-    surface.bounce_vel = kBounceSpeed;
     surface.soft_erp = std::min(kErrorReduction, kErrorRate * duration);
     double inverse_mass = 0;
     for (const int body : {from.first, from.second}) {
@@ -371,14 +369,6 @@ void StepWorld::step(double duration, const Vec3& gravity, std::span<const int> 
         motion.end = drift(motion.after, inertia, 0.5 * duration);
     }
     state_->add_works(duration, contacts, motions);
-}
-
-void StepWorld::solve_impact(std::span<const int> moving, std::span<const MotionState> states,
-                             std::span<const StepContact> contacts, std::vector<Velocities>& after,
-                             std::vector<ImpulsePair>& impulses) {
-    // Impulses depend on the duration only through ODE's softness.
-    constexpr double kDuration = 1.0 / 1024;  // s
-    state_->solve_all(kDuration, Vec3(0, 0, 0), moving, states, contacts, after, impulses);
 }
 
 }  // namespace carom::sim::ode

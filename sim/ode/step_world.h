@@ -50,12 +50,6 @@ class StepWorld {
               std::span<const MotionState> midpoints, std::span<const StepContact> contacts,
               std::vector<StepMotion>& motions, std::vector<ImpulsePair>& impulses);
 
-    /// The velocities after an impact with these contacts and their restitution. No other force
-    /// acts, and the poses do not change.
-    void solve_impact(std::span<const int> moving, std::span<const MotionState> states,
-                      std::span<const StepContact> contacts, std::vector<Velocities>& after,
-                      std::vector<ImpulsePair>& impulses);
-
   private:
     struct State;
     std::unique_ptr<State> state_;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/numeric/tolerances.h"
+#include "sim/scheduler/impact_group.h"
 #include "sim/spatial/convex_contacts.h"
 #include "sim/spatial/mesh_contacts.h"
 
@@ -19,12 +20,12 @@ std::vector<Placement> placements_of(std::span<const MovingBody> bodies) {
 }
 
 std::vector<BodyContact> ContactFinder::find(std::span<const MovingBody> bodies,
-                                             std::span<const Placement> placed) {
+                                             std::span<const Placement> placed, double reach) {
     const auto placed_body = [&](std::size_t number) -> Placed {
-        return {static_cast<int>(number), bodies[number], placed[number].state};
+        return {static_cast<int>(number), bodies[number], placed[number].state, reach};
     };
     std::vector<BodyContact> found;
-    const std::vector<NearPairs::Pair>& pairs = near_pairs_.find(bodies, placed);
+    const std::vector<NearPairs::Pair>& pairs = (reach > 0 ? wide_pairs_ : near_pairs_).find(bodies, placed);
     auto pair = pairs.begin();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (placed[i].is_in_solver() && bodies[i].is_ball()) {
@@ -84,13 +85,13 @@ void ContactFinder::find_for_ball(const Placed& ball, std::vector<BodyContact>& 
         } else if (environment_.is_over_cloth(centre)) {
             contact = {Vec3(centre.x, centre.y, 0), Vec3(0, 0, 1), radius - centre.z};
         }
-        if (contact.depth > -kBallMargin) {
+        if (contact.depth > -ball.margin()) {
             add(ball, Ground::cloth, MaterialId::cloth, contact, found);
         }
     }
     if (environment_.floor_height) {
         const double height = centre.z - *environment_.floor_height;
-        if (radius - height > -kBallMargin) {
+        if (radius - height > -ball.margin()) {
             add(ball, Ground::floor, MaterialId::floor,
                 {Vec3(centre.x, centre.y, *environment_.floor_height), Vec3(0, 0, 1),
                  radius - height},
@@ -108,7 +109,7 @@ void ContactFinder::find_for_ball(const Placed& ball, std::vector<BodyContact>& 
             continue;
         }
         const Contact contact = convex_contact(*solid.shape, solid.pose, centre, radius);
-        if (contact.depth > -kBallMargin) {
+        if (contact.depth > -ball.margin()) {
             add(ball, StaticSurface{solid.surface}, solid.info.material, contact, found);
         }
     }
@@ -117,7 +118,7 @@ void ContactFinder::find_for_ball(const Placed& ball, std::vector<BodyContact>& 
         const Vec3 d = centre - sphere.centre;
         const double distance = std::sqrt(d.dot(d));
         const double depth = radius + sphere.radius - distance;
-        if (depth > -kBallMargin && distance > 1e-9) {
+        if (depth > -ball.margin() && distance > 1e-9) {
             add(ball, StaticSphere{static_cast<std::uint32_t>(i)}, sphere.info.material,
                 {sphere.centre + d * (sphere.radius / distance), d / distance, depth}, found);
         }
@@ -127,13 +128,13 @@ void ContactFinder::find_for_ball(const Placed& ball, std::vector<BodyContact>& 
 void ContactFinder::find_for_solid(const Placed& solid, std::vector<BodyContact>& found) const {
     find_on_ground(solid, found);
     Aabb bounds = bounds_of(solid.shape());
-    bounds.grow(kSolidMargin);
+    bounds.grow(solid.margin());
     for (const FixedSolid& fixed : environment_.solids) {
         if (!bounds.overlaps(fixed.bounds)) {
             continue;
         }
         for (const Contact& contact :
-             solid_contacts(solid.shape(), {fixed.shape.get(), fixed.pose})) {
+             solid_contacts(solid.shape(), {fixed.shape.get(), fixed.pose}, solid.margin())) {
             add(solid, StaticSurface{fixed.surface}, fixed.info.material, contact, found);
         }
     }
@@ -147,7 +148,7 @@ void ContactFinder::find_for_solid(const Placed& solid, std::vector<BodyContact>
         Contact contact =
             convex_contact(*solid.body.shape, solid.shape().pose, sphere.centre, sphere.radius);
         contact.normal = -contact.normal;
-        if (contact.depth > -kBallMargin) {
+        if (contact.depth > -std::max(kBallMargin, solid.reach)) {
             add(solid, StaticSphere{static_cast<std::uint32_t>(i)}, sphere.info.material, contact,
                 found);
         }
@@ -197,11 +198,11 @@ void ContactFinder::find_on_ground(const Placed& solid, std::vector<BodyContact>
     std::vector<Contact> on_floor;
     for (const Vec3& point : points) {
         const Vec3 corner = solid.state.position + to_world(turn, point);
-        if (environment_.has_cloth && corner.z < kSolidMargin &&
+        if (environment_.has_cloth && corner.z < solid.margin() &&
             corner.z > -solid.body.bounding_radius() && environment_.is_over_cloth(corner)) {
             on_cloth.push_back({corner, up, -corner.z});
         }
-        if (environment_.floor_height && corner.z - *environment_.floor_height < kSolidMargin) {
+        if (environment_.floor_height && corner.z - *environment_.floor_height < solid.margin()) {
             on_floor.push_back({corner, up, *environment_.floor_height - corner.z});
         }
     }
@@ -216,13 +217,14 @@ void ContactFinder::find_on_ground(const Placed& solid, std::vector<BodyContact>
 }
 
 /// ODE finds the contacts of two boxes, convex_contacts() those of all other pairs.
-std::vector<Contact> ContactFinder::solid_contacts(const PlacedShape& a, const PlacedShape& b) {
+std::vector<Contact> ContactFinder::solid_contacts(const PlacedShape& a, const PlacedShape& b,
+                                                   double margin) {
     std::vector<Contact> contacts;
     if (a.shape->is_box() && b.shape->is_box()) {
         ode::collide_boxes(a.shape->half_size() * 2, a.pose, b.shape->half_size() * 2, b.pose,
-                           contacts);
+                           margin, contacts);
     } else {
-        convex_contacts(a, b, kSolidMargin, contacts);
+        convex_contacts(a, b, margin, contacts);
     }
     return contacts;
 }
@@ -231,26 +233,31 @@ void ContactFinder::find_between(const Placed& first, const Placed& second,
                                  std::vector<BodyContact>& found) const {
     const Vec3 d = first.state.position - second.state.position;
     const double least_distance =
-        first.body.bounding_radius() + second.body.bounding_radius() + kSolidMargin;
+        first.body.bounding_radius() + second.body.bounding_radius() + second.margin();
     if (d.dot(d) > least_distance * least_distance) {
         return;
     }
     if (first.body.is_ball() && second.body.is_ball()) {
         const double distance = std::sqrt(d.dot(d));
         const double depth = first.body.radius + second.body.radius - distance;
-        if (depth > -kBallMargin && distance > 1e-9) {
+        if (depth > -first.margin() && distance > 1e-9) {
             add(first, OtherBody{second.number}, second.body.material,
                 {second.state.position + d * (second.body.radius / distance), d / distance, depth},
                 found);
+            if (const PairContact* named = named_law(environment_, first.body, second.body)) {
+                found.back().contact.restitution = named->restitution;
+                found.back().contact.friction = named->friction;
+            }
         }
     } else if (first.body.is_ball()) {
         const Contact contact = convex_contact(*second.body.shape, second.shape().pose,
                                                first.state.position, first.body.radius);
-        if (contact.depth > -kBallMargin) {
+        if (contact.depth > -first.margin()) {
             add(first, OtherBody{second.number}, second.body.material, contact, found);
         }
     } else {
-        for (const Contact& contact : solid_contacts(first.shape(), second.shape())) {
+        for (const Contact& contact :
+             solid_contacts(first.shape(), second.shape(), first.margin())) {
             add(first, OtherBody{second.number}, second.body.material, contact, found);
         }
     }

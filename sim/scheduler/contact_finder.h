@@ -1,6 +1,7 @@
 // Finds the contacts of the bodies in ODE, with each other and with the static environment.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -8,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/numeric/tolerances.h"
 #include "sim/ode/step_world.h"
 #include "sim/scheduler/moving_body.h"
 #include "sim/scheduler/near_pairs.h"
@@ -51,14 +53,19 @@ struct BodyContact {
 /// Where the bodies are now.
 [[nodiscard]] std::vector<Placement> placements_of(std::span<const MovingBody> bodies);
 
+/// The widest gap of bodies that one impact may close, m.
+inline constexpr double kMostReach = 5e-3;
+
 class ContactFinder {
   public:
     explicit ContactFinder(const StaticEnvironment& environment) : environment_(environment) {}
 
     /// All contacts of the bodies in the solver, in a fixed order. `placed`: the bodies'
-    /// placements, in the same order.
+    /// placements, in the same order. `reach`: gaps up to this (m, at most kMostReach) are contacts
+    /// as well, except those with meshes.
     [[nodiscard]] std::vector<BodyContact> find(std::span<const MovingBody> bodies,
-                                                std::span<const Placement> placed);
+                                                std::span<const Placement> placed,
+                                                double reach = 0);
     /// Likewise where the bodies are now.
     [[nodiscard]] std::vector<BodyContact> find(std::span<const MovingBody> bodies) {
         return find(bodies, placements_of(bodies));
@@ -76,8 +83,13 @@ class ContactFinder {
         int number;
         const MovingBody& body;
         const MotionState& state;
+        double reach;
 
         [[nodiscard]] PlacedShape shape() const { return body.placed(state); }
+        /// The gap up to which it has contacts, m.
+        [[nodiscard]] double margin() const {
+            return std::max(reach, body.is_ball() ? kBallMargin : kSolidMargin);
+        }
     };
     void find_for_ball(const Placed& ball, std::vector<BodyContact>& found) const;
     void find_for_solid(const Placed& solid, std::vector<BodyContact>& found) const;
@@ -87,14 +99,15 @@ class ContactFinder {
                      std::vector<BodyContact>& found) const;
     void find_on_ground(const Placed& solid, std::vector<BodyContact>& found) const;
     [[nodiscard]] static std::vector<Contact> solid_contacts(const PlacedShape& a,
-                                                             const PlacedShape& b);
+                                                             const PlacedShape& b, double margin);
     void find_between(const Placed& first, const Placed& second,
                       std::vector<BodyContact>& found) const;
     void add(const Placed& placed, const ContactPartner& partner, MaterialId partner_material,
              const Contact& contact, std::vector<BodyContact>& found) const;
 
     const StaticEnvironment& environment_;
-    NearPairs near_pairs_;
+    NearPairs near_pairs_{kSolidMargin};
+    NearPairs wide_pairs_{kMostReach};
 };
 
 }  // namespace carom::sim

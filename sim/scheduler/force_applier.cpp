@@ -161,7 +161,7 @@ void ForceApplier::strike_group(const Strike& strike, const Vec3& aim, double ti
                          push.velocity, push.impulse);
     std::vector<std::uint32_t> lasting;
     for (std::size_t i = 0; i < group.contacts.size(); ++i) {
-        const PushContact& contact = group.contacts[i];
+        const TouchingPair& contact = group.contacts[i];
         const RigidBody& a = group.balls[contact.first];
         const RigidBody& b = group.balls[contact.second];
         if (push.contacts[i].normal * (1 / a.mass + 1 / b.mass) > kLeastLoggedSpeed) {

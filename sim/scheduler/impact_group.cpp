@@ -13,11 +13,7 @@ constexpr double kPoisson = 0.34;
 constexpr double kReducedModulus = kModulus / (2 * (1 - kPoisson * kPoisson));
 
 ContactStiffness stiffness_of(const MovingBody& a, const MovingBody& b) {
-    return hertz_stiffness(kReducedModulus, a.radius * b.radius / (a.radius + b.radius));
-}
-
-bool is_level(const StaticEnvironment& environment, const MovingBody& a, const MovingBody& b) {
-    return !environment.law.hop && a.ground != Ground::none && b.ground != Ground::none;
+    return ball_stiffness(a.radius * b.radius / (a.radius + b.radius));
 }
 
 class GroupFinder {
@@ -109,7 +105,7 @@ class GroupFinder {
                 const double apart = gap(a, b.state.position, b.radius);
                 if (k == 1 || apart <= 2 * speed_ * reach_time_) {
                     group_.contacts.push_back(contact(i, k));
-                    group_.contacts.back().gap = k == 1 ? 0 : std::max(apart, 0.0);
+                    group_.contacts.back().gap = k == 1 ? 0 : std::max(apart - kPolish, 0.0);
                 }
             }
         }
@@ -118,21 +114,16 @@ class GroupFinder {
     [[nodiscard]] GroupContact contact(std::size_t i, std::size_t k) const {
         const MovingBody& a = balls_[group_.indices[i]];
         const MovingBody& b = balls_[group_.indices[k]];
+        const Vec3 normal = unit(group_.balls[i].state.position - group_.balls[k].state.position);
         GroupContact contact;
+        static_cast<TouchingPair&>(contact) = touching_pair(environment_, a, b, normal);
         contact.first = i;
         contact.second = k;
-        contact.normal = unit(group_.balls[i].state.position - group_.balls[k].state.position);
-        contact.first_arm = contact.normal * -a.radius;
-        contact.second_arm = contact.normal * b.radius;
+        contact.first_arm = normal * -a.radius;
+        contact.second_arm = normal * b.radius;
         contact.are_spheres = true;
         contact.stiffness = stiffness_of(a, b);
-        contact.is_level = is_level(environment_, a, b);
-        const ContactCoefficients law = pair_law(environment_, a, b, 0);
-        contact.restitution = law.restitution;
-        const bool has_own = named_law(environment_, a, b) != nullptr;
-        if (has_own || a.material != MaterialId::ball || b.material != MaterialId::ball) {
-            contact.friction = law.friction;
-        }
+        contact.restitution = pair_law(environment_, a, b, 0).restitution;
         return contact;
     }
 
@@ -147,6 +138,22 @@ class GroupFinder {
 };
 
 }  // namespace
+
+TouchingPair touching_pair(const StaticEnvironment& environment, const MovingBody& a,
+                           const MovingBody& b, const Vec3& normal) {
+    TouchingPair pair;
+    pair.normal = normal;
+    const bool has_own = named_law(environment, a, b) != nullptr;
+    if (has_own || a.material != MaterialId::ball || b.material != MaterialId::ball) {
+        pair.friction = pair_law(environment, a, b, 0).friction;
+    }
+    pair.is_level = !environment.law.hop && a.ground != Ground::none && b.ground != Ground::none;
+    return pair;
+}
+
+ContactStiffness ball_stiffness(double reduced_radius) {
+    return hertz_stiffness(kReducedModulus, reduced_radius);
+}
 
 const PairContact* named_law(const StaticEnvironment& environment, const MovingBody& a,
                              const MovingBody& b) {

@@ -10,6 +10,17 @@
 
 namespace carom::sim {
 
+/// Two balls of a group, without their indices.
+[[nodiscard]] TouchingPair touching_pair(const StaticEnvironment& environment, const MovingBody& a,
+                                         const MovingBody& b, const Vec3& normal);
+
+/// Of balls with each other and with anything else. `reduced_radius`: as in hertz_stiffness().
+[[nodiscard]] ContactStiffness ball_stiffness(double reduced_radius);
+
+/// Of each of the points at which flat sides touch: a prism of plastic or of wood along its fibres
+/// (3 GPa) that is as high as wide, of 33 mm. No measurement was looked for; ours.
+inline constexpr ContactStiffness kFlatStiffness{1e8, true};
+
 struct ImpactGroup {
     std::vector<std::uint32_t> indices;  // in Bodies; first the two that meet
     std::vector<RigidBody> balls;        // in the same order, without their orientations

@@ -69,7 +69,7 @@ void ImpactResolver::resolve(const PredictedEvent& event) {
         case PredictedEventKind::ball:
             return resolve_ball_impact(event);
         case PredictedEventKind::solid:
-            return resolve_solid_impact(event);
+            return bodies_.enter_solver(event.first, event.time);  // StepBounces resolves it
         case PredictedEventKind::cushion_face:
             return resolve_face_impact(event, level);
         case PredictedEventKind::cushion_corner:
@@ -128,10 +128,64 @@ bool ImpactResolver::involves_solver(const PredictedEvent& event) const {
                        [&](std::uint32_t index) { return bodies_[index].is_in_solver(); });
 }
 
+/// True if one of the balls touches a solid or a fixed body, or may while the two compress each
+/// other: then the solver resolves the impact of all. Cushions and the linings of pockets are much
+/// softer than balls, and follow.
+bool ImpactResolver::reaches_obstacle(const PredictedEvent& event, const ImpactGroup& group) const {
+    const std::span<const MovingBody> balls = bodies_.balls();
+    if (bodies_.solids().empty() && !environment_.has_obstacles()) {
+        return false;
+    }
+    std::vector<std::uint32_t> members = group.indices;
+    if (members.empty()) {
+        members = {event.first, event.second};
+    }
+    const RigidBody a = balls[members[0]].rigid_at(event.time);
+    const RigidBody b = balls[members[1]].rigid_at(event.time);
+    const double approach =
+        -(a.state.velocity - b.state.velocity).dot(unit(a.state.position - b.state.position));
+    if (approach <= kBounceSpeed) {
+        return false;
+    }
+    std::vector<Placement> placed = placements_of(bodies_.all());
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        placed[i].mode = i < balls.size() ? Mode::gone : Mode::asleep;
+    }
+    for (const std::uint32_t index : members) {
+        placed[index] = {balls[index].segment.state_at(event.time), Mode::solver};
+    }
+    const double duration =
+        contact_time(ball_stiffness(a.radius * b.radius / (a.radius + b.radius)),
+                     a.mass * b.mass / (a.mass + b.mass), approach);
+    const std::vector<BodyContact> contacts =
+        finder_.find(bodies_.all(), placed, 2 * approach * duration);
+    return std::any_of(contacts.begin(), contacts.end(), [&](const BodyContact& found) {
+        if (found.is_between_bodies()) {
+            return !bodies_.all()[static_cast<std::size_t>(found.contact.second)].is_ball();
+        }
+        const MaterialId material = finder_.info(found.partner).material;
+        return !std::holds_alternative<Ground>(found.partner) && material != MaterialId::cushion &&
+               material != MaterialId::pocket;
+    });
+}
+
+void ImpactResolver::leave_to_solver(const PredictedEvent& event) {
+    for (const std::uint32_t index : {event.first, event.second}) {
+        bodies_.wake(index, event.time);
+        if (!bodies_[index].is_in_solver()) {
+            bodies_.enter_solver(index, event.time);
+        }
+    }
+}
+
 /// False, without effect, if the two balls come apart before they or others touch a third one: the
 /// law of pairs is exact for them.
 bool ImpactResolver::resolve_group_impact(const PredictedEvent& event) {
     const ImpactGroup group = group_of(event);
+    if (reaches_obstacle(event, group)) {
+        leave_to_solver(event);
+        return true;
+    }
     if (group.contacts.empty()) {
         return false;
     }
@@ -201,6 +255,10 @@ void ImpactResolver::resolve_ball_impact(const PredictedEvent& event) {
     const MotionState before_b = body_b.state;
     const Vec3 normal = unit(before_a.position - before_b.position);
     const double approach = -(before_a.velocity - before_b.velocity).dot(normal);
+    // The path of a ball in the solver closed the gap, which its contacts have changed meanwhile.
+    if (approach <= 0 && (a.is_in_solver() || b.is_in_solver())) {
+        return leave_to_solver(event);
+    }
     if (resolve_group_impact(event)) {
         return;
     }
@@ -229,50 +287,6 @@ void ImpactResolver::resolve_ball_impact(const PredictedEvent& event) {
     }
     if (stays || second_lies) {
         bodies_.enter_solver(event.second, event.time);
-    }
-}
-
-void ImpactResolver::resolve_solid_impact(const PredictedEvent& event) {
-    const MovingBody& ball = bodies_[event.first];
-    const MovingBody& solid = bodies_[event.second];
-    RigidBody body = ball.rigid_at(event.time);
-    const MotionState before = body.state;
-    const MotionState solid_before = solid.state;
-    const Pose solid_pose{solid.state.position, solid.state.orientation};
-    const Contact contact = convex_contact(*solid.shape, solid_pose, before.position, ball.radius);
-    const auto separation = [&](const Vec3& ball_velocity, const MotionState& solid_state) {
-        const Vec3 arm = contact.point - solid_pose.position;
-        return (ball_velocity - solid_state.velocity - solid_state.angular_velocity.cross(arm))
-            .dot(contact.normal);
-    };
-    const double approach = -separation(before.velocity, solid_before);
-    if (approach <= 0) {
-        return bodies_.enter_solver(event.first, event.time);
-    }
-    const ContactCoefficients& law = environment_.contacts.between(ball.material, solid.material);
-    RigidBody unturned = body;
-    unturned.state.orientation = Quat();
-    ode::ImpactResult result;
-    MotionState solid_after = solid_before;
-    if (solid.is_kinematic()) {
-        result = bodies_.impact_solver().solve_kinematic(unturned,
-                                                         velocity_at(solid_before, contact.point),
-                                                         contact, law.restitution, law.friction);
-    } else {
-        result =
-            bodies_.impact_solver().solve(unturned, solid, contact, law.restitution, law.friction);
-        solid_after.velocity = result.second.linear;
-        solid_after.angular_velocity = result.second.angular;
-    }
-    body.set(result.first);
-    record({event.time, approach, ball.name(), solid.name(), contact.point, contact.normal,
-            result.impulse, mean_body(body, before),
-            surface_moving_at(velocity_at(solid_before, contact.point))});
-    const bool stays = separation(body.state.velocity, solid_after) < kLandingSpeed;
-    bodies_.change_velocities(event.second, event.time, solid_before, solid_after);
-    bodies_.change_state(event.first, event.time, before, body.state);
-    if (stays) {
-        bodies_.enter_solver(event.first, event.time);
     }
 }
 
@@ -305,12 +319,35 @@ void ImpactResolver::resolve_slate_impact(const PredictedEvent& event) {
     bounce(event, {top, down, 0}, {"rail", MaterialId::rail});
 }
 
+/// True if a ball that meets a surface at `approach` (m/s) touches another one, or may meanwhile:
+/// then the solver resolves the impact of all.
+bool ImpactResolver::reaches_ball(const PredictedEvent& event, double approach) const {
+    if (approach <= kBounceSpeed) {
+        return false;
+    }
+    const std::span<const MovingBody> balls = bodies_.balls();
+    const MovingBody& ball = balls[event.first];
+    const Vec3 centre = ball.segment.position_at(event.time);
+    const double reach =
+        2 * approach * contact_time(ball_stiffness(ball.radius), ball.mass, approach);
+    std::vector<std::uint32_t> near;
+    predictor_.find_near(event.first, near);
+    return std::any_of(near.begin(), near.end(), [&](std::uint32_t index) {
+        const MovingBody& other = balls[index];
+        return !other.is_gone() && length(other.segment.position_at(event.time) - centre) <
+                                       ball.radius + other.radius + reach;
+    });
+}
+
 void ImpactResolver::bounce(const PredictedEvent& event, const Contact& contact,
                             const SurfaceInfo& info) {
     const MovingBody& ball = bodies_[event.first];
     RigidBody body = ball.rigid_at(event.time);
     const MotionState before = body.state;
     const double approach = -before.velocity.dot(contact.normal);
+    if (reaches_ball(event, approach)) {
+        return bodies_.enter_solver(event.first, event.time);
+    }
     const ContactCoefficients& law = environment_.contacts.between(ball.material, info.material);
     const ImpulsePair impulse =
         is_lining(info.material, contact.normal)

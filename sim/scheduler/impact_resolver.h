@@ -4,6 +4,7 @@
 #include <string>
 
 #include "sim/scheduler/bodies.h"
+#include "sim/scheduler/contact_finder.h"
 #include "sim/scheduler/impact_group.h"
 #include "sim/scheduler/predicted_event.h"
 
@@ -13,7 +14,11 @@ class ImpactResolver {
   public:
     ImpactResolver(const StaticEnvironment& environment, Bodies& bodies,
                    const EventPredictor& predictor, Recorder& recorder)
-        : environment_(environment), bodies_(bodies), predictor_(predictor), recorder_(recorder) {}
+        : environment_(environment),
+          bodies_(bodies),
+          predictor_(predictor),
+          recorder_(recorder),
+          finder_(environment) {}
 
     /// Changes the balls of the event; their versions count up.
     void resolve(const PredictedEvent& event);
@@ -24,8 +29,11 @@ class ImpactResolver {
   private:
     void resolve_ball_impact(const PredictedEvent& event);
     [[nodiscard]] ImpactGroup group_of(const PredictedEvent& event) const;
+    [[nodiscard]] bool reaches_obstacle(const PredictedEvent& event,
+                                        const ImpactGroup& group) const;
+    void leave_to_solver(const PredictedEvent& event);
+    [[nodiscard]] bool reaches_ball(const PredictedEvent& event, double approach) const;
     bool resolve_group_impact(const PredictedEvent& event);
-    void resolve_solid_impact(const PredictedEvent& event);
     void resolve_face_impact(const PredictedEvent& event, const Vec2& centre);
     void resolve_cushion_impact(const PredictedEvent& event, const Vec2& nearest,
                                 const BallCushion& cushion);
@@ -51,6 +59,7 @@ class ImpactResolver {
     Bodies& bodies_;
     const EventPredictor& predictor_;
     Recorder& recorder_;
+    ContactFinder finder_;
 };
 
 }  // namespace carom::sim

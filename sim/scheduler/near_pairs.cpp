@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/length.h"
-#include "sim/numeric/tolerances.h"
 
 namespace carom::sim {
 namespace {
@@ -79,7 +78,7 @@ const std::vector<NearPairs::Pair>& NearPairs::find(std::span<const MovingBody> 
     asleep_.update(std::move(asleep), bodies);
     pairs_.clear();
     for (const Member& member : awake_.members()) {
-        const double reach = bodies[member.number].bounding_radius() + member.slack + kSolidMargin;
+        const double reach = bodies[member.number].bounding_radius() + member.slack + gap_;
         const Aabb box = box_of(member.centre, reach);
         add_pairs(member, box, awake_);
         add_pairs(member, box, asleep_);

@@ -27,8 +27,11 @@ class NearPairs {
   public:
     using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
+    /// `gap`: of the bounding spheres of two near bodies, m.
+    explicit NearPairs(double gap) : gap_(gap) {}
+
     /// Pairs (i, k), i < k, in ascending order, of two bodies in the solver, or of one and a
-    /// sleeping one: all whose bounding spheres are less than kSolidMargin apart, and others.
+    /// sleeping one: all whose bounding spheres are less than the gap apart, and others.
     /// `placed`: the placements of `bodies`, in the same order. The result is valid until the next
     /// call, which has to be for the same bodies.
     [[nodiscard]] const std::vector<Pair>& find(std::span<const MovingBody> bodies,
@@ -55,6 +58,7 @@ class NearPairs {
     };
     void add_pairs(const Member& member, const Aabb& box, const Group& group);
 
+    double gap_;
     Group awake_, asleep_;
     std::size_t count_ = 0;  // of bodies in both groups
     std::vector<std::uint32_t> found_;

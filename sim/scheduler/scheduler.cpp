@@ -88,6 +88,7 @@ void Scheduler::run_window() {
         // Equal parts, so that the last one is not mere rounding error.
         const double parts = std::ceil((window_end_ - now_) / fine * (1 - 1e-9));
         window_end_ = stepper_.try_step(now_, now_ + (window_end_ - now_) / std::max(parts, 1.0));
+        check_triggers();  // of impacts at the step's start
     }
     predict();
     predict_solid_impacts();

@@ -79,6 +79,10 @@ struct StaticEnvironment {
     std::vector<BoxObstacle> box_obstacles;
 
     [[nodiscard]] const billiards::TableGeometry& table() const { return collided->geometry; }
+    /// Whether there are fixed bodies.
+    [[nodiscard]] bool has_obstacles() const {
+        return !spheres.empty() || !solids.empty() || !scenery_mesh.empty();
+    }
     [[nodiscard]] bool is_over_cloth(const Vec3& centre) const;
     /// Index of the pocket whose hole lies below `centre`, or -1.
     [[nodiscard]] int pocket_below(const Vec3& centre) const;

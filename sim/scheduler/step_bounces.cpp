@@ -7,6 +7,7 @@
 
 #include "sim/numeric/tolerances.h"
 #include "sim/scheduler/contact_table.h"
+#include "sim/scheduler/impact_group.h"
 
 namespace carom::sim {
 
@@ -31,14 +32,29 @@ void StepBounces::resolve(const std::vector<BodyContact>& contacts, double time)
         if (fastest == nullptr) {
             break;
         }
-        if (body(fastest->contact.first).is_ball()) {
-            bounce_ball(*fastest, time);
-        } else {
-            bounce_pair(contacts, *fastest, time);
-        }
+        bounce(*fastest, speed, time);
         count_impact(*fastest, time);
     }
     log_impacts(time);
+}
+
+/// A ball that meets one thing alone follows the law of pairs. So does one that meets the lining of
+/// a pocket, which touches it much longer than anything else. If a kinematic body squeezes the
+/// others, the impact of all has no end, and the pair is resolved alone.
+void StepBounces::bounce(const BodyContact& found, double speed, double time) {
+    const bool is_ball = body(found.contact.first).is_ball();
+    if (is_ball && is_on_lining(found)) {
+        return bounce_ball(found, time);
+    }
+    std::vector<BodyContact> group = find_group(found, speed, time);
+    if ((!is_ball || group.size() > 1) && bounce_group(group, time)) {
+        return;
+    }
+    if (is_ball) {
+        return bounce_ball(found, time);
+    }
+    std::erase_if(group, [&](const BodyContact& other) { return other.pair() != found.pair(); });
+    bounce_group(group, time);
 }
 
 void StepBounces::forget_jams(const std::vector<BodyContact>& contacts) {
@@ -86,7 +102,7 @@ void StepBounces::bounce_ball(const BodyContact& found, double time) {
     } else if (other != nullptr) {
         result = bodies_.impact_solver().solve(ball, *other, contact, contact.restitution,
                                                contact.friction);
-    } else if (is_lining(finder_.info(found.partner).material, contact.normal)) {
+    } else if (is_on_lining(found)) {
         RigidBody body = ball;
         result.impulse = lining_impact(body, contact.normal, contact.restitution, contact.friction);
         result.first = {body.state.velocity, body.state.angular_velocity};
@@ -102,73 +118,206 @@ void StepBounces::bounce_ball(const BodyContact& found, double time) {
                          contact.point, contact.normal, result.impulse);
 }
 
-/// All contacts of the pair are solved together, including those with a gap below the margin, so
-/// that a face lands as a face. No surface is flatter than that, and rounding would let one corner
-/// hit first and turn the body.
-void StepBounces::bounce_pair(const std::vector<BodyContact>& contacts, const BodyContact& fastest,
-                              double time) {
-    std::vector<int> moving{fastest.contact.first};
-    if (fastest.is_between_bodies()) {
-        moving.push_back(fastest.contact.second);
+/// All contacts of the bodies that touch, or may touch while the impact lasts, directly or through
+/// others. Fixed and kinematic bodies join none.
+std::vector<BodyContact> StepBounces::find_group(const BodyContact& found, double speed,
+                                                 double time) {
+    const double reach = reach_of(found, speed);
+    for (;;) {
+        std::vector<BodyContact> group = contacts_within(reach, time);
+        std::set<int> members{is_movable(found.contact.first) ? found.contact.first
+                                                              : found.contact.second};
+        const auto is_of_group = [&](const BodyContact& other) {
+            return members.contains(other.contact.first) || members.contains(other.contact.second);
+        };
+        for (std::size_t size = 0; size != members.size();) {
+            size = members.size();
+            for (const BodyContact& other : group) {
+                if (!is_of_group(other)) {
+                    continue;
+                }
+                for (const int number : {other.contact.first, other.contact.second}) {
+                    if (is_movable(number)) {
+                        members.insert(number);
+                    }
+                }
+            }
+        }
+        std::erase_if(group, [&](const BodyContact& other) { return !is_of_group(other); });
+        if (!bring_in(group, time)) {
+            return group;
+        }
     }
-    std::vector<ode::StepContact> struck;
+}
+
+/// The contacts of bodies in the solver, with those of wider gaps where a pair has none. Balls in
+/// closed form may be partners.
+std::vector<BodyContact> StepBounces::contacts_within(double reach, double time) {
+    std::vector<Placement> placed = placements_of(bodies_.all());
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        if (placed[i].mode == Mode::closed_form) {
+            placed[i] = {bodies_.all()[i].segment.state_at(time), Mode::asleep};
+        }
+    }
+    std::vector<BodyContact> contacts = finder_.find(bodies_.all(), placed);
+    std::set<ContactPair> touching;
     for (const BodyContact& found : contacts) {
-        if (found.pair() == fastest.pair()) {
-            struck.push_back(found.contact);
-            struck.back().depth = 0;
+        touching.insert(found.pair());
+    }
+    for (const BodyContact& found : finder_.find(bodies_.all(), placed, reach)) {
+        if (!touching.contains(found.pair())) {
+            contacts.push_back(found);
         }
     }
-    std::vector<Velocities> after;
-    const ImpulsePair impulse = solve_impact(moving, struck, after);
-    for (std::size_t i = 0; i < moving.size(); ++i) {
-        set_velocities(body(moving[i]), after[i], time);
-    }
-    add_to_log(fastest, impulse);
+    std::erase_if(contacts, [this](const BodyContact& found) {
+        return is_jammed(found) || is_on_lining(found);
+    });
+    return contacts;
 }
 
-/// The state of the kinematic body of a pair, if any: it does no work in its own frame.
-MotionState StepBounces::kinematic_frame(const std::vector<int>& moving) {
-    for (const int number : moving) {
-        if (body(number).is_kinematic()) {
-            return body(number).state;
+/// Wakes the sleeping bodies of the group and puts its balls in closed form into the solver; true
+/// if there were any.
+bool StepBounces::bring_in(const std::vector<BodyContact>& group, double time) {
+    bool has_news = false;
+    for (const BodyContact& found : group) {
+        for (const int number : {found.contact.first, found.contact.second}) {
+            if (!is_movable(number) || body(number).is_in_solver()) {
+                continue;
+            }
+            const auto index = static_cast<std::uint32_t>(number);
+            if (body(number).is_asleep()) {
+                bodies_.wake(index, time);
+            } else {
+                bodies_.enter_solver(index, time);
+                body(number).state = body(number).segment.state;
+                body(number).free_steps = 0;
+            }
+            has_news = true;
         }
     }
-    return {};
+    return has_news;
 }
 
-/// Restitution with friction can add energy in an eccentric impact (Kane and Levinson, Dynamics:
-/// Theory and Applications, 1985, section 5.8); without restitution it never does. An impact that
-/// would add energy is therefore solved without restitution.
-ImpulsePair StepBounces::solve_impact(const std::vector<int>& moving,
-                                      std::vector<ode::StepContact>& contacts,
-                                      std::vector<Velocities>& after) {
-    std::vector<MotionState> states;
-    const MotionState frame = kinematic_frame(moving);
-    double energy = 0;
-    for (const int number : moving) {
-        states.push_back(body(number).state);
-        energy += body(number).kinetic_energy_in(frame);
+bool StepBounces::is_movable(int number) const {
+    return number >= 0 && !bodies_.all()[static_cast<std::size_t>(number)].is_kinematic();
+}
+
+bool StepBounces::is_on_lining(const BodyContact& found) const {
+    return !found.is_between_bodies() &&
+           is_lining(finder_.info(found.partner).material, found.contact.normal);
+}
+
+/// How far the bodies of a group may come while the two compress each other, m.
+double StepBounces::reach_of(const BodyContact& found, double speed) {
+    double inverse_mass = 0;
+    for (const int number : {found.contact.first, found.contact.second}) {
+        inverse_mass += is_movable(number) ? 1 / body(number).mass : 0;
     }
-    std::vector<ImpulsePair> impulses;
-    world_.solve_impact(moving, states, contacts, after, impulses);
-    double left = 0;
-    for (std::size_t i = 0; i < moving.size(); ++i) {
-        RigidBody struck = body(moving[i]);
-        struck.set(after[i]);
-        left += struck.kinetic_energy_in(frame);
+    const double duration = contact_time(stiffness_of(found), 1 / inverse_mass, speed);
+    return std::min(kSolidMargin + 2 * speed * duration, kMostReach);
+}
+
+/// Hertz' law for what is round, the flat law for all else.
+ContactStiffness StepBounces::stiffness_of(const BodyContact& found) {
+    double curvature = 0;
+    const auto add_radius = [&](double radius) { curvature += radius > 0 ? 1 / radius : 0; };
+    add_radius(body(found.contact.first).radius);
+    if (found.is_between_bodies()) {
+        add_radius(body(found.contact.second).radius);
+    } else if (const auto* sphere = std::get_if<StaticSphere>(&found.partner)) {
+        add_radius(environment_.spheres[sphere->index].radius);
     }
-    if (left > energy) {
-        for (ode::StepContact& contact : contacts) {
-            contact.restitution = 0;
+    return curvature > 0 ? ball_stiffness(1 / curvature) : kFlatStiffness;
+}
+
+GroupBody StepBounces::group_body_of(int number) {
+    if (is_movable(number)) {
+        return group_body(body(number));
+    }
+    GroupBody fixed;
+    if (number >= 0) {
+        fixed.velocity = body(number).state.velocity;
+        fixed.angular_velocity = body(number).state.angular_velocity;
+    }
+    return fixed;
+}
+
+/// Flat sides are taken to touch at gaps up to kSolidMargin, so that a face lands as a face: no
+/// surface is flatter than that, and rounding would let one corner hit first and turn the body.
+GroupContact StepBounces::group_contact(const BodyContact& found) {
+    const ode::StepContact& from = found.contact;
+    const MovingBody& first = body(from.first);
+    GroupContact contact;
+    contact.normal = from.normal;
+    contact.first_arm =
+        first.is_ball() ? from.normal * -first.radius : from.point - first.state.position;
+    contact.gap = std::max(-from.depth - (first.is_ball() ? kPolish : kSolidMargin), 0.0);
+    contact.stiffness = stiffness_of(found);
+    contact.restitution = from.restitution;
+    contact.friction = from.friction;
+    if (found.is_between_bodies()) {
+        const MovingBody& second = body(from.second);
+        contact.second_arm = from.point - second.state.position;
+        contact.are_spheres = first.is_ball() && second.is_ball();
+        if (contact.are_spheres) {
+            contact.friction = touching_pair(environment_, first, second, from.normal).friction;
         }
-        world_.solve_impact(moving, states, contacts, after, impulses);
     }
-    ImpulsePair sum;
-    for (const ImpulsePair& impulse : impulses) {
-        sum.normal += impulse.normal;
-        sum.tangential += impulse.tangential;
+    return contact;
+}
+
+/// False, without effect, if the impact has no end, or if a ball has met one thing alone.
+bool StepBounces::bounce_group(const std::vector<BodyContact>& group, double time) {
+    std::vector<GroupBody> bodies;
+    std::map<int, std::size_t> places;  // in `bodies`; -1 is the static environment
+    const auto place_of = [&](int number) {
+        const auto [place, is_new] = places.try_emplace(number, bodies.size());
+        if (is_new) {
+            bodies.push_back(group_body_of(number));
+        }
+        return place->second;
+    };
+    std::vector<GroupContact> contacts;
+    for (const BodyContact& found : group) {
+        contacts.push_back(group_contact(found));
+        contacts.back().first = place_of(found.contact.first);
+        contacts.back().second = place_of(found.contact.second);
     }
-    return sum;
+    const std::vector<GroupContactResult> results =
+        group_impact(bodies, contacts, environment_.law.ball_ball);
+    std::size_t touched = 0;
+    bool is_of_balls = true;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        touched += results[i].touched_after ? 1 : 0;
+        is_of_balls &= !results[i].touched_after || body(group[i].contact.first).is_ball();
+    }
+    if (touched == 0 || (touched == 1 && is_of_balls)) {
+        return false;
+    }
+    for (const auto& [number, place] : places) {
+        const GroupBody& after = bodies[place];
+        if (is_movable(number) && (after.velocity != body(number).state.velocity ||
+                                   after.angular_velocity != body(number).state.angular_velocity)) {
+            set_velocities(body(number), {after.velocity, after.angular_velocity}, time);
+        }
+    }
+    log_group(group, results);
+    return true;
+}
+
+/// Contacts that close more slowly than bodies bounce are no impacts.
+void StepBounces::log_group(const std::vector<BodyContact>& group,
+                            const std::vector<GroupContactResult>& results) {
+    std::map<ContactPair, double> approach;
+    for (std::size_t i = 0; i < group.size(); ++i) {
+        double& most = approach[group[i].pair()];
+        most = std::max(most, results[i].approach);
+    }
+    for (std::size_t i = 0; i < group.size(); ++i) {
+        if (results[i].impulse.normal > 0 && approach[group[i].pair()] > kBounceSpeed) {
+            add_to_log(group[i], results[i].impulse);
+        }
+    }
 }
 
 void StepBounces::add_to_log(const BodyContact& found, const ImpulsePair& impulse) {

@@ -1,4 +1,4 @@
-// Impacts at the start of a step, resolved pair by pair.
+// Impacts at the start of a step, of all bodies at once that take part in one.
 #pragma once
 
 #include <map>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/rigid.h"
-#include "sim/ode/step_world.h"
+#include "sim/impact/group_impact.h"
 #include "sim/scheduler/bodies.h"
 #include "sim/scheduler/contact_finder.h"
 #include "sim/scheduler/recorder.h"
@@ -28,14 +28,15 @@ template <class StateOf>
 
 class StepBounces {
   public:
-    StepBounces(Bodies& bodies, const ContactFinder& finder, ode::StepWorld& world,
+    StepBounces(const StaticEnvironment& environment, Bodies& bodies, ContactFinder& finder,
                 Recorder& recorder)
-        : bodies_(bodies), finder_(finder), world_(world), recorder_(recorder) {}
+        : environment_(environment), bodies_(bodies), finder_(finder), recorder_(recorder) {}
 
-    /// Resolves impacts pair by pair, the fastest first, until no pair approaches fast enough to
-    /// bounce: restitution in one solve for all contacts would add energy. ODE's step handles the
-    /// remaining contacts. `contacts`: all contacts of the bodies in their present state; those
-    /// that can move are awake.
+    /// Resolves impacts group by group, until no pair approaches fast enough to bounce: a group is
+    /// all bodies that touch each other, or may while the impact lasts, sleeping ones and balls in
+    /// closed form included, which wake and enter the solver. ODE's step handles the remaining
+    /// contacts. `contacts`: all contacts of the bodies in their present state; those that can move
+    /// are awake.
     void resolve(const std::vector<BodyContact>& contacts, double time);
 
     /// True if one body of the contact is caught between a kinematic body and an obstacle that does
@@ -46,21 +47,28 @@ class StepBounces {
     }
 
   private:
+    void bounce(const BodyContact& found, double speed, double time);
     void bounce_ball(const BodyContact& found, double time);
-    void bounce_pair(const std::vector<BodyContact>& contacts, const BodyContact& fastest,
-                     double time);
-    [[nodiscard]] MotionState kinematic_frame(const std::vector<int>& moving);
-    ImpulsePair solve_impact(const std::vector<int>& moving,
-                             std::vector<ode::StepContact>& contacts,
-                             std::vector<Velocities>& after);
+    [[nodiscard]] std::vector<BodyContact> find_group(const BodyContact& found, double speed,
+                                                      double time);
+    [[nodiscard]] std::vector<BodyContact> contacts_within(double reach, double time);
+    bool bring_in(const std::vector<BodyContact>& group, double time);
+    bool bounce_group(const std::vector<BodyContact>& group, double time);
+    [[nodiscard]] GroupBody group_body_of(int number);
+    [[nodiscard]] GroupContact group_contact(const BodyContact& found);
+    [[nodiscard]] ContactStiffness stiffness_of(const BodyContact& found);
+    [[nodiscard]] double reach_of(const BodyContact& found, double speed);
+    [[nodiscard]] bool is_movable(int number) const;
+    [[nodiscard]] bool is_on_lining(const BodyContact& found) const;
     void set_velocities(MovingBody& body, const Velocities& velocities, double time);
     void add_to_log(const BodyContact& found, const ImpulsePair& impulse);
+    void log_group(const std::vector<BodyContact>& group,
+                   const std::vector<GroupContactResult>& results);
     void log_impacts(double time);
     void forget_jams(const std::vector<BodyContact>& contacts);
     void count_impact(const BodyContact& found, double time);
 
-    /// The sum of the impulses between a pair of solids in one instant, which is one entry of the
-    /// log.
+    /// The sum of the impulses between a pair in one instant, which is one entry of the log.
     struct LoggedImpact {
         BodyContact contact;
         ImpulsePair impulse;
@@ -70,9 +78,9 @@ class StepBounces {
         return bodies_[static_cast<std::uint32_t>(number)];
     }
 
+    const StaticEnvironment& environment_;
     Bodies& bodies_;
-    const ContactFinder& finder_;
-    ode::StepWorld& world_;
+    ContactFinder& finder_;
     Recorder& recorder_;
     std::vector<LoggedImpact> impacts_;
     std::map<ContactPair, int> kinematic_impact_counts_;  // in this instant, per pair

@@ -106,7 +106,6 @@ void StepTrial::advance_to_midpoint() {
     drop_immovable_pairs();
     step_contacts_.clear();
     for (BodyContact& found : contacts_) {
-        found.contact.restitution = 0;
         found.contact.turning = turning(found);
         step_contacts_.push_back(found.contact);
     }

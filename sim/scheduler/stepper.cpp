@@ -19,7 +19,7 @@ Stepper::Stepper(const StaticEnvironment& environment, Bodies& bodies, Recorder&
       recorder_(recorder),
       finder_(environment),
       sleep_(bodies, environment.gravity),
-      bounces_(bodies, finder_, world_, recorder),
+      bounces_(environment, bodies, finder_, recorder),
       trial_(world_, finder_, bounces_, environment.gravity, bodies.all()) {
     for (const MovingBody& body : bodies.all()) {
         world_.add(body, body.is_kinematic());

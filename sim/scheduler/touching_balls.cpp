@@ -17,18 +17,6 @@ bool touch(const MotionState& a, const MotionState& b, double distance) {
            std::abs((a.velocity - b.velocity).dot(unit(d))) <= kFrozenSpeed;
 }
 
-PushContact contact_of(const MovingBody& a, const MovingBody& b, const Vec3& normal,
-                       const StaticEnvironment& environment) {
-    PushContact contact;
-    contact.normal = normal;
-    const bool has_own = named_law(environment, a, b) != nullptr;
-    if (has_own || a.material != MaterialId::ball || b.material != MaterialId::ball) {
-        contact.friction = pair_law(environment, a, b, 0).friction;
-    }
-    contact.is_level = !environment.law.hop && a.ground != Ground::none && b.ground != Ground::none;
-    return contact;
-}
-
 }  // namespace
 
 TouchingBalls find_touching_balls(std::span<const MovingBody> balls, std::uint32_t struck,
@@ -62,14 +50,14 @@ TouchingBalls find_touching_balls(std::span<const MovingBody> balls, std::uint32
             if (touch(body.state, other.state, body.radius + other.radius)) {
                 const Vec3 normal = unit(other.state.position - body.state.position);
                 found.group.contacts.push_back(
-                    contact_of(balls[indices[k]], ball, normal, environment));
+                    touching_pair(environment, balls[indices[k]], ball, normal));
                 found.group.contacts.back().first = k;
                 found.group.contacts.back().second = i;
             }
         }
     }
-    std::vector<PushContact>& contacts = found.group.contacts;
-    std::stable_partition(contacts.begin(), contacts.end(), [&](const PushContact& contact) {
+    std::vector<TouchingPair>& contacts = found.group.contacts;
+    std::stable_partition(contacts.begin(), contacts.end(), [&](const TouchingPair& contact) {
         return contact.first == found.group.struck || contact.second == found.group.struck;
     });
     return found;

@@ -27,14 +27,14 @@ Vec3 without_vertical(const Vec3& v, bool is_level) {
 
 ContactImpulses::ContactImpulses(const TouchingGroup& group) : group_(group) {
     std::vector<double> counts(group.balls.size(), 0);
-    for (const PushContact& contact : group.contacts) {
+    for (const TouchingPair& contact : group.contacts) {
         counts[contact.first] += 1;
         counts[contact.second] += 1;
     }
     // Scaled by the masses, the largest eigenvalue of the contacts' response is at most the mean
     // number of contacts of two touching balls, weighted with their inverse masses.
     double largest = 1;
-    for (const PushContact& contact : group.contacts) {
+    for (const TouchingPair& contact : group.contacts) {
         const double a = 1 / group.balls[contact.first].mass;
         const double b = 1 / group.balls[contact.second].mass;
         inverse_masses_.push_back(a + b);
@@ -46,7 +46,7 @@ ContactImpulses::ContactImpulses(const TouchingGroup& group) : group_(group) {
 }
 
 ContactImpulses::Relative ContactImpulses::relative_velocity(
-    const PushContact& contact, const std::vector<Velocities>& velocities) const {
+    const TouchingPair& contact, const std::vector<Velocities>& velocities) const {
     const Velocities& a = velocities[contact.first];
     const Velocities& b = velocities[contact.second];
     const Vec3 centres = without_vertical(a.linear - b.linear, contact.is_level);
@@ -59,7 +59,7 @@ ContactImpulses::Relative ContactImpulses::relative_velocity(
 void ContactImpulses::add(const std::vector<ContactImpulse>& impulses,
                           std::vector<Velocities>& velocities) const {
     for (std::size_t i = 0; i < impulses.size(); ++i) {
-        const PushContact& contact = group_.contacts[i];
+        const TouchingPair& contact = group_.contacts[i];
         const Vec3 impulse = without_vertical(
             contact.normal * impulses[i].normal + impulses[i].friction, contact.is_level);
         const Vec3 turn = impulses[i].friction.cross(contact.normal) * 2.5;
@@ -104,7 +104,7 @@ void ContactImpulses::solve(std::vector<Velocities>& velocities,
                             std::vector<ContactImpulse>& impulses) const {
     const std::vector<Velocities> free = velocities;
     double enough = 0;
-    for (const PushContact& contact : group_.contacts) {
+    for (const TouchingPair& contact : group_.contacts) {
         const Relative relative = relative_velocity(contact, free);
         enough = std::max({enough, kConverged * (std::abs(relative.normal) + length(relative.slip)),
                            kRounding * length(free[contact.first].linear),

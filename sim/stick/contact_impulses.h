@@ -35,7 +35,7 @@ class ContactImpulses {
         double normal = 0;
         Vec3 slip{0, 0, 0};
     };
-    [[nodiscard]] Relative relative_velocity(const PushContact& contact,
+    [[nodiscard]] Relative relative_velocity(const TouchingPair& contact,
                                              const std::vector<Velocities>& velocities) const;
 
   private:

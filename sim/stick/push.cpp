@@ -160,7 +160,7 @@ class Push {
     [[nodiscard]] std::vector<double> coefficients(
         const std::vector<Velocities>& velocities) const {
         std::vector<double> result;
-        for (const PushContact& contact : group_.contacts) {
+        for (const TouchingPair& contact : group_.contacts) {
             result.push_back(
                 contact.friction
                     ? *contact.friction
@@ -177,7 +177,7 @@ class Push {
     ContactImpulses solver_;
     bool varies_ = law_.friction_model != BallFriction::constant &&
                    std::any_of(group_.contacts.begin(), group_.contacts.end(),
-                               [](const PushContact& contact) { return !contact.friction; });
+                               [](const TouchingPair& contact) { return !contact.friction; });
     PushState state_;
     Velocities start_;                  // of the struck ball
     std::vector<ContactImpulse> last_;  // those of the last increment, as guesses
@@ -216,7 +216,7 @@ PushResult push_balls(TouchingGroup& group, const Strike& strike, const Vec3& ai
 void part_balls(TouchingGroup& group, const PushResult& push) {
     std::vector<double> least;
     for (std::size_t i = 0; i < group.contacts.size(); ++i) {
-        const PushContact& contact = group.contacts[i];
+        const TouchingPair& contact = group.contacts[i];
         const double change = push.contacts[i].normal * (1 / group.balls[contact.first].mass +
                                                          1 / group.balls[contact.second].mass);
         least.push_back(change > kLeastSeparation ? kLeastSeparation : 0);

@@ -10,19 +10,11 @@
 
 namespace carom::sim {
 
-/// Two balls of a group that touch.
-struct PushContact {
-    std::size_t first = 0, second = 0;  // indices in the group
-    Vec3 normal{0, 0, 1};               // unit, from the second to the first
-    std::optional<double> friction;     // Coulomb, >= 0; otherwise ball_friction() at the slip
-    bool is_level = false;              // the vertical part of the impulse is left out
-};
-
 /// A struck ball and all balls that touch it, directly or through others.
 struct TouchingGroup {
     std::vector<RigidBody> balls;
     std::size_t struck = 0;
-    std::vector<PushContact> contacts;
+    std::vector<TouchingPair> contacts;
 };
 
 struct PushResult {

@@ -336,9 +336,8 @@ std::vector<RigidBody> pile(std::uint64_t seed) {
     };
     std::vector<RigidBody> balls{ball({0, 0, 0}, vector() * 0.1, vector() * 30)};
     for (int tries = 0; tries < 400 && balls.size() < 9; ++tries) {
-        RigidBody next = ball({0, 0, 0});
-        next.radius = kRadius * random.between(0.6, 1.3);
-        next.mass = kMass * random.between(0.3, 3);
+        const double radius = kRadius * random.between(0.6, 1.3);
+        RigidBody next = RigidBody::ball(kMass * random.between(0.3, 3), radius);
         next.state.position = unit(vector()) * (kRadius + next.radius);
         const bool is_free = std::all_of(balls.begin() + 1, balls.end(), [&](const RigidBody& b) {
             return length(b.state.position - next.state.position) > b.radius + next.radius;

@@ -71,7 +71,7 @@ class Cloud {
 /// They move in small steps and jumps, sleep, wake and leave.
 TEST(NearPairs, OfMovingBodies_ContainAllThatTouchInOrder) {
     Cloud cloud(300);
-    NearPairs near;
+    NearPairs near(kSolidMargin);
     std::size_t most = 0;
     for (int step = 0; step < 400; ++step) {
         const Pairs found = near.find(cloud.bodies, cloud.placed);
@@ -103,7 +103,7 @@ TEST(NearPairs, OfManySleepingBodiesAndOneThatMoves_AreFew) {
     for (Placement& placed : cloud.placed) {
         placed.mode = Mode::asleep;
     }
-    NearPairs near;
+    NearPairs near(kSolidMargin);
     EXPECT_TRUE(near.find(cloud.bodies, cloud.placed).empty());
     cloud.placed[7].mode = Mode::solver;
     const Pairs found = near.find(cloud.bodies, cloud.placed);
@@ -118,7 +118,7 @@ TEST(NearPairs, OfManySleepingBodiesAndOneThatMoves_AreFew) {
 TEST(NearPairs, AfterABodyHasLeft_HaveItNoLonger) {
     Cloud cloud(2);
     cloud.placed[1].state.position = cloud.placed[0].state.position;
-    NearPairs near;
+    NearPairs near(kSolidMargin);
     EXPECT_EQ(near.find(cloud.bodies, cloud.placed), Pairs({{0, 1}}));
     cloud.placed[1].mode = Mode::closed_form;
     EXPECT_TRUE(near.find(cloud.bodies, cloud.placed).empty());

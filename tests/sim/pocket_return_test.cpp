@@ -201,7 +201,7 @@ TEST(BallReturn_ColumnOfBallsDroppedIn, AllArePottedAndTheLastTwoStay) {
         for (const bool is_corner : {true, false}) {
             const billiards::PocketLayout& pocket = pocket_of(layout, is_corner);
             WorldDescription world;
-            world.duration = 5;
+            world.duration = 7;
             world.table = billiards::standard_table(table.kind, table.size);
             for (int i = 0; i < 21; ++i) {
                 Body body =

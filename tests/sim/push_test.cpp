@@ -335,7 +335,7 @@ TEST(Push_Random, NeverGainsEnergyAndBalancesMomentum) {
             missing.z = 0;
         }
         EXPECT_NEAR(missing.length(), 0, 1e-12 * push.impulse) << seed;
-        for (const PushContact& contact : random.group.contacts) {
+        for (const TouchingPair& contact : random.group.contacts) {
             const MotionState& a = random.group.balls[contact.first].state;
             const MotionState& b = random.group.balls[contact.second].state;
             EXPECT_GT((a.velocity - b.velocity).dot(contact.normal), -1e-11 * v) << seed;
@@ -350,7 +350,7 @@ TEST(Push_Random, DoesNotDependOnTheOrderOfTheBalls) {
         const std::size_t count = first.group.balls.size();
         std::reverse(second.group.balls.begin(), second.group.balls.end());
         std::reverse(second.group.contacts.begin(), second.group.contacts.end());
-        for (PushContact& contact : second.group.contacts) {
+        for (TouchingPair& contact : second.group.contacts) {
             contact.first = count - 1 - contact.first;
             contact.second = count - 1 - contact.second;
             std::swap(contact.first, contact.second);
@@ -374,7 +374,7 @@ TEST(Push_Random, TurnsWithTheShot) {
         RandomPush first = random_push(seed);
         RandomPush second = first;
         second.aim = turned(first.aim);
-        for (PushContact& contact : second.group.contacts) {
+        for (TouchingPair& contact : second.group.contacts) {
             contact.normal = turned(contact.normal);
         }
         push_balls(first.group, first.strike, first.aim, first.law);
