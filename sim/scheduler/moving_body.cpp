@@ -12,7 +12,7 @@ namespace carom::sim {
 namespace {
 
 GroundLaw ground_law(const PairContact& pair) {
-    return {{pair.friction, pair.rolling_friction, 0}, pair.restitution, pair.friction};
+    return {{pair.friction, pair.rolling_friction.value_or(0), 0}, pair.restitution, pair.friction};
 }
 
 GroundLaw cloth_law(const std::string& material, const ContactLaw& law) {
@@ -40,6 +40,7 @@ MovingBody make_ball(const Body& from, double radius, const StaticEnvironment& e
     static_cast<RigidBody&>(ball) = RigidBody::ball(from.mass, radius, ball.state);
     ball.cloth_law = cloth_law(from.material, environment.law);
     ball.floor_law = ground_law(environment.law.between(from.material, "floor"));
+    ball.rolling_length = 1.4 * radius;
     ball.segment.state = ball.state;
     ball.rested_at = from.pose;
     return ball;
@@ -63,6 +64,9 @@ MovingBody make_solid(const Body& from, const SolidShape& solid,
     } else {
         body.mass = from.mass;
         body.inertia = solid.inertia * from.mass;
+        if (const double radius = solid.shape->radius(); radius > 0) {
+            body.rolling_length = radius + body.inertia.z / (from.mass * radius);
+        }
         body.state.orientation = from.pose.orientation * solid.principal;
         body.rested_at = {body.state.position, body.state.orientation};
         body.mode = Mode::solver;
