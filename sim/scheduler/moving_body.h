@@ -23,6 +23,7 @@ struct GroundLaw {
     SupportLaw motion;
     double restitution = 0;
     double friction = 0;
+    bool lets_balls_go = false;  // it is so far off level that no ball rests on it
 };
 
 enum class Mode : std::uint8_t {

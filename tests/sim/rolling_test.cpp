@@ -1,4 +1,4 @@
-// Rolling resistance, and what rides on something that turns.
+// Rolling resistance, tables off level, and what rides on something that turns.
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -151,6 +151,84 @@ TEST(RollingResistance_OnASmallSlope, HoldsABallInEveryDirection) {
             const Vec3 end = state_at(bake(world), "ball", 1).position;
             EXPECT_EQ(share > 1, Vec2(end.x, end.y).length() > 1e-3) << share << " " << angle;
         }
+    }
+}
+
+/// An unbounded cloth that falls towards +x by `slope`.
+WorldDescription tilted_world(double duration, double slope) {
+    WorldDescription world = cloth_world(duration);
+    world.gravity = Vec3(std::sin(slope), 0, -std::cos(slope)) * kGravity;
+    return world;
+}
+
+TEST(TableOffLevel_WithABallThatRollsAcross, PullsItDownhillAndBrakesIt) {
+    constexpr double kSlope = 0.5 * kPi / 180;
+    const Vec3 velocity(0, 0.6, 0);
+    const Vec2 drive(5.0 / 7 * kGravity * std::sin(kSlope), 0);
+    std::vector<Vec3> ends;
+    for (const double step : {1.0 / 60, 1.0 / 1000}) {
+        WorldDescription world = tilted_world(20, kSlope);
+        world.step = step;
+        world.bodies = {ball("ball", 0, -0.5, velocity, rolling_spin(velocity))};
+        const Timeline timeline = bake(world);
+        for (const double time : {1.0, 4.0, 7.0}) {
+            const PlaneState expected =
+                rolled({{0, -0.5}, {0, 0.6}}, drive, 0.01 * kGravity * std::cos(kSlope), time);
+            const Vec3 at = state_at(timeline, "ball", time).position;
+            EXPECT_NEAR(at.x, expected.position.x, 5e-6) << time;
+            EXPECT_NEAR(at.y, expected.position.y, 5e-6) << time;
+        }
+        EXPECT_NEAR(state_at(timeline, "ball", 4).position.x, 0.364, 1e-3);
+        EXPECT_EQ(count_events(timeline, EventKind::rolling), 0) << "it rolls from the start";
+        EXPECT_EQ(count_events(timeline, EventKind::resting), 1);
+        ends.push_back(state_at(timeline, "ball", 20).position);
+    }
+    EXPECT_EQ(ends[0], ends[1]) << "ODE has no part in it";
+}
+
+TEST(TableOffLevel_WithABallAtRest, HoldsItUpToSevenFifthsOfItsRollingFriction) {
+    for (const double share : {0.99, 1.01}) {
+        const double slope = std::atan(share * 1.4 * 0.01);
+        WorldDescription world = tilted_world(1, slope);
+        world.bodies = {ball("ball", 0, 0)};
+        const Timeline timeline = bake(world);
+        const double pull = 5.0 / 7 * kGravity * std::sin(slope);
+        const double expected = std::max(pull - 0.01 * kGravity * std::cos(slope), 0.0);
+        EXPECT_NEAR(state_at(timeline, "ball", 1).velocity.x, expected, 1e-9) << share;
+    }
+}
+
+TEST(TableOffLevel_WithABallThatRollsUp, TurnsItBack) {
+    constexpr double kSlope = 0.05;
+    WorldDescription world = tilted_world(4, kSlope);
+    const Vec3 velocity(-0.5, 0, 0);
+    world.bodies = {ball("ball", 0, 0, velocity, rolling_spin(velocity))};
+    const double pull = 5.0 / 7 * kGravity * std::sin(kSlope);
+    const double braking = 0.01 * kGravity * std::cos(kSlope);
+    const double turn = 0.5 / (pull + braking);
+    const MotionState end = state_at(bake(world), "ball", 4);
+    EXPECT_NEAR(end.velocity.x, (pull - braking) * (4 - turn), 1e-8);
+    EXPECT_NEAR(end.velocity.y, 0, 1e-12);
+}
+
+TEST(TableOffLevel_SoSteepThatBallsSlip, LetsThemSlide) {
+    constexpr double kSlope = 0.8;
+    WorldDescription world = tilted_world(1, kSlope);
+    world.bodies = {ball("ball", 0, 0)};
+    const MotionState end = state_at(bake(world), "ball", 1);
+    EXPECT_NEAR(end.velocity.x, kGravity * (std::sin(kSlope) - 0.2 * std::cos(kSlope)), 1e-9);
+    EXPECT_NEAR(end.angular_velocity.y, 2.5 * 0.2 * kGravity * std::cos(kSlope) / kRadius, 1e-8);
+}
+
+TEST(TableOffLevel_WithCushions, LetsBallsRestAgainstThemAndEachOther) {
+    WorldDescription world = walled_world(20);
+    world.gravity = Vec3(0.05, 0.01, -1) * kGravity;
+    world.bodies = {ball("one", 0.6, 0), ball("two", 0.3, 0.01), ball("three", -0.5, 0.2)};
+    const Timeline timeline = bake(world);
+    for (const char* name : {"one", "two", "three"}) {
+        const MotionState end = state_at(timeline, name, 20);
+        EXPECT_EQ(end.velocity.length(), 0) << name;
+        EXPECT_GT(end.position.x, 1.0) << name;
     }
 }
 
