@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/splitmix.h"
+
 namespace carom::sim {
 namespace {
 
@@ -128,6 +130,42 @@ TEST(ClothMotion_SlidingOffLevel, TurnsDownhill) {
     EXPECT_LT(count, 300);
     EXPECT_NEAR((state.position - position).length(), 0, 2e-7);
     EXPECT_NEAR((slip_velocity(state, kRadius) - slip).length(), 0, 1e-5);
+}
+
+TEST(ClothMotion_OffLevelAtRandom, LosesEnergyAndNeedsFewPieces) {
+    SplitMix64 random(1);
+    for (int i = 0; i < 300; ++i) {
+        const Vec3 pull = Vec3(random.between(-1, 1), random.between(-1, 1), 0) *
+                          std::pow(10, random.between(-3, 1));
+        const SupportLaw law{random.between(0.05, 0.4), i % 5 == 0 ? 0 : random.between(0, 0.03),
+                             random.between(0, 0.02)};
+        const Vec3 velocity = Vec3(random.between(-1, 1), random.between(-1, 1), 0) *
+                              std::pow(10, random.between(-4, 0.5));
+        const Vec3 spin =
+            Vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)) *
+            (i % 3 == 0 ? 0 : 100);
+        MotionState state = moving(velocity, spin);
+        const auto energy = [&] {
+            return 0.5 * state.velocity.dot(state.velocity) +
+                   0.2 * kRadius * kRadius * state.angular_velocity.dot(state.angular_velocity) -
+                   pull.dot(state.position);
+        };
+        double time = 0;
+        int count = 0;
+        for (; time < 3; ++count) {
+            const MotionSegment segment = cloth_segment(time, state, kRadius, kGravity, law, pull);
+            ASSERT_GT(segment.end, time) << i;
+            const double before = energy();
+            time = std::min(segment.end, 3.0);
+            state = segment.state_at(time);
+            EXPECT_LE(energy(), before + 1e-6 * (1 + std::abs(before))) << i;
+            if (segment.kind == MotionKind::resting) {
+                EXPECT_FALSE(rolls_off(kGravity, law, pull)) << i;
+                break;
+            }
+        }
+        EXPECT_LT(count, 3100) << i;
+    }
 }
 
 }  // namespace
