@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -61,11 +62,17 @@ struct BallCushion {
 /// The restitution for a ball that approaches at `speed` (m/s, perpendicular to the cushion).
 [[nodiscard]] double restitution_at(const BallCushion& law, double speed);
 
+/// The deceleration / g of cylinders and capsules that roll on a material of which nothing else is
+/// known: more than of a wheel on a rail (0.001 to 0.0025), less than of a ball on a cloth (0.01).
+inline constexpr double kUsualRollingFriction = 0.003;
+
 /// Any two other materials.
 struct PairContact {
-    double restitution = 0.3;       // [0, 1]
-    double friction = 0.4;          // Coulomb, >= 0
-    double rolling_friction = 0.0;  // -, >= 0
+    double restitution = 0.3;  // [0, 1]
+    double friction = 0.4;     // Coulomb, >= 0
+    /// Deceleration / g, >= 0. If it is not given, balls roll without resistance, and cylinders and
+    /// capsules with kUsualRollingFriction.
+    std::optional<double> rolling_friction;
     bool operator==(const PairContact&) const = default;
 };
 

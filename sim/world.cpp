@@ -85,7 +85,7 @@ void check_pair(const PairContact& pair, const std::string& key, const std::stri
     collector.require(is_fraction(pair.restitution), "restitution",
                       "restitution has to be in [0, 1]");
     collector.require(is_not_negative(pair.friction), "friction", "friction has to be 0 or more");
-    collector.require(is_not_negative(pair.rolling_friction), "rolling_friction",
+    collector.require(is_not_negative(pair.rolling_friction.value_or(0)), "rolling_friction",
                       "rolling_friction has to be 0 or more");
 }
 

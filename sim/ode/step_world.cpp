@@ -25,6 +25,8 @@ constexpr double kCorrectingSpeed = 0.1;  // m/s
 // load, and the friction, among redundant contacts. Without it rounding decides, which turns
 // bodies.
 constexpr double kSoftness = 1e-3;
+// Friction is stiffer, because what friction holds creeps by its softness.
+constexpr double kFrictionSoftness = 0.1;
 // If ODE fails to solve a step, it is tried again, each time ten times softer.
 constexpr int kMaxAttempts = 4;
 // Every contact separates at about this speed (m/s), each at a different one. Bodies that fall
@@ -32,17 +34,9 @@ constexpr int kMaxAttempts = 4;
 // in Baraff, Fast contact force computation for nonpenetrating rigid bodies, 1994) finds a step of
 // length zero and fails. The resulting motion is negligible against the margins.
 constexpr double kSeparationSpeed = 1e-7;
+/// Bodies that turn on each other more slowly than this (rad/s) do not roll: rounding.
+constexpr double kLeastRolling = 1e-9;
 constexpr double kGoldenRatio = 0.6180339887498949;
-
-Vec3 velocity_at(dBodyID body, const Vec3& point) {
-    dVector3 v = {0, 0, 0, 0};
-    dBodyGetPointVel(body, point.x, point.y, point.z, v);
-    return to_vec3(v);
-}
-
-Vec3 velocity_at(const MotionState& state, const Velocities& velocities, const Vec3& point) {
-    return velocities.linear + velocities.angular.cross(point - state.position);
-}
 
 /// The speed (m/s) at which a contact may close after the midpoint of a step.
 ///
@@ -53,8 +47,22 @@ Vec3 velocity_at(const MotionState& state, const Velocities& velocities, const V
 /// begins without a gap such a contact opens by a quarter of `turning` times the duration, so that
 /// three quarters more are allowed.
 double closing_speed(const StepContact& contact, double duration) {
-    return std::max(-contact.depth / duration + 0.75 * contact.turning, 0.0);
+    const double opening = std::max(contact.turning.dot(contact.normal), 0.0);
+    return std::max(-contact.depth / duration + 0.75 * opening, 0.0);
 }
+
+/// The motion of the first body of a contact relative to the second.
+struct RelativeMotion {
+    Vec3 velocity{0, 0, 0};  // at the contact
+    Vec3 turning{0, 0, 0};   // angular
+
+    /// The slip that friction acts against. A contact that does not slip at the ends of a step
+    /// slips at its midpoint if the bodies turn: by as much before the change of velocities as
+    /// backwards after it.
+    [[nodiscard]] Vec3 slip(const StepContact& contact) const {
+        return across(velocity + contact.turning, contact.normal);
+    }
+};
 
 struct Attempt {
     int number = 0;
@@ -87,7 +95,16 @@ struct StepWorld::State {
     std::vector<Properties> properties;
     std::vector<char> is_moving;
     std::vector<dJointFeedback> feedback;
-    std::vector<Vec3> directions;  // of friction, per contact
+    std::vector<Vec3> directions;  // per contact: of friction, or the axis of rolling
+    /// How a contact resists rolling.
+    struct Rolling {
+        bool is_resisted = false;
+        double slip_speed = 0;  // m/s; a body that slips as fast has no rolling resistance yet
+        bool may_stop = false;  // within the step
+        Vec3 turning{0, 0,
+                     0};  // relative angular velocity across the normal at the midpoint, rad/s
+    };
+    std::vector<Rolling> rolling;  // per contact
     std::vector<int> slots;        // per body: its index among the moving ones
 
     [[nodiscard]] dBodyID moving_body(int number) const {
@@ -105,16 +122,22 @@ struct StepWorld::State {
 
     void rebuild();
     void create(const Properties& from);
-    void prepare(std::span<const int> moving, std::span<const MotionState> states,
-                 std::span<const StepContact> contacts);
+    void select(std::span<const int> moving);
+    void prepare(std::span<const int> moving, std::span<const MotionState> states);
     [[nodiscard]] bool solve(const Attempt& attempt, double duration, const Vec3& gravity,
                              std::span<const int> moving, std::span<const MotionState> states,
                              std::span<const StepContact> contacts);
+    template <class VelocitiesOf>
+    [[nodiscard]] RelativeMotion relative_motion(const StepContact& contact,
+                                                 std::span<const MotionState> states,
+                                                 const VelocitiesOf& velocities_of) const;
+    void find_directions(std::span<const MotionState> states, std::span<const StepContact> contacts,
+                         const Vec3& velocity_by_gravity);
     void add_contact(const StepContact& from, std::size_t number, const Attempt& attempt,
-                     double duration, const Vec3& velocity_by_gravity);
-    [[nodiscard]] bool update_friction_directions(std::span<const MotionState> states,
-                                                  std::span<const StepContact> contacts,
-                                                  const std::vector<Velocities>& after);
+                     double duration);
+    [[nodiscard]] bool update_directions(std::span<const MotionState> states,
+                                         std::span<const StepContact> contacts,
+                                         const std::vector<Velocities>& after);
     void solve_with_directions(double duration, const Vec3& gravity, std::span<const int> moving,
                                std::span<const MotionState> states,
                                std::span<const StepContact> contacts,
@@ -164,29 +187,72 @@ void StepWorld::add(const RigidBody& body, bool is_kinematic) {
     state_->create(state_->properties.back());
 }
 
+/// `velocities_of` takes the number of a moving body and its index among the moving ones.
+template <class VelocitiesOf>
+RelativeMotion StepWorld::State::relative_motion(const StepContact& contact,
+                                                 std::span<const MotionState> states,
+                                                 const VelocitiesOf& velocities_of) const {
+    RelativeMotion relative;
+    for (const auto& [number, sign] : {std::pair(contact.first, 1.0), {contact.second, -1.0}}) {
+        if (moving_body(number) == nullptr) {
+            continue;
+        }
+        const auto slot = static_cast<std::size_t>(slots[static_cast<std::size_t>(number)]);
+        const Velocities v = velocities_of(number, slot);
+        const Vec3 arm = contact.point - states[slot].position;
+        relative.velocity += (v.linear + v.angular.cross(arm)) * sign;
+        relative.turning += v.angular * sign;
+    }
+    return relative;
+}
+
+/// The friction pyramid is exact along its direction, which is that of the slip without contacts.
+/// Where bodies roll it is the axis of rolling.
+void StepWorld::State::find_directions(std::span<const MotionState> states,
+                                       std::span<const StepContact> contacts,
+                                       const Vec3& velocity_by_gravity) {
+    directions.clear();
+    rolling.clear();
+    const double fall = length(velocity_by_gravity);
+    const auto velocities_of = [&](int number, std::size_t slot) {
+        return Velocities{states[slot].velocity + velocity_by_gravity * gravity_factor(number),
+                          states[slot].angular_velocity};
+    };
+    for (const StepContact& contact : contacts) {
+        const RelativeMotion relative = relative_motion(contact, states, velocities_of);
+        const Vec3 slip = relative.slip(contact);
+        directions.push_back(direction_across(slip, contact.normal, kLeastStepSlip));
+        Rolling& rolls = rolling.emplace_back();
+        rolls.slip_speed = 4 * contact.friction * fall + 1e-6;
+        rolls.is_resisted = contact.rolling_arm > 0 && length(slip) < rolls.slip_speed;
+        if (!rolls.is_resisted) {
+            continue;
+        }
+        rolls.turning = across(relative.turning, contact.normal);
+        const Vec3 gain = contact.normal.cross(slip) / contact.rolling_length;
+        // The resistance takes at most arm * fall / (R * rolling_length) of it, R the radius.
+        const double most =
+            3 * contact.rolling_arm * fall / (contact.rolling_length * contact.rolling_length);
+        rolls.may_stop = length(rolls.turning + gain) < most;
+        const Vec3 axis = rolls.turning + gain * (rolls.may_stop ? 1 : 0.5);
+        if (contact.rolling_axis != Vec3(0, 0, 0)) {
+            directions.back() = contact.rolling_axis;
+        } else if (const double rate = length(axis); rate > kLeastRolling) {
+            directions.back() = axis / rate;
+        }
+    }
+}
+
 void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
-                                   const Attempt& attempt, double duration,
-                                   const Vec3& velocity_by_gravity) {
+                                   const Attempt& attempt, double duration) {
     dBodyID first = moving_body(from.first);
     dBodyID second = moving_body(from.second);
-    Vec3 relative(0, 0, 0);
-    if (first != nullptr) {
-        relative +=
-            velocity_at(first, from.point) + velocity_by_gravity * gravity_factor(from.first);
-    }
-    if (second != nullptr) {
-        relative -=
-            velocity_at(second, from.point) + velocity_by_gravity * gravity_factor(from.second);
-    }
-    const Vec3 slip = across(relative, from.normal);
-    if (number >= directions.size()) {
-        // The friction pyramid is exact along its direction.
-        directions.push_back(direction_across(relative, from.normal, kLeastStepSlip));
-    }
+    const Vec3& direction = directions[number];
     dContact contact{};
     dSurfaceParameters& surface = contact.surface;
     surface.mode = dContactSoftERP | dContactSoftCFM | dContactApprox1 | dContactFDir1 |
-                   dContactMotionN | dContactSlip1 | dContactSlip2;
+                   dContactMotionN | dContactMotion1 | dContactMotion2 | dContactSlip1 |
+                   dContactSlip2;
     surface.mu = attempt.has_friction() ? from.friction : 0;
     surface.soft_erp = std::min(kErrorReduction, kErrorRate * duration);
     double inverse_mass = 0;
@@ -196,21 +262,28 @@ void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
         }
     }
     surface.soft_cfm = attempt.softness() * inverse_mass * duration;
-    surface.slip1 = surface.slip2 = surface.soft_cfm;
+    surface.slip1 = surface.slip2 = kFrictionSoftness * surface.soft_cfm;
     surface.motionN = attempt.separation_speed(number) - closing_speed(from, duration);
-    // A slipping ball has no rolling resistance yet.
-    const bool is_rolling = length(slip) < 4 * from.friction * length(velocity_by_gravity) + 1e-6;
-    if (attempt.has_friction() &&
-        (from.torsional_arm > 0 || (from.rolling_arm > 0 && is_rolling))) {
+    // ODE takes a contact without a first body as one of the second, with the opposite normal, but
+    // with the same first direction.
+    surface.motion1 = -from.turning.dot(direction) * (first != nullptr ? 1 : -1);
+    surface.motion2 = -from.turning.dot(from.normal.cross(direction));
+    const Rolling& rolls = rolling[number];
+    if (attempt.has_friction() && (from.torsional_arm > 0 || rolls.is_resisted)) {
         surface.mode |= dContactRolling | dContactAxisDep;
         surface.mu2 = from.friction;
-        surface.rho = surface.rho2 = is_rolling ? from.rolling_arm : 0;
-        surface.rhoN = from.torsional_arm;
+        // ODE adds a row of zeros for an arm of 0, and none for a negative one.
+        const auto arm = [](bool acts, double value) { return acts && value > 0 ? value : -1; };
+        // What stops is held about the other axis, too.
+        const bool is_held = rolls.may_stop && from.rolling_axis == Vec3(0, 0, 0);
+        surface.rho = arm(rolls.is_resisted, from.rolling_arm);
+        surface.rho2 = arm(rolls.is_resisted && is_held, from.rolling_arm);
+        surface.rhoN = arm(true, from.torsional_arm);
     }
     for (int i = 0; i < 3; ++i) {
         contact.geom.pos[i] = from.point[i];
         contact.geom.normal[i] = from.normal[i];
-        contact.fdir1[i] = directions[number][i];
+        contact.fdir1[i] = direction[i];
     }
     contact.geom.depth = std::max(from.depth - kSlop, 0.0);
     dJointID joint = dJointCreateContact(world->get(), group.get(), &contact);
@@ -218,31 +291,35 @@ void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
     dJointSetFeedback(joint, &feedback[number]);
 }
 
-void StepWorld::State::prepare(std::span<const int> moving, std::span<const MotionState> states,
-                               std::span<const StepContact> contacts) {
+void StepWorld::State::select(std::span<const int> moving) {
     is_moving.assign(properties.size(), 0);
     slots.assign(properties.size(), -1);
-    feedback.assign(contacts.size(), dJointFeedback{});
     for (std::size_t i = 0; i < moving.size(); ++i) {
-        const auto number = static_cast<std::size_t>(moving[i]);
-        is_moving[number] = 1;
-        slots[number] = static_cast<int>(i);
+        is_moving[static_cast<std::size_t>(moving[i])] = 1;
+        slots[static_cast<std::size_t>(moving[i])] = static_cast<int>(i);
+    }
+}
+
+void StepWorld::State::prepare(std::span<const int> moving, std::span<const MotionState> states) {
+    for (std::size_t i = 0; i < moving.size(); ++i) {
+        const dBodyID body = bodies[static_cast<std::size_t>(moving[i])];
         CAROM_ASSERT(is_finite(states[i]));
-        set_state(bodies[number], states[i]);
-        dBodyEnable(bodies[number]);
+        set_state(body, states[i]);
+        dBodyEnable(body);
     }
 }
 
 bool StepWorld::State::solve(const Attempt& attempt, double duration, const Vec3& gravity,
                              std::span<const int> moving, std::span<const MotionState> states,
                              std::span<const StepContact> contacts) {
-    prepare(moving, states, contacts);
+    prepare(moving, states);
+    feedback.assign(contacts.size(), dJointFeedback{});
     dWorldSetGravity(world->get(), gravity.x, gravity.y, gravity.z);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const StepContact& contact = contacts[i];
         CAROM_ASSERT(moving_body(contact.first) != nullptr ||
                      moving_body(contact.second) != nullptr);
-        add_contact(contact, i, attempt, duration, gravity * duration);
+        add_contact(contact, i, attempt, duration);
     }
     MessageCapture capture;
     try {
@@ -287,33 +364,36 @@ void StepWorld::State::solve_with_directions(double duration, const Vec3& gravit
 }
 
 /// Where a contact begins to slip or changes the direction of its slip, the friction direction has
-/// to follow: a misaligned friction pyramid pushes bodies sideways. True if any direction changed.
-bool StepWorld::State::update_friction_directions(std::span<const MotionState> states,
-                                                  std::span<const StepContact> contacts,
-                                                  const std::vector<Velocities>& after) {
+/// to follow: a misaligned friction pyramid pushes bodies sideways. Likewise the axis of rolling.
+/// True if any direction changed.
+bool StepWorld::State::update_directions(std::span<const MotionState> states,
+                                         std::span<const StepContact> contacts,
+                                         const std::vector<Velocities>& after) {
     constexpr double kSlip = 1e-5;          // m/s
     constexpr double kMaxDeviation = 0.02;  // sine of the angle
     bool is_changed = false;
     for (std::size_t i = 0; i < directions.size(); ++i) {
         const StepContact& contact = contacts[i];
-        Vec3 relative(0, 0, 0);
-        if (moving_body(contact.first) != nullptr) {
-            const auto slot =
-                static_cast<std::size_t>(slots[static_cast<std::size_t>(contact.first)]);
-            relative += velocity_at(states[slot], after[slot], contact.point);
+        const RelativeMotion relative =
+            relative_motion(contact, states, [&](int, std::size_t slot) { return after[slot]; });
+        Rolling& rolls = rolling[i];
+        const Vec3 slip = relative.slip(contact);
+        const double speed = length(slip);
+        rolls.is_resisted = rolls.is_resisted && speed < rolls.slip_speed;
+        Vec3 direction(0, 0, 0);
+        if (rolls.is_resisted) {
+            const bool may_turn = contact.rolling_axis == Vec3(0, 0, 0) && !rolls.may_stop;
+            direction =
+                may_turn ? rolls.turning + across(relative.turning, contact.normal) : directions[i];
+        } else if (contact.friction > 0 && speed >= kSlip) {
+            direction = slip;
         }
-        if (moving_body(contact.second) != nullptr) {
-            const auto slot =
-                static_cast<std::size_t>(slots[static_cast<std::size_t>(contact.second)]);
-            relative -= velocity_at(states[slot], after[slot], contact.point);
+        const double size = length(direction);
+        if (size > kLeastRolling &&
+            length(direction.cross(directions[i])) >= kMaxDeviation * size) {
+            directions[i] = direction / size;
+            is_changed = true;
         }
-        const Vec3 slip = across(relative, contact.normal);
-        if (contact.friction == 0 || length(slip) < kSlip ||
-            length(slip.cross(directions[i])) < kMaxDeviation * length(slip)) {
-            continue;
-        }
-        directions[i] = slip / length(slip);
-        is_changed = true;
     }
     return is_changed;
 }
@@ -323,9 +403,10 @@ void StepWorld::State::solve_all(double duration, const Vec3& gravity, std::span
                                  std::span<const StepContact> contacts,
                                  std::vector<Velocities>& after,
                                  std::vector<ImpulsePair>& impulses) {
-    directions.clear();
+    select(moving);
+    find_directions(states, contacts, gravity * duration);
     solve_with_directions(duration, gravity, moving, states, contacts, after);
-    if (update_friction_directions(states, contacts, after)) {
+    if (update_directions(states, contacts, after)) {
         solve_with_directions(duration, gravity, moving, states, contacts, after);
     }
     dJointGroupEmpty(group.get());

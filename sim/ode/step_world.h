@@ -18,7 +18,13 @@ struct StepContact : Contact {
     double friction = 0;
     double rolling_arm = 0;    // rolling moment / normal force, m
     double torsional_arm = 0;  // moment about the normal / normal force, m
-    double turning = 0;  // m/s: how fast it opens since the step's start because its normal turns
+    /// Where pull p acts on a body that rolls without slip, it turns faster by p / this (m).
+    double rolling_length = 0;
+    /// Rolling is resisted about this axis only, a unit vector across the normal; zero: about all.
+    Vec3 rolling_axis{0, 0, 0};
+    /// m/s: what the velocity of the first body relative to the second, at the contact, has gained
+    /// since the step's start because the bodies turn.
+    Vec3 turning{0, 0, 0};
 };
 
 /// The motion of a body in a step: its velocities change at the midpoint, then it moves freely to
@@ -43,9 +49,11 @@ class StepWorld {
     /// states after half of it without forces; the contacts are those found there. dWorldStep
     /// solves for the velocities with all contacts together, then each body moves freely for the
     /// second half (Moreau's midpoint scheme: Jean, The non-smooth contact dynamics method, Comput.
-    /// Methods Appl. Mech. Eng. 177, 1999, section 4.1). The scheme is of second order while
-    /// contacts last, and exact for bodies without contacts. Contacts may refer to bodies that are
-    /// not moving, which act like walls.
+    /// Methods Appl. Mech. Eng. 177, 1999, section 4.1). Where the bodies turn, a contact that does
+    /// not slip leaves the midpoint with the opposite of the slip that it has got there, which the
+    /// second half takes back: so the scheme is of second order while contacts last. It is exact
+    /// for bodies without contacts. Contacts may refer to bodies that are not moving, which act
+    /// like walls.
     void step(double duration, const Vec3& gravity, std::span<const int> moving,
               std::span<const MotionState> midpoints, std::span<const StepContact> contacts,
               std::vector<StepMotion>& motions, std::vector<ImpulsePair>& impulses);

@@ -49,7 +49,9 @@ Ground ground_at_start(const MovingBody& ball, const StaticEnvironment& environm
 }  // namespace
 
 bool stays_in_contact(const MovingBody& ball, double separation, const Vec3& normal) {
-    return separation < kLandingSpeed && (ball.ground == Ground::none || std::abs(normal.z) > 1e-6);
+    return separation < kLandingSpeed &&
+           (ball.ground == Ground::none || std::abs(normal.z) > 1e-6 ||
+            ball.law_of(ball.ground).lets_balls_go);
 }
 
 Bodies::Bodies(const WorldDescription& world, const StaticEnvironment& environment,
@@ -223,9 +225,13 @@ std::vector<std::uint32_t> Bodies::take_changed() {
 void Bodies::begin_next_segment(std::uint32_t index, double time) {
     MovingBody& ball = bodies_[index];
     const MotionState before = ball.segment.state_at(time);
+    const MotionKind kind = ball.segment.kind;
     begin_segment(ball, time, before, ball.mode);
     if (ball.is_gone()) {  // it stops abruptly
         return recorder_.add_break(ball.track, time, before, ball.segment.state);
+    }
+    if (ball.segment.kind == kind && environment_.pull != Vec3(0, 0, 0)) {
+        return recorder_.add_sample(ball.track, time, ball.segment.state);
     }
     recorder_.add_key(ball.track, time, ball.segment.state);
 }
@@ -370,7 +376,9 @@ void Bodies::move_to(MovingBody& ball, double time, const Vec3& place, Mode mode
     still.start = time;
     still.state = {place, before.orientation, {0, 0, 0}, {0, 0, 0}};
     set_mode(ball, mode);
-    set_segment(ball, still);
+    set_segment(ball, ball.ground == Ground::cloth
+                          ? next_segment(ball, time, still.state, environment_)
+                          : still);
     if ((place - before.position).length() > kLeastMove) {
         recorder_.add_jump(ball.track, time, before, still.state);
     } else {

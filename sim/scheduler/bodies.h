@@ -17,8 +17,9 @@ namespace carom::sim {
 /// takes as long.
 inline constexpr double kLeastFlight = 0.01;
 
-/// A ball that leaves a contact at `separation` (m/s), in the air or from a surface that is not
-/// vertical, may be too slow to come free: then it stays in contact and enters the solver.
+/// A ball that leaves a contact at `separation` (m/s), in the air, on a table so far off level that
+/// it rolls off, or from a surface that is not vertical, may be too slow to come free: then it
+/// stays in contact and enters the solver.
 [[nodiscard]] bool stays_in_contact(const MovingBody& ball, double separation, const Vec3& normal);
 
 /// The balls come first. Functions that change a motion take the scene time (s) of the change.

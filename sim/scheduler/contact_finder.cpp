@@ -10,6 +10,14 @@
 #include "sim/spatial/mesh_contacts.h"
 
 namespace carom::sim {
+namespace {
+
+/// A cylinder or capsule does not roll on an end if the normal deviates from its axis by less than
+/// this sine.
+constexpr double kLeastEndSlope = 1e-3;
+
+}  // namespace
+
 std::vector<Placement> placements_of(std::span<const MovingBody> bodies) {
     std::vector<Placement> placed;
     placed.reserve(bodies.size());
@@ -25,7 +33,8 @@ std::vector<BodyContact> ContactFinder::find(std::span<const MovingBody> bodies,
         return {static_cast<int>(number), bodies[number], placed[number].state, reach};
     };
     std::vector<BodyContact> found;
-    const std::vector<NearPairs::Pair>& pairs = (reach > 0 ? wide_pairs_ : near_pairs_).find(bodies, placed);
+    const std::vector<NearPairs::Pair>& pairs =
+        (reach > 0 ? wide_pairs_ : near_pairs_).find(bodies, placed);
     auto pair = pairs.begin();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (placed[i].is_in_solver() && bodies[i].is_ball()) {
@@ -60,16 +69,45 @@ std::string ContactFinder::name_of(const ContactPartner& partner,
                             : info(partner).name;
 }
 
+ContactFinder::Rolling ContactFinder::rolling_of(const Placed& placed, const Vec3& normal) {
+    Rolling rolling{placed.body.rolling_length, placed.body.is_ball(), {0, 0, 0}};
+    if (rolling.is_ball || rolling.length == 0) {
+        return rolling;
+    }
+    const Vec3 axis = across(to_world(placed.state.orientation, Vec3(0, 0, 1)), normal);
+    const double slope = length(axis);
+    return slope > kLeastEndSlope ? Rolling{rolling.length, false, axis / slope} : Rolling{};
+}
+
 void ContactFinder::add(const Placed& placed, const ContactPartner& partner,
-                        MaterialId partner_material, const Contact& contact,
+                        MaterialId partner_material, const Contact& contact, const Rolling& rolling,
                         std::vector<BodyContact>& found) const {
     const ContactCoefficients& law =
         environment_.contacts.between(placed.body.material, partner_material);
     const auto* other = std::get_if<OtherBody>(&partner);
+    const double rolling_arm = rolling.is_ball ? law.rolling : law.solid_rolling;
+    const double torsional_arm = rolling.is_ball ? law.torsional : law.solid_rolling;
     found.push_back({{contact, placed.number, other != nullptr ? other->index : -1, law.restitution,
-                      law.friction, law.rolling_arm * placed.body.radius,
-                      law.torsional_arm * placed.body.radius},
+                      law.friction, rolling_arm * rolling.length, torsional_arm * rolling.length,
+                      rolling.length, rolling.axis, Vec3(0, 0, 0)},
                      partner});
+}
+
+void ContactFinder::add(const Placed& placed, const ContactPartner& partner,
+                        MaterialId partner_material, const Contact& contact,
+                        std::vector<BodyContact>& found) const {
+    add(placed, partner, partner_material, contact, rolling_of(placed, contact.normal), found);
+}
+
+/// Of two round bodies, the smaller one counts.
+void ContactFinder::add(const Placed& first, const Placed& second, const Contact& contact,
+                        std::vector<BodyContact>& found) const {
+    Rolling rolling = rolling_of(first, contact.normal);
+    const Rolling other = rolling_of(second, contact.normal);
+    if (rolling.length == 0 || (other.length > 0 && other.length < rolling.length)) {
+        rolling = other;
+    }
+    add(first, OtherBody{second.number}, second.body.material, contact, rolling, found);
 }
 
 void ContactFinder::find_for_ball(const Placed& ball, std::vector<BodyContact>& found) const {
@@ -241,7 +279,7 @@ void ContactFinder::find_between(const Placed& first, const Placed& second,
         const double distance = std::sqrt(d.dot(d));
         const double depth = first.body.radius + second.body.radius - distance;
         if (depth > -first.margin() && distance > 1e-9) {
-            add(first, OtherBody{second.number}, second.body.material,
+            add(first, second,
                 {second.state.position + d * (second.body.radius / distance), d / distance, depth},
                 found);
             if (const PairContact* named = named_law(environment_, first.body, second.body)) {
@@ -253,12 +291,12 @@ void ContactFinder::find_between(const Placed& first, const Placed& second,
         const Contact contact = convex_contact(*second.body.shape, second.shape().pose,
                                                first.state.position, first.body.radius);
         if (contact.depth > -first.margin()) {
-            add(first, OtherBody{second.number}, second.body.material, contact, found);
+            add(first, second, contact, found);
         }
     } else {
         for (const Contact& contact :
              solid_contacts(first.shape(), second.shape(), first.margin())) {
-            add(first, OtherBody{second.number}, second.body.material, contact, found);
+            add(first, second, contact, found);
         }
     }
 }

@@ -102,8 +102,21 @@ class ContactFinder {
                                                              const PlacedShape& b, double margin);
     void find_between(const Placed& first, const Placed& second,
                       std::vector<BodyContact>& found) const;
+    /// How a body can roll on a contact.
+    struct Rolling {
+        double length = 0;  // MovingBody::rolling_length; 0 if it cannot
+        bool is_ball = false;
+        Vec3 axis{0, 0, 0};  // StepContact::rolling_axis
+    };
+    /// Cylinders and capsules roll about their axis: on their curved side and along their rims.
+    /// They tip over rims and round ends without resistance.
+    [[nodiscard]] static Rolling rolling_of(const Placed& placed, const Vec3& normal);
     void add(const Placed& placed, const ContactPartner& partner, MaterialId partner_material,
              const Contact& contact, std::vector<BodyContact>& found) const;
+    void add(const Placed& first, const Placed& second, const Contact& contact,
+             std::vector<BodyContact>& found) const;
+    void add(const Placed& placed, const ContactPartner& partner, MaterialId partner_material,
+             const Contact& contact, const Rolling& rolling, std::vector<BodyContact>& found) const;
 
     const StaticEnvironment& environment_;
     NearPairs near_pairs_{kSolidMargin};

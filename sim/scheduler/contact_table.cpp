@@ -8,12 +8,10 @@
 namespace carom::sim {
 namespace {
 
-// A ball that rolls without slip decelerates at mu_r g if the resisting moment is 7/5 mu_r R N.
-constexpr double kRollingArm = 1.4;
-
 ContactCoefficients coefficients_of(const PairContact& pair) {
-    const double lever = kRollingArm * pair.rolling_friction;
-    return {pair.restitution, pair.friction, lever, lever};
+    const double rolling = pair.rolling_friction.value_or(0);
+    return {pair.restitution, pair.friction, rolling, rolling,
+            pair.rolling_friction.value_or(kUsualRollingFriction)};
 }
 
 }  // namespace
@@ -33,9 +31,10 @@ ContactTable::ContactTable(const ContactLaw& law)
         set(names.first, names.second, coefficients_of(pair));
     }
     const BallCloth& cloth = law.ball_cloth;
+    constexpr double kRollingLength = 1.4;  // of a ball, in radii
     set("ball", "cloth",
-        {cloth.restitution, cloth.sliding_friction, kRollingArm * cloth.rolling_friction,
-         cloth.spinning_friction});
+        {cloth.restitution, cloth.sliding_friction, cloth.rolling_friction,
+         cloth.spinning_friction / kRollingLength});
     // Impacts use the friction at their own slip; balls in lasting contact slip slowly.
     set("ball", "ball", {law.ball_ball.restitution, ball_friction(law.ball_ball, 0), 0, 0});
     set("ball", "cushion", {law.ball_cushion.restitution, law.ball_cushion.friction, 0, 0});

@@ -27,8 +27,11 @@ enum class MaterialId : std::uint32_t {
 struct ContactCoefficients {
     double restitution = 0;
     double friction = 0;
-    double rolling_arm = 0;    // as a fraction of the ball's radius
-    double torsional_arm = 0;  // likewise
+    /// Resistances of balls to rolling and to turning about the normal: moment / normal force, as a
+    /// fraction of MovingBody::rolling_length.
+    double rolling = 0;
+    double torsional = 0;
+    double solid_rolling = 0;  // both, of other bodies
 };
 
 class ContactTable {

@@ -404,7 +404,11 @@ void ImpactResolver::resolve_cushion_impact(const PredictedEvent& event, const V
     }
     record({event.time, approach, ball.name(), kCushion, nose, normal, impulse,
             mean_body(body, before), surface_moving_at({0, 0, 0})});
+    const bool stays = stays_in_contact(ball, body.state.velocity.dot(inward), inward);
     bodies_.change_state(event.first, event.time, before, body.state);
+    if (stays) {
+        bodies_.enter_solver(event.first, event.time);
+    }
 }
 
 /// A ball that passes the edge faster than sqrt(g R) leaves it immediately: the edge would have to

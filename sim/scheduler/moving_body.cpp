@@ -12,7 +12,7 @@ namespace carom::sim {
 namespace {
 
 GroundLaw ground_law(const PairContact& pair) {
-    return {{pair.friction, pair.rolling_friction, 0}, pair.restitution, pair.friction};
+    return {{pair.friction, pair.rolling_friction.value_or(0), 0}, pair.restitution, pair.friction};
 }
 
 GroundLaw cloth_law(const std::string& material, const ContactLaw& law) {
@@ -40,6 +40,10 @@ MovingBody make_ball(const Body& from, double radius, const StaticEnvironment& e
     static_cast<RigidBody&>(ball) = RigidBody::ball(from.mass, radius, ball.state);
     ball.cloth_law = cloth_law(from.material, environment.law);
     ball.floor_law = ground_law(environment.law.between(from.material, "floor"));
+    for (GroundLaw* law : {&ball.cloth_law, &ball.floor_law}) {
+        law->lets_balls_go = rolls_off(environment.downward_gravity, law->motion, environment.pull);
+    }
+    ball.rolling_length = 1.4 * radius;
     ball.segment.state = ball.state;
     ball.rested_at = from.pose;
     return ball;
@@ -63,6 +67,9 @@ MovingBody make_solid(const Body& from, const SolidShape& solid,
     } else {
         body.mass = from.mass;
         body.inertia = solid.inertia * from.mass;
+        if (const double radius = solid.shape->radius(); radius > 0) {
+            body.rolling_length = radius + body.inertia.z / (from.mass * radius);
+        }
         body.state.orientation = from.pose.orientation * solid.principal;
         body.rested_at = {body.state.position, body.state.orientation};
         body.mode = Mode::solver;
@@ -170,7 +177,7 @@ MotionSegment next_segment(const MovingBody& ball, double time, const MotionStat
         return flight_segment(time, state, environment.gravity);
     }
     MotionSegment segment = cloth_segment(time, state, ball.radius, environment.downward_gravity,
-                                          ball.law_of(ball.ground).motion);
+                                          ball.law_of(ball.ground).motion, environment.pull);
     segment.state.position.z = ground_height(ball.ground, environment) + ball.radius;
     return segment;
 }

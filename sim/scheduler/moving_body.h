@@ -23,6 +23,7 @@ struct GroundLaw {
     SupportLaw motion;
     double restitution = 0;
     double friction = 0;
+    bool lets_balls_go = false;  // it is so far off level that no ball rests on it
 };
 
 enum class Mode : std::uint8_t {
@@ -40,6 +41,10 @@ struct MovingBody : RigidBody {
     std::shared_ptr<const ConvexShape> shape;  // along principal axes; none for a ball
     Quat principal{};                          // turns the principal axes into the body's own axes
     std::optional<KinematicPath> path;         // for a kinematic body
+    /// R + I / (m R) of a body that rolls (m), R its radius and I its moment of inertia about the
+    /// axis of rolling; 0 for others. A resisting moment of mu times this times the normal force
+    /// decelerates a body that rolls without slip by mu g.
+    double rolling_length = 0;
 
     Mode mode = Mode::closed_form;
     /// Its motion in closed form; in the solver its straight path during the step that is tried.

@@ -87,8 +87,9 @@ StaticEnvironment::StaticEnvironment(const WorldDescription& world)
       contacts(law),
       collided(no_table()),
       floor_height(world.floor_height) {
-    if (gravity.x == 0 && gravity.y == 0 && gravity.z < 0) {
+    if (gravity.z < 0) {
         downward_gravity = -gravity.z;
+        pull = {gravity.x, gravity.y, 0};
     }
     const bool has_boxes =
         std::any_of(world.bodies.begin(), world.bodies.end(), [](const Body& body) {

@@ -56,8 +56,10 @@ struct StaticEnvironment {
     explicit StaticEnvironment(const WorldDescription& world);
 
     Vec3 gravity;
-    /// Gravity (m/s^2) if it pulls straight down. Otherwise 0, and no ball rolls in closed form.
+    /// The vertical part of gravity (m/s^2). If it does not pull down it is 0, and no ball rolls in
+    /// closed form.
     double downward_gravity = 0;
+    Vec3 pull{0, 0, 0};  // its horizontal part then: not zero if the table is off level
     ContactLaw law;
     BallCushion jaw;        // for the straight parts of the pockets' jaws
     ContactTable contacts;  // the law of each pair of materials

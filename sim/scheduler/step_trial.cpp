@@ -1,11 +1,12 @@
 #include "sim/scheduler/step_trial.h"
 
 #include <algorithm>
-#include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "core/rigid.h"
 #include "sim/motion/free_rotation.h"
 #include "sim/numeric/tolerances.h"
 
@@ -26,9 +27,9 @@ constexpr double kShortestStep = 1e-5;
 void StepTrial::attempt(double start, double end,
                         const std::vector<BodyContact>& contacts_at_start) {
     start_ = start;
-    collect_normals_at_start(contacts_at_start);
     end_ = end;
     placed_ = placements_of(bodies_);
+    collect_contacts_at_start(contacts_at_start);
     collect_moving();
     advance_to_midpoint();
     for (int i = 0; i < kMaxHalvings && relative_sinking() > 1; ++i) {
@@ -68,9 +69,7 @@ double StepTrial::relative_sinking() const {
 }
 
 double StepTrial::approach(const BodyContact& found) const {
-    return approach_speed(found, [this](int number) -> const MotionState& {
-        return placed_[static_cast<std::size_t>(number)].state;
-    });
+    return -relative_velocity(found).dot(found.contact.normal);
 }
 
 bool StepTrial::shorten(double end) {
@@ -122,26 +121,44 @@ void StepTrial::solve() {
     }
 }
 
-void StepTrial::collect_normals_at_start(const std::vector<BodyContact>& contacts) {
-    normals_at_start_.clear();
+void StepTrial::collect_contacts_at_start(const std::vector<BodyContact>& contacts) {
+    contacts_at_start_.clear();
     for (const BodyContact& found : contacts) {
-        if (bodies_[static_cast<std::size_t>(found.contact.first)].is_ball() &&
-            !found.is_between_bodies()) {
-            normals_at_start_.emplace(found.pair(), found.contact.normal);
-        }
+        const Vec3 arm = found.contact.point - state_of(found.contact.first).position;
+        contacts_at_start_.emplace(
+            found.pair(), ContactAtStart{arm, relative_velocity(found), found.contact.normal});
     }
 }
 
-/// The speed (m/s) at which a ball's contact opens at the midpoint, but did not at the start,
-/// because its normal has turned; 0 if the ball touched that part in several points, as it may a
-/// mesh.
-double StepTrial::turning(const BodyContact& found) const {
-    const auto [at_start, end] = normals_at_start_.equal_range(found.pair());
-    if (std::distance(at_start, end) != 1) {
-        return 0;
+/// The velocity (m/s) of the first body relative to the second.
+Vec3 StepTrial::relative_velocity(const BodyContact& found) const {
+    const Vec3& point = found.contact.point;
+    const Vec3 first = velocity_at(state_of(found.contact.first), point);
+    return found.is_between_bodies() ? first - velocity_at(state_of(found.contact.second), point)
+                                     : first;
+}
+
+/// StepContact::turning: what the relative velocity has gained along the normal, which turns, and
+/// across it, since the start, when the nearest contact of the pair was this one.
+Vec3 StepTrial::turning(const BodyContact& found) const {
+    const Vec3 arm = found.contact.point - state_of(found.contact.first).position;
+    const Vec3& normal = found.contact.normal;
+    const ContactAtStart* nearest = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    const auto [begin, end] = contacts_at_start_.equal_range(found.pair());
+    for (auto start = begin; start != end; ++start) {
+        const Vec3 d = start->second.arm - arm;
+        if (d.dot(d) < least) {
+            least = d.dot(d);
+            nearest = &start->second;
+        }
     }
-    const MotionState& ball = placed_[static_cast<std::size_t>(found.contact.first)].state;
-    return std::max(ball.velocity.dot(found.contact.normal - at_start->second), 0.0);
+    if (nearest == nullptr) {
+        return {0, 0, 0};
+    }
+    const Vec3 velocity = relative_velocity(found);
+    const double opening = velocity.dot(normal) - nearest->velocity.dot(nearest->normal);
+    return across(velocity, normal) - across(nearest->velocity, nearest->normal) + normal * opening;
 }
 
 /// At the midpoint: a contact that was open at the start and closes fast is an impact, not a

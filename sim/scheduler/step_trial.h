@@ -44,9 +44,13 @@ class StepTrial {
     void solve();
     void drop_impacts();
     void drop_immovable_pairs();
-    void collect_normals_at_start(const std::vector<BodyContact>& contacts);
+    void collect_contacts_at_start(const std::vector<BodyContact>& contacts);
     [[nodiscard]] double approach(const BodyContact& found) const;
-    [[nodiscard]] double turning(const BodyContact& found) const;
+    [[nodiscard]] const MotionState& state_of(int number) const {
+        return placed_[static_cast<std::size_t>(number)].state;
+    }
+    [[nodiscard]] Vec3 relative_velocity(const BodyContact& found) const;
+    [[nodiscard]] Vec3 turning(const BodyContact& found) const;
     [[nodiscard]] MotionState state_after(std::size_t slot, double time) const;
     [[nodiscard]] double relative_sinking() const;
     [[nodiscard]] double fraction_until_contact();
@@ -60,7 +64,13 @@ class StepTrial {
     double start_ = 0;
     double end_ = 0;
     std::vector<Placement> placed_;  // of the bodies, at some instant of the step
-    std::multimap<ContactPair, Vec3> normals_at_start_;  // of balls on what is static
+    /// A contact at the start of the step.
+    struct ContactAtStart {
+        Vec3 arm;       // from the centre of the first body
+        Vec3 velocity;  // of the first body relative to the second, m/s
+        Vec3 normal;
+    };
+    std::multimap<ContactPair, ContactAtStart> contacts_at_start_;
     std::vector<int> moving_;
     std::vector<MotionState> midpoint_states_;
     std::vector<BodyContact> contacts_;

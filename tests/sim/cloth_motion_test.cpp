@@ -2,9 +2,12 @@
 // chapter 2).
 #include "sim/motion/cloth_motion.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "core/splitmix.h"
 
 namespace carom::sim {
 namespace {
@@ -85,6 +88,84 @@ TEST(ClothMotion_WithoutFriction, SlidesForever) {
         cloth_segment(0, moving({1, 0, 0}, {0, 0, 0}), kRadius, kGravity, {0, 0, 0});
     EXPECT_EQ(slide.kind, MotionKind::sliding);
     EXPECT_EQ(slide.end, kNever);
+}
+
+/// Slip and velocity of a ball that slides off level: Runge-Kutta in equal steps.
+void slide_off_level(Vec3& slip, Vec3& position, Vec3& velocity, const Vec3& pull, double friction,
+                     double duration) {
+    constexpr int kSteps = 20000;
+    const double h = duration / kSteps;
+    const auto direction = [](const Vec3& u) { return u / u.length(); };
+    const auto slope = [&](const Vec3& u) { return pull - direction(u) * (3.5 * friction); };
+    for (int i = 0; i < kSteps; ++i) {
+        const Vec3 k1 = slope(slip);
+        const Vec3 k2 = slope(slip + k1 * (h / 2));
+        const Vec3 k3 = slope(slip + k2 * (h / 2));
+        const Vec3 k4 = slope(slip + k3 * h);
+        const Vec3 middle = slip + (k1 + k2) * (h / 4);
+        const Vec3 acceleration = pull - direction(middle) * friction;
+        position += velocity * h + acceleration * (h * h / 2);
+        velocity += acceleration * h;
+        slip += (k1 + k2 * 2 + k3 * 2 + k4) * (h / 6);
+    }
+}
+
+TEST(ClothMotion_SlidingOffLevel, TurnsDownhill) {
+    const Vec3 pull(0.6, 0.2, 0);
+    MotionState state = moving({-1, 2, 0}, {30, 10, 5});
+    Vec3 slip = slip_velocity(state, kRadius);
+    Vec3 position = state.position;
+    Vec3 velocity = state.velocity;
+    constexpr double kDuration = 0.3;
+    slide_off_level(slip, position, velocity, pull, kLaw.sliding_friction * kGravity, kDuration);
+    double time = 0;
+    int count = 0;
+    for (; time < kDuration; ++count) {
+        const MotionSegment slide = cloth_segment(time, state, kRadius, kGravity, kLaw, pull);
+        ASSERT_EQ(slide.kind, MotionKind::sliding);
+        time = std::min(slide.end, kDuration);
+        state = slide.state_at(time);
+    }
+    EXPECT_GT(count, 5);
+    EXPECT_LT(count, 300);
+    EXPECT_NEAR((state.position - position).length(), 0, 2e-7);
+    EXPECT_NEAR((slip_velocity(state, kRadius) - slip).length(), 0, 1e-5);
+}
+
+TEST(ClothMotion_OffLevelAtRandom, LosesEnergyAndNeedsFewPieces) {
+    SplitMix64 random(1);
+    for (int i = 0; i < 300; ++i) {
+        const Vec3 pull = Vec3(random.between(-1, 1), random.between(-1, 1), 0) *
+                          std::pow(10, random.between(-3, 1));
+        const SupportLaw law{random.between(0.05, 0.4), i % 5 == 0 ? 0 : random.between(0, 0.03),
+                             random.between(0, 0.02)};
+        const Vec3 velocity = Vec3(random.between(-1, 1), random.between(-1, 1), 0) *
+                              std::pow(10, random.between(-4, 0.5));
+        const Vec3 spin =
+            Vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)) *
+            (i % 3 == 0 ? 0 : 100);
+        MotionState state = moving(velocity, spin);
+        const auto energy = [&] {
+            return 0.5 * state.velocity.dot(state.velocity) +
+                   0.2 * kRadius * kRadius * state.angular_velocity.dot(state.angular_velocity) -
+                   pull.dot(state.position);
+        };
+        double time = 0;
+        int count = 0;
+        for (; time < 3; ++count) {
+            const MotionSegment segment = cloth_segment(time, state, kRadius, kGravity, law, pull);
+            ASSERT_GT(segment.end, time) << i;
+            const double before = energy();
+            time = std::min(segment.end, 3.0);
+            state = segment.state_at(time);
+            EXPECT_LE(energy(), before + 1e-6 * (1 + std::abs(before))) << i;
+            if (segment.kind == MotionKind::resting) {
+                EXPECT_FALSE(rolls_off(kGravity, law, pull)) << i;
+                break;
+            }
+        }
+        EXPECT_LT(count, 3100) << i;
+    }
 }
 
 }  // namespace

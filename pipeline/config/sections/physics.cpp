@@ -220,13 +220,17 @@ const MapSpec<CushionEntry>& ball_cushion_spec() {
     return spec;
 }
 
+constexpr const char* kRollingFriction =
+    "deceleration of a rolling body as a fraction of gravity; if it is not given, balls roll "
+    "without resistance, and cylinders and capsules with 0.003";
+
 void add_pair_keys(MapSpec<PairContact>& s) {
     s.key("restitution", &PairContact::restitution, number(between(0, 1)),
           "coefficient of restitution along the normal");
     s.key("friction", &PairContact::friction, number(between(0, kLargestFriction)),
           "coefficient of Coulomb friction");
     s.key("rolling_friction", &PairContact::rolling_friction, number(between(0, 1)),
-          "coefficient of rolling resistance");
+          kRollingFriction);
 }
 
 const MapSpec<PairContact>& otherwise_spec() {
@@ -262,8 +266,10 @@ const MapSpec<PairEntry>& pair_spec() {
             "coefficient of restitution along the normal");
         add("friction", &PairContact::friction, between(0, kLargestFriction),
             "coefficient of Coulomb friction");
-        add("rolling_friction", &PairContact::rolling_friction, between(0, 1),
-            "coefficient of rolling resistance");
+        s.key(
+            "rolling_friction",
+            [](PairEntry& e) -> std::optional<double>& { return e.contact.rolling_friction; },
+            number(between(0, 1)), kRollingFriction);
         return s;
     }();
     return spec;
