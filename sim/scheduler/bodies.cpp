@@ -111,7 +111,7 @@ void Bodies::change_velocities(std::uint32_t index, double time, const MotionSta
         return;
     }
     if (body.is_ball()) {
-        wake(index, time);
+        wake_island(index, time);
         if (!body.is_in_solver()) {
             return change_state(index, time, before, after);
         }
@@ -122,7 +122,7 @@ void Bodies::change_velocities(std::uint32_t index, double time, const MotionSta
     body.state.angular_velocity = after.angular_velocity;
     recorder_.add_break(body.track, time, body.with_own_axes(before),
                         body.with_own_axes(body.state));
-    wake(index, time);
+    wake_island(index, time);
     hold(body, time, body.state, MotionKind::stepped);
     body.restart_rest_timer(time);
 }
@@ -252,6 +252,7 @@ void Bodies::enter_solver(std::uint32_t index, double time) {
     MovingBody& ball = bodies_[index];
     retract_flight(ball, time);
     set_mode(ball, Mode::solver);
+    ball.is_restless = true;
     hold(ball, time, ball.segment.state_at(time), MotionKind::stepped);
 }
 
@@ -293,22 +294,28 @@ void Bodies::fall_asleep(std::uint32_t index, double time) {
 }
 
 void Bodies::wake(std::uint32_t index, double time) {
-    const auto sleeps = [](const MovingBody& b) { return b.is_asleep() && !b.is_kinematic(); };
-    if (!sleeps(bodies_[index])) {
+    MovingBody& body = bodies_[index];
+    if (!body.is_asleep() || body.is_kinematic()) {
         return;
     }
+    body.state = body.state_at(time);
+    body.restart_rest_timer(time);
+    body.is_restless = false;
+    body.free_steps = 0;
+    body.was_stepped = true;
+    recorder_.add_key(body.track, time, body.with_own_axes(body.state));
+    set_mode(body, Mode::solver);
+    hold(body, time, body.state, MotionKind::stepped);
+}
+
+void Bodies::wake_island(std::uint32_t index, double time) {
     const std::uint32_t island = bodies_[index].island;
-    for (MovingBody& member : bodies_) {
-        if (!sleeps(member) || member.island != island) {
-            continue;
+    wake(index, time);
+    bodies_[index].is_restless = true;
+    for (std::uint32_t i = 0; island != 0 && i < bodies_.size(); ++i) {
+        if (bodies_[i].island == island) {
+            wake(i, time);
         }
-        member.state = member.state_at(time);
-        member.restart_rest_timer(time);
-        member.free_steps = 0;
-        member.was_stepped = true;
-        recorder_.add_key(member.track, time, member.with_own_axes(member.state));
-        set_mode(member, Mode::solver);
-        hold(member, time, member.state, MotionKind::stepped);
     }
 }
 

@@ -67,9 +67,10 @@ class Bodies {
     /// The body rests where the solver left it. A body that was woken and has not moved visibly has
     /// rested all the time.
     void fall_asleep(std::uint32_t index, double time);
-    /// Wakes a sleeping body and its island (StepSleep); a key of each says that it rested until
-    /// then. Has no effect on other bodies.
+    /// Wakes a sleeping body; a key says that it rested until then. Has no effect on others.
     void wake(std::uint32_t index, double time);
+    /// Wakes the island of a body (StepSleep) before something happens to the body.
+    void wake_island(std::uint32_t index, double time);
     /// Moves the kinematic bodies to the positions of their paths.
     void move_kinematic_bodies(double time);
     /// Time of the first key of any kinematic body after `time`; infinity if there is none.

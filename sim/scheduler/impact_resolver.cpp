@@ -171,7 +171,7 @@ bool ImpactResolver::reaches_obstacle(const PredictedEvent& event, const ImpactG
 
 void ImpactResolver::leave_to_solver(const PredictedEvent& event) {
     for (const std::uint32_t index : {event.first, event.second}) {
-        bodies_.wake(index, event.time);
+        bodies_.wake_island(index, event.time);
         if (!bodies_[index].is_in_solver()) {
             bodies_.enter_solver(index, event.time);
         }
@@ -229,7 +229,7 @@ bool ImpactResolver::resolve_group_impact(const PredictedEvent& event) {
     }
     for (std::size_t i = 0; i < after.size(); ++i) {
         if (has_touched[i] != 0) {
-            bodies_.wake(group.indices[i], event.time);
+            bodies_.wake_island(group.indices[i], event.time);
         }
     }
     for (std::size_t i = 0; i < after.size(); ++i) {
@@ -278,8 +278,8 @@ void ImpactResolver::resolve_ball_impact(const PredictedEvent& event) {
         stays_in_contact(a, separation, normal) || stays_in_contact(b, separation, normal);
     const bool first_lies = lies_in_pocket(a);
     const bool second_lies = lies_in_pocket(b);
-    bodies_.wake(event.first, event.time);
-    bodies_.wake(event.second, event.time);
+    bodies_.wake_island(event.first, event.time);
+    bodies_.wake_island(event.second, event.time);
     bodies_.change_state(event.first, event.time, before_a, body_a.state);
     bodies_.change_state(event.second, event.time, before_b, body_b.state);
     if (stays || first_lies) {

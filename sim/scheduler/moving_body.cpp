@@ -109,8 +109,12 @@ bool MovingBody::has_moved_since_rest() const {
         return displacement.dot(displacement) > kLeastDisplacement * kLeastDisplacement ||
                spin.dot(spin) * radius * radius > kVisibleSpeed * kVisibleSpeed;
     }
-    const Quat turn = state.orientation * rested_at.orientation.inverse();
-    return length(displacement) + 2 * bounding_radius() * length(turn.v) > kLeastDisplacement;
+    return distance_from(rested_at) > kLeastDisplacement;
+}
+
+double MovingBody::distance_from(const Pose& pose) const {
+    const Quat turn = state.orientation * pose.orientation.inverse();
+    return length(state.position - pose.position) + 2 * bounding_radius() * length(turn.v);
 }
 
 MotionState MovingBody::with_own_axes(const MotionState& internal) const {

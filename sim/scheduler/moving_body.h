@@ -54,10 +54,12 @@ struct MovingBody : RigidBody {
     bool has_rested = false;    // in the solver, since it last moved in closed form
 
     // In the solver:
-    double slow_since = 0;  // scene time since when it has hardly moved
+    double slow_since = 0;    // scene time since when it has hardly moved
+    Pose slow_at;             // where it was then
+    bool is_restless = true;  // has moved in the last step, or is about to
     /// Least value of max_point_speed() since then, m/s.
     double least_speed = std::numeric_limits<double>::infinity();
-    std::uint32_t island = 0;  // with which it last fell asleep
+    std::uint32_t island = 0;  // of the sleeping bodies that it touches; 0: none
     bool was_stepped = false;  // in the last step
     int free_steps = 0;        // for a ball: steps since it last touched more than a Ground
 
@@ -109,9 +111,12 @@ struct MovingBody : RigidBody {
     [[nodiscard]] const GroundLaw& law_of(Ground on) const {
         return on == Ground::floor ? floor_law : cloth_law;
     }
+    /// How far (m) a point of it can be from where it was in `pose`, both in the solver.
+    [[nodiscard]] double distance_from(const Pose& pose) const;
     /// Restarts the time during which it has hardly moved.
     void restart_rest_timer(double time) {
         slow_since = time;
+        slow_at = {state.position, state.orientation};
         least_speed = std::numeric_limits<double>::infinity();
     }
     void add_energy(double time, const Vec3& gravity, EnergySample& sample) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <unordered_map>
 #include <utility>
 
 #include "sim/numeric/tolerances.h"
@@ -15,6 +16,14 @@ constexpr double kSolidSleepDelay = 0.12;
 /// A body that leans on something without stable support, and does not slide for this long (s), is
 /// held by friction.
 constexpr double kLeaningSleepDelay = 0.5;
+
+/// A body may creep this far (m) while it counts as standing, so that what sleeps beside it may
+/// stand off by as much before it wakes.
+constexpr double kCreep = 2e-5;
+
+std::size_t index(int number) {
+    return static_cast<std::size_t>(number);
+}
 
 /// The islands of an instant, as a forest whose roots stand for them.
 class Islands {
@@ -33,8 +42,6 @@ class Islands {
     }
 
   private:
-    [[nodiscard]] static std::size_t index(int number) { return static_cast<std::size_t>(number); }
-
     std::vector<int> parents_;
 };
 
@@ -48,7 +55,11 @@ bool StepSleep::wake_by_contact(const std::vector<BodyContact>& contacts, double
         }
         const bool is_first_awake = body(found.contact.first).is_in_solver();
         const int sleeper = is_first_awake ? found.contact.second : found.contact.first;
-        if (is_first_awake != body(found.contact.second).is_in_solver() && is_movable(sleeper)) {
+        const MovingBody& other = body(is_first_awake ? found.contact.first : found.contact.second);
+        if (body(sleeper).is_in_solver() || !is_movable(sleeper)) {
+            continue;
+        }
+        if (other.is_kinematic() || other.is_restless || other.max_point_speed() >= kSleepSpeed) {
             bodies_.wake(static_cast<std::uint32_t>(sleeper), time);
             is_changed = true;
         }
@@ -60,33 +71,40 @@ bool StepSleep::is_movable(int number) {
     return number >= 0 && !body(number).is_kinematic();
 }
 
-/// A body has to be slow, and in contact, but neither with a kinematic body that moves nor with a
-/// sleeping one, which is about to wake.
+/// A body has to be slow, without creeping, and in contact. None of its island may touch a
+/// kinematic body that moves: on that it would creep for ever.
 void StepSleep::update_rest_timers(const std::vector<int>& moving, const SolvedContacts& solved,
                                    double time) {
     std::vector<char> rests(bodies_.all().size(), 0);
-    std::vector<char> is_disturbed(bodies_.all().size(), 0);
+    Islands islands(bodies_.all().size());
     for (const BodyContact& found : solved.contacts) {
-        const int first = found.contact.first;
-        rests[static_cast<std::size_t>(first)] = 1;
-        if (!found.is_between_bodies()) {
-            continue;
+        rests[index(found.contact.first)] = 1;
+        if (found.is_between_bodies()) {
+            rests[index(found.contact.second)] = 1;
+            if (is_movable(found.contact.first) && is_movable(found.contact.second)) {
+                islands.join(found.contact.first, found.contact.second);
+            }
         }
-        const int second = found.contact.second;
-        rests[static_cast<std::size_t>(second)] = 1;
-        for (const auto& [number, partner] : {std::pair(first, second), std::pair(second, first)}) {
-            const MovingBody& other = body(partner);
-            if (other.is_kinematic() == other.is_in_solver()) {
-                is_disturbed[static_cast<std::size_t>(number)] = 1;
+    }
+    std::vector<char> is_driven(bodies_.all().size(), 0);  // by the root of an island
+    for (const BodyContact& found : solved.contacts) {
+        for (const auto& [number, partner] :
+             {std::pair(found.contact.first, found.contact.second),
+              std::pair(found.contact.second, found.contact.first)}) {
+            if (number >= 0 && partner >= 0 && body(partner).is_kinematic() &&
+                body(partner).is_in_solver()) {
+                is_driven[index(islands.root(number))] = 1;
             }
         }
     }
     for (const int number : moving) {
-        const auto i = static_cast<std::size_t>(number);
         MovingBody& moved = body(number);
         const double speed = moved.max_point_speed();
-        if (rests[i] == 0 || is_disturbed[i] != 0 || speed >= kSleepSpeed) {
+        moved.is_restless = rests[index(number)] == 0 || is_driven[index(islands.root(number))] ||
+                            speed >= kSleepSpeed || moved.distance_from(moved.slow_at) > kCreep;
+        if (moved.is_restless) {
             moved.restart_rest_timer(time);
+            moved.island = 0;
         }
         moved.least_speed = std::min(moved.least_speed, speed);
     }
@@ -102,42 +120,66 @@ bool StepSleep::is_held(int number, const SolvedContacts& solved, std::span<cons
     return (!is_rising && is_supported) || rested > time_to_tip(held, gravity_);
 }
 
+bool StepSleep::is_quiet(int number, double time) {
+    const double delay = body(number).is_ball() ? kBallSleepDelay : kSolidSleepDelay;
+    return !body(number).is_in_solver() || time - body(number).slow_since > delay;
+}
+
 std::vector<int> StepSleep::falling_asleep(const std::vector<int>& moving,
                                            const SolvedContacts& solved, double time) {
     update_rest_timers(moving, solved, time);
-    Islands islands(bodies_.all().size());
+    std::vector<char> is_disturbed(bodies_.all().size(), 0);
     for (const BodyContact& found : solved.contacts) {
-        if (is_movable(found.contact.first) && is_movable(found.contact.second)) {
-            islands.join(found.contact.first, found.contact.second);
-        }
-    }
-    std::vector<int> candidates;
-    std::vector<char> stays_awake(bodies_.all().size(), 0);  // by the root of an island
-    for (const int number : moving) {
-        if (!is_movable(number)) {
-            continue;
-        }
-        candidates.push_back(number);
-        const double delay = body(number).is_ball() ? kBallSleepDelay : kSolidSleepDelay;
-        if (time - body(number).slow_since <= delay) {
-            stays_awake[static_cast<std::size_t>(islands.root(number))] = 1;
+        const auto& [first, second] = std::pair(found.contact.first, found.contact.second);
+        if (is_movable(first) && is_movable(second)) {
+            is_disturbed[index(first)] |= is_quiet(second, time) ? 0 : 1;
+            is_disturbed[index(second)] |= is_quiet(first, time) ? 0 : 1;
         }
     }
     const ContactsOfBodies contacts(solved.contacts, bodies_.all().size());
-    for (const int number : candidates) {
-        char& stays = stays_awake[static_cast<std::size_t>(islands.root(number))];
-        if (stays == 0 && !is_held(number, solved, contacts.of(number), time)) {
-            stays = 1;
+    std::vector<int> asleep;
+    for (const int number : moving) {
+        if (is_movable(number) && is_quiet(number, time) && is_disturbed[index(number)] == 0 &&
+            is_held(number, solved, contacts.of(number), time)) {
+            asleep.push_back(number);
         }
     }
-    std::erase_if(candidates, [&](int number) {
-        return stays_awake[static_cast<std::size_t>(islands.root(number))] != 0;
-    });
-    for (const int number : candidates) {
-        body(number).island = island_count_ + static_cast<std::uint32_t>(islands.root(number));
+    if (!asleep.empty()) {
+        join_islands(asleep, solved);
     }
-    island_count_ += candidates.empty() ? 0 : static_cast<std::uint32_t>(bodies_.all().size());
-    return candidates;
+    return asleep;
+}
+
+/// The bodies that fall asleep, what they touch and the islands of both become one.
+void StepSleep::join_islands(const std::vector<int>& asleep, const SolvedContacts& solved) {
+    std::vector<char> falls_asleep(bodies_.all().size(), 0);
+    for (const int number : asleep) {
+        falls_asleep[index(number)] = 1;
+    }
+    Islands islands(bodies_.all().size());
+    for (const BodyContact& found : solved.contacts) {
+        const auto& [first, second] = std::pair(found.contact.first, found.contact.second);
+        if (is_movable(first) && is_movable(second) &&
+            (falls_asleep[index(first)] != 0 || falls_asleep[index(second)] != 0)) {
+            islands.join(first, second);
+        }
+    }
+    std::unordered_map<std::uint32_t, int> member_of;
+    for (int number = 0; number < static_cast<int>(bodies_.all().size()); ++number) {
+        if (body(number).island != 0) {
+            islands.join(member_of.try_emplace(body(number).island, number).first->second, number);
+        }
+    }
+    std::vector<std::uint32_t> names(bodies_.all().size(), 0);  // by the root
+    for (const int number : asleep) {
+        std::uint32_t& name = names[index(islands.root(number))];
+        name = name != 0 ? name : ++island_count_;
+    }
+    for (int number = 0; number < static_cast<int>(bodies_.all().size()); ++number) {
+        if (const std::uint32_t name = names[index(islands.root(number))]; name != 0) {
+            body(number).island = name;
+        }
+    }
 }
 
 }  // namespace carom::sim

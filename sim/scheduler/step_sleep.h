@@ -10,26 +10,32 @@
 
 namespace carom::sim {
 
-/// Bodies that touch each other, directly or through others, are an island. It falls asleep and
-/// wakes as one, so that no sleeping body rests on one that moves (the rule of box3d,
-/// src/solver_set.c). Kinematic bodies and the static environment belong to no island.
+/// A body falls asleep when it and all that it touches have hardly moved for long enough, so that
+/// what has come to rest costs nothing while other parts of its island still move: a row of
+/// dominoes would cost the cube of its length. It wakes when something that it touches moves,
+/// however slowly, by more than 20 micrometres. Sleeping bodies that touch each other, directly or
+/// through others, are an island, which wakes as one when something happens to one of them, and
+/// what a kinematic body moves stays awake with all of its island, so that no sleeping body rests
+/// on one that moves. Kinematic bodies and the static environment belong to no island.
 class StepSleep {
   public:
     StepSleep(Bodies& bodies, const Vec3& gravity) : bodies_(bodies), gravity_(gravity) {}
 
-    /// Wakes the islands that a waking body touches, however slowly; true if there were any.
+    /// Wakes the bodies that one which moves touches; true if there were any.
     bool wake_by_contact(const std::vector<BodyContact>& contacts, double time);
 
-    /// The islands of `moving` that fall asleep at `time`, the end of a step: each body of them has
-    /// hardly moved, in contact with something, for long enough. A body that is only balanced has
-    /// to stay for as long as it would take to fall. Returns their bodies in ascending order.
+    /// The bodies of `moving` that fall asleep at `time`, the end of a step, in ascending order.
+    /// One that is only balanced has to stay for as long as it would take to fall.
     [[nodiscard]] std::vector<int> falling_asleep(const std::vector<int>& moving,
                                                   const SolvedContacts& solved, double time);
 
   private:
     void update_rest_timers(const std::vector<int>& moving, const SolvedContacts& solved,
                             double time);
+    void join_islands(const std::vector<int>& asleep, const SolvedContacts& solved);
     [[nodiscard]] bool is_movable(int number);
+    /// Whether the body sleeps or has hardly moved for long enough.
+    [[nodiscard]] bool is_quiet(int number, double time);
     [[nodiscard]] bool is_held(int number, const SolvedContacts& solved,
                                std::span<const std::size_t> own, double time);
 
@@ -39,7 +45,7 @@ class StepSleep {
 
     Bodies& bodies_;
     Vec3 gravity_;
-    std::uint32_t island_count_ = 0;  // that have fallen asleep
+    std::uint32_t island_count_ = 0;  // that there have been
 };
 
 }  // namespace carom::sim
