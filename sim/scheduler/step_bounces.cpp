@@ -43,7 +43,7 @@ void StepBounces::resolve(const std::vector<BodyContact>& contacts, double time)
 /// others, the impact of all has no end, and the pair is resolved alone.
 void StepBounces::bounce(const BodyContact& found, double speed, double time) {
     const bool is_ball = body(found.contact.first).is_ball();
-    if (is_ball && is_on_lining(found)) {
+    if (is_on_lining(found)) {
         return bounce_ball(found, time);
     }
     std::vector<BodyContact> group = find_group(found, speed, time);
@@ -204,6 +204,7 @@ bool StepBounces::is_movable(int number) const {
 
 bool StepBounces::is_on_lining(const BodyContact& found) const {
     return !found.is_between_bodies() &&
+           bodies_.all()[static_cast<std::size_t>(found.contact.first)].is_ball() &&
            is_lining(finder_.info(found.partner).material, found.contact.normal);
 }
 
