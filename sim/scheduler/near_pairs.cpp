@@ -1,6 +1,7 @@
 #include "sim/scheduler/near_pairs.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "core/length.h"
 #include "sim/numeric/tolerances.h"
@@ -9,10 +10,10 @@ namespace carom::sim {
 namespace {
 
 /// A list holds until a body has moved by kSlack (m) and as far as its velocity leads in
-/// kSlackTime (s), four steps of ODE. Longer lists have more pairs, shorter ones are made more
+/// kSlackTime (s), eight steps of ODE. Longer lists have more pairs, shorter ones are made more
 /// often.
 constexpr double kSlack = 1e-3;
-constexpr double kSlackTime = 1.0 / 240;
+constexpr double kSlackTime = 1.0 / 120;
 
 bool is_collidable(const Placement& placed) {
     return placed.is_in_solver() || placed.mode == Mode::asleep;
@@ -26,9 +27,18 @@ Aabb box_of(const Vec3& centre, double radius) {
 
 }  // namespace
 
-/// Takes over the bodies, and makes a new tree if they are not those of the last call.
+bool NearPairs::Member::contains(const Vec3& place) const {
+    const Vec3 moved = place - centre;
+    return moved.dot(moved) <= slack * slack;
+}
+
+/// Takes over the bodies, and makes a new tree, unless they are those of the last call and are
+/// still near their places.
 void NearPairs::Group::update(std::vector<Member> members, std::span<const MovingBody> bodies) {
-    if (members == members_) {
+    const auto is_kept = [](const Member& known, const Member& now) {
+        return known.number == now.number && known.contains(now.centre);
+    };
+    if (std::ranges::equal(members_, members, is_kept)) {
         return;
     }
     members_ = std::move(members);
@@ -44,45 +54,48 @@ void NearPairs::Group::update(std::vector<Member> members, std::span<const Movin
 bool NearPairs::Group::holds(std::span<const Placement> placed) const {
     return std::ranges::all_of(members_, [&](const Member& member) {
         const Placement& now = placed[member.number];
-        const Vec3 moved = now.state.position - member.centre;
         return is_collidable(now) && now.is_in_solver() == (member.slack > 0) &&
-               moved.dot(moved) <= member.slack * member.slack;
+               member.contains(now.state.position);
     });
 }
 
-void NearPairs::add_pairs(const Member& member, const Aabb& box, const Group& group) {
-    group.tree().query(box, found_);
-    for (const std::uint32_t index : found_) {
-        const auto [low, high] = std::minmax(member.number, group.members()[index].number);
-        pairs_.emplace_back(low, high);
+void NearPairs::add_pairs(const Member& member, const Aabb& box) {
+    for (const Group& group : groups_) {
+        group.tree().query(box, found_);
+        for (const std::uint32_t index : found_) {
+            const auto [low, high] = std::minmax(member.number, group.members()[index].number);
+            pairs_.emplace_back(low, high);
+        }
     }
 }
 
 const std::vector<NearPairs::Pair>& NearPairs::find(std::span<const MovingBody> bodies,
                                                     std::span<const Placement> placed) {
     const auto count = static_cast<std::size_t>(std::ranges::count_if(placed, is_collidable));
-    if (count == count_ && awake_.holds(placed) && asleep_.holds(placed)) {
+    const auto holds = [&](const Group& group) { return group.holds(placed); };
+    if (count == count_ && std::ranges::all_of(groups_, holds)) {
         return pairs_;
     }
     count_ = count;
-    std::vector<Member> awake;
-    std::vector<Member> asleep;
+    std::array<std::vector<Member>, 3> members;
     for (std::uint32_t i = 0; i < placed.size(); ++i) {
         const MotionState& state = placed[i].state;
         if (placed[i].is_in_solver()) {
-            awake.push_back({i, state.position, kSlack + kSlackTime * length(state.velocity)});
+            const double reach = kSlackTime * length(state.velocity);
+            members[reach < kSlack ? 1 : 2].push_back({i, state.position, kSlack + reach});
         } else if (is_collidable(placed[i])) {
-            asleep.push_back({i, state.position, 0});
+            members[0].push_back({i, state.position, 0});
         }
     }
-    awake_.update(std::move(awake), bodies);
-    asleep_.update(std::move(asleep), bodies);
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+        groups_[i].update(std::move(members[i]), bodies);
+    }
     pairs_.clear();
-    for (const Member& member : awake_.members()) {
-        const double reach = bodies[member.number].bounding_radius() + member.slack + kSolidMargin;
-        const Aabb box = box_of(member.centre, reach);
-        add_pairs(member, box, awake_);
-        add_pairs(member, box, asleep_);
+    for (const Group& group : {std::cref(groups_[1]), std::cref(groups_[2])}) {
+        for (const Member& member : group.members()) {
+            const double reach = bodies[member.number].bounding_radius() + member.slack;
+            add_pairs(member, box_of(member.centre, reach + kSolidMargin));
+        }
     }
     // Each pair of two in the solver has been found twice, and each body with itself.
     std::erase_if(pairs_, [](const Pair& pair) { return pair.first == pair.second; });

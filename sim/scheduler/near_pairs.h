@@ -1,6 +1,7 @@
 // Finds the bodies that may touch each other during a step.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -40,7 +41,7 @@ class NearPairs {
         Vec3 centre{0, 0, 0};
         double slack = 0;  // the list holds while it is this near to `centre`, m; 0: it sleeps
 
-        bool operator==(const Member&) const = default;
+        [[nodiscard]] bool contains(const Vec3& place) const;
     };
     class Group {
       public:
@@ -53,10 +54,10 @@ class NearPairs {
         std::vector<Member> members_;
         AabbTree tree_;  // of boxes that contain them while the list holds
     };
-    void add_pairs(const Member& member, const Aabb& box, const Group& group);
+    void add_pairs(const Member& member, const Aabb& box);
 
-    Group awake_, asleep_;
-    std::size_t count_ = 0;  // of bodies in both groups
+    std::array<Group, 3> groups_;  // those that sleep, are slow, are fast
+    std::size_t count_ = 0;        // of bodies in all groups
     std::vector<std::uint32_t> found_;
     std::vector<Pair> pairs_;
 };
