@@ -34,6 +34,7 @@ enum class Mode : std::uint8_t {
 
 /// Its `state` is meaningful in the solver and asleep: at the start of the current window.
 struct MovingBody : RigidBody {
+    Mode mode = Mode::closed_form;  // beside the state: most loops over all bodies read both
     const Body* description = nullptr;
     MaterialId material = MaterialId::other;
     std::size_t track = 0;  // index among the tracks; unused for a kinematic body
@@ -41,7 +42,6 @@ struct MovingBody : RigidBody {
     Quat principal{};                          // turns the principal axes into the body's own axes
     std::optional<KinematicPath> path;         // for a kinematic body
 
-    Mode mode = Mode::closed_form;
     /// Its motion in closed form; in the solver its straight path during the step that is tried.
     MotionSegment segment;
     std::uint32_t version = 0;  // for a ball: counts its segments; older predictions are invalid

@@ -51,11 +51,11 @@ void NearPairs::Group::update(std::vector<Member> members, std::span<const Movin
     tree_ = AabbTree(boxes);
 }
 
-bool NearPairs::Group::holds(std::span<const Placement> placed) const {
-    return std::ranges::all_of(members_, [&](const Member& member) {
-        const Placement& now = placed[member.number];
-        return is_collidable(now) && now.is_in_solver() == (member.slack > 0) &&
-               member.contains(now.state.position);
+bool NearPairs::holds(std::span<const Placement> placed) const {
+    return std::ranges::equal(known_, placed, [](const Member& known, const Placement& now) {
+        return is_collidable(now) ? (now.is_in_solver() ? known.slack > 0 : known.slack == 0) &&
+                                        known.contains(now.state.position)
+                                  : known.slack < 0;
     });
 }
 
@@ -71,24 +71,27 @@ void NearPairs::add_pairs(const Member& member, const Aabb& box) {
 
 const std::vector<NearPairs::Pair>& NearPairs::find(std::span<const MovingBody> bodies,
                                                     std::span<const Placement> placed) {
-    const auto count = static_cast<std::size_t>(std::ranges::count_if(placed, is_collidable));
-    const auto holds = [&](const Group& group) { return group.holds(placed); };
-    if (count == count_ && std::ranges::all_of(groups_, holds)) {
+    if (holds(placed)) {
         return pairs_;
     }
-    count_ = count;
+    in_solver_.clear();
     std::array<std::vector<Member>, 3> members;
     for (std::uint32_t i = 0; i < placed.size(); ++i) {
         const MotionState& state = placed[i].state;
         if (placed[i].is_in_solver()) {
+            in_solver_.push_back(i);
             const double reach = kSlackTime * length(state.velocity);
             members[reach < kSlack ? 1 : 2].push_back({i, state.position, kSlack + reach});
         } else if (is_collidable(placed[i])) {
             members[0].push_back({i, state.position, 0});
         }
     }
+    known_.assign(placed.size(), {});
     for (std::size_t i = 0; i < groups_.size(); ++i) {
         groups_[i].update(std::move(members[i]), bodies);
+        for (const Member& member : groups_[i].members()) {
+            known_[member.number] = member;
+        }
     }
     pairs_.clear();
     for (const Group& group : {std::cref(groups_[1]), std::cref(groups_[2])}) {
