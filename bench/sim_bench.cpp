@@ -150,7 +150,7 @@ void resting_boxes(benchmark::State& state) {
 
 }  // namespace
 
-BENCHMARK(resting_boxes)->RangeMultiplier(4)->Range(100, 1600)->Unit(benchmark::kMillisecond);
+BENCHMARK(resting_boxes)->Arg(100)->Arg(400)->Arg(1600)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(break_shot, nine_ball, billiards::RackKind::nine_ball)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(break_shot, fifteen_ball, billiards::RackKind::fifteen_ball)

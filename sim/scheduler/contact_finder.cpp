@@ -33,21 +33,25 @@ std::vector<BodyContact> ContactFinder::find(std::span<const MovingBody> bodies,
         return {static_cast<int>(number), bodies[number], placed[number].state, reach};
     };
     std::vector<BodyContact> found;
-    const std::vector<NearPairs::Pair>& pairs =
-        (reach > 0 ? wide_pairs_ : near_pairs_).find(bodies, placed);
+    NearPairs& near = reach > 0 ? wide_pairs_ : near_pairs_;
+    const std::vector<NearPairs::Pair>& pairs = near.find(bodies, placed);
     auto pair = pairs.begin();
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (placed[i].is_in_solver() && bodies[i].is_ball()) {
-            find_for_ball(placed_body(i), found);
-        } else if (placed[i].is_in_solver() && !bodies[i].is_kinematic()) {
-            find_for_solid(placed_body(i), found);
-        }
-        for (; pair != pairs.end() && pair->first == i; ++pair) {
-            if (!bodies[i].is_kinematic() || !bodies[pair->second].is_kinematic()) {
-                find_between(placed_body(i), placed_body(pair->second), found);
+    const auto find_pairs_below = [&](std::size_t number) {
+        for (; pair != pairs.end() && pair->first < number; ++pair) {
+            if (!bodies[pair->first].is_kinematic() || !bodies[pair->second].is_kinematic()) {
+                find_between(placed_body(pair->first), placed_body(pair->second), found);
             }
         }
+    };
+    for (const std::uint32_t i : near.in_solver()) {
+        find_pairs_below(i);
+        if (bodies[i].is_ball()) {
+            find_for_ball(placed_body(i), found);
+        } else if (!bodies[i].is_kinematic()) {
+            find_for_solid(placed_body(i), found);
+        }
     }
+    find_pairs_below(bodies.size());
     return found;
 }
 

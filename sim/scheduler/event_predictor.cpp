@@ -226,6 +226,9 @@ void EventPredictor::search_again(const PredictedEvent& search, const SearchHori
 void EventPredictor::predict_all_solid_impacts(const SearchHorizon& horizon,
                                                PredictedEventQueue& queue) {
     ++solid_version_;
+    if (balls_.empty()) {
+        return;
+    }
     std::vector<std::uint32_t> moving_solids;
     std::vector<Aabb> boxes;
     for (auto i = static_cast<std::uint32_t>(balls_.size()); i < bodies_.size(); ++i) {

@@ -59,7 +59,7 @@ class ImpactResolver {
     Bodies& bodies_;
     const EventPredictor& predictor_;
     Recorder& recorder_;
-    ContactFinder finder_;
+    mutable ContactFinder finder_;  // remembers near pairs
 };
 
 }  // namespace carom::sim

@@ -77,6 +77,19 @@ MovingBody make_solid(const Body& from, const SolidShape& solid,
     return body;
 }
 
+/// Equal boxes one after the other share their shape: it is read in every step.
+void share_shape(std::vector<MovingBody>& solids) {
+    if (solids.size() < 2) {
+        return;
+    }
+    MovingBody& last = solids.back();
+    const MovingBody& previous = solids[solids.size() - 2];
+    if (last.is_box() && previous.is_box() &&
+        last.shape->half_size() == previous.shape->half_size()) {
+        last.shape = previous.shape;
+    }
+}
+
 /// Free fall straight down to `height`, where the ball rests.
 MotionSegment sinking_segment(double time, const MotionState& state, double height,
                               double gravity) {
@@ -165,6 +178,7 @@ std::vector<MovingBody> make_moving_bodies(const WorldDescription& world,
         } else if (const auto solid =
                        sphere != nullptr ? round_solid(*sphere) : solid_shape(from.shape)) {
             solids.push_back(make_solid(from, *solid, environment, track));
+            share_shape(solids);
         }
         track += from.kind == BodyKind::dynamic ? 1 : 0;
     }

@@ -35,6 +35,7 @@ enum class Mode : std::uint8_t {
 
 /// Its `state` is meaningful in the solver and asleep: at the start of the current window.
 struct MovingBody : RigidBody {
+    Mode mode = Mode::closed_form;  // beside the state: most loops over all bodies read both
     const Body* description = nullptr;
     MaterialId material = MaterialId::other;
     std::size_t track = 0;  // index among the tracks; unused for a kinematic body
@@ -46,7 +47,6 @@ struct MovingBody : RigidBody {
     /// decelerates a body that rolls without slip by mu g.
     double rolling_length = 0;
 
-    Mode mode = Mode::closed_form;
     /// Its motion in closed form; in the solver its straight path during the step that is tried.
     MotionSegment segment;
     std::uint32_t version = 0;  // for a ball: counts its segments; older predictions are invalid

@@ -1,6 +1,7 @@
 // Finds the bodies that may touch each other during a step.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -37,18 +38,22 @@ class NearPairs {
     [[nodiscard]] const std::vector<Pair>& find(std::span<const MovingBody> bodies,
                                                 std::span<const Placement> placed);
 
+    /// The bodies in the solver, ascending; as valid as the pairs.
+    [[nodiscard]] const std::vector<std::uint32_t>& in_solver() const { return in_solver_; }
+
   private:
     struct Member {
         std::uint32_t number = 0;  // of a body
         Vec3 centre{0, 0, 0};
-        double slack = 0;  // the list holds while it is this near to `centre`, m; 0: it sleeps
+        // The list holds while the body is this near to `centre`, m. 0: it sleeps; -1: it is in no
+        // group.
+        double slack = -1;
 
-        bool operator==(const Member&) const = default;
+        [[nodiscard]] bool contains(const Vec3& place) const;
     };
     class Group {
       public:
         void update(std::vector<Member> members, std::span<const MovingBody> bodies);
-        [[nodiscard]] bool holds(std::span<const Placement> placed) const;
         [[nodiscard]] const std::vector<Member>& members() const { return members_; }
         [[nodiscard]] const AabbTree& tree() const { return tree_; }
 
@@ -56,11 +61,13 @@ class NearPairs {
         std::vector<Member> members_;
         AabbTree tree_;  // of boxes that contain them while the list holds
     };
-    void add_pairs(const Member& member, const Aabb& box, const Group& group);
+    [[nodiscard]] bool holds(std::span<const Placement> placed) const;
+    void add_pairs(const Member& member, const Aabb& box);
 
     double gap_;
-    Group awake_, asleep_;
-    std::size_t count_ = 0;  // of bodies in both groups
+    std::array<Group, 3> groups_;  // those that sleep, are slow, are fast
+    std::vector<Member> known_;    // of all bodies
+    std::vector<std::uint32_t> in_solver_;
     std::vector<std::uint32_t> found_;
     std::vector<Pair> pairs_;
 };

@@ -132,8 +132,8 @@ std::vector<int> StepSleep::falling_asleep(const std::vector<int>& moving,
     for (const BodyContact& found : solved.contacts) {
         const auto& [first, second] = std::pair(found.contact.first, found.contact.second);
         if (is_movable(first) && is_movable(second)) {
-            is_disturbed[index(first)] |= is_quiet(second, time) ? 0 : 1;
-            is_disturbed[index(second)] |= is_quiet(first, time) ? 0 : 1;
+            is_disturbed[index(first)] |= static_cast<char>(!is_quiet(second, time));
+            is_disturbed[index(second)] |= static_cast<char>(!is_quiet(first, time));
         }
     }
     const ContactsOfBodies contacts(solved.contacts, bodies_.all().size());
