@@ -12,8 +12,6 @@
 namespace carom::sim {
 namespace {
 
-/// Steps in the time of the shortest contact.
-constexpr double kStepsPerContact = 100;
 /// A body of less restitution would recover at more than a hundred times the speed of compression.
 /// Below, the force of recovery is less instead.
 constexpr double kLeastRecovery = 0.1;
@@ -137,7 +135,7 @@ Imath::M33d inverse_inertia_in_world(const RigidBody& body) {
 class Group {
   public:
     Group(std::vector<GroupBody>& bodies, std::span<const GroupContact> contacts,
-          const BallBall& law);
+          const BallBall& law, double steps_per_contact);
 
     std::vector<GroupContactResult> run();
 
@@ -161,6 +159,7 @@ class Group {
     std::vector<GroupBody>& bodies_;
     std::span<const GroupContact> contacts_;
     const BallBall& law_;
+    double steps_per_contact_;
     std::vector<Imath::M33d> inertias_;
     std::vector<Stepped<Motion>> motions_;
     std::vector<Load> loads_;
@@ -176,10 +175,11 @@ class Group {
 };
 
 Group::Group(std::vector<GroupBody>& bodies, std::span<const GroupContact> contacts,
-             const BallBall& law)
+             const BallBall& law, double steps_per_contact)
     : bodies_(bodies),
       contacts_(contacts),
       law_(law),
+      steps_per_contact_(steps_per_contact),
       motions_(bodies.size()),
       loads_(bodies.size()),
       counts_(bodies.size(), 0),
@@ -241,7 +241,7 @@ void Group::choose_step() {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         shortest = std::min(shortest, contact_time(contacts_[i].stiffness, data_[i].mass, speed));
     }
-    duration_ = shortest * recovery / kStepsPerContact;
+    duration_ = shortest * recovery / steps_per_contact_;
     // Friction that stops a slip would overshoot if several contacts of a body stopped it at once.
     // The method follows rates of up to 2.78 per step.
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
@@ -446,7 +446,7 @@ bool Group::is_finished() const {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         const double closing = -relative_velocity(i).dot(data_[i].normal);
         const double depth = compressions_[i].now.depth;
-        if (closing > kLeastSeparation && depth + closing * kStepsPerContact * duration_ > 0) {
+        if (closing > kLeastSeparation && depth + closing * steps_per_contact_ * duration_ > 0) {
             return false;
         }
     }
@@ -566,8 +566,8 @@ double contact_time(const ContactStiffness& stiffness, double reduced_mass, doub
 
 std::vector<GroupContactResult> group_impact(std::vector<GroupBody>& bodies,
                                              std::span<const GroupContact> contacts,
-                                             const BallBall& law) {
-    return Group(bodies, contacts, law).run();
+                                             const BallBall& law, double steps_per_contact) {
+    return Group(bodies, contacts, law, steps_per_contact).run();
 }
 
 }  // namespace carom::sim

@@ -61,12 +61,15 @@ struct GroupContactResult {
 /// 1986 for the losses. Returns nothing, and changes nothing, if the impact does not end, because a
 /// body that keeps its velocity squeezes others.
 ///
+/// `steps_per_contact`: in the time of the shortest contact, for the method of Runge and Kutta; 100
+/// give a row of balls to 1e-6, 25 to 1e-3.
+///
 /// The result does not depend on the order of bodies and contacts, except in the last bits. It
 /// changes continuously with velocities, gaps and normals. The impulses at a contact are opposite;
 /// the energy never rises by more than the work of bodies that keep their velocities, and that of
 /// separating at kLeastSeparation where the bodies touched before the impact.
 std::vector<GroupContactResult> group_impact(std::vector<GroupBody>& bodies,
                                              std::span<const GroupContact> contacts,
-                                             const BallBall& law);
+                                             const BallBall& law, double steps_per_contact = 100);
 
 }  // namespace carom::sim

@@ -10,6 +10,12 @@
 #include "sim/scheduler/impact_group.h"
 
 namespace carom::sim {
+namespace {
+
+/// What ODE solves between impacts is no more exact.
+constexpr double kStepsPerContact = 25;
+
+}  // namespace
 
 void StepBounces::resolve(const std::vector<BodyContact>& contacts, double time) {
     constexpr int kMaxBounces = 1000;
@@ -125,29 +131,42 @@ std::vector<BodyContact> StepBounces::find_group(const BodyContact& found, doubl
     const double reach = reach_of(found, speed);
     for (;;) {
         std::vector<BodyContact> group = contacts_within(reach, time);
-        std::set<int> members{is_movable(found.contact.first) ? found.contact.first
-                                                              : found.contact.second};
-        const auto is_of_group = [&](const BodyContact& other) {
-            return members.contains(other.contact.first) || members.contains(other.contact.second);
-        };
-        for (std::size_t size = 0; size != members.size();) {
-            size = members.size();
-            for (const BodyContact& other : group) {
-                if (!is_of_group(other)) {
-                    continue;
-                }
-                for (const int number : {other.contact.first, other.contact.second}) {
-                    if (is_movable(number)) {
-                        members.insert(number);
-                    }
-                }
-            }
-        }
-        std::erase_if(group, [&](const BodyContact& other) { return !is_of_group(other); });
+        const std::set<int> members = nearest_bodies(found, group);
+        std::erase_if(group, [&](const BodyContact& other) {
+            const auto is_outside = [&](int number) {
+                return is_movable(number) && !members.contains(number);
+            };
+            return is_outside(other.contact.first) || is_outside(other.contact.second);
+        });
         if (!bring_in(group, time)) {
             return group;
         }
     }
+}
+
+/// The bodies of a contact that move, and those that touch them directly or through others: all
+/// that are as near as the others or nearer, up to kMostBodies, so that an impact in a long row
+/// costs no more than what it reaches. Those farther away are hit afterwards.
+std::set<int> StepBounces::nearest_bodies(const BodyContact& found,
+                                          const std::vector<BodyContact>& contacts) const {
+    constexpr std::size_t kMostBodies = 12;
+    std::set<int> members;
+    std::set<int> next{found.contact.first, found.contact.second};
+    std::erase_if(next, [this](int number) { return !is_movable(number); });
+    while (!next.empty() && (members.empty() || members.size() + next.size() <= kMostBodies)) {
+        members.insert(next.begin(), next.end());
+        next.clear();
+        for (const BodyContact& other : contacts) {
+            for (const auto& [number, partner] :
+                 {std::pair(other.contact.first, other.contact.second),
+                  std::pair(other.contact.second, other.contact.first)}) {
+                if (members.contains(number) && is_movable(partner) && !members.contains(partner)) {
+                    next.insert(partner);
+                }
+            }
+        }
+    }
+    return members;
 }
 
 /// The contacts of bodies in the solver, with those of wider gaps where a pair has none. Balls in
@@ -285,7 +304,7 @@ bool StepBounces::bounce_group(const std::vector<BodyContact>& group, double tim
         contacts.back().second = place_of(found.contact.second);
     }
     const std::vector<GroupContactResult> results =
-        group_impact(bodies, contacts, environment_.law.ball_ball);
+        group_impact(bodies, contacts, environment_.law.ball_ball, kStepsPerContact);
     std::size_t touched = 0;
     bool is_of_balls = true;
     for (std::size_t i = 0; i < results.size(); ++i) {

@@ -49,6 +49,8 @@ class StepBounces {
   private:
     void bounce(const BodyContact& found, double speed, double time);
     void bounce_ball(const BodyContact& found, double time);
+    [[nodiscard]] std::set<int> nearest_bodies(const BodyContact& found,
+                                               const std::vector<BodyContact>& contacts) const;
     [[nodiscard]] std::vector<BodyContact> find_group(const BodyContact& found, double speed,
                                                       double time);
     [[nodiscard]] std::vector<BodyContact> contacts_within(double reach, double time);

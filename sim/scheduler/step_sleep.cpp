@@ -19,7 +19,7 @@ constexpr double kLeaningSleepDelay = 0.5;
 
 /// A body may creep this far (m) while it counts as standing, so that what sleeps beside it may
 /// stand off by as much before it wakes.
-constexpr double kCreep = 2e-5;
+constexpr double kCreep = 5e-5;
 
 std::size_t index(int number) {
     return static_cast<std::size_t>(number);

@@ -13,7 +13,7 @@ namespace carom::sim {
 /// A body falls asleep when it and all that it touches have hardly moved for long enough, so that
 /// what has come to rest costs nothing while other parts of its island still move: a row of
 /// dominoes would cost the cube of its length. It wakes when something that it touches moves,
-/// however slowly, by more than 20 micrometres. Sleeping bodies that touch each other, directly or
+/// however slowly, by more than 50 micrometres. Sleeping bodies that touch each other, directly or
 /// through others, are an island, which wakes as one when something happens to one of them, and
 /// what a kinematic body moves stays awake with all of its island, so that no sleeping body rests
 /// on one that moves. Kinematic bodies and the static environment belong to no island.

@@ -138,12 +138,14 @@ std::vector<RollingSource> scraping_sources(const SoundShot& shot) {
             continue;
         }
         const bool is_ball = std::holds_alternative<BallShape>(body->second->shape);
-        if (is_ball && (contact.b == "cloth" || contact.b == "floor")) {
+        if (is_ball && is_level(contact.surface())) {
             continue;
         }
         const auto [index, is_new] = indices.try_emplace({contact.a, contact.b}, sources.size());
         if (is_new) {
-            const bool is_cloth = contact.b == "cloth" || contact.b == "cushion";
+            const sim::Surface surface = contact.surface();
+            const bool is_cloth =
+                surface == sim::Surface::cloth || surface == sim::Surface::cushion;
             sources.push_back(
                 source_of(*body->second, contact.b, is_cloth ? kCloth : kSolid, *shot.timeline));
             sources.back().motion = Scrapes();

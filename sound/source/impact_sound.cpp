@@ -159,18 +159,19 @@ ImpactSound ImpactSounds::of_surface(const sim::Event& event, const Entry& body)
     ImpactSound sound;
     const Resonator* resonator = &resonators.wood;
     double mode_factor = 1;
-    if (event.b == "cushion") {
+    const sim::Surface surface = event.surface();
+    if (surface == sim::Surface::cushion) {
         resonator = &resonators.cushion;
         sound.group = Group::cushions;
-    } else if (event.b == "cloth") {
+    } else if (surface == sim::Surface::cloth) {
         resonator = is_ball(*body.body) ? &resonators.bed : &resonators.box_on_cloth;
         sound.group = Group::cloth;
         mode_factor = kBoxOnClothModes;
-    } else if (event.b == "pocket") {
+    } else if (surface == sim::Surface::pocket) {
         resonator = &resonators.pocket;
         sound.group = Group::pockets;
     } else {
-        sound.group = event.b == "rail" ? Group::cushions : Group::objects;
+        sound.group = surface == sim::Surface::rail ? Group::cushions : Group::objects;
     }
     if (!is_ball(*body.body)) {
         sound.group = Group::objects;

@@ -41,8 +41,8 @@ class ImpactSounds {
     /// The sound of an impact or a strike; empty for other events, and for those without an impulse
     /// or between things that are not among the shot's bodies. A ball that falls into a pocket has
     /// no sound of its own: its impacts with the pocket's lining are events. A ball on the cloth
-    /// sounds with its mirror image in the bed. Surfaces are "cushion", "cloth", "pocket"; all
-    /// others ("rail", "floor", scenery) are wood.
+    /// sounds with its mirror image in the bed. Cushions, the cloth and pockets have sounds of
+    /// their own; all other surfaces and scenery are wood.
     [[nodiscard]] std::optional<ImpactSound> sound_of(const sim::Event& event) const;
 
     /// The longest time in which any mode of the shot falls to 1/e, s.
