@@ -37,7 +37,7 @@ void BallPlacer::remove(std::size_t event, std::uint32_t ball, double time) {
     end_wait(ball, event);
     const MovingBody& taken = bodies_.balls()[ball];
     recorder_.log(EventKind::removed, time, taken.name(), taken.segment.position_at(time));
-    bodies_.wake_island(ball, time);
+    bodies_.wake_around(ball, time);
     bodies_.take_off(ball, time, hidden_place(ball));
     done_.push_back(event);
 }
@@ -123,7 +123,7 @@ std::string BallPlacer::obstacle(std::uint32_t ball, const Vec2& place, double t
 void BallPlacer::put_down(std::uint32_t ball, const Vec2& place, const std::string& spot,
                           double time) {
     const MovingBody& put = bodies_.balls()[ball];
-    bodies_.wake_island(ball, time);
+    bodies_.wake_around(ball, time);
     bodies_.put_down(ball, time, place);
     recorder_.log(EventKind::placed, time, put.name(), put.segment.state.position, spot);
 }

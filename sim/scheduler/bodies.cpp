@@ -319,6 +319,19 @@ void Bodies::wake_island(std::uint32_t index, double time) {
     }
 }
 
+void Bodies::wake_around(std::uint32_t index, double time) {
+    const Vec3 place = bodies_[index].state_at(time).position;
+    const double reach = bodies_[index].bounding_radius() + kSolidMargin;
+    for (std::uint32_t i = 0; i < bodies_.size(); ++i) {
+        const MovingBody& other = bodies_[i];
+        if (i != index && other.is_asleep() && !other.is_kinematic() &&
+            length(other.state_at(time).position - place) < reach + other.bounding_radius()) {
+            wake_island(i, time);
+        }
+    }
+    wake_island(index, time);
+}
+
 void Bodies::move_kinematic_bodies(double time) {
     for (MovingBody& body : bodies_) {
         if (!body.is_kinematic()) {

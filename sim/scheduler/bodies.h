@@ -71,6 +71,9 @@ class Bodies {
     void wake(std::uint32_t index, double time);
     /// Wakes the island of a body (StepSleep) before something happens to the body.
     void wake_island(std::uint32_t index, double time);
+    /// Wakes the island of a body that is about to be taken away, and those of all that may touch
+    /// it.
+    void wake_around(std::uint32_t index, double time);
     /// Moves the kinematic bodies to the positions of their paths.
     void move_kinematic_bodies(double time);
     /// Time of the first key of any kinematic body after `time`; infinity if there is none.

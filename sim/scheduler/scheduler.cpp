@@ -123,7 +123,7 @@ void Scheduler::resolve_with_stepped(const PredictedEvent& event) {
 /// Between two steps of ODE, because a ball that leaves may be part of one.
 void Scheduler::return_balls() {
     for (const BallReturn::Leaving& leaving : bodies_.take_returned()) {
-        bodies_.wake_island(leaving.ball, now_);
+        bodies_.wake_around(leaving.ball, now_);
         bodies_.leave_table(leaving, now_);
     }
 }

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/length.h"
 #include "sim/numeric/tolerances.h"
 
 namespace carom::sim {
@@ -104,9 +105,22 @@ void StepSleep::update_rest_timers(const std::vector<int>& moving, const SolvedC
                             speed >= kSleepSpeed || moved.distance_from(moved.slow_at) > kCreep;
         if (moved.is_restless) {
             moved.restart_rest_timer(time);
-            moved.island = 0;
+            leave_island(number, time);
         }
         moved.least_speed = std::min(moved.least_speed, speed);
+    }
+}
+
+/// A body that moves wakes those that it has touched: they may have lost each other in one step.
+void StepSleep::leave_island(int number, double time) {
+    MovingBody& moved = body(number);
+    const std::uint32_t island = std::exchange(moved.island, 0);
+    for (std::uint32_t i = 0; island != 0 && i < bodies_.all().size(); ++i) {
+        const MovingBody& other = bodies_.all()[i];
+        const double reach = moved.bounding_radius() + other.bounding_radius() + kSolidMargin;
+        if (other.island == island && length(other.state.position - moved.state.position) < reach) {
+            bodies_.wake(i, time);
+        }
     }
 }
 

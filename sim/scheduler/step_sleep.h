@@ -32,6 +32,7 @@ class StepSleep {
   private:
     void update_rest_timers(const std::vector<int>& moving, const SolvedContacts& solved,
                             double time);
+    void leave_island(int number, double time);
     void join_islands(const std::vector<int>& asleep, const SolvedContacts& solved);
     [[nodiscard]] bool is_movable(int number);
     /// Whether the body sleeps or has hardly moved for long enough.
