@@ -13,16 +13,17 @@ namespace {
 /// Of jobs whose tasks are started by hand, or by something that carom does not talk to.
 class NoEngine : public Engine {
   public:
-    std::int64_t submit(const FarmJob& job, const Round& /*round*/, const Stage& /*stage*/,
-                        const Begin& /*begin*/) const override {
+    [[nodiscard]] std::int64_t submit(const FarmJob& job, const Round& /*round*/,
+                                      const Stage& /*stage*/,
+                                      const Begin& /*begin*/) const override {
         throw Error("the tasks of this job are started outside carom (" + job.engine +
                     "); start them again as '" + job.folder + "/README.md' says");
     }
-    std::vector<Answer> ask(const std::vector<FarmJob>& jobs) const override {
+    [[nodiscard]] std::vector<Answer> ask(const std::vector<FarmJob>& jobs) const override {
         return std::vector<Answer>(jobs.size());
     }
     void cancel(const FarmJob& /*job*/, Which /*which*/) const override {}
-    std::string tag(const FarmJob& job) const override { return tag_of_folder(job); }
+    [[nodiscard]] std::string tag(const FarmJob& job) const override { return tag_of_folder(job); }
 };
 
 }  // namespace

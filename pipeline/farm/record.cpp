@@ -7,6 +7,7 @@
 #include <sstream>
 #include <system_error>
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include "core/atomic_file.h"
@@ -58,7 +59,7 @@ Record Record::parse(const std::string& text, const std::string& path) {
     record.path_ = path;
     for (const auto& [name, value] : root.items()) {
         if (value.is_structured()) {
-            throw Error("'" + path + "': '" + name + "' is neither a text nor a number");
+            throw Error(fmt::format("'{}': '{}' is neither a text nor a number", path, name));
         }
         record.members_[name] = value.is_string() ? value.get<std::string>() : value.dump();
     }

@@ -94,17 +94,19 @@ std::vector<std::string> excluded_nodes(const Round& round) {
     }
     std::set<std::string> seen(round.worked.begin(), round.worked.end());
     std::vector<std::pair<std::int64_t, std::string>> bad;  // by failures, the worst first
-    for (const auto& [node, count] : failures) {
+    for (const auto& failure : failures) {
+        const std::string& node = failure.first;
         const bool others_work = std::ranges::any_of(
             round.worked, [&](const std::string& other) { return other != node; });
-        if (count >= kFailuresOfNode && others_work) {
-            bad.emplace_back(-count, node);
+        if (failure.second >= kFailuresOfNode && others_work) {
+            bad.emplace_back(-failure.second, node);
         }
         seen.insert(node);
     }
     std::ranges::sort(bad);
     bad.resize(std::min(bad.size(), std::max<std::size_t>(1, seen.size() / 3)));
     std::vector<std::string> excluded;
+    excluded.reserve(bad.size());
     for (auto& [count, node] : bad) {
         excluded.push_back(std::move(node));
     }

@@ -124,7 +124,8 @@ TaskState state_of(const std::string& name, const std::string& exit) {
 /// "2-00:00:00". 0 for "infinite", and for a text that is not a time.
 std::int64_t minutes_in(const std::string& text) {
     const std::size_t dash = text.find('-');
-    std::int64_t minutes = dash == std::string::npos ? 0 : 24 * 60 * number_in(text);
+    constexpr std::int64_t kMinutesOfDay = 1440;
+    std::int64_t minutes = dash == std::string::npos ? 0 : kMinutesOfDay * number_in(text);
     const std::vector<std::string> parts =
         split(dash == std::string::npos ? text : text.substr(dash + 1), ':');
     if (parts.size() == 3) {
@@ -344,11 +345,12 @@ std::vector<Answer> Slurm::ask(const std::vector<FarmJob>& jobs) const {
             names.insert(name_of(job, stage));
         }
     }
+    const std::string format =
+        "--Format=ArrayJobID:20|,State:20|,exit_code:20|,NodeList:200|,Name:100|,Comment:100|,"
+        "Reason:100";
     const ProgramResult queue = run_program(
         {"squeue", "--noheader", "--array", "--states=all",
-         "--name=" + join(std::vector<std::string>(names.begin(), names.end()), ","),
-         "--Format=ArrayJobID:20|,State:20|,exit_code:20|,NodeList:200|,Name:100|,Comment:100|,"
-         "Reason:100"});
+         "--name=" + join(std::vector<std::string>(names.begin(), names.end()), ","), format});
     if (queue.exit_code != 0) {
         return std::vector<Answer>(jobs.size(), {{}, "Slurm does not answer: " + complaint(queue)});
     }

@@ -80,7 +80,9 @@ class Content {
         while (const dirent* entry = next(*list, path)) {
             const std::string name = entry->d_name;
             if (name != "." && name != "..") {
-                give_one(folder, name, path + "/" + name, is_store && name == "farm");
+                std::string below = path;
+                below.append("/").append(name);
+                give_one(folder, name, below, is_store && name == "farm");
             }
         }
     }

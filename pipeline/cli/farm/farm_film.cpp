@@ -89,7 +89,7 @@ FarmJob find_job(const FarmCommand& command, JobUse use) {
     }
     const std::string store = store_of(command);
     std::vector<std::string> folders = farm::job_folders(store);
-    std::ranges::stable_partition(folders, farm::is_own);
+    std::stable_partition(folders.begin(), folders.end(), farm::is_own);
     std::uint64_t unreadable = 0;
     for (const std::string& folder : folders) {
         const std::optional<FarmJob> job = job_if_named(folder, command.job, unreadable);
@@ -284,7 +284,8 @@ std::int64_t FarmFrames::pictures() const {
 FarmFrames::Found FarmFrames::look(const std::set<std::int64_t>& skipped) const {
     const pipeline::FrameStore store(folder_, {}, {}, pipeline::StoreAccess::only_read);
     Found found;
-    for (const auto& [plan, shift, samples] : parts_) {
+    for (const Part& part : parts_) {
+        const pipeline::FilmPlan& plan = part.plan;
         std::vector<bool> is_stored;
         for (const pipeline::FilmPlan::Picture& picture : plan.pictures) {
             is_stored.push_back(store.contains(picture.key));
@@ -293,7 +294,7 @@ FarmFrames::Found FarmFrames::look(const std::set<std::int64_t>& skipped) const 
             }
         }
         for (std::size_t i = 0; i < plan.frames.size(); ++i) {
-            const std::int64_t frame = plan.frames[i] + shift;
+            const std::int64_t frame = plan.frames[i] + part.shift;
             const auto need = [&](std::size_t picture) {
                 if (!is_stored[picture]) {
                     found.missing.insert(frame);

@@ -112,7 +112,7 @@ std::vector<std::string> environment_with(const std::map<std::string, std::strin
         }
     }
     for (const auto& [name, value] : own) {
-        variables.push_back(name + "=" + value);
+        variables.push_back(fmt::format("{}={}", name, value));
     }
     return variables;
 }

@@ -60,6 +60,7 @@ std::string json_of(const NodeRow& row) {
 template <class Row>
 std::string list_of(const std::vector<Row>& rows) {
     std::vector<std::string> objects;
+    objects.reserve(rows.size());
     for (const Row& row : rows) {
         objects.push_back(json_of(row));
     }

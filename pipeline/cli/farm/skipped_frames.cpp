@@ -15,10 +15,11 @@ std::vector<std::int64_t> take_skipped(const farm::FarmJob& job,
         return {};
     }
     const farm::Wishes wishes = farm::read_wishes(job);
-    const auto first = std::ranges::stable_partition(
-        missing, [&](std::int64_t frame) { return !wishes.skipped.contains(frame); });
-    std::vector<std::int64_t> skipped(first.begin(), first.end());
-    missing.erase(first.begin(), first.end());
+    const auto first =
+        std::stable_partition(missing.begin(), missing.end(),
+                              [&](std::int64_t frame) { return !wishes.skipped.contains(frame); });
+    std::vector<std::int64_t> skipped(first, missing.end());
+    missing.erase(first, missing.end());
     return skipped;
 }
 
