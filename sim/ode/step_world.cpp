@@ -38,6 +38,16 @@ constexpr double kSeparationSpeed = 1e-7;
 constexpr double kLeastRolling = 1e-9;
 constexpr double kGoldenRatio = 0.6180339887498949;
 
+/// Friction leaves a thousandth of a velocity in each step. Where that comes to the smallest
+/// numbers there are, ODE finds steps of length zero and fails.
+Vec3 without_traces(Vec3 velocity) {
+    constexpr double kTrace = 1e-100;  // m/s or rad/s
+    for (int i = 0; i < 3; ++i) {
+        velocity[i] = std::abs(velocity[i]) < kTrace ? 0 : velocity[i];
+    }
+    return velocity;
+}
+
 /// The speed (m/s) at which a contact may close after the midpoint of a step.
 ///
 /// A gap may close by the middle of the next step, but no further: if it closed within this step,
@@ -358,7 +368,8 @@ void StepWorld::State::solve_with_directions(double duration, const Vec3& gravit
     after.resize(moving.size());
     for (std::size_t i = 0; i < moving.size(); ++i) {
         const dBodyID body = bodies[static_cast<std::size_t>(moving[i])];
-        after[i] = {to_vec3(dBodyGetLinearVel(body)), to_vec3(dBodyGetAngularVel(body))};
+        after[i] = {without_traces(to_vec3(dBodyGetLinearVel(body))),
+                    without_traces(to_vec3(dBodyGetAngularVel(body)))};
         dBodyDisable(body);
     }
 }
