@@ -59,7 +59,7 @@ async function dragBall(page) {
     await page.evaluate(() => { window.studio.state.filmTime.value = 0; });
     const old = await tracedFrame(page);
     equal(await isPictureDrawn(page), true, 'whether the picture is drawn');
-    const [x, y] = await page.evaluate(() => {
+    const seen = await page.waitForFunction(() => {
         const { context } = window.studio.view;
         const box = context.canvas.getBoundingClientRect();
         const places = window.studio.state.shot.value.objects
@@ -67,9 +67,10 @@ async function dragBall(page) {
                 const [left, top] = context.toScreen(position) ?? [-1, -1];
                 return { name, clientX: left + box.left, clientY: top + box.top };
             });
-        const seen = places.find((one) => context.objectAt(one)?.name === one.name);
-        return [seen.clientX, seen.clientY];
+        const ball = places.find((one) => context.objectAt(one)?.name === one.name);
+        return ball && [ball.clientX, ball.clientY];
     });
+    const [x, y] = await seen.jsonValue();
     await page.mouse.move(x, y);
     await page.mouse.down();
     for (let i = 1; i <= 4; ++i) {
