@@ -100,24 +100,10 @@ void Scheduler::run_window() {
     }
     now_ = window_end_;
     if (last) {
-        resolve_with_stepped(*last);
+        resolver_.resolve(*last);
     }
     return_balls();
     check_triggers();
-}
-
-/// A ball that meets a kinematic body gets its work.
-void Scheduler::resolve_with_stepped(const PredictedEvent& event) {
-    const bool is_driven =
-        event.kind == PredictedEventKind::solid && bodies_[event.second].is_kinematic();
-    const auto energy = [&] {
-        EnergySample sample;
-        bodies_[event.first].add_energy(now_, environment_.gravity, sample);
-        return is_driven ? sample.kinetic : 0;
-    };
-    const double before = energy();
-    resolver_.resolve(event);
-    bodies_.add_work(energy() - before);
 }
 
 /// Between two steps of ODE, because a ball that leaves may be part of one.

@@ -38,7 +38,6 @@ class Scheduler {
   private:
     void run_window();
     [[nodiscard]] std::optional<PredictedEvent> process_events();
-    void resolve_with_stepped(const PredictedEvent& event);
     void apply_due_actions();
     void process(const PredictedEvent& event);
     void extend_search(const PredictedEvent& event);
