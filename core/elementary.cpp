@@ -121,7 +121,7 @@ double exponential(double x) {
     return std::ldexp(sum, static_cast<int>(k));
 }
 
-double angle_of(double x, double y) {
+double arctangent2(double y, double x) {
     if (x == 0 && y == 0) {
         return 0;
     }
@@ -140,11 +140,11 @@ double angle_of(double x, double y) {
 }
 
 double arcsine(double sine) {
-    return angle_of(std::sqrt((1 - sine) * (1 + sine)), sine);
+    return arctangent2(sine, std::sqrt((1 - sine) * (1 + sine)));
 }
 
 double arccosine(double cosine) {
-    // One step of Newton's method as in angle_of, from a value that is right to 1e-10.
+    // One step of Newton's method as in arctangent2, from a value that is right to 1e-10.
     const double sine = std::sqrt((1 - cosine) * (1 + cosine));
     const double angle = detail::short_angle(cosine, sine);
     const SinCos at = sin_cos(angle);

@@ -34,8 +34,8 @@ struct SinCos {
 /// for all functions below.
 [[nodiscard]] double exponential(double x);
 
-/// The angle in (-pi, pi] of the point (x, y), within 4e-16; 0 at the origin.
-[[nodiscard]] double angle_of(double x, double y);
+/// The angle in (-pi, pi] of the point (x, y), as atan2(y, x), within 4e-16; 0 at the origin.
+[[nodiscard]] double arctangent2(double y, double x);
 
 /// The angle in [-pi/2, pi/2] whose sine is `sine`, in [-1, 1].
 [[nodiscard]] double arcsine(double sine);

@@ -86,8 +86,8 @@ namespace detail {
 
 }  // namespace detail
 
-/// angle_of(x, y) within 1e-10, many times faster.
-[[nodiscard]] inline double quick_angle_of(double x, double y) {
+/// arctangent2(y, x) within 1e-10, many times faster.
+[[nodiscard]] inline double fast_arctangent2(double y, double x) {
     return detail::short_angle(x, y);
 }
 
@@ -114,7 +114,7 @@ namespace detail {
 }
 
 /// The angle in [-pi, pi] of the finite point (x, y), rad; 0 at the origin.
-[[nodiscard]] inline float angle_of(float x, float y) {
+[[nodiscard]] inline float arctangent2(float y, float x) {
     return static_cast<float>(detail::short_angle(x, y));
 }
 

@@ -75,7 +75,7 @@ struct RemoveBall {
 };
 
 /// An occurrence in the shot, which starts an event (see ForceEvent) or names a time
-/// (sim/moment.h).
+/// (sim/event_time.h).
 struct Trigger {
     enum class Kind {
         contact,
@@ -83,7 +83,7 @@ struct Trigger {
         resting,
         crossing,
         strike,  // a stick strikes `a`
-        apex,    // `a` is at the highest point of a flight; see kLeastRise
+        apex,    // `a` is at the highest point of a flight; see kMinRise
     } kind = Kind::contact;
     std::string a;  // the object; empty with `resting`: all objects
     std::string b;  // contact only: the other object or surface
@@ -95,7 +95,7 @@ struct Trigger {
 
 /// A flight has an apex if the body rises by at least this much (m) without a pause. The hops of a
 /// ball on the cloth are lower.
-inline constexpr double kLeastRise = 1e-3;
+inline constexpr double kMinRise = 1e-3;
 
 /// Impacts of the same two objects that follow each other within this time (s) are one contact.
 inline constexpr double kOneContact = 0.01;

@@ -95,7 +95,7 @@ std::vector<double> ApexDetector::follow(const PathPiece& piece) {
         if (speed > 0) {
             rises_from_ = rises_from_.value_or(evaluate(height, start));
         } else if (rises_from_) {
-            if (evaluate(height, start) - *rises_from_ >= kLeastRise) {
+            if (evaluate(height, start) - *rises_from_ >= kMinRise) {
                 times.push_back(start);
             }
             rises_from_.reset();

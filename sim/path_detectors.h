@@ -42,7 +42,7 @@ class LineDetector {
     int side_ = 0;  // on which the body last was clearly; 0: on neither yet
 };
 
-/// The body stops to rise after it rose by at least kLeastRise without a pause.
+/// The body stops to rise after it rose by at least kMinRise without a pause.
 class ApexDetector {
   public:
     [[nodiscard]] std::vector<double> follow(const PathPiece& piece);

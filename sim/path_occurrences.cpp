@@ -11,7 +11,7 @@
 namespace carom::sim {
 namespace {
 
-constexpr double kLeastSpin = 0.5;  // rad/s, of a visible motion
+constexpr double kMinSpin = 0.5;  // rad/s, of a visible motion
 
 /// The Hermite curve of the segment as a polynomial.
 PathPiece piece_of(const PathSegment& segment) {
@@ -50,7 +50,7 @@ bool is_still(const Vec3& velocity, const Vec3& angular_velocity) {
 
 /// Whether anything can be seen of the motion between two keys at which the object rests.
 bool is_visible(std::span<const Key> keys, std::size_t first, std::size_t last) {
-    if ((keys[last].position - keys[first].position).length() > kLeastDisplacement) {
+    if ((keys[last].position - keys[first].position).length() > kMinDisplacement) {
         return true;
     }
     for (std::size_t i = first; i <= last; ++i) {
@@ -59,7 +59,7 @@ bool is_visible(std::span<const Key> keys, std::size_t first, std::size_t last) 
                                       i < last ? key.velocity_out.length() : 0);
         const double spin = std::max(i > first ? key.angular_velocity_in.length() : 0,
                                      i < last ? key.angular_velocity_out.length() : 0);
-        if (speed > kVisibleSpeed || spin > kLeastSpin) {
+        if (speed > kVisibleSpeed || spin > kMinSpin) {
             return true;
         }
     }

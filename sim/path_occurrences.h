@@ -16,7 +16,7 @@ namespace carom::sim {
                                                  const Vec2& to);
 
 /// The scene times (s), in order, at which the object stops to rise after it rose by at least
-/// kLeastRise.
+/// kMinRise.
 [[nodiscard]] std::vector<double> apexes(const Track& track);
 
 /// The scene times (s), in order, at which the object comes to rest after a visible motion: by more

@@ -62,17 +62,17 @@ bool is_fraction(double value) {
     return value >= 0 && value <= 1;
 }
 bool is_size(double value) {
-    return value >= kLeastSize && value <= kMostSize;
+    return value >= kMinSize && value <= kMaxSize;
 }
 bool is_speed(double value) {
-    return value > 0 && value <= kMostSpeed;
+    return value > 0 && value <= kMaxSpeed;
 }
 bool is_within(const Vec3& v, double most) {
     return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;
 }
 
 std::string size_range() {
-    return fmt::format(" has to be in [{:g}, {:g}] m", kLeastSize, kMostSize);
+    return fmt::format(" has to be in [{:g}, {:g}] m", kMinSize, kMaxSize);
 }
 
 std::string within(double most, const char* unit) {
@@ -191,10 +191,10 @@ void check_body(const Body& body, ProblemCollector& collector) {
                       "the orientation has to be a unit quaternion");
     collector.require(is_finite(body.pose.position) && (!body.path || is_finite(body.path->centre)),
                       "at", "its position has to be finite");
-    collector.require(is_within(body.velocity, kMostSpeed), "velocity",
-                      "its velocity" + within(kMostSpeed, "m/s"));
-    collector.require(is_within(body.angular_velocity, kMostSpin), "spin",
-                      "its spin" + within(kMostSpin, "rad/s"));
+    collector.require(is_within(body.velocity, kMaxSpeed), "velocity",
+                      "its velocity" + within(kMaxSpeed, "m/s"));
+    collector.require(is_within(body.angular_velocity, kMaxSpin), "spin",
+                      "its spin" + within(kMaxSpin, "rad/s"));
 }
 
 void check_overlaps(const WorldDescription& world, ProblemCollector& collector) {
@@ -274,28 +274,28 @@ class EventChecker {
     }
 
     void check_action(const Force& force) {
-        collector_.require(is_within(force.newtons, kMostForce), "newtons",
-                           "the force" + within(kMostForce, "N"));
+        collector_.require(is_within(force.newtons, kMaxForce), "newtons",
+                           "the force" + within(kMaxForce, "N"));
         require_point(force.at_point);
         collector_.require(is_positive(force.duration), "duration",
                            "a force has to last longer than 0 s");
     }
     void check_action(const Torque& torque) {
-        collector_.require(is_within(torque.newton_metres, kMostTorque), "newton_metres",
-                           "the torque" + within(kMostTorque, "N m"));
+        collector_.require(is_within(torque.newton_metres, kMaxTorque), "newton_metres",
+                           "the torque" + within(kMaxTorque, "N m"));
         collector_.require(is_positive(torque.duration), "duration",
                            "a torque has to last longer than 0 s");
     }
     void check_action(const Impulse& impulse) {
-        collector_.require(is_within(impulse.newton_seconds, kMostImpulse), "newton_seconds",
-                           "the impulse" + within(kMostImpulse, "N s"));
+        collector_.require(is_within(impulse.newton_seconds, kMaxImpulse), "newton_seconds",
+                           "the impulse" + within(kMaxImpulse, "N s"));
         require_point(impulse.at_point);
     }
     void check_action(const SetVelocity& velocity) {
-        collector_.require(is_within(velocity.linear.value_or(Vec3(0, 0, 0)), kMostSpeed), "linear",
-                           "the velocity" + within(kMostSpeed, "m/s"));
-        collector_.require(is_within(velocity.angular.value_or(Vec3(0, 0, 0)), kMostSpin),
-                           "angular", "the angular velocity" + within(kMostSpin, "rad/s"));
+        collector_.require(is_within(velocity.linear.value_or(Vec3(0, 0, 0)), kMaxSpeed), "linear",
+                           "the velocity" + within(kMaxSpeed, "m/s"));
+        collector_.require(is_within(velocity.angular.value_or(Vec3(0, 0, 0)), kMaxSpin), "angular",
+                           "the angular velocity" + within(kMaxSpin, "rad/s"));
     }
     void check_action(const Strike& strike) {
         const Body* body = find(*object_);
@@ -309,7 +309,7 @@ class EventChecker {
                            "a strike needs exactly one of speed and ball_speed");
         collector_.require(
             is_speed(strike.speed.value_or(1)) && is_speed(strike.ball_speed.value_or(1)), "speed",
-            fmt::format("the speed of a strike has to be in (0, {:g}] m/s", kMostSpeed));
+            fmt::format("the speed of a strike has to be in (0, {:g}] m/s", kMaxSpeed));
         if (strike.toward) {
             collector_.require(find(*strike.toward) != nullptr, "toward",
                                "it aims at '" + *strike.toward + "', which does not exist");

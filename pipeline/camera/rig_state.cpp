@@ -19,8 +19,9 @@ double vertical_field_of_view(const CameraRig& rig, Progress progress) {
         return fov_of_lens(value_at(*rig.focal_length, rig, progress), rig.sensor_height);
     }
     const double fov = value_at(rig.fov, rig, progress);
-    return measures_width(rig.fov_axis, rig.aspect) ? 2 * angle_of(1, tangent(fov / 2) / rig.aspect)
-                                                    : fov;
+    return measures_width(rig.fov_axis, rig.aspect)
+               ? 2 * arctangent2(tangent(fov / 2) / rig.aspect, 1)
+               : fov;
 }
 
 // Depth along the optical axis; negative behind the camera.
@@ -81,7 +82,7 @@ void check_view(const render::CameraState& camera) {
 }  // namespace
 
 double fov_of_lens(double focal_length, double sensor_height) {
-    return 2 * angle_of(focal_length, sensor_height / 2);
+    return 2 * arctangent2(sensor_height / 2, focal_length);
 }
 
 bool measures_width(FovAxis axis, double aspect) {

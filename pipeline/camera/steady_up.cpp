@@ -219,7 +219,7 @@ Vec3 carried(const Vec3& upright, const Vec3& from, const Vec3& to) {
 }
 
 double turn_about(const Vec3& axis, const Vec3& a, const Vec3& b) {
-    return angle_of(a.dot(b), axis.dot(a.cross(b)));
+    return arctangent2(axis.dot(a.cross(b)), a.dot(b));
 }
 
 std::vector<UpTurn> find_up_turns(const CameraRig& rig, const sim::Timeline& timeline) {

@@ -26,7 +26,7 @@ constexpr std::size_t kMostNodes = 100'000;  // of a path
 
 /// The angle between the view and the axis of `up`.
 double angle_from_axis(const ViewNode& node) {
-    return angle_of(std::abs(node.ahead.dot(node.up)), node.ahead.cross(node.up).length());
+    return arctangent2(node.ahead.cross(node.up).length(), std::abs(node.ahead.dot(node.up)));
 }
 
 bool follows_scene(const CameraPath& path) {
@@ -186,7 +186,7 @@ class PathWalk {
 }  // namespace
 
 double angle_between(const Vec3& a, const Vec3& b) {
-    return angle_of(a.dot(b), a.cross(b).length());
+    return arctangent2(a.cross(b).length(), a.dot(b));
 }
 
 std::vector<ViewNode> views_along(const CameraRig& rig, const sim::Timeline& timeline) {

@@ -128,8 +128,7 @@ class AnnotationChecker {
             return false;
         }
         const auto* sphere = std::get_if<sim::Sphere>(&body->shape);
-        return sphere != nullptr &&
-               track->sample(time).position.z > sphere->radius + sim::kLeastRise;
+        return sphere != nullptr && track->sample(time).position.z > sphere->radius + sim::kMinRise;
     }
 
     /// Warns of an annotation on the picture that waits for a moment which the film does not reach.

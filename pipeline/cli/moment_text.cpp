@@ -43,10 +43,10 @@ double time_of_moment(const std::string& option, const std::string& text, const 
         throw InputError(option + ": " + *problem);
     }
     const sim::Timeline& timeline = input.bake->timeline;
-    const auto& moment = std::get<sim::Moment>(parsed);
+    const auto& moment = std::get<sim::EventTime>(parsed);
     check_name(option, moment.trigger.a, timeline, input.shot.world);
     check_name(option, moment.trigger.b, timeline, input.shot.world);
-    const auto found = sim::find_moment(moment, timeline, input.shot.world);
+    const auto found = sim::find_event_time(moment, timeline, input.shot.world);
     if (const auto* reason = std::get_if<std::string>(&found)) {
         throw InputError(option + ": this moment never comes: " + *reason);
     }

@@ -11,12 +11,12 @@ namespace carom::pipeline {
 
 using namespace config;
 
-std::variant<sim::Moment, std::string> parse_moment(const std::string& text) {
+std::variant<sim::EventTime, std::string> parse_moment(const std::string& text) {
     SourceSet sources;
     ProblemList problems(sources);
     const int source = sources.add({"the moment", "", text});
     const std::optional<Node> node = parse_yaml(sources, source, problems);
-    std::optional<sim::Moment> moment;
+    std::optional<sim::EventTime> moment;
     if (node) {
         const ConfigFolders folders;
         Reader reader(sources, folders, problems);
@@ -31,8 +31,8 @@ std::variant<sim::Moment, std::string> parse_moment(const std::string& text) {
             return problem.message;
         }
     }
-    return moment ? std::variant<sim::Moment, std::string>(*moment)
-                  : std::variant<sim::Moment, std::string>("it is empty");
+    return moment ? std::variant<sim::EventTime, std::string>(*moment)
+                  : std::variant<sim::EventTime, std::string>("it is empty");
 }
 
 }  // namespace carom::pipeline

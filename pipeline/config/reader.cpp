@@ -137,12 +137,12 @@ std::vector<NamedFile> Reader::named_files() const {
     return named;
 }
 
-std::optional<double> Reader::time_of(const sim::Moment& moment, const Node& node) {
+std::optional<double> Reader::time_of(const sim::EventTime& moment, const Node& node) {
     if (motion_ == nullptr) {
         moments_.push_back({key_path(), std::nullopt});
         return 0;
     }
-    const auto found = sim::find_moment(moment, *motion_->timeline, *motion_->world);
+    const auto found = sim::find_event_time(moment, *motion_->timeline, *motion_->world);
     if (const auto* reason = std::get_if<std::string>(&found)) {
         return leave_open(node, "this moment never comes: " + *reason);
     }

@@ -15,7 +15,7 @@
 #include "pipeline/config/node.h"
 #include "pipeline/config/problem_list.h"
 #include "pipeline/shot/shot.h"
-#include "sim/moment.h"
+#include "sim/event_time.h"
 
 namespace carom::pipeline::config {
 
@@ -115,7 +115,7 @@ class Reader {
 
     /// The scene time (s) of the moment that `node` describes; 0 if it is not known. Empty after an
     /// error: it never comes.
-    [[nodiscard]] std::optional<double> time_of(const sim::Moment& moment, const Node& node);
+    [[nodiscard]] std::optional<double> time_of(const sim::EventTime& moment, const Node& node);
     /// Whether moments have their times.
     [[nodiscard]] bool knows_motion() const { return motion_ != nullptr; }
     /// All moments so far, in the order of reading.

@@ -100,7 +100,7 @@ Node rotation_node(const Quat& rotation, const Place& place) {
     node.place = place;
     node.entries.push_back({"axis", place, position_node(axis, place)});
     node.entries.push_back(
-        {"angle", place, scalar(degrees(2 * angle_of(rotation.r, sine)), place)});
+        {"angle", place, scalar(degrees(2 * arctangent2(sine, rotation.r)), place)});
     return node;
 }
 

@@ -17,7 +17,7 @@ constexpr double kShortest = 1e-9;  // m; shorter lengths are rounding
 double heading_of(const Vec3& direction, double otherwise) {
     const bool has_heading = direction.x * direction.x + direction.y * direction.y >
                              kShortest * kShortest * std::max(1.0, direction.length2());
-    return has_heading ? angle_of(direction.x, direction.y) : otherwise;
+    return has_heading ? arctangent2(direction.y, direction.x) : otherwise;
 }
 
 /// Places along a curve whose points are relative to `origin`.

@@ -102,7 +102,7 @@ SceneShapes shapes_of(const AngleAnnotation& angle, const Annotation& look,
     const Vec3& vertex = sides->vertex;
     const auto& [first, most_of_first] = sides->first;
     const auto& [second, most_of_second] = sides->second;
-    const double turn = angle_of(first.dot(second), first.cross(second).z);
+    const double turn = arctangent2(first.cross(second).z, first.dot(second));
     const double length = kBeyond * angle.radius;
     SceneShapes shapes{line_of({vertex, vertex + std::min(length, most_of_first) * first}, look),
                        line_of({vertex, vertex + std::min(length, most_of_second) * second}, look)};

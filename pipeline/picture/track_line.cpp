@@ -9,7 +9,7 @@ namespace carom::pipeline {
 namespace {
 
 constexpr double kTolerance = 0.0004;  // m
-constexpr int kMostPieces = 64;        // of a segment
+constexpr int kMaxPieces = 64;         // of a segment
 
 Vec3 point_of(const sim::PathSegment& segment, double u) {
     return sim::hermite_position(segment, segment.start + (segment.end - segment.start) * u);
@@ -23,7 +23,7 @@ int pieces_of(const sim::PathSegment& segment) {
         deviation = std::max(deviation, (point_of(segment, u) - chord).length());
     }
     return std::clamp(static_cast<int>(std::ceil(std::sqrt(deviation / kTolerance))), 1,
-                      kMostPieces);
+                      kMaxPieces);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ std::optional<double> direction_of(const Vec3& velocity) {
     if (velocity.x * velocity.x + velocity.y * velocity.y < kResting * kResting) {
         return std::nullopt;
     }
-    const double angle = angle_of(velocity.x, velocity.y) * kDegrees;
+    const double angle = arctangent2(velocity.y, velocity.x) * kDegrees;
     return angle < 0 ? angle + 360 : angle;
 }
 

@@ -43,7 +43,7 @@ sound::Listener fixed_listener(const ListenerPlace& place, double half_width) {
 
 /// Of the camera's picture, rad.
 double half_width(const render::CameraState& camera, double aspect) {
-    return angle_of(1, tangent(0.5 * camera.vertical_fov) * aspect);
+    return arctangent2(tangent(0.5 * camera.vertical_fov) * aspect, 1);
 }
 
 /// The scene time at times of the film. At the ends of a stretch it is the same as in the stretches

@@ -10,7 +10,7 @@
 namespace carom::studio {
 namespace {
 
-constexpr std::size_t kMostKept = 24;
+constexpr std::size_t kMaxKept = 24;
 
 std::string type_of(const std::string& file) {
     return media_type_of(file, "text/plain; charset=utf-8");
@@ -38,7 +38,7 @@ Made KeptDocuments::add(const Make& request, const std::string& extension, Downl
     const std::lock_guard lock(mutex_);
     Made made{request.q, 0, request.what, "/made/" + std::to_string(number_++) + extension, ""};
     kept_.emplace_back(made.address, std::move(download));
-    if (kept_.size() > kMostKept) {
+    if (kept_.size() > kMaxKept) {
         kept_.pop_front();
     }
     return made;

@@ -13,7 +13,7 @@ namespace carom::render {
 namespace {
 
 constexpr int kLevel = 1;  // three times as fast as level 3, which saves one percent
-constexpr std::size_t kMostListed = 256;
+constexpr std::size_t kMaxListed = 256;
 
 /// How the bytes that are compressed stand for numbers.
 enum class Coding : std::uint8_t { listed, differences, floats };
@@ -28,7 +28,7 @@ std::uint16_t unfolded(std::uint16_t number) {
     return static_cast<std::uint16_t>((number >> 1) ^ sign);
 }
 
-/// The different values, ascending; empty if there are more than kMostListed.
+/// The different values, ascending; empty if there are more than kMaxListed.
 std::vector<std::uint16_t> list_of(std::span<const std::uint16_t> values) {
     std::vector<std::uint8_t> occurs(std::size_t{1} << 16);
     for (const std::uint16_t value : values) {
@@ -37,7 +37,7 @@ std::vector<std::uint16_t> list_of(std::span<const std::uint16_t> values) {
     std::vector<std::uint16_t> list;
     for (std::size_t value = 0; value < occurs.size(); ++value) {
         if (occurs[value] != 0) {
-            if (list.size() == kMostListed) {
+            if (list.size() == kMaxListed) {
                 return {};
             }
             list.push_back(static_cast<std::uint16_t>(value));
@@ -90,7 +90,7 @@ void read_places(std::span<const std::byte>& packed, std::span<std::uint16_t> ha
         value = take_value<std::uint16_t>(packed);
     }
     const std::vector<std::uint8_t> bytes = unpack_bytes(halves.size(), packed);
-    list.resize(kMostListed);
+    list.resize(kMaxListed);
     std::transform(bytes.begin(), bytes.end(), halves.begin(),
                    [&](std::uint8_t place) { return list[place]; });
 }

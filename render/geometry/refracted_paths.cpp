@@ -39,7 +39,7 @@ struct SweptAngle {
     [[nodiscard]] double value(double b) const {
         const Turn bent = with_sine(b).back() * with_sine(b / index);
         const Turn rest = with_sine(b / from_a) * with_sine(b / from_b) * bent * bent;
-        return kPi64 - quick_angle_of(rest.cosine, rest.sine);
+        return kPi64 - fast_arctangent2(rest.sine, rest.cosine);
     }
     [[nodiscard]] double slope(double b) const {
         const auto part = [&](double size) { return 1 / std::sqrt(size * size - b * b); };
@@ -94,7 +94,7 @@ class Finder {
         const Vec3 any =
             std::abs(axis_.x) < 0.6 ? axis_.cross(Vec3(1, 0, 0)) : axis_.cross(Vec3(0, 1, 0));
         across_ = sine_ > 1e-12 ? beside.normalized() : any.normalized();
-        const double angle = quick_angle_of(b_.dot(axis_) / b_.length(), sine_);
+        const double angle = fast_arctangent2(sine_, b_.dot(axis_) / b_.length());
         // Between neighbouring bounds the angle is monotonic. They are denser towards the rim,
         // where it has a root's slope.
         double last = 0;

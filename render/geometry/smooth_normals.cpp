@@ -52,7 +52,7 @@ std::vector<Corner> make_corners(const TriangleMesh& mesh) {
         for (std::size_t k = 0; k < 3; ++k) {
             const V3f to_next = p[(k + 1) % 3] - p[k];
             const V3f to_last = p[(k + 2) % 3] - p[k];
-            const float angle = angle_of(to_next.dot(to_last), to_next.cross(to_last).length());
+            const float angle = arctangent2(to_next.cross(to_last).length(), to_next.dot(to_last));
             corners.push_back({normal, angle});
         }
     }

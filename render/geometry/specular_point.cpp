@@ -61,7 +61,7 @@ std::optional<SpecularPoint> specular_point(const V3f& a, const V3f& b, const V3
     const V3f axis = to_a / distance_a;
     const V3f other = to_b / distance_b;
     const V3f side = across(axis, other);
-    const float between = angle_of(axis.dot(other), side.dot(other));
+    const float between = arctangent2(side.dot(other), axis.dot(other));
     const float radius_over_a = radius / distance_a;
     const float radius_over_b = radius / distance_b;
     const float angle = mirror_angle(between, radius_over_a, radius_over_b);

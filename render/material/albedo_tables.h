@@ -3,7 +3,7 @@
 
 #include <tuple>
 
-#include "core/once_map.h"
+#include "core/memo_table.h"
 #include "render/material/albedo_table.h"
 
 namespace carom::render {
@@ -34,7 +34,7 @@ class AlbedoTables {
         return tables_.get({lobe, alpha, index}, make);
     }
 
-    OnceMap<std::tuple<Lobe, float, float>, AlbedoTable> tables_;
+    MemoTable<std::tuple<Lobe, float, float>, AlbedoTable> tables_;
 };
 
 }  // namespace carom::render

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <variant>
 
-#include "core/once_map.h"
+#include "core/memo_table.h"
 #include "render/geometry/ray.h"
 #include "render/scene/material_description.h"
 #include "render/texture/ball_paint.h"
@@ -30,9 +30,10 @@ class ImageCache {
 
   private:
     using Background = std::array<double, 3>;
-    OnceMap<std::tuple<std::string, bool, Background>, std::shared_ptr<const ImagePyramid>> images_;
-    OnceMap<int, std::shared_ptr<const CoverageMask>> numbers_;
-    OnceMap<int, std::shared_ptr<const ClothTiles>> cloth_tiles_;  // only one
+    MemoTable<std::tuple<std::string, bool, Background>, std::shared_ptr<const ImagePyramid>>
+        images_;
+    MemoTable<int, std::shared_ptr<const CoverageMask>> numbers_;
+    MemoTable<int, std::shared_ptr<const ClothTiles>> cloth_tiles_;  // only one
 };
 
 /// Immutable; evaluated by any number of threads.

@@ -92,8 +92,8 @@ void PathBuilder::append_arc(const Vec2& centre, double radius, double begin_ang
 PathBuilder& PathBuilder::arc_to(const Vec2& end, const Vec2& centre, bool is_counter_clockwise) {
     const Vec2 a = points_.back().position - centre;
     const Vec2 b = end - centre;
-    const double begin_angle = angle_of(a.x, a.y);
-    double turn = angle_of(a.dot(b), cross(a, b));
+    const double begin_angle = arctangent2(a.y, a.x);
+    double turn = arctangent2(cross(a, b), a.dot(b));
     if (is_counter_clockwise && turn < 0) {
         turn += 2 * kPi;
     }
@@ -108,7 +108,7 @@ PathBuilder& PathBuilder::arc_to(const Vec2& end, const Vec2& centre, bool is_co
 PathBuilder& PathBuilder::round(const Vec2& tip, double radius, const Vec2& next) {
     const Vec2 before = (tip - points_.back().position).normalized();
     const Vec2 after = (next - tip).normalized();
-    const double turn = angle_of(before.dot(after), cross(before, after));
+    const double turn = arctangent2(cross(before, after), before.dot(after));
     const Vec2 mitre = mitre_of(open_normal(before), open_normal(after));
     const double tangent_length = radius * tangent(std::abs(turn) / 2);
     line_to(tip - tangent_length * before);
@@ -117,7 +117,7 @@ PathBuilder& PathBuilder::round(const Vec2& tip, double radius, const Vec2& next
         const double side = turn > 0 ? 1 : -1;
         const Vec2 centre = tip - tangent_length * before + side * radius * left_of(before);
         const Vec2 a = points_.back().position - centre;
-        append_arc(centre, radius, angle_of(a.x, a.y), turn);
+        append_arc(centre, radius, arctangent2(a.y, a.x), turn);
         points_.back().position = tip + tangent_length * after;
     }
     // With material inside the bend, an offset into the material shrinks the rounding.

@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "core/recently_used.h"
+#include "core/lru_cache.h"
 #include "sim/billiards/table.h"
 
 namespace carom::sim::billiards {
@@ -17,7 +17,7 @@ class TableMemo {
                                                              double ball_radius);
 
   private:
-    RecentlyUsed<std::pair<TableMeasures, double>, TableGeometry> tables_{4};
+    LruCache<std::pair<TableMeasures, double>, TableGeometry> tables_{4};
 };
 
 }  // namespace carom::sim::billiards

@@ -29,8 +29,8 @@ ImpulsePair ball_ball_impact(ode::ImpactSolver& solver, RigidBody& a, RigidBody&
         impulse = result.impulse;
     }
     const double separation = (a.state.velocity - b.state.velocity).dot(normal);
-    if (separation < kLeastSeparation) {
-        const double extra = (kLeastSeparation - separation) / (1 / a.mass + 1 / b.mass);
+    if (separation < kMinSeparation) {
+        const double extra = (kMinSeparation - separation) / (1 / a.mass + 1 / b.mass);
         a.state.velocity += normal * (extra / a.mass);
         b.state.velocity -= normal * (extra / b.mass);
         impulse.normal += extra;
@@ -49,9 +49,9 @@ ImpulsePair ball_static_impact(ode::ImpactSolver& solver, RigidBody& ball, const
         impulse = result.impulse;
     }
     const double separation = ball.state.velocity.dot(normal);
-    if (separation < kLeastSeparation) {
-        ball.state.velocity += normal * (kLeastSeparation - separation);
-        impulse.normal += ball.mass * (kLeastSeparation - separation);
+    if (separation < kMinSeparation) {
+        ball.state.velocity += normal * (kMinSeparation - separation);
+        impulse.normal += ball.mass * (kMinSeparation - separation);
     }
     return impulse;
 }
@@ -66,7 +66,7 @@ ImpulsePair lining_impact(RigidBody& ball, const Vec3& normal, double restitutio
     const double kept = 1 - std::clamp(absorption, 0.0, 1.0);
     const Vec3 fall(0, 0, state.velocity.z);
     const Vec3 along = state.velocity + normal * approach - fall;
-    const double separation = std::max(restitution * approach, kLeastSeparation);
+    const double separation = std::max(restitution * approach, kMinSeparation);
     state.velocity = normal * separation + along * kept + fall;
     state.angular_velocity *= kept;
     return {ball.mass * (approach + separation),

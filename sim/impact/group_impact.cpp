@@ -14,7 +14,7 @@ namespace {
 
 /// A body of less restitution would recover at more than a hundred times the speed of compression.
 /// Below, the force of recovery is less instead.
-constexpr double kLeastRecovery = 0.1;
+constexpr double kMinRecovery = 0.1;
 /// An impact without end has a body that keeps its velocity.
 constexpr int kMaxSteps = 20'000;
 constexpr int kMaxFreeSteps = 1'000'000;
@@ -66,7 +66,7 @@ struct ContactData {
     double recovery = 1;      // restitution, or the least one with which the bodies recover
     double recovered = 1;     // the part of the force with which they do
     double mass = 0;          // against an impulse along the normal, kg
-    double slight_depth = 0;  // of bodies that met at kLeastSeparation, m
+    double slight_depth = 0;  // of bodies that met at kMinSeparation, m
     double slip_mass = 0;     // against one across it, at least, kg
     double stick_factor = 0;  // greatest friction per slip, kg/s
     double friction = 0;
@@ -212,12 +212,12 @@ void Group::prepare(std::size_t index) {
     data.normal = contact.normal;
     data.first_arm = contact.first_arm;
     data.second_arm = contact.second_arm;
-    data.recovery = std::max(contact.restitution, kLeastRecovery);
+    data.recovery = std::max(contact.restitution, kMinRecovery);
     const double part = contact.restitution / data.recovery;
     data.recovered = part * part;
     data.mass = 1 / (response(a, contact.first_arm, contact.normal) +
                      response(b, contact.second_arm, contact.normal));
-    data.slight_depth = greatest_depth(contact.stiffness, data.mass, kLeastSeparation);
+    data.slight_depth = greatest_depth(contact.stiffness, data.mass, kMinSeparation);
     data.slip_mass =
         1 / (greatest_response(a, contact.first_arm) + greatest_response(b, contact.second_arm));
     counts_[contact.first] += a.inverse_mass > 0 ? 1 : 0;
@@ -446,7 +446,7 @@ bool Group::is_finished() const {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         const double closing = -relative_velocity(i).dot(data_[i].normal);
         const double depth = compressions_[i].now.depth;
-        if (closing > kLeastSeparation && depth + closing * steps_per_contact_ * duration_ > 0) {
+        if (closing > kMinSeparation && depth + closing * steps_per_contact_ * duration_ > 0) {
             return false;
         }
     }
@@ -477,7 +477,7 @@ void Group::balance_energy(double wanted) {
 
 /// Newton's method for the factor, kept from large steps where the factor has little effect.
 bool Group::balance_once(double wanted) {
-    constexpr double kLeastEffect = 0.01;
+    constexpr double kMinEffect = 0.01;
     double effect = -work_;  // of the factor on the energy
     double size = 0;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -491,7 +491,7 @@ bool Group::balance_once(double wanted) {
         effect += motion.velocity.dot(change) / bodies_[i].inverse_mass + motion.angular.dot(spin);
         size += change.dot(change) / bodies_[i].inverse_mass + turn.dot(spin);
     }
-    const double least = kLeastEffect * size;
+    const double least = kMinEffect * size;
     const double scale = effect * effect + least * least;
     if (scale <= 0) {
         return false;
@@ -510,7 +510,7 @@ bool Group::balance_once(double wanted) {
     return true;
 }
 
-/// Bodies that touched when the impact began and pushed each other come apart at kLeastSeparation
+/// Bodies that touched when the impact began and pushed each other come apart at kMinSeparation
 /// or faster.
 void Group::separate() {
     constexpr int kMaxPasses = 100;
@@ -523,12 +523,12 @@ void Group::separate() {
         for (std::size_t i = 0; i < contacts_.size(); ++i) {
             const GroupContact& contact = contacts_[i];
             const double opening = relative_velocity(i).dot(data_[i].normal);
-            if (contact.gap > 0 || results_[i].impulse.normal <= 0 || opening < -kLeastSeparation ||
-                opening >= kLeastSeparation * (1 - 1e-6)) {
+            if (contact.gap > 0 || results_[i].impulse.normal <= 0 || opening < -kMinSeparation ||
+                opening >= kMinSeparation * (1 - 1e-6)) {
                 continue;
             }
             is_done = false;
-            const double impulse = data_[i].mass * (kLeastSeparation - opening) /
+            const double impulse = data_[i].mass * (kMinSeparation - opening) /
                                    std::max(counts_[contact.first], counts_[contact.second]);
             add_load(i, data_[i].normal * impulse);
             results_[i].impulse.normal += impulse;

@@ -67,7 +67,7 @@ struct GroupContactResult {
 /// The result does not depend on the order of bodies and contacts, except in the last bits. It
 /// changes continuously with velocities, gaps and normals. The impulses at a contact are opposite;
 /// the energy never rises by more than the work of bodies that keep their velocities, and that of
-/// separating at kLeastSeparation where the bodies touched before the impact.
+/// separating at kMinSeparation where the bodies touched before the impact.
 std::vector<GroupContactResult> group_impact(std::vector<GroupBody>& bodies,
                                              std::span<const GroupContact> contacts,
                                              const BallBall& law, double steps_per_contact = 100);

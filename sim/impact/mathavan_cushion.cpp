@@ -17,7 +17,7 @@ constexpr double kMaxSlipFraction = 0.3;
 /// Slip below this fraction of the ball's speed counts as none.
 constexpr double kNoSlip = 1e-10;
 /// Limit for a ball wedged under the nose by friction, which would be pressed there forever.
-constexpr double kMaxImpulse = 20;  // times the approach; a free ball takes 2 to 4
+constexpr double kMaxImpulseRatio = 20;  // times the approach; a free ball takes 2 to 4
 
 constexpr int kMaxSteps = 20000;  // some hundreds are usual
 
@@ -199,7 +199,7 @@ double integrate_until(CushionContact& contact, Motion& motion, double approach,
                        Progress progress) {
     double impulse = 0;
     bool is_over = progress(motion) >= 0;
-    for (int i = 0; i < kMaxSteps && !is_over && impulse < kMaxImpulse * approach; ++i) {
+    for (int i = 0; i < kMaxSteps && !is_over && impulse < kMaxImpulseRatio * approach; ++i) {
         double step = 0;
         Motion next = contact.advance(motion, approach, step);
         if (const double value = progress(next); value >= 0) {

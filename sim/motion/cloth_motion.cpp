@@ -111,14 +111,14 @@ Vec3 slip_velocity(const MotionState& state, double radius) {
     return state.velocity + state.angular_velocity.cross(Vec3(0, 0, -radius));
 }
 
-bool rolls_off(double gravity, const SupportLaw& law, const Vec3& pull) {
+bool rolls_off(double gravity, const FrictionCoefficients& law, const Vec3& pull) {
     const double strength = length(pull);
     return kRollingPart * strength > law.rolling_friction * gravity ||
            strength > 3.5 * law.sliding_friction * gravity;
 }
 
 MotionSegment cloth_segment(double time, const MotionState& from, double radius, double gravity,
-                            const SupportLaw& law, const Vec3& pull) {
+                            const FrictionCoefficients& law, const Vec3& pull) {
     const bool is_level = pull == Vec3(0, 0, 0);
     MotionSegment segment;
     segment.start = time;

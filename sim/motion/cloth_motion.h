@@ -7,7 +7,7 @@
 namespace carom::sim {
 
 /// Friction coefficients of the surface that supports the ball.
-struct SupportLaw {
+struct FrictionCoefficients {
     double sliding_friction = 0.2;      // mu_s
     double rolling_friction = 0.01;     // mu_r
     double spinning_friction = 0.0127;  // mu_sp
@@ -25,11 +25,11 @@ struct SupportLaw {
 /// only as long as it may be taken as constant, and another of the same kind follows: the error of
 /// the position grows by about 0.1 micrometres per second.
 [[nodiscard]] MotionSegment cloth_segment(double time, const MotionState& state, double radius,
-                                          double gravity, const SupportLaw& law,
+                                          double gravity, const FrictionCoefficients& law,
                                           const Vec3& pull = {0, 0, 0});
 
 /// Whether a ball that rests on the surface begins to roll, or to slide.
-[[nodiscard]] bool rolls_off(double gravity, const SupportLaw& law, const Vec3& pull);
+[[nodiscard]] bool rolls_off(double gravity, const FrictionCoefficients& law, const Vec3& pull);
 
 /// The segment of a ball in flight.
 [[nodiscard]] MotionSegment flight_segment(double time, const MotionState& state,

@@ -43,7 +43,7 @@ Quat cayley(const Vec3& omega, double h) {
 
 }  // namespace
 
-Rotation rotate_freely(const Rotation& from, const Vec3& inertia, double duration) {
+RotationalState rotate_freely(const RotationalState& from, const Vec3& inertia, double duration) {
     const double speed = std::sqrt(from.angular_velocity.dot(from.angular_velocity));
     if (speed == 0) {
         return from;
@@ -71,7 +71,7 @@ Rotation rotate_freely(const Rotation& from, const Vec3& inertia, double duratio
 }
 
 MotionState drift(const MotionState& from, const Vec3& inertia, double duration) {
-    const Rotation turned =
+    const RotationalState turned =
         rotate_freely({from.orientation, from.angular_velocity}, inertia, duration);
     return {from.position + from.velocity * duration, turned.orientation, from.velocity,
             turned.angular_velocity};

@@ -5,7 +5,7 @@
 
 namespace carom::sim {
 
-struct Rotation {
+struct RotationalState {
     Quat orientation;                // body axes are the principal ones
     Vec3 angular_velocity{0, 0, 0};  // world axes, rad/s
 };
@@ -15,7 +15,8 @@ struct Rotation {
 /// body systems, J. Comp. Phys. 107, 1993, section 4): energy and angular momentum are kept to
 /// round-off whatever the step, the phase to second order in substeps of at most 0.05 rad.
 /// `inertia`: principal moments, kg m^2.
-[[nodiscard]] Rotation rotate_freely(const Rotation& from, const Vec3& inertia, double duration);
+[[nodiscard]] RotationalState rotate_freely(const RotationalState& from, const Vec3& inertia,
+                                            double duration);
 
 /// The state of a body `duration` later, without forces or torques.
 [[nodiscard]] MotionState drift(const MotionState& from, const Vec3& inertia, double duration);

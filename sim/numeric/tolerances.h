@@ -36,21 +36,21 @@ inline constexpr double kBallMargin = 1e-5;
 inline constexpr double kSolidMargin = 1e-4;
 /// A body has moved when a point of it is this far from where it last rested: more than a body that
 /// is put down sinks or closes a gap.
-inline constexpr double kLeastDisplacement = 2e-4;
+inline constexpr double kMinDisplacement = 2e-4;
 
 // Speeds, m/s.
 
 /// Surfaces of two bodies that collide slip in no direction: rounding.
-inline constexpr double kLeastImpactSlip = 1e-12;
+inline constexpr double kMinImpactSlip = 1e-12;
 /// Likewise in a step.
-inline constexpr double kLeastStepSlip = 1e-6;
+inline constexpr double kMinStepSlip = 1e-6;
 /// Least separation after every impact. Without it, a ball that its spin presses against another
 /// ball or a cushion would bounce infinitely often in a finite time (Zeno behaviour). A bounce at
 /// this speed is a nanometre high; its energy is 2e-10 J for a pool ball.
-inline constexpr double kLeastSeparation = 5e-5;
+inline constexpr double kMinSeparation = 5e-5;
 /// Impacts slower than this are not logged: a ball that its spin presses against something makes
 /// thousands.
-inline constexpr double kLeastLoggedSpeed = 4 * kLeastSeparation;
+inline constexpr double kMinLoggedSpeed = 4 * kMinSeparation;
 /// A body whose speed has risen by more than this since it became slow is about to move.
 inline constexpr double kRisingSpeed = 5e-4;
 /// A ball that would leave a level surface more slowly than this stays on it: it would rise by

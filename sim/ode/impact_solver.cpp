@@ -28,7 +28,7 @@ dContact contact_of(const Contact& from, double restitution, double friction,
         dContactBounce | dContactSoftERP | dContactSoftCFM | dContactApprox1 | dContactFDir1;
     contact.surface.mu = friction;
     contact.surface.bounce = restitution;
-    const Vec3 direction = direction_across(relative_velocity, from.normal, kLeastImpactSlip);
+    const Vec3 direction = direction_across(relative_velocity, from.normal, kMinImpactSlip);
     for (int i = 0; i < 3; ++i) {
         contact.geom.pos[i] = from.point[i];
         contact.geom.normal[i] = from.normal[i];

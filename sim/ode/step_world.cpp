@@ -35,7 +35,7 @@ constexpr int kMaxAttempts = 4;
 // length zero and fails. The resulting motion is negligible against the margins.
 constexpr double kSeparationSpeed = 1e-7;
 /// Bodies that turn on each other more slowly than this (rad/s) do not roll: rounding.
-constexpr double kLeastRolling = 1e-9;
+constexpr double kMinRolling = 1e-9;
 constexpr double kGoldenRatio = 0.6180339887498949;
 
 /// Friction leaves a thousandth of a velocity in each step. Where that comes to the smallest
@@ -231,7 +231,7 @@ void StepWorld::State::find_directions(std::span<const MotionState> states,
     for (const StepContact& contact : contacts) {
         const RelativeMotion relative = relative_motion(contact, states, velocities_of);
         const Vec3 slip = relative.slip(contact);
-        directions.push_back(direction_across(slip, contact.normal, kLeastStepSlip));
+        directions.push_back(direction_across(slip, contact.normal, kMinStepSlip));
         Rolling& rolls = rolling.emplace_back();
         rolls.slip_speed = 4 * contact.friction * fall + 1e-6;
         rolls.is_resisted = contact.rolling_arm > 0 && length(slip) < rolls.slip_speed;
@@ -247,7 +247,7 @@ void StepWorld::State::find_directions(std::span<const MotionState> states,
         const Vec3 axis = rolls.turning + gain * (rolls.may_stop ? 1 : 0.5);
         if (contact.rolling_axis != Vec3(0, 0, 0)) {
             directions.back() = contact.rolling_axis;
-        } else if (const double rate = length(axis); rate > kLeastRolling) {
+        } else if (const double rate = length(axis); rate > kMinRolling) {
             directions.back() = axis / rate;
         }
     }
@@ -400,8 +400,7 @@ bool StepWorld::State::update_directions(std::span<const MotionState> states,
             direction = slip;
         }
         const double size = length(direction);
-        if (size > kLeastRolling &&
-            length(direction.cross(directions[i])) >= kMaxDeviation * size) {
+        if (size > kMinRolling && length(direction.cross(directions[i])) >= kMaxDeviation * size) {
             directions[i] = direction / size;
             is_changed = true;
         }

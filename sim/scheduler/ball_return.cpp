@@ -50,8 +50,8 @@ std::vector<std::uint32_t> BallReturn::balls_in(std::size_t pocket, double time)
                                                                   return leaving.ball == index;
                                                               });
         // A ball may have bounced out again; one that is just falling in is at height 0.
-        constexpr double kClose = 1e-6;  // m
-        if (!is_leaving && centre.z < kClose &&
+        constexpr double kThreshold = 1e-6;  // m
+        if (!is_leaving && centre.z < kThreshold &&
             environment_.pocket_below(centre) == static_cast<int>(pocket)) {
             inside.push_back(index);
         }

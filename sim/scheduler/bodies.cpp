@@ -30,27 +30,27 @@ EventKind event_of(MotionKind kind) {
 }
 
 /// The level surface on which a ball rests or moves at the start.
-Ground ground_at_start(const MovingBody& ball, const StaticEnvironment& environment) {
-    constexpr double kClose = 1e-6;  // m
+SupportPlane ground_at_start(const MovingBody& ball, const StaticEnvironment& environment) {
+    constexpr double kThreshold = 1e-6;  // m
     const MotionState& state = ball.segment.state;
     if (environment.downward_gravity <= 0 || state.velocity.z > kLandingSpeed) {
-        return Ground::none;
+        return SupportPlane::none;
     }
     const double bottom = state.position.z - ball.radius;
-    if (std::abs(bottom) < kClose && environment.is_over_cloth(state.position)) {
-        return Ground::cloth;
+    if (std::abs(bottom) < kThreshold && environment.is_over_cloth(state.position)) {
+        return SupportPlane::cloth;
     }
-    if (environment.floor_height && std::abs(bottom - *environment.floor_height) < kClose) {
-        return Ground::floor;
+    if (environment.floor_height && std::abs(bottom - *environment.floor_height) < kThreshold) {
+        return SupportPlane::floor;
     }
-    return Ground::none;
+    return SupportPlane::none;
 }
 
 }  // namespace
 
 bool stays_in_contact(const MovingBody& ball, double separation, const Vec3& normal) {
     return separation < kLandingSpeed &&
-           (ball.ground == Ground::none || std::abs(normal.z) > 1e-6 ||
+           (ball.ground == SupportPlane::none || std::abs(normal.z) > 1e-6 ||
             ball.law_of(ball.ground).lets_balls_go);
 }
 
@@ -128,12 +128,12 @@ void Bodies::change_velocities(std::uint32_t index, double time, const MotionSta
 }
 
 void Bodies::resolve_ground_impact(MovingBody& ball, double time, MotionState& state) {
-    if (ball.ground == Ground::none) {
+    if (ball.ground == SupportPlane::none) {
         return;
     }
-    const GroundLaw& law = ball.law_of(ball.ground);
+    const SurfaceCoefficients& law = ball.law_of(ball.ground);
     if (environment_.downward_gravity <= 0) {
-        ball.ground = Ground::none;
+        ball.ground = SupportPlane::none;
         return;
     }
     const double descent = -state.velocity.z;
@@ -146,7 +146,7 @@ void Bodies::resolve_ground_impact(MovingBody& ball, double time, MotionState& s
                              state.position - kUp * ball.radius, kUp, impulse);
     }
     if (state.velocity.z > kLandingSpeed) {
-        ball.ground = Ground::none;
+        ball.ground = SupportPlane::none;
     } else {
         state.velocity.z = 0;
     }
@@ -171,7 +171,7 @@ void Bodies::hold(MovingBody& body, double time, const MotionState& state, Motio
     segment.kind = kind;
     segment.start = time;
     segment.state = state;
-    body.ground = Ground::none;
+    body.ground = SupportPlane::none;
     if (body.is_ball()) {
         set_segment(body, segment);
     } else {
@@ -237,13 +237,13 @@ void Bodies::begin_next_segment(std::uint32_t index, double time) {
 }
 
 void Bodies::leave_ground(std::uint32_t index, double time) {
-    bodies_[index].ground = Ground::none;
+    bodies_[index].ground = SupportPlane::none;
     begin_next_segment(index, time);
 }
 
 void Bodies::retract_flight(const MovingBody& ball, double time) {
     if (ball.segment.kind == MotionKind::flying && ball.flight_event &&
-        time - recorder_.events()[*ball.flight_event].time < kLeastFlight) {
+        time - recorder_.events()[*ball.flight_event].time < kMinFlight) {
         recorder_.retract(*ball.flight_event);
     }
 }
@@ -257,7 +257,7 @@ void Bodies::enter_solver(std::uint32_t index, double time) {
 }
 
 void Bodies::leave_solver(std::uint32_t index, double time, const MotionState& state,
-                          Ground ground) {
+                          SupportPlane ground) {
     MovingBody& ball = bodies_[index];
     ball.ground = ground;
     begin_segment(ball, time, state, Mode::closed_form);
@@ -377,7 +377,7 @@ void Bodies::log_below_cloth(std::uint32_t index, double time, const Vec3& centr
 void Bodies::leave_table(const BallReturn::Leaving& leaving, double time) {
     MovingBody& ball = bodies_[leaving.ball];
     const MotionState before = ball.segment.state_at(time);
-    ball.ground = Ground::none;
+    ball.ground = SupportPlane::none;
     ball.sinks_to = leaving.stops_at;
     begin_segment(ball, time, before, Mode::gone);
     recorder_.add_break(ball.track, time, before, ball.segment.state);
@@ -385,7 +385,7 @@ void Bodies::leave_table(const BallReturn::Leaving& leaving, double time) {
 
 /// Whatever the ball did ends here.
 void Bodies::move_to(MovingBody& ball, double time, const Vec3& place, Mode mode) {
-    constexpr double kLeastMove = 1e-5;  // m; less is no jump for a track
+    constexpr double kMinMove = 1e-5;  // m; less is no jump for a track
     return_.forget(index_of(ball));
     const MotionState before = ball.segment.state_at(time);
     ball.is_potted = ball.is_off_table = false;
@@ -396,10 +396,10 @@ void Bodies::move_to(MovingBody& ball, double time, const Vec3& place, Mode mode
     still.start = time;
     still.state = {place, before.orientation, {0, 0, 0}, {0, 0, 0}};
     set_mode(ball, mode);
-    set_segment(ball, ball.ground == Ground::cloth
+    set_segment(ball, ball.ground == SupportPlane::cloth
                           ? next_segment(ball, time, still.state, environment_)
                           : still);
-    if ((place - before.position).length() > kLeastMove) {
+    if ((place - before.position).length() > kMinMove) {
         recorder_.add_jump(ball.track, time, before, still.state);
     } else {
         recorder_.add_break(ball.track, time, before, still.state);
@@ -411,7 +411,7 @@ void Bodies::put_down(std::uint32_t index, double time, const Vec2& place) {
     const Vec3 from = ball.segment.position_at(time);
     const Vec3 to(place.x, place.y, ball.radius);
     ball.is_removed = false;
-    ball.ground = environment_.downward_gravity > 0 ? Ground::cloth : Ground::none;
+    ball.ground = environment_.downward_gravity > 0 ? SupportPlane::cloth : SupportPlane::none;
     move_to(ball, time, to, Mode::closed_form);
     recorder_.add_put_back({ball.name(), time, from, to});
 }
@@ -420,7 +420,7 @@ void Bodies::take_off(std::uint32_t index, double time, const Vec3& place) {
     MovingBody& ball = bodies_[index];
     ball.sinks_to = place.z;
     ball.is_removed = true;
-    ball.ground = Ground::none;
+    ball.ground = SupportPlane::none;
     move_to(ball, time, place, Mode::gone);
 }
 

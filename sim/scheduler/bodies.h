@@ -15,7 +15,7 @@ namespace carom::sim {
 
 /// A flight that ends in ODE after less than this (s) is removed from the log: a hop of 0.1 mm
 /// takes as long.
-inline constexpr double kLeastFlight = 0.01;
+inline constexpr double kMinFlight = 0.01;
 
 /// A ball that leaves a contact at `separation` (m/s), in the air, on a table so far off level that
 /// it rolls off, or from a surface that is not vertical, may be too slow to come free: then it
@@ -59,7 +59,8 @@ class Bodies {
     /// From now on ODE steps the ball. Takes effect with the next window.
     void enter_solver(std::uint32_t ball, double time);
     /// The ball moves in closed form again, on `ground` or in the air.
-    void leave_solver(std::uint32_t ball, double time, const MotionState& state, Ground ground);
+    void leave_solver(std::uint32_t ball, double time, const MotionState& state,
+                      SupportPlane ground);
     /// The body is in the solver, in its `state`, at the end of a step.
     void end_step(std::uint32_t index, double time);
     /// Sets the straight path of a body in the solver during a step that is tried.

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/recently_used.h"
+#include "core/lru_cache.h"
 
 namespace carom::sim {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 // edge first.
 constexpr double kInsideOfPolygon = 0.99946;
 
-constexpr std::size_t kMostKept = 4;
+constexpr std::size_t kMaxKept = 4;
 
 /// Material of a surface that balls in the air can hit; empty for others. The cloth itself is a
 /// plane with holes.
@@ -50,7 +50,7 @@ CollidedTable build(const billiards::TableMeasures& measures, double ball_radius
     }
     for (billiards::Pocket& pocket : table.geometry.pockets) {
         pocket.radius *= kInsideOfPolygon;
-        table.rims.push_back({Vec3(pocket.centre.x, pocket.centre.y, 0), pocket.radius});
+        table.pocket_edges.push_back({Vec3(pocket.centre.x, pocket.centre.y, 0), pocket.radius});
     }
     return table;
 }
@@ -59,7 +59,7 @@ CollidedTable build(const billiards::TableMeasures& measures, double ball_radius
 
 std::shared_ptr<const CollidedTable> collided_table(const billiards::TableMeasures& measures,
                                                     double ball_radius) {
-    static RecentlyUsed<std::pair<billiards::TableMeasures, double>, CollidedTable> kept(kMostKept);
+    static LruCache<std::pair<billiards::TableMeasures, double>, CollidedTable> kept(kMaxKept);
     return kept.get({measures, ball_radius}, [&] { return build(measures, ball_radius); });
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/billiards/table.h"
-#include "sim/spatial/rim.h"
+#include "sim/spatial/pocket_edge.h"
 #include "sim/spatial/static_mesh.h"
 
 namespace carom::sim {
@@ -21,8 +21,8 @@ struct CollidedTable {
 
     billiards::TableGeometry geometry;
     std::vector<Part> parts;
-    StaticMesh mesh;        // of the parts; their numbers are indices into `parts`
-    std::vector<Rim> rims;  // of the pockets' holes, in their order
+    StaticMesh mesh;                       // of the parts; their numbers are indices into `parts`
+    std::vector<PocketEdge> pocket_edges;  // of the pockets' holes, in their order
 };
 
 /// The table with cushions of these measures; `ball_radius` as in build_table. Those that were used

@@ -14,7 +14,7 @@ namespace {
 
 /// A cylinder or capsule does not roll on an end if the normal deviates from its axis by less than
 /// this sine.
-constexpr double kLeastEndSlope = 1e-3;
+constexpr double kMinEndSlope = 1e-3;
 
 }  // namespace
 
@@ -62,8 +62,9 @@ SurfaceInfo ContactFinder::info(const ContactPartner& partner) const {
     if (const auto* sphere = std::get_if<StaticSphere>(&partner)) {
         return environment_.spheres[sphere->index].info;
     }
-    return std::get<Ground>(partner) == Ground::floor ? SurfaceInfo{"floor", MaterialId::floor}
-                                                      : SurfaceInfo{"cloth", MaterialId::cloth};
+    return std::get<SupportPlane>(partner) == SupportPlane::floor
+               ? SurfaceInfo{"floor", MaterialId::floor}
+               : SurfaceInfo{"cloth", MaterialId::cloth};
 }
 
 std::string ContactFinder::name_of(const ContactPartner& partner,
@@ -80,7 +81,7 @@ ContactFinder::Rolling ContactFinder::rolling_of(const Placed& placed, const Vec
     }
     const Vec3 axis = across(to_world(placed.state.orientation, Vec3(0, 0, 1)), normal);
     const double slope = length(axis);
-    return slope > kLeastEndSlope ? Rolling{rolling.length, false, axis / slope} : Rolling{};
+    return slope > kMinEndSlope ? Rolling{rolling.length, false, axis / slope} : Rolling{};
 }
 
 void ContactFinder::add(const Placed& placed, const ContactPartner& partner,
@@ -122,19 +123,19 @@ void ContactFinder::find_for_ball(const Placed& ball, std::vector<BodyContact>& 
         Contact contact;
         contact.depth = -1;
         if (pocket >= 0) {
-            contact = environment_.collided->rims[static_cast<std::size_t>(pocket)].contact(centre,
-                                                                                            radius);
+            contact = environment_.collided->pocket_edges[static_cast<std::size_t>(pocket)].contact(
+                centre, radius);
         } else if (environment_.is_over_cloth(centre)) {
             contact = {Vec3(centre.x, centre.y, 0), Vec3(0, 0, 1), radius - centre.z};
         }
         if (contact.depth > -ball.margin()) {
-            add(ball, Ground::cloth, MaterialId::cloth, contact, found);
+            add(ball, SupportPlane::cloth, MaterialId::cloth, contact, found);
         }
     }
     if (environment_.floor_height) {
         const double height = centre.z - *environment_.floor_height;
         if (radius - height > -ball.margin()) {
-            add(ball, Ground::floor, MaterialId::floor,
+            add(ball, SupportPlane::floor, MaterialId::floor,
                 {Vec3(centre.x, centre.y, *environment_.floor_height), Vec3(0, 0, 1),
                  radius - height},
                 found);
@@ -251,10 +252,10 @@ void ContactFinder::find_on_ground(const Placed& solid, std::vector<BodyContact>
     reduce_contacts(on_cloth);
     reduce_contacts(on_floor);
     for (const Contact& contact : on_cloth) {
-        add(solid, Ground::cloth, MaterialId::cloth, contact, found);
+        add(solid, SupportPlane::cloth, MaterialId::cloth, contact, found);
     }
     for (const Contact& contact : on_floor) {
-        add(solid, Ground::floor, MaterialId::floor, contact, found);
+        add(solid, SupportPlane::floor, MaterialId::floor, contact, found);
     }
 }
 

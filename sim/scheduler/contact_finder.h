@@ -36,7 +36,7 @@ struct OtherBody {
     [[nodiscard]] bool operator<(const OtherBody& other) const { return index < other.index; }
 };
 /// What a body touches.
-using ContactPartner = std::variant<Ground, StaticSurface, StaticSphere, OtherBody>;
+using ContactPartner = std::variant<SupportPlane, StaticSurface, StaticSphere, OtherBody>;
 
 /// The number of a body, and what it touches.
 using ContactPair = std::pair<int, ContactPartner>;
@@ -54,14 +54,14 @@ struct BodyContact {
 [[nodiscard]] std::vector<Placement> placements_of(std::span<const MovingBody> bodies);
 
 /// The widest gap of bodies that one impact may close, m.
-inline constexpr double kMostReach = 5e-3;
+inline constexpr double kMaxReach = 5e-3;
 
 class ContactFinder {
   public:
     explicit ContactFinder(const StaticEnvironment& environment) : environment_(environment) {}
 
     /// All contacts of the bodies in the solver, in a fixed order. `placed`: the bodies'
-    /// placements, in the same order. `reach`: gaps up to this (m, at most kMostReach) are contacts
+    /// placements, in the same order. `reach`: gaps up to this (m, at most kMaxReach) are contacts
     /// as well, except those with meshes.
     [[nodiscard]] std::vector<BodyContact> find(std::span<const MovingBody> bodies,
                                                 std::span<const Placement> placed,
@@ -108,8 +108,8 @@ class ContactFinder {
         bool is_ball = false;
         Vec3 axis{0, 0, 0};  // StepContact::rolling_axis
     };
-    /// Cylinders and capsules roll about their axis: on their curved side and along their rims.
-    /// They tip over rims and round ends without resistance.
+    /// Cylinders and capsules roll about their axis: on their curved side and along their
+    /// pocket_edges. They tip over rims and round ends without resistance.
     [[nodiscard]] static Rolling rolling_of(const Placed& placed, const Vec3& normal);
     void add(const Placed& placed, const ContactPartner& partner, MaterialId partner_material,
              const Contact& contact, std::vector<BodyContact>& found) const;
@@ -120,7 +120,7 @@ class ContactFinder {
 
     const StaticEnvironment& environment_;
     NearPairs near_pairs_{kSolidMargin};
-    NearPairs wide_pairs_{kMostReach};
+    NearPairs wide_pairs_{kMaxReach};
 };
 
 }  // namespace carom::sim

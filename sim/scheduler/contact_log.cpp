@@ -101,7 +101,7 @@ void ContactLog::join(std::uint32_t pair) {
 void ContactLog::end_stretch(std::uint32_t pair) {
     Open& open = open_[pair];
     open.is_open = false;
-    if (open.piece.to - open.from < kLeastStretch) {
+    if (open.piece.to - open.from < kMinStretch) {
         return;
     }
     if (open.piece.duration() > 0) {

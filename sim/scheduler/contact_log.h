@@ -27,18 +27,18 @@ struct ContactLoad {
 /// touches, and ends when it rests or parts for more than kLongestPause. It has pieces of kPiece;
 /// those next to each other are joined as long as no force in them is more than kJoinedForces times
 /// another, and no slip more than kJoinedSlips times another or kStillSpeed above it. Stretches of
-/// less than kLeastStretch are left out. Of more than kMostContacts pieces, those with the greatest
+/// less than kMinStretch are left out. Of more than kMaxContacts pieces, those with the greatest
 /// normal impulses are kept.
 class ContactLog {
   public:
     static constexpr double kLongestPause = 2.1e-3;  // s, two of the longest steps
-    static constexpr double kLeastStretch = 2e-3;    // s
+    static constexpr double kMinStretch = 2e-3;      // s
     static constexpr double kPiece = 0.02;           // s
     static constexpr double kJoinedForces = 1.25;
     static constexpr double kJoinedSlips = 1.25;
-    static constexpr std::size_t kMostContacts = 100'000;
+    static constexpr std::size_t kMaxContacts = 100'000;
 
-    explicit ContactLog(std::size_t most_contacts = kMostContacts) : most_(most_contacts) {}
+    explicit ContactLog(std::size_t most_contacts = kMaxContacts) : most_(most_contacts) {}
 
     /// Object `a` and object or surface `b` touched during a step, or for an instant (a tap). Taps
     /// that follow each other within kLongestPause count as one contact: balls that their spin

@@ -128,7 +128,7 @@ void EventPredictor::predict_ball(std::uint32_t index, const SearchHorizon& hori
         return;
     }
     predict_fixed_sphere_impacts(index, now, until, queue);
-    if (ball.ground == Ground::cloth && environment_.has_cushions) {
+    if (ball.ground == SupportPlane::cloth && environment_.has_cushions) {
         predict_cloth_events(index, now, until, queue);
     }
 }
@@ -192,7 +192,7 @@ void EventPredictor::search_obstacles(std::uint32_t index, const SearchHorizon& 
     if (ball.is_in_solver() || ball.is_asleep()) {
         return;
     }
-    const bool is_flying = ball.ground == Ground::none && !ball.is_still();
+    const bool is_flying = ball.ground == SupportPlane::none && !ball.is_still();
     const bool has_solids = bodies_.size() > balls_.size();
     if (!is_flying && !has_solids && environment_.scenery_mesh.empty() &&
         environment_.solids.empty()) {
@@ -350,12 +350,12 @@ void EventPredictor::predict_flight_events(std::uint32_t index, double now, doub
         constexpr double kAhead = 1e-7;  // s
         if (time && environment_.is_over_cloth(ball.segment.position_at(*time + kAhead))) {
             push(queue, ball, index, PredictedEventKind::ground,
-                 static_cast<std::size_t>(Ground::cloth), time);
+                 static_cast<std::size_t>(SupportPlane::cloth), time);
         }
     }
     if (environment_.floor_height) {
         push(queue, ball, index, PredictedEventKind::ground,
-             static_cast<std::size_t>(Ground::floor),
+             static_cast<std::size_t>(SupportPlane::floor),
              plane_impact_time(ball.segment, Vec3(0, 0, *environment_.floor_height), kUp,
                                ball.radius, now, until));
     }
@@ -373,13 +373,13 @@ void EventPredictor::predict_flight_events(std::uint32_t index, double now, doub
             environment_.collided->mesh.first_impact(ball.segment, ball.radius, now, until)) {
         push(queue, ball, index, PredictedEventKind::table_feature, impact->feature, impact->time);
     }
-    for (std::size_t i = 0; i < environment_.collided->rims.size(); ++i) {
-        const auto time =
-            environment_.collided->rims[i].impact_time(ball.segment, ball.radius, now, until);
+    for (std::size_t i = 0; i < environment_.collided->pocket_edges.size(); ++i) {
+        const auto time = environment_.collided->pocket_edges[i].impact_time(
+            ball.segment, ball.radius, now, until);
         // Over the cloth the ball touches the plane, not the rim.
         if (time &&
             environment_.pocket_below(ball.segment.position_at(*time)) == static_cast<int>(i)) {
-            push(queue, ball, index, PredictedEventKind::rim, i, time);
+            push(queue, ball, index, PredictedEventKind::pocket_edge_hit, i, time);
         }
     }
     if (!ball.is_potted && !ball.is_off_table) {

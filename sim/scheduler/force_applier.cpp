@@ -41,8 +41,8 @@ void ForceApplier::apply(const DueAction& due) {
         return;
     }
     const std::uint32_t body = found->second;
-    if (due.kick >= 0) {
-        apply_kick(due, body);
+    if (due.impulse_step >= 0) {
+        apply_impulse_step(due, body);
     } else {
         std::visit([&](const auto& action) { apply(action, due, body); }, event.action);
     }
@@ -150,10 +150,10 @@ void ForceApplier::strike_free(const StrikeResult& result, double time, std::uin
 
 void ForceApplier::strike_group(const Strike& strike, const Vec3& aim, double time,
                                 TouchingBalls touching) {
-    TouchingGroup& group = touching.group;
+    FrozenCluster& group = touching.group;
     const std::vector<RigidBody> before = group.balls;
-    const PushResult push = push_balls(group, strike, aim, environment_.law.ball_ball);
-    part_balls(group, push);
+    const ClusterStrikeResult push = strike_cluster(group, strike, aim, environment_.law.ball_ball);
+    separate_balls(group, push);
     const auto ball_of = [&](std::size_t i) -> const MovingBody& {
         return bodies_[touching.indices[i]];
     };
@@ -164,7 +164,7 @@ void ForceApplier::strike_group(const Strike& strike, const Vec3& aim, double ti
         const TouchingPair& contact = group.contacts[i];
         const RigidBody& a = group.balls[contact.first];
         const RigidBody& b = group.balls[contact.second];
-        if (push.contacts[i].normal * (1 / a.mass + 1 / b.mass) > kLeastLoggedSpeed) {
+        if (push.contacts[i].normal * (1 / a.mass + 1 / b.mass) > kMinLoggedSpeed) {
             recorder_.log_impact(
                 time, ball_of(contact.first).name(), ball_of(contact.second).name(),
                 a.state.position - contact.normal * a.radius, contact.normal, push.contacts[i]);
@@ -186,16 +186,16 @@ void ForceApplier::strike_group(const Strike& strike, const Vec3& aim, double ti
     }
 }
 
-void ForceApplier::apply_kick(const DueAction& due, std::uint32_t body) {
+void ForceApplier::apply_impulse_step(const DueAction& due, std::uint32_t body) {
     const ForceEvent& event = world_.events[due.event];
     const Quat orientation = orientation_of(body, due.time);
     if (const auto* force = std::get_if<Force>(&event.action)) {
-        const double fraction = force->duration / kick_count(force->duration);
+        const double fraction = force->duration / impulse_step_count(force->duration);
         const Vec3 p = in_world(force->axes, orientation, force->newtons) * fraction;
         apply_impulse(body, due.time, p,
                       in_world(force->axes, orientation, force->at_point).cross(p));
     } else if (const auto* torque = std::get_if<Torque>(&event.action)) {
-        const double fraction = torque->duration / kick_count(torque->duration);
+        const double fraction = torque->duration / impulse_step_count(torque->duration);
         apply_impulse(body, due.time, Vec3(0, 0, 0),
                       in_world(torque->axes, orientation, torque->newton_metres) * fraction);
     }

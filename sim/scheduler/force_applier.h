@@ -34,7 +34,7 @@ class ForceApplier {
     void strike_free(const StrikeResult& result, double time, std::uint32_t body);
     void warn_of_unreached(const Strike& strike, const DueAction& due, const std::string& ball);
     void strike_group(const Strike& strike, const Vec3& aim, double time, TouchingBalls touching);
-    void apply_kick(const DueAction& due, std::uint32_t body);
+    void apply_impulse_step(const DueAction& due, std::uint32_t body);
     void apply_impulse(std::uint32_t body, double time, const Vec3& impulse,
                        const Vec3& angular_impulse);
     [[nodiscard]] Quat orientation_of(std::uint32_t body, double time) const;

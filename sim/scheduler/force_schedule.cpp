@@ -21,7 +21,7 @@ double duration_of(const ForceEvent& event) {
 
 }  // namespace
 
-int kick_count(double duration) {
+int impulse_step_count(double duration) {
     return static_cast<int>(std::min(1e6, std::max(1.0, std::ceil(duration / kKickInterval))));
 }
 
@@ -60,13 +60,13 @@ std::vector<DueAction> ForceSchedule::take_due(double now) {
     while (!due_.empty() && due_.begin()->time <= now) {
         const DueAction action = *due_.begin();
         due_.erase(due_.begin());
-        if (action.kick < 0) {
+        if (action.impulse_step < 0) {
             begin_train(action);
             rest_triggers_.note_action(action.event);
         } else if (Train& train = trains_.at(action.event); ++train.next == train.count) {
             trains_.erase(action.event);
         } else {
-            add_kick(action.event, train);
+            add_impulse_step(action.event, train);
         }
         taken.push_back(action);
     }
@@ -78,12 +78,12 @@ void ForceSchedule::begin_train(const DueAction& begin) {
     if (duration <= 0) {
         return;
     }
-    const Train train{begin.time, kick_count(duration), 0};
+    const Train train{begin.time, impulse_step_count(duration), 0};
     trains_[begin.event] = train;
-    add_kick(begin.event, train);
+    add_impulse_step(begin.event, train);
 }
 
-void ForceSchedule::add_kick(std::size_t event, const Train& train) {
+void ForceSchedule::add_impulse_step(std::size_t event, const Train& train) {
     const double part = (train.next + 0.5) * duration_of(events_[event]) / train.count;
     due_.insert({train.begin + part, event, train.next});
 }
@@ -117,7 +117,7 @@ void ForceSchedule::check_rest_triggers(double now, const MotionQuery& query) {
     }
 }
 
-bool ForceSchedule::has_kicks_left(const std::string& name) const {
+bool ForceSchedule::has_impulse_steps_left(const std::string& name) const {
     return std::any_of(trains_.begin(), trains_.end(), [&](const auto& acting) {
         return name.empty() || events_[acting.first].object == name;
     });

@@ -24,10 +24,11 @@ inline constexpr double kKickInterval = 1.0 / 2000;
 struct DueAction {
     double time = 0;
     std::size_t event = 0;  // index into the world's events
-    int kick = -1;          // -1: the event begins; else the number of the impulse in its train
+    int impulse_step = -1;  // -1: the event begins; else the number of the impulse in its train
 
     [[nodiscard]] friend bool operator<(const DueAction& a, const DueAction& b) {
-        return std::tie(a.time, a.event, a.kick) < std::tie(b.time, b.event, b.kick);
+        return std::tie(a.time, a.event, a.impulse_step) <
+               std::tie(b.time, b.event, b.impulse_step);
     }
 };
 
@@ -53,7 +54,7 @@ class ForceSchedule {
     void note_placed(std::size_t event) { rest_triggers_.note_placed(event); }
     [[nodiscard]] bool waits_for_rest() const { return !rest_triggers_.is_empty(); }
     /// True if a force or torque on the object has impulses left. Empty name: on any object.
-    [[nodiscard]] bool has_kicks_left(const std::string& name) const;
+    [[nodiscard]] bool has_impulse_steps_left(const std::string& name) const;
 
     /// One warning for each event whose trigger never fired.
     [[nodiscard]] std::vector<Diagnostic> triggers_never_met() const;
@@ -74,7 +75,7 @@ class ForceSchedule {
     };
 
     void begin_train(const DueAction& begin);
-    void add_kick(std::size_t event, const Train& train);
+    void add_impulse_step(std::size_t event, const Train& train);
 
     const std::vector<ForceEvent>& events_;
     std::set<DueAction> due_;
@@ -85,6 +86,6 @@ class ForceSchedule {
 };
 
 /// Number of impulses that make up a force of `duration`.
-[[nodiscard]] int kick_count(double duration);
+[[nodiscard]] int impulse_step_count(double duration);
 
 }  // namespace carom::sim

@@ -31,7 +31,7 @@ class GroupFinder {
         const RigidBody b = body(second);
         const Vec3 relative = a.state.velocity - b.state.velocity;
         const double approach = -relative.dot(unit(a.state.position - b.state.position));
-        if (approach <= kLeastLoggedSpeed) {
+        if (approach <= kMinLoggedSpeed) {
             return {};
         }
         const double mass = a.mass * b.mass / (a.mass + b.mass);
@@ -147,7 +147,8 @@ TouchingPair touching_pair(const StaticEnvironment& environment, const MovingBod
     if (has_own || a.material != MaterialId::ball || b.material != MaterialId::ball) {
         pair.friction = pair_law(environment, a, b, 0).friction;
     }
-    pair.is_level = !environment.law.hop && a.ground != Ground::none && b.ground != Ground::none;
+    pair.is_level =
+        !environment.law.hop && a.ground != SupportPlane::none && b.ground != SupportPlane::none;
     return pair;
 }
 

@@ -38,7 +38,7 @@ struct ImpactGroup {
 
 /// The balls `first` and `second`, which meet at `time`, and those that may touch one of them,
 /// directly or through others, while they compress each other. Empty if no other is so near or they
-/// meet at kLeastLoggedSpeed or slower.
+/// meet at kMinLoggedSpeed or slower.
 [[nodiscard]] ImpactGroup find_impact_group(std::span<const MovingBody> balls, std::uint32_t first,
                                             std::uint32_t second, double time,
                                             const EventPredictor& predictor,

@@ -69,7 +69,7 @@ void ImpactResolver::resolve(const PredictedEvent& event) {
         case PredictedEventKind::ball:
             return resolve_ball_impact(event);
         case PredictedEventKind::solid:
-            return bodies_.enter_solver(event.first, event.time);  // StepBounces resolves it
+            return bodies_.enter_solver(event.first, event.time);  // RestitutionPass resolves it
         case PredictedEventKind::cushion_face:
             return resolve_face_impact(event, level);
         case PredictedEventKind::cushion_corner:
@@ -78,7 +78,7 @@ void ImpactResolver::resolve(const PredictedEvent& event) {
                 environment_.law.ball_cushion);
         case PredictedEventKind::pocket_edge:
             return enter_pocket(event);
-        case PredictedEventKind::rim:
+        case PredictedEventKind::pocket_edge_hit:
         case PredictedEventKind::table_feature:
         case PredictedEventKind::scenery_feature:
         case PredictedEventKind::fixed_sphere:
@@ -101,7 +101,7 @@ void ImpactResolver::resolve(const PredictedEvent& event) {
 
 /// Fast impacts are events. Slow ones that follow each other are a lasting contact.
 void ImpactResolver::record(const Impact& impact) {
-    if (impact.approach > kLeastLoggedSpeed) {
+    if (impact.approach > kMinLoggedSpeed) {
         return recorder_.log_impact(impact.time, impact.a, impact.b, impact.place, impact.normal,
                                     impact.impulse);
     }
@@ -158,14 +158,14 @@ bool ImpactResolver::reaches_obstacle(const PredictedEvent& event, const ImpactG
         contact_time(ball_stiffness(a.radius * b.radius / (a.radius + b.radius)),
                      a.mass * b.mass / (a.mass + b.mass), approach);
     const std::vector<BodyContact> contacts =
-        finder_.find(bodies_.all(), placed, std::min(2 * approach * duration, kMostReach));
+        finder_.find(bodies_.all(), placed, std::min(2 * approach * duration, kMaxReach));
     return std::any_of(contacts.begin(), contacts.end(), [&](const BodyContact& found) {
         if (found.is_between_bodies()) {
             return !bodies_.all()[static_cast<std::size_t>(found.contact.second)].is_ball();
         }
         const MaterialId material = finder_.info(found.partner).material;
-        return !std::holds_alternative<Ground>(found.partner) && material != MaterialId::cushion &&
-               material != MaterialId::pocket;
+        return !std::holds_alternative<SupportPlane>(found.partner) &&
+               material != MaterialId::cushion && material != MaterialId::pocket;
     });
 }
 
@@ -267,7 +267,7 @@ void ImpactResolver::resolve_ball_impact(const PredictedEvent& event) {
     const ImpulsePair impulse = ball_ball_impact(bodies_.impact_solver(), body_a, body_b, normal,
                                                  law.restitution, law.friction);
     // The reference models omit the vertical impulse, which would make balls on the cloth hop.
-    if (!environment_.law.hop && a.ground != Ground::none && b.ground != Ground::none) {
+    if (!environment_.law.hop && a.ground != SupportPlane::none && b.ground != SupportPlane::none) {
         body_a.state.velocity.z = 0;
         body_b.state.velocity.z = 0;
     }
@@ -293,8 +293,9 @@ void ImpactResolver::resolve_ball_impact(const PredictedEvent& event) {
 void ImpactResolver::resolve_surface_impact(const PredictedEvent& event) {
     const MovingBody& ball = bodies_[event.first];
     const Vec3 centre = ball.segment.position_at(event.time);
-    if (event.kind == PredictedEventKind::rim) {
-        bounce(event, environment_.collided->rims[event.second].contact(centre, ball.radius),
+    if (event.kind == PredictedEventKind::pocket_edge_hit) {
+        bounce(event,
+               environment_.collided->pocket_edges[event.second].contact(centre, ball.radius),
                {"cloth", MaterialId::cloth});
     } else if (event.kind == PredictedEventKind::fixed_sphere) {
         const FixedSphere& sphere = environment_.spheres[event.second];
@@ -354,7 +355,8 @@ void ImpactResolver::bounce(const PredictedEvent& event, const Contact& contact,
             ? lining_impact(body, contact.normal, law.restitution, law.friction)
             : ball_static_impact(bodies_.impact_solver(), body, contact.normal, law.restitution,
                                  law.friction);
-    if (!environment_.law.hop && ball.ground != Ground::none && std::abs(contact.normal.z) < 1e-6) {
+    if (!environment_.law.hop && ball.ground != SupportPlane::none &&
+        std::abs(contact.normal.z) < 1e-6) {
         body.state.velocity.z = 0;
     }
     record({event.time, approach, ball.name(), info.name, contact.point, contact.normal, impulse,
@@ -396,10 +398,10 @@ void ImpactResolver::resolve_cushion_impact(const PredictedEvent& event, const V
         body.state.velocity.z = 0;
     }
     const double separation = body.state.velocity.dot(inward);
-    if (separation < kLeastSeparation) {
-        body.state.velocity += inward * (kLeastSeparation - separation);
-        if (approach <= kLeastLoggedSpeed) {
-            impulse.normal += body.mass * (kLeastSeparation - separation);
+    if (separation < kMinSeparation) {
+        body.state.velocity += inward * (kMinSeparation - separation);
+        if (approach <= kMinLoggedSpeed) {
+            impulse.normal += body.mass * (kMinSeparation - separation);
         }
     }
     record({event.time, approach, ball.name(), kCushion, nose, normal, impulse,
@@ -435,13 +437,13 @@ void ImpactResolver::cross_below_cloth(const PredictedEvent& event) {
 
 void ImpactResolver::land(const PredictedEvent& event) {
     MovingBody& ball = bodies_[event.first];
-    const auto ground = static_cast<Ground>(event.second);
+    const auto ground = static_cast<SupportPlane>(event.second);
     const MotionState before = ball.segment.state_at(event.time);
     if (environment_.downward_gravity <= 0) {
         const Vec3 up(0, 0, 1);
-        bounce(
-            event, {before.position - up * ball.radius, up, 0},
-            {ground_name(ground), ground == Ground::floor ? MaterialId::floor : MaterialId::cloth});
+        bounce(event, {before.position - up * ball.radius, up, 0},
+               {ground_name(ground),
+                ground == SupportPlane::floor ? MaterialId::floor : MaterialId::cloth});
         return;
     }
     ball.ground = ground;

@@ -29,7 +29,7 @@ class ImpulseTrain {
     explicit ImpulseTrain(const Event& event)
         : start_(event.time),
           duration_(event.end_time - event.time),
-          count_(kick_count(duration_)) {}
+          count_(impulse_step_count(duration_)) {}
 
     /// A state may begin between the first impulse and one interval after the last one.
     [[nodiscard]] bool covers(double time) const {

@@ -11,11 +11,11 @@
 namespace carom::sim {
 namespace {
 
-GroundLaw ground_law(const PairContact& pair) {
+SurfaceCoefficients ground_law(const PairContact& pair) {
     return {{pair.friction, pair.rolling_friction.value_or(0), 0}, pair.restitution, pair.friction};
 }
 
-GroundLaw cloth_law(const std::string& material, const ContactLaw& law) {
+SurfaceCoefficients cloth_law(const std::string& material, const ContactLaw& law) {
     if (material != "ball") {
         return ground_law(law.between(material, "cloth"));
     }
@@ -40,7 +40,7 @@ MovingBody make_ball(const Body& from, double radius, const StaticEnvironment& e
     static_cast<RigidBody&>(ball) = RigidBody::ball(from.mass, radius, ball.state);
     ball.cloth_law = cloth_law(from.material, environment.law);
     ball.floor_law = ground_law(environment.law.between(from.material, "floor"));
-    for (GroundLaw* law : {&ball.cloth_law, &ball.floor_law}) {
+    for (SurfaceCoefficients* law : {&ball.cloth_law, &ball.floor_law}) {
         law->lets_balls_go = rolls_off(environment.downward_gravity, law->motion, environment.pull);
     }
     ball.rolling_length = 1.4 * radius;
@@ -93,10 +93,10 @@ void share_shape(std::vector<MovingBody>& solids) {
 /// Free fall straight down to `height`, where the ball rests.
 MotionSegment sinking_segment(double time, const MotionState& state, double height,
                               double gravity) {
-    constexpr double kClose = 1e-9;  // m
+    constexpr double kThreshold = 1e-9;  // m
     const double fall = state.position.z - height;
     MotionState sinking{state.position, state.orientation, {0, 0, 0}, {0, 0, 0}};
-    if (fall < kClose) {
+    if (fall < kThreshold) {
         MotionSegment still;
         still.kind = MotionKind::resting;
         still.start = time;
@@ -119,10 +119,10 @@ bool MovingBody::has_moved_since_rest() const {
     const Vec3 displacement = (is_ball() ? segment.state : state).position - rested_at.position;
     if (is_ball()) {
         const Vec3& spin = segment.state.angular_velocity;
-        return displacement.dot(displacement) > kLeastDisplacement * kLeastDisplacement ||
+        return displacement.dot(displacement) > kMinDisplacement * kMinDisplacement ||
                spin.dot(spin) * radius * radius > kVisibleSpeed * kVisibleSpeed;
     }
-    return distance_from(rested_at) > kLeastDisplacement;
+    return distance_from(rested_at) > kMinDisplacement;
 }
 
 double MovingBody::distance_from(const Pose& pose) const {
@@ -154,12 +154,12 @@ void MovingBody::add_energy(double time, const Vec3& gravity, EnergySample& samp
     }
 }
 
-double ground_height(Ground ground, const StaticEnvironment& environment) {
-    return ground == Ground::floor ? environment.floor_height.value_or(0) : 0;
+double ground_height(SupportPlane ground, const StaticEnvironment& environment) {
+    return ground == SupportPlane::floor ? environment.floor_height.value_or(0) : 0;
 }
 
-const char* ground_name(Ground ground) {
-    return ground == Ground::floor ? "floor" : "cloth";
+const char* ground_name(SupportPlane ground) {
+    return ground == SupportPlane::floor ? "floor" : "cloth";
 }
 
 std::vector<MovingBody> make_moving_bodies(const WorldDescription& world,
@@ -191,7 +191,7 @@ MotionSegment next_segment(const MovingBody& ball, double time, const MotionStat
     if (ball.is_gone()) {
         return sinking_segment(time, state, ball.sinks_to, environment.downward_gravity);
     }
-    if (ball.ground == Ground::none) {
+    if (ball.ground == SupportPlane::none) {
         return flight_segment(time, state, environment.gravity);
     }
     MotionSegment segment = cloth_segment(time, state, ball.radius, environment.downward_gravity,

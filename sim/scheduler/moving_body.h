@@ -19,8 +19,8 @@
 namespace carom::sim {
 
 /// Friction and restitution between a ball and a horizontal surface.
-struct GroundLaw {
-    SupportLaw motion;
+struct SurfaceCoefficients {
+    FrictionCoefficients motion;
     double restitution = 0;
     double friction = 0;
     bool lets_balls_go = false;  // it is so far off level that no ball rests on it
@@ -64,8 +64,8 @@ struct MovingBody : RigidBody {
     int free_steps = 0;        // for a ball: steps since it last touched more than a Ground
 
     // Of balls:
-    GroundLaw cloth_law, floor_law;
-    Ground ground = Ground::none;  // the surface on which it moves in closed form
+    SurfaceCoefficients cloth_law, floor_law;
+    SupportPlane ground = SupportPlane::none;  // the surface on which it moves in closed form
     bool is_potted = false;
     bool is_off_table = false;
     double sinks_to = 0;        // height (m) of the centre at which the ball stops if it is gone
@@ -108,8 +108,8 @@ struct MovingBody : RigidBody {
     }
     /// An upper bound for the speed of any of its points, m/s.
     [[nodiscard]] double max_point_speed() const;
-    [[nodiscard]] const GroundLaw& law_of(Ground on) const {
-        return on == Ground::floor ? floor_law : cloth_law;
+    [[nodiscard]] const SurfaceCoefficients& law_of(SupportPlane on) const {
+        return on == SupportPlane::floor ? floor_law : cloth_law;
     }
     /// How far (m) a point of it can be from where it was in `pose`, both in the solver.
     [[nodiscard]] double distance_from(const Pose& pose) const;
@@ -123,8 +123,8 @@ struct MovingBody : RigidBody {
 };
 
 /// Height of a level surface, m.
-[[nodiscard]] double ground_height(Ground ground, const StaticEnvironment& environment);
-[[nodiscard]] const char* ground_name(Ground ground);
+[[nodiscard]] double ground_height(SupportPlane ground, const StaticEnvironment& environment);
+[[nodiscard]] const char* ground_name(SupportPlane ground);
 
 /// The moving bodies of the world: first the balls, then all others, both in the order of its
 /// bodies. The result refers to the world.

@@ -14,12 +14,12 @@ enum class PredictedEventKind : std::uint8_t {
     cushion_face,     // on the cloth, it hits face `second` of the table
     cushion_corner,   // on the cloth, it hits corner `second` of the table
     pocket_edge,      // on the cloth, its centre passes over the edge of pocket `second`
-    rim,              // in the air, it hits the edge of pocket `second`
+    pocket_edge_hit,  // in the air, it hits the edge of pocket `second`
     table_feature,    // in the air, it hits a feature of the table's mesh
     scenery_feature,  // it hits a feature of a fixed body's mesh
     fixed_sphere,     // it hits fixed sphere `second`
     fixed_solid,      // it hits fixed capsule or cylinder `second` of StaticEnvironment::solids
-    ground,           // it lands on Ground `second`
+    ground,           // it lands on SupportPlane `second`
     slate_underside,  // rising under the table, it hits the slate from below
     below_cloth,      // its centre sinks below the cloth
     segment_end,      // its law of motion changes

@@ -8,7 +8,7 @@ Respotting::Respotting(const WorldDescription& world, const Bodies& bodies,
                        const Recorder& recorder, BallPlacer& placer)
     : bodies_(bodies), recorder_(recorder), placer_(placer) {
     if (world.respot && world.table) {
-        referee_.emplace(*world.respot, *world.table);
+        rules_.emplace(*world.respot, *world.table);
         has_cue_ball_ = *world.respot != billiards::Game::carom;
         note_balls_on_table();
     }
@@ -29,8 +29,8 @@ std::uint32_t Respotting::index_of(const std::string& ball) const {
 }
 
 /// Without a strike the cue ball is the one that has its name.
-billiards::PlayedShot Respotting::played_shot() const {
-    billiards::PlayedShot shot;
+billiards::ShotOutcome Respotting::played_shot() const {
+    billiards::ShotOutcome shot;
     shot.on_table = on_table_;
     for (const char* name : {"white", "cue"}) {
         if (has_cue_ball_ && index_of(name) < bodies_.balls().size()) {
@@ -83,7 +83,7 @@ bool Respotting::is_shot_played() const {
 
 void Respotting::act(double time) {
     if (is_shot_played()) {
-        for (const billiards::PutDown& put : referee_->after(played_shot(), game_balls(time))) {
+        for (const billiards::RespottedBall& put : rules_->after(played_shot(), game_balls(time))) {
             put_back(put, time);
         }
     }
@@ -91,7 +91,7 @@ void Respotting::act(double time) {
     note_balls_on_table();
 }
 
-void Respotting::put_back(const billiards::PutDown& put, double time) {
+void Respotting::put_back(const billiards::RespottedBall& put, double time) {
     const std::uint32_t ball = index_of(put.ball);
     const std::string obstacle = placer_.obstacle(ball, put.place, time);
     if (obstacle.empty()) {
@@ -105,8 +105,8 @@ void Respotting::put_back(const billiards::PutDown& put, double time) {
 
 std::vector<Diagnostic> Respotting::never_put_back() const {
     std::vector<Diagnostic> warnings = blocked_;
-    if (referee_) {
-        for (const std::string& ball : referee_->without_place()) {
+    if (rules_) {
+        for (const std::string& ball : rules_->without_place()) {
             warnings.push_back({Subject::body(ball), "",
                                 "'" + ball + "' was not put back: no place on its line was free"});
         }

@@ -168,8 +168,8 @@ void Scheduler::apply_due_actions() {
         if (due.empty()) {
             break;
         }
-        const bool begins_event =
-            std::any_of(due.begin(), due.end(), [](const DueAction& a) { return a.kick < 0; });
+        const bool begins_event = std::any_of(
+            due.begin(), due.end(), [](const DueAction& a) { return a.impulse_step < 0; });
         if (begins_event) {
             add_energy();
         }
@@ -350,7 +350,7 @@ void Scheduler::check_rest_triggers() {
 }
 
 bool Scheduler::is_resting(const std::string& name) const {
-    if (schedule_.has_kicks_left(name)) {
+    if (schedule_.has_impulse_steps_left(name)) {
         return false;
     }
     return name.empty() ? bodies_.are_all_at_rest()

@@ -17,7 +17,7 @@
 namespace carom::sim {
 
 /// A level surface on which balls slide and roll in closed form.
-enum class Ground { none, cloth, floor };
+enum class SupportPlane { none, cloth, floor };
 
 /// Height of the slate's underside (m); the cloth is drawn down to it around a pocket's edge.
 inline constexpr double kSlateUnderside = -0.025;

@@ -13,7 +13,7 @@ namespace {
 /// The mean motion of a body in a step: its velocities change once, at the midpoint.
 class MeanMotion {
   public:
-    MeanMotion(const StepTrial& trial, int number) {
+    MeanMotion(const ToiSubstep& trial, int number) {
         const auto& moving = trial.moving();
         const auto found = std::lower_bound(moving.begin(), moving.end(), number);
         if (number < 0 || found == moving.end() || *found != number) {
@@ -48,7 +48,7 @@ double smaller_radius(const std::vector<MovingBody>& bodies, const BodyContact& 
 
 }  // namespace
 
-std::vector<PairLoad> pair_loads(const StepTrial& trial, const std::vector<MovingBody>& bodies) {
+std::vector<PairLoad> pair_loads(const ToiSubstep& trial, const std::vector<MovingBody>& bodies) {
     std::vector<PairLoad> loads;
     std::map<ContactPair, std::size_t> places;
     const SolvedContacts solved = trial.solved();

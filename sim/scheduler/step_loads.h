@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/scheduler/contact_log.h"
-#include "sim/scheduler/step_trial.h"
+#include "sim/scheduler/toi_substep.h"
 
 namespace carom::sim {
 
@@ -17,7 +17,7 @@ struct PairLoad {
 /// The loads of all pairs that press against each other in a trial step, in the order of its
 /// contacts. The points of contact of a pair are summed; their slips are weighted with their
 /// impulses. `bodies`: those of the trial.
-[[nodiscard]] std::vector<PairLoad> pair_loads(const StepTrial& trial,
+[[nodiscard]] std::vector<PairLoad> pair_loads(const ToiSubstep& trial,
                                                const std::vector<MovingBody>& bodies);
 
 }  // namespace carom::sim

@@ -135,18 +135,18 @@ void Stepper::finish_solid_step(std::uint32_t number, double end, bool falls_asl
 }
 
 /// The level surface that a ball touches; sets `touches_other` if it touches anything else.
-Ground Stepper::ground_under(std::uint32_t ball, bool& touches_other) const {
+SupportPlane Stepper::ground_under(std::uint32_t ball, bool& touches_other) const {
     const int number = static_cast<int>(ball);
-    Ground ground = Ground::none;
+    SupportPlane ground = SupportPlane::none;
     touches_other = false;
     for (const BodyContact& found : trial_.contacts()) {
         if (found.contact.first != number && found.contact.second != number) {
             continue;
         }
-        const bool is_cloth = found.partner == ContactPartner(Ground::cloth) &&
+        const bool is_cloth = found.partner == ContactPartner(SupportPlane::cloth) &&
                               environment_.is_over_cloth(bodies_[ball].state.position);
-        if (is_cloth || found.partner == ContactPartner(Ground::floor)) {
-            ground = is_cloth ? Ground::cloth : Ground::floor;
+        if (is_cloth || found.partner == ContactPartner(SupportPlane::floor)) {
+            ground = is_cloth ? SupportPlane::cloth : SupportPlane::floor;
         } else {
             touches_other = true;
         }
@@ -157,10 +157,10 @@ Ground Stepper::ground_under(std::uint32_t ball, bool& touches_other) const {
 void Stepper::finish_ball_step(std::uint32_t number, double end, bool falls_asleep) {
     MovingBody& ball = bodies_[number];
     bool touches_other = false;
-    const Ground ground = ground_under(number, touches_other);
+    const SupportPlane ground = ground_under(number, touches_other);
     MotionState& state = ball.state;
     const double height = ground_height(ground, environment_) + ball.radius;
-    const bool stays_down = ground != Ground::none && state.velocity.z < kLandingSpeed &&
+    const bool stays_down = ground != SupportPlane::none && state.velocity.z < kLandingSpeed &&
                             state.position.z < height + 1e-4;
     if (stays_down) {
         state.position.z = height;
@@ -174,8 +174,8 @@ void Stepper::finish_ball_step(std::uint32_t number, double end, bool falls_asle
     if (is_free && stays_down && environment_.downward_gravity > 0) {
         return bodies_.leave_solver(number, end, state, ground);
     }
-    if (is_free && ground == Ground::none) {
-        return bodies_.leave_solver(number, end, state, Ground::none);
+    if (is_free && ground == SupportPlane::none) {
+        return bodies_.leave_solver(number, end, state, SupportPlane::none);
     }
     recorder_.add_sample(ball.track, end, state);
     if (falls_asleep) {

@@ -7,10 +7,10 @@
 #include "sim/scheduler/bodies.h"
 #include "sim/scheduler/contact_finder.h"
 #include "sim/scheduler/recorder.h"
+#include "sim/scheduler/restitution_pass.h"
 #include "sim/scheduler/static_environment.h"
-#include "sim/scheduler/step_bounces.h"
 #include "sim/scheduler/step_sleep.h"
-#include "sim/scheduler/step_trial.h"
+#include "sim/scheduler/toi_substep.h"
 
 namespace carom::sim {
 
@@ -43,7 +43,7 @@ class Stepper {
     void log_contacts();
     void finish_solid_step(std::uint32_t number, double end, bool falls_asleep);
     void finish_ball_step(std::uint32_t number, double end, bool falls_asleep);
-    [[nodiscard]] Ground ground_under(std::uint32_t ball, bool& touches_other) const;
+    [[nodiscard]] SupportPlane ground_under(std::uint32_t ball, bool& touches_other) const;
 
     const StaticEnvironment& environment_;
     Bodies& bodies_;
@@ -51,8 +51,8 @@ class Stepper {
     ContactFinder finder_;
     ode::StepWorld world_;
     StepSleep sleep_;
-    StepBounces bounces_;
-    StepTrial trial_;
+    RestitutionPass bounces_;
+    ToiSubstep trial_;
     bool has_trial_step_ = false;
 };
 

@@ -1,4 +1,4 @@
-// The balls that touch a struck ball, as a group for push_balls().
+// The balls that touch a struck ball, as a group for strike_cluster().
 #pragma once
 
 #include <cstdint>
@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "sim/scheduler/bodies.h"
-#include "sim/stick/push.h"
+#include "sim/stick/cluster_strike.h"
 
 namespace carom::sim {
 
 struct TouchingBalls {
     std::vector<std::uint32_t> indices;  // ascending, in Bodies
-    TouchingGroup group;                 // in the same order; the struck ball's contacts come first
+    FrozenCluster group;                 // in the same order; the struck ball's contacts come first
 };
 
 /// The ball `struck` and the balls that touch it at `time`, directly or through others. Balls that

@@ -25,7 +25,7 @@ Vec3 without_vertical(const Vec3& v, bool is_level) {
 
 }  // namespace
 
-ContactImpulses::ContactImpulses(const TouchingGroup& group) : group_(group) {
+ContactImpulses::ContactImpulses(const FrozenCluster& group) : group_(group) {
     std::vector<double> counts(group.balls.size(), 0);
     for (const TouchingPair& contact : group.contacts) {
         counts[contact.first] += 1;

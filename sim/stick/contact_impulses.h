@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/stick/push.h"
+#include "sim/stick/cluster_strike.h"
 
 namespace carom::sim {
 
@@ -19,7 +19,7 @@ struct ContactImpulse {
 /// the normal impulse, acts against the slip, or stops it.
 class ContactImpulses {
   public:
-    explicit ContactImpulses(const TouchingGroup& group);
+    explicit ContactImpulses(const FrozenCluster& group);
 
     /// Changes `velocities`, which are those without contacts, and `impulses`, which are first
     /// guesses. `friction`: one coefficient for each contact.
@@ -45,7 +45,7 @@ class ContactImpulses {
     double descend(const std::vector<Velocities>& velocities, const std::vector<double>& friction,
                    const std::vector<ContactImpulse>& from, std::vector<ContactImpulse>& to) const;
 
-    const TouchingGroup& group_;
+    const FrozenCluster& group_;
     std::vector<double> inverse_masses_;  // of each contact: sum over its two balls
     std::vector<double> least_;           // separation speeds of the contacts
     double step_ = 1;                     // of the descent

@@ -38,7 +38,7 @@ Vec3 rotation_vector(const Quat& rotation) {
     const double cosine = sign * rotation.r;
     // atan(x) = x - x^3/3: below 1e-5 the remainder is under 1e-25.
     const double scale = sine < 1e-5 * cosine ? (1 - sine * sine / (3 * cosine * cosine)) / cosine
-                                              : angle_of(cosine, sine) / sine;
+                                              : arctangent2(sine, cosine) / sine;
     return (2 * sign * scale) * rotation.v;
 }
 

@@ -22,7 +22,7 @@ constexpr std::uint32_t kCheckpointSpacing = 16;  // substeps
 
 /// A path this long (m) within one number of time is a jump. Objects at 100 m/s move by less than
 /// 1e-10 m.
-constexpr double kLeastJump = 1e-6;
+constexpr double kMinJump = 1e-6;
 
 bool has_finite_values(const Key& key) {
     return std::isfinite(key.time) && is_finite(key.position) && is_finite(key.orientation) &&
@@ -32,7 +32,7 @@ bool has_finite_values(const Key& key) {
 
 bool is_jump(const Key& from, const Key& to) {
     const Vec3 way = to.position - from.position;
-    return to.time == time_after_jump(from.time) && way.dot(way) > kLeastJump * kLeastJump;
+    return to.time == time_after_jump(from.time) && way.dot(way) > kMinJump * kMinJump;
 }
 
 RotationSegment rotation_between(const Key& from, const Key& to) {

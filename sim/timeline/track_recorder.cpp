@@ -25,7 +25,7 @@ constexpr double kSpinRadius = 0.03;
 constexpr double kTrainInterval = 1e-3;  // s
 
 /// Keys are no further apart than this number of states, 4 s of steps.
-constexpr std::size_t kMostSkipped = 4096;
+constexpr std::size_t kMaxSkipped = 4096;
 
 bool is_same(const Vec3& a, const Vec3& b) {
     const double size = std::max(1.0, std::max(a.length(), b.length()));
@@ -148,7 +148,7 @@ bool TrackRecorder::can_skip(std::size_t step) const {
 void TrackRecorder::reduce(std::size_t open) {
     for (;;) {
         const std::size_t longest =
-            kept_.empty() ? kMostSkipped : std::min(kept_.front(), kMostSkipped);
+            kept_.empty() ? kMaxSkipped : std::min(kept_.front(), kMaxSkipped);
         const std::size_t step = std::min(2 * good_, longest);
         if (step + open >= dense_.size()) {
             return;

@@ -12,7 +12,7 @@ namespace {
 using Taps = std::array<double, PeakInterpolator::kTaps>;
 
 /// A bound of the sum of absolute taps of every phase: 2.0 at the middle between two samples.
-constexpr double kMostGain = 2.5;
+constexpr double kMaxGain = 2.5;
 
 /// The factors of the samples, the oldest one first, for the value at `fraction` of the way from
 /// the sample of index kDelay - 1 to the next one.
@@ -56,7 +56,7 @@ double PeakInterpolator::highest() const {
 double PeakInterpolator::push_above(double sample, double least) {
     window_[next_] = window_[next_ + kTaps] = sample;
     next_ = next_ + 1 == kTaps ? 0 : next_ + 1;
-    if (std::abs(sample) * kMostGain > least) {
+    if (std::abs(sample) * kMaxGain > least) {
         loud_for_ = kTaps;
     }
     if (loud_for_ == 0) {

@@ -16,9 +16,9 @@
 namespace carom::sound {
 namespace {
 
-constexpr double kLeastFullScale = 0.2;  // Pa: 80 dB, so that silence is not blown up to a roar
-constexpr double kNearEnough = 0.05;     // LU, of a loudness that is asked for
-constexpr int kMostPasses = 12;          // with the limiter; four are usual
+constexpr double kMinFullScale = 0.2;  // Pa: 80 dB, so that silence is not blown up to a roar
+constexpr double kNearEnough = 0.05;   // LU, of a loudness that is asked for
+constexpr int kMaxPasses = 12;         // with the limiter; four are usual
 
 /// Levels (dB) are rounded upwards to a hundredth: the peak stays below its limit, and gains that
 /// follow from a loudness are the same on all machines (loudness.h).
@@ -108,7 +108,7 @@ double GainSearch::peak() {
 /// the full scale with which it measures: the second measurement uses what the first has found, and
 /// a film that is too quiet for the first is measured with its peak at the limit.
 std::optional<double> GainSearch::level_without_limiter() {
-    double full_scale = kLeastFullScale;
+    double full_scale = kMinFullScale;
     std::optional<double> level;
     for (int i = 0; i < 3; ++i) {
         LoudnessMeter meter;
@@ -153,7 +153,7 @@ Trial GainSearch::nearest(double start, double lowest) {
     Trial best;
     double level = std::max(start, lowest);
     double gain_per_loudness = 1;
-    for (int pass = 0; pass < kMostPasses; ++pass) {
+    for (int pass = 0; pass < kMaxPasses; ++pass) {
         const Trial trial = trial_at(level);
         if (std::abs(trial.loudness - wanted) < std::abs(best.loudness - wanted)) {
             best = trial;
@@ -189,10 +189,10 @@ FilmGain GainSearch::with_loudness(double added) {
     if (!start) {
         gain.limits = false;  // it gets the gain for its peak
         gain.found->loudness = -std::numeric_limits<double>::infinity();
-        gain.full_scale = std::max(kLeastFullScale, pressure_of(rounded(level_for_peak(peak_))));
+        gain.full_scale = std::max(kMinFullScale, pressure_of(rounded(level_for_peak(peak_))));
         return gain;
     }
-    const Trial found = nearest(*start, rounded(level_for_peak(peak_) - kMostLimited));
+    const Trial found = nearest(*start, rounded(level_for_peak(peak_) - kMaxLimited));
     gain.full_scale = pressure_of(found.level);
     gain.found = {.loudness = found.loudness, .limited = found.limited};
     if (found.limited > kGentlyLimited) {
@@ -209,7 +209,7 @@ FilmGain find_gain(const std::shared_ptr<FilmMix>& mix, const AddedSound& added,
     GainSearch search(mix, context);
     const auto full_scale_for_peak = [&search] {
         const double peak = search.peak() / factor_of(kHighestTruePeak);
-        return peak > kLeastFullScale ? pressure_of(rounded(level_of(peak))) : kLeastFullScale;
+        return peak > kMinFullScale ? pressure_of(rounded(level_of(peak))) : kMinFullScale;
     };
     FilmGain gain;
     if (scene.full_scale) {

@@ -16,7 +16,7 @@ inline constexpr double kHighestTruePeak = -1;  // dBTP, of every film
 /// The most that a film's loudest sounds are turned down for a loudness that is asked for, dB, and
 /// what sounds good. With more than the first, a clack is no louder than what is heard all the
 /// time; with more than the second it sounds dull (tuned).
-inline constexpr double kMostLimited = 30;
+inline constexpr double kMaxLimited = 30;
 inline constexpr double kGentlyLimited = 12;
 
 /// What became of a loudness that was asked for.

@@ -9,20 +9,19 @@ namespace {
 
 // Spheres are heard up to their diameter over the speed of sound before the sound of the contact;
 // without a delay to the listener that is before the instant.
-constexpr double kLeastLookAhead = 0.02;  // s, twice a ball's in slow motion
+constexpr double kMinLookAhead = 0.02;  // s, twice a ball's in slow motion
 
 }  // namespace
 
 FilmMix::FilmMix(SoundScene scene, std::optional<Group> only)
     : scene_(std::move(scene)),
       only_(only),
-      keeps_(scene_.frames <= kMostKept),
+      keeps_(scene_.frames <= kMaxKept),
       auralisation_(scene_),
       onsets_(onsets_of(scene_)),
-      look_ahead_(kLeastLookAhead) {
+      look_ahead_(kMinLookAhead) {
     for (std::size_t i = 0; i < scene_.shots.size(); ++i) {
-        look_ahead_ =
-            std::max(look_ahead_, kLeastLookAhead + auralisation_.longest_mirrored_ring(i));
+        look_ahead_ = std::max(look_ahead_, kMinLookAhead + auralisation_.longest_mirrored_ring(i));
     }
     begin();
 }

@@ -15,12 +15,12 @@
 
 namespace carom::sound {
 
-/// Blocks of kBlock samples, as often as they are wanted. Those of a film of up to kMostKept
+/// Blocks of kBlock samples, as often as they are wanted. Those of a film of up to kMaxKept
 /// samples are kept, so that they are mixed once; longer films are mixed again each time, because
 /// memory must not grow with their length.
 class FilmMix {
   public:
-    static constexpr std::int64_t kMostKept = 40 * std::int64_t{kSampleRate};  // 31 MB
+    static constexpr std::int64_t kMaxKept = 40 * std::int64_t{kSampleRate};  // 31 MB
 
     /// `only`: of this group alone.
     explicit FilmMix(SoundScene scene, std::optional<Group> only = std::nullopt);

@@ -25,7 +25,7 @@ ClipBlock::ClipBlock(const Clip& clip, std::int64_t first_sample, std::size_t co
       scene_time(count),
       speed(count),
       ratio(count),
-      presence(count) {
+      fade(count) {
     for (std::size_t n = 0; n < count; ++n) {
         const double film_time = time_of_sample(first_sample + static_cast<std::int64_t>(n));
         scene_time[n] = clip.scene_time(film_time);
@@ -33,7 +33,7 @@ ClipBlock::ClipBlock(const Clip& clip, std::int64_t first_sample, std::size_t co
         if (magnitude > kStands) {
             speed[n] = playing_speed(magnitude, clip.settings);
             ratio[n] = speed[n] / magnitude;
-            presence[n] = std::min(1.0, magnitude / kFadesBelow);
+            fade[n] = std::min(1.0, magnitude / kFadesBelow);
         }
     }
 }

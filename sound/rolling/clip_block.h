@@ -27,7 +27,7 @@ struct ClipBlock {
     /// The factor with which lasting sounds are heard: 1, but below a hundredth of the normal speed
     /// it falls to 0 with the film's speed (tuned), so that they end where the picture stops,
     /// though the pitch goes no lower.
-    std::vector<double> presence;
+    std::vector<double> fade;
 };
 
 }  // namespace carom::sound

@@ -13,7 +13,7 @@ namespace carom::sound {
 namespace {
 
 constexpr double kLongestPiece = 0.010;  // s
-constexpr double kMostPieces = 65536;
+constexpr double kMaxPieces = 65536;
 
 constexpr double kAtOneMetrePerSecond = 2e-3;     // Pa, 40 dB
 constexpr double kRollingExponent = 1.494867641;  // 9 dB / (20 dB log10(2))
@@ -235,7 +235,7 @@ double scraping_pressure(double slip, double force) {
 BallCurves ball_curves(const sim::Track& track, double radius, double from, double to,
                        std::span<const ContactTime> contacts) {
     const std::span<const sim::Key> keys = track.keys();
-    CurveMaker maker(radius, std::max(kLongestPiece, (to - from) / kMostPieces));
+    CurveMaker maker(radius, std::max(kLongestPiece, (to - from) / kMaxPieces));
     const auto after = std::ranges::upper_bound(keys, from, {}, &sim::Key::time);
     auto index = static_cast<std::size_t>(after - keys.begin());
     for (index = std::max<std::size_t>(index, 1); index < keys.size(); ++index) {

@@ -17,8 +17,8 @@
 namespace carom::sound {
 namespace {
 
-constexpr double kFade = 0.005;        // s of the scene
-constexpr double kLeastOffset = 1000;  // m; the largest offset is twice this
+constexpr double kFade = 0.005;      // s of the scene
+constexpr double kMinOffset = 1000;  // m; the largest offset is twice this
 
 enum class Effect { begins, ends, none };
 
@@ -271,7 +271,7 @@ void RollingVoice::add(const ClipBlock& block, std::span<double> pressure) {
         if (interval != nullptr) {
             const double sum = rolled_.at(time, block.speed[n], block.ratio[n]) +
                                slid_.at(time, block.speed[n], block.ratio[n]);
-            pressure[n] += block.presence[n] * fade_gain(*interval, time) * sum;
+            pressure[n] += block.fade[n] * fade_gain(*interval, time) * sum;
         }
     }
 }
@@ -291,7 +291,7 @@ const Interval* RollingVoice::interval_at(double time, double dynamics) {
     BallCurves curves = source_->curves(*next);
     apply_dynamics(dynamics, curves);
     const std::uint64_t bits = split_mix(source_->seed + (present_ + 2) * kSplitMixStep);
-    const double offset = kLeastOffset * (1 + unit_number(bits));
+    const double offset = kMinOffset * (1 + unit_number(bits));
     rolled_.set_curve(std::move(curves.rolled), offset);
     slid_.set_curve(std::move(curves.slid), offset);
     return &*next;

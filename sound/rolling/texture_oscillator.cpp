@@ -22,7 +22,7 @@ constexpr double kUnit = 2.1213203435596424;  // sqrt(9/2)
 
 /// The least strength of a texture by which a pressure is divided: slower motion is below 20 Hz
 /// with all its octaves.
-constexpr double kLeastStrength = 1e-3;
+constexpr double kMinStrength = 1e-3;
 
 }  // namespace
 
@@ -140,7 +140,7 @@ void TextureOscillator::enter_piece(std::size_t piece, double playing_speed) {
         for (std::size_t end = 0; end < 2; ++end) {
             const double pressure = ends.pressures[end];
             scales_[end] =
-                pressure > 0 ? pressure / std::max(strength(ends.speeds[end]), kLeastStrength) : 0;
+                pressure > 0 ? pressure / std::max(strength(ends.speeds[end]), kMinStrength) : 0;
         }
     }
     playing_speed_ = playing_speed;

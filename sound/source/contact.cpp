@@ -33,8 +33,8 @@ double hertz_contact_time(const ContactPair& pair, double impulse) {
 }
 
 double resonator_contact_time(const Resonator& resonator, double mass, double impulse) {
-    constexpr double kLeastSpeed = 1e-3;
-    const double speed = std::max(impulse / (mass * (1 + resonator.restitution)), kLeastSpeed);
+    constexpr double kMinSpeed = 1e-3;
+    const double speed = std::max(impulse / (mass * (1 + resonator.restitution)), kMinSpeed);
     return resonator.contact * power(speed / resonator.reference_speed, resonator.contact_exponent);
 }
 

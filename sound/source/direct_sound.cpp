@@ -11,7 +11,7 @@
 namespace carom::sound {
 namespace {
 
-constexpr double kMostModes = 100e3;  // Hz, nothing above is looked at for peaks
+constexpr double kMaxModes = 100e3;  // Hz, nothing above is looked at for peaks
 
 SphereWave sphere_wave(const SphereSource& sphere, const Vec3& place, double contact_distance) {
     const Vec3 path = place - sphere.centre;
@@ -37,12 +37,12 @@ struct Grid {
 Grid search_grid(const DirectSound& sound) {
     double first = 0;
     double last = 0;
-    double lowest = kMostModes;
+    double lowest = kMaxModes;
     double highest = 0;
     const auto include = [&](const Partial& partial) {
         const double frequency = partial.pole.im / (2 * std::numbers::pi);
         lowest = std::min(lowest, frequency);
-        highest = std::max(highest, std::min(frequency, kMostModes));
+        highest = std::max(highest, std::min(frequency, kMaxModes));
     };
     for (const SphereWave& wave : sound.spheres) {
         first = std::min(first, wave.onset);

@@ -11,7 +11,7 @@
 namespace carom::sound {
 namespace {
 
-constexpr double kNothing = 1e-3;  // of the least height, below which a ring is left out
+constexpr double kHeightThreshold = 1e-3;  // of the least height, below which a ring is left out
 
 /// The part of a row of times first + i step that lies in (from, to].
 struct SampleRange {
@@ -91,7 +91,7 @@ ModeBank::ModeBank(double duration, std::span<const Partial> partials, double le
         if (height > least) {
             ring.fade += logarithm(height / least) / -partial.pole.re;
         }
-        if (height > kNothing * least) {
+        if (height > kHeightThreshold * least) {
             ring.end = ring.fade + std::numbers::ln2 / -partial.pole.re;
         }
         end_ = std::max(end_, ring.end);

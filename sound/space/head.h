@@ -61,12 +61,12 @@ class EarFilter {
         const double result = ear.b0 * sample + ear.b1 * last_sample_ - ear.a1 * last_result_;
         last_sample_ = sample;
         // Below any audible level, and far above the numbers that processors compute slowly.
-        last_result_ = result > kNothing || result < -kNothing ? result : 0;
+        last_result_ = result > kDenormalThreshold || result < -kDenormalThreshold ? result : 0;
         return last_result_;
     }
 
   private:
-    static constexpr double kNothing = 1e-30;  // Pa
+    static constexpr double kDenormalThreshold = 1e-30;  // Pa
 
     double last_sample_ = 0;
     double last_result_ = 0;

@@ -18,7 +18,7 @@ constexpr std::array<std::size_t, 16> kLengths{1009, 1069, 1151, 1213, 1291, 137
 
 /// Smaller values (Pa) count as silence: 1e-30 of any audible sound, and far above the denormal
 /// numbers with which processors are slow.
-constexpr double kNothing = 1e-30;
+constexpr double kDenormalThreshold = 1e-30;
 
 /// Rows of the Hadamard matrix with which the lines are heard left and right. Row i has the sign
 /// (-1)^(number of common bits of i and the line).
@@ -94,7 +94,7 @@ void Reverberation::add(std::span<const double> source, std::span<double> left,
             Line& line = lines_[i];
             const double out = memory_[line.first + line.next];
             const double state = (1 - line.pole) * line.gain * out + line.pole * line.state;
-            line.state = std::abs(state) < kNothing ? 0 : state;
+            line.state = std::abs(state) < kDenormalThreshold ? 0 : state;
             values[i] = line.state;
         }
         double heard_left = 0;
@@ -110,7 +110,7 @@ void Reverberation::add(std::span<const double> source, std::span<double> left,
         for (std::size_t i = 0; i < kLines; ++i) {
             Line& line = lines_[i];
             const double in = (values[i] + source[n]) / 4;
-            const bool is_nothing = std::abs(in) < kNothing;
+            const bool is_nothing = std::abs(in) < kDenormalThreshold;
             memory_[line.first + line.next] = is_nothing ? 0 : in;
             is_quiet = is_quiet && is_nothing;
             line.next = line.next + 1 == line.length ? 0 : line.next + 1;

@@ -10,7 +10,7 @@
 namespace carom::sound {
 namespace {
 
-constexpr double kLeastClearance = 0.3;    // m, of source and listener to every wall
+constexpr double kMinClearance = 0.3;      // m, of source and listener to every wall
 constexpr double kGroundReflection = 0.9;  // of the pressure, outdoors
 
 double volume_of(const Vec3& size) {
@@ -29,7 +29,7 @@ double reflection_factor(const Vec3& size, double reverberation) {
 /// The image in a wall at `place` along the axis; `side` is 1 if the room is below it, -1 above.
 Reflection reflection_in(int axis, double side, double place, const Vec3& source,
                          const Vec3& listener) {
-    const double nearest = std::max(side * source[axis], side * listener[axis]) + kLeastClearance;
+    const double nearest = std::max(side * source[axis], side * listener[axis]) + kMinClearance;
     const double wall = side * std::max(side * place, nearest);
     Reflection reflection;
     reflection.image = source;

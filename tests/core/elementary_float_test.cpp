@@ -60,11 +60,11 @@ TEST(FloatAngle_OfAllDirections, IsNearest) {
     for (int i = -31415; i <= 31415; ++i) {
         const float x = 3 * std::cos(static_cast<float>(i) * 1e-4F);
         const float y = 3 * std::sin(static_cast<float>(i) * 1e-4F);
-        ASSERT_TRUE(is_near(angle_of(x, y), std::atan2(double{y}, double{x}))) << x << ", " << y;
+        ASSERT_TRUE(is_near(arctangent2(y, x), std::atan2(double{y}, double{x}))) << x << ", " << y;
     }
-    EXPECT_EQ(angle_of(0.0F, 0.0F), 0);
-    EXPECT_EQ(angle_of(0.0F, -1.0F), std::atan2(-1.0F, 0.0F));
-    EXPECT_EQ(angle_of(-1.0F, 0.0F), std::atan2(0.0F, -1.0F));
+    EXPECT_EQ(arctangent2(0.0F, 0.0F), 0);
+    EXPECT_EQ(arctangent2(-1.0F, 0.0F), std::atan2(-1.0F, 0.0F));
+    EXPECT_EQ(arctangent2(0.0F, -1.0F), std::atan2(0.0F, -1.0F));
 }
 
 TEST(FloatArcSineAndCosine_OverTheirRange, AreNearest) {

@@ -48,9 +48,9 @@ TEST(Exponential_OverItsRange, AgreesWithTheLibrary) {
 TEST(AngleOf_AllDirections, AgreesWithTheLibrary) {
     for (int i = -3141; i <= 3141; ++i) {
         const double angle = i * 1e-3;
-        ASSERT_NEAR(angle_of(2 * std::cos(angle), 2 * std::sin(angle)), angle, 1e-15) << angle;
+        ASSERT_NEAR(arctangent2(2 * std::sin(angle), 2 * std::cos(angle)), angle, 1e-15) << angle;
     }
-    EXPECT_EQ(angle_of(0, 0), 0);
+    EXPECT_EQ(arctangent2(0, 0), 0);
 }
 
 TEST(ArcSineAndCosine_OverTheirRange, AgreeWithTheLibrary) {

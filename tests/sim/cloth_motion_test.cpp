@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kRadius = 0.028575;
 constexpr double kGravity = 9.81;
-const SupportLaw kLaw{0.2, 0.01, 0.0127};
+const FrictionCoefficients kLaw{0.2, 0.01, 0.0127};
 
 MotionState moving(const Vec3& velocity, const Vec3& spin) {
     MotionState state;
@@ -137,8 +137,9 @@ TEST(ClothMotion_OffLevelAtRandom, LosesEnergyAndNeedsFewPieces) {
     for (int i = 0; i < 300; ++i) {
         const Vec3 pull = Vec3(random.between(-1, 1), random.between(-1, 1), 0) *
                           std::pow(10, random.between(-3, 1));
-        const SupportLaw law{random.between(0.05, 0.4), i % 5 == 0 ? 0 : random.between(0, 0.03),
-                             random.between(0, 0.02)};
+        const FrictionCoefficients law{random.between(0.05, 0.4),
+                                       i % 5 == 0 ? 0 : random.between(0, 0.03),
+                                       random.between(0, 0.02)};
         const Vec3 velocity = Vec3(random.between(-1, 1), random.between(-1, 1), 0) *
                               std::pow(10, random.between(-4, 0.5));
         const Vec3 spin =

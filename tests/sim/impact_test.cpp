@@ -82,7 +82,7 @@ TEST_F(Impact, BallBall_BarelyApproaching_StillSeparates) {
     RigidBody a = ball({0, 0, 0}, {1e-14, 0, 0});
     RigidBody b = ball({2 * kRadius, 0, 0}, {0, 0, 0});
     ball_ball_impact(solver_, a, b, {-1, 0, 0}, 0.9, 0.1);
-    EXPECT_NEAR(b.state.velocity.x - a.state.velocity.x, kLeastSeparation, 1e-12);
+    EXPECT_NEAR(b.state.velocity.x - a.state.velocity.x, kMinSeparation, 1e-12);
 }
 
 TEST_F(Impact, BallOnSlate_WithSpin_BouncesWithFriction) {

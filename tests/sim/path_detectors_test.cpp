@@ -102,7 +102,7 @@ TEST(LineDetector_OfABodyThatStartsOnTheLine, FindsNoCrossing) {
 }
 
 TEST(ApexDetector_OfALowHop, FindsNone) {
-    const double rise = std::sqrt(2 * kGravity * kLeastRise);
+    const double rise = std::sqrt(2 * kGravity * kMinRise);
     EXPECT_TRUE(ApexDetector().follow(thrown(0.999 * rise, 0, 1)).empty());
     EXPECT_EQ(ApexDetector().follow(thrown(1.001 * rise, 0, 1)).size(), 1U);
 }

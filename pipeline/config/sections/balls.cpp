@@ -96,10 +96,10 @@ const MapSpec<BallSection>& ball_spec() {
               "position against another ball");
         s.at_most_one_of({"at", "touching"});
         s.key("velocity", &BallSection::velocity,
-              coordinates(Dimension::speed, between(-sim::kMostSpeed, sim::kMostSpeed)),
+              coordinates(Dimension::speed, between(-sim::kMaxSpeed, sim::kMaxSpeed)),
               "velocity at the start");
         s.key("spin", &BallSection::spin,
-              vector3(Dimension::angular_speed, between(-sim::kMostSpin, sim::kMostSpin)),
+              vector3(Dimension::angular_speed, between(-sim::kMaxSpin, sim::kMaxSpin)),
               "angular velocity at the start, world axes");
         s.key("rotate", &BallSection::rotate, rotation(),
               "orientation. By default the seed chooses it");

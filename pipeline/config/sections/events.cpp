@@ -19,7 +19,7 @@ void add_start(MapSpec<ForceEvent>& s) {
           "scene time. With `when`, the event does not happen before it");
     s.set(
         "when", condition(),
-        [](ForceEvent& event, sim::Moment condition) {
+        [](ForceEvent& event, sim::EventTime condition) {
             event.trigger = std::move(condition.trigger);
             event.after += condition.delay;
         },
@@ -67,7 +67,7 @@ const MapSpec<ForceEvent>& force_spec() {
         s.key(
              "newtons",
              [](ForceEvent& e) -> Vec3& { return std::get<sim::Force>(e.action).newtons; },
-             vector3(Dimension::force, between(-sim::kMostForce, sim::kMostForce)), "the force")
+             vector3(Dimension::force, between(-sim::kMaxForce, sim::kMaxForce)), "the force")
             .required();
         add_point_and_axes<sim::Force>(s);
         return s;
@@ -89,7 +89,7 @@ const MapSpec<ForceEvent>& torque_spec() {
         s.key(
              "newton_metres",
              [](ForceEvent& e) -> Vec3& { return std::get<Torque>(e.action).newton_metres; },
-             vector3(Dimension::torque, between(-sim::kMostTorque, sim::kMostTorque)), "the torque")
+             vector3(Dimension::torque, between(-sim::kMaxTorque, sim::kMaxTorque)), "the torque")
             .required();
         s.key(
             "axes", [](ForceEvent& e) -> sim::Axes& { return std::get<Torque>(e.action).axes; },
@@ -108,7 +108,7 @@ const MapSpec<ForceEvent>& impulse_spec() {
         s.key(
              "newton_seconds",
              [](ForceEvent& e) -> Vec3& { return std::get<sim::Impulse>(e.action).newton_seconds; },
-             vector3(Dimension::impulse, between(-sim::kMostImpulse, sim::kMostImpulse)),
+             vector3(Dimension::impulse, between(-sim::kMaxImpulse, sim::kMaxImpulse)),
              "the impulse")
             .required();
         add_point_and_axes<sim::Impulse>(s);
@@ -129,14 +129,14 @@ const MapSpec<ForceEvent>& velocity_spec() {
             [](ForceEvent& e) -> std::optional<Vec3>& {
                 return std::get<SetVelocity>(e.action).linear;
             },
-            vector3(Dimension::speed, between(-sim::kMostSpeed, sim::kMostSpeed)),
+            vector3(Dimension::speed, between(-sim::kMaxSpeed, sim::kMaxSpeed)),
             "velocity in world axes. By default it is left unchanged");
         s.key(
             "angular",
             [](ForceEvent& e) -> std::optional<Vec3>& {
                 return std::get<SetVelocity>(e.action).angular;
             },
-            vector3(Dimension::angular_speed, between(-sim::kMostSpin, sim::kMostSpin)),
+            vector3(Dimension::angular_speed, between(-sim::kMaxSpin, sim::kMaxSpin)),
             "angular velocity in world axes. By default it is left unchanged");
         s.check([](Reader& reader, const Node& node, ForceEvent&) {
             if (node.find("linear") == nullptr && node.find("angular") == nullptr) {

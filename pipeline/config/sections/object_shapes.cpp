@@ -27,10 +27,10 @@ const MapSpec<sim::Capsule>& capsule_spec() {
     static const MapSpec<sim::Capsule> spec = [] {
         MapSpec<sim::Capsule> s("capsule",
                                 "A cylinder whose axis is z with a hemisphere at each end.");
-        s.key("radius", &sim::Capsule::radius, length(between(sim::kLeastSize, sim::kMostSize)),
+        s.key("radius", &sim::Capsule::radius, length(between(sim::kMinSize, sim::kMaxSize)),
               "radius of the cylinder and of the hemispheres")
             .required();
-        s.key("length", &sim::Capsule::length, length(between(sim::kLeastSize, sim::kMostSize)),
+        s.key("length", &sim::Capsule::length, length(between(sim::kMinSize, sim::kMaxSize)),
               "distance between the centres of the hemispheres")
             .required();
         return s;
@@ -41,10 +41,10 @@ const MapSpec<sim::Capsule>& capsule_spec() {
 const MapSpec<sim::Cylinder>& cylinder_spec() {
     static const MapSpec<sim::Cylinder> spec = [] {
         MapSpec<sim::Cylinder> s("cylinder", "A cylinder whose axis is z.");
-        s.key("radius", &sim::Cylinder::radius, length(between(sim::kLeastSize, sim::kMostSize)),
+        s.key("radius", &sim::Cylinder::radius, length(between(sim::kMinSize, sim::kMaxSize)),
               "radius of the caps")
             .required();
-        s.key("height", &sim::Cylinder::height, length(between(sim::kLeastSize, sim::kMostSize)),
+        s.key("height", &sim::Cylinder::height, length(between(sim::kMinSize, sim::kMaxSize)),
               "height from cap to cap")
             .required();
         return s;
@@ -201,7 +201,7 @@ void add_shapes(MapSpec<ObjectSection>& s) {
         [](const Vec3& size) { return render::BoxShape{size}; },
         "lengths of the edges along x, y and z");
     add_shape(
-        s, "sphere", length(between(sim::kLeastSize, sim::kMostSize)),
+        s, "sphere", length(between(sim::kMinSize, sim::kMaxSize)),
         [](double radius) { return render::SphereShape{radius}; }, "radius of a sphere");
     add_shape(
         s, "rectangle", vector2(Dimension::length, above_up_to(0, 1000)),

@@ -32,10 +32,10 @@ const MapSpec<ObjectPhysics>& object_physics_spec() {
         s.key("material", &ObjectPhysics::material, text("a physical material"),
               "physical material for the contact law (see `physics.pairs`)");
         s.key("velocity", &ObjectPhysics::velocity,
-              vector3(Dimension::speed, between(-sim::kMostSpeed, sim::kMostSpeed)),
+              vector3(Dimension::speed, between(-sim::kMaxSpeed, sim::kMaxSpeed)),
               "velocity at the start");
         s.key("spin", &ObjectPhysics::spin,
-              vector3(Dimension::angular_speed, between(-sim::kMostSpin, sim::kMostSpin)),
+              vector3(Dimension::angular_speed, between(-sim::kMaxSpin, sim::kMaxSpin)),
               "angular velocity at the start, world axes");
         s.at_most_one_of({"density", "mass"});
         return s;

@@ -13,7 +13,7 @@ namespace carom::pipeline::config {
 
 namespace {
 
-using sim::Moment;
+using sim::EventTime;
 using sim::Trigger;
 
 constexpr double kLongest = 3600;  // s
@@ -58,11 +58,11 @@ ValueType<std::string> everything_or_name() {
 }
 
 /// Adds a key whose value is the name of the object to which something happens.
-void add_kind(MapSpec<Moment>& s, std::string_view key, Trigger::Kind kind,
+void add_kind(MapSpec<EventTime>& s, std::string_view key, Trigger::Kind kind,
               const ValueType<std::string>& name, std::string_view description) {
     s.set(
         key, name,
-        [kind](Moment& moment, std::string object) {
+        [kind](EventTime& moment, std::string object) {
             moment.trigger.kind = kind;
             moment.trigger.a = std::move(object);
         },
@@ -70,7 +70,7 @@ void add_kind(MapSpec<Moment>& s, std::string_view key, Trigger::Kind kind,
 }
 
 /// The object of a contact comes first; the two names may be given in any order.
-void check_contact(Reader& reader, const Node& node, Moment& moment) {
+void check_contact(Reader& reader, const Node& node, EventTime& moment) {
     Trigger& trigger = moment.trigger;
     if (trigger.kind != Trigger::Kind::contact || !sim::is_surface(trigger.a)) {
         return;
@@ -84,10 +84,10 @@ void check_contact(Reader& reader, const Node& node, Moment& moment) {
 }
 
 /// Adds what can happen, without delays.
-void add_kinds(MapSpec<Moment>& s) {
+void add_kinds(MapSpec<EventTime>& s) {
     s.set(
         "contact", list_of(name_of(ReferenceKind::touchable), 2, 2),
-        [](Moment& moment, const std::vector<std::string>& names) {
+        [](EventTime& moment, const std::vector<std::string>& names) {
             moment.trigger.kind = Trigger::Kind::contact;
             moment.trigger.a = names[0];
             moment.trigger.b = names[1];
@@ -96,7 +96,7 @@ void add_kinds(MapSpec<Moment>& s) {
         "each other are one contact");
     s.set(
         "cushion", name_of(ReferenceKind::body),
-        [](Moment& moment, std::string name) {
+        [](EventTime& moment, std::string name) {
             moment.trigger.kind = Trigger::Kind::contact;
             moment.trigger.a = std::move(name);
             moment.trigger.b = "cushion";
@@ -110,24 +110,24 @@ void add_kinds(MapSpec<Moment>& s) {
              "order of the list: each waits for a motion that begins after the previous event");
     s.set(
         "crossing", record(crossing_spec()),
-        [](Moment& moment, Trigger crossing) { moment.trigger = std::move(crossing); },
+        [](EventTime& moment, Trigger crossing) { moment.trigger = std::move(crossing); },
         "an object crosses a line");
     add_kind(s, "strike", Trigger::Kind::strike, name_of(ReferenceKind::ball),
              "a stick strikes a ball");
     add_kind(s, "apex", Trigger::Kind::apex, name_of(ReferenceKind::simulated),
              "an object is at the highest point of a flight, after it rose by 1 mm or more");
     s.key(
-        "nth", [](Moment& moment) -> int& { return moment.trigger.nth; }, integer(1, kMostCounted),
-        "which occurrence is meant: 2 is the second one");
+        "nth", [](EventTime& moment) -> int& { return moment.trigger.nth; },
+        integer(1, kMostCounted), "which occurrence is meant: 2 is the second one");
     s.check(check_contact);
     s.exactly_one_of({kKinds.begin(), kKinds.end()});
 }
 
-const MapSpec<Moment>& condition_spec() {
-    static const MapSpec<Moment> spec = [] {
-        MapSpec<Moment> s("when", "A condition in the shot that starts an event.");
+const MapSpec<EventTime>& condition_spec() {
+    static const MapSpec<EventTime> spec = [] {
+        MapSpec<EventTime> s("when", "A condition in the shot that starts an event.");
         add_kinds(s);
-        s.key("after", &Moment::delay, time(between(0, kLongest)),
+        s.key("after", &EventTime::delay, time(between(0, kLongest)),
               "delay; the same as the event's own `after`");
         s.refuse("before",
                  "asks for an effect ahead of its cause: the event cannot happen before "
@@ -137,18 +137,18 @@ const MapSpec<Moment>& condition_spec() {
     return spec;
 }
 
-const MapSpec<Moment>& moment_spec() {
-    static const MapSpec<Moment> spec = [] {
-        MapSpec<Moment> s("moment",
-                          "A scene time that is named by what happens in the shot. 'carom plan' "
-                          "and 'carom info --resolved' show it in seconds.");
+const MapSpec<EventTime>& moment_spec() {
+    static const MapSpec<EventTime> spec = [] {
+        MapSpec<EventTime> s("moment",
+                             "A scene time that is named by what happens in the shot. 'carom plan' "
+                             "and 'carom info --resolved' show it in seconds.");
         add_kinds(s);
         const auto delay = time(between(0, kLongest));
         s.set(
-            "before", delay, [](Moment& moment, double time) { moment.delay = -time; },
+            "before", delay, [](EventTime& moment, double time) { moment.delay = -time; },
             "time by which the moment is before that");
         s.set(
-            "after", delay, [](Moment& moment, double time) { moment.delay = time; },
+            "after", delay, [](EventTime& moment, double time) { moment.delay = time; },
             "time by which the moment is after that");
         s.at_most_one_of({"before", "after"});
         return s;
@@ -159,12 +159,12 @@ const MapSpec<Moment>& moment_spec() {
 /// A number, or a moment as the number that `from_seconds` makes of its time.
 template <class V, class FromSeconds>
 ValueType<V> number_or_moment(const ValueType<V>& number, FromSeconds from_seconds) {
-    const ValueType<Moment> moment = record(moment_spec());
+    const ValueType<EventTime> moment = record(moment_spec());
     ValueType<V> at_moment;
     at_moment.info = moment.info;
     at_moment.read = [read = moment.read, from_seconds](Reader& reader,
                                                         const Node& node) -> std::optional<V> {
-        const std::optional<Moment> named = read(reader, node);
+        const std::optional<EventTime> named = read(reader, node);
         const std::optional<double> time =
             named ? reader.time_of(*named, node) : std::optional<double>();
         return time ? std::optional<V>(from_seconds(*time)) : std::nullopt;
@@ -177,11 +177,11 @@ ValueType<V> number_or_moment(const ValueType<V>& number, FromSeconds from_secon
 
 }  // namespace
 
-ValueType<Moment> condition() {
+ValueType<EventTime> condition() {
     return record(condition_spec());
 }
 
-ValueType<Moment> moment() {
+ValueType<EventTime> moment() {
     return record(moment_spec());
 }
 

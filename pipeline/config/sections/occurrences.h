@@ -2,15 +2,15 @@
 #pragma once
 
 #include "pipeline/config/value_types.h"
-#include "sim/moment.h"
+#include "sim/event_time.h"
 
 namespace carom::pipeline::config {
 
 /// The condition of an event (`when`). The moment's delay is never negative.
-[[nodiscard]] ValueType<sim::Moment> condition();
+[[nodiscard]] ValueType<sim::EventTime> condition();
 
 /// A moment in the shot.
-[[nodiscard]] ValueType<sim::Moment> moment();
+[[nodiscard]] ValueType<sim::EventTime> moment();
 
 /// A scene time: a number, or a moment in the shot. A moment is read as the time at which it comes,
 /// or as 0 s while the motion is not known (Reader::time_of).

@@ -21,7 +21,7 @@ constexpr double kSoftest = 1e3;              // Pa
 constexpr double kStiffest = 2e12;            // Pa
 constexpr double kQuietestFilm = -70;         // LUFS
 constexpr double kLoudestFilm = -5;           // LUFS
-constexpr int kMostModes = 64;
+constexpr int kMaxModes = 64;
 
 using sound::RoomSettings;
 
@@ -126,7 +126,7 @@ const MapSpec<SoundMaterial>& sound_material_spec() {
         s.key("contact", &SoundMaterial::contact, time(above_up_to(0, kLongestContact)),
               "how long a contact lasts. Those with the cloth and the tip are shorter at high "
               "speed; this is then their length at 1 m/s and 3 m/s");
-        s.key("modes", &SoundMaterial::modes, list_of(record(mode_spec()), 0, kMostModes),
+        s.key("modes", &SoundMaterial::modes, list_of(record(mode_spec()), 0, kMaxModes),
               "vibrations that each contact excites. They replace all usual ones");
         return s;
     }();

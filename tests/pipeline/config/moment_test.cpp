@@ -47,8 +47,8 @@ Resolved resolve(const std::string& text) {
 
 double time_of(const Resolved& resolved, const std::string& moment) {
     const auto parsed = parse_moment(moment);
-    const auto found = sim::find_moment(std::get<sim::Moment>(parsed), resolved.timeline,
-                                        resolved.loaded.shot->world);
+    const auto found = sim::find_event_time(std::get<sim::EventTime>(parsed), resolved.timeline,
+                                            resolved.loaded.shot->world);
     return std::get<double>(found);
 }
 
@@ -183,7 +183,8 @@ TEST(Conditions, RefuseAnEffectAheadOfItsCause) {
 }
 
 TEST(ParseMoment, ReadsAnOption) {
-    const auto moment = std::get<sim::Moment>(parse_moment("{apex: cue, nth: 3, before: 50 ms}"));
+    const auto moment =
+        std::get<sim::EventTime>(parse_moment("{apex: cue, nth: 3, before: 50 ms}"));
     EXPECT_EQ(moment.trigger.kind, sim::Trigger::Kind::apex);
     EXPECT_EQ(moment.trigger.nth, 3);
     EXPECT_EQ(moment.delay, -0.05);

@@ -8,7 +8,7 @@
 #include "pipeline/config/load_shot.h"
 #include "pipeline/job/frame_graphics.h"
 #include "sim/bake.h"
-#include "sim/moment.h"
+#include "sim/event_time.h"
 
 namespace carom::pipeline {
 namespace {

@@ -20,7 +20,7 @@
 namespace carom::sim::test {
 namespace {
 
-const SupportLaw kLaw{0.2, 0.01, 0.0127};
+const FrictionCoefficients kLaw{0.2, 0.01, 0.0127};
 
 /// One ball on the cloth in a world of ODE.
 class OdeBall {

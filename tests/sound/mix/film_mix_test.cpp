@@ -29,7 +29,7 @@ std::vector<double> read(FilmMix& mix, int count) {
 }
 
 TEST(FilmMix, EveryReading_HasTheMixedSamples) {
-    for (const std::int64_t frames : {std::int64_t{48'000}, FilmMix::kMostKept + 1}) {
+    for (const std::int64_t frames : {std::int64_t{48'000}, FilmMix::kMaxKept + 1}) {
         SmallFilm film;
         film.collide(0.01);
         film.collide(0.04);

@@ -237,7 +237,7 @@ TEST(FilmSound, LoudnessOfASingleClack_IsMissedAndToldAsItIs) {
     film.scene.loudness = -14;
     const SoundLevels levels = levels_of(film.scene);
     EXPECT_LT(levels.loudness, -14.2);
-    EXPECT_LT(levels.limited, kMostLimited + 0.2);
+    EXPECT_LT(levels.limited, kMaxLimited + 0.2);
     film.scene.loudness = levels.loudness - 1;
     EXPECT_NEAR(levels_of(film.scene).loudness, *film.scene.loudness, 0.1);
 }

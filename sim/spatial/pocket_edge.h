@@ -8,7 +8,7 @@
 
 namespace carom::sim {
 
-struct Rim {
+struct PocketEdge {
     Vec3 centre{0, 0, 0};
     double radius = 0;  // of the horizontal circle, m
 

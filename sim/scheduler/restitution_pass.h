@@ -26,10 +26,10 @@ template <class StateOf>
     return -relative.dot(contact.normal);
 }
 
-class StepBounces {
+class RestitutionPass {
   public:
-    StepBounces(const StaticEnvironment& environment, Bodies& bodies, ContactFinder& finder,
-                Recorder& recorder)
+    RestitutionPass(const StaticEnvironment& environment, Bodies& bodies, ContactFinder& finder,
+                    Recorder& recorder)
         : environment_(environment), bodies_(bodies), finder_(finder), recorder_(recorder) {}
 
     /// Resolves impacts group by group, until no pair approaches fast enough to bounce: a group is

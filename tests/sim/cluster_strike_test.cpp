@@ -1,6 +1,6 @@
 // Strikes on touching balls, against closed forms (docs/physics.md, "A strike on touching balls")
 // and balances.
-#include "sim/stick/push.h"
+#include "sim/stick/cluster_strike.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,9 +25,9 @@ RigidBody ball_at(double x, double y, double z = 0) {
 }
 
 /// A group with contacts between all balls that touch.
-TouchingGroup group_of(std::vector<RigidBody> balls, std::optional<double> friction = {},
+FrozenCluster group_of(std::vector<RigidBody> balls, std::optional<double> friction = {},
                        bool is_level = true) {
-    TouchingGroup group;
+    FrozenCluster group;
     group.balls = std::move(balls);
     for (std::size_t i = 0; i < group.balls.size(); ++i) {
         for (std::size_t k = i + 1; k < group.balls.size(); ++k) {
@@ -41,7 +41,7 @@ TouchingGroup group_of(std::vector<RigidBody> balls, std::optional<double> frict
 }
 
 /// A cue ball at the origin that touches another in the direction of +x.
-TouchingGroup frozen_pair(double friction) {
+FrozenCluster frozen_pair(double friction) {
     return group_of({ball_at(0, 0), ball_at(2 * kRadius, 0)}, friction);
 }
 
@@ -56,7 +56,7 @@ Vec3 towards(double angle) {
     return {std::cos(angle), std::sin(angle), 0};
 }
 
-double energy(const TouchingGroup& group) {
+double energy(const FrozenCluster& group) {
     double sum = 0;
     for (const RigidBody& b : group.balls) {
         const Vec3& v = b.state.velocity;
@@ -66,7 +66,7 @@ double energy(const TouchingGroup& group) {
     return sum;
 }
 
-Vec3 momentum(const TouchingGroup& group) {
+Vec3 momentum(const FrozenCluster& group) {
     Vec3 sum(0, 0, 0);
     for (const RigidBody& b : group.balls) {
         sum += b.state.velocity * b.mass;
@@ -79,7 +79,7 @@ double direction_of(const RigidBody& ball) {
 }
 
 /// The largest difference between the velocities and surface speeds of two groups.
-double difference(const TouchingGroup& a, const TouchingGroup& b) {
+double difference(const FrozenCluster& a, const FrozenCluster& b) {
     double largest = 0;
     for (std::size_t i = 0; i < a.balls.size(); ++i) {
         const MotionState& s = a.balls[i].state;
@@ -97,8 +97,8 @@ TEST(Push_OfOneBall, IsThatOfAFreeBall) {
         strike.elevation = elevation;
         const StrikeResult free =
             *strike_ball(strike, towards(0.7), RigidBody::ball(kMass, kRadius));
-        TouchingGroup group = group_of({ball_at(0, 0)});
-        const PushResult push = push_balls(group, strike, towards(0.7), kConstant);
+        FrozenCluster group = group_of({ball_at(0, 0)});
+        const ClusterStrikeResult push = strike_cluster(group, strike, towards(0.7), kConstant);
         const MotionState& state = group.balls[0].state;
         EXPECT_NEAR((state.velocity - free.velocity).length(), 0, 1e-13);
         EXPECT_NEAR((state.angular_velocity - free.angular_velocity).length(), 0, 1e-11);
@@ -110,8 +110,8 @@ TEST(Push_Straight, GivesBothBallsTheSameSpeed) {
     for (const double e : {0.0, 0.73, 1.0}) {
         Strike strike = level_strike(4);
         strike.tip_restitution = e;
-        TouchingGroup group = frozen_pair(0.05);
-        push_balls(group, strike, {1, 0, 0}, kConstant);
+        FrozenCluster group = frozen_pair(0.05);
+        strike_cluster(group, strike, {1, 0, 0}, kConstant);
         const double expected = (1 + e) * 4 / (1 + 2 * kMass / strike.stick_mass);
         for (const RigidBody& ball : group.balls) {
             EXPECT_NEAR((ball.state.velocity - Vec3(expected, 0, 0)).length(), 0, 1e-13);
@@ -121,11 +121,11 @@ TEST(Push_Straight, GivesBothBallsTheSameSpeed) {
 }
 
 TEST(Push_AlongALineOfThree, GivesAllTheSameSpeed) {
-    TouchingGroup group =
+    FrozenCluster group =
         group_of({ball_at(2 * kRadius, 0), ball_at(0, 0), ball_at(4 * kRadius, 0)});
     group.struck = 1;
     const Strike strike = level_strike(4);
-    push_balls(group, strike, {1, 0, 0}, {0.95, 0.05, BallFriction::alciatore});
+    strike_cluster(group, strike, {1, 0, 0}, {0.95, 0.05, BallFriction::alciatore});
     const double expected = 1.73 * 4 / (1 + 3 * kMass / strike.stick_mass);
     for (const RigidBody& ball : group.balls) {
         EXPECT_NEAR((ball.state.velocity - Vec3(expected, 0, 0)).length(), 0, 1e-12);
@@ -139,9 +139,9 @@ TEST(Push_AtAnAngle, SendsBothBallsWhereTheClosedFormsSay) {
         for (int degrees = -80; degrees <= 80; degrees += 4) {
             const double aim = std::tan(degrees * kDegree);
             const double side = aim > 0 ? 1 : -1;
-            TouchingGroup group = frozen_pair(mu);
+            FrozenCluster group = frozen_pair(mu);
             const Strike strike = level_strike(2);
-            push_balls(group, strike, towards(degrees * kDegree), kConstant);
+            strike_cluster(group, strike, towards(degrees * kDegree), kConstant);
             const bool slides = std::abs(aim) > 3.5 * mu;
             const double cue = slides ? 2 * aim - side * mu : 12.0 / 7 * aim;
             const double object = slides ? side * mu : 2.0 / 7 * aim;
@@ -167,8 +167,8 @@ TEST(Push_WithSideSpin, ThrowsTheObjectBallByTheClosedForm) {
             for (int degrees = -60; degrees <= 60; degrees += 12) {
                 Strike strike = level_strike(2, {a, 0});
                 strike.end_mass_ratio = 1e-15;
-                TouchingGroup group = frozen_pair(mu);
-                push_balls(group, strike, towards(degrees * kDegree), kConstant);
+                FrozenCluster group = frozen_pair(mu);
+                strike_cluster(group, strike, towards(degrees * kDegree), kConstant);
                 const double c = std::cos(degrees * kDegree);
                 const double s = std::sin(degrees * kDegree);
                 const double object = std::clamp(2.0 / 7 * (s + 2.5 * a) / c, -mu, mu);
@@ -187,9 +187,9 @@ TEST(Push_WithFollow, TurnsTheObjectBallBackwards) {
     for (const bool is_level : {true, false}) {
         for (const double b : {0.02, 0.3}) {
             const double mu = 0.06;
-            TouchingGroup group = group_of({ball_at(0, 0), ball_at(2 * kRadius, 0)}, mu, is_level);
-            const PushResult push =
-                push_balls(group, level_strike(2, {0, b}), {1, 0, 0}, kConstant);
+            FrozenCluster group = group_of({ball_at(0, 0), ball_at(2 * kRadius, 0)}, mu, is_level);
+            const ClusterStrikeResult push =
+                strike_cluster(group, level_strike(2, {0, b}), {1, 0, 0}, kConstant);
             const double friction = std::min(2.5 * b / (is_level ? 5 : 7), 0.5 * mu) * push.impulse;
             const MotionState& object = group.balls[1].state;
             EXPECT_NEAR(object.angular_velocity.y * kRadius, -2.5 * friction / kMass, 1e-12);
@@ -202,9 +202,9 @@ TEST(Push_WithFollow, TurnsTheObjectBallBackwards) {
 }
 
 TEST(Push_AwayFromTheOtherBall, LeavesItAlone) {
-    TouchingGroup group = frozen_pair(0.05);
+    FrozenCluster group = frozen_pair(0.05);
     const Strike strike = level_strike(2, {0.1, 0.2});
-    const PushResult push = push_balls(group, strike, towards(2), kConstant);
+    const ClusterStrikeResult push = strike_cluster(group, strike, towards(2), kConstant);
     const StrikeResult free = *strike_ball(strike, towards(2), RigidBody::ball(kMass, kRadius));
     EXPECT_NEAR((group.balls[0].state.velocity - free.velocity).length(), 0, 1e-13);
     EXPECT_EQ(group.balls[1].state.velocity, Vec3(0, 0, 0));
@@ -215,8 +215,8 @@ TEST(Push_ByBallSpeed, GivesTheStruckBallThatSpeed) {
     for (const int degrees : {0, 20, 70, 130}) {
         Strike strike;
         strike.ball_speed = 1.5;
-        TouchingGroup group = frozen_pair(0.06);
-        push_balls(group, strike, towards(degrees * kDegree), kConstant);
+        FrozenCluster group = frozen_pair(0.06);
+        strike_cluster(group, strike, towards(degrees * kDegree), kConstant);
         EXPECT_NEAR(group.balls[0].state.velocity.length(), 1.5, 1e-13) << degrees;
     }
 }
@@ -226,14 +226,14 @@ TEST(Push_ByBallSpeed, GivesTheStruckBallThatSpeed) {
 TEST(Push_OnABallOfExtremeMass, HasTheLimitsOfNoneAndOfAWall) {
     const Strike strike = level_strike(2);
     const Vec3 aim = towards(0.3);
-    TouchingGroup light = frozen_pair(0);
+    FrozenCluster light = frozen_pair(0);
     light.balls[1].mass = 1e-9;
-    push_balls(light, strike, aim, kConstant);
+    strike_cluster(light, strike, aim, kConstant);
     const StrikeResult free = *strike_ball(strike, aim, RigidBody::ball(kMass, kRadius));
     EXPECT_NEAR((light.balls[0].state.velocity - free.velocity).length(), 0, 1e-7);
-    TouchingGroup heavy = frozen_pair(0);
+    FrozenCluster heavy = frozen_pair(0);
     heavy.balls[1].mass = 1e9;
-    push_balls(heavy, strike, aim, kConstant);
+    strike_cluster(heavy, strike, aim, kConstant);
     EXPECT_NEAR(heavy.balls[0].state.velocity.x, 0, 1e-8);
     // Only its motion along the wall yields to the tip: the mobility is sin^2.
     const double s = std::sin(0.3);
@@ -256,9 +256,9 @@ TEST(Push_OnARack, IsSymmetric) {
     for (const int rows : {2, 3, 4, 5}) {
         std::vector<RigidBody> balls = rack(rows);
         balls.push_back(ball_at(-2 * kRadius, 0));
-        TouchingGroup group = group_of(balls);
+        FrozenCluster group = group_of(balls);
         group.struck = balls.size() - 1;
-        push_balls(group, level_strike(6), {1, 0, 0}, {0.95, 0.05, BallFriction::alciatore});
+        strike_cluster(group, level_strike(6), {1, 0, 0}, {0.95, 0.05, BallFriction::alciatore});
         const MotionState& cue = group.balls.back().state;
         EXPECT_NEAR(cue.velocity.y, 0, 1e-11);
         std::size_t first = 0;
@@ -276,7 +276,7 @@ TEST(Push_OnARack, IsSymmetric) {
 }
 
 struct RandomPush {
-    TouchingGroup group;
+    FrozenCluster group;
     Strike strike;
     Vec3 aim{1, 0, 0};
     BallBall law;
@@ -322,7 +322,8 @@ TEST(Push_Random, NeverGainsEnergyAndBalancesMomentum) {
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
         RandomPush random = random_push(seed);
         const Strike& strike = random.strike;
-        const PushResult push = push_balls(random.group, strike, random.aim, random.law);
+        const ClusterStrikeResult push =
+            strike_cluster(random.group, strike, random.aim, random.law);
         const double v = *strike.speed;
         const double after = v - push.impulse / strike.stick_mass;
         const double before = 0.5 * strike.stick_mass * v * v;
@@ -357,8 +358,8 @@ TEST(Push_Random, DoesNotDependOnTheOrderOfTheBalls) {
             contact.normal = -contact.normal;
         }
         second.group.struck = count - 1 - first.group.struck;
-        push_balls(first.group, first.strike, first.aim, first.law);
-        push_balls(second.group, second.strike, second.aim, second.law);
+        strike_cluster(first.group, first.strike, first.aim, first.law);
+        strike_cluster(second.group, second.strike, second.aim, second.law);
         std::reverse(second.group.balls.begin(), second.group.balls.end());
         EXPECT_NEAR(difference(first.group, second.group), 0, 1e-9) << seed;
     }
@@ -377,8 +378,8 @@ TEST(Push_Random, TurnsWithTheShot) {
         for (TouchingPair& contact : second.group.contacts) {
             contact.normal = turned(contact.normal);
         }
-        push_balls(first.group, first.strike, first.aim, first.law);
-        push_balls(second.group, second.strike, second.aim, second.law);
+        strike_cluster(first.group, first.strike, first.aim, first.law);
+        strike_cluster(second.group, second.strike, second.aim, second.law);
         for (RigidBody& ball : first.group.balls) {
             ball.state.velocity = turned(ball.state.velocity);
             ball.state.angular_velocity = turned(ball.state.angular_velocity);
@@ -398,8 +399,8 @@ TEST(Push_OfBallsThatMoveTogether, IsThatOfRestingOnesByTheRelativeSpeed) {
         ball.state.velocity = common;
     }
     resting.strike.speed = 2 - aim.dot(common);
-    const PushResult a = push_balls(resting.group, resting.strike, aim, resting.law);
-    const PushResult b = push_balls(moving.group, moving.strike, aim, moving.law);
+    const ClusterStrikeResult a = strike_cluster(resting.group, resting.strike, aim, resting.law);
+    const ClusterStrikeResult b = strike_cluster(moving.group, moving.strike, aim, moving.law);
     EXPECT_NEAR(a.impulse, b.impulse, 1e-5 * a.impulse);
     for (std::size_t i = 0; i < moving.group.balls.size(); ++i) {
         EXPECT_NEAR(
@@ -417,7 +418,7 @@ TEST(Push_ByBallSpeed, GivesThatSpeedToBallsThatMove) {
     for (RigidBody& ball : push.group.balls) {
         ball.state.velocity = Vec3(-1.5, 0.2, 0);
     }
-    push_balls(push.group, push.strike, {1, 0, 0}, push.law);
+    strike_cluster(push.group, push.strike, {1, 0, 0}, push.law);
     EXPECT_NEAR(push.group.balls[push.group.struck].state.velocity.length(), 2, 1e-9);
 }
 

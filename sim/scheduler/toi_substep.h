@@ -8,16 +8,16 @@
 #include "sim/ode/step_world.h"
 #include "sim/scheduler/contact_finder.h"
 #include "sim/scheduler/moving_body.h"
-#include "sim/scheduler/step_bounces.h"
+#include "sim/scheduler/restitution_pass.h"
 #include "sim/scheduler/support.h"
 
 namespace carom::sim {
 
 /// Holds the start and the result of a trial step. The bodies themselves are not changed.
-class StepTrial {
+class ToiSubstep {
   public:
-    StepTrial(ode::StepWorld& world, ContactFinder& finder, const StepBounces& bounces,
-              const Vec3& gravity, const std::vector<MovingBody>& bodies)
+    ToiSubstep(ode::StepWorld& world, ContactFinder& finder, const RestitutionPass& bounces,
+               const Vec3& gravity, const std::vector<MovingBody>& bodies)
         : world_(world), finder_(finder), bounces_(bounces), gravity_(gravity), bodies_(bodies) {}
 
     /// Tries a step of all awake bodies from `start` to `end`, with the contacts found at `start`.
@@ -58,7 +58,7 @@ class StepTrial {
 
     ode::StepWorld& world_;
     ContactFinder& finder_;
-    const StepBounces& bounces_;
+    const RestitutionPass& bounces_;
     Vec3 gravity_;
     const std::vector<MovingBody>& bodies_;
     double start_ = 0;

@@ -1,4 +1,4 @@
-#include "sim/scheduler/step_bounces.h"
+#include "sim/scheduler/restitution_pass.h"
 
 #include <algorithm>
 #include <string>
@@ -17,7 +17,7 @@ constexpr double kStepsPerContact = 25;
 
 }  // namespace
 
-void StepBounces::resolve(const std::vector<BodyContact>& contacts, double time) {
+void RestitutionPass::resolve(const std::vector<BodyContact>& contacts, double time) {
     constexpr int kMaxBounces = 1000;
     forget_jams(contacts);
     const auto state_of = [this](int number) -> const MotionState& { return body(number).state; };
@@ -47,7 +47,7 @@ void StepBounces::resolve(const std::vector<BodyContact>& contacts, double time)
 /// A ball that meets one thing alone follows the law of pairs. So does one that meets the lining of
 /// a pocket, which touches it much longer than anything else. If a kinematic body squeezes the
 /// others, the impact of all has no end, and the pair is resolved alone.
-void StepBounces::bounce(const BodyContact& found, double speed, double time) {
+void RestitutionPass::bounce(const BodyContact& found, double speed, double time) {
     const bool is_ball = body(found.contact.first).is_ball();
     if (is_on_lining(found)) {
         return bounce_ball(found, time);
@@ -63,7 +63,7 @@ void StepBounces::bounce(const BodyContact& found, double speed, double time) {
     bounce_group(group, time);
 }
 
-void StepBounces::forget_jams(const std::vector<BodyContact>& contacts) {
+void RestitutionPass::forget_jams(const std::vector<BodyContact>& contacts) {
     kinematic_impact_counts_.clear();
     std::erase_if(jams_, [&](const ContactPair& jam) {
         return std::none_of(contacts.begin(), contacts.end(),
@@ -72,7 +72,7 @@ void StepBounces::forget_jams(const std::vector<BodyContact>& contacts) {
 }
 
 /// Repeated impacts between two free bodies die away, but a kinematic body never slows down.
-void StepBounces::count_impact(const BodyContact& found, double time) {
+void RestitutionPass::count_impact(const BodyContact& found, double time) {
     constexpr int kMaxImpacts = 50;
     if (!found.is_between_bodies()) {
         return;
@@ -96,7 +96,7 @@ void StepBounces::count_impact(const BodyContact& found, double time) {
                      time, moved.name(), caught.name(), caught.name())});
 }
 
-void StepBounces::bounce_ball(const BodyContact& found, double time) {
+void RestitutionPass::bounce_ball(const BodyContact& found, double time) {
     const ode::StepContact& contact = found.contact;
     MovingBody& ball = body(contact.first);
     MovingBody* other = found.is_between_bodies() ? &body(found.contact.second) : nullptr;
@@ -126,8 +126,8 @@ void StepBounces::bounce_ball(const BodyContact& found, double time) {
 
 /// All contacts of the bodies that touch, or may touch while the impact lasts, directly or through
 /// others. Fixed and kinematic bodies join none.
-std::vector<BodyContact> StepBounces::find_group(const BodyContact& found, double speed,
-                                                 double time) {
+std::vector<BodyContact> RestitutionPass::find_group(const BodyContact& found, double speed,
+                                                     double time) {
     const double reach = reach_of(found, speed);
     for (;;) {
         std::vector<BodyContact> group = contacts_within(reach, time);
@@ -145,15 +145,15 @@ std::vector<BodyContact> StepBounces::find_group(const BodyContact& found, doubl
 }
 
 /// The bodies of a contact that move, and those that touch them directly or through others: all
-/// that are as near as the others or nearer, up to kMostBodies, so that an impact in a long row
+/// that are as near as the others or nearer, up to kMaxBodies, so that an impact in a long row
 /// costs no more than what it reaches. Those farther away are hit afterwards.
-std::set<int> StepBounces::nearest_bodies(const BodyContact& found,
-                                          const std::vector<BodyContact>& contacts) const {
-    constexpr std::size_t kMostBodies = 12;
+std::set<int> RestitutionPass::nearest_bodies(const BodyContact& found,
+                                              const std::vector<BodyContact>& contacts) const {
+    constexpr std::size_t kMaxBodies = 12;
     std::set<int> members;
     std::set<int> next{found.contact.first, found.contact.second};
     std::erase_if(next, [this](int number) { return !is_movable(number); });
-    while (!next.empty() && (members.empty() || members.size() + next.size() <= kMostBodies)) {
+    while (!next.empty() && (members.empty() || members.size() + next.size() <= kMaxBodies)) {
         members.insert(next.begin(), next.end());
         next.clear();
         for (const BodyContact& other : contacts) {
@@ -171,7 +171,7 @@ std::set<int> StepBounces::nearest_bodies(const BodyContact& found,
 
 /// The contacts of bodies in the solver, with those of wider gaps where a pair has none. Balls in
 /// closed form may be partners.
-std::vector<BodyContact> StepBounces::contacts_within(double reach, double time) {
+std::vector<BodyContact> RestitutionPass::contacts_within(double reach, double time) {
     std::vector<Placement> placed = placements_of(bodies_.all());
     for (std::size_t i = 0; i < placed.size(); ++i) {
         if (placed[i].mode == Mode::closed_form) {
@@ -196,7 +196,7 @@ std::vector<BodyContact> StepBounces::contacts_within(double reach, double time)
 
 /// Wakes the sleeping bodies of the group and puts its balls in closed form into the solver; true
 /// if there were any.
-bool StepBounces::bring_in(const std::vector<BodyContact>& group, double time) {
+bool RestitutionPass::bring_in(const std::vector<BodyContact>& group, double time) {
     bool has_news = false;
     for (const BodyContact& found : group) {
         for (const int number : {found.contact.first, found.contact.second}) {
@@ -217,28 +217,28 @@ bool StepBounces::bring_in(const std::vector<BodyContact>& group, double time) {
     return has_news;
 }
 
-bool StepBounces::is_movable(int number) const {
+bool RestitutionPass::is_movable(int number) const {
     return number >= 0 && !bodies_.all()[static_cast<std::size_t>(number)].is_kinematic();
 }
 
-bool StepBounces::is_on_lining(const BodyContact& found) const {
+bool RestitutionPass::is_on_lining(const BodyContact& found) const {
     return !found.is_between_bodies() &&
            bodies_.all()[static_cast<std::size_t>(found.contact.first)].is_ball() &&
            is_lining(finder_.info(found.partner).material, found.contact.normal);
 }
 
 /// How far the bodies of a group may come while the two compress each other, m.
-double StepBounces::reach_of(const BodyContact& found, double speed) {
+double RestitutionPass::reach_of(const BodyContact& found, double speed) {
     double inverse_mass = 0;
     for (const int number : {found.contact.first, found.contact.second}) {
         inverse_mass += is_movable(number) ? 1 / body(number).mass : 0;
     }
     const double duration = contact_time(stiffness_of(found), 1 / inverse_mass, speed);
-    return std::min(kSolidMargin + 2 * speed * duration, kMostReach);
+    return std::min(kSolidMargin + 2 * speed * duration, kMaxReach);
 }
 
 /// Hertz' law for what is round, the flat law for all else.
-ContactStiffness StepBounces::stiffness_of(const BodyContact& found) {
+ContactStiffness RestitutionPass::stiffness_of(const BodyContact& found) {
     double curvature = 0;
     const auto add_radius = [&](double radius) { curvature += radius > 0 ? 1 / radius : 0; };
     add_radius(body(found.contact.first).radius);
@@ -250,7 +250,7 @@ ContactStiffness StepBounces::stiffness_of(const BodyContact& found) {
     return curvature > 0 ? ball_stiffness(1 / curvature) : kFlatStiffness;
 }
 
-GroupBody StepBounces::group_body_of(int number) {
+GroupBody RestitutionPass::group_body_of(int number) {
     if (is_movable(number)) {
         return group_body(body(number));
     }
@@ -264,7 +264,7 @@ GroupBody StepBounces::group_body_of(int number) {
 
 /// Flat sides are taken to touch at gaps up to kSolidMargin, so that a face lands as a face: no
 /// surface is flatter than that, and rounding would let one corner hit first and turn the body.
-GroupContact StepBounces::group_contact(const BodyContact& found) {
+GroupContact RestitutionPass::group_contact(const BodyContact& found) {
     const ode::StepContact& from = found.contact;
     const MovingBody& first = body(from.first);
     GroupContact contact;
@@ -287,7 +287,7 @@ GroupContact StepBounces::group_contact(const BodyContact& found) {
 }
 
 /// False, without effect, if the impact has no end, or if a ball has met one thing alone.
-bool StepBounces::bounce_group(const std::vector<BodyContact>& group, double time) {
+bool RestitutionPass::bounce_group(const std::vector<BodyContact>& group, double time) {
     std::vector<GroupBody> bodies;
     std::map<int, std::size_t> places;  // in `bodies`; -1 is the static environment
     const auto place_of = [&](int number) {
@@ -326,8 +326,8 @@ bool StepBounces::bounce_group(const std::vector<BodyContact>& group, double tim
 }
 
 /// Contacts that close more slowly than bodies bounce are no impacts.
-void StepBounces::log_group(const std::vector<BodyContact>& group,
-                            const std::vector<GroupContactResult>& results) {
+void RestitutionPass::log_group(const std::vector<BodyContact>& group,
+                                const std::vector<GroupContactResult>& results) {
     std::map<ContactPair, double> approach;
     for (std::size_t i = 0; i < group.size(); ++i) {
         double& most = approach[group[i].pair()];
@@ -340,7 +340,7 @@ void StepBounces::log_group(const std::vector<BodyContact>& group,
     }
 }
 
-void StepBounces::add_to_log(const BodyContact& found, const ImpulsePair& impulse) {
+void RestitutionPass::add_to_log(const BodyContact& found, const ImpulsePair& impulse) {
     const auto same = std::find_if(
         impacts_.begin(), impacts_.end(),
         [&](const LoggedImpact& impact) { return impact.contact.pair() == found.pair(); });
@@ -352,7 +352,7 @@ void StepBounces::add_to_log(const BodyContact& found, const ImpulsePair& impuls
     }
 }
 
-void StepBounces::log_impacts(double time) {
+void RestitutionPass::log_impacts(double time) {
     for (const LoggedImpact& impact : impacts_) {
         const ode::StepContact& contact = impact.contact.contact;
         recorder_.log_impact(time, body(contact.first).name(),
@@ -362,7 +362,7 @@ void StepBounces::log_impacts(double time) {
     impacts_.clear();
 }
 
-void StepBounces::set_velocities(MovingBody& body, const Velocities& velocities, double time) {
+void RestitutionPass::set_velocities(MovingBody& body, const Velocities& velocities, double time) {
     if (body.is_kinematic()) {
         return;
     }

@@ -1,4 +1,4 @@
-#include "sim/spatial/rim.h"
+#include "sim/spatial/pocket_edge.h"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 
 namespace carom::sim {
 
-Contact Rim::contact(const Vec3& ball_centre, double ball_radius) const {
+Contact PocketEdge::contact(const Vec3& ball_centre, double ball_radius) const {
     Vec3 outwards(ball_centre.x - centre.x, ball_centre.y - centre.y, 0);
     const double from_axis = length(outwards);
     outwards = from_axis > 1e-12 ? outwards / from_axis : Vec3(1, 0, 0);
@@ -20,8 +20,8 @@ Contact Rim::contact(const Vec3& ball_centre, double ball_radius) const {
     return contact;
 }
 
-std::optional<double> Rim::impact_time(const MotionSegment& ball, double ball_radius, double now,
-                                       double until) const {
+std::optional<double> PocketEdge::impact_time(const MotionSegment& ball, double ball_radius,
+                                              double now, double until) const {
     const double speed = std::max(length(ball.velocity_at(now)), length(ball.velocity_at(until)));
     const Vec3 apart = ball.position_at(now) - centre;
     if (length(apart) > radius + ball_radius + speed * (until - now)) {

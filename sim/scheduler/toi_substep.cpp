@@ -1,4 +1,4 @@
-#include "sim/scheduler/step_trial.h"
+#include "sim/scheduler/toi_substep.h"
 
 #include <algorithm>
 #include <limits>
@@ -14,8 +14,8 @@ namespace carom::sim {
 namespace {
 
 /// Lasting contacts may get deeper by this much (m) in the first half of a step; those of cylinder
-/// rims, whose contact points move fastest, by less. Otherwise the step is halved, up to so many
-/// times.
+/// rims, whose contact points move fastest, by less. Otherwise the step is halved, up to so
+/// many times.
 constexpr double kMaxSinking = 3e-6;
 constexpr double kMaxRimSinking = 1e-6;
 constexpr int kMaxHalvings = 5;
@@ -24,8 +24,8 @@ constexpr double kShortestStep = 1e-5;
 
 }  // namespace
 
-void StepTrial::attempt(double start, double end,
-                        const std::vector<BodyContact>& contacts_at_start) {
+void ToiSubstep::attempt(double start, double end,
+                         const std::vector<BodyContact>& contacts_at_start) {
     start_ = start;
     end_ = end;
     placed_ = placements_of(bodies_);
@@ -48,7 +48,7 @@ void StepTrial::attempt(double start, double end,
 
 /// The depth by which lasting contacts sink in the first half of the step, as a fraction of the
 /// limit: a body that rolls on a rim or a corner turns away from its previous contact.
-double StepTrial::relative_sinking() const {
+double ToiSubstep::relative_sinking() const {
     const auto has_rim = [this](int number) {
         if (number < 0) {
             return false;
@@ -68,11 +68,11 @@ double StepTrial::relative_sinking() const {
     return most;
 }
 
-double StepTrial::approach(const BodyContact& found) const {
+double ToiSubstep::approach(const BodyContact& found) const {
     return -relative_velocity(found).dot(found.contact.normal);
 }
 
-bool StepTrial::shorten(double end) {
+bool ToiSubstep::shorten(double end) {
     if (end < end_ && end > start_) {
         end_ = end;
         advance_to_midpoint();
@@ -81,7 +81,7 @@ bool StepTrial::shorten(double end) {
     return end > start_;
 }
 
-void StepTrial::collect_moving() {
+void ToiSubstep::collect_moving() {
     moving_.clear();
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         if (bodies_[i].is_in_solver()) {
@@ -90,7 +90,7 @@ void StepTrial::collect_moving() {
     }
 }
 
-void StepTrial::advance_to_midpoint() {
+void ToiSubstep::advance_to_midpoint() {
     midpoint_states_.clear();
     for (const int number : moving_) {
         const MovingBody& body = bodies_[static_cast<std::size_t>(number)];
@@ -110,7 +110,7 @@ void StepTrial::advance_to_midpoint() {
     }
 }
 
-void StepTrial::solve() {
+void ToiSubstep::solve() {
     world_.step(end_ - start_, gravity_, moving_, midpoint_states_, step_contacts_, motions_,
                 impulses_);
     for (std::size_t slot = 0; slot < moving_.size(); ++slot) {
@@ -121,7 +121,7 @@ void StepTrial::solve() {
     }
 }
 
-void StepTrial::collect_contacts_at_start(const std::vector<BodyContact>& contacts) {
+void ToiSubstep::collect_contacts_at_start(const std::vector<BodyContact>& contacts) {
     contacts_at_start_.clear();
     for (const BodyContact& found : contacts) {
         const Vec3 arm = found.contact.point - state_of(found.contact.first).position;
@@ -131,7 +131,7 @@ void StepTrial::collect_contacts_at_start(const std::vector<BodyContact>& contac
 }
 
 /// The velocity (m/s) of the first body relative to the second.
-Vec3 StepTrial::relative_velocity(const BodyContact& found) const {
+Vec3 ToiSubstep::relative_velocity(const BodyContact& found) const {
     const Vec3& point = found.contact.point;
     const Vec3 first = velocity_at(state_of(found.contact.first), point);
     return found.is_between_bodies() ? first - velocity_at(state_of(found.contact.second), point)
@@ -140,7 +140,7 @@ Vec3 StepTrial::relative_velocity(const BodyContact& found) const {
 
 /// StepContact::turning: what the relative velocity has gained along the normal, which turns, and
 /// across it, since the start, when the nearest contact of the pair was this one.
-Vec3 StepTrial::turning(const BodyContact& found) const {
+Vec3 ToiSubstep::turning(const BodyContact& found) const {
     const Vec3 arm = found.contact.point - state_of(found.contact.first).position;
     const Vec3& normal = found.contact.normal;
     const ContactAtStart* nearest = nullptr;
@@ -164,7 +164,7 @@ Vec3 StepTrial::turning(const BodyContact& found) const {
 /// At the midpoint: a contact that was open at the start and closes fast is an impact, not a
 /// lasting contact. Contacts of a pair that close at similar speeds are classified together, so
 /// that rounding cannot split them and turn the bodies.
-void StepTrial::drop_impacts() {
+void ToiSubstep::drop_impacts() {
     std::map<ContactPair, double> fastest;
     std::vector<double> speeds;
     for (const BodyContact& found : contacts_) {
@@ -185,7 +185,7 @@ void StepTrial::drop_impacts() {
 }
 
 /// A contact between bodies that cannot move, kinematic or asleep, needs no solving.
-void StepTrial::drop_immovable_pairs() {
+void ToiSubstep::drop_immovable_pairs() {
     const auto can_move = [this](int number) {
         if (number < 0) {
             return false;
@@ -199,7 +199,7 @@ void StepTrial::drop_immovable_pairs() {
 }
 
 /// State of the body of that slot, `time` after the step's start.
-MotionState StepTrial::state_after(std::size_t slot, double time) const {
+MotionState ToiSubstep::state_after(std::size_t slot, double time) const {
     const MovingBody& body = bodies_[static_cast<std::size_t>(moving_[slot])];
     const double half = 0.5 * (end_ - start_);
     if (body.is_kinematic()) {
@@ -209,7 +209,7 @@ MotionState StepTrial::state_after(std::size_t slot, double time) const {
                        : drift(motions_[slot].after, body.inertia, time - half);
 }
 
-void StepTrial::move_to(double fraction) {
+void ToiSubstep::move_to(double fraction) {
     const double time = fraction * (end_ - start_);
     for (std::size_t slot = 0; slot < moving_.size(); ++slot) {
         placed_[static_cast<std::size_t>(moving_[slot])].state = state_after(slot, time);
@@ -217,7 +217,7 @@ void StepTrial::move_to(double fraction) {
 }
 
 /// The fraction of the step that passes before the first impact or new contact.
-double StepTrial::fraction_until_contact() {
+double ToiSubstep::fraction_until_contact() {
     std::set<ContactPair> known;
     for (const BodyContact& found : contacts_) {
         known.insert(found.pair());

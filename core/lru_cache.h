@@ -12,9 +12,9 @@ namespace carom {
 
 /// Keeps the values that were used last, up to `most`. May be used from any thread.
 template <typename Key, typename Value>
-class RecentlyUsed {
+class LruCache {
   public:
-    explicit RecentlyUsed(std::size_t most) : most_(most) {}
+    explicit LruCache(std::size_t most) : most_(most) {}
 
     /// The value of a key, as make() returned it. Two threads that ask for the same new key at once
     /// may both make it.

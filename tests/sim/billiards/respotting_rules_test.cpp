@@ -1,5 +1,5 @@
 // Which balls the rules of a game put back, and where.
-#include "sim/billiards/referee.h"
+#include "sim/billiards/respotting_rules.h"
 
 #include <map>
 #include <set>
@@ -33,9 +33,9 @@ class Frame {
     [[nodiscard]] const TableMeasures& table() const { return table_; }
 
     /// The cue ball touches `first` first, and these balls fall into pockets or leave the table.
-    std::vector<PutDown> play(const std::string& first, const std::set<std::string>& potted,
-                              const std::set<std::string>& off_table = {}) {
-        PlayedShot shot;
+    std::vector<RespottedBall> play(const std::string& first, const std::set<std::string>& potted,
+                                    const std::set<std::string>& off_table = {}) {
+        ShotOutcome shot;
         shot.cue_ball = "white";
         shot.first_hit = first;
         shot.potted = potted;
@@ -51,8 +51,8 @@ class Frame {
         for (const auto& [name, place] : places_) {
             balls.push_back({name, kRadius, !down_.contains(name), place});
         }
-        const std::vector<PutDown> put = referee_.after(shot, balls);
-        for (const PutDown& ball : put) {
+        const std::vector<RespottedBall> put = referee_.after(shot, balls);
+        for (const RespottedBall& ball : put) {
             down_.erase(ball.ball);
             places_[ball.ball] = ball.place;
         }
@@ -65,15 +65,15 @@ class Frame {
 
   private:
     TableMeasures table_;
-    Referee referee_;
+    RespottingRules referee_;
     std::map<std::string, Vec2> places_;
     std::set<std::string> down_;
 };
 
 /// "black on black" or "black on nothing": what was put where.
-std::vector<std::string> names(const std::vector<PutDown>& put) {
+std::vector<std::string> names(const std::vector<RespottedBall>& put) {
     std::vector<std::string> texts;
-    for (const PutDown& ball : put) {
+    for (const RespottedBall& ball : put) {
         texts.push_back(ball.ball + " on " + (ball.spot.empty() ? "no spot" : ball.spot));
     }
     return texts;
@@ -141,7 +141,7 @@ TEST(Snooker, AllSpotsOccupied_ThePlaceIsNearestTowardsTheTopCushion) {
     Frame frame = snooker_frame(1);
     const Vec2 black = *find_spot(snooker_spots(frame.table()), "black");
     frame.add("red_9", black);
-    const std::vector<PutDown> put = frame.play("black", {"black"});
+    const std::vector<RespottedBall> put = frame.play("black", {"black"});
     ASSERT_EQ(put.size(), 1U);
     EXPECT_NEAR(put[0].place.x, black.x + 2 * kRadius + FreePlaces::kApart, 1e-7);
     EXPECT_EQ(put[0].place.y, 0);
@@ -150,7 +150,7 @@ TEST(Snooker, AllSpotsOccupied_ThePlaceIsNearestTowardsTheTopCushion) {
 TEST(Snooker, CueBallInHand_LiesInTheD) {
     Frame frame = snooker_frame(1);
     const Vec2 yellow = *find_spot(snooker_spots(frame.table()), "yellow");
-    std::vector<PutDown> put = frame.play("red_1", {"white"});
+    std::vector<RespottedBall> put = frame.play("red_1", {"white"});
     ASSERT_THAT(names(put), ElementsAre("white on no spot"));
     EXPECT_EQ(put[0].place, Vec2(yellow.x, 0.5 * yellow.y));
     frame.add("red_5", {yellow.x, 0.5 * yellow.y});
@@ -185,7 +185,7 @@ TEST(NineBall, TheNineComesBackOnAFoul) {
 TEST(NineBall, OccupiedFootSpot_TheNineLiesBehindIt) {
     Frame frame = pool_frame(Game::nine_ball);
     frame.add("four", {0.635, 0});
-    const std::vector<PutDown> put = frame.play("two", {"nine"});
+    const std::vector<RespottedBall> put = frame.play("two", {"nine"});
     ASSERT_EQ(put.size(), 1U);
     EXPECT_NEAR(put[0].place.x, 0.635 + 2 * kRadius + FreePlaces::kApart, 1e-7);
 }
@@ -215,7 +215,7 @@ TEST(Carom, BallsThatLeftTheTable_GoToTheSpotsOfTheirPlayers) {
     EXPECT_THAT(names(frame.play("red", {}, {"red"})), ElementsAre("red on head"));
 }
 
-TEST(Referee, WithoutAFreePlace_TriesAgainAfterTheNextShot) {
+TEST(RespottingRules, WithoutAFreePlace_TriesAgainAfterTheNextShot) {
     Frame frame = pool_frame(Game::nine_ball);
     for (int i = 0; i < 60; ++i) {
         frame.add("wall_" + std::to_string(i), {-1.25 + 0.0425 * i, 0});

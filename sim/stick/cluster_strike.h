@@ -11,13 +11,13 @@
 namespace carom::sim {
 
 /// A struck ball and all balls that touch it, directly or through others.
-struct TouchingGroup {
+struct FrozenCluster {
     std::vector<RigidBody> balls;
     std::size_t struck = 0;
     std::vector<TouchingPair> contacts;
 };
 
-struct PushResult {
+struct ClusterStrikeResult {
     double impulse = 0;                 // of the tip, N s
     Vec3 velocity{0, 0, 0};             // change of the struck ball's, m/s
     std::vector<ImpulsePair> contacts;  // on each contact of the group
@@ -29,11 +29,11 @@ struct PushResult {
 /// compression; with `ball_speed`, when the struck ball has this speed. A group of one ball moves
 /// as strike_ball() says, whose result must not be empty for the struck ball. docs/physics.md
 /// derives the closed forms.
-PushResult push_balls(TouchingGroup& group, const Strike& strike, const Vec3& aim,
-                      const BallBall& law);
+ClusterStrikeResult strike_cluster(FrozenCluster& group, const Strike& strike, const Vec3& aim,
+                                   const BallBall& law);
 
-/// Parts the pairs that were pushed, as after every impact: they separate at kLeastSeparation or
+/// Parts the pairs that were pushed, as after every impact: they separate at kMinSeparation or
 /// faster.
-void part_balls(TouchingGroup& group, const PushResult& push);
+void separate_balls(FrozenCluster& group, const ClusterStrikeResult& push);
 
 }  // namespace carom::sim

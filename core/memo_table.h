@@ -9,7 +9,7 @@ namespace carom {
 
 /// Any number of threads may call `get`. Values stay where they are until the map is destroyed.
 template <class Key, class Value>
-class OnceMap {
+class MemoTable {
   public:
     /// The value of `key`. The first thread that asks calls `make`, and others wait for it. If it
     /// throws, so does `get`, and the next thread that asks tries again.

@@ -1,4 +1,4 @@
-#include "sim/stick/push.h"
+#include "sim/stick/cluster_strike.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ struct PushState {
     double work = 0;                       // of the tip's compression, J
 };
 
-std::vector<Velocities> velocities_of(const TouchingGroup& group) {
+std::vector<Velocities> velocities_of(const FrozenCluster& group) {
     std::vector<Velocities> velocities;
     for (const RigidBody& ball : group.balls) {
         velocities.push_back({ball.state.velocity, ball.state.angular_velocity});
@@ -32,7 +32,7 @@ std::vector<Velocities> velocities_of(const TouchingGroup& group) {
     return velocities;
 }
 
-void set_velocities(TouchingGroup& group, const std::vector<Velocities>& velocities) {
+void set_velocities(FrozenCluster& group, const std::vector<Velocities>& velocities) {
     for (std::size_t i = 0; i < group.balls.size(); ++i) {
         group.balls[i].set(velocities[i]);
     }
@@ -40,7 +40,7 @@ void set_velocities(TouchingGroup& group, const std::vector<Velocities>& velocit
 
 class Push {
   public:
-    Push(const TouchingGroup& group, const TipContact& tip, const Strike& strike,
+    Push(const FrozenCluster& group, const TipContact& tip, const Strike& strike,
          const BallBall& law)
         : group_(group), tip_(tip), strike_(strike), law_(law), solver_(group) {
         state_.velocities = velocities_of(group);
@@ -170,7 +170,7 @@ class Push {
         return result;
     }
 
-    const TouchingGroup& group_;
+    const FrozenCluster& group_;
     const TipContact& tip_;
     const Strike& strike_;
     const BallBall& law_;
@@ -185,8 +185,8 @@ class Push {
 
 }  // namespace
 
-PushResult push_balls(TouchingGroup& group, const Strike& strike, const Vec3& aim,
-                      const BallBall& law) {
+ClusterStrikeResult strike_cluster(FrozenCluster& group, const Strike& strike, const Vec3& aim,
+                                   const BallBall& law) {
     const RigidBody& struck = group.balls[group.struck];
     const TipContact tip = tip_contact(strike, aim, struck.radius);
     const std::optional<StrikeResult> free = strike_ball(strike, aim, struck);
@@ -205,7 +205,7 @@ PushResult push_balls(TouchingGroup& group, const Strike& strike, const Vec3& ai
         const double kept = (1 - e * e) * push.state().work;
         push.run_until([&](const PushState& state) { return state.work - kept; }, increment);
     }
-    PushResult result{push.state().impulse, push.gained(push.state()), {}};
+    ClusterStrikeResult result{push.state().impulse, push.gained(push.state()), {}};
     for (const ContactImpulse& impulse : push.state().contacts) {
         result.contacts.push_back({impulse.normal, length(impulse.friction)});
     }
@@ -213,13 +213,13 @@ PushResult push_balls(TouchingGroup& group, const Strike& strike, const Vec3& ai
     return result;
 }
 
-void part_balls(TouchingGroup& group, const PushResult& push) {
+void separate_balls(FrozenCluster& group, const ClusterStrikeResult& push) {
     std::vector<double> least;
     for (std::size_t i = 0; i < group.contacts.size(); ++i) {
         const TouchingPair& contact = group.contacts[i];
         const double change = push.contacts[i].normal * (1 / group.balls[contact.first].mass +
                                                          1 / group.balls[contact.second].mass);
-        least.push_back(change > kLeastSeparation ? kLeastSeparation : 0);
+        least.push_back(change > kMinSeparation ? kMinSeparation : 0);
     }
     ContactImpulses contacts(group);
     contacts.set_least_separations(std::move(least));

@@ -1,4 +1,4 @@
-#include "sim/billiards/referee.h"
+#include "sim/billiards/respotting_rules.h"
 
 #include <algorithm>
 #include <utility>
@@ -36,7 +36,7 @@ class Placing {
             std::set<std::string>& owed)
         : table_(table), balls_(balls), owed_(owed), places_(table, lying(balls)) {}
 
-    [[nodiscard]] std::vector<PutDown> take() { return std::move(done_); }
+    [[nodiscard]] std::vector<RespottedBall> take() { return std::move(done_); }
 
     [[nodiscard]] bool is_owed(const std::string& ball) const { return owed_.contains(ball); }
     [[nodiscard]] std::set<std::string> owed() const { return owed_; }
@@ -93,7 +93,7 @@ class Placing {
     const std::vector<GameBall>& balls_;
     std::set<std::string>& owed_;
     FreePlaces places_;
-    std::vector<PutDown> done_;
+    std::vector<RespottedBall> done_;
 };
 
 Spot spot_named(const std::vector<Spot>& spots, std::string_view name) {
@@ -155,7 +155,7 @@ void place_carom(const TableMeasures& table, const std::string& struck, Placing&
 
 }  // namespace
 
-void Referee::note_snooker(const PlayedShot& shot) {
+void RespottingRules::note_snooker(const ShotOutcome& shot) {
     const bool had_reds = std::ranges::any_of(shot.on_table, is_red);
     const bool is_cue_lost = shot.has_lost(shot.cue_ball);
     const std::string ball_on = lowest(shot.on_table, snooker_value);
@@ -173,7 +173,7 @@ void Referee::note_snooker(const PlayedShot& shot) {
                    std::ranges::any_of(shot.potted, is_red);
 }
 
-void Referee::note_pool(const PlayedShot& shot) {
+void RespottingRules::note_pool(const ShotOutcome& shot) {
     const bool is_cue_lost = shot.has_lost(shot.cue_ball);
     if (is_cue_lost) {
         owed_.insert(shot.cue_ball);
@@ -192,7 +192,8 @@ void Referee::note_pool(const PlayedShot& shot) {
     }
 }
 
-std::vector<PutDown> Referee::after(const PlayedShot& shot, const std::vector<GameBall>& balls) {
+std::vector<RespottedBall> RespottingRules::after(const ShotOutcome& shot,
+                                                  const std::vector<GameBall>& balls) {
     if (game_ == Game::snooker) {
         note_snooker(shot);
     } else if (game_ == Game::carom) {

@@ -1,4 +1,4 @@
-#include "sim/moment.h"
+#include "sim/event_time.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,7 +11,7 @@ namespace carom::sim {
 namespace {
 
 /// At most this many times or objects are listed in a sentence.
-constexpr std::size_t kMostListed = 4;
+constexpr std::size_t kMaxListed = 4;
 
 std::string time_text(double time) {
     return decimal_text(time, 3) + " s";
@@ -20,7 +20,7 @@ std::string time_text(double time) {
 /// "a", "a and b", "a, b and c", "a, b, c, d and 3 more".
 std::string list_text(const std::vector<std::string>& parts) {
     std::string text;
-    const std::size_t shown = std::min(parts.size(), kMostListed);
+    const std::size_t shown = std::min(parts.size(), kMaxListed);
     for (std::size_t i = 0; i < shown; ++i) {
         const bool is_last = i + 1 == parts.size();
         text += (i == 0 ? "" : is_last ? " and " : ", ") + parts[i];
@@ -143,8 +143,8 @@ std::vector<double> find_occurrences(const Trigger& trigger, const Timeline& tim
     }
 }
 
-std::variant<double, std::string> find_moment(const Moment& moment, const Timeline& timeline,
-                                              const WorldDescription& world) {
+std::variant<double, std::string> find_event_time(const EventTime& moment, const Timeline& timeline,
+                                                  const WorldDescription& world) {
     const std::vector<double> times = find_occurrences(moment.trigger, timeline, world);
     const auto nth = static_cast<std::size_t>(std::max(moment.trigger.nth, 1));
     if (nth > times.size()) {

@@ -1,5 +1,5 @@
 // Moments: the times at which they are found in a timeline are those at which triggers fire.
-#include "sim/moment.h"
+#include "sim/event_time.h"
 
 #include <cmath>
 #include <variant>
@@ -51,7 +51,7 @@ Times times_of(WorldDescription world, const Trigger& trigger) {
     if (const Event* impulse = find_event(timeline, EventKind::impulse, "marker")) {
         times.fired = impulse->time;
     }
-    const auto found = find_moment({trigger, 0}, timeline, world);
+    const auto found = find_event_time({trigger, 0}, timeline, world);
     if (const double* time = std::get_if<double>(&found)) {
         times.found = *time;
     }
@@ -59,7 +59,7 @@ Times times_of(WorldDescription world, const Trigger& trigger) {
 }
 
 std::string reason(const WorldDescription& world, const Trigger& trigger) {
-    const auto found = find_moment({trigger, 0}, bake(world), world);
+    const auto found = find_event_time({trigger, 0}, bake(world), world);
     const auto* text = std::get_if<std::string>(&found);
     return text != nullptr ? *text : "";
 }
@@ -115,7 +115,7 @@ TEST(Moment_OfAnApex, IsAsInClosedForm) {
 }
 
 TEST(Moment_OfAnApex, NeedsARiseOfAMillimetre) {
-    const double least = std::sqrt(2 * kGravity * kLeastRise);
+    const double least = std::sqrt(2 * kGravity * kMinRise);
     const Trigger apex = trigger(Trigger::Kind::apex, "cue");
     const Times low = times_of(thrown(0.99 * least), apex);
     EXPECT_EQ(low.fired, -1);
@@ -142,7 +142,7 @@ TEST(Moment_OfARest, CountsEveryMotion) {
         }
         const Trigger third = trigger(Trigger::Kind::resting, name, "", 3);
         EXPECT_TRUE(
-            std::holds_alternative<std::string>(find_moment({third, 0}, bake(world), world)));
+            std::holds_alternative<std::string>(find_event_time({third, 0}, bake(world), world)));
     }
 }
 
@@ -175,9 +175,9 @@ TEST(Moment_WithADelay, IsMovedByIt) {
     const WorldDescription world = long_run();
     const Timeline timeline = bake(world);
     const Trigger contact = trigger(Trigger::Kind::contact, "cue", "one");
-    const double time = std::get<double>(find_moment({contact, 0}, timeline, world));
-    EXPECT_EQ(std::get<double>(find_moment({contact, -0.1}, timeline, world)), time - 0.1);
-    EXPECT_EQ(std::get<double>(find_moment({contact, 0.25}, timeline, world)), time + 0.25);
+    const double time = std::get<double>(find_event_time({contact, 0}, timeline, world));
+    EXPECT_EQ(std::get<double>(find_event_time({contact, -0.1}, timeline, world)), time - 0.1);
+    EXPECT_EQ(std::get<double>(find_event_time({contact, 0.25}, timeline, world)), time + 0.25);
 }
 
 TEST(Moment_ThatNeverComes, SaysWhatHappenedInstead) {

@@ -20,7 +20,7 @@ struct GameBall {
 };
 
 /// What one shot did, as far as the event log says it.
-struct PlayedShot {
+struct ShotOutcome {
     std::string cue_ball;            // the ball that was struck
     std::string first_hit;           // the ball that the cue ball touched first; empty: none
     std::set<std::string> on_table;  // before the shot
@@ -33,12 +33,12 @@ struct PlayedShot {
 };
 
 /// A ball that is put down on a place, on the spot of that name or on none (empty).
-struct PutDown {
+struct RespottedBall {
     std::string ball;
     Vec2 place{0, 0};
     std::string spot;
 
-    bool operator==(const PutDown&) const = default;
+    bool operator==(const RespottedBall&) const = default;
 };
 
 /// Puts balls back as the rules of one game say. It sees only which balls fell and which the cue
@@ -67,21 +67,21 @@ struct PutDown {
 /// left the table come back: red to the foot spot, the ball of the player who plays next to the
 /// head spot, the one that was struck to the centre; where a ball lies on it, to the spot of that
 /// ball, else to a free one of the three.
-class Referee {
+class RespottingRules {
   public:
-    Referee(Game game, const TableMeasures& table) : game_(game), table_(table) {}
+    RespottingRules(Game game, const TableMeasures& table) : game_(game), table_(table) {}
 
     /// The balls that are put back now, in this order. A ball for which there was no place is
     /// tried again after the next shot.
-    [[nodiscard]] std::vector<PutDown> after(const PlayedShot& shot,
-                                             const std::vector<GameBall>& balls);
+    [[nodiscard]] std::vector<RespottedBall> after(const ShotOutcome& shot,
+                                                   const std::vector<GameBall>& balls);
 
     /// The balls that would have been put back if there had been a place for them.
     [[nodiscard]] const std::set<std::string>& without_place() const { return owed_; }
 
   private:
-    void note_snooker(const PlayedShot& shot);
-    void note_pool(const PlayedShot& shot);
+    void note_snooker(const ShotOutcome& shot);
+    void note_pool(const ShotOutcome& shot);
 
     Game game_;
     const TableMeasures& table_;
