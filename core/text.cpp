@@ -34,6 +34,10 @@ std::string decimal_text(double value, int decimals) {
     return text == "-0" ? "0" : text;
 }
 
+std::string millimetres_text(double metres) {
+    return decimal_text(metres * 1000, 2) + " mm";
+}
+
 std::string seconds_text(double seconds) {
     return decimal_text(seconds, 6) + " s";
 }

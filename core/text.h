@@ -22,6 +22,9 @@ namespace carom {
 /// `value` rounded to that many decimals, without trailing zeros: "1.25", "3"; never "-0".
 [[nodiscard]] std::string decimal_text(double value, int decimals);
 
+/// "50 mm", "0.31 mm", to a hundredth of a millimetre.
+[[nodiscard]] std::string millimetres_text(double metres);
+
 /// "1.25 s", to the microsecond.
 [[nodiscard]] std::string seconds_text(double seconds);
 

@@ -104,4 +104,8 @@ std::vector<double> ApexDetector::follow(const PathPiece& piece) {
     return times;
 }
 
+bool is_visible(double distance, double speed, double spin) {
+    return distance > kMinDisplacement || speed > kVisibleSpeed || spin > kVisibleSpin;
+}
+
 }  // namespace carom::sim

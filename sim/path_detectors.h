@@ -1,9 +1,10 @@
-// Detectors of what happens on the path of a body: it crosses a line, or is highest. The same code
-// predicts it while a simulation runs and finds it in a finished timeline.
+// Detectors of what happens on the path of a body: it crosses a line, is highest, or comes to rest.
+// The same code tells it while a simulation runs and finds it in a finished timeline.
 #pragma once
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/vectors.h"
@@ -51,6 +52,22 @@ class ApexDetector {
 
   private:
     std::optional<double> rises_from_;  // height (m) at which it began to rise
+};
+
+/// Whether a motion can be seen: something is `distance` (m) from where it last rested, moves at
+/// `speed` (m/s) and turns at `spin` (rad/s).
+[[nodiscard]] bool is_visible(double distance, double speed, double spin);
+
+/// The body, or all bodies, come to rest after a motion that can be seen.
+class RestDetector {
+  public:
+    void move(bool visibly) { has_moved_ = has_moved_ || visibly; }
+    [[nodiscard]] bool has_moved() const { return has_moved_; }
+    /// They are at rest: true if that ends a motion.
+    [[nodiscard]] bool rest() { return std::exchange(has_moved_, false); }
+
+  private:
+    bool has_moved_ = false;  // since the last rest
 };
 
 }  // namespace carom::sim

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 
-#include "sim/numeric/tolerances.h"
+#include "core/length.h"
 #include "sim/path_detectors.h"
 
 namespace carom::sim {
 namespace {
-
-constexpr double kMinSpin = 0.5;  // rad/s, of a visible motion
 
 /// The Hermite curve of the segment as a polynomial.
 PathPiece piece_of(const PathSegment& segment) {
@@ -48,51 +45,37 @@ bool is_still(const Vec3& velocity, const Vec3& angular_velocity) {
     return velocity == Vec3(0, 0, 0) && angular_velocity == Vec3(0, 0, 0);
 }
 
-/// Whether anything can be seen of the motion between two keys at which the object rests.
-bool is_visible(std::span<const Key> keys, std::size_t first, std::size_t last) {
-    if ((keys[last].position - keys[first].position).length() > kMinDisplacement) {
-        return true;
-    }
-    for (std::size_t i = first; i <= last; ++i) {
-        const Key& key = keys[i];
-        const double speed = std::max(i > first ? key.velocity_in.length() : 0,
-                                      i < last ? key.velocity_out.length() : 0);
-        const double spin = std::max(i > first ? key.angular_velocity_in.length() : 0,
-                                     i < last ? key.angular_velocity_out.length() : 0);
-        if (speed > kVisibleSpeed || spin > kMinSpin) {
-            return true;
-        }
-    }
-    return false;
-}
-
 std::vector<Motion> motions(const Track& track) {
     const auto keys = track.keys();
     std::vector<Motion> all;
-    constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-    std::size_t start = kNone;  // the key at which the motion began
-    const auto end_motion = [&](std::size_t last, double time) {
-        if (start != kNone && is_visible(keys, start, last)) {
-            all.push_back({keys[start].time, time});
+    RestDetector detector;
+    const Key* start = nullptr;  // at which the motion began; null: it rests
+    const auto rest = [&](double time) {
+        if (detector.rest()) {
+            all.push_back({start->time, time});
         }
-        start = kNone;
+        start = nullptr;
     };
     for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
-        const bool rests = is_still(keys[i].velocity_out, keys[i].angular_velocity_out) &&
-                           is_still(keys[i + 1].velocity_in, keys[i + 1].angular_velocity_in) &&
-                           keys[i].position == keys[i + 1].position;
+        const Key& from = keys[i];
+        const Key& to = keys[i + 1];
+        const bool rests = is_still(from.velocity_out, from.angular_velocity_out) &&
+                           is_still(to.velocity_in, to.angular_velocity_in) &&
+                           from.position == to.position;
         // What waits for a rest may act at its instant, so that the rest has no duration.
-        const bool stops_here =
-            start != kNone && is_still(keys[i].velocity_in, keys[i].angular_velocity_in);
-        if (rests || stops_here) {
-            end_motion(i, keys[i].time);
+        if (rests || is_still(from.velocity_in, from.angular_velocity_in)) {
+            rest(from.time);
         }
-        if (!rests && start == kNone) {
-            start = i;
+        if (!rests) {
+            start = start != nullptr ? start : &from;
+            detector.move(is_visible(
+                length(to.position - start->position),
+                std::max(length(from.velocity_out), length(to.velocity_in)),
+                std::max(length(from.angular_velocity_out), length(to.angular_velocity_in))));
         }
     }
     const bool stops = is_still(keys.back().velocity_out, keys.back().angular_velocity_out);
-    end_motion(keys.size() - 1, stops ? keys.back().time : std::numeric_limits<double>::infinity());
+    rest(stops ? keys.back().time : std::numeric_limits<double>::infinity());
     return all;
 }
 

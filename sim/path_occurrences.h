@@ -19,8 +19,8 @@ namespace carom::sim {
 /// kMinRise.
 [[nodiscard]] std::vector<double> apexes(const Track& track);
 
-/// The scene times (s), in order, at which the object comes to rest after a visible motion: by more
-/// than 0.2 mm, or faster than 1 cm/s or half a radian a second.
+/// The scene times (s), in order, at which the object comes to rest after a visible motion
+/// (RestDetector).
 [[nodiscard]] std::vector<double> rests(const Track& track);
 
 /// The scene times (s), in order, at which all bodies of the world rest after some of them moved.

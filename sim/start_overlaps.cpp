@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "core/finite.h"
+#include "core/text.h"
 #include "sim/solid_shape.h"
 #include "sim/spatial/convex_contacts.h"
 #include "sim/spatial/convex_impact_time.h"
@@ -328,7 +329,7 @@ std::string place_problem(const WorldDescription& world, const ForceEvent& event
 }  // namespace
 
 std::string StartOverlap::sentence() const {
-    return fmt::format("overlaps {} by {:.2f} mm", other, std::max(depth * 1e3, 0.01));
+    return "overlaps " + other + " by " + millimetres_text(std::max(depth, 1e-5));
 }
 
 std::vector<StartOverlap> find_start_overlaps(const WorldDescription& world,

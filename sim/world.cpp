@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "core/finite.h"
+#include "core/text.h"
 #include "sim/limits.h"
 #include "sim/shape/mass_properties.h"
 #include "sim/timeline/surface.h"
@@ -47,10 +48,6 @@ class ProblemCollector {
     Subject subject_;
     std::string prefix_;  // of every sentence about the subject
 };
-
-std::string millimetres(double metres) {
-    return fmt::format("{:.2f} mm", std::max(metres * 1e3, 0.01));
-}
 
 bool is_positive(double value) {
     return std::isfinite(value) && value > 0;
@@ -213,7 +210,7 @@ void check_overlaps(const WorldDescription& world, ProblemCollector& collector) 
             collector.about_body(world.bodies[j].name);
             collector.require(false, "at",
                               "it overlaps '" + world.bodies[i].name + "' by " +
-                                  millimetres(depth) + " at the start");
+                                  millimetres_text(std::max(depth, 1e-5)) + " at the start");
         }
     }
 }
@@ -375,10 +372,10 @@ void check_table(const WorldDescription& world, ProblemCollector& collector,
             continue;
         }
         collector.about_body(body.name);
-        collector.require(
-            world.table->nose_height < 2 * sphere->radius, "radius",
-            fmt::format("the cushion nose ({}) is higher than the ball (diameter {})",
-                        millimetres(world.table->nose_height), millimetres(2 * sphere->radius)));
+        collector.require(world.table->nose_height < 2 * sphere->radius, "radius",
+                          fmt::format("the cushion nose ({}) is higher than the ball (diameter {})",
+                                      millimetres_text(world.table->nose_height),
+                                      millimetres_text(2 * sphere->radius)));
     }
 }
 

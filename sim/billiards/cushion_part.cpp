@@ -123,10 +123,6 @@ std::vector<Vec3> end_column(const Rows& undercut, const Rows& nose, bool is_end
     return column;
 }
 
-Vec3 in_space(const Vec2& position, double z) {
-    return {position.x, position.y, z};
-}
-
 /// Builds the top, back, underside and mitred ends that close the swept face to a solid.
 class CushionClosure {
   public:

@@ -4,15 +4,12 @@
 #include <fmt/core.h>
 
 #include "core/elementary.h"
+#include "core/text.h"
 #include "sim/billiards/parts.h"
 
 namespace carom::sim::billiards {
 
 namespace {
-
-std::string millimetres(double metres) {
-    return fmt::format("{:.4g} mm", metres * 1000);
-}
 
 class ProblemCollector {
   public:
@@ -20,8 +17,8 @@ class ProblemCollector {
     void require(const std::string& field, const std::string& name, double value, double low,
                  double high) {
         if (!(value >= low && value <= high)) {
-            add(field, "the table's " + name + " must be between " + millimetres(low) + " and " +
-                           millimetres(high));
+            add(field, "the table's " + name + " must be between " + millimetres_text(low) +
+                           " and " + millimetres_text(high));
         }
     }
     void add(std::string field, std::string sentence) {
@@ -95,7 +92,7 @@ void check_jaw(const PocketMeasures& pocket, bool is_corner, double cushion_widt
     if (jaw.lip_tangent_length > 0.95 * jaw.length) {
         problems.add("pockets." + which + ".lip_radius",
                      "the table's " + which + " pockets' lip radius is too large for jaws " +
-                         millimetres(jaw.length) + " long");
+                         millimetres_text(jaw.length) + " long");
     }
 }
 
@@ -117,7 +114,7 @@ void check_hole(const TableLayout& layout, const PocketLayout& pocket, ProblemCo
             "the table's " + which +
                 " pockets' hole does not reach the ends of their jaws: its radius must be at "
                 "least " +
-                millimetres(distance) + " with this shelf");
+                millimetres_text(distance) + " with this shelf");
     }
     const Vec2 inner_corner(std::copysign(layout.rail.x, pocket.axis.x),
                             std::copysign(layout.rail.y, pocket.axis.y));
@@ -131,7 +128,7 @@ void check_hole(const TableLayout& layout, const PocketLayout& pocket, ProblemCo
     if (std::min(room.x, room.y) < pocket.pocket.radius + 0.02 + 0.16 * measures.rail_width) {
         problems.add("pockets." + which + ".hole_radius",
                      "the table's " + which + " pockets' hole does not fit into rails " +
-                         millimetres(measures.rail_width) + " wide");
+                         millimetres_text(measures.rail_width) + " wide");
     }
 }
 

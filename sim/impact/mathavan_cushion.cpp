@@ -8,7 +8,6 @@
 namespace carom::sim {
 namespace {
 
-const Vec3 kUp(0, 0, 1);
 /// Largest steps as a fraction of the approach speed, and of the remaining slip, whose direction
 /// turns faster the smaller it is.
 constexpr double kMaxStep = 1.0 / 16;

@@ -8,7 +8,6 @@
 namespace carom::sim {
 namespace {
 
-const Vec3 kUp(0, 0, 1);
 // Below these values a ball counts as not slipping, not rolling, not spinning. Rounding errors of a
 // shot at 15 m/s are far smaller, and the neglected motion is less than a nanometre.
 constexpr double kSlipEpsilon = 1e-9;   // m/s

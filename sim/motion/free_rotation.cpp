@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/rigid.h"
-#include "sim/numeric/rotation.h"
+#include "sim/timeline/rotation_segment.h"
 
 namespace carom::sim {
 namespace {

@@ -1,6 +1,6 @@
 #include "sim/motion/motion_segment.h"
 
-#include "sim/numeric/rotation.h"
+#include "sim/timeline/rotation_segment.h"
 
 namespace carom::sim {
 

@@ -58,7 +58,7 @@ inline constexpr double kRisingSpeed = 5e-4;
 inline constexpr double kLandingSpeed = 0.01;
 /// A body whose points are slower than this may fall asleep.
 inline constexpr double kSleepSpeed = 0.01;
-/// Motion that can be seen, though it leads nowhere: a ball that spins in place, or rocks.
+/// Motion that can be seen, though it leads nowhere: something rocks.
 inline constexpr double kVisibleSpeed = 0.01;
 /// Frozen balls approach or separate more slowly than this: during a push, about 2 ms, their gap
 /// changes by no more than kFrozenGap.
@@ -66,5 +66,8 @@ inline constexpr double kFrozenSpeed = 0.01;
 /// Below this approach speed a contact in the solver does not bounce; otherwise stacks would never
 /// rest.
 inline constexpr double kBounceSpeed = 0.02;
+
+/// Rotation that can be seen, though it leads nowhere: a ball spins in place, rad/s.
+inline constexpr double kVisibleSpin = 0.5;
 
 }  // namespace carom::sim

@@ -133,30 +133,21 @@ struct StepWorld::State {
     void rebuild();
     void create(const Properties& from);
     void select(std::span<const int> moving);
-    void prepare(std::span<const int> moving, std::span<const MotionState> states);
-    [[nodiscard]] bool solve(const Attempt& attempt, double duration, const Vec3& gravity,
-                             std::span<const int> moving, std::span<const MotionState> states,
-                             std::span<const StepContact> contacts);
+    void prepare(const StepProblem& problem);
+    [[nodiscard]] bool solve(const Attempt& attempt, const StepProblem& problem);
     template <class VelocitiesOf>
     [[nodiscard]] RelativeMotion relative_motion(const StepContact& contact,
                                                  std::span<const MotionState> states,
                                                  const VelocitiesOf& velocities_of) const;
-    void find_directions(std::span<const MotionState> states, std::span<const StepContact> contacts,
-                         const Vec3& velocity_by_gravity);
+    void find_directions(const StepProblem& problem);
     void add_contact(const StepContact& from, std::size_t number, const Attempt& attempt,
                      double duration);
-    [[nodiscard]] bool update_directions(std::span<const MotionState> states,
-                                         std::span<const StepContact> contacts,
+    [[nodiscard]] bool update_directions(const StepProblem& problem,
                                          const std::vector<Velocities>& after);
-    void solve_with_directions(double duration, const Vec3& gravity, std::span<const int> moving,
-                               std::span<const MotionState> states,
-                               std::span<const StepContact> contacts,
-                               std::vector<Velocities>& after);
-    void solve_all(double duration, const Vec3& gravity, std::span<const int> moving,
-                   std::span<const MotionState> states, std::span<const StepContact> contacts,
-                   std::vector<Velocities>& after, std::vector<ImpulsePair>& impulses);
-    void add_works(double duration, std::span<const StepContact> contacts,
-                   std::vector<StepMotion>& motions) const;
+    void solve_with_directions(const StepProblem& problem, std::vector<Velocities>& after);
+    void solve_all(const StepProblem& problem, std::vector<Velocities>& after,
+                   std::vector<ImpulsePair>& impulses);
+    void add_works(const StepProblem& problem, std::vector<StepMotion>& motions) const;
     [[nodiscard]] ImpulsePair impulse_of(const StepContact& contact,
                                          const dJointFeedback& feedback_of_contact,
                                          double duration) const;
@@ -218,17 +209,17 @@ RelativeMotion StepWorld::State::relative_motion(const StepContact& contact,
 
 /// The friction pyramid is exact along its direction, which is that of the slip without contacts.
 /// Where bodies roll it is the axis of rolling.
-void StepWorld::State::find_directions(std::span<const MotionState> states,
-                                       std::span<const StepContact> contacts,
-                                       const Vec3& velocity_by_gravity) {
+void StepWorld::State::find_directions(const StepProblem& problem) {
     directions.clear();
     rolling.clear();
+    const std::span<const MotionState> states = problem.midpoints;
+    const Vec3 velocity_by_gravity = problem.gravity * problem.duration;
     const double fall = length(velocity_by_gravity);
     const auto velocities_of = [&](int number, std::size_t slot) {
         return Velocities{states[slot].velocity + velocity_by_gravity * gravity_factor(number),
                           states[slot].angular_velocity};
     };
-    for (const StepContact& contact : contacts) {
+    for (const StepContact& contact : problem.contacts) {
         const RelativeMotion relative = relative_motion(contact, states, velocities_of);
         const Vec3 slip = relative.slip(contact);
         directions.push_back(direction_across(slip, contact.normal, kMinStepSlip));
@@ -310,30 +301,29 @@ void StepWorld::State::select(std::span<const int> moving) {
     }
 }
 
-void StepWorld::State::prepare(std::span<const int> moving, std::span<const MotionState> states) {
-    for (std::size_t i = 0; i < moving.size(); ++i) {
-        const dBodyID body = bodies[static_cast<std::size_t>(moving[i])];
-        CAROM_ASSERT(is_finite(states[i]));
-        set_state(body, states[i]);
+void StepWorld::State::prepare(const StepProblem& problem) {
+    for (std::size_t i = 0; i < problem.moving.size(); ++i) {
+        const dBodyID body = bodies[static_cast<std::size_t>(problem.moving[i])];
+        CAROM_ASSERT(is_finite(problem.midpoints[i]));
+        set_state(body, problem.midpoints[i]);
         dBodyEnable(body);
     }
+    feedback.assign(problem.contacts.size(), dJointFeedback{});
+    const Vec3& gravity = problem.gravity;
+    dWorldSetGravity(world->get(), gravity.x, gravity.y, gravity.z);
 }
 
-bool StepWorld::State::solve(const Attempt& attempt, double duration, const Vec3& gravity,
-                             std::span<const int> moving, std::span<const MotionState> states,
-                             std::span<const StepContact> contacts) {
-    prepare(moving, states);
-    feedback.assign(contacts.size(), dJointFeedback{});
-    dWorldSetGravity(world->get(), gravity.x, gravity.y, gravity.z);
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        const StepContact& contact = contacts[i];
+bool StepWorld::State::solve(const Attempt& attempt, const StepProblem& problem) {
+    prepare(problem);
+    for (std::size_t i = 0; i < problem.contacts.size(); ++i) {
+        const StepContact& contact = problem.contacts[i];
         CAROM_ASSERT(moving_body(contact.first) != nullptr ||
                      moving_body(contact.second) != nullptr);
-        add_contact(contact, i, attempt, duration);
+        add_contact(contact, i, attempt, problem.duration);
     }
     MessageCapture capture;
     try {
-        dWorldStep(world->get(), duration);
+        dWorldStep(world->get(), problem.duration);
     } catch (const Error& error) {
         rebuild();
         capture.add_message(error.what());
@@ -354,20 +344,17 @@ ImpulsePair StepWorld::State::impulse_of(const StepContact& contact,
     return {along * duration, length(force - contact.normal * along) * duration};
 }
 
-void StepWorld::State::solve_with_directions(double duration, const Vec3& gravity,
-                                             std::span<const int> moving,
-                                             std::span<const MotionState> states,
-                                             std::span<const StepContact> contacts,
+void StepWorld::State::solve_with_directions(const StepProblem& problem,
                                              std::vector<Velocities>& after) {
     for (Attempt attempt; attempt.number < kMaxAttempts; ++attempt.number) {
         dJointGroupEmpty(group.get());
-        if (solve(attempt, duration, gravity, moving, states, contacts)) {
+        if (solve(attempt, problem)) {
             break;
         }
     }
-    after.resize(moving.size());
-    for (std::size_t i = 0; i < moving.size(); ++i) {
-        const dBodyID body = bodies[static_cast<std::size_t>(moving[i])];
+    after.resize(problem.moving.size());
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        const dBodyID body = bodies[static_cast<std::size_t>(problem.moving[i])];
         after[i] = {without_traces(to_vec3(dBodyGetLinearVel(body))),
                     without_traces(to_vec3(dBodyGetAngularVel(body)))};
         dBodyDisable(body);
@@ -377,16 +364,15 @@ void StepWorld::State::solve_with_directions(double duration, const Vec3& gravit
 /// Where a contact begins to slip or changes the direction of its slip, the friction direction has
 /// to follow: a misaligned friction pyramid pushes bodies sideways. Likewise the axis of rolling.
 /// True if any direction changed.
-bool StepWorld::State::update_directions(std::span<const MotionState> states,
-                                         std::span<const StepContact> contacts,
+bool StepWorld::State::update_directions(const StepProblem& problem,
                                          const std::vector<Velocities>& after) {
     constexpr double kSlip = 1e-5;          // m/s
     constexpr double kMaxDeviation = 0.02;  // sine of the angle
     bool is_changed = false;
     for (std::size_t i = 0; i < directions.size(); ++i) {
-        const StepContact& contact = contacts[i];
-        const RelativeMotion relative =
-            relative_motion(contact, states, [&](int, std::size_t slot) { return after[slot]; });
+        const StepContact& contact = problem.contacts[i];
+        const RelativeMotion relative = relative_motion(
+            contact, problem.midpoints, [&](int, std::size_t slot) { return after[slot]; });
         Rolling& rolls = rolling[i];
         const Vec3 slip = relative.slip(contact);
         const double speed = length(slip);
@@ -408,26 +394,23 @@ bool StepWorld::State::update_directions(std::span<const MotionState> states,
     return is_changed;
 }
 
-void StepWorld::State::solve_all(double duration, const Vec3& gravity, std::span<const int> moving,
-                                 std::span<const MotionState> states,
-                                 std::span<const StepContact> contacts,
-                                 std::vector<Velocities>& after,
+void StepWorld::State::solve_all(const StepProblem& problem, std::vector<Velocities>& after,
                                  std::vector<ImpulsePair>& impulses) {
-    select(moving);
-    find_directions(states, contacts, gravity * duration);
-    solve_with_directions(duration, gravity, moving, states, contacts, after);
-    if (update_directions(states, contacts, after)) {
-        solve_with_directions(duration, gravity, moving, states, contacts, after);
+    select(problem.moving);
+    find_directions(problem);
+    solve_with_directions(problem, after);
+    if (update_directions(problem, after)) {
+        solve_with_directions(problem, after);
     }
     dJointGroupEmpty(group.get());
-    impulses.resize(contacts.size());
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        impulses[i] = impulse_of(contacts[i], feedback[i], duration);
+    impulses.resize(problem.contacts.size());
+    for (std::size_t i = 0; i < impulses.size(); ++i) {
+        impulses[i] = impulse_of(problem.contacts[i], feedback[i], problem.duration);
     }
 }
 
 /// The work of a kinematic body is that against the forces on it, which keep its velocities.
-void StepWorld::State::add_works(double duration, std::span<const StepContact> contacts,
+void StepWorld::State::add_works(const StepProblem& problem,
                                  std::vector<StepMotion>& motions) const {
     const auto add = [&](int number, const dReal* force, const dReal* torque) {
         if (moving_body(number) != nullptr && is_kinematic(number)) {
@@ -435,31 +418,31 @@ void StepWorld::State::add_works(double duration, std::span<const StepContact> c
             const MotionState& kept = motions[slot].after;
             motions[slot].work -=
                 (to_vec3(force).dot(kept.velocity) + to_vec3(torque).dot(kept.angular_velocity)) *
-                duration;
+                problem.duration;
         }
     };
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        add(contacts[i].first, feedback[i].f1, feedback[i].t1);
-        add(contacts[i].second, feedback[i].f2, feedback[i].t2);
+    for (std::size_t i = 0; i < problem.contacts.size(); ++i) {
+        add(problem.contacts[i].first, feedback[i].f1, feedback[i].t1);
+        add(problem.contacts[i].second, feedback[i].f2, feedback[i].t2);
     }
 }
 
-void StepWorld::step(double duration, const Vec3& gravity, std::span<const int> moving,
-                     std::span<const MotionState> midpoints, std::span<const StepContact> contacts,
-                     std::vector<StepMotion>& motions, std::vector<ImpulsePair>& impulses) {
+void StepWorld::step(const StepProblem& problem, std::vector<StepMotion>& motions,
+                     std::vector<ImpulsePair>& impulses) {
     std::vector<Velocities> after;
-    state_->solve_all(duration, gravity, moving, midpoints, contacts, after, impulses);
-    motions.resize(moving.size());
-    for (std::size_t i = 0; i < moving.size(); ++i) {
+    state_->solve_all(problem, after, impulses);
+    motions.resize(problem.moving.size());
+    for (std::size_t i = 0; i < motions.size(); ++i) {
         StepMotion& motion = motions[i];
         motion.work = 0;
-        motion.after = midpoints[i];
+        motion.after = problem.midpoints[i];
         motion.after.velocity = after[i].linear;
         motion.after.angular_velocity = after[i].angular;
-        const Vec3& inertia = state_->properties[static_cast<std::size_t>(moving[i])].body.inertia;
-        motion.end = drift(motion.after, inertia, 0.5 * duration);
+        const auto number = static_cast<std::size_t>(problem.moving[i]);
+        motion.end =
+            drift(motion.after, state_->properties[number].body.inertia, 0.5 * problem.duration);
     }
-    state_->add_works(duration, contacts, motions);
+    state_->add_works(problem, motions);
 }
 
 }  // namespace carom::sim::ode

@@ -27,6 +27,16 @@ struct StepContact : Contact {
     Vec3 turning{0, 0, 0};
 };
 
+/// A step of `duration` (s) under `gravity` (m/s^2).
+struct StepProblem {
+    double duration = 0;
+    Vec3 gravity{0, 0, 0};
+    std::span<const int> moving;             // indices of the bodies that move
+    std::span<const MotionState> midpoints;  // in the same order, their states after half of it
+                                             // without forces
+    std::span<const StepContact> contacts;   // those found there
+};
+
 /// The motion of a body in a step: its velocities change at the midpoint, then it moves freely to
 /// `end`.
 struct StepMotion {
@@ -45,18 +55,16 @@ class StepWorld {
     /// Adds a body; its index counts from 0. A kinematic one keeps its velocities in all contacts.
     void add(const RigidBody& body, bool is_kinematic);
 
-    /// Steps the bodies with the indices `moving` over `duration`. `midpoints` (same order): their
-    /// states after half of it without forces; the contacts are those found there. dWorldStep
-    /// solves for the velocities with all contacts together, then each body moves freely for the
-    /// second half (Moreau's midpoint scheme: Jean, The non-smooth contact dynamics method, Comput.
-    /// Methods Appl. Mech. Eng. 177, 1999, section 4.1). Where the bodies turn, a contact that does
-    /// not slip leaves the midpoint with the opposite of the slip that it has got there, which the
-    /// second half takes back: so the scheme is of second order while contacts last. It is exact
-    /// for bodies without contacts. Contacts may refer to bodies that are not moving, which act
-    /// like walls.
-    void step(double duration, const Vec3& gravity, std::span<const int> moving,
-              std::span<const MotionState> midpoints, std::span<const StepContact> contacts,
-              std::vector<StepMotion>& motions, std::vector<ImpulsePair>& impulses);
+    /// Finds the motions of the moving bodies, in their order, and the impulses of the contacts.
+    /// dWorldStep solves for the velocities at the midpoint with all contacts together, then each
+    /// body moves freely for the second half (Moreau's midpoint scheme: Jean, The non-smooth
+    /// contact dynamics method, Comput. Methods Appl. Mech. Eng. 177, 1999, section 4.1). Where the
+    /// bodies turn, a contact that does not slip leaves the midpoint with the opposite of the slip
+    /// that it has got there, which the second half takes back: so the scheme is of second order
+    /// while contacts last. It is exact for bodies without contacts. Contacts may refer to bodies
+    /// that are not moving, which act like walls.
+    void step(const StepProblem& problem, std::vector<StepMotion>& motions,
+              std::vector<ImpulsePair>& impulses);
 
   private:
     struct State;

@@ -10,8 +10,6 @@
 namespace carom::sim {
 namespace {
 
-const Vec3 kUp(0, 0, 1);
-
 EventKind event_of(MotionKind kind) {
     switch (kind) {
         case MotionKind::sliding:

@@ -11,12 +11,6 @@
 namespace carom::sim {
 namespace {
 
-const Vec3 kUp(0, 0, 1);
-
-Vec3 in_space(const Vec2& v, double z) {
-    return {v.x, v.y, z};
-}
-
 void push(PredictedEventQueue& queue, const MovingBody& ball, std::uint32_t index,
           PredictedEventKind kind, std::size_t other, std::optional<double> time,
           std::uint32_t second_version = 0) {

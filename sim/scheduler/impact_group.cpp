@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/length.h"
-
 namespace carom::sim {
 namespace {
 
@@ -27,12 +25,13 @@ class GroupFinder {
     }
 
     ImpactGroup find(std::uint32_t first, std::uint32_t second) {
-        const RigidBody a = body(first);
-        const RigidBody b = body(second);
-        const Vec3 relative = a.state.velocity - b.state.velocity;
-        const double approach = -relative.dot(unit(a.state.position - b.state.position));
+        add(first);
+        add(second);
+        const RigidBody& a = group_.balls[0];
+        const RigidBody& b = group_.balls[1];
+        const double approach = group_.approach();
         if (approach <= kMinLoggedSpeed) {
-            return {};
+            return std::move(group_);
         }
         const double mass = a.mass * b.mass / (a.mass + b.mass);
         // Until they part, each changes its speed by less than this.
@@ -40,19 +39,16 @@ class GroupFinder {
         speed_ = std::max(length(a.state.velocity), length(b.state.velocity)) + change;
         const double duration =
             contact_time(stiffness_of(balls_[first], balls_[second]), mass, approach);
-        add(first, a);
-        add(second, b);
         add_near(0, duration);
         add_near(1, duration);
-        if (group_.indices.size() == 2) {
-            return {};
+        if (group_.indices.size() > 2) {
+            // With more balls it takes longer.
+            reach_time_ = 3 * duration;
+            for (std::size_t i = 0; i < group_.balls.size(); ++i) {
+                add_near(i, reach_time_);
+            }
+            add_contacts();
         }
-        // With more balls it takes longer.
-        reach_time_ = 3 * duration;
-        for (std::size_t i = 0; i < group_.balls.size(); ++i) {
-            add_near(i, reach_time_);
-        }
-        add_contacts();
         return std::move(group_);
     }
 
@@ -67,9 +63,9 @@ class GroupFinder {
         return body;
     }
 
-    void add(std::uint32_t index, const RigidBody& body) {
+    void add(std::uint32_t index) {
         group_.indices.push_back(index);
-        group_.balls.push_back(body);
+        group_.balls.push_back(body(index));
     }
 
     [[nodiscard]] double gap(const RigidBody& a, const Vec3& centre, double radius) const {
@@ -87,7 +83,7 @@ class GroupFinder {
             const double closing = speed_ + length(ball.segment.velocity_at(time_));
             if (gap(group_.balls[i], ball.segment.position_at(time_), ball.radius) <=
                 closing * duration) {
-                add(other, body(other));
+                add(other);
             }
         }
     }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/length.h"
 #include "sim/impact/group_impact.h"
 #include "sim/scheduler/event_predictor.h"
 
@@ -24,7 +25,15 @@ inline constexpr ContactStiffness kFlatStiffness{1e8, true};
 struct ImpactGroup {
     std::vector<std::uint32_t> indices;  // in Bodies; first the two that meet
     std::vector<RigidBody> balls;        // in the same order, without their orientations
-    std::vector<GroupContact> contacts;  // first that of the two
+    std::vector<GroupContact> contacts;  // first that of the two; empty if only they take part
+
+    /// Of the two that meet: from the second to the first, and how fast they approach (m/s).
+    [[nodiscard]] Vec3 normal() const {
+        return unit(balls[0].state.position - balls[1].state.position);
+    }
+    [[nodiscard]] double approach() const {
+        return -(balls[0].state.velocity - balls[1].state.velocity).dot(normal());
+    }
 };
 
 /// The entry of ContactLaw::pairs that names these two balls instead of two materials, or nullptr.
@@ -37,8 +46,8 @@ struct ImpactGroup {
                                            double slip_speed);
 
 /// The balls `first` and `second`, which meet at `time`, and those that may touch one of them,
-/// directly or through others, while they compress each other. Empty if no other is so near or they
-/// meet at kMinLoggedSpeed or slower.
+/// directly or through others, while they compress each other. Only the two if they meet at
+/// kMinLoggedSpeed or slower.
 [[nodiscard]] ImpactGroup find_impact_group(std::span<const MovingBody> balls, std::uint32_t first,
                                             std::uint32_t second, double time,
                                             const EventPredictor& predictor,

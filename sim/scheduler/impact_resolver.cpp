@@ -136,22 +136,17 @@ bool ImpactResolver::reaches_obstacle(const PredictedEvent& event, const ImpactG
     if (bodies_.solids().empty() && !environment_.has_obstacles()) {
         return false;
     }
-    std::vector<std::uint32_t> members = group.indices;
-    if (members.empty()) {
-        members = {event.first, event.second};
-    }
-    const RigidBody a = balls[members[0]].rigid_at(event.time);
-    const RigidBody b = balls[members[1]].rigid_at(event.time);
-    const double approach =
-        -(a.state.velocity - b.state.velocity).dot(unit(a.state.position - b.state.position));
+    const double approach = group.approach();
     if (approach <= kBounceSpeed) {
         return false;
     }
+    const RigidBody& a = group.balls[0];
+    const RigidBody& b = group.balls[1];
     std::vector<Placement> placed = placements_of(bodies_.all());
     for (std::size_t i = 0; i < placed.size(); ++i) {
         placed[i].mode = i < balls.size() ? Mode::gone : Mode::asleep;
     }
-    for (const std::uint32_t index : members) {
+    for (const std::uint32_t index : group.indices) {
         placed[index] = {balls[index].segment.state_at(event.time), Mode::solver};
     }
     const double duration =
@@ -178,115 +173,103 @@ void ImpactResolver::leave_to_solver(const PredictedEvent& event) {
     }
 }
 
-/// False, without effect, if the two balls come apart before they or others touch a third one: the
-/// law of pairs is exact for them.
-bool ImpactResolver::resolve_group_impact(const PredictedEvent& event) {
-    const ImpactGroup group = group_of(event);
-    if (reaches_obstacle(event, group)) {
-        leave_to_solver(event);
-        return true;
-    }
-    if (group.contacts.empty()) {
-        return false;
-    }
+/// The contacts of the group that close, in the order of time in which they do, and the balls after
+/// it.
+std::vector<ImpactResolver::Touch> ImpactResolver::hit_group(const ImpactGroup& group,
+                                                             std::vector<RigidBody>& after) const {
     std::vector<GroupBody> bodies;
     for (const RigidBody& ball : group.balls) {
         bodies.push_back(group_body(ball));
     }
     const std::vector<GroupContactResult> results =
         group_impact(bodies, group.contacts, environment_.law.ball_ball);
-    std::vector<RigidBody> after = group.balls;
     for (std::size_t i = 0; i < after.size(); ++i) {
-        after[i].state.velocity = bodies[i].velocity;
-        after[i].state.angular_velocity = bodies[i].angular_velocity;
+        after[i].set({bodies[i].velocity, bodies[i].angular_velocity});
     }
-    const std::vector<std::size_t> touched = in_order_of_touch(results);
-    if (touched.size() < 2) {
-        return false;
+    std::vector<Touch> touches;
+    for (const std::size_t i : in_order_of_touch(results)) {
+        touches.push_back({group.contacts[i].first, group.contacts[i].second, results[i].approach,
+                           results[i].normal, results[i].impulse});
     }
-    std::vector<char> has_touched(after.size(), 0);
-    std::vector<char> activates(after.size(), 0);
-    for (const std::size_t i : touched) {
-        const GroupContact& contact = group.contacts[i];
-        const MovingBody& a = bodies_[group.indices[contact.first]];
-        const MovingBody& b = bodies_[group.indices[contact.second]];
-        const Vec3& normal = results[i].normal;
-        const RigidBody& first = group.balls[contact.first];
-        const RigidBody& second = group.balls[contact.second];
-        record({event.time, results[i].approach, a.name(), b.name(),
-                first.state.position - normal * first.radius, normal, results[i].impulse,
-                mean_body(after[contact.first], first.state),
-                mean_body(after[contact.second], second.state)});
+    return touches;
+}
+
+/// The same for the two balls that meet, by the law of pairs.
+ImpactResolver::Touch ImpactResolver::hit_pair(const ImpactGroup& group,
+                                               std::vector<RigidBody>& after) const {
+    const MovingBody& a = bodies_[group.indices[0]];
+    const MovingBody& b = bodies_[group.indices[1]];
+    after = group.balls;
+    const Vec3 normal = group.normal();
+    const double slip = length(contact_slip(after[0], after[1], normal));
+    const ContactCoefficients law = pair_law(environment_, a, b, slip);
+    const ImpulsePair impulse = ball_ball_impact(bodies_.impact_solver(), after[0], after[1],
+                                                 normal, law.restitution, law.friction);
+    // The reference models omit the vertical impulse, which would make balls on the cloth hop.
+    if (!environment_.law.hop && a.ground != SupportPlane::none && b.ground != SupportPlane::none) {
+        after[0].state.velocity.z = 0;
+        after[1].state.velocity.z = 0;
+    }
+    return {0, 1, group.approach(), normal, impulse};
+}
+
+/// The law of pairs is exact for two balls that come apart before they or others touch a third one.
+void ImpactResolver::resolve_ball_impact(const PredictedEvent& event) {
+    const ImpactGroup group = group_of(event);
+    // The path of a ball in the solver closed the gap, which its contacts have changed meanwhile.
+    const bool has_parted = group.approach() <= 0 && (bodies_[event.first].is_in_solver() ||
+                                                      bodies_[event.second].is_in_solver());
+    if (has_parted || reaches_obstacle(event, group)) {
+        return leave_to_solver(event);
+    }
+    std::vector<RigidBody> after = group.balls;
+    std::vector<Touch> touches;
+    if (!group.contacts.empty()) {
+        touches = hit_group(group, after);
+    }
+    if (touches.size() < 2) {
+        touches = {hit_pair(group, after)};
+    }
+    std::vector<char> is_touched(after.size(), 0);
+    std::vector<char> enters_solver(after.size(), 0);
+    for (const Touch& touch : touches) {
+        const MovingBody& a = bodies_[group.indices[touch.first]];
+        const MovingBody& b = bodies_[group.indices[touch.second]];
+        const RigidBody& first = group.balls[touch.first];
+        const RigidBody& second = group.balls[touch.second];
+        const Vec3& normal = touch.normal;
+        record({event.time, touch.approach, a.name(), b.name(),
+                first.state.position - normal * first.radius, normal, touch.impulse,
+                mean_body(after[touch.first], first.state),
+                mean_body(after[touch.second], second.state)});
         const double separation =
-            (after[contact.first].state.velocity - after[contact.second].state.velocity)
-                .dot(normal);
+            (after[touch.first].state.velocity - after[touch.second].state.velocity).dot(normal);
         const bool stays =
             stays_in_contact(a, separation, normal) || stays_in_contact(b, separation, normal);
-        for (const std::size_t member : {contact.first, contact.second}) {
-            has_touched[member] = 1;
-            activates[member] |= stays || lies_in_pocket(bodies_[group.indices[member]]);
+        for (const std::size_t member : {touch.first, touch.second}) {
+            is_touched[member] = 1;
+            enters_solver[member] |= stays || lies_in_pocket(bodies_[group.indices[member]]);
         }
     }
     for (std::size_t i = 0; i < after.size(); ++i) {
-        if (has_touched[i] != 0) {
+        if (is_touched[i] != 0) {
             bodies_.wake_island(group.indices[i], event.time);
         }
     }
     for (std::size_t i = 0; i < after.size(); ++i) {
-        if (has_touched[i] == 0) {
-            continue;
-        }
-        const MotionState before = bodies_[group.indices[i]].segment.state_at(event.time);
-        after[i].state.orientation = before.orientation;
-        bodies_.change_state(group.indices[i], event.time, before, after[i].state);
-        if (activates[i] != 0) {
-            bodies_.enter_solver(group.indices[i], event.time);
+        if (is_touched[i] != 0) {
+            const MotionState before = bodies_[group.indices[i]].segment.state_at(event.time);
+            after[i].state.orientation = before.orientation;
+            part(group.indices[i], event.time, before, after[i].state, enters_solver[i] != 0);
         }
     }
-    return true;
 }
 
-void ImpactResolver::resolve_ball_impact(const PredictedEvent& event) {
-    MovingBody& a = bodies_[event.first];
-    MovingBody& b = bodies_[event.second];
-    RigidBody body_a = a.rigid_at(event.time);
-    RigidBody body_b = b.rigid_at(event.time);
-    const MotionState before_a = body_a.state;
-    const MotionState before_b = body_b.state;
-    const Vec3 normal = unit(before_a.position - before_b.position);
-    const double approach = -(before_a.velocity - before_b.velocity).dot(normal);
-    // The path of a ball in the solver closed the gap, which its contacts have changed meanwhile.
-    if (approach <= 0 && (a.is_in_solver() || b.is_in_solver())) {
-        return leave_to_solver(event);
-    }
-    if (resolve_group_impact(event)) {
-        return;
-    }
-    const Vec3 slip = contact_slip(body_a, body_b, normal);
-    const ContactCoefficients law = pair_law(environment_, a, b, std::sqrt(slip.dot(slip)));
-    const ImpulsePair impulse = ball_ball_impact(bodies_.impact_solver(), body_a, body_b, normal,
-                                                 law.restitution, law.friction);
-    // The reference models omit the vertical impulse, which would make balls on the cloth hop.
-    if (!environment_.law.hop && a.ground != SupportPlane::none && b.ground != SupportPlane::none) {
-        body_a.state.velocity.z = 0;
-        body_b.state.velocity.z = 0;
-    }
-    record({event.time, approach, a.name(), b.name(), before_a.position - normal * a.radius, normal,
-            impulse, mean_body(body_a, before_a), mean_body(body_b, before_b)});
-    const double separation = (body_a.state.velocity - body_b.state.velocity).dot(normal);
-    const bool stays =
-        stays_in_contact(a, separation, normal) || stays_in_contact(b, separation, normal);
-    const bool first_lies = lies_in_pocket(a);
-    const bool second_lies = lies_in_pocket(b);
-    bodies_.wake_island(event.first, event.time);
-    bodies_.wake_island(event.second, event.time);
-    bodies_.change_state(event.first, event.time, before_a, body_a.state);
-    bodies_.change_state(event.second, event.time, before_b, body_b.state);
-    if (stays || first_lies) {
-        bodies_.enter_solver(event.first, event.time);
-    }
-    if (stays || second_lies) {
-        bodies_.enter_solver(event.second, event.time);
+void ImpactResolver::part(std::uint32_t ball, double time, const MotionState& before,
+                          const MotionState& after, bool enters_solver) {
+    bodies_.change_state(ball, time, before, after);
+    if (enters_solver) {
+        bodies_.enter_solver(ball, time);
     }
 }
 
@@ -361,12 +344,8 @@ void ImpactResolver::bounce(const PredictedEvent& event, const Contact& contact,
     }
     record({event.time, approach, ball.name(), info.name, contact.point, contact.normal, impulse,
             mean_body(body, before), surface_moving_at({0, 0, 0})});
-    const bool stays =
-        stays_in_contact(ball, body.state.velocity.dot(contact.normal), contact.normal);
-    bodies_.change_state(event.first, event.time, before, body.state);
-    if (stays) {
-        bodies_.enter_solver(event.first, event.time);
-    }
+    part(event.first, event.time, before, body.state,
+         stays_in_contact(ball, body.state.velocity.dot(contact.normal), contact.normal));
 }
 
 void ImpactResolver::resolve_face_impact(const PredictedEvent& event, const Vec2& centre) {
@@ -406,11 +385,8 @@ void ImpactResolver::resolve_cushion_impact(const PredictedEvent& event, const V
     }
     record({event.time, approach, ball.name(), kCushion, nose, normal, impulse,
             mean_body(body, before), surface_moving_at({0, 0, 0})});
-    const bool stays = stays_in_contact(ball, body.state.velocity.dot(inward), inward);
-    bodies_.change_state(event.first, event.time, before, body.state);
-    if (stays) {
-        bodies_.enter_solver(event.first, event.time);
-    }
+    part(event.first, event.time, before, body.state,
+         stays_in_contact(ball, body.state.velocity.dot(inward), inward));
 }
 
 /// A ball that passes the edge faster than sqrt(g R) leaves it immediately: the edge would have to
@@ -440,8 +416,7 @@ void ImpactResolver::land(const PredictedEvent& event) {
     const auto ground = static_cast<SupportPlane>(event.second);
     const MotionState before = ball.segment.state_at(event.time);
     if (environment_.downward_gravity <= 0) {
-        const Vec3 up(0, 0, 1);
-        bounce(event, {before.position - up * ball.radius, up, 0},
+        bounce(event, {before.position - kUp * ball.radius, kUp, 0},
                {ground_name(ground),
                 ground == SupportPlane::floor ? MaterialId::floor : MaterialId::cloth});
         return;

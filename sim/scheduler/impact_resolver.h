@@ -33,7 +33,20 @@ class ImpactResolver {
                                         const ImpactGroup& group) const;
     void leave_to_solver(const PredictedEvent& event);
     [[nodiscard]] bool reaches_ball(const PredictedEvent& event, double approach) const;
-    bool resolve_group_impact(const PredictedEvent& event);
+
+    /// Two balls of a group, by their places there, that touched each other.
+    struct Touch {
+        std::size_t first = 0, second = 0;
+        double approach = 0;  // m/s
+        Vec3 normal{0, 0, 1};
+        ImpulsePair impulse;
+    };
+    [[nodiscard]] std::vector<Touch> hit_group(const ImpactGroup& group,
+                                               std::vector<RigidBody>& after) const;
+    [[nodiscard]] Touch hit_pair(const ImpactGroup& group, std::vector<RigidBody>& after) const;
+    /// What an impact does to one of its balls.
+    void part(std::uint32_t ball, double time, const MotionState& before, const MotionState& after,
+              bool enters_solver);
     void resolve_face_impact(const PredictedEvent& event, const Vec2& centre);
     void resolve_cushion_impact(const PredictedEvent& event, const Vec2& nearest,
                                 const BallCushion& cushion);

@@ -7,6 +7,7 @@
 
 #include "core/length.h"
 #include "sim/numeric/tolerances.h"
+#include "sim/path_detectors.h"
 
 namespace carom::sim {
 namespace {
@@ -116,13 +117,9 @@ bool MovingBody::has_moved_since_rest() const {
     if (is_still() || !is_in_solver() || is_kinematic()) {
         return !is_still();
     }
-    const Vec3 displacement = (is_ball() ? segment.state : state).position - rested_at.position;
-    if (is_ball()) {
-        const Vec3& spin = segment.state.angular_velocity;
-        return displacement.dot(displacement) > kMinDisplacement * kMinDisplacement ||
-               spin.dot(spin) * radius * radius > kVisibleSpeed * kVisibleSpeed;
-    }
-    return distance_from(rested_at) > kMinDisplacement;
+    return is_ball() ? is_visible(length(segment.state.position - rested_at.position), 0,
+                                  length(segment.state.angular_velocity))
+                     : is_visible(distance_from(rested_at), 0, 0);
 }
 
 double MovingBody::distance_from(const Pose& pose) const {

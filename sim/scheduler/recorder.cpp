@@ -56,47 +56,41 @@ void Recorder::add_jump(std::size_t track, double time, const MotionState& befor
     last_keys_[track] = {landed, {to.position, to.orientation}, landed};
 }
 
-void Recorder::log_impact(double time, const std::string& a, const std::string& b,
-                          const Vec3& place, const Vec3& normal, const ImpulsePair& impulse) {
-    Event event;
-    event.kind = EventKind::impact;
+Event& Recorder::add_event(EventKind kind, double time, const std::string& a, const Vec3& place) {
+    Event& event = events_.emplace_back();
+    event.kind = kind;
     event.time = event.end_time = time;
     event.a = a;
-    event.b = b;
     event.place = place;
+    return event;
+}
+
+void Recorder::log_impact(double time, const std::string& a, const std::string& b,
+                          const Vec3& place, const Vec3& normal, const ImpulsePair& impulse) {
+    Event& event = add_event(EventKind::impact, time, a, place);
+    event.b = b;
     event.normal = normal;
     event.normal_impulse = impulse.normal;
     event.tangential_impulse = impulse.tangential;
-    events_.push_back(std::move(event));
 }
 
 void Recorder::log(EventKind kind, double time, const std::string& a, const Vec3& place,
                    const std::string& b) {
-    Event event;
-    event.kind = kind;
-    event.time = event.end_time = time;
-    event.a = a;
-    event.b = b;
-    event.place = place;
-    events_.push_back(std::move(event));
+    add_event(kind, time, a, place).b = b;
 }
 
 void Recorder::log_action(EventKind kind, double time, double end_time, const std::string& a,
                           const Vec3& place, const Vec3& vector) {
-    Event event;
-    event.kind = kind;
-    event.time = time;
+    Event& event = add_event(kind, time, a, place);
     event.end_time = end_time;
-    event.a = a;
-    event.place = place;
     event.vector = vector;
-    events_.push_back(std::move(event));
 }
 
 void Recorder::log_strike(double time, const std::string& ball, const Vec3& place,
                           const Vec3& velocity, double impulse) {
-    log_action(EventKind::strike, time, time, ball, place, velocity);
-    events_.back().normal_impulse = impulse;
+    Event& event = add_event(EventKind::strike, time, ball, place);
+    event.vector = velocity;
+    event.normal_impulse = impulse;
 }
 
 void Recorder::add_energy(const EnergySample& sample) {

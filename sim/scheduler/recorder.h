@@ -51,6 +51,8 @@ class Recorder {
     [[nodiscard]] Timeline take_timeline(double end_time);
 
   private:
+    Event& add_event(EventKind kind, double time, const std::string& a, const Vec3& place);
+
     /// A ball that is put back on its surface moves by a few micrometres at most. If a key has
     /// already been written at that instant, the state takes over its pose.
     [[nodiscard]] MotionState with_pose_of_last_key(std::size_t track, double time,

@@ -35,7 +35,7 @@ void RestTriggers::note_action(std::size_t event) {
 void RestTriggers::note_placed(std::size_t event) {
     for (auto& [waiting, wait] : waiting_) {
         if (wait.predecessor == event) {
-            wait.has_moved = true;
+            wait.detector.move(true);
         }
     }
 }
@@ -46,12 +46,12 @@ std::vector<std::size_t> RestTriggers::take_rested(double now, const MotionQuery
         auto& [event, wait] = *it;
         const ForceEvent& force = events_[event];
         const std::string& name = force.trigger->a;
-        if (wait.has_begun && !wait.has_moved) {
-            wait.has_moved = query.is_moving(name);
+        if (wait.has_begun && !wait.detector.has_moved()) {
+            wait.detector.move(query.is_moving(name));
         }
-        const bool rests = wait.has_moved && now >= force.time && query.is_resting(name);
-        wait.rests += rests ? 1 : 0;
-        wait.has_moved = wait.has_moved && !rests;
+        if (now >= force.time && query.is_resting(name) && wait.detector.rest()) {
+            ++wait.rests;
+        }
         if (wait.rests == force.trigger->nth) {
             rested.push_back(event);
             it = waiting_.erase(it);
@@ -76,12 +76,12 @@ std::string RestTriggers::reason(std::size_t event) const {
                times_text(wait.rests) + since;
     }
     if (name.empty()) {
-        return wait.has_moved ? "not everything came to rest" + since
-                              : "nothing moved" + since + ", so nothing came to rest";
+        return wait.detector.has_moved() ? "not everything came to rest" + since
+                                         : "nothing moved" + since + ", so nothing came to rest";
     }
     const std::string subject = "'" + name + "' never ";
-    return wait.has_moved ? subject + "came to rest" + since
-                          : subject + "moved" + since + ", so it never came to rest";
+    return wait.detector.has_moved() ? subject + "came to rest" + since
+                                     : subject + "moved" + since + ", so it never came to rest";
 }
 
 }  // namespace carom::sim

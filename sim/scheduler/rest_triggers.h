@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/force_event.h"
+#include "sim/path_detectors.h"
 
 namespace carom::sim {
 
@@ -46,8 +47,8 @@ class RestTriggers {
     struct Wait {
         std::optional<std::size_t> predecessor;  // the previous event that waits for this object
         bool has_begun = true;                   // false: the predecessor has not acted yet
-        bool has_moved = false;                  // since it began, or since the last rest
-        int rests = 0;                           // since it began
+        RestDetector detector;                   // since it began
+        int rests = 0;                           // likewise
     };
 
     const std::vector<ForceEvent>& events_;

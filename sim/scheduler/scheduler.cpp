@@ -143,12 +143,8 @@ std::optional<PredictedEvent> Scheduler::process_events() {
 }
 
 bool Scheduler::needs_step(const PredictedEvent& event) const {
-    if (event.kind == PredictedEventKind::solid) {
-        return true;
-    }
-    return event.kind == PredictedEventKind::ball &&
-           (bodies_.all()[event.first].is_in_solver() ||
-            bodies_.all()[event.second].is_in_solver() || resolver_.involves_solver(event));
+    return event.kind == PredictedEventKind::solid ||
+           (event.kind == PredictedEventKind::ball && resolver_.involves_solver(event));
 }
 
 double Scheduler::window_end_from(double now) const {

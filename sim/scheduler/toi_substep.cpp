@@ -111,7 +111,7 @@ void ToiSubstep::advance_to_midpoint() {
 }
 
 void ToiSubstep::solve() {
-    world_.step(end_ - start_, gravity_, moving_, midpoint_states_, step_contacts_, motions_,
+    world_.step({end_ - start_, gravity_, moving_, midpoint_states_, step_contacts_}, motions_,
                 impulses_);
     for (std::size_t slot = 0; slot < moving_.size(); ++slot) {
         const MovingBody& body = bodies_[static_cast<std::size_t>(moving_[slot])];

@@ -3,15 +3,15 @@
 #include <algorithm>
 
 #include "core/length.h"
-#include "sim/numeric/rotation.h"
 #include "sim/spatial/conservative_advancement.h"
+#include "sim/timeline/rotation.h"
 
 namespace carom::sim {
 
 Pose ConvexMotion::pose_at(double time) const {
     const double t = time - start;
     return {state.position + state.velocity * t,
-            rotation_by(state.angular_velocity * t) * state.orientation};
+            rotation_from_vector(state.angular_velocity * t) * state.orientation};
 }
 
 Contact convex_contact(const ConvexShape& shape, const Pose& pose, const Vec3& centre,

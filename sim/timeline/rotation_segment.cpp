@@ -85,4 +85,12 @@ Quat RotationSegment::finish(const Quat& orientation, std::uint32_t substep, dou
            orientation;
 }
 
+Quat turned(const Quat& from, const Vec3& before, const Vec3& after, double duration) {
+    if (duration <= 0) {
+        return magnus_step(before, after, duration) * from;
+    }
+    const RotationSegment rotation(before, after, duration);
+    return rotation.advance(from, 0, rotation.substeps()).normalized();
+}
+
 }  // namespace carom::sim

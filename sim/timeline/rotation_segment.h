@@ -48,4 +48,8 @@ class RotationSegment {
     std::uint32_t substeps_;
 };
 
+/// `from` turned during `duration` (s; any sign, or 0) by an angular velocity that changes linearly
+/// from `before` to `after`; of unit length.
+[[nodiscard]] Quat turned(const Quat& from, const Vec3& before, const Vec3& after, double duration);
+
 }  // namespace carom::sim

@@ -107,5 +107,20 @@ TEST(ApexDetector_OfALowHop, FindsNone) {
     EXPECT_EQ(ApexDetector().follow(thrown(1.001 * rise, 0, 1)).size(), 1U);
 }
 
+TEST(RestDetector, CountsOnlyMotionsThatCanBeSeen) {
+    RestDetector detector;
+    EXPECT_FALSE(detector.rest());  // it has rested from the start
+    detector.move(is_visible(1.9e-4, 0.009, 0.4));
+    EXPECT_FALSE(detector.rest());
+    for (const bool is_seen :
+         {is_visible(2.1e-4, 0, 0), is_visible(0, 0.011, 0), is_visible(0, 0, 0.6)}) {
+        detector.move(is_seen);
+        detector.move(false);
+        EXPECT_TRUE(detector.has_moved());
+        EXPECT_TRUE(detector.rest());
+        EXPECT_FALSE(detector.rest());
+    }
+}
+
 }  // namespace
 }  // namespace carom::sim

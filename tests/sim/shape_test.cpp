@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "core/rigid.h"
-#include "sim/numeric/rotation.h"
 #include "sim/shape/convex_shape.h"
 #include "sim/shape/mass_properties.h"
 #include "sim/spatial/convex_contacts.h"
+#include "sim/timeline/rotation.h"
 
 namespace carom::sim {
 namespace {
@@ -71,7 +71,7 @@ TEST(ConvexHull_OfPointsOnASphere, ContainsThemAll) {
 
 TEST(MassProperties_OfATurnedBox, AreThoseOfABox) {
     const Vec3 half(0.05, 0.1, 0.2);
-    const Quat turn = rotation_by({0.3, -0.7, 0.4});
+    const Quat turn = rotation_from_vector({0.3, -0.7, 0.4});
     std::vector<Vec3> points;
     for (const Vec3& corner : box_corners(half)) {
         points.push_back(to_world(turn, corner) + Vec3(1, 2, 3));
@@ -154,13 +154,13 @@ struct ContactCase {
 };
 
 TEST(ConvexContacts_OfASolidOnABox, AreEnoughToRestOn) {
-    const Quat lying = rotation_by({0, kPi / 2, 0});
+    const Quat lying = rotation_from_vector({0, kPi / 2, 0});
     const ConvexShape table = ConvexShape::box({0.5, 0.5, 0.1});
     const Polyhedron cube = convex_hull(box_corners({0.05, 0.05, 0.05})).value();
     for (const ContactCase& c :
          {ContactCase{"hull", ConvexShape::hull(cube), {}, 0.05, 4},
-          ContactCase{"hull on its edge", ConvexShape::hull(cube), rotation_by({kPi / 4, 0, 0}),
-                      0.05 * std::sqrt(2.0), 2},
+          ContactCase{"hull on its edge", ConvexShape::hull(cube),
+                      rotation_from_vector({kPi / 4, 0, 0}), 0.05 * std::sqrt(2.0), 2},
           ContactCase{"cylinder upright", ConvexShape::cylinder(0.03, 0.06), {}, 0.06, 4},
           ContactCase{"cylinder lying", ConvexShape::cylinder(0.03, 0.06), lying, 0.03, 2},
           ContactCase{"capsule lying", ConvexShape::capsule(0.03, 0.06), lying, 0.03, 2},
@@ -187,8 +187,8 @@ TEST(ConvexContacts_OfASolidOnABox, AreEnoughToRestOn) {
 TEST(ConvexContacts_OfRoundSolids, AreTheClosestPoints) {
     const ConvexShape capsule = ConvexShape::capsule(0.02, 0.1);
     const ConvexShape cylinder = ConvexShape::cylinder(0.02, 0.1);
-    const Quat along_x = rotation_by({0, kPi / 2, 0});
-    const Quat along_y = rotation_by({kPi / 2, 0, 0});
+    const Quat along_x = rotation_from_vector({0, kPi / 2, 0});
+    const Quat along_y = rotation_from_vector({kPi / 2, 0, 0});
     std::vector<Contact> contacts;
     for (const ConvexShape* lower : {&capsule, &cylinder}) {
         for (const ConvexShape* upper : {&capsule, &cylinder}) {

@@ -108,7 +108,7 @@ TEST(StartOverlaps_OfABallInTheSlate, AreRefusedByTheBake) {
         (void)bake(standing.world());
         FAIL();
     } catch (const Error& error) {
-        EXPECT_STREQ(error.what(), "body 'cue' overlaps the cloth by 2.00 mm at the start");
+        EXPECT_STREQ(error.what(), "body 'cue' overlaps the cloth by 2 mm at the start");
     }
 }
 
@@ -138,18 +138,18 @@ const BodyShape kBox = Box{{0.1, 0.1, 0.1}};
 TEST(StartOverlaps_OfSolids, AreRefusedWhateverTheirShapes) {
     const Body lower = solid("lower", kBox, {0, 0, 0.05});
     EXPECT_EQ(overlap_of({lower, solid("upper", kBox, {0.05, 0, 0.1})}),
-              "body 'upper' overlaps 'lower' by 50.00 mm at the start");
+              "body 'upper' overlaps 'lower' by 50 mm at the start");
     EXPECT_EQ(overlap_of({lower, solid("upper", Capsule{0.02, 0.1}, {0, 0, 0.16})}),
-              "body 'upper' overlaps 'lower' by 10.00 mm at the start");
+              "body 'upper' overlaps 'lower' by 10 mm at the start");
     EXPECT_EQ(overlap_of({lower, solid("upper", Cylinder{0.03, 0.06}, {0.075, 0, 0.05})}),
-              "body 'upper' overlaps 'lower' by 5.00 mm at the start");
+              "body 'upper' overlaps 'lower' by 5 mm at the start");
     Body turned = solid("upper", kBox, {0.12, 0, 0.05});
     turned.pose.orientation = Quat(std::cos(0.3926990817), 0, 0, std::sin(0.3926990817));
     EXPECT_EQ(overlap_of({lower, turned}), "body 'upper' overlaps 'lower' by 0.71 mm at the start");
     Body fixed = lower;
     fixed.kind = BodyKind::fixed;
     EXPECT_EQ(overlap_of({solid("upper", kBox, {0, 0, 0.149}), fixed}),
-              "body 'upper' overlaps 'lower' by 1.00 mm at the start");
+              "body 'upper' overlaps 'lower' by 1 mm at the start");
 }
 
 /// A fixed flat sheet of two triangles at the height, 1 m wide.
@@ -165,9 +165,9 @@ Body sheet(double height) {
 TEST(StartOverlaps_OfSolidsInAMesh, AreRefused) {
     EXPECT_EQ(overlap_of({sheet(0.3), solid("box", kBox, {0, 0, 0.35})}), "");
     EXPECT_EQ(overlap_of({sheet(0.3), solid("box", kBox, {0.1, 0, 0.347})}),
-              "body 'box' overlaps 'sheet' by 3.00 mm at the start");
+              "body 'box' overlaps 'sheet' by 3 mm at the start");
     EXPECT_EQ(overlap_of({sheet(0.3), solid("can", Cylinder{0.03, 0.06}, {0, 0.1, 0.272})}),
-              "body 'can' overlaps 'sheet' by 2.00 mm at the start");
+              "body 'can' overlaps 'sheet' by 2 mm at the start");
 }
 
 TEST(StartOverlaps_OfSolidsThatTouch, AreNone) {
@@ -186,7 +186,7 @@ TEST(StartOverlaps_OfKeyedSolids, AreWhereTheirPathsBegin) {
     keyed.path = KeyedPath{std::make_shared<Track>("keyed", std::vector<Key>{{0, {0, 0, 0.05}}}),
                            {0.2, 0, 0}};
     EXPECT_EQ(overlap_of({keyed, solid("box", kBox, {0.27, 0, 0.05})}),
-              "body 'box' overlaps 'keyed' by 30.00 mm at the start");
+              "body 'box' overlaps 'keyed' by 30 mm at the start");
     EXPECT_EQ(overlap_of({keyed, ball("cue", 0.265, 0)}),
               "body 'cue' overlaps 'keyed' by 13.58 mm at the start");
     EXPECT_EQ(overlap_of({keyed, solid("box", kBox, {0.4, 0, 0.05}), ball("cue", 0, 0)}), "");
@@ -194,21 +194,21 @@ TEST(StartOverlaps_OfKeyedSolids, AreWhereTheirPathsBegin) {
 
 TEST(StartOverlaps_OfSolidsInTheTable, AreRefused) {
     EXPECT_EQ(overlap_of({solid("box", kBox, {0, 0, 0.03})}),
-              "body 'box' overlaps the cloth by 20.00 mm at the start");
+              "body 'box' overlaps the cloth by 20 mm at the start");
     EXPECT_EQ(overlap_of({solid("box", kBox, {0, 0, 0.03})}, true),
-              "body 'box' overlaps the cloth by 20.00 mm at the start");
+              "body 'box' overlaps the cloth by 20 mm at the start");
     const billiards::TableMeasures table = *walled_world(1).table;
     const double rail = 0.5 * table.length + table.cushion_width + 0.5 * table.rail_width;
     EXPECT_EQ(overlap_of({solid("box", kBox, {rail, 0, table.rail_height + 0.05})}, true), "");
     EXPECT_EQ(overlap_of({solid("box", kBox, {rail, 0, table.rail_height + 0.045})}, true),
-              "body 'box' overlaps a rail by 5.00 mm at the start");
+              "body 'box' overlaps a rail by 5 mm at the start");
     double nose = 0;
     for (const billiards::CushionFace& face : billiards::build_table(table, 0.028575).faces) {
         nose = face.normal.x < -0.9 ? face.from.x : nose;
     }
     EXPECT_EQ(overlap_of({solid("box", kBox, {nose - 0.0501, 0, 0.05})}, true), "");
     EXPECT_EQ(overlap_of({solid("box", kBox, {nose - 0.047, 0, 0.05})}, true),
-              "body 'box' overlaps a cushion by 3.00 mm at the start");
+              "body 'box' overlaps a cushion by 3 mm at the start");
     // Under the slate, and on the floor beside the table.
     EXPECT_EQ(overlap_of({solid("box", kBox, {0, 0, -0.4})}, true), "");
 }

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text.h"
 #include "pipeline/config/build/builder.h"
-#include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
 #include "sim/start_overlaps.h"
 
@@ -26,11 +26,6 @@ std::vector<Ball> spheres(const Builder& builder) {
     return balls;
 }
 
-/// "0.31 mm"
-std::string millimetres(double metres) {
-    return show(std::round(metres * 1e5) / 100) + " mm";
-}
-
 Place place_of_body(const Builder& builder, const sim::Body& body) {
     return builder.placed.at(body.name);
 }
@@ -41,7 +36,7 @@ void check_pair(const Ball& a, const Ball& b, Builder& builder) {
     if (overlap > 1e-9 * (a.radius + b.radius)) {
         builder.reader.error(place_of_body(builder, *b.body),
                              quote(b.body->name) + " and " + quote(a.body->name) + " overlap by " +
-                                 millimetres(std::max(overlap, 1e-5)));
+                                 millimetres_text(std::max(overlap, 1e-5)));
     }
 }
 

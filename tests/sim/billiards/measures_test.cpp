@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
     Measures, TableProblem,
     testing::Values(
         BadTable{"length", "length", [](TableMeasures& m) { m.length = -1; },
-                 "the table's length must be between 100 mm and 1e+05 mm"},
+                 "the table's length must be between 100 mm and 100000 mm"},
         BadTable{"width_nan", "width", [](TableMeasures& m) { m.width = kNan; },
                  "the table's width must"},
         BadTable{"nose", "cushion_height", [](TableMeasures& m) { m.nose_height = 0; },
@@ -152,7 +152,7 @@ INSTANTIATE_TEST_SUITE_P(
                      m.side_pocket->hole_radius = 0.2;
                      m.length = 10;
                  },
-                 "side pockets' hole does not fit into rails 115.9 mm wide"},
+                 "side pockets' hole does not fit into rails 115.89 mm wide"},
         BadTable{"no_cushion", "pockets", [](TableMeasures& m) { m.width = 0.17; },
                  "the table is too small for its pockets: no cushion is left between them"},
         BadTable{"holes_too_close", "pockets", [](TableMeasures& m) { m.width = 0.20; },
