@@ -236,8 +236,9 @@ std::string energy_table(const ShotReport& report, int columns) {
         return text + apart + "it never rises between force events\n";
     }
     return text + apart +
-           fmt::format("the largest rise between force events is {:.1e} of the kinetic energy\n",
-                       report.largest_energy_rise);
+           fmt::format("the largest rise between force events is {:.1e} of the {}\n",
+                       report.largest_energy_rise,
+                       is_driven ? "kinetic energy or of that work" : "kinetic energy");
 }
 
 std::string moments_table(const ShotReport& report) {

@@ -1,6 +1,7 @@
 #include "sim/timeline/energy.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace carom::sim {
@@ -32,21 +33,24 @@ bool is_forced(const Timeline& timeline, double from, double to) {
 }
 
 /// Calls `visit` with each rise of the total energy, less the work of bodies moved by keys, above
-/// its lowest value since the last force event, and with the largest kinetic energy since then, J.
+/// its lowest value since the last force event, and with the largest kinetic energy or work since
+/// then, J: what a body that creeps puts in is far more than it moves with.
 template <typename Visit>
 void visit_rises(const Timeline& timeline, Visit visit) {
     double lowest = std::numeric_limits<double>::infinity();
-    double kinetic = 0;
+    double exchanged = 0;
+    double work_before = 0;
     for (std::size_t i = 0; i < timeline.energy.size(); ++i) {
         const EnergySample& sample = timeline.energy[i];
         const double own = sample.total() - sample.work;
         if (i > 0 && is_forced(timeline, timeline.energy[i - 1].time, sample.time)) {
             lowest = own;
-            kinetic = 0;
+            exchanged = 0;
+            work_before = sample.work;
         }
-        kinetic = std::max(kinetic, sample.kinetic);
-        if (own > lowest && kinetic > 0) {
-            visit(own - lowest, kinetic);
+        exchanged = std::max({exchanged, sample.kinetic, std::abs(sample.work - work_before)});
+        if (own > lowest && exchanged > 0) {
+            visit(own - lowest, exchanged);
         }
         lowest = std::min(lowest, own);
     }
@@ -56,8 +60,9 @@ void visit_rises(const Timeline& timeline, Visit visit) {
 
 double largest_energy_rise(const Timeline& timeline) {
     double largest = 0;
-    visit_rises(timeline,
-                [&](double rise, double kinetic) { largest = std::max(largest, rise / kinetic); });
+    visit_rises(timeline, [&](double rise, double exchanged) {
+        largest = std::max(largest, rise / exchanged);
+    });
     return largest;
 }
 

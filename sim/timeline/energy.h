@@ -6,8 +6,8 @@
 namespace carom::sim {
 
 /// The largest rise of the total energy, less the work of bodies moved by keys, above its lowest
-/// value since the last force event, as a fraction of the largest kinetic energy since then; 0 if
-/// it only decreases. Samples during a force or torque do not count.
+/// value since the last force event, as a fraction of the largest kinetic energy, or of that work,
+/// since then; 0 if it only decreases. Samples during a force or torque do not count.
 [[nodiscard]] double largest_energy_rise(const Timeline& timeline);
 
 /// The largest such rise in joules.

@@ -214,7 +214,7 @@ TEST(ShotReport, WorkOfKeyedObjects_IsNoRise) {
     timeline.energy[2].kinetic = 4.4;
     EXPECT_THAT(report_text(report_of(timeline)),
                 HasSubstr("\napart from that the largest rise between force events is 9.1e-02 of "
-                          "the kinetic energy\n"));
+                          "the kinetic energy or of that work\n"));
 }
 
 TEST(ShotReport, BallThatIsPutBack_HasNotTravelledThere) {

@@ -37,6 +37,10 @@ TEST(LargestEnergyRise, IsThatWithoutTheWorkOfKeyedBodies) {
     EXPECT_EQ(largest_energy_rise(with_energy({{0, 1, 0, 0}, {1, 4, 0, 3}, {2, 4, 1, 5}})), 0);
     EXPECT_DOUBLE_EQ(largest_energy_gain(with_energy({{0, 1, 0, 0}, {1, 4, 0, 2.5}})), 0.5);
     EXPECT_DOUBLE_EQ(largest_energy_gain(with_energy({{0, 4, 0, 0}, {1, 3, 0, -2}})), 1);
+    // What creeps moves with little energy, and puts in much.
+    EXPECT_NEAR(
+        largest_energy_rise(with_energy({{0, 1e-6, 0, 0}, {1, 1e-6, -2, -2}, {2, 1e-6, -4, -4.1}})),
+        0.1 / 4.1, 1e-12);
 }
 
 TEST(Energy_WithLosses, NeverRises) {
