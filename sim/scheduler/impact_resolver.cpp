@@ -248,7 +248,9 @@ void ImpactResolver::resolve_ball_impact(const PredictedEvent& event) {
             stays_in_contact(a, separation, normal) || stays_in_contact(b, separation, normal);
         for (const std::size_t member : {touch.first, touch.second}) {
             is_touched[member] = 1;
-            enters_solver[member] |= stays || lies_in_pocket(bodies_[group.indices[member]]);
+            if (stays || lies_in_pocket(bodies_[group.indices[member]])) {
+                enters_solver[member] = 1;
+            }
         }
     }
     for (std::size_t i = 0; i < after.size(); ++i) {

@@ -144,10 +144,16 @@ std::vector<int> StepSleep::falling_asleep(const std::vector<int>& moving,
     update_rest_timers(moving, solved, time);
     std::vector<char> is_disturbed(bodies_.all().size(), 0);
     for (const BodyContact& found : solved.contacts) {
-        const auto& [first, second] = std::pair(found.contact.first, found.contact.second);
-        if (is_movable(first) && is_movable(second)) {
-            is_disturbed[index(first)] |= static_cast<char>(!is_quiet(second, time));
-            is_disturbed[index(second)] |= static_cast<char>(!is_quiet(first, time));
+        const int first = found.contact.first;
+        const int second = found.contact.second;
+        if (!is_movable(first) || !is_movable(second)) {
+            continue;
+        }
+        if (!is_quiet(second, time)) {
+            is_disturbed[index(first)] = 1;
+        }
+        if (!is_quiet(first, time)) {
+            is_disturbed[index(second)] = 1;
         }
     }
     const ContactsOfBodies contacts(solved.contacts, bodies_.all().size());
