@@ -13,7 +13,7 @@ namespace {
 
 /// A body that is slow (kSleepSpeed) for this long (s) falls asleep.
 constexpr double kBallSleepDelay = 0.1;
-constexpr double kSolidSleepDelay = 0.12;
+constexpr double kSolidSleepDelay = 0.06;
 /// A body that leans on something without stable support, and does not slide for this long (s), is
 /// held by friction.
 constexpr double kLeaningSleepDelay = 0.5;
