@@ -66,13 +66,13 @@ struct ContactData {
     double recovery = 1;      // restitution, or the least one with which the bodies recover
     double recovered = 1;     // the part of the force with which they do
     double mass = 0;          // against an impulse along the normal, kg
-    double slight_depth = 0;  // of bodies that met at kMinSeparation, m
+    double slight_depth = 0;  // of bodies that met at the least speed that counts, m
     double slip_mass = 0;     // against one across it, at least, kg
     double stick_factor = 0;  // greatest friction per slip, kg/s
     double friction = 0;
     double largest_slip = 0;  // since it closed, m/s
     double opening = 0;       // speed when the step began, m/s
-    bool is_near = false;     // may close in this step
+    bool is_near = false;     // may push in this step, or be pushed
     Vec3 friction_impulse{0, 0, 0};
 };
 
@@ -135,7 +135,7 @@ Imath::M33d inverse_inertia_in_world(const RigidBody& body) {
 class Group {
   public:
     Group(std::vector<GroupBody>& bodies, std::span<const GroupContact> contacts,
-          const BallBall& law, double steps_per_contact);
+          const BallBall& law, const GroupPrecision& precision);
 
     std::vector<GroupContactResult> run();
 
@@ -143,11 +143,15 @@ class Group {
     void prepare(std::size_t index);
     void choose_step();
     void begin_step();
-    void look_at(std::size_t index, double margin);
+    void find_near();
+    void look_at(std::size_t index);
+    void measure_slip(std::size_t index);
     void turn_to_approach(std::size_t index);
     void step();
     void follow_stage(double ahead, double weight);
     Compression press(std::size_t index, double weight);
+    [[nodiscard]] double acting_part(const ContactData& data, double full_force,
+                                     double opening) const;
     void add_load(std::size_t index, const Vec3& force);
     [[nodiscard]] Vec3 relative_velocity(std::size_t index) const;
     [[nodiscard]] bool is_finished() const;
@@ -159,11 +163,14 @@ class Group {
     std::vector<GroupBody>& bodies_;
     std::span<const GroupContact> contacts_;
     const BallBall& law_;
-    double steps_per_contact_;
+    GroupPrecision precision_;
     std::vector<Imath::M33d> inertias_;
     std::vector<Stepped<Motion>> motions_;
     std::vector<Load> loads_;
-    std::vector<double> counts_;  // contacts of each body
+    std::vector<double> counts_;       // contacts of each body
+    std::vector<char> is_pushed_;      // each body, in this step
+    std::vector<std::size_t> pushed_;  // those bodies
+    std::vector<std::size_t> near_;    // contacts that are followed in this step
     std::vector<ContactData> data_;
     std::vector<Stepped<Compression>> compressions_;
     std::vector<GroupContactResult> results_;
@@ -172,17 +179,19 @@ class Group {
     int max_steps_ = kMaxFreeSteps;
     double time_ = 0;
     double duration_ = 0;  // of a step
+    double outlook_ = 0;   // how far ahead contacts have to stay open for the impact to end, s
 };
 
 Group::Group(std::vector<GroupBody>& bodies, std::span<const GroupContact> contacts,
-             const BallBall& law, double steps_per_contact)
+             const BallBall& law, const GroupPrecision& precision)
     : bodies_(bodies),
       contacts_(contacts),
       law_(law),
-      steps_per_contact_(steps_per_contact),
+      precision_(precision),
       motions_(bodies.size()),
       loads_(bodies.size()),
       counts_(bodies.size(), 0),
+      is_pushed_(bodies.size(), 1),
       data_(contacts.size()),
       compressions_(contacts.size()),
       results_(contacts.size()) {
@@ -217,7 +226,7 @@ void Group::prepare(std::size_t index) {
     data.recovered = part * part;
     data.mass = 1 / (response(a, contact.first_arm, contact.normal) +
                      response(b, contact.second_arm, contact.normal));
-    data.slight_depth = greatest_depth(contact.stiffness, data.mass, kMinSeparation);
+    data.slight_depth = greatest_depth(contact.stiffness, data.mass, precision_.end_speed);
     data.slip_mass =
         1 / (greatest_response(a, contact.first_arm) + greatest_response(b, contact.second_arm));
     counts_[contact.first] += a.inverse_mass > 0 ? 1 : 0;
@@ -241,7 +250,9 @@ void Group::choose_step() {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         shortest = std::min(shortest, contact_time(contacts_[i].stiffness, data_[i].mass, speed));
     }
-    duration_ = shortest * recovery / steps_per_contact_;
+    outlook_ = shortest * recovery;
+    duration_ =
+        std::min(outlook_ / precision_.recovery_steps, shortest / precision_.compression_steps);
     // Friction that stops a slip would overshoot if several contacts of a body stopped it at once.
     // The method follows rates of up to 2.78 per step.
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
@@ -281,46 +292,99 @@ std::vector<GroupContactResult> Group::run() {
 }
 
 void Group::begin_step() {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        look_at(i);
+    }
+    find_near();
+    for (const std::size_t i : near_) {
+        measure_slip(i);
+    }
+}
+
+/// What the contact does if its bodies fly on.
+void Group::look_at(std::size_t index) {
+    const GroupContact& contact = contacts_[index];
+    ContactData& data = data_[index];
+    double& depth = compressions_[index].start.depth;
+    if (is_pushed_[contact.first] == 0 && is_pushed_[contact.second] == 0) {
+        depth -= duration_ * data.opening;  // in the last step
+        compressions_[index].now.depth = depth;
+        return;
+    }
+    Vec3 relative = relative_velocity(index);
+    if (!data.is_near && time_ > 0) {
+        depth -= 0.5 * duration_ * (data.opening + relative.dot(data.normal));
+        compressions_[index].now.depth = depth;
+    }
+    if (depth <= 0 && contact.are_spheres && contact.gap > 0 && relative != Vec3(0, 0, 0)) {
+        turn_to_approach(index);
+        relative = relative_velocity(index);
+    }
+    data.opening = relative.dot(data.normal);
+}
+
+/// Contacts that may push in this step, and those that may be pushed because one of their bodies
+/// is.
+void Group::find_near() {
     constexpr double kMargin = 0.2;  // of the greatest speed: how much speeds change in a step
     double fastest = 0;
     for (const Stepped<Motion>& motion : motions_) {
         fastest = std::max(fastest, motion.now.velocity.dot(motion.now.velocity));
     }
+    const double margin = kMargin * std::sqrt(fastest) * duration_;
+    std::fill(is_pushed_.begin(), is_pushed_.end(), 0);
+    const auto reach = [&](std::size_t i) {
+        return compressions_[i].start.depth + 2 * std::max(-data_[i].opening, 0.0) * duration_;
+    };
+    const auto note = [&](std::size_t i) {
+        for (const std::size_t body : {contacts_[i].first, contacts_[i].second}) {
+            is_pushed_[body] = bodies_[body].inverse_mass > 0 ? 1 : 0;
+        }
+    };
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        look_at(i, kMargin * std::sqrt(fastest) * duration_);
+        data_[i].is_near = reach(i) > 0;
+        if (data_[i].is_near) {
+            note(i);
+        }
+    }
+    near_.clear();
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        data_[i].is_near |= reach(i) + margin > 0 && (is_pushed_[contacts_[i].first] != 0 ||
+                                                      is_pushed_[contacts_[i].second] != 0);
+        if (data_[i].is_near) {
+            near_.push_back(i);
+        }
+    }
+    pushed_.clear();
+    for (const std::size_t i : near_) {
+        note(i);
+    }
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        if (is_pushed_[i] != 0 || bodies_[i].inverse_mass <= 0) {
+            pushed_.push_back(i);
+        }
     }
 }
 
 /// The friction of a contact is that at the greatest slip since it closed, which for two bodies
 /// alone is the slip with which they meet.
-void Group::look_at(std::size_t index, double margin) {
+void Group::measure_slip(std::size_t index) {
     const GroupContact& contact = contacts_[index];
     ContactData& data = data_[index];
-    Compression& compression = compressions_[index].start;
-    Vec3 relative = relative_velocity(index);
-    if (!data.is_near && time_ > 0) {  // it was left out of the last step
-        compression.depth -= 0.5 * duration_ * (data.opening + relative.dot(data.normal));
-    }
-    const bool is_open = compression.depth <= 0;
-    if (is_open && contact.are_spheres && contact.gap > 0 && relative != Vec3(0, 0, 0)) {
-        turn_to_approach(index);
-        relative = relative_velocity(index);
-    }
-    data.opening = relative.dot(data.normal);
-    const double closing = std::max(-data.opening, 0.0);
-    data.is_near = compression.depth + 2 * closing * duration_ + margin > 0;
-    if (!data.is_near) {
-        return;
-    }
-    const double slip = length(relative - data.normal * data.opening);
+    const bool is_open = compressions_[index].start.depth <= 0;
+    const double slip = length(relative_velocity(index) - data.normal * data.opening);
     if (is_open || slip > data.largest_slip) {
         data.largest_slip = slip;
         data.friction = contact.friction ? *contact.friction : ball_friction(law_, slip);
     }
-    results_[index].approach = std::max(results_[index].approach, closing);
-    if (is_open && !results_[index].touched_after) {
-        results_[index].slip = slip;
-        results_[index].normal = data.normal;
+    GroupContactResult& result = results_[index];
+    result.approach = std::max(result.approach, -data.opening);
+    if (!result.touched_after) {
+        result.slip = slip;
+        result.normal = data.normal;
+        if (!is_open) {  // it closed while it was left out
+            result.touched_after = time_;
+        }
     }
 }
 
@@ -341,18 +405,18 @@ void Group::turn_to_approach(std::size_t index) {
 
 /// One step of the classical Runge-Kutta method.
 void Group::step() {
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    for (const std::size_t i : near_) {
         compressions_[i].begin();
     }
     follow_stage(0.5, 1.0 / 6);
     follow_stage(0.5, 1.0 / 3);
     follow_stage(1, 1.0 / 3);
     follow_stage(0, 1.0 / 6);
-    for (Stepped<Motion>& motion : motions_) {
-        motion.finish();
-        motion.begin();
+    for (const std::size_t i : pushed_) {
+        motions_[i].finish();
+        motions_[i].begin();
     }
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    for (const std::size_t i : near_) {
         if (compressions_[i].start.depth <= 0 && compressions_[i].end.depth > 0 &&
             !results_[i].touched_after) {
             results_[i].touched_after = time_;
@@ -365,24 +429,39 @@ void Group::step() {
 
 /// `ahead`: of the next stage, and `weight`: of this one, in durations of the step.
 void Group::follow_stage(double ahead, double weight) {
-    std::fill(loads_.begin(), loads_.end(), Load{});
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        if (data_[i].is_near) {
-            compressions_[i].follow(press(i, weight * duration_), ahead * duration_,
-                                    weight * duration_);
-        }
+    for (const std::size_t i : pushed_) {
+        loads_[i] = {};
     }
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    for (const std::size_t i : near_) {
+        compressions_[i].follow(press(i, weight * duration_), ahead * duration_,
+                                weight * duration_);
+    }
+    for (const std::size_t i : pushed_) {
         const Load& load = loads_[i];
         if (bodies_[i].inverse_mass <= 0) {
             work_ -= (load.force.dot(bodies_[i].velocity) +
                       load.torque.dot(bodies_[i].angular_velocity)) *
                      weight * duration_;
+            continue;
         }
         motions_[i].follow(
             {load.force * bodies_[i].inverse_mass, load.torque * bodies_[i].inverse_inertia},
             ahead * duration_, weight * duration_);
     }
+}
+
+/// The part of the full force that acts. It falls to that of recovery over the last half of the
+/// speed which it takes in a step: falling at once, it would go on and off between bodies that
+/// others press together, and part them.
+double Group::acting_part(const ContactData& data, double full_force, double opening) const {
+    if (data.recovered == 1) {
+        return 1;
+    }
+    const double range = 0.5 * full_force * duration_ / data.mass;
+    if (-opening >= range) {
+        return 1;
+    }
+    return data.recovered + (1 - data.recovered) * std::max(-opening, 0.0) / range;
 }
 
 /// Loads both bodies with the force of the contact, which acts for `weight` (s); returns the rate
@@ -400,9 +479,10 @@ Compression Group::press(std::size_t index, double weight) {
     const double full =
         contact.stiffness.factor * (contact.stiffness.is_flat ? depth : depth * std::sqrt(depth));
     const bool recovers = opening > 0;
-    const double normal_force = recovers ? full * data.recovered : full;
+    const double normal_force = full * acting_part(data, full, opening);
     Compression rate{recovers ? -opening / e2 : -opening, 0};
-    double power = recovers ? 0 : (1 - e2 * data.recovered) * full * opening;  // of losses, < 0
+    // of losses, < 0
+    double power = recovers ? 0 : (normal_force - e2 * data.recovered * full) * opening;
     const Vec3 slip = relative - data.normal * opening;
     const double speed = length(slip);
     Vec3 friction(0, 0, 0);
@@ -434,9 +514,9 @@ void Group::add_load(std::size_t index, const Vec3& force) {
     second.torque -= data_[index].second_arm.cross(force);
 }
 
-/// True if no contact pushes any more, nor will within the time of a contact; slower than the
-/// bodies part in any case does not count, as piles that recover little settle without end. A
-/// contact that does not recover neither pushes nor opens.
+/// True if no contact pushes any more, nor will within the time of a contact; slow motion does not
+/// count, as piles that recover little settle without end. A contact that does not recover neither
+/// pushes nor opens.
 bool Group::is_finished() const {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         if (compressions_[i].now.depth > data_[i].slight_depth && data_[i].recovered > 0) {
@@ -446,7 +526,7 @@ bool Group::is_finished() const {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         const double closing = -relative_velocity(i).dot(data_[i].normal);
         const double depth = compressions_[i].now.depth;
-        if (closing > kMinSeparation && depth + closing * steps_per_contact_ * duration_ > 0) {
+        if (closing > precision_.end_speed && depth + closing * outlook_ > 0) {
             return false;
         }
     }
@@ -566,8 +646,8 @@ double contact_time(const ContactStiffness& stiffness, double reduced_mass, doub
 
 std::vector<GroupContactResult> group_impact(std::vector<GroupBody>& bodies,
                                              std::span<const GroupContact> contacts,
-                                             const BallBall& law, double steps_per_contact) {
-    return Group(bodies, contacts, law, steps_per_contact).run();
+                                             const BallBall& law, const GroupPrecision& precision) {
+    return Group(bodies, contacts, law, precision).run();
 }
 
 }  // namespace carom::sim

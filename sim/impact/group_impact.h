@@ -54,6 +54,14 @@ struct GroupContactResult {
     ImpulsePair impulse;
 };
 
+/// How exactly an impact is followed with the method of Runge and Kutta. The default gives a row of
+/// balls to 1e-6.
+struct GroupPrecision {
+    double compression_steps = 100;     // at least, in the time of the shortest contact
+    double recovery_steps = 100;        // likewise, in the part of it that its restitution is
+    double end_speed = kMinSeparation;  // m/s: closing more slowly is no part of the impact
+};
+
 /// Follows the group from the moment when a contact without a gap begins to close until no body
 /// compresses another, nor will within the time of a contact, and sets the velocities of that
 /// moment. Positions stay, as in every impact. At least one pair has to move. docs/physics.md,
@@ -61,15 +69,13 @@ struct GroupContactResult {
 /// 1986 for the losses. Returns nothing, and changes nothing, if the impact does not end, because a
 /// body that keeps its velocity squeezes others.
 ///
-/// `steps_per_contact`: in the time of the shortest contact, for the method of Runge and Kutta; 100
-/// give a row of balls to 1e-6, 25 to 1e-3.
-///
 /// The result does not depend on the order of bodies and contacts, except in the last bits. It
 /// changes continuously with velocities, gaps and normals. The impulses at a contact are opposite;
 /// the energy never rises by more than the work of bodies that keep their velocities, and that of
 /// separating at kMinSeparation where the bodies touched before the impact.
 std::vector<GroupContactResult> group_impact(std::vector<GroupBody>& bodies,
                                              std::span<const GroupContact> contacts,
-                                             const BallBall& law, double steps_per_contact = 100);
+                                             const BallBall& law,
+                                             const GroupPrecision& precision = {});
 
 }  // namespace carom::sim

@@ -52,7 +52,7 @@ inline constexpr double kMinSeparation = 5e-5;
 /// thousands.
 inline constexpr double kMinLoggedSpeed = 4 * kMinSeparation;
 /// A body whose speed has risen by more than this since it became slow is about to move.
-inline constexpr double kRisingSpeed = 5e-4;
+inline constexpr double kRisingSpeed = 2.5e-4;
 /// A ball that would leave a level surface more slowly than this stays on it: it would rise by
 /// 5 micrometres.
 inline constexpr double kLandingSpeed = 0.01;

@@ -12,8 +12,9 @@
 namespace carom::sim {
 namespace {
 
-/// What ODE solves between impacts is no more exact.
-constexpr double kStepsPerContact = 25;
+/// What ODE solves between impacts is no more exact, and pairs that close more slowly than
+/// kBounceSpeed are its own.
+constexpr GroupPrecision kPrecision{40, 10, 0.05 * kBounceSpeed};
 
 }  // namespace
 
@@ -304,7 +305,7 @@ bool RestitutionPass::bounce_group(const std::vector<BodyContact>& group, double
         contacts.back().second = place_of(found.contact.second);
     }
     const std::vector<GroupContactResult> results =
-        group_impact(bodies, contacts, environment_.law.ball_ball, kStepsPerContact);
+        group_impact(bodies, contacts, environment_.law.ball_ball, kPrecision);
     std::size_t touched = 0;
     bool is_of_balls = true;
     for (std::size_t i = 0; i < results.size(); ++i) {
