@@ -32,6 +32,7 @@ std::vector<BodyContact> ContactFinder::find(std::span<const MovingBody> bodies,
     const auto placed_body = [&](std::size_t number) -> Placed {
         return {static_cast<int>(number), bodies[number], placed[number].state, reach};
     };
+    near_features_.resize(bodies.size());
     std::vector<BodyContact> found;
     NearPairs& near = reach > 0 ? wide_pairs_ : near_pairs_;
     const std::vector<NearPairs::Pair>& pairs = near.find(bodies, placed);
@@ -115,7 +116,7 @@ void ContactFinder::add(const Placed& first, const Placed& second, const Contact
     add(first, OtherBody{second.number}, second.body.material, contact, rolling, found);
 }
 
-void ContactFinder::find_for_ball(const Placed& ball, std::vector<BodyContact>& found) const {
+void ContactFinder::find_for_ball(const Placed& ball, std::vector<BodyContact>& found) {
     const Vec3& centre = ball.state.position;
     const double radius = ball.body.radius;
     if (environment_.has_cloth && centre.z > -radius) {
@@ -141,8 +142,11 @@ void ContactFinder::find_for_ball(const Placed& ball, std::vector<BodyContact>& 
                 found);
         }
     }
-    for (const StaticMesh* mesh : {&environment_.collided->mesh, &environment_.scenery_mesh}) {
-        for (const SurfaceContact& contact : mesh->contacts(centre, radius, kBallMargin)) {
+    const std::array meshes{&environment_.collided->mesh, &environment_.scenery_mesh};
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        for (const SurfaceContact& contact :
+             meshes[i]->contacts(centre, radius, kBallMargin,
+                                 near_features_[static_cast<std::size_t>(ball.number)][i])) {
             add(ball, StaticSurface{contact.surface},
                 environment_.surfaces[contact.surface].material, contact, found);
         }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -91,7 +92,7 @@ class ContactFinder {
             return std::max(reach, body.is_ball() ? kBallMargin : kSolidMargin);
         }
     };
-    void find_for_ball(const Placed& ball, std::vector<BodyContact>& found) const;
+    void find_for_ball(const Placed& ball, std::vector<BodyContact>& found);
     void find_for_solid(const Placed& solid, std::vector<BodyContact>& found) const;
     void find_box_meshes(const Placed& box, const Aabb& bounds,
                          std::vector<BodyContact>& found) const;
@@ -109,7 +110,7 @@ class ContactFinder {
         Vec3 axis{0, 0, 0};  // StepContact::rolling_axis
     };
     /// Cylinders and capsules roll about their axis: on their curved side and along their
-    /// pocket_edges. They tip over rims and round ends without resistance.
+    /// rims. They tip over rims and round ends without resistance.
     [[nodiscard]] static Rolling rolling_of(const Placed& placed, const Vec3& normal);
     void add(const Placed& placed, const ContactPartner& partner, MaterialId partner_material,
              const Contact& contact, std::vector<BodyContact>& found) const;
@@ -121,6 +122,8 @@ class ContactFinder {
     const StaticEnvironment& environment_;
     NearPairs near_pairs_{kSolidMargin};
     NearPairs wide_pairs_{kMaxReach};
+    /// Per ball, those of the table and of the scenery.
+    std::vector<std::array<StaticMesh::NearFeatures, 2>> near_features_;
 };
 
 }  // namespace carom::sim

@@ -151,24 +151,39 @@ SurfaceContact StaticMesh::contact(std::uint32_t feature, const Vec3& centre, do
     return contact;
 }
 
-std::vector<SurfaceContact> StaticMesh::contacts(const Vec3& centre, double radius,
-                                                 double margin) const {
-    const double distance = (radius + margin) * (1 + 1e-12);
-    std::vector<std::uint32_t> near;
-    std::vector<SurfaceContact> found;
+void StaticMesh::find_near(const Vec3& centre, double distance, NearFeatures& near) const {
+    near.items.clear();
+    near.centre = centre;
+    std::vector<std::uint32_t> found;
     for (const auto& each : parts_) {
         const Part& part = *each;
         if (part.bounds.squared_distance(centre) > distance * distance) {
             continue;
         }
         prepare(part);
-        part.tree.query(centre, distance, near);
-        for (const std::uint32_t index : near) {
-            SurfaceContact candidate = contact_with(part.features[index], centre, radius);
-            candidate.surface = part.surface;
-            if (candidate.depth >= -margin) {
-                found.push_back(candidate);
-            }
+        part.tree.query(centre, distance, found);
+        for (const std::uint32_t index : found) {
+            near.items.push_back({&part, index, bounds_of(part.features[index])});
+        }
+    }
+}
+
+std::vector<SurfaceContact> StaticMesh::contacts(const Vec3& centre, double radius, double margin,
+                                                 NearFeatures& near) const {
+    const double distance = (radius + margin) * (1 + 1e-12);
+    if (!(length(centre - near.centre) <= near.slack)) {
+        near.slack = 0.1 * radius;
+        find_near(centre, distance + near.slack, near);
+    }
+    std::vector<SurfaceContact> found;
+    for (const NearFeatures::Item& item : near.items) {
+        if (item.box.squared_distance(centre) > distance * distance) {
+            continue;
+        }
+        SurfaceContact candidate = contact_with(item.part->features[item.index], centre, radius);
+        candidate.surface = item.part->surface;
+        if (candidate.depth >= -margin) {
+            found.push_back(candidate);
         }
     }
     std::stable_sort(found.begin(), found.end(),

@@ -43,10 +43,28 @@ class StaticMesh {
     [[nodiscard]] SurfaceContact contact(std::uint32_t feature, const Vec3& centre,
                                          double radius) const;
 
+    struct Part;  // of the mesh: one surface
+    /// The features near a ball, which are found anew only where it has moved farther than `slack`
+    /// from `centre`. For one mesh and one ball.
+    struct NearFeatures {
+        struct Item {
+            const Part* part;
+            std::uint32_t index;
+            Aabb box;
+        };
+        Vec3 centre{0, 0, 0};
+        double slack = -1;  // m; negative: nothing has been found yet
+        std::vector<Item> items;
+    };
     /// The contacts of a ball at rest with gaps up to `margin`, the deepest first. Of contacts with
     /// nearly the same normal only one is kept.
     [[nodiscard]] std::vector<SurfaceContact> contacts(const Vec3& centre, double radius,
-                                                       double margin) const;
+                                                       double margin, NearFeatures& near) const;
+    [[nodiscard]] std::vector<SurfaceContact> contacts(const Vec3& centre, double radius,
+                                                       double margin) const {
+        NearFeatures near;
+        return contacts(centre, radius, margin, near);
+    }
 
     /// A triangle; its corners are counter-clockwise seen against `normal`.
     struct Triangle {
@@ -59,7 +77,6 @@ class StaticMesh {
 
     [[nodiscard]] bool empty() const { return parts_.empty(); }
 
-  private:
     struct Part {
         std::vector<Vec3> vertices;
         std::vector<MeshTriangle> triangles;
@@ -70,6 +87,9 @@ class StaticMesh {
         mutable std::vector<MeshFeature> features;
         mutable AabbTree tree;
     };
+
+  private:
+    void find_near(const Vec3& centre, double distance, NearFeatures& near) const;
     static void prepare(const Part& part);
     [[nodiscard]] const Part& part_of(std::uint32_t feature) const;
 
