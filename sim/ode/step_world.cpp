@@ -48,17 +48,19 @@ Vec3 without_traces(Vec3 velocity) {
     return velocity;
 }
 
-/// The speed (m/s) at which a contact may close after the midpoint of a step.
+/// The speed (m/s) at which a contact may close after the midpoint of a step; if negative, at which
+/// it has to open.
 ///
 /// A gap may close by the middle of the next step, but no further: if it closed within this step,
-/// it would open again half a step later, and so on. Where the normal turns, as at a ball that tips
-/// over an edge, it may close as fast as it opened: then its force does no work, and the end of the
-/// step is the start reflected in the normal, on the same curve. By the middle of a step that
-/// begins without a gap such a contact opens by a quarter of `turning` times the duration, so that
-/// three quarters more are allowed.
+/// it would open again half a step later, and so on. Where the bodies turn, as at a box that tips
+/// over an edge or a coin that rolls, the contact closes as fast as turning has opened it, or the
+/// reverse: then its force does no work, and the end of the step is the start reflected in the
+/// normal, on the same curve, with the same gap. Turning has changed the gap at the midpoint by a
+/// quarter of its speed times the duration.
 double closing_speed(const StepContact& contact, double duration) {
-    const double opening = std::max(contact.turning.dot(contact.normal), 0.0);
-    return std::max(-contact.depth / duration + 0.75 * opening, 0.0);
+    const double opening = contact.turning.dot(contact.normal);
+    const double gap_at_start = -contact.depth - 0.25 * opening * duration;
+    return std::max(gap_at_start, 0.0) / duration + opening;
 }
 
 /// The motion of the first body of a contact relative to the second.

@@ -139,7 +139,9 @@ Vec3 ToiSubstep::relative_velocity(const BodyContact& found) const {
 }
 
 /// StepContact::turning: what the relative velocity has gained along the normal, which turns, and
-/// across it, since the start, when the nearest contact of the pair was this one.
+/// across it, since the start, when the nearest contact of the pair was this one. No more than the
+/// contact slips or closes at the midpoint, and along that slip: then a force that reverses it does
+/// no work. With more the contact would gain energy where it slipped or opened at the start.
 Vec3 ToiSubstep::turning(const BodyContact& found) const {
     const Vec3 arm = found.contact.point - state_of(found.contact.first).position;
     const Vec3& normal = found.contact.normal;
@@ -157,8 +159,13 @@ Vec3 ToiSubstep::turning(const BodyContact& found) const {
         return {0, 0, 0};
     }
     const Vec3 velocity = relative_velocity(found);
-    const double opening = velocity.dot(normal) - nearest->velocity.dot(nearest->normal);
-    return across(velocity, normal) - across(nearest->velocity, nearest->normal) + normal * opening;
+    const double speed = velocity.dot(normal);
+    const double opening = speed - nearest->velocity.dot(nearest->normal);
+    const Vec3 slip = across(velocity, normal);
+    const Vec3 gained = slip - across(nearest->velocity, nearest->normal);
+    const double square = slip.dot(slip);
+    const double share = square > 0 ? std::clamp(gained.dot(slip) / square, 0.0, 1.0) : 0;
+    return slip * share + normal * std::max(opening, std::min(speed, 0.0));
 }
 
 /// At the midpoint: a contact that was open at the start and closes fast is an impact, not a
