@@ -156,6 +156,22 @@ TEST(RollingResistance_OnASmallSlope, HoldsABallInEveryDirection) {
     }
 }
 
+TEST(RollingResistance_BesideASmoothWall, HoldsNoMoreThanElsewhere) {
+    // The wall takes the part of the pull across it; without it the ball would roll at 45 degrees.
+    for (const double share : {0.9, 1.15}) {
+        const double slope = share * 1.4 * kRollingFriction;
+        WorldDescription world = slab_world(1);
+        world.contact_law.pairs[{"glass", "steel"}] = {0, 0, 0};
+        world.gravity = Vec3(slope, slope, -1) * kGravity;
+        Body wall = solid("wall", Box{{0.1, 4, 0.4}}, {0.08, 0, 0.41});
+        wall.kind = BodyKind::fixed;
+        wall.material = "glass";
+        world.bodies.insert(world.bodies.end(), {wall, solid("ball", Sphere{0.03}, {0, 0, 0.23})});
+        const double acceleration = std::max(share - 1, 0.0) * kRollingFriction * kGravity;
+        EXPECT_NEAR(state_at(bake(world), "ball", 1).position.y, 0.5 * acceleration, 1e-3) << share;
+    }
+}
+
 /// An unbounded cloth that falls towards +x by `slope`.
 WorldDescription tilted_world(double duration, double slope) {
     WorldDescription world = cloth_world(duration);
