@@ -48,17 +48,19 @@ Vec3 without_traces(Vec3 velocity) {
     return velocity;
 }
 
-/// The speed (m/s) at which a contact may close after the midpoint of a step.
+/// The speed (m/s) at which a contact may close after the midpoint of a step; if negative, at which
+/// it has to open.
 ///
 /// A gap may close by the middle of the next step, but no further: if it closed within this step,
-/// it would open again half a step later, and so on. Where the normal turns, as at a ball that tips
-/// over an edge, it may close as fast as it opened: then its force does no work, and the end of the
-/// step is the start reflected in the normal, on the same curve. By the middle of a step that
-/// begins without a gap such a contact opens by a quarter of `turning` times the duration, so that
-/// three quarters more are allowed.
+/// it would open again half a step later, and so on. Where the bodies turn, as at a box that tips
+/// over an edge or a coin that rolls, the contact closes as fast as turning has opened it, or the
+/// reverse: then its force does no work, and the end of the step is the start reflected in the
+/// normal, on the same curve, with the same gap. Turning has changed the gap at the midpoint by a
+/// quarter of its speed times the duration.
 double closing_speed(const StepContact& contact, double duration) {
-    const double opening = std::max(contact.turning.dot(contact.normal), 0.0);
-    return std::max(-contact.depth / duration + 0.75 * opening, 0.0);
+    const double opening = contact.turning.dot(contact.normal);
+    const double gap_at_start = -contact.depth - 0.25 * opening * duration;
+    return std::max(gap_at_start, 0.0) / duration + opening;
 }
 
 /// The motion of the first body of a contact relative to the second.
@@ -110,7 +112,7 @@ struct StepWorld::State {
     struct Rolling {
         bool is_resisted = false;
         double slip_speed = 0;  // m/s; a body that slips as fast has no rolling resistance yet
-        bool may_stop = false;  // within the step
+        bool may_stop = false;  // within the step: it is held about all axes
         Vec3 turning{0, 0,
                      0};  // relative angular velocity across the normal at the midpoint, rad/s
     };
@@ -148,9 +150,9 @@ struct StepWorld::State {
     void solve_all(const StepProblem& problem, std::vector<Velocities>& after,
                    std::vector<ImpulsePair>& impulses);
     void add_works(const StepProblem& problem, std::vector<StepMotion>& motions) const;
-    [[nodiscard]] ImpulsePair impulse_of(const StepContact& contact,
-                                         const dJointFeedback& feedback_of_contact,
-                                         double duration) const;
+    [[nodiscard]] Vec3 force_of(std::size_t number, const StepContact& contact) const;
+    [[nodiscard]] Vec3 moment_of(std::size_t number, const StepContact& contact,
+                                 std::span<const MotionState> states) const;
 };
 
 /// Creates a new world with the same bodies: after ODE has failed in the middle of a step, the old
@@ -334,14 +336,21 @@ bool StepWorld::State::solve(const Attempt& attempt, const StepProblem& problem)
     return capture.messages().empty();
 }
 
-ImpulsePair StepWorld::State::impulse_of(const StepContact& contact,
-                                         const dJointFeedback& feedback_of_contact,
-                                         double duration) const {
+/// On the first body, N.
+Vec3 StepWorld::State::force_of(std::size_t number, const StepContact& contact) const {
+    return moving_body(contact.first) != nullptr ? to_vec3(feedback[number].f1)
+                                                 : -to_vec3(feedback[number].f2);
+}
+
+/// The moment against rolling and turning, on the first body, N m.
+Vec3 StepWorld::State::moment_of(std::size_t number, const StepContact& contact,
+                                 std::span<const MotionState> states) const {
     const bool is_on_first = moving_body(contact.first) != nullptr;
-    const Vec3 force =
-        is_on_first ? to_vec3(feedback_of_contact.f1) : -to_vec3(feedback_of_contact.f2);
-    const double along = force.dot(contact.normal);
-    return {along * duration, length(force - contact.normal * along) * duration};
+    const int body = is_on_first ? contact.first : contact.second;
+    const auto slot = static_cast<std::size_t>(slots[static_cast<std::size_t>(body)]);
+    const Vec3 about_centre =
+        is_on_first ? to_vec3(feedback[number].t1) : -to_vec3(feedback[number].t2);
+    return about_centre - (contact.point - states[slot].position).cross(force_of(number, contact));
 }
 
 void StepWorld::State::solve_with_directions(const StepProblem& problem,
@@ -362,12 +371,14 @@ void StepWorld::State::solve_with_directions(const StepProblem& problem,
 }
 
 /// Where a contact begins to slip or changes the direction of its slip, the friction direction has
-/// to follow: a misaligned friction pyramid pushes bodies sideways. Likewise the axis of rolling.
-/// True if any direction changed.
+/// to follow: a misaligned friction pyramid pushes bodies sideways. Likewise the axis of rolling. A
+/// body that is held about two axes by more than the bound, both together, rolls about the axis of
+/// their sum. True if any direction changed.
 bool StepWorld::State::update_directions(const StepProblem& problem,
                                          const std::vector<Velocities>& after) {
     constexpr double kSlip = 1e-5;          // m/s
     constexpr double kMaxDeviation = 0.02;  // sine of the angle
+    constexpr double kBeyond = 1.001;       // of the bound: not by rounding
     bool is_changed = false;
     for (std::size_t i = 0; i < directions.size(); ++i) {
         const StepContact& contact = problem.contacts[i];
@@ -377,12 +388,18 @@ bool StepWorld::State::update_directions(const StepProblem& problem,
         const Vec3 slip = relative.slip(contact);
         const double speed = length(slip);
         rolls.is_resisted = rolls.is_resisted && speed < rolls.slip_speed;
+        const bool may_turn = rolls.is_resisted && contact.rolling_axis == Vec3(0, 0, 0);
         Vec3 direction(0, 0, 0);
-        if (rolls.is_resisted) {
-            const bool may_turn = contact.rolling_axis == Vec3(0, 0, 0) && !rolls.may_stop;
-            direction =
-                may_turn ? rolls.turning + across(relative.turning, contact.normal) : directions[i];
-        } else if (contact.friction > 0 && speed >= kSlip) {
+        if (may_turn && rolls.may_stop) {
+            const Vec3 moment = across(moment_of(i, contact, problem.midpoints), contact.normal);
+            const double bound = contact.rolling_arm * force_of(i, contact).dot(contact.normal);
+            if (length(moment) > kBeyond * bound) {
+                direction = moment;
+                rolls.may_stop = false;
+            }
+        } else if (may_turn) {
+            direction = rolls.turning + across(relative.turning, contact.normal);
+        } else if (!rolls.is_resisted && contact.friction > 0 && speed >= kSlip) {
             direction = slip;
         }
         const double size = length(direction);
@@ -405,7 +422,9 @@ void StepWorld::State::solve_all(const StepProblem& problem, std::vector<Velocit
     dJointGroupEmpty(group.get());
     impulses.resize(problem.contacts.size());
     for (std::size_t i = 0; i < impulses.size(); ++i) {
-        impulses[i] = impulse_of(problem.contacts[i], feedback[i], problem.duration);
+        const StepContact& contact = problem.contacts[i];
+        const Vec3 impulse = force_of(i, contact) * problem.duration;
+        impulses[i] = {impulse.dot(contact.normal), length(across(impulse, contact.normal))};
     }
 }
 

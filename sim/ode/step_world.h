@@ -23,7 +23,7 @@ struct StepContact : Contact {
     /// Rolling is resisted about this axis only, a unit vector across the normal; zero: about all.
     Vec3 rolling_axis{0, 0, 0};
     /// m/s: what the velocity of the first body relative to the second, at the contact, has gained
-    /// since the step's start because the bodies turn.
+    /// since the step's start because the bodies turn, as far as reversing it does no work.
     Vec3 turning{0, 0, 0};
 };
 

@@ -248,10 +248,12 @@ void Bodies::retract_flight(const MovingBody& ball, double time) {
 
 void Bodies::enter_solver(std::uint32_t index, double time) {
     MovingBody& ball = bodies_[index];
+    const MotionState state = ball.segment.state_at(time);
     retract_flight(ball, time);
     set_mode(ball, Mode::solver);
     ball.is_restless = true;
-    hold(ball, time, ball.segment.state_at(time), MotionKind::stepped);
+    recorder_.add_key(ball.track, time, state);  // the closed form ends here
+    hold(ball, time, state, MotionKind::stepped);
 }
 
 void Bodies::leave_solver(std::uint32_t index, double time, const MotionState& state,

@@ -139,7 +139,11 @@ Vec3 ToiSubstep::relative_velocity(const BodyContact& found) const {
 }
 
 /// StepContact::turning: what the relative velocity has gained along the normal, which turns, and
-/// across it, since the start, when the nearest contact of the pair was this one.
+/// across it, since the start, when the nearest contact of the pair was this one. Only a part of
+/// the velocity at the midpoint is reversed without work, so this is one: where the contact slips
+/// or opens at the start it would gain energy otherwise. It opens at the start if the turn was
+/// faster in the second half of the last step than in the first; then all of its opening is
+/// reversed.
 Vec3 ToiSubstep::turning(const BodyContact& found) const {
     const Vec3 arm = found.contact.point - state_of(found.contact.first).position;
     const Vec3& normal = found.contact.normal;
@@ -157,8 +161,15 @@ Vec3 ToiSubstep::turning(const BodyContact& found) const {
         return {0, 0, 0};
     }
     const Vec3 velocity = relative_velocity(found);
-    const double opening = velocity.dot(normal) - nearest->velocity.dot(nearest->normal);
-    return across(velocity, normal) - across(nearest->velocity, nearest->normal) + normal * opening;
+    const double speed = velocity.dot(normal);
+    const double opening = speed - nearest->velocity.dot(nearest->normal);
+    const Vec3 slip = across(velocity, normal);
+    const Vec3 gained = slip - across(nearest->velocity, nearest->normal);
+    const double square = slip.dot(slip);
+    const double share = square > 0 ? std::clamp(gained.dot(slip) / square, 0.0, 1.0) : 0;
+    const double reversed = opening > 0 ? std::clamp(speed, opening, 2 * opening)
+                                        : std::max(opening, std::min(speed, 0.0));
+    return slip * share + normal * reversed;
 }
 
 /// At the midpoint: a contact that was open at the start and closes fast is an impact, not a

@@ -192,6 +192,19 @@ TEST(KinematicBody_CreepingAgainstASleepingBody, WakesIt) {
     EXPECT_NEAR(state_at(timeline, "crate", 6).position.x, 0.02, 1e-4);
 }
 
+TEST(KinematicBody_ThatCreepsTowardsABall, MovesItFromWhenItTouches) {
+    // At 10 mm/s, too slow for an impact.
+    WorldDescription world = cloth_world(3);
+    world.bodies = {ball("ball", 0, 0),
+                    pusher(Box{{0.04, 0.1, 0.1}}, straight({{0, {-kRadius - 0.04, 0, 0.05}},
+                                                            {3, {-kRadius - 0.01, 0, 0.05}}}))};
+    const Timeline timeline = bake(world);
+    EXPECT_GT(state_at(timeline, "ball", 3).position.x, 5e-3);
+    for (const double time : {0.5, 1.0, 1.5, 1.999}) {
+        EXPECT_NEAR(state_at(timeline, "ball", time).position.x, 0, 2e-6) << time;
+    }
+}
+
 TEST(KinematicPaddle_OnABilliardTable, StrikesABallThatRests) {
     WorldDescription world = walled_world(3);
     world.contact_law.otherwise = {0.8, 0.1, 0};

@@ -1,4 +1,5 @@
 // Rolling resistance, tables off level, and what rides on something that turns.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -6,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "shots.h"
+#include "sim/timeline/energy.h"
 
 namespace carom::sim::test {
 namespace {
@@ -154,6 +156,22 @@ TEST(RollingResistance_OnASmallSlope, HoldsABallInEveryDirection) {
     }
 }
 
+TEST(RollingResistance_BesideASmoothWall, HoldsNoMoreThanElsewhere) {
+    // The wall takes the part of the pull across it; without it the ball would roll at 45 degrees.
+    for (const double share : {0.9, 1.15}) {
+        const double slope = share * 1.4 * kRollingFriction;
+        WorldDescription world = slab_world(1);
+        world.contact_law.pairs[{"glass", "steel"}] = {0, 0, 0};
+        world.gravity = Vec3(slope, slope, -1) * kGravity;
+        Body wall = solid("wall", Box{{0.1, 4, 0.4}}, {0.08, 0, 0.41});
+        wall.kind = BodyKind::fixed;
+        wall.material = "glass";
+        world.bodies.insert(world.bodies.end(), {wall, solid("ball", Sphere{0.03}, {0, 0, 0.23})});
+        const double acceleration = std::max(share - 1, 0.0) * kRollingFriction * kGravity;
+        EXPECT_NEAR(state_at(bake(world), "ball", 1).position.y, 0.5 * acceleration, 1e-3) << share;
+    }
+}
+
 /// An unbounded cloth that falls towards +x by `slope`.
 WorldDescription tilted_world(double duration, double slope) {
     WorldDescription world = cloth_world(duration);
@@ -288,6 +306,39 @@ TEST(BallOnATurntable_ThatRolls, CirclesAtTwoSeventhsOfItsRate) {
         EXPECT_NEAR(at.x, expected.x, 3e-4) << share;
         EXPECT_NEAR(at.y, expected.y, 3e-4) << share;
     }
+}
+
+TEST(Coin_ThatRollsOnItsRim, KeepsItsEnergyWithoutLosses) {
+    WorldDescription world = cloth_world(3);
+    world.contact_law.otherwise = {0, 1, 0};
+    Body coin = solid("coin", Cylinder{0.0375, 0.0127}, {0, 0, 0.0358});
+    coin.pose.orientation = about({1, 0, 0}, kPi / 3);
+    coin.angular_velocity = {0, 0, 12};
+    world.bodies = {coin};
+    const Timeline timeline = bake(world);
+    double largest_kinetic = 0;
+    double after_landing = 0;
+    for (const EnergySample& sample : timeline.energy) {
+        largest_kinetic = std::max(largest_kinetic, sample.kinetic);
+        if (sample.time > 0.1) {
+            after_landing = after_landing > 0 ? after_landing : sample.total();
+            EXPECT_NEAR(sample.total(), after_landing, 1e-3 * largest_kinetic) << sample.time;
+        }
+    }
+    EXPECT_GT(largest_kinetic, 0.02) << "J: it tilts and rises again";
+}
+
+TEST(Box_ThatTipsOverAnEdge, GainsNoEnergy) {
+    constexpr double kLean = 0.3;  // the centre is above the edge at atan(0.3) = 0.29
+    WorldDescription world = cloth_world(1);
+    world.contact_law.otherwise = {0, 0.4, {}};
+    const double height = 0.05 * std::cos(kLean) + 0.015 * std::sin(kLean);
+    Body box = solid("box", Box{{0.03, 0.03, 0.1}}, {0, 0, height});
+    box.pose.orientation = about({0, 1, 0}, kLean);
+    world.bodies = {box};
+    const Timeline timeline = bake(world);
+    EXPECT_LT(state_at(timeline, "box", 1).position.z, 0.016) << "it lies on its side";
+    EXPECT_LT(largest_energy_gain(timeline), 1e-7);
 }
 
 double time_of_rest(Body coin, double step) {

@@ -11,6 +11,7 @@
 
 #include "core/length.h"
 #include "nonnegative_least_squares.h"
+#include "sim/numeric/tolerances.h"
 #include "sim/ode/process.h"
 #include "sim/scheduler/contact_finder.h"
 
@@ -58,10 +59,13 @@ std::vector<Wrench> wrenches_of(const ode::StepContact& contact) {
     return wrenches;
 }
 
+/// The bodies that rest, each in an island of those that touch each other. What creeps (more slowly
+/// than at kSleepSpeed, at which it would wake them) holds them like the static environment: of
+/// what has come to rest some bodies sleep before others.
 class RestingBodies {
   public:
     RestingBodies(const WorldDescription& world, const Timeline& timeline, double time,
-                  const std::function<bool(const Body&, const Vec3&)>& takes_part)
+                  const std::function<bool(const Body&)>& takes_part)
         : environment_(world),
           bodies_(make_moving_bodies(world, environment_)),
           islands_(bodies_.size()) {
@@ -96,7 +100,7 @@ class RestingBodies {
 
   private:
     static void place(MovingBody& body, const Timeline& timeline, double time,
-                      const std::function<bool(const Body&, const Vec3&)>& takes_part) {
+                      const std::function<bool(const Body&)>& takes_part) {
         if (body.is_kinematic()) {
             body.state = body.path->at(time);
             body.mode = body.path->is_moving_from(time) ? Mode::solver : Mode::asleep;
@@ -104,12 +108,15 @@ class RestingBodies {
         }
         constexpr double kStill = 1e-9;  // m/s, rad/s
         const MotionState state = timeline.find(body.name())->sample(time);
-        const bool rests = length(state.velocity) < kStill &&
-                           length(state.angular_velocity) < kStill &&
-                           takes_part(*body.description, state.position);
-        body.mode = rests ? Mode::solver : Mode::gone;
         body.state = state;
         body.state.orientation = state.orientation * body.principal;
+        const bool rests =
+            length(state.velocity) < kStill && length(state.angular_velocity) < kStill;
+        const bool creeps = body.max_point_speed() < kSleepSpeed;
+        body.mode = rests ? Mode::solver : creeps ? Mode::asleep : Mode::gone;
+        if (!takes_part(*body.description)) {
+            body.mode = Mode::gone;
+        }
     }
 
     [[nodiscard]] const MovingBody& body(int number) const {
@@ -201,9 +208,9 @@ class RestingBodies {
 
 }  // namespace
 
-std::vector<std::string> find_unheld(
-    const WorldDescription& world, const Timeline& timeline, double time,
-    const std::function<bool(const Body&, const Vec3& place)>& takes_part) {
+std::vector<std::string> find_unheld(const WorldDescription& world, const Timeline& timeline,
+                                     double time,
+                                     const std::function<bool(const Body&)>& takes_part) {
     if (length(world.gravity) == 0) {
         return {};
     }

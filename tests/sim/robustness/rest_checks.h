@@ -15,9 +15,10 @@ namespace carom::sim::test {
 /// friction, their moments within rolling and spinning resistance (Bretl and Lall, Testing static
 /// equilibrium for legged robots, IEEE Trans. Robotics 24, 2008: equilibrium as a convex problem).
 /// They have to balance each weight to a thousandth of it, and its moments to a thousandth of the
-/// weight times the body's radius. `takes_part` is false for balls that have left the table.
+/// weight times the body's radius. Bodies that move more slowly than at kSleepSpeed hold others,
+/// too. `takes_part` is false for balls that have left the table.
 [[nodiscard]] std::vector<std::string> find_unheld(
     const WorldDescription& world, const Timeline& timeline, double time,
-    const std::function<bool(const Body&, const Vec3& place)>& takes_part);
+    const std::function<bool(const Body&)>& takes_part);
 
 }  // namespace carom::sim::test

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "nonnegative_least_squares.h"
+#include "sim/numeric/tolerances.h"
 #include "tests/sim/shots.h"
 
 namespace carom::sim::test {
@@ -23,17 +24,20 @@ Body box(const std::string& name, const Vec3& size, const Vec3& position, double
     return body;
 }
 
-/// A timeline in which the bodies of the world stay where they are.
-Timeline still(const WorldDescription& world) {
+/// A timeline in which the bodies of the world keep their velocities, and are where they are at
+/// half a second.
+Timeline moving_evenly(const WorldDescription& world) {
     Timeline timeline;
     timeline.end_time = 1;
     for (const Body& body : world.bodies) {
         if (body.kind == BodyKind::dynamic) {
             Key key;
-            key.position = body.pose.position;
+            key.position = body.pose.position - body.velocity * 0.5;
             key.orientation = body.pose.orientation;
+            key.velocity_in = key.velocity_out = body.velocity;
             Key end = key;
             end.time = 1;
+            end.position += body.velocity;
             timeline.tracks.emplace_back(body.name, std::vector<Key>{key, end});
         }
     }
@@ -41,7 +45,7 @@ Timeline still(const WorldDescription& world) {
 }
 
 std::vector<std::string> faults_of(const WorldDescription& world) {
-    return find_unheld(world, still(world), 0.5, [](const Body&, const Vec3&) { return true; });
+    return find_unheld(world, moving_evenly(world), 0.5, [](const Body&) { return true; });
 }
 
 WorldDescription wooden_world(double friction) {
@@ -86,6 +90,16 @@ TEST(RestingBall_OnASlope, IsHeldUpToItsRollingResistance) {
         world.bodies[0].kind = BodyKind::fixed;
         world.bodies[1].pose.position = Vec3(0, 0, 1) + up * (0.01 + kRadius);
         EXPECT_EQ(faults_of(world).size(), factor < 1 ? 0U : 1U) << factor;
+    }
+}
+
+TEST(RestingBall_OnOneThatMoves, IsHeldIfThatCreeps) {
+    constexpr double kSlope = 0.1;
+    for (const double speed : {1e-6, 0.009, 0.011}) {
+        WorldDescription world = wooden_world(0.3);
+        world.gravity = Vec3(std::sin(kSlope), 0, -std::cos(kSlope)) * kGravity;
+        world.bodies = {ball("ball", 0, 0), ball("lower", 2 * kRadius, 0, {0, speed, 0})};
+        EXPECT_EQ(faults_of(world).size(), speed < kSleepSpeed ? 0U : 1U) << speed;
     }
 }
 

@@ -152,16 +152,25 @@ void check_places(const WorldDescription& world, const Timeline& timeline,
     }
 }
 
-/// Whether a ball leaves or has left through a pocket's floor: it passes through everything.
-bool is_returned(const WorldDescription& world, const Vec3& place, double radius) {
+/// Whether a ball leaves or has left through a pocket's floor: it passes through everything. From
+/// its start there, its fall is one piece of its track.
+bool is_returned(const WorldDescription& world, const Track& track, double time, double radius) {
     if (!world.table || !world.table->has_ball_return) {
         return false;
     }
-    constexpr double kBelow = 1e-3;  // m
-    const auto is_below_floor = [&](const std::optional<billiards::PocketMeasures>& pocket) {
+    constexpr double kBelow = 1e-4;  // m; a strong force presses a ball in by 0.03 mm
+    const auto is_below = [&](const Vec3& place,
+                              const std::optional<billiards::PocketMeasures>& pocket) {
         return pocket && place.z < radius - pocket->drop - kBelow;
     };
-    return is_below_floor(world.table->corner_pocket) || is_below_floor(world.table->side_pocket);
+    const auto is_below_floor = [&](const Vec3& place) {
+        return is_below(place, world.table->corner_pocket) ||
+               is_below(place, world.table->side_pocket);
+    };
+    const auto next = std::find_if(track.keys().begin(), track.keys().end(),
+                                   [time](const Key& key) { return key.time > time; });
+    return is_below_floor(track.sample(time).position) ||
+           (next != track.keys().end() && is_below_floor(next->position));
 }
 
 /// Reports pairs of overlapping balls.
@@ -173,6 +182,9 @@ void check_pairs(const WorldDescription& world, const Timeline& timeline,
         double radius;
         const Track* track;  // nullptr for a fixed ball
         Vec3 place;
+    };
+    const auto has_left = [&](const Placed& ball, double time) {
+        return ball.track != nullptr && is_returned(world, *ball.track, time, ball.radius);
     };
     std::vector<Placed> balls;
     for (const Body& body : world.bodies) {
@@ -189,8 +201,7 @@ void check_pairs(const WorldDescription& world, const Timeline& timeline,
             for (std::size_t j = 0; j < i; ++j) {
                 const double depth =
                     balls[i].radius + balls[j].radius - (balls[i].place - balls[j].place).length();
-                if (depth <= kAllowed || is_returned(world, balls[i].place, balls[i].radius) ||
-                    is_returned(world, balls[j].place, balls[j].radius)) {
+                if (depth <= kAllowed || has_left(balls[i], time) || has_left(balls[j], time)) {
                     continue;
                 }
                 faults.push_back(text("'%s' is %.3f mm in '%s' at %.4f s, z %.4f",
@@ -285,10 +296,11 @@ void check_rest(const WorldDescription& world, const Timeline& timeline,
     for (int k = 1; k <= 5; ++k) {
         // After its last key, which rounding may put before the end, a track stands still.
         const double time = (world.duration - 1e-6) * k / 5;
-        const auto takes_part = [&](const Body& body, const Vec3& place) {
+        const auto takes_part = [&](const Body& body) {
             const auto* sphere = std::get_if<Sphere>(&body.shape);
-            return sphere == nullptr || (!is_taken_off(timeline, body.name, time) &&
-                                         !is_returned(world, place, sphere->radius));
+            return sphere == nullptr ||
+                   (!is_taken_off(timeline, body.name, time) &&
+                    !is_returned(world, *timeline.find(body.name), time, sphere->radius));
         };
         for (const std::string& fault : find_unheld(world, timeline, time, takes_part)) {
             faults.push_back(fault + text(" at %.4f s", time));
