@@ -272,7 +272,7 @@ render: {fps: 10}
 /// Steps are counted instead of seconds, so the messages do not depend on the machine or its load.
 TEST_F(CheckCommandRun, SimulationOfManySteps_IsNotRun) {
     std::string shot = "carom: 1\nsimulation: {duration: 0.12 s}\ntable: {kind: cloth}\nobjects:\n";
-    for (int i = 0; i < 120; ++i) {
+    for (int i = 0; i < 180; ++i) {
         shot += "  d" + std::to_string(i) + ": {box: [8 mm, 25 mm, 50 mm], at: [" +
                 std::to_string(0.02 * i) + ", 0, 0.025], physics: {density: 900 kg/m^3}}\n";
     }
