@@ -1,19 +1,17 @@
 #include "sim/bake.h"
 
 #include <limits>
+#include <utility>
 
-#include "core/error.h"
+#include "sim/scheduler/prepared_world.h"
 #include "sim/scheduler/scheduler.h"
 
 namespace carom::sim {
 
 std::optional<Timeline> bake_within(std::uint64_t max_steps, const WorldDescription& world,
                                     const WorkContext& context) {
-    const std::vector<Diagnostic> problems = find_problems(world);
-    if (!problems.empty()) {
-        throw Error(problems.front().sentence);
-    }
-    Scheduler scheduler(world);
+    const PreparedWorld prepared(world);
+    Scheduler scheduler(world, prepared.environment, Record::all);
     if (!scheduler.run(context, max_steps)) {
         return std::nullopt;
     }

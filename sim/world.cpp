@@ -406,6 +406,15 @@ std::vector<Diagnostic> find_problems(const WorldDescription& world) {
     if (world.respot && !(world.table && world.table->has_cushions)) {
         problems.push_back({{}, "respot", "respot needs a table with cushions"});
     }
+    for (Diagnostic& problem : find_event_problems(world)) {
+        problems.push_back(std::move(problem));
+    }
+    return problems;
+}
+
+std::vector<Diagnostic> find_event_problems(const WorldDescription& world) {
+    std::vector<Diagnostic> problems;
+    ProblemCollector collector(problems);
     EventChecker checker(world, collector);
     for (std::size_t i = 0; i < world.events.size(); ++i) {
         checker.check(world.events[i], i);

@@ -97,5 +97,7 @@ struct WorldDescription {
 /// All problems of a description; empty if it can be simulated. `bake` throws Error with the first
 /// problem's sentence.
 [[nodiscard]] std::vector<Diagnostic> find_problems(const WorldDescription& world);
+/// Those of its events alone.
+[[nodiscard]] std::vector<Diagnostic> find_event_problems(const WorldDescription& world);
 
 }  // namespace carom::sim

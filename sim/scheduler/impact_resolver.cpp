@@ -108,7 +108,7 @@ void ImpactResolver::record(const Impact& impact) {
     const RigidBody& a = impact.first;
     const RigidBody& b = impact.second;
     const double radius = b.radius > 0 ? std::min(a.radius, b.radius) : a.radius;
-    recorder_.contacts().add(
+    recorder_.add_contact(
         impact.a, impact.b,
         {impact.time, impact.time, impact.impulse.normal, length(contact_slip(a, b, impact.normal)),
          length(a.state.angular_velocity - b.state.angular_velocity) * radius});

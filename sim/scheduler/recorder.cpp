@@ -7,13 +7,18 @@
 
 namespace carom::sim {
 
-Recorder::Recorder(const WorldDescription& world) {
+Recorder::Recorder(const WorldDescription& world, Record record) : record_(record) {
     for (const Body& body : world.bodies) {
-        if (body.kind == BodyKind::dynamic) {
+        if (body.kind != BodyKind::dynamic) {
+            continue;
+        }
+        last_states_.push_back(
+            {body.pose.position, body.pose.orientation, body.velocity, body.angular_velocity});
+        if (keeps_all()) {
             track_recorders_.emplace_back(body.name, world.key_reduction);
         }
     }
-    last_keys_.resize(track_recorders_.size());
+    last_keys_.resize(last_states_.size());
 }
 
 MotionState Recorder::with_pose_of_last_key(std::size_t track, double time,
@@ -36,24 +41,38 @@ void Recorder::add_key(std::size_t track, double time, const MotionState& state)
 
 void Recorder::add_sample(std::size_t track, double time, const MotionState& state) {
     time = key_time(track, time);
-    track_recorders_[track].add(time, with_pose_of_last_key(track, time, state));
+    last_states_[track] = with_pose_of_last_key(track, time, state);
+    if (keeps_all()) {
+        track_recorders_[track].add(time, last_states_[track]);
+    }
 }
 
 void Recorder::add_break(std::size_t track, double time, const MotionState& before,
                          const MotionState& after) {
     time = key_time(track, time);
     const MotionState from = with_pose_of_last_key(track, time, before);
-    track_recorders_[track].add_break(time, from, with_pose_of_last_key(track, time, after));
+    last_states_[track] = with_pose_of_last_key(track, time, after);
+    if (keeps_all()) {
+        track_recorders_[track].add_break(time, from, last_states_[track]);
+    }
 }
 
 void Recorder::add_jump(std::size_t track, double time, const MotionState& before,
                         const MotionState& after) {
     time = key_time(track, time);
     const MotionState from = with_pose_of_last_key(track, time, before);
-    MotionState to = after;
+    MotionState& to = last_states_[track];
+    to = after;
     to.orientation = from.orientation;
-    const double landed = track_recorders_[track].add_jump(time, from, to);
+    const double landed =
+        keeps_all() ? track_recorders_[track].add_jump(time, from, to) : time_after_jump(time);
     last_keys_[track] = {landed, {to.position, to.orientation}, landed};
+}
+
+void Recorder::add_contact(const std::string& a, const std::string& b, const ContactLoad& load) {
+    if (keeps_all()) {
+        contacts_.add(a, b, load);
+    }
 }
 
 Event& Recorder::add_event(EventKind kind, double time, const std::string& a, const Vec3& place) {
@@ -94,7 +113,7 @@ void Recorder::log_strike(double time, const std::string& ball, const Vec3& plac
 }
 
 void Recorder::add_energy(const EnergySample& sample) {
-    if (!energy_.empty() && energy_.back() == sample) {
+    if (!keeps_all() || (!energy_.empty() && energy_.back() == sample)) {
         return;
     }
     energy_.push_back(sample);
@@ -109,18 +128,24 @@ void Recorder::warn(Diagnostic warning) {
     warnings_.push_back(std::move(warning));
 }
 
+std::vector<Event> Recorder::take_events() {
+    std::vector<Event> events;
+    for (std::size_t i = 0; i < events_.size(); ++i) {
+        if (!retracted_.contains(i)) {
+            events.push_back(std::move(events_[i]));
+        }
+    }
+    keep_lasting_states(events);
+    return events;
+}
+
 Timeline Recorder::take_timeline(double end_time) {
     Timeline timeline;
     timeline.end_time = end_time;
     for (TrackRecorder& recorder : track_recorders_) {
         timeline.tracks.push_back(recorder.finish());
     }
-    for (std::size_t i = 0; i < events_.size(); ++i) {
-        if (!retracted_.contains(i)) {
-            timeline.events.push_back(std::move(events_[i]));
-        }
-    }
-    keep_lasting_states(timeline.events);
+    timeline.events = take_events();
     timeline.energy = std::move(energy_);
     timeline.lasting_contacts = contacts_.take();
     timeline.put_backs = std::move(put_backs_);

@@ -14,9 +14,17 @@
 
 namespace carom::sim {
 
+/// What is recorded.
+enum class Record {
+    all,
+    outcome,  // events, warnings and the last states, without tracks, energy and contacts
+};
+
 class Recorder {
   public:
-    explicit Recorder(const WorldDescription& world);
+    Recorder(const WorldDescription& world, Record record);
+
+    [[nodiscard]] bool keeps_all() const { return record_ == Record::all; }
 
     /// Adds a key to the track of moving body `track`.
     void add_key(std::size_t track, double time, const MotionState& state);
@@ -44,11 +52,13 @@ class Recorder {
     /// Leaves a logged event out of the timeline: it turned out not to have happened.
     void retract(std::size_t event) { retracted_.insert(event); }
     void add_energy(const EnergySample& sample);
-    [[nodiscard]] ContactLog& contacts() { return contacts_; }
+    void add_contact(const std::string& a, const std::string& b, const ContactLoad& load);
     void warn(Diagnostic warning);
 
     [[nodiscard]] const std::vector<Event>& events() const { return events_; }
     [[nodiscard]] Timeline take_timeline(double end_time);
+    /// The last state of every track's body.
+    [[nodiscard]] const std::vector<MotionState>& last_states() const { return last_states_; }
 
   private:
     Event& add_event(EventKind kind, double time, const std::string& a, const Vec3& place);
@@ -63,13 +73,17 @@ class Recorder {
         return std::max(time, last_keys_[track].least_time);
     }
 
+    [[nodiscard]] std::vector<Event> take_events();
+
     struct LastKey {
         double time = -1;
         Pose pose;
         double least_time = -1;  // the track's next state is not earlier: it jumped
     };
+    Record record_;
     std::vector<TrackRecorder> track_recorders_;
     std::vector<LastKey> last_keys_;
+    std::vector<MotionState> last_states_;
     std::vector<Event> events_;
     std::set<std::size_t> retracted_;
     ContactLog contacts_;

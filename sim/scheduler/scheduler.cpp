@@ -6,7 +6,6 @@
 #include <fmt/core.h>
 
 #include "core/error.h"
-#include "sim/start_overlaps.h"
 
 namespace carom::sim {
 namespace {
@@ -29,10 +28,11 @@ std::string cap_warning(std::size_t most, const PredictedEvent& event, const Mov
 
 }  // namespace
 
-Scheduler::Scheduler(const WorldDescription& world)
+Scheduler::Scheduler(const WorldDescription& world, const StaticEnvironment& environment,
+                     Record record)
     : world_(world),
-      environment_(world),
-      recorder_(world),
+      environment_(environment),
+      recorder_(world, record),
       bodies_(world, environment_, recorder_),
       stepper_(environment_, bodies_, recorder_),
       predictor_(environment_, bodies_),
@@ -44,19 +44,9 @@ Scheduler::Scheduler(const WorldDescription& world)
       path_triggers_(world.events, bodies_.all()) {}
 
 bool Scheduler::run(const WorkContext& context, std::uint64_t max_steps) {
-    const auto overlaps =
-        find_start_overlaps(world_, environment_.has_cushions ? &environment_.table() : nullptr);
-    if (!overlaps.empty()) {
-        throw Error("body '" + overlaps[0].body + "' " + overlaps[0].sentence() + " at the start");
-    }
-    const auto places =
-        find_place_problems(world_, environment_.has_cushions ? &environment_.table() : nullptr);
-    if (!places.empty()) {
-        throw Error(places[0].sentence);
-    }
     bodies_.start(0);
     double reported = 0;
-    while (now_ < world_.duration) {
+    while (now_ < world_.duration && !was_stopped_) {
         if (context.stop.stop_requested()) {
             throw Stopped();
         }
@@ -64,6 +54,9 @@ bool Scheduler::run(const WorkContext& context, std::uint64_t max_steps) {
             return false;
         }
         run_window();
+        if (!recorder_.keeps_all() && is_over()) {
+            now_ = world_.duration;
+        }
         const double fraction = now_ / world_.duration;
         if (context.progress && fraction >= reported + 0.01) {
             reported = fraction;
@@ -75,6 +68,13 @@ bool Scheduler::run(const WorkContext& context, std::uint64_t max_steps) {
         context.progress(1.0);
     }
     return true;
+}
+
+/// Everything rests, and nothing is left that could change that.
+bool Scheduler::is_over() const {
+    return bodies_.are_all_at_rest() && std::isinf(schedule_.next_time()) &&
+           std::isinf(bodies_.next_key_time(now_)) && !placer_.has_waiting() &&
+           !bodies_.is_return_due() && !is_respotting_due();
 }
 
 void Scheduler::run_window() {
@@ -324,6 +324,9 @@ void Scheduler::check_triggers() {
     const std::vector<Event>& events = recorder_.events();
     for (; checked_events_ < events.size(); ++checked_events_) {
         schedule_.check_triggers(events[checked_events_]);
+        if (is_last_ != nullptr && *is_last_ && (*is_last_)(events[checked_events_])) {
+            was_stopped_ = true;
+        }
     }
     check_rest_triggers();
     // A trigger may have scheduled an action before this window's end.
@@ -370,6 +373,9 @@ void Scheduler::sample_energy() {
 }
 
 void Scheduler::add_energy() {
+    if (!recorder_.keeps_all()) {
+        return;
+    }
     EnergySample sample;
     sample.time = now_;
     bodies_.add_energy(now_, sample);

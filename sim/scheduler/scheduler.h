@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,17 +24,24 @@
 
 namespace carom::sim {
 
-/// For a single use: run it, then take the results. The world must outlive the scheduler and have
-/// no problems.
+/// For a single use: run it, then take the results. The world and its environment must outlive the
+/// scheduler; the world has no problems and nothing overlaps at its start.
 class Scheduler {
   public:
-    explicit Scheduler(const WorldDescription& world);
+    Scheduler(const WorldDescription& world, const StaticEnvironment& environment, Record record);
+
+    /// Ends the run at the first event for which it is true.
+    void stop_at(const std::function<bool(const Event&)>* is_last) { is_last_ = is_last; }
 
     /// Returns false, without results, if the run would take more than `max_steps` (see
     /// bake_within). Throws Stopped if a stop is requested.
     [[nodiscard]] bool run(const WorkContext& context, std::uint64_t max_steps);
 
-    [[nodiscard]] Timeline take_timeline() { return recorder_.take_timeline(world_.duration); }
+    [[nodiscard]] Timeline take_timeline() { return recorder_.take_timeline(now_); }
+    [[nodiscard]] const std::vector<MotionState>& last_states() const {
+        return recorder_.last_states();
+    }
+    [[nodiscard]] bool was_stopped() const { return was_stopped_; }
 
   private:
     void run_window();
@@ -54,6 +62,7 @@ class Scheduler {
     [[nodiscard]] bool is_respotting_due() const;
     void check_triggers();
     void check_rest_triggers();
+    [[nodiscard]] bool is_over() const;
     void sample_energy();
     void add_energy();
     [[nodiscard]] bool needs_step(const PredictedEvent& event) const;
@@ -65,7 +74,7 @@ class Scheduler {
 
     ode::ThreadGuard guard_;
     const WorldDescription& world_;
-    StaticEnvironment environment_;
+    const StaticEnvironment& environment_;
     Recorder recorder_;
     Bodies bodies_;
     Stepper stepper_;
@@ -84,7 +93,9 @@ class Scheduler {
     std::size_t events_in_window_ = 0;
     std::uint64_t steps_ = 0;  // counted as in bake_within
     std::uint32_t window_number_ = 0;
-    bool is_capped_ = false;    // too many events: the rest of this window ignores impacts
+    bool is_capped_ = false;  // too many events: the rest of this window ignores impacts
+    const std::function<bool(const Event&)>* is_last_ = nullptr;
+    bool was_stopped_ = false;
     bool was_stepping_ = true;  // whether ODE stepped in the last window; true before the first
 };
 

@@ -118,9 +118,12 @@ void Stepper::commit(double end) {
 }
 
 void Stepper::log_contacts() {
+    if (!recorder_.keeps_all()) {
+        return;
+    }
     for (const PairLoad& pair : pair_loads(trial_, bodies_.all())) {
-        recorder_.contacts().add(bodies_[static_cast<std::uint32_t>(pair.first)].name(),
-                                 finder_.name_of(pair.partner, bodies_.all()), pair.load);
+        recorder_.add_contact(bodies_[static_cast<std::uint32_t>(pair.first)].name(),
+                              finder_.name_of(pair.partner, bodies_.all()), pair.load);
     }
 }
 
