@@ -1,4 +1,5 @@
 // Complete bakes. Each checks its result, so that a fast wrong answer does not pass.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -9,6 +10,7 @@
 #include "core/splitmix.h"
 #include "sim/bake.h"
 #include "sim/billiards/rack.h"
+#include "sim/trials.h"
 
 namespace {
 
@@ -121,6 +123,75 @@ void break_shot(benchmark::State& state, billiards::RackKind kind) {
                            benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
+/// Variants of one shot: the strike's direction and speed.
+std::vector<ForceEvent> variant(const WorldDescription& world, int number) {
+    std::vector<ForceEvent> events = world.events;
+    auto& strike = std::get<Strike>(events[0].action);
+    strike.toward.reset();
+    strike.direction = -0.266 + 0.002 * (number % 41 - 20);
+    strike.ball_speed = 2 + 0.1 * (number % 20);
+    return events;
+}
+
+/// A cut shot of 12 s: the cue ball and one object ball on a table with pockets.
+WorldDescription cut_shot() {
+    WorldDescription world = break_of(billiards::RackKind::nine_ball, 12, 0);
+    world.bodies = {ball("cue", {-0.6, 0.1, kRadius}), ball("one", {0.5, -0.2, kRadius})};
+    world.events[0].time = 0;
+    return world;
+}
+
+constexpr int kVariants = 200;
+
+void check_variants(benchmark::State& state, std::size_t potted) {
+    if (potted == 0 || potted == kVariants) {
+        state.SkipWithError("all variants are alike");
+    }
+    state.counters["shots_per_s"] = benchmark::Counter(
+        kVariants * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+}
+
+bool pots_one(const std::vector<Event>& events) {
+    return std::any_of(events.begin(), events.end(), [](const Event& event) {
+        return event.kind == EventKind::potted && event.a == "one";
+    });
+}
+
+void cut_shots_as_bakes(benchmark::State& state) {
+    const WorldDescription world = cut_shot();
+    std::size_t potted = 0;
+    for (auto _ : state) {
+        potted = 0;
+        for (int number = 0; number < kVariants; ++number) {
+            WorldDescription changed = world;
+            changed.events = variant(world, number);
+            potted += pots_one(bake(changed).events) ? 1 : 0;
+        }
+    }
+    check_variants(state, potted);
+}
+
+/// `stops`: at the pot, or when the ball meets a cushion or stops.
+void cut_shots_as_trials(benchmark::State& state, bool stops) {
+    const WorldDescription world = cut_shot();
+    TrialLimits limits;
+    if (stops) {
+        limits.is_answered = [](const Event& event) {
+            return event.a == "one" && (event.kind == EventKind::potted ||
+                                        event.kind == EventKind::resting || event.b == "cushion");
+        };
+    }
+    std::size_t potted = 0;
+    for (auto _ : state) {
+        potted = 0;
+        const Trials trials(world);
+        for (int number = 0; number < kVariants; ++number) {
+            potted += pots_one(trials.run(variant(world, number), limits)->events) ? 1 : 0;
+        }
+    }
+    check_variants(state, potted);
+}
+
 /// `count` boxes that rest apart from each other, and one that slides past them.
 void resting_boxes(benchmark::State& state) {
     const auto box = [](const std::string& name, const Vec3& place) {
@@ -150,6 +221,9 @@ void resting_boxes(benchmark::State& state) {
 
 }  // namespace
 
+BENCHMARK(cut_shots_as_bakes)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(cut_shots_as_trials, to_the_end, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(cut_shots_as_trials, until_answered, true)->Unit(benchmark::kMillisecond);
 BENCHMARK(resting_boxes)->Arg(100)->Arg(400)->Arg(1600)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(break_shot, nine_ball, billiards::RackKind::nine_ball)
     ->Unit(benchmark::kMillisecond);
