@@ -46,7 +46,6 @@ struct Trials::Shared {
 
 Trials::Trials(WorldDescription world)
     : shared_(std::make_unique<const Shared>(std::move(world))) {}
-Trials::Trials(Trials&&) noexcept = default;
 Trials::~Trials() = default;
 
 const WorldDescription& Trials::world() const {

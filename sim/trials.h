@@ -37,8 +37,9 @@ class Trials {
   public:
     /// `world`: with any events. Throws Error if it has problems.
     explicit Trials(WorldDescription world);
-    Trials(Trials&&) noexcept;
     ~Trials();
+    Trials(const Trials&) = delete;
+    Trials& operator=(const Trials&) = delete;
 
     [[nodiscard]] const WorldDescription& world() const;
     /// The bodies that move, not by keys, in the world's order.
