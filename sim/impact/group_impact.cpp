@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "core/assert.h"
-#include "core/elementary.h"
 #include "core/length.h"
 #include "core/rigid.h"
 
@@ -108,13 +107,6 @@ Vec3 normal_of_approach(const Vec3& apart, const Vec3& velocity, double distance
     const double root = closing * closing - square * beyond;
     const double time = root > 0 ? beyond / (closing + std::sqrt(root)) : closing / square;
     return unit(apart + velocity * time);
-}
-
-/// How far two bodies that meet at `speed` compress each other without losses, m.
-double greatest_depth(const ContactStiffness& stiffness, double reduced_mass, double speed) {
-    return stiffness.is_flat
-               ? speed * std::sqrt(reduced_mass / stiffness.factor)
-               : power(5 * reduced_mass * speed * speed / (4 * stiffness.factor), 0.4);
 }
 
 Imath::M33d inverse_inertia_in_world(const RigidBody& body) {
@@ -632,16 +624,6 @@ GroupBody group_body(const RigidBody& body) {
     result.velocity = body.state.velocity;
     result.angular_velocity = body.state.angular_velocity;
     return result;
-}
-
-ContactStiffness hertz_stiffness(double reduced_modulus, double reduced_radius) {
-    return {4.0 / 3 * reduced_modulus * std::sqrt(reduced_radius), false};
-}
-
-double contact_time(const ContactStiffness& stiffness, double reduced_mass, double speed) {
-    constexpr double kPi = 3.14159265358979323846;
-    return (stiffness.is_flat ? kPi : 2.943275) * greatest_depth(stiffness, reduced_mass, speed) /
-           speed;
 }
 
 std::vector<GroupContactResult> group_impact(std::vector<GroupBody>& bodies,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/impact/ball_impact.h"
+#include "sim/impact/contact_stiffness.h"
 
 namespace carom::sim {
 
@@ -19,21 +20,6 @@ struct GroupBody {
 };
 
 [[nodiscard]] GroupBody group_body(const RigidBody& body);
-
-/// The force between two bodies that compress each other by d > 0: factor d^(3/2) (Hertz) for
-/// curved surfaces, factor d for flat ones.
-struct ContactStiffness {
-    double factor = 0;  // N/m^(3/2) or N/m, > 0
-    bool is_flat = false;
-};
-
-/// Hertz's factor, 4/3 E sqrt(R), with 1/E the sum of (1 - nu^2)/modulus and 1/R the sum of the
-/// curvatures. `reduced_modulus`: E, Pa; `reduced_radius`: R, m.
-[[nodiscard]] ContactStiffness hertz_stiffness(double reduced_modulus, double reduced_radius);
-
-/// How long two bodies that meet at `speed` (> 0, m/s) touch each other without losses, s.
-[[nodiscard]] double contact_time(const ContactStiffness& stiffness, double reduced_mass,
-                                  double speed);
 
 /// A contact of a group, which may still be open.
 struct GroupContact : TouchingPair {

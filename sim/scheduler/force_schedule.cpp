@@ -22,7 +22,7 @@ double duration_of(const ForceEvent& event) {
 }  // namespace
 
 int impulse_step_count(double duration) {
-    return static_cast<int>(std::min(1e6, std::max(1.0, std::ceil(duration / kKickInterval))));
+    return static_cast<int>(std::min(1e6, std::max(1.0, std::ceil(duration / kImpulseStep))));
 }
 
 ForceSchedule::ForceSchedule(const std::vector<ForceEvent>& events)

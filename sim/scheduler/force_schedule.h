@@ -18,7 +18,7 @@ namespace carom::sim {
 
 /// A force acts as a train of impulses at most this far apart (s): each impulse is exact, and the
 /// motion between them has a closed form.
-inline constexpr double kKickInterval = 1.0 / 2000;
+inline constexpr double kImpulseStep = 1.0 / 2000;
 
 /// One scheduled action: the beginning of an event, or one impulse of a force or torque.
 struct DueAction {

@@ -21,18 +21,16 @@ Recorder::Recorder(const WorldDescription& world, Record record) : record_(recor
     last_keys_.resize(last_states_.size());
 }
 
-MotionState Recorder::with_pose_of_last_key(std::size_t track, double time,
-                                            const MotionState& state) {
-    LastKey& last = last_keys_[track];
-    if (last.time != time) {
-        last.time = time;
-        last.pose = {state.position, state.orientation};
-        return state;
+const MotionState& Recorder::note_state(std::size_t track, double time, const MotionState& state) {
+    MotionState& last = last_states_[track];
+    const Pose pose{last.position, last.orientation};
+    last = state;
+    if (last_keys_[track].time == time) {
+        last.position = pose.position;
+        last.orientation = pose.orientation;
     }
-    MotionState result = state;
-    result.position = last.pose.position;
-    result.orientation = last.pose.orientation;
-    return result;
+    last_keys_[track].time = time;
+    return last;
 }
 
 void Recorder::add_key(std::size_t track, double time, const MotionState& state) {
@@ -41,32 +39,32 @@ void Recorder::add_key(std::size_t track, double time, const MotionState& state)
 
 void Recorder::add_sample(std::size_t track, double time, const MotionState& state) {
     time = key_time(track, time);
-    last_states_[track] = with_pose_of_last_key(track, time, state);
+    const MotionState& last = note_state(track, time, state);
     if (keeps_all()) {
-        track_recorders_[track].add(time, last_states_[track]);
+        track_recorders_[track].add(time, last);
     }
 }
 
 void Recorder::add_break(std::size_t track, double time, const MotionState& before,
                          const MotionState& after) {
     time = key_time(track, time);
-    const MotionState from = with_pose_of_last_key(track, time, before);
-    last_states_[track] = with_pose_of_last_key(track, time, after);
+    const MotionState from = note_state(track, time, before);
+    const MotionState& to = note_state(track, time, after);
     if (keeps_all()) {
-        track_recorders_[track].add_break(time, from, last_states_[track]);
+        track_recorders_[track].add_break(time, from, to);
     }
 }
 
 void Recorder::add_jump(std::size_t track, double time, const MotionState& before,
                         const MotionState& after) {
     time = key_time(track, time);
-    const MotionState from = with_pose_of_last_key(track, time, before);
+    const MotionState from = note_state(track, time, before);
     MotionState& to = last_states_[track];
     to = after;
     to.orientation = from.orientation;
     const double landed =
         keeps_all() ? track_recorders_[track].add_jump(time, from, to) : time_after_jump(time);
-    last_keys_[track] = {landed, {to.position, to.orientation}, landed};
+    last_keys_[track] = {landed, landed};
 }
 
 void Recorder::add_contact(const std::string& a, const std::string& b, const ContactLoad& load) {

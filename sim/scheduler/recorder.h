@@ -64,9 +64,9 @@ class Recorder {
     Event& add_event(EventKind kind, double time, const std::string& a, const Vec3& place);
 
     /// A ball that is put back on its surface moves by a few micrometres at most. If a key has
-    /// already been written at that instant, the state takes over its pose.
-    [[nodiscard]] MotionState with_pose_of_last_key(std::size_t track, double time,
-                                                    const MotionState& state);
+    /// already been written at that instant, the state takes over its pose. Returns the track's
+    /// last state, which this is now.
+    const MotionState& note_state(std::size_t track, double time, const MotionState& state);
 
     /// The time of a state: at the instant of a jump, that of the key after it.
     [[nodiscard]] double key_time(std::size_t track, double time) const {
@@ -77,7 +77,6 @@ class Recorder {
 
     struct LastKey {
         double time = -1;
-        Pose pose;
         double least_time = -1;  // the track's next state is not earlier: it jumped
     };
     Record record_;

@@ -118,6 +118,14 @@ TEST(Masse, CurvesAroundTheEightAndPotsTheThree) {
     EXPECT_LT(first.dot(last), 0.87);
 }
 
+TEST(Park, SetsTheCueBallInMotionAgain) {
+    const sim::Timeline timeline = sim::bake(example("park").world);
+    EXPECT_TRUE(timeline.warnings.empty());
+    const Event* again = find(timeline, EventKind::velocity, "cue");
+    ASSERT_NE(again, nullptr);
+    EXPECT_GT(again->time, 5);
+}
+
 TEST(DominoRun, FallsToItsEndAndPotsTheNine) {
     const Shot shot = example("domino_run");
     const sim::Timeline result = sim::bake(shot.world);
