@@ -55,7 +55,8 @@ async function work(waiting) {
             const start = Date.now();
             const line = await run(browser, name).catch((error) => {
                 failures += 1;
-                return `FAILED  ${name.replace('.mjs', '')}: ${error.message}`;
+                const places = String(error.stack).match(new RegExp(`${name}:\\d+`, 'g')) ?? [];
+                return `FAILED  ${name.replace('.mjs', '')}: ${error.message} at ${places.join(', ')}`;
             });
             console.log(`${line} (${((Date.now() - start) / 1000).toFixed(0)} s)`);
         }

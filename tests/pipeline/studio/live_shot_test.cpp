@@ -175,9 +175,9 @@ TEST_F(LiveShotTest, SimulationIsStoppedOnce_ThenTheNextOneEnds) {
     offer(1, 1);
     wait([&] { return begun_ == 1; });
     offer(2, 2);  // the simulation has not run for 0.1 s
+    offer(3, 3);
     EXPECT_EQ(stopped_, 0);
     set([&] { now_ += 0.2; });
-    offer(3, 3);
     wait([&] { return stopped_ == 1 && begun_ == 2; });
     set([&] { now_ += 0.2; });
     offer(4, 4);
