@@ -3,6 +3,7 @@
 // sim::WorldDescription       the simulated world, as plain data in SI units
 // sim::find_problems          the problems of a world, each with its subject and field
 // sim::bake                   simulates a world; returns a Timeline
+// sim::find_aims              directions of strikes that pot, cut or hit a ball, or pass a point
 // sim::Timeline               tracks, events, energy, warnings
 // sim::Track::sample          position (m), orientation and velocities at any scene time (s)
 // sim::read_bake, write_bake  read and write a Timeline with its origin in a file
@@ -21,6 +22,7 @@
 
 #include "core/error.h"
 #include "core/progress.h"
+#include "sim/aim/find_aims.h"
 #include "sim/bake.h"
 #include "sim/timeline/bake_file.h"
 #include "sim/timeline/timeline.h"

@@ -83,6 +83,9 @@ void Scheduler::run_window() {
     sample_energy();
     bodies_.move_kinematic_bodies(now_);
     apply_due_actions();
+    if (was_stopped_) {
+        return;
+    }
     if (bodies_.is_solver_active()) {
         const double fine = std::min(world_.step, kLongestCoarseStep) / 4;
         // Equal parts, so that the last one is not mere rounding error.
@@ -324,8 +327,10 @@ void Scheduler::check_triggers() {
     const std::vector<Event>& events = recorder_.events();
     for (; checked_events_ < events.size(); ++checked_events_) {
         schedule_.check_triggers(events[checked_events_]);
-        if (is_last_ != nullptr && *is_last_ && (*is_last_)(events[checked_events_])) {
+        if (!was_stopped_ && is_last_ != nullptr && *is_last_ &&
+            (*is_last_)(events[checked_events_])) {
             was_stopped_ = true;
+            window_end_ = now_;
         }
     }
     check_rest_triggers();
