@@ -120,6 +120,9 @@ class Explainer {
         if (node.is_map() && source_.replaced().contains(&node)) {
             return origin + ", " + emit_flow(node);
         }
+        if (const auto note = source_.notes().find(&node); note != source_.notes().end()) {
+            return origin + ", " + note->second;
+        }
         return &node == short_side_ ? origin + ", makes the picture " + picture_ : origin;
     }
 

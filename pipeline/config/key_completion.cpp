@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "pipeline/config/gather.h"
+#include "pipeline/config/pocket_names.h"
 #include "pipeline/config/reader.h"
 #include "pipeline/config/sections/sections.h"
 #include "sim/billiards/spots.h"
@@ -109,18 +110,37 @@ void add_names(const Node& shot, const char* section, std::vector<std::string>& 
     }
 }
 
-/// Adds the spots of the shot's kind of table, or those of all kinds if it is not known.
-void add_spots(const Node& shot, std::vector<std::string>& values) {
+/// A table of the shot's kind; one with all spots if that is not known.
+sim::billiards::TableMeasures table_of(const Node& shot) {
     using sim::billiards::TableKind;
     const Node* table = value_of(&shot, "table");
     const Node* kind = table != nullptr ? value_of(table, "kind") : nullptr;
-    sim::billiards::TableMeasures measures;
-    measures.kind = kind == nullptr || kind->text == "custom" ? TableKind::custom
-                    : kind->text == "snooker"                 ? TableKind::snooker
-                    : kind->text == "carom"                   ? TableKind::carom
-                                                              : TableKind::pool;
-    for (const auto& spot : sim::billiards::spots_of(measures)) {
-        values.push_back(spot.name);
+    const TableKind known = kind == nullptr || kind->text == "custom" ? TableKind::custom
+                            : kind->text == "snooker"                 ? TableKind::snooker
+                            : kind->text == "carom"                   ? TableKind::carom
+                                                                      : TableKind::pool;
+    const bool is_pool = known == TableKind::pool || known == TableKind::custom;
+    auto measures =
+        *standard_table(is_pool ? TableKind::pool : known, known == TableKind::snooker ? "12 ft"
+                                                           : known == TableKind::carom ? "10 ft"
+                                                                                       : "9 ft");
+    measures.kind = known;
+    return measures;
+}
+
+/// Adds the spots of the shot's table, and its pockets.
+void add_places(const Node& shot, bool with_spots, bool with_pockets,
+                std::vector<std::string>& values) {
+    const sim::billiards::TableMeasures table = table_of(shot);
+    for (const auto& spot : sim::billiards::spots_of(table)) {
+        if (with_spots) {
+            values.push_back(spot.name);
+        }
+    }
+    for (std::string& pocket : pocket_names(table)) {
+        if (with_pockets) {
+            values.push_back(std::move(pocket));
+        }
     }
 }
 
@@ -141,13 +161,13 @@ void add_values(const TypeInfo& type, const Node& shot, std::vector<std::string>
     } else if (type.kind == TypeInfo::Kind::name && type.noun == "a material") {
         add_names(shot, "materials", values);
     } else if (type.kind == TypeInfo::Kind::name) {
-        if (type.noun == "a spot of the table" || type.noun == "a ball, object or spot") {
-            add_spots(shot, values);
-        }
-        if (type.noun != "a spot of the table") {
+        const bool is_place = type.noun.ends_with(" of the table");
+        add_places(shot, type.noun.find("spot") != std::string::npos,
+                   type.noun.find("pocket") != std::string::npos, values);
+        if (!is_place) {
             add_names(shot, "balls", values);
         }
-        if (type.noun != "a ball" && type.noun != "a spot of the table") {
+        if (type.noun != "a ball" && !is_place) {
             add_names(shot, "objects", values);
         }
     } else if (type.kind == TypeInfo::Kind::any_of) {

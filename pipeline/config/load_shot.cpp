@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <set>
 #include <string>
 #include <system_error>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/text.h"
 #include "pipeline/camera/steady_up.h"
 #include "pipeline/config/build/build_shot.h"
 #include "pipeline/config/conditions.h"
@@ -91,6 +93,34 @@ ShotFile read_sections(const Node& root, Reader& reader) {
     return file;
 }
 
+/// Gives the strikes in the tree the directions that were found, instead of their aims. Returns the
+/// aims by these directions.
+ShotSource::Notes write_directions(Node& root, const std::vector<sim::FoundDirection>& found) {
+    ShotSource::Notes notes;
+    for (const sim::FoundDirection& direction : found) {
+        Node& strike = root.find("events")->value.items[direction.event].find("strike")->value;
+        Node aim;
+        aim.kind = Node::Kind::map;
+        const auto is_of_aim = [](const Entry& entry) {
+            return std::ranges::count(aim_keys(), entry.key) != 0;
+        };
+        const auto first = std::ranges::find_if(strike.entries, is_of_aim);
+        std::ranges::copy_if(first, strike.entries.end(), std::back_inserter(aim.entries),
+                             is_of_aim);
+        first->key = "direction";
+        strike.entries.erase(std::remove_if(first + 1, strike.entries.end(), is_of_aim),
+                             strike.entries.end());
+        Node& value = strike.find("direction")->value;
+        const Place place = value.place;
+        value = Node{};
+        value.kind = Node::Kind::scalar;
+        value.place = place;
+        value.text = decimal_text(static_cast<double>(direction.microdegrees) / 1e6, 6) + " deg";
+        notes[&value] = emit_flow(aim);
+    }
+    return notes;
+}
+
 /// Reads the merged tree; empty after an error. `is_whole`: false if a file is missing or an object
 /// could not be repeated, which was reported, so that references must not be checked.
 std::optional<Shot> read_shot(const Node& root, bool is_whole, const std::string& name,
@@ -102,7 +132,6 @@ std::optional<Shot> read_shot(const Node& root, bool is_whole, const std::string
     Shot shot = build_from(root, file, name, reader, tables);
     if (!reader.has_error()) {
         shot.assets = hash_assets(reader.named_files(), root, reader);
-        shot.resolved_text = emit_yaml(root, reader.replaced());
     }
     return reader.has_error() ? std::nullopt : std::optional(std::move(shot));
 }
@@ -129,15 +158,21 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
                                problems);
     std::shared_ptr<const Node> root;
     ShotSource::Replaced replaced;
+    ShotSource::Notes notes;
     if (gathered.root) {
         const bool has_all_objects =
             repeat_objects(*gathered.root, sources, folders, problems, !gathered.is_complete);
         apply_conditions(*gathered.root, sources, folders, problems, !gathered.is_complete);
         Reader reader(sources, folders, problems);
         reader.set_partial(!gathered.is_complete);
-        root = std::make_shared<const Node>(std::move(*gathered.root));
-        result.shot = read_shot(*root, gathered.is_complete && has_all_objects,
+        const auto tree = std::make_shared<Node>(std::move(*gathered.root));
+        root = tree;
+        result.shot = read_shot(*tree, gathered.is_complete && has_all_objects,
                                 fs::path(origin).stem().string(), reader, options.tables);
+        if (result.shot) {
+            notes = write_directions(*tree, result.shot->found_directions);
+            result.shot->resolved_text = emit_yaml(*tree, reader.replaced());
+        }
         replaced = reader.replaced();
         result.named_files = reader.named_files();
     }
@@ -147,9 +182,9 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
     result.problems = problems.take();
     result.files = files_of(sources);
     if (result.shot) {
-        result.source =
-            std::make_shared<ShotSource>(std::make_shared<const SourceSet>(std::move(sources)),
-                                         std::move(root), std::move(replaced), result.problems);
+        result.source = std::make_shared<ShotSource>(
+            std::make_shared<const SourceSet>(std::move(sources)), std::move(root),
+            std::move(replaced), result.problems, std::move(notes));
     }
     return result;
 }
@@ -216,7 +251,7 @@ std::vector<Problem> resolve_moments(Shot& shot, std::shared_ptr<const ShotSourc
         keep_up(shot.cameras, timeline);
         shot.annotations = std::move(known->annotations);
         shot.moments = std::move(known->moments);
-        shot.resolved_text = std::move(known->resolved_text);
+        shot.resolved_text = emit_yaml(source->root(), reader.replaced());
         source = std::make_shared<const ShotSource>(source->with_replaced(reader.replaced()));
     }
     return found;

@@ -27,8 +27,9 @@ enum class ReferenceKind {
     moving,     // a body, or any object that keys move
     touchable,  // a body, a fixed object or a part of the table ("cushion")
     placed,     // a body or any object that has a position
-    aimed,      // the same, or a spot of the table
+    aimed,      // the same, or a spot or pocket of the table
     spot,       // a spot of the table
+    pocket,     // a pocket of the table, by any of its names
     material,   // a material of a surface
 };
 

@@ -197,7 +197,8 @@ events:
         {"strike", R"(table: {kind: pool}
 balls: {cue: {at: [-0.3, -0.2]}, eight: {at: [0.8, 0.25]}}
 events:
-  - strike: {ball: cue, at: 0.5 s, toward: eight, speed: 3 m/s, tip: [0, -0.3], elevation: 5 deg}
+  - strike: {ball: cue, at: 0.5 s, pot: eight, in: top right, speed: 3 m/s, tip: [0.2, -0.3], elevation: 5 deg}
+  - strike: {ball: cue, when: {resting: all}, direction: 75 deg, speed: 2 m/s}
 )"},
         {"place", R"(table: {kind: snooker}
 balls: {white: {at: [-1.1, 0.1]}, red_1: {at: [0.3, 0.4]}, black: {at: black}}

@@ -291,7 +291,8 @@ class Schema {
         return object(list);
     }
 
-    /// `has_kinds`: other keys of the map decide which keys it may have.
+    /// `has_kinds`: one of the keys of the map decides which others it may have. Otherwise a key
+    /// may have a meaning beside one of some others only.
     std::string property(const KeyInfo& key, bool is_whole, bool has_kinds) {
         std::vector<std::string> alternatives{schema_of(key.type, is_whole)};
         if (!is_whole) {  // null removes the key of an included file
@@ -303,8 +304,9 @@ class Schema {
                 json_string(key.description + " (default: " + key.default_text + ")");
         }
         members.emplace_back("anyOf", array(alternatives));
-        if (has_kinds && !key.goes_with.empty()) {
-            members.emplace_back("x-goes-with", quoted_array(key.goes_with));
+        if (!key.goes_with.empty()) {
+            members.emplace_back(has_kinds ? "x-goes-with" : "x-only-with",
+                                 quoted_array(key.goes_with));
         }
         return object(members);
     }

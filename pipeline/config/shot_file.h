@@ -18,6 +18,7 @@
 #include "pipeline/video/output_settings.h"
 #include "render/scene/render_settings.h"
 #include "render/scene/scene_description.h"
+#include "sim/aim/find_aims.h"
 #include "sim/billiards/rack.h"
 #include "sim/world.h"
 
@@ -146,6 +147,7 @@ struct LightSection {
 
 struct EventSection {
     sim::ForceEvent event;
+    std::optional<sim::Aim> aim;      // of a strike, instead of its direction
     std::optional<bool> shows_stick;  // of a strike; empty: as the shot says
     Place place;
 };

@@ -22,9 +22,11 @@ std::string noun_of(ReferenceKind kind) {
         case ReferenceKind::placed:
             return "a ball or object";
         case ReferenceKind::aimed:
-            return "a ball, object or spot";
+            return "a ball, object, spot or pocket";
         case ReferenceKind::spot:
             return "a spot of the table";
+        case ReferenceKind::pocket:
+            return "a pocket of the table";
         case ReferenceKind::material:
             return "a material";
     }

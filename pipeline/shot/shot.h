@@ -13,6 +13,7 @@
 #include "pipeline/video/output_settings.h"
 #include "render/scene/render_settings.h"
 #include "render/scene/scene_description.h"
+#include "sim/aim/find_aims.h"
 #include "sim/timeline/bake_file.h"
 #include "sim/world.h"
 
@@ -29,6 +30,9 @@ struct ShotMoment {
 struct Shot {
     std::string name;  // the file's name without folder and extension
     sim::WorldDescription world;
+    /// Of strikes whose aims say what they shall do; the world and the resolved text have them,
+    /// too.
+    std::vector<sim::FoundDirection> found_directions;
     render::SceneDescription scene;  // its objects refer to tracks of bodies or of `keyed` by name
     std::vector<sim::Track> keyed;   // of objects that keys move
     ShownStick stick;                // its parts are objects of the scene

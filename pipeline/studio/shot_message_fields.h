@@ -138,7 +138,7 @@ constexpr auto fields_of(Describes<Names>) {
     return fields<Names>(field("balls", &Names::balls), field("objects", &Names::objects),
                          field("materials", &Names::materials), field("lights", &Names::lights),
                          field("cameras", &Names::cameras), field("surfaces", &Names::surfaces),
-                         field("spots", &Names::spots));
+                         field("spots", &Names::spots), field("pockets", &Names::pockets));
 }
 
 constexpr auto fields_of(Describes<ShotState>) {

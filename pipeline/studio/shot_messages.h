@@ -199,7 +199,7 @@ struct Film {
 /// Names to choose from.
 struct Names {
     std::vector<std::string> balls{}, objects{}, materials{}, lights{}, cameras{}, surfaces{},
-        spots{};
+        spots{}, pockets{};
 };
 
 /// What the page draws and edits, of one version. Of a version with errors there is none.

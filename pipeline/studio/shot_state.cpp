@@ -6,6 +6,7 @@
 #include <Imath/ImathMatrixAlgo.h>
 
 #include "pipeline/camera/frame_plan.h"
+#include "pipeline/config/pocket_names.h"
 #include "pipeline/studio/camera_paths.h"
 #include "pipeline/studio/triple.h"
 #include "pipeline/studio/value_places.h"
@@ -83,6 +84,10 @@ Names names_of(const pipeline::Shot& shot, const std::vector<SceneObject>& objec
     if (shot.world.table) {
         for (const auto& spot : sim::billiards::spots_of(*shot.world.table)) {
             names.spots.push_back(spot.name);
+        }
+        names.pockets = pipeline::config::pocket_names(*shot.world.table);
+        for (std::string& name : pipeline::config::players_pocket_names(*shot.world.table)) {
+            names.pockets.push_back(std::move(name));
         }
     }
     return names;

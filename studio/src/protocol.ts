@@ -477,6 +477,7 @@ export interface Names {
     cameras: string[];
     surfaces: string[];
     spots: string[];
+    pockets: string[];
 }
 
 export interface ValuePlace {

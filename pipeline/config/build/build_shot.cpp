@@ -33,7 +33,7 @@ bool Builder::claim_name(const std::string& name, const Place& place, const std:
 
 Shot build_shot(const ShotFile& file, const Node& root, const std::string& name, Reader& reader,
                 sim::billiards::TableMemo* tables) {
-    Builder builder{file, root, reader, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, tables};
+    Builder builder{file, root, reader, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, tables, {}};
     builder.shot.name = name;
     builder.shot.world = file.world;
     build_table(builder);
@@ -49,6 +49,7 @@ Shot build_shot(const ShotFile& file, const Node& root, const std::string& name,
     check_references(builder);
     check_placement(builder);
     check_world(builder);
+    aim_strikes(builder);
     warn_about_ball_positions(builder);
     warn_about_coplanar_surfaces(builder);
     warn_about_matte_names(builder);

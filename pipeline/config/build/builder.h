@@ -11,6 +11,7 @@
 #include "core/diagnostic.h"
 #include "pipeline/config/build/build_shot.h"
 #include "pipeline/config/find_place.h"
+#include "sim/aim/find_aims.h"
 #include "sim/billiards/table_memo.h"
 
 namespace carom::pipeline::config {
@@ -33,6 +34,7 @@ struct Builder {
     std::set<std::string> materials;
     std::shared_ptr<const sim::billiards::TableGeometry> table_geometry;  // null: no table
     sim::billiards::TableMemo* tables = nullptr;  // tables that were built before, or null
+    std::vector<sim::AimedStrike> aims;           // of the world's events
 
     /// The place of a key by its path, or of the last part of the path that was given.
     [[nodiscard]] Place place_of(const std::vector<std::string>& path) const;
@@ -68,6 +70,7 @@ void warn_about_ball_positions(Builder& builder);  // far away or under the tabl
 void warn_about_coplanar_surfaces(Builder& builder);
 void warn_about_matte_names(Builder& builder);
 void check_world(Builder& builder);  // problems that the simulation finds
+void aim_strikes(Builder& builder);  // finds directions, if there is no error
 
 /// The balls of the rack; empty after a problem.
 [[nodiscard]] std::vector<sim::billiards::PlacedBall> place_rack(Builder& builder);

@@ -1,11 +1,14 @@
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <variant>
 
 #include "pipeline/config/build/builder.h"
+#include "pipeline/config/pocket_names.h"
 #include "pipeline/config/show_quantity.h"
+#include "sim/billiards/layout.h"
 
 namespace carom::pipeline::config {
 
@@ -35,13 +38,42 @@ void build_stick(Builder& builder) {
 
 namespace {
 
-/// The target is a spot of the table; check_references reports a name that is none.
-void aim_at_spot(sim::Strike& strike, const Builder& builder) {
-    const Vec2 spot = place_of_spot(builder, *strike.toward);
-    if (std::isfinite(spot.x)) {
-        strike.toward.reset();
-        strike.toward_point = Vec3(spot.x, spot.y, 0);
+/// The middle of a pocket; NaN if the table has none of that name.
+Vec2 place_of_pocket(const Builder& builder, const std::string& name) {
+    const auto& table = builder.shot.world.table;
+    const std::string own = table ? pocket_of_name(*table, name) : std::string();
+    if (!own.empty()) {
+        const double radius = measures_of_set(builder.file).radius;
+        for (const auto& layout : sim::billiards::make_layout(*table, radius).pockets) {
+            if (layout.pocket.name == own) {
+                return layout.pocket.centre;
+            }
+        }
     }
+    return Vec2(std::numeric_limits<double>::quiet_NaN());
+}
+
+/// The target is a spot or pocket of the table; check_references reports a name that is none.
+void aim_at_table(sim::Strike& strike, const Builder& builder) {
+    Vec2 place = place_of_spot(builder, *strike.toward);
+    if (!std::isfinite(place.x)) {
+        place = place_of_pocket(builder, *strike.toward);
+    }
+    if (std::isfinite(place.x)) {
+        strike.toward.reset();
+        strike.toward_point = Vec3(place.x, place.y, 0);
+    }
+}
+
+/// The direction of the strike is found when the world is complete.
+void note_aim(sim::Strike& strike, const sim::Aim& aim, Builder& builder) {
+    strike.direction = 0;
+    const auto& table = builder.shot.world.table;
+    sim::AimedStrike aimed{builder.shot.world.events.size(), aim};
+    if (auto* pot = std::get_if<sim::PotAim>(&aimed.aim); pot != nullptr && table) {
+        pot->pocket = pocket_of_name(*table, pot->pocket);
+    }
+    builder.aims.push_back(std::move(aimed));
 }
 
 }  // namespace
@@ -58,7 +90,10 @@ void build_events(Builder& builder) {
                 strike->toward.reset();
                 strike->toward_point = visible->second;
             } else if (strike->toward && !builder.placed.contains(*strike->toward)) {
-                aim_at_spot(*strike, builder);
+                aim_at_table(*strike, builder);
+            }
+            if (section.aim) {
+                note_aim(*strike, *section.aim, builder);
             }
         }
         if (auto* place = std::get_if<sim::PlaceBall>(&event.action);
@@ -74,6 +109,21 @@ void build_events(Builder& builder) {
         }
         builder.shot.world.events.push_back(std::move(event));
     }
+}
+
+void aim_strikes(Builder& builder) {
+    if (builder.aims.empty() || builder.reader.has_error()) {
+        return;
+    }
+    const sim::FoundAims found = sim::find_aims(builder.shot.world, builder.aims);
+    for (const Diagnostic& problem : found.problems) {
+        builder.report(problem);
+    }
+    for (const sim::FoundDirection& direction : found.directions) {
+        auto& strike = std::get<sim::Strike>(builder.shot.world.events[direction.event].action);
+        strike.direction = direction.radians();
+    }
+    builder.shot.found_directions = found.directions;
 }
 
 }  // namespace carom::pipeline::config

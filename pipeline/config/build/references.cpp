@@ -3,6 +3,7 @@
 
 #include "core/text.h"
 #include "pipeline/config/build/builder.h"
+#include "pipeline/config/pocket_names.h"
 #include "pipeline/config/text.h"
 #include "sim/billiards/spots.h"
 #include "sim/timeline/surface.h"
@@ -11,7 +12,7 @@ namespace carom::pipeline::config {
 
 namespace {
 
-void append(std::vector<std::string>& names, const std::set<std::string>& more) {
+void append(std::vector<std::string>& names, const auto& more) {
     names.insert(names.end(), more.begin(), more.end());
 }
 
@@ -21,6 +22,17 @@ std::vector<std::string> spot_names(const Builder& builder) {
         for (const auto& spot : sim::billiards::spots_of(*builder.shot.world.table)) {
             names.push_back(spot.name);
         }
+    }
+    return names;
+}
+
+/// All names of pockets.
+std::vector<std::string> all_pocket_names(const Builder& builder) {
+    const auto& table = builder.shot.world.table;
+    std::vector<std::string> names;
+    if (table) {
+        append(names, pocket_names(*table));
+        append(names, players_pocket_names(*table));
     }
     return names;
 }
@@ -36,8 +48,11 @@ std::vector<std::string> known_names(const Builder& builder, ReferenceKind kind)
             break;
         case ReferenceKind::spot:
             return spot_names(builder);
+        case ReferenceKind::pocket:
+            return all_pocket_names(builder);
         case ReferenceKind::aimed:
             names = spot_names(builder);
+            append(names, all_pocket_names(builder));
             [[fallthrough]];
         case ReferenceKind::placed:
             append(names, builder.bodies);
@@ -79,6 +94,8 @@ std::string noun(ReferenceKind kind) {
             return "object or surface";
         case ReferenceKind::spot:
             return "spot";
+        case ReferenceKind::pocket:
+            return "pocket";
         case ReferenceKind::placed:
         case ReferenceKind::aimed:
         case ReferenceKind::body:
@@ -119,6 +136,7 @@ std::string wrong_kind(const Builder& builder, const Reference& reference) {
         case ReferenceKind::placed:
         case ReferenceKind::aimed:
         case ReferenceKind::spot:
+        case ReferenceKind::pocket:
         case ReferenceKind::material:
             break;
     }
@@ -142,6 +160,27 @@ Message unknown_spot(const Builder& builder, const std::string& name,
             help.suggestion};
 }
 
+/// The problem of a name that is no pocket of the table.
+Message unknown_pocket(const Builder& builder, const std::string& name,
+                       const std::vector<std::string>& known) {
+    if (!builder.file.table) {
+        return quote(name) + " would be a pocket of the table, and the shot has no table";
+    }
+    if (known.empty()) {
+        return quote(name) + " would be a pocket of the table, and this table has none";
+    }
+    const sim::billiards::TableMeasures& table = *builder.shot.world.table;
+    if (const std::string own = ambiguous_pocket(table, name); !own.empty()) {
+        return quote(name) + " is ambiguous: it is " + quote(own) +
+               " in the plan, but players of snooker call the end of the black spot the top; say " +
+               enumerate(quoted(pocket_names(table)), "or");
+    }
+    const Message help = hint(name, known);
+    return {"there is no pocket " + quote(name) + help.text + "; the pockets of the table are " +
+                enumerate(quoted(pocket_names(table)), "and"),
+            help.suggestion};
+}
+
 }  // namespace
 
 void check_references(Builder& builder) {
@@ -151,11 +190,13 @@ void check_references(Builder& builder) {
             continue;
         }
         const bool is_spot = reference.kind == ReferenceKind::spot;
-        if (is_spot && builder.file.table && !builder.shot.world.table) {
+        const bool is_pocket = reference.kind == ReferenceKind::pocket;
+        if ((is_spot || is_pocket) && builder.file.table && !builder.shot.world.table) {
             continue;  // the problem of the table was reported
         }
-        Message message =
-            is_spot ? unknown_spot(builder, reference.name, known) : wrong_kind(builder, reference);
+        Message message = is_spot     ? unknown_spot(builder, reference.name, known)
+                          : is_pocket ? unknown_pocket(builder, reference.name, known)
+                                      : wrong_kind(builder, reference);
         if (message.text.empty()) {
             message = "there is no " + noun(reference.kind) + " " + quote(reference.name) +
                       hint(reference.name, known);

@@ -1,3 +1,4 @@
+#include <array>
 #include <numbers>
 
 #include "pipeline/config/sections/occurrences.h"
@@ -13,9 +14,20 @@ using sim::Strike;
 
 constexpr double kLongest = 3600;  // s
 
+/// A strike with what its keys say beside the event.
+struct StrikeSection : ForceEvent {
+    std::optional<std::string> pot, in, of, hit;
+    std::optional<double> cut;
+    double fullness = 1;
+    std::optional<sim::Side> side;
+    std::optional<Vec2> through;
+    std::optional<bool> shows_stick;
+};
+
 /// Adds the keys for the time of an event, which all kinds have.
-void add_start(MapSpec<ForceEvent>& s) {
-    s.key("at", &ForceEvent::time, time(between(0, kLongest)),
+template <class Event>
+void add_start(MapSpec<Event>& s) {
+    s.key("at", &Event::time, time(between(0, kLongest)),
           "scene time. With `when`, the event does not happen before it");
     s.set(
         "when", condition(),
@@ -153,8 +165,8 @@ Strike& strike_of(ForceEvent& event) {
     return std::get<Strike>(event.action);
 }
 
-/// Adds the target of a strike: an object's name or a point.
-void add_toward(MapSpec<ForceEvent>& s) {
+/// Adds the target of a strike: the name of an object, spot or pocket, or a point.
+void add_toward(MapSpec<StrikeSection>& s) {
     const auto by_name = convert<Strike>(name_of(ReferenceKind::aimed), [](std::string name) {
         Strike strike;
         strike.toward = std::move(name);
@@ -172,11 +184,83 @@ void add_toward(MapSpec<ForceEvent>& s) {
             strike_of(event).toward = aim.toward;
             strike_of(event).toward_point = aim.toward_point;
         },
-        "target of the aim: the centre of an object at that moment, a spot of the table, or a "
-        "point. An object comes before a spot of the same name");
+        "target of the aim: the centre of an object at that moment, a spot or pocket of the table, "
+        "or a point. An object comes before a spot of the same name");
 }
 
-void check_tip(Reader& reader, const Node& node, ForceEvent& event) {
+/// A part of a ball: a number, or a player's word.
+ValueType<double> fullness() {
+    const auto is_players_word = [](const Node& node) {
+        return node.is_scalar() && (node.text == "full" || node.text == "thin");
+    };
+    return any_of<double>({{is_players_word, choice<double>({{"full", 1}, {"thin", 1.0 / 8}})},
+                           {is_number, number(above_up_to(0, 1))}});
+}
+
+/// Adds the aims that are found by simulating (sim/aim).
+void add_found_aims(MapSpec<StrikeSection>& s) {
+    s.key("pot", &StrikeSection::pot, name_of(ReferenceKind::ball),
+          "instead of `direction`: the ball that is potted. The direction is found by simulating, "
+          "with throw, squirt and swerve, as for `cut`, `hit` and `through`");
+    s.key(
+         "in", &StrikeSection::in, name_of(ReferenceKind::pocket),
+         "the pocket: `corner_right_back`, or as it lies in the plan `top right` (docs/tables.md). "
+         "By default that of the open ones for which the strike may err most")
+        .goes_with({"pot"});
+    s.key("cut", &StrikeSection::cut, angle(from_below(0, std::numbers::pi / 2)),
+          "instead of `direction`: the angle by which the ball `of` leaves from the line on which "
+          "the struck ball comes");
+    s.key("of", &StrikeSection::of, name_of(ReferenceKind::ball), "the ball that is cut")
+        .needed_by("cut");
+    s.key("hit", &StrikeSection::hit, name_of(ReferenceKind::ball),
+          "instead of `direction`: the ball that is hit, with `fullness`");
+    s.key("fullness", &StrikeSection::fullness, fullness(),
+          "the part of the ball `hit` that the struck ball covers, seen along its path: `1/2` is a "
+          "half-ball hit, `thin` 1/8")
+        .goes_with({"hit"});
+    s.key("side", &StrikeSection::side,
+          choice<sim::Side>({{"left", sim::Side::left}, {"right", sim::Side::right}}),
+          "as seen from the struck ball: to which side the ball goes with `cut`, on which side it "
+          "is touched with `hit`")
+        .goes_with({"cut", "hit"});
+    s.key("through", &StrikeSection::through, vector2(Dimension::length),
+          "instead of `direction`: a point over which the ball's centre passes before it touches "
+          "anything");
+}
+
+/// Reports an aim at the struck ball itself, and a missing side.
+void check_aim(Reader& reader, const Node& node, StrikeSection& section) {
+    for (const char* key : {"pot", "of", "hit"}) {
+        const Entry* entry = node.find(key);
+        if (entry != nullptr && entry->value.is_scalar() && entry->value.text == section.object) {
+            reader.error(entry->value.place, "a ball cannot be aimed at itself");
+        }
+    }
+    const bool needs_side = section.cut || (section.hit && section.fullness < 1);
+    if (needs_side && node.find("side") == nullptr) {
+        const std::string key = section.cut ? "cut" : "hit";
+        reader.error(node.find(key)->key_place,
+                     "'" + key + "' needs the key 'side'" +
+                         (section.hit ? ", unless its 'fullness' is full" : ""));
+    }
+}
+
+std::optional<sim::Aim> aim_of(const StrikeSection& section) {
+    if (section.pot) {
+        return sim::PotAim{*section.pot, section.in.value_or("")};
+    }
+    if (section.cut) {
+        return sim::CutAim{section.of.value_or(""), *section.cut,
+                           section.side.value_or(sim::Side::left)};
+    }
+    if (section.hit) {
+        return sim::HitAim{*section.hit, section.fullness, section.side.value_or(sim::Side::left)};
+    }
+    return section.through ? std::optional<sim::Aim>(sim::ThroughAim{*section.through})
+                           : std::nullopt;
+}
+
+void check_tip(Reader& reader, const Node& node, StrikeSection& event) {
     const Vec2& tip = strike_of(event).tip;
     if (tip.dot(tip) >= 1) {
         reader.error(node.find("tip")->value.place,
@@ -185,7 +269,7 @@ void check_tip(Reader& reader, const Node& node, ForceEvent& event) {
     }
 }
 
-void add_strike_keys(MapSpec<ForceEvent>& s) {
+void add_strike_keys(MapSpec<StrikeSection>& s) {
     s.key(
         "speed", [](ForceEvent& e) -> std::optional<double>& { return strike_of(e).speed; },
         quantity(Dimension::speed, above_up_to(0, 100)),
@@ -200,6 +284,7 @@ void add_strike_keys(MapSpec<ForceEvent>& s) {
     s.key(
         "direction", [](ForceEvent& e) -> std::optional<double>& { return strike_of(e).direction; },
         angle(), "direction of the aim, counter-clockwise from +x");
+    add_found_aims(s);
     s.key(
         "elevation", [](ForceEvent& e) -> double& { return strike_of(e).elevation; },
         angle(from_below(0, std::numbers::pi / 2)), "angle by which the stick's butt is raised");
@@ -221,27 +306,34 @@ void add_strike_keys(MapSpec<ForceEvent>& s) {
         "restitution of the tip: 0.73 for leather, 0.84 for a phenolic one (Alciatore, TP B-8)");
 }
 
-const MapSpec<ForceEvent>& strike_spec() {
-    static const MapSpec<ForceEvent> spec = [] {
-        MapSpec<ForceEvent> s =
-            event_of<Strike>("strike",
-                             "A cue stick strikes a ball (Alciatore, TP A-30, A-31 "
-                             "and B-8).");
-        s.key("ball", &ForceEvent::object, name_of(ReferenceKind::ball), "the ball").required();
+const MapSpec<StrikeSection>& strike_spec() {
+    static const MapSpec<StrikeSection> spec = [] {
+        StrikeSection prototype;
+        prototype.action.emplace<Strike>();
+        MapSpec<StrikeSection> s(
+            "strike", "A cue stick strikes a ball (Alciatore, TP A-30, A-31 and B-8).", prototype);
+        s.key("ball", &StrikeSection::object, name_of(ReferenceKind::ball), "the ball").required();
         add_start(s);
         add_strike_keys(s);
-        s.set(
-            "stick", shown_or_hidden(), [](ForceEvent&, bool) {},  // see event_spec()
+        s.key(
+            "stick", &StrikeSection::shows_stick, shown_or_hidden(),
             "whether the cue stick of this strike is seen. The default is the shot's own `stick`");
         s.exactly_one_of({"speed", "ball_speed"});
-        s.exactly_one_of({"toward", "direction"});
+        s.exactly_one_of({"toward", "direction", "pot", "cut", "hit", "through"});
         s.check(check_tip);
+        s.check(check_aim);
         return s;
     }();
     return spec;
 }
 
 }  // namespace
+
+std::span<const std::string_view> aim_keys() {
+    static constexpr std::array<std::string_view, 8> kKeys{"pot", "in",       "cut",  "of",
+                                                           "hit", "fullness", "side", "through"};
+    return kKeys;
+}
 
 void add_event_start(MapSpec<ForceEvent>& spec) {
     add_start(spec);
@@ -253,7 +345,14 @@ const MapSpec<EventSection>& event_spec() {
         const auto store = [](EventSection& section, ForceEvent event) {
             section.event = std::move(event);
         };
-        s.set("strike", record(strike_spec()), store, "a strike with a cue stick");
+        s.set(
+            "strike", record(strike_spec()),
+            [](EventSection& section, StrikeSection strike) {
+                section.aim = aim_of(strike);
+                section.shows_stick = strike.shows_stick;
+                section.event = std::move(strike);
+            },
+            "a strike with a cue stick");
         s.set("impulse", record(impulse_spec()), store, "an instantaneous impulse");
         s.set("force", record(force_spec()), store, "a force that acts for some time");
         s.set("torque", record(torque_spec()), store, "a torque that acts for some time");
@@ -262,12 +361,6 @@ const MapSpec<EventSection>& event_spec() {
         s.set("remove", record(remove_spec()), store, "a ball that is taken off the table");
         s.exactly_one_of({"strike", "impulse", "force", "torque", "velocity", "place", "remove"});
         s.check([](Reader& reader, const Node& node, EventSection& section) {
-            // The stick's look is not part of the event that is simulated.
-            const Entry* strike = node.find("strike");
-            const Entry* stick = strike != nullptr ? strike->value.find("stick") : nullptr;
-            if (stick != nullptr) {
-                section.shows_stick = stick->value.text == "shown";
-            }
             section.place = node.entries.empty() ? reader.key_place() : node.entries[0].key_place;
         });
         return s;

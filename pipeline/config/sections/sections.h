@@ -2,6 +2,9 @@
 // and is constant afterwards.
 #pragma once
 
+#include <span>
+#include <string_view>
+
 #include "pipeline/config/film_section.h"
 #include "pipeline/config/map_spec.h"
 #include "pipeline/config/shot_file.h"
@@ -26,6 +29,8 @@ struct NotStored {};
 [[nodiscard]] const MapSpec<ObjectSection>& object_spec();
 [[nodiscard]] const MapSpec<KeyedMotion>& motion_spec();
 [[nodiscard]] const MapSpec<EventSection>& event_spec();
+/// The keys of a strike that say what it shall do, from which its direction is found.
+[[nodiscard]] std::span<const std::string_view> aim_keys();
 [[nodiscard]] const MapSpec<render::MaterialDescription>& material_spec();
 [[nodiscard]] const MapSpec<LightSection>& light_spec();
 [[nodiscard]] const MapSpec<CameraRig>& camera_spec();

@@ -97,10 +97,10 @@ function suggestions(types: readonly ValueType[]): string[] {
         : type.kind !== 'name' ? []
             : type.of === 'a material' ? names.materials
                 : type.of === 'a ball' ? names.balls
-                : type.of === 'a spot of the table' ? names.spots
-                    : [...names.balls, ...names.objects,
+                    : [...type.of.endsWith(' of the table') ? [] : [...names.balls, ...names.objects],
                         ...type.of.includes('surface') ? names.surfaces : [],
-                        ...type.of.includes('spot') ? names.spots : []]);
+                        ...type.of.includes('spot') ? names.spots : [],
+                        ...type.of.includes('pocket') ? names.pockets : []]);
 }
 
 /// A text that is typed, and kept while messages of the server draw the page again.

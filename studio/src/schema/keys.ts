@@ -36,8 +36,15 @@ function meaningless(node: SchemaNode, present: readonly string[]): string[] {
         return kinds ? [{ name, kinds }] : [];
     });
     const kind = present.find((key) => limited.some(({ kinds }) => kinds.includes(key)));
-    return kind === undefined ? []
+    const ofOthers = kind === undefined ? []
         : limited.filter(({ kinds }) => !kinds.includes(kind)).map(({ name }) => name);
+    return [...ofOthers, ...needy(node, (partner) => !present.includes(partner))];
+}
+
+/// The keys that have a meaning beside one of some others only, all of which are missing.
+function needy(node: SchemaNode, isMissing: (partner: string) => boolean): string[] {
+    return Object.entries(node.properties ?? {}).flatMap(([name, one]) =>
+        one['x-only-with']?.every(isMissing) ? [name] : []);
 }
 
 /// What two types have in common if they differ only in whether they may be merged.
@@ -100,12 +107,15 @@ export function keysAt(schema: Schema, path: KeyPath, present: readonly string[]
     return [...found.values()];
 }
 
-/// The keys that contradict the one that a path ends with: beside `direction`, there is no `toward`.
+/// The keys that contradict the one that a path ends with: beside `direction`, there is no `pot`,
+/// and so no `in`, which belongs to that.
 export function rivalsOf(schema: Schema, path: KeyPath): string[] {
     const name = path[path.length - 1] ?? '';
-    const pairs = mapsOf(typesAt(schema, path.slice(0, -1)), [name]).flatMap(exclusions);
-    return [...new Set(pairs.filter((pair) => pair.includes(name)).flat())]
+    const maps = mapsOf(typesAt(schema, path.slice(0, -1)), [name]);
+    const rivals = maps.flatMap(exclusions).filter((pair) => pair.includes(name)).flat()
         .filter((key) => key !== name);
+    const theirs = maps.flatMap((map) => needy(map, (partner) => rivals.includes(partner)));
+    return [...new Set([...rivals, ...theirs])];
 }
 
 /// What the schema says about the key that a path ends with; null for names and items of lists.

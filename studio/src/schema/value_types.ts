@@ -31,6 +31,7 @@ export interface SchemaNode {
     'x-keys-of'?: string;
     'x-file'?: boolean;
     'x-goes-with'?: string[];
+    'x-only-with'?: string[];
 }
 
 export interface Schema extends SchemaNode {

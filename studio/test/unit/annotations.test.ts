@@ -88,7 +88,7 @@ test('KeysAt_KeysOfOtherKinds_AreLeftOut', () => {
 
 test('Snippets_OfAnnotations_FitOneLine', () => {
     const names = { balls: ['cue', 'one'], objects: [], materials: [], lights: [], cameras: [],
-        surfaces: [], spots: [] };
+        surfaces: [], spots: [], pockets: [] };
     const kinds = (some: typeof names) => snippetsFor(['annotations'], some, 0);
     assert.ok(kinds(names).every(({ yaml }) => !yaml.includes('\n')));
     assert.ok(kinds(names).some(({ yaml }) => yaml === 'ghost: {of: ${cue}, on: ${one}}'));

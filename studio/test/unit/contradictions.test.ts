@@ -29,7 +29,10 @@ beforeEach(() => { schema.value = all; });
 
 test('RivalsOf_Keys_AreThoseThatContradictThem', () => {
     const of = (path: string) => rivalsOf(all, path.split('.')).sort();
-    assert.deepEqual(of('events.0.strike.direction'), ['toward']);
+    assert.deepEqual(of('events.0.strike.direction'),
+        ['cut', 'fullness', 'hit', 'in', 'of', 'pot', 'side', 'through', 'toward']);
+    assert.deepEqual(of('events.0.strike.hit'),
+        ['cut', 'direction', 'in', 'of', 'pot', 'through', 'toward']); // `side` belongs to it, too
     assert.deepEqual(of('events.0.strike.speed'), ['ball_speed']);
     assert.deepEqual(of('events.0.strike.tip'), []);
     assert.deepEqual(of('balls.cue.at'), ['touching']);
@@ -46,6 +49,9 @@ test('Gesture_DirectionOnEveryFormOfAStrike_LeavesOneWayToAim', () => {
         ['{ball: cue, direction: 5 deg, speed: 3}', '{ball: cue, direction: 17 deg, speed: 3}'],
         ['{toward: one, direction: 5 deg, speed: 3}', '{direction: 17 deg, speed: 3}'],
         ['{ball: cue, speed: 3}', '{ball: cue, speed: 3, direction: 17 deg}'],
+        ['{ball: cue, pot: one, speed: 3}', '{ball: cue, direction: 17 deg, speed: 3}'],
+        ['{ball: cue, pot: one, in: top left, speed: 3}', '{ball: cue, speed: 3, direction: 17 deg}'],
+        ['{cut: 30 deg, of: one, side: left, speed: 3}', '{speed: 3, direction: 17 deg}'],
         ['\n      toward: one  # aim\n      speed: 3', '\n      direction: 17 deg  # aim\n      speed: 3'],
     ] as const) {
         const text = `events:\n  - strike: ${before}\n`;

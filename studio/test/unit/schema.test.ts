@@ -23,7 +23,7 @@ test('TypesAt_Values_SayTheirUnitRangeAndNames', () => {
         units: ['s', 'ms', 'min'], needsUnit: false, zeroNeedsUnit: false, low: 0, high: 3600,
         range: 'more than 0 s and at most 3600 s' }]);
     assert.ok(at('events.0.strike.toward').some((type) =>
-        type.kind === 'name' && type.of === 'a ball, object or spot'));
+        type.kind === 'name' && type.of === 'a ball, object, spot or pocket'));
     assert.ok(at('balls.cue.at').some((type) =>
         type.kind === 'name' && type.of === 'a spot of the table'));
     assert.deepEqual(at('cameras.2.target.follow'), [{ kind: 'name', of: 'a ball or moving object' }]);
@@ -43,6 +43,12 @@ test('KeysAt_Maps_OfferWhatMayBeAdded', () => {
         ['strike', 'impulse', 'force', 'torque', 'velocity', 'place', 'remove']);
     assert.deepEqual(names('events.0', ['force']), []);
     assert.ok(names('balls.cue', ['at']).includes('spin'));
+    const beside = (...present: string[]) => names('events.0.strike', present)
+        .filter((name) => ['pot', 'in', 'of', 'hit', 'fullness', 'side'].includes(name));
+    assert.deepEqual(beside(), ['pot', 'hit']);
+    assert.deepEqual(beside('pot'), ['in']);
+    assert.deepEqual(beside('cut'), ['of', 'side']);
+    assert.deepEqual(beside('hit'), ['fullness', 'side']);
     const step = keyAt(schema, ['simulation', 'step']);
     assert.equal(step?.about, 'longest time step between two contacts');
     assert.equal(step?.usual, '1/240 s');

@@ -29,7 +29,7 @@ export interface Known {
 }
 
 export const kNoNames: Names = {
-    balls: [], objects: [], materials: [], lights: [], cameras: [], surfaces: [], spots: [],
+    balls: [], objects: [], materials: [], lights: [], cameras: [], surfaces: [], spots: [], pockets: [],
 };
 
 function name(label: string, detail: string): Candidate {
@@ -41,16 +41,17 @@ function namesOf(names: Names, of: string): Candidate[] {
     if (of === 'a material') {
         return names.materials.map((one) => name(one, 'material'));
     }
-    const spots = names.spots.map((one) => name(one, 'spot'));
-    if (of === 'a spot of the table') {
-        return spots;
+    const places = [...of.includes('spot') ? names.spots.map((one) => name(one, 'spot')) : [],
+        ...of.includes('pocket') ? names.pockets.map((one) => name(one, 'pocket')) : []];
+    if (of.endsWith(' of the table')) {
+        return places;
     }
     const balls = names.balls.map((one) => name(one, 'ball'));
     const objects = names.objects.map((one) => name(one, 'object'));
     return of === 'a ball' ? balls
         : of === 'an object or surface'
             ? [...balls, ...objects, ...names.surfaces.map((one) => name(one, 'surface'))]
-            : [...balls, ...objects, ...of.includes('spot') ? spots : []];
+            : [...balls, ...objects, ...places];
 }
 
 /// The keys of the shot's map "conditions.cloth" as words.
