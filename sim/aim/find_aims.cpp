@@ -21,6 +21,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kRightAngle = std::numbers::pi / 2;
+constexpr double kNear = 1e-4;      // m, too near for a direction
 constexpr double kLongestWay = 30;  // s, of balls after a strike
 
 double length_of(const Vec2& v) {
@@ -105,6 +106,9 @@ class Search {
         const billiards::LyingBall* object = setting_.find(name);
         if (object == nullptr) {
             fail(in_quotes(name) + " is not on the table when " + in_quotes(ball_) + " is struck");
+        } else if (length_of(object->place - from_) < kNear) {
+            fail(in_quotes(name) + " is straight above or below " + in_quotes(ball_));
+            object = nullptr;
         }
         return object;
     }
@@ -140,9 +144,9 @@ class Search {
 };
 
 std::optional<double> Search::find_for(const ThroughAim& aim) {
-    constexpr double kTolerance = 1e-6, kAccepted = 1e-4;  // m
+    constexpr double kTolerance = 1e-6;  // m
     const double distance = length_of(aim.point - from_);
-    if (distance < kAccepted) {
+    if (distance < kNear) {
         return fail(in_quotes(ball_) + " lies on that point when it is struck");
     }
     const Line line = line_through(aim.point);
@@ -155,7 +159,7 @@ std::optional<double> Search::find_for(const ThroughAim& aim) {
             miss.instead = played.instead;
             return miss;
         });
-    if (!solved.direction || std::abs(solved.miss) > kAccepted) {
+    if (!solved.direction || std::abs(solved.miss) > kNear) {
         return fail(in_quotes(ball_) + " cannot pass through that point" + because(solved.instead));
     }
     return solved.direction;

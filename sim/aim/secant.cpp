@@ -1,5 +1,6 @@
 #include "sim/aim/secant.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -8,6 +9,7 @@ namespace carom::sim {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kFarthest = std::numbers::pi / 2;  // of a direction from the first one
 
 struct Point {
     double direction = 0;
@@ -61,6 +63,10 @@ Solved solve_direction(double start, double tolerance, const std::function<Miss(
         if (left && right && !(next > *right && next < *left)) {
             next = 0.5 * (*left + *right);
         }
+        if (!std::isfinite(next)) {
+            break;
+        }
+        next = std::clamp(next, start - kFarthest, start + kFarthest);
         next = from_microdegrees(to_microdegrees(next));
         if (next == at) {
             break;

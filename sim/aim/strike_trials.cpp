@@ -83,20 +83,21 @@ std::optional<NextStrike> next_strike(const Trials& trials, const std::vector<Fo
         }
         return next.has_value();
     };
-    const Outcome outcome = *trials.run(std::move(marked), limits);
+    limits.max_steps = kMostTrialSteps;
+    const std::optional<Outcome> outcome = trials.run(std::move(marked), limits);
     for (const Body& body : trials.world().bodies) {
         const auto* sphere = std::get_if<Sphere>(&body.shape);
-        if (!next || sphere == nullptr) {
+        if (!next || !outcome || sphere == nullptr) {
             continue;
         }
         const Vec3 place = body.kind == BodyKind::dynamic
-                               ? state_of(trials, outcome, body.name).position
+                               ? state_of(trials, *outcome, body.name).position
                                : body.pose.position;
         if (place.z > 0) {
             next->setting.balls.push_back({body.name, level(place), sphere->radius});
         }
     }
-    return next;
+    return outcome ? next : std::nullopt;
 }
 
 StrikeTrials::StrikeTrials(const Trials& trials, const std::vector<ForceEvent>& events,
@@ -118,12 +119,13 @@ std::vector<ForceEvent> StrikeTrials::events_at(double direction) const {
     return events;
 }
 
-Outcome StrikeTrials::run(std::vector<ForceEvent> events,
-                          std::function<bool(const Event&)> is_answered) {
+std::optional<Outcome> StrikeTrials::run(std::vector<ForceEvent> events,
+                                         std::function<bool(const Event&)> is_answered) {
     ++count_;
     TrialLimits limits;
     limits.is_answered = std::move(is_answered);
-    return *trials_.run(std::move(events), limits);
+    limits.max_steps = kMostTrialSteps;
+    return trials_.run(std::move(events), limits);
 }
 
 Vec2 StrikeTrials::centre_of(const std::string& name, const Event& event) const {
@@ -185,7 +187,7 @@ Played StrikeTrials::play(double direction, const std::string& target, const Lin
                                line.point + line.across * line.half_length};
     Played played;
     bool is_struck = false;
-    const Outcome outcome = run(std::move(events), [&](const Event& event) {
+    const std::optional<Outcome> outcome = run(std::move(events), [&](const Event& event) {
         if (!is_struck) {
             is_struck = is_this_strike(event);
             return false;
@@ -207,10 +209,13 @@ Played StrikeTrials::play(double direction, const std::string& target, const Lin
         return played.crossing || !played.instead.empty();
     });
     const bool is_over = follows ? played.end.has_value() : played.contact.has_value();
-    if (!is_over && !played.crossing && played.instead.empty()) {
+    if (!outcome) {
+        played = Played{};
+        played.instead = "that takes too many steps of the simulation";
+    } else if (!is_over && !played.crossing && played.instead.empty()) {
         played.instead = "the shot ends before that";
     } else if (played.contact) {
-        played.velocity = level(state_of(trials_, outcome, target).velocity);
+        played.velocity = level(state_of(trials_, *outcome, target).velocity);
     }
     return played;
 }
@@ -223,9 +228,9 @@ Vec2 StrikeTrials::velocity_before(double direction, double time) {
     // Neither friction nor a curve changes a velocity visibly in so short a time.
     before.time = std::max(setting_.time, time - 1e-8);
     before.action = mark(number);
-    const Outcome outcome =
+    const std::optional<Outcome> outcome =
         run(std::move(events), [&](const Event& event) { return is_mark(event, number); });
-    return level(state_of(trials_, outcome, ball_).velocity);
+    return outcome ? level(state_of(trials_, *outcome, ball_).velocity) : Vec2(0);
 }
 
 std::optional<Event> StrikeTrials::end_of(double direction, const std::string& ball) {

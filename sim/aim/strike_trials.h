@@ -21,8 +21,12 @@ struct Setting {
     [[nodiscard]] const billiards::LyingBall* find(const std::string& name) const;
 };
 
+/// Steps of a trial as bake_within counts them. More take too long for what a shot says.
+inline constexpr std::uint64_t kMostTrialSteps = 15'000'000;
+
 /// The setting of the first of the strikes that happens, whatever its direction, and which it is:
-/// an index of `strikes`, which are indices of events. Empty if none happens.
+/// an index of `strikes`, which are indices of events. Empty if none happens within
+/// kMostTrialSteps.
 struct NextStrike {
     std::size_t which = 0;
     Setting setting;
@@ -74,7 +78,8 @@ class StrikeTrials {
     [[nodiscard]] Vec2 centre_of(const std::string& name, const Event& event) const;
 
   private:
-    Outcome run(std::vector<ForceEvent> events, std::function<bool(const Event&)> is_answered);
+    std::optional<Outcome> run(std::vector<ForceEvent> events,
+                               std::function<bool(const Event&)> is_answered);
     [[nodiscard]] std::vector<ForceEvent> events_at(double direction) const;
     [[nodiscard]] bool is_this_strike(const Event& event) const;
     [[nodiscard]] std::string what_instead(const Event& event) const;
