@@ -226,11 +226,12 @@ class MapSpec {
         return *this;
     }
 
-    /// The key added last has a meaning only together with `partner`, which requires it.
-    MapSpec& needed_by(std::string partner) {
-        table_.pair_last({std::move(partner)}, true);
+    /// The key added last has a meaning only together with one of `partners`, which require it.
+    MapSpec& needed_by(std::vector<std::string> partners) {
+        table_.pair_last(std::move(partners), true);
         return *this;
     }
+    MapSpec& needed_by(const char* partner) { return needed_by(std::vector<std::string>{partner}); }
 
     /// The key added last cannot be given together with some values of another key.
     MapSpec& excluded_by(Exclusion exclusion) {

@@ -74,10 +74,15 @@ struct BallLook {
     std::optional<double> disc_radius;
 };
 
-/// The place of a ball that touches another one.
+/// The sides of a table, as TableLayout::sides lists them.
+enum class TableSide { front, right, back, left };
+
+/// The place of a ball that touches another body or a cushion.
 struct TouchingPlace {
-    std::string ball;
-    double direction = 0;  // of this ball as seen from the other, counter-clockwise from +x, rad
+    std::string partner;   // a ball or an object; empty: the cushion
+    double direction = 0;  // of this ball as seen from it, counter-clockwise from +x, rad
+    std::optional<TableSide> cushion;
+    std::optional<double> along;  // of the centre at the cushion: its x or y, m
 };
 
 struct BallSection {

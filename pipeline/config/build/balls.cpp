@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 
-#include "core/elementary.h"
 #include "pipeline/config/build/builder.h"
 #include "pipeline/shot/ball_orientation.h"
 #include "pipeline/shot/default_look.h"
@@ -97,55 +95,6 @@ sim::Body make_body(const Ball& ball, const Builder& builder) {
     return body;
 }
 
-/// The centre of a ball of radius `radius` that lies on the cloth and touches `other`.
-Vec3 position_against(const sim::Body& other, double radius, double direction) {
-    const double other_radius = std::get<sim::Sphere>(other.shape).radius;
-    const double distance = 2 * std::sqrt(radius * other_radius);
-    const SinCos turn = sin_cos(direction);
-    const Vec3& centre = other.pose.position;
-    return {centre.x + distance * turn.cos, centre.y + distance * turn.sin, radius};
-}
-
-/// Places the balls that touch others, starting from those whose partner has its place.
-void place_touching_balls(Builder& builder, const std::vector<Ball>& balls,
-                          std::vector<sim::Body>& bodies) {
-    std::map<std::string, sim::Body*> placed;
-    std::vector<std::size_t> waiting;
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        if (balls[i].section != nullptr && balls[i].section->touching) {
-            waiting.push_back(i);
-        } else {
-            placed[balls[i].name] = &bodies[i];
-        }
-    }
-    const auto place = [&](std::size_t i) {
-        const TouchingPlace& touching = *balls[i].section->touching;
-        const auto other = placed.find(touching.ball);
-        if (other == placed.end()) {
-            return false;
-        }
-        const double radius = std::get<sim::Sphere>(bodies[i].shape).radius;
-        bodies[i].pose.position = position_against(*other->second, radius, touching.direction);
-        placed[balls[i].name] = &bodies[i];
-        return true;
-    };
-    for (std::size_t before = 0; before != waiting.size();) {
-        before = waiting.size();
-        std::erase_if(waiting, place);
-    }
-    const auto exists = [&](std::size_t i) {
-        return std::ranges::find(balls, balls[i].section->touching->ball, &Ball::name) !=
-               balls.end();
-    };
-    if (!waiting.empty() && std::ranges::all_of(waiting, exists)) {  // else a name is unknown
-        const Ball& first = balls[waiting.front()];
-        builder.reader.error(first.place, "ball '" + first.name + "' touches '" +
-                                              first.section->touching->ball +
-                                              "', but none of the balls that touch each other has "
-                                              "a place: one needs the key 'at'");
-    }
-}
-
 void override_paint(render::BallTexture& texture, const BallLook& look) {
     texture.colour = look.colour.value_or(texture.colour);
     texture.white = look.white.value_or(texture.white);
@@ -209,7 +158,6 @@ void build_balls(Builder& builder) {
     for (const Ball& ball : balls) {
         bodies.push_back(make_body(ball, builder));
     }
-    place_touching_balls(builder, balls, bodies);
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const Ball& ball = balls[i];
         if (!builder.claim_name(ball.name, ball.place, "ball")) {

@@ -39,6 +39,7 @@ Shot build_shot(const ShotFile& file, const Node& root, const std::string& name,
     build_table(builder);
     build_balls(builder);
     build_objects(builder);
+    place_touching_balls(builder);
     build_table_scene(builder);
     build_stick(builder);
     build_look(builder);

@@ -54,6 +54,7 @@ struct Builder {
 void build_table(Builder& builder);  // the dimensions of the table
 void build_balls(Builder& builder);  // bodies and scene objects
 void build_objects(Builder& builder);
+void place_touching_balls(Builder& builder);
 void build_table_scene(Builder& builder);  // the geometry of the table
 void build_stick(Builder& builder);        // the cue stick, if it is seen
 void build_look(Builder& builder);         // materials and lights

@@ -72,13 +72,27 @@ const MapSpec<BallSetSection>& ball_set_spec() {
 const MapSpec<TouchingPlace>& touching_spec() {
     static const MapSpec<TouchingPlace> spec = [] {
         MapSpec<TouchingPlace> s("touching",
-                                 "Places a ball against another one, as players say frozen to it: "
-                                 "both lie on the cloth and touch.");
-        s.key("ball", &TouchingPlace::ball, name_of(ReferenceKind::ball), "the other ball")
-            .required();
+                                 "Places a ball on the cloth against another one, the side of an "
+                                 "object or a cushion, as players say frozen to it.");
+        s.key("ball", &TouchingPlace::partner, name_of(ReferenceKind::ball),
+              "the other ball, which lies on the cloth, too");
+        s.key("object", &TouchingPlace::partner, name_of(ReferenceKind::touchable),
+              "an object with physics that is no mesh");
         s.key("direction", &TouchingPlace::direction, angle(),
-              "where this ball lies as seen from the other, counter-clockwise from +x")
-            .required();
+              "where this ball lies as seen from the centre of the other or of the object, "
+              "counter-clockwise from +x")
+            .needed_by({"ball", "object"});
+        s.key("cushion", &TouchingPlace::cushion,
+              choice<TableSide>({{"front", TableSide::front},
+                                 {"right", TableSide::right},
+                                 {"back", TableSide::back},
+                                 {"left", TableSide::left}}),
+              "the side of the table: `front` is -y, `right` +x (docs/tables.md)");
+        s.key("along", &TouchingPlace::along, length(),
+              "where the ball lies at the cushion: its x at `front` and `back`, its y at `left` "
+              "and `right`")
+            .needed_by("cushion");
+        s.exactly_one_of({"ball", "object", "cushion"});
         return s;
     }();
     return spec;
@@ -93,7 +107,7 @@ const MapSpec<BallSection>& ball_spec() {
               "position of the centre, or a spot of the table. With two coordinates or a spot the "
               "ball lies on the cloth. This or `touching` is required unless the ball is racked");
         s.key("touching", &BallSection::touching, record(touching_spec()),
-              "position against another ball");
+              "position against another ball, an object or a cushion");
         s.at_most_one_of({"at", "touching"});
         s.key("velocity", &BallSection::velocity,
               coordinates(Dimension::speed, between(-sim::kMaxSpeed, sim::kMaxSpeed)),
