@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "core/splitmix.h"
+#include "sim/aim/find_aims.h"
 #include "sim/bake.h"
 #include "sim/billiards/rack.h"
 #include "sim/trials.h"
@@ -192,6 +193,19 @@ void cut_shots_as_trials(benchmark::State& state, bool stops) {
     check_variants(state, potted);
 }
 
+/// The direction of a strike that shall pot the ball of a cut shot, or cut it by 30 degrees.
+void aim(benchmark::State& state, const Aim& aim) {
+    const WorldDescription world = cut_shot();
+    for (auto _ : state) {
+        const FoundAims found = find_aims(world, {{0, aim}});
+        if (!found.problems.empty()) {
+            state.SkipWithError("the direction was not found");
+            return;
+        }
+        state.counters["trials"] = found.directions[0].trials;
+    }
+}
+
 /// `count` boxes that rest apart from each other, and one that slides past them.
 void resting_boxes(benchmark::State& state) {
     const auto box = [](const std::string& name, const Vec3& place) {
@@ -224,6 +238,8 @@ void resting_boxes(benchmark::State& state) {
 BENCHMARK(cut_shots_as_bakes)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(cut_shots_as_trials, to_the_end, false)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(cut_shots_as_trials, until_answered, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(aim, pot, PotAim{"one", ""})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(aim, cut, CutAim{"one", 0.52, Side::left})->Unit(benchmark::kMillisecond);
 BENCHMARK(resting_boxes)->Arg(100)->Arg(400)->Arg(1600)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(break_shot, nine_ball, billiards::RackKind::nine_ball)
     ->Unit(benchmark::kMillisecond);

@@ -21,8 +21,9 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kRightAngle = std::numbers::pi / 2;
-constexpr double kNear = 1e-4;      // m, too near for a direction
-constexpr double kLongestWay = 30;  // s, of balls after a strike
+constexpr double kNear = 1e-4;              // m, too near for a direction
+constexpr double kMostThrow = 6 * kDegree;  // of touching balls (docs/measured.md)
+constexpr double kLongestWay = 30;          // s, of balls after a strike
 
 double length_of(const Vec2& v) {
     return std::sqrt(v.dot(v));
@@ -39,6 +40,11 @@ std::string in_quotes(const std::string& name) {
 /// ": why", or nothing.
 std::string because(const std::string& reason) {
     return reason.empty() ? reason : ": " + reason;
+}
+
+/// Why no direction was found at all.
+std::string reason_of(const Solved& solved) {
+    return solved.instead.empty() ? "it passes beside or above it" : solved.instead;
 }
 
 /// Seeks the direction of one strike.
@@ -87,6 +93,11 @@ class Search {
         return std::nullopt;
     }
 
+    /// Whether the object and the struck ball touch before the strike.
+    [[nodiscard]] bool touches(const billiards::LyingBall& object) const {
+        return length_of(object.place - from_) <
+               touching_distance(trials_.radius(), object.radius) + kNear;
+    }
     /// Where the struck ball touches the object that it sends in that direction.
     [[nodiscard]] Vec2 ghost_of(const billiards::LyingBall& object, double direction) const {
         return object.place -
@@ -127,7 +138,8 @@ class Search {
     [[nodiscard]] Meeting meeting(double direction, const Played& played);
     [[nodiscard]] std::optional<double> find_contact(
         const std::string& target, double start, double accepted, const std::string& what,
-        const std::function<Miss(const Meeting&)>& miss_of);
+        const std::function<Miss(const Meeting&)>& miss_of,
+        const std::function<std::string(double)>& text_of);
     [[nodiscard]] Way way_into(const PocketMouth& pocket, const billiards::LyingBall& object) const;
     [[nodiscard]] std::optional<double> pot(const Way& way, const billiards::LyingBall& object);
     [[nodiscard]] Solved send(const billiards::LyingBall& object, double target,
@@ -182,11 +194,13 @@ Search::Meeting Search::meeting(double direction, const Played& played) {
     return {wrapped(angle_of(level(normal)) - way), wrapped(angle_of(played.velocity) - way)};
 }
 
-/// Aims until `miss_of` is at most `accepted`. `start`: sine of the angle between the way and the
-/// line of centres, positive if it passes to the left of the target's centre.
+/// Aims until `miss_of` is at most `accepted`; `text_of` names what a miss comes to. `start`: sine
+/// of the angle between the way and the line of centres, positive if it passes to the left of the
+/// target's centre.
 std::optional<double> Search::find_contact(const std::string& target, double start, double accepted,
                                            const std::string& what,
-                                           const std::function<Miss(const Meeting&)>& miss_of) {
+                                           const std::function<Miss(const Meeting&)>& miss_of,
+                                           const std::function<std::string(double)>& text_of) {
     const billiards::LyingBall* object = object_named(target);
     if (object == nullptr) {
         return std::nullopt;
@@ -207,47 +221,60 @@ std::optional<double> Search::find_contact(const std::string& target, double sta
         miss.slope *= distance / touch;
         return miss;
     });
-    if (!solved.direction || std::abs(solved.miss) > accepted) {
-        return fail(what + because(solved.instead));
+    if (!solved.direction) {
+        return fail(what + because(reason_of(solved)));
+    }
+    if (std::abs(solved.miss) > accepted) {
+        return fail(what + "; the nearest is " + text_of(solved.miss));
     }
     return solved.direction;
 }
 
 std::optional<double> Search::find_for(const CutAim& aim) {
     const double sign = aim.side == Side::left ? 1 : -1;
-    return find_contact(aim.ball, -sign * sine(aim.angle), 1e-3 * kDegree,
-                        in_quotes(ball_) + " cannot cut " + in_quotes(aim.ball) + " by " +
-                            decimal_text(aim.angle / kDegree, 3) + " deg",
-                        [&](const Meeting& met) {
-                            Miss miss;
-                            miss.value = sign * aim.angle - met.leaves;
-                            miss.slope = 1 / std::max(cosine(met.centres), 0.1);
-                            return miss;
-                        });
+    return find_contact(
+        aim.ball, -sign * sine(aim.angle), 1e-3 * kDegree,
+        in_quotes(ball_) + " cannot cut " + in_quotes(aim.ball) + " by " +
+            decimal_text(aim.angle / kDegree, 3) + " deg",
+        [&](const Meeting& met) {
+            Miss miss;
+            miss.value = sign * aim.angle - met.leaves;
+            miss.slope = 1 / std::max(cosine(met.centres), 0.1);
+            return miss;
+        },
+        [&](double miss) { return decimal_text((aim.angle - sign * miss) / kDegree, 3) + " deg"; });
 }
 
 std::optional<double> Search::find_for(const HitAim& aim) {
     const double wanted = (aim.side == Side::left ? 1 : -1) * (1 - aim.fullness);
-    return find_contact(aim.ball, wanted, 1e-4,
-                        in_quotes(ball_) + " cannot hit " + in_quotes(aim.ball) +
-                            " with a fullness of " + decimal_text(aim.fullness, 4),
-                        [&](const Meeting& met) {
-                            Miss miss;
-                            miss.value = -sine(met.centres) - wanted;
-                            return miss;
-                        });
+    return find_contact(
+        aim.ball, wanted, 1e-4,
+        in_quotes(ball_) + " cannot hit " + in_quotes(aim.ball) + " with a fullness of " +
+            decimal_text(aim.fullness, 4),
+        [&](const Meeting& met) {
+            Miss miss;
+            miss.value = -sine(met.centres) - wanted;
+            return miss;
+        },
+        [&](double miss) { return decimal_text(1 - std::abs(wanted + miss), 4); });
 }
 
 Search::Way Search::way_into(const PocketMouth& pocket, const billiards::LyingBall& object) const {
     Way way{&pocket, window_of(pocket, object.place), 0, {}};
     way.window.middle = possible(object, way.window.middle);
     const Vec2 ghost = ghost_of(object, way.window.middle);
-    way.cut = std::abs(wrapped(angle_of(ghost - from_) - way.window.middle));
+    const double line = angle_of(object.place - from_);
+    way.cut =
+        std::abs(wrapped((touches(object) ? line : angle_of(ghost - from_)) - way.window.middle));
     const std::vector<std::string_view> both{ball_, object.name};
     const auto in_way = [&](const Vec2& from, const Vec2& to, double radius) {
         return first_in_way(setting_.balls, from, to, radius, both);
     };
-    if (way.cut >= kRightAngle) {
+    if (touches(object) && way.cut > 0.5 * way.window.width + kMostThrow) {
+        way.closed = "it touches " + in_quotes(ball_) +
+                     " and leaves along the line of their centres, " +
+                     decimal_text(way.cut / kDegree, 1) + " deg beside";
+    } else if (way.cut >= kRightAngle) {
         way.closed = "the cut would be " + decimal_text(way.cut / kDegree, 1) + " deg";
     } else if (way.window.width <= 0) {
         way.closed = "its jaws are in the way";
@@ -274,7 +301,7 @@ std::optional<double> Search::find_for(const PotAim& aim) {
     for (const PocketMouth& pocket : pockets) {
         const Way way = way_into(pocket, *object);
         if (pocket.name == aim.pocket) {
-            if (way.cut >= kRightAngle) {
+            if (way.cut >= kRightAngle && !touches(*object)) {
                 return fail(in_quotes(aim.ball) + " cannot be potted in " + pocket.name + ": " +
                             way.closed + ", and has to be less than 90 deg");
             }
@@ -311,7 +338,7 @@ std::optional<double> Search::pot(const Way& way, const billiards::LyingBall& ob
         const double beside = 0.5 * part * std::max(way.window.width, 0.0);
         const Solved solved = send(object, possible(object, way.window.middle + beside), start);
         if (!solved.direction) {
-            reason = reason.empty() ? solved.instead : reason;
+            reason = reason.empty() ? reason_of(solved) : reason;
             break;
         }
         const std::string other = why_not_potted(*solved.direction, object.name, *way.pocket);
@@ -332,7 +359,7 @@ std::optional<double> Search::pot(const Way& way, const billiards::LyingBall& ob
 Solved Search::send(const billiards::LyingBall& object, double target,
                     std::optional<double> start) {
     const double touch = touching_distance(trials_.radius(), object.radius);
-    const Vec2 ghost = ghost_of(object, target);
+    const Vec2 ghost = touches(object) ? object.place : ghost_of(object, target);
     const Line line = line_through(object.place);
     const double wanted = (ghost - object.place).dot(line.across);
     const double distance = length_of(object.place - from_);
@@ -349,6 +376,11 @@ Solved Search::send(const billiards::LyingBall& object, double target,
         const Vec2 begin = trials_.centre_of(object.name, *played.contact);
         const Vec2 end = trials_.centre_of(object.name, *played.end);
         miss.value = wrapped(target - angle_of(end - begin));
+        if (touches(object)) {  // then only friction turns it, to the side of the aim
+            miss.value = -*miss.value;
+            miss.slope = 0.1;
+            return miss;
+        }
         const double cut = wrapped(angle_of(begin - from_) - target);
         miss.slope = distance / (touch * std::max(cosine(cut), 0.1));
         return miss;

@@ -140,6 +140,26 @@ TEST(PotAims, OfBallsThatTouchTheCushionFollowTheRail) {
     EXPECT_EQ(pocket_of(play(world, found), "one"), "corner_right_back");
 }
 
+TEST(PotAims, OfBallsThatTouchUseTheThrow) {
+    // The pocket is at 28.5 degrees; the line of centres at that of the ball.
+    for (const double line : {26.5, 28.5, 30.5}) {
+        Body cue = test::ball("cue", 0.3, 0.1);
+        Body one = cue;
+        one.name = "one";
+        one.pose.position +=
+            Vec3(std::cos(line * kDegree), std::sin(line * kDegree), 0) * 2 * test::kRadius;
+        const WorldDescription world = pool_world({cue, one}, {2.5, {0, 0}, 3});
+        const FoundAims found = find_aims(world, {{0, PotAim{"one", "corner_right_back"}}});
+        EXPECT_EQ(pocket_of(play(world, found), "one"), "corner_right_back") << line;
+    }
+    Body far = test::ball("one", 0.3 + 2 * test::kRadius, 0.1);
+    EXPECT_EQ(
+        problem_of(pool_world({test::ball("cue", 0.3, 0.1), far}),
+                   PotAim{"one", "corner_right_back"}),
+        "'one' is not potted in corner_right_back: it touches 'cue' and leaves along the line "
+        "of their centres, 29.6 deg beside");
+}
+
 TEST(PotAims, OfLaterStrikesKnowWhatCameBefore) {
     WorldDescription world =
         pool_world({test::ball("cue", -0.5, 0.1), test::ball("one", 0.4, 0.2),
@@ -342,8 +362,8 @@ TEST(OtherAims, ThatCannotBeSayWhy) {
     const auto problem = [](const Aim& aim, const Stroke& stroke = {}) {
         return problem_of(open_world(stroke), aim);
     };
-    EXPECT_EQ(problem(CutAim{"one", 89.9 * kDegree, Side::left}),
-              "'cue' cannot cut 'one' by 89.9 deg");
+    EXPECT_THAT(problem(CutAim{"one", 89.9 * kDegree, Side::left}),
+                ::testing::StartsWith("'cue' cannot cut 'one' by 89.9 deg; the nearest is 89."));
     EXPECT_EQ(problem(HitAim{"one", 0.5, Side::left}, {0.2}),
               "'cue' cannot hit 'one' with a fullness of 0.5: 'cue' comes to rest before that");
     EXPECT_EQ(problem(ThroughAim{{0.6, -0.106}}),
