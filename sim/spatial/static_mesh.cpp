@@ -133,11 +133,8 @@ std::optional<StaticMesh::FeatureImpact> StaticMesh::first_impact(const MotionSe
             continue;
         }
         prepare(part);
-        part.tree.query(bounds, near);
+        part.tree.query(bounds, middle, reach, near);
         for (const std::uint32_t index : near) {
-            if (bounds_of(part.features[index]).squared_distance(middle) > reach * reach) {
-                continue;
-            }
             const auto time = feature_impact_time(part.features[index], ball, radius, now,
                                                   first ? first->time : until);
             if (time && (!first || *time < first->time)) {
