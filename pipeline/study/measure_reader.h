@@ -13,7 +13,7 @@ namespace carom::pipeline::study {
 
 /// Thrown and caught while a measure is read.
 struct WrongMeasure {
-    MeasureProblem problem;
+    TextProblem problem;
 };
 
 /// The arguments in order. Each function takes the next one, and throws WrongMeasure if it is

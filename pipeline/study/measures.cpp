@@ -391,32 +391,39 @@ Made rise(Arguments& arguments) {
 }
 
 constexpr std::array kKinds{
-    Kind{{"time", "MOMENT", "s", "When the moment comes: contact,cue,one or resting,all."}, time},
+    Kind{{"time", "MOMENT", "s", "When the moment comes."}, time},
     Kind{{"potted", "BALL[,POCKET]", "", "1 if the ball is potted (into that pocket), else 0."},
          potted},
     Kind{{"pocket", "BALL", "name", "The pocket into which the ball falls."}, pocket},
     Kind{{"contacts", "BALL,OTHER", "", "How often the two touch; OTHER may be a surface."},
          contacts},
     Kind{{"cushions", "BALL[,OTHER[,N]]", "",
-          "How many cushions the ball meets, before it touches OTHER for the N-th time if given."},
+          "How many cushions the ball meets (before its N-th contact with OTHER)."},
          cushions},
-    Kind{{"impulse", "BALL,OTHER[,N]", "N s", "The normal impulse of the N-th contact."}, impulse},
-    Kind{{"speed_before", "MOMENT", "m/s",
-          "The speed of the moment's first object right before it."},
+    Kind{{"impulse", "BALL,OTHER[,N]", "N s", "The normal impulse of the N-th contact of the two."},
+         impulse},
+    Kind{{"speed_before", "MOMENT", "m/s", "The object's speed right before the moment."},
          speed_before},
-    Kind{{"speed_after", "MOMENT", "m/s", "Its speed right after it."}, speed_after},
+    Kind{{"speed_after", "MOMENT", "m/s", "The object's speed right after the moment."},
+         speed_after},
     Kind{{"direction_before", "MOMENT", "deg",
-          "The direction in which it moves right before it, counter-clockwise from +x."},
+          "The object's direction right before the moment, counter-clockwise from +x."},
          direction_before},
-    Kind{{"direction_after", "MOMENT", "deg", "The same right after it."}, direction_after},
-    Kind{{"spin_before", "MOMENT", "rad/s", "Its angular speed right before it."}, spin_before},
-    Kind{{"spin_after", "MOMENT", "rad/s", "Its angular speed right after it."}, spin_after},
+    Kind{{"direction_after", "MOMENT", "deg",
+          "The object's direction right after the moment, counter-clockwise from +x."},
+         direction_after},
+    Kind{{"spin_before", "MOMENT", "rad/s", "The object's angular speed right before the moment."},
+         spin_before},
+    Kind{{"spin_after", "MOMENT", "rad/s", "The object's angular speed right after the moment."},
+         spin_after},
     Kind{{"side_spin_before", "MOMENT", "rad/s",
-          "Its spin about the vertical right before it; counter-clockwise from above is positive."},
+          "Its spin about the vertical right before; counter-clockwise from above is positive."},
          side_spin_before},
-    Kind{{"side_spin_after", "MOMENT", "rad/s", "The same right after it."}, side_spin_after},
-    Kind{{"x", "MOMENT", "m", "Where the centre of the moment's first object is then."}, x_at},
-    Kind{{"y", "MOMENT", "m", "The same along the short side."}, y_at},
+    Kind{{"side_spin_after", "MOMENT", "rad/s",
+          "Its spin about the vertical right after; counter-clockwise from above is positive."},
+         side_spin_after},
+    Kind{{"x", "MOMENT", "m", "The x coordinate of the object's centre at the moment."}, x_at},
+    Kind{{"y", "MOMENT", "m", "The y coordinate of the object's centre at the moment."}, y_at},
     Kind{{"incidence", "BALL[,N]", "deg",
           "The angle from the normal at which the ball arrives at its N-th cushion."},
          incidence},
@@ -424,22 +431,27 @@ constexpr std::array kKinds{
           "The angle from the normal at which it leaves; negative: back to where it came from."},
          rebound_angle},
     Kind{{"rolling_angle", "BALL[,N]", "deg",
-          "The same once the ball rolls again, if nothing else meets it by then."},
+          "Its angle from the normal once it rolls again, if it meets nothing until then."},
          rolling_angle},
-    Kind{{"speed_kept", "BALL[,N]", "",
-          "The speed after the N-th cushion as a part of that before."},
+    Kind{{"speed_kept", "BALL[,N]", "", "The speed right after the N-th cushion / that before it."},
          speed_kept},
-    Kind{{"rolling_kept", "BALL[,N]", "", "The same once the ball rolls again."}, rolling_kept},
+    Kind{{"rolling_kept", "BALL[,N]", "",
+          "The speed once the ball rolls again after the N-th cushion / that before it."},
+         rolling_kept},
     Kind{{"cut", "BALL,BALL[,N]", "deg",
           "The cut angle of the N-th contact of the two; 0 is a full hit."},
          cut},
     Kind{{"throw", "BALL,BALL[,N]", "deg",
-          "The angle from the line of centres to the way of the second ball after the contact; "
-          "counter-clockwise is positive."},
+          "From the line of centres to the second ball's way; counter-clockwise is positive."},
          throw_of},
-    Kind{{"rest_x", "BALL", "m", "Where the ball rests on the table at the end."}, rest_x},
-    Kind{{"rest_y", "BALL", "m", "The same along the short side."}, rest_y},
-    Kind{{"rest_distance", "BALL,X,Y", "m", "How far from the point (X, Y) the ball rests."},
+    Kind{
+        {"rest_x", "BALL", "m", "The x coordinate of the ball's centre where it rests at the end."},
+        rest_x},
+    Kind{
+        {"rest_y", "BALL", "m", "The y coordinate of the ball's centre where it rests at the end."},
+        rest_y},
+    Kind{{"rest_distance", "BALL,X,Y", "m",
+          "How far from the point (X, Y) the ball rests at the end."},
          rest_distance},
     Kind{{"distance", "BALL", "m", "The length of the ball's path."}, distance},
     Kind{{"top_speed", "BALL", "m/s", "The ball's highest speed."}, top_speed},
@@ -463,8 +475,8 @@ std::string Measure::title() const {
     return has_unit ? text + " [" + std::string(info->unit) + "]" : text;
 }
 
-std::variant<Measure, MeasureProblem> parse_measure(const std::string& text,
-                                                    const sim::WorldDescription& world) {
+std::variant<Measure, TextProblem> parse_measure(const std::string& text,
+                                                 const sim::WorldDescription& world) {
     const std::size_t colon = std::min(text.find(':'), text.size());
     const std::string name = text.substr(0, colon);
     const auto kind = std::ranges::find(kKinds, name, [](const Kind& k) { return k.info.name; });
@@ -473,10 +485,10 @@ std::variant<Measure, MeasureProblem> parse_measure(const std::string& text,
         for (const Kind& k : kKinds) {
             known.emplace_back(k.info.name);
         }
-        return MeasureProblem{"there is no measure " + config::quote(name) +
-                                  config::hint(name, known).text +
-                                  "; 'carom sweep --measures' lists them",
-                              0, std::max<std::size_t>(name.size(), 1)};
+        return TextProblem{"there is no measure " + config::quote(name) +
+                               config::hint(name, known).text +
+                               "; 'carom sweep --measures' lists them",
+                           0, std::max<std::size_t>(name.size(), 1)};
     }
     const std::string usage = name + ":" + std::string(kind->info.arguments);
     try {

@@ -1,13 +1,13 @@
 // What is measured of a variant: a number or a name, by the words of `when:` and of moments.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <variant>
 
+#include "pipeline/study/text_problem.h"
 #include "sim/trials.h"
 
 namespace carom::pipeline::study {
@@ -44,15 +44,8 @@ struct Measure {
     [[nodiscard]] std::string title() const;
 };
 
-/// Why a text is no measure of a shot.
-struct MeasureProblem {
-    std::string sentence;    // without a full stop
-    std::size_t offset = 0;  // of the part in question
-    std::size_t length = 0;
-};
-
 /// The measure NAME or NAME:ARGUMENT,… of shots like this one.
-[[nodiscard]] std::variant<Measure, MeasureProblem> parse_measure(
-    const std::string& text, const sim::WorldDescription& world);
+[[nodiscard]] std::variant<Measure, TextProblem> parse_measure(const std::string& text,
+                                                               const sim::WorldDescription& world);
 
 }  // namespace carom::pipeline::study

@@ -28,7 +28,7 @@ class Shown {
 
     [[nodiscard]] Value value(const std::string& text) const {
         const auto parsed = parse_measure(text, trials_.world());
-        if (const auto* problem = std::get_if<MeasureProblem>(&parsed)) {
+        if (const auto* problem = std::get_if<TextProblem>(&parsed)) {
             ADD_FAILURE() << text << ": " << problem->sentence;
             return {};
         }
@@ -193,17 +193,17 @@ TEST(MeasureList, HasEachNameOnceWithASentence) {
     EXPECT_GT(names.size(), 20U);
 }
 
-MeasureProblem problem_of(const std::string& text, const std::string& shot = "bank_shot") {
+TextProblem problem_of(const std::string& text, const std::string& shot = "bank_shot") {
     const LoadResult loaded = load_shot(CAROM_SOURCE_DIR "/examples/" + shot + ".yaml");
     const auto parsed = parse_measure(text, loaded.shot->world);
-    const auto* problem = std::get_if<MeasureProblem>(&parsed);
-    return problem != nullptr ? *problem : MeasureProblem{"none"};
+    const auto* problem = std::get_if<TextProblem>(&parsed);
+    return problem != nullptr ? *problem : TextProblem{"none"};
 }
 
 TEST(Measures_ThatCannotBeRead, SayWhyAndWhere) {
     const auto expect = [](const std::string& text, const std::string& sentence, std::size_t offset,
                            std::size_t length) {
-        const MeasureProblem problem = problem_of(text);
+        const TextProblem problem = problem_of(text);
         EXPECT_EQ(problem.sentence, sentence);
         EXPECT_EQ(problem.offset, offset) << text;
         EXPECT_EQ(problem.length, length) << text;
