@@ -462,6 +462,7 @@ constexpr std::array kKinds{
 std::span<const MeasureInfo> measure_list() {
     static const std::vector<MeasureInfo> list = [] {
         std::vector<MeasureInfo> all;
+        all.reserve(kKinds.size());
         for (const Kind& kind : kKinds) {
             all.push_back(kind.info);
         }
@@ -482,6 +483,7 @@ std::variant<Measure, TextProblem> parse_measure(const std::string& text,
     const auto kind = std::ranges::find(kKinds, name, [](const Kind& k) { return k.info.name; });
     if (kind == kKinds.end()) {
         std::vector<std::string> known;
+        known.reserve(kKinds.size());
         for (const Kind& k : kKinds) {
             known.emplace_back(k.info.name);
         }

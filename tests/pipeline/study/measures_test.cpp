@@ -1,6 +1,7 @@
 #include "pipeline/study/measures.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <set>
 
@@ -114,6 +115,19 @@ TEST(Measures_OfACut, AreThoseOfTheClosedForm) {
     EXPECT_EQ(shot.number("contacts:cue,one"), 1);
     EXPECT_TRUE(shot.is_nothing("cut:cue,one,2"));
     EXPECT_TRUE(shot.is_nothing("rest_x:cue"));
+}
+
+TEST(Measures_OfThrow, AreThoseOfTheClosedForm) {
+    // Balls that slip during the whole impact leave at the angle of friction; to the right of the
+    // line of centres, because the first ball comes from there.
+    for (const char* degrees : {"40", "60", "75"}) {
+        const Shown shot(load_shot(
+            CAROM_SOURCE_DIR "/docs/shots/throw.yaml",
+            {.overrides = {"physics.ball_ball.friction=0.06",
+                           "balls.one.touching.direction=" + std::string(degrees) + " deg"}}));
+        EXPECT_NEAR(shot.number("throw:cue,one"), -kDegrees * std::atan(0.06), 1e-6);
+        EXPECT_NEAR(shot.number("cut:cue,one"), std::atof(degrees), 1e-6);
+    }
 }
 
 TEST(Measures_OfARebound, AreThoseOfTheMirror) {
