@@ -246,6 +246,10 @@ void run(const SweepCommand& command, CommandContext& context) {
         console.warning(counted(table.unfinished, "variant") +
                         " took too long to be simulated; their measures are empty");
     }
+    if (table.warned > 0) {
+        console.warning(fmt::format("the simulation warns of {}; the first: {}",
+                                    counted(table.warned, "variant"), table.first_warning));
+    }
     if (command.plot.empty() || !command.output.empty()) {
         const bool is_json = std::filesystem::path(command.output).extension() == ".jsonl";
         write_text_output(command.output.empty() ? "-" : command.output,

@@ -40,7 +40,7 @@ bool concerns_events(std::string_view section) {
 }
 
 bool is_read_for_events(std::string_view section) {
-    return section == "carom" || section == "events" || section == "table";
+    return section == "carom" || section == "events" || section == "ball_set" || section == "table";
 }
 
 bool concerns_motion(std::string_view section) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
+
 namespace carom::pipeline {
 
 namespace {
@@ -48,7 +50,7 @@ std::optional<double> cut_of(const Event& event, const Track* a, const Track* b)
     const Vec2 line(event.normal.x, event.normal.y);
     const double along = path.dot(line);
     return along > kStill * line.length()
-               ? std::optional<double>(std::atan2(std::abs(path.cross(line)), along))
+               ? std::optional<double>(arctangent2(std::abs(path.cross(line)), along))
                : std::nullopt;
 }
 

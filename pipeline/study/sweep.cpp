@@ -1,6 +1,7 @@
 #include "pipeline/study/sweep.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -35,6 +36,14 @@ bool varies_events_alone(const Sweep& sweep) {
                                [](const VariedKey& key) { return is_in_events(key.key); });
 }
 
+/// What comes of a variant of a sweep.
+struct Measured {
+    bool is_finished = false;
+    bool is_too_long = false;  // it takes too many steps, and has no values
+    std::vector<Value> values;
+    std::string warning;  // the first of the simulation; empty: none
+};
+
 /// Simulates variants of a sweep and measures them.
 class Player {
   public:
@@ -48,9 +57,7 @@ class Player {
         }
     }
 
-    /// The measured values; empty if it takes too many steps.
-    [[nodiscard]] std::optional<std::vector<Value>> play(
-        const std::vector<VariedPoint>& points) const {
+    [[nodiscard]] Measured play(const std::vector<VariedPoint>& points) const {
         const std::vector<VariedValue> values = values_of(sweep_, points);
         if (shared_) {
             return measured(*shared_, std::move(*variants_.events(values).events));
@@ -60,18 +67,23 @@ class Player {
     }
 
   private:
-    [[nodiscard]] std::optional<std::vector<Value>> measured(
-        const sim::Trials& trials, std::vector<sim::ForceEvent> events) const {
+    [[nodiscard]] Measured measured(const sim::Trials& trials,
+                                    std::vector<sim::ForceEvent> events) const {
         const std::optional<sim::Outcome> outcome = trials.run(std::move(events), limits_);
+        Measured result;
+        result.is_finished = true;
         if (!outcome) {
-            return std::nullopt;
+            result.is_too_long = true;
+            return result;
         }
         const Played played{trials.world(), trials.names(), *outcome};
-        std::vector<Value> values;
         for (const Measure& measure : sweep_.measures) {
-            values.push_back(measure.value(played));
+            result.values.push_back(measure.value(played));
         }
-        return values;
+        if (!outcome->warnings.empty()) {
+            result.warning = outcome->warnings.front().sentence;
+        }
+        return result;
     }
 
     const Sweep& sweep_;
@@ -80,8 +92,17 @@ class Player {
     std::optional<sim::Trials> shared_;
 };
 
-Value value_of(const VariedPoint& point) {
-    return point.number ? Value(*point.number) : Value(point.text);
+void add_row(const std::vector<VariedPoint>& points, Measured measured, SweepTable& table) {
+    std::vector<Value>& row = table.rows.emplace_back();
+    for (const VariedPoint& point : points) {
+        row.push_back(point.number ? Value(*point.number) : Value(point.text));
+    }
+    std::ranges::move(measured.values, std::back_inserter(row));
+    table.unfinished += measured.is_too_long ? 1 : 0;
+    row.resize(table.columns.size());
+    if (!measured.warning.empty() && table.warned++ == 0) {
+        table.first_warning = std::move(measured.warning);
+    }
 }
 
 }  // namespace
@@ -173,18 +194,12 @@ std::vector<Problem> find_problems(const Sweep& sweep, const ShotVariants& varia
 SweepTable run_sweep(const Sweep& sweep, const ShotVariants& variants, const StudyWork& work) {
     const SweepPoints points(sweep);
     const Player player(sweep, variants, work.context.stop);
-    std::vector<std::optional<std::vector<Value>>> measured(points.count());
-    std::vector<char> is_finished(points.count(), 0);
+    std::vector<Measured> measured(points.count());
     try {
         do_parts(
-            points.count(),
-            [&](std::size_t i) {
-                measured[i] = player.play(points.at(i));
-                is_finished[i] = 1;
-            },
-            work);
+            points.count(), [&](std::size_t i) { measured[i] = player.play(points.at(i)); }, work);
     } catch (const Stopped&) {
-        if (std::ranges::find(is_finished, 1) == is_finished.end()) {
+        if (std::ranges::none_of(measured, &Measured::is_finished)) {
             throw;
         }
     }
@@ -197,17 +212,9 @@ SweepTable run_sweep(const Sweep& sweep, const ShotVariants& variants, const Stu
         table.columns.push_back({measure.title(), true});
     }
     for (std::size_t i = 0; i < measured.size(); ++i) {
-        if (is_finished[i] == 0) {
-            continue;
+        if (measured[i].is_finished) {
+            add_row(points.at(i), std::move(measured[i]), table);
         }
-        std::vector<Value>& row = table.rows.emplace_back();
-        for (const VariedPoint& point : points.at(i)) {
-            row.push_back(value_of(point));
-        }
-        table.unfinished += measured[i] ? 0 : 1;
-        const std::vector<Value> values =
-            measured[i].value_or(std::vector<Value>(sweep.measures.size()));
-        row.insert(row.end(), values.begin(), values.end());
     }
     return table;
 }

@@ -51,6 +51,8 @@ struct SweepTable {
     std::vector<std::vector<Value>> rows;  // of the variants that were simulated, in order
     std::size_t variants = 0;              // of the whole sweep
     std::size_t unfinished = 0;            // variants that took more steps than allowed
+    std::size_t warned = 0;                // variants of which the simulation warned
+    std::string first_warning;             // of the first of them
 };
 
 /// The most steps (bake_within) of one variant.

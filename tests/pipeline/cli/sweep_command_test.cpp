@@ -67,6 +67,16 @@ TEST_F(SweepCommand, Samples_DependOnTheSeedAndNotOnTheThreads) {
     EXPECT_NE(sampled("2", "2").out, one.out);
 }
 
+TEST_F(SweepCommand, Warnings_AreCounted) {
+    const RunResult result = sweep({"--vary", "events[0].strike.tip=[0, 0],[0.6, 0.3],[0.7, 0]",
+                                    "--measure", "contacts:cue,nine"});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_EQ(result.err,
+              "carom: warning: the simulation warns of 2 variants; the first: strike on 'cue' at "
+              "0.400 s: the tip is more than half a radius off centre, where it would slip off the "
+              "ball (a miscue)\n");
+}
+
 TEST_F(SweepCommand, Measures_AreListedWithoutAShot) {
     const RunResult result = run({"sweep", "--measures"});
     EXPECT_EQ(result.exit_code, 0);
