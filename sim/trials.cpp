@@ -67,7 +67,8 @@ std::optional<Outcome> Trials::run(std::vector<ForceEvent> events,
     if (places_balls) {
         require_free_places(world, shared_->prepared.environment);
     }
-    Scheduler scheduler(world, shared_->prepared.environment, Record::outcome);
+    Scheduler scheduler(world, shared_->prepared.environment,
+                        limits.keeps_motion ? Record::all : Record::outcome);
     scheduler.stop_at(&limits.is_answered);
     WorkContext context;
     context.stop = limits.stop;
@@ -78,9 +79,15 @@ std::optional<Outcome> Trials::run(std::vector<ForceEvent> events,
     Outcome outcome;
     outcome.end_time = timeline.end_time;
     outcome.is_stopped = scheduler.was_stopped();
-    outcome.events = std::move(timeline.events);
     outcome.states = scheduler.last_states();
-    outcome.warnings = std::move(timeline.warnings);
+    if (limits.keeps_motion) {
+        outcome.events = timeline.events;
+        outcome.warnings = timeline.warnings;
+        outcome.motion = std::move(timeline);
+    } else {
+        outcome.events = std::move(timeline.events);
+        outcome.warnings = std::move(timeline.warnings);
+    }
     return outcome;
 }
 

@@ -9,18 +9,19 @@
 #include <string>
 #include <vector>
 
-#include "sim/timeline/event.h"
+#include "sim/timeline/timeline.h"
 #include "sim/world.h"
 
 namespace carom::sim {
 
-/// What comes of a variant: without tracks, energies and lasting contacts.
+/// What comes of a variant.
 struct Outcome {
     double end_time = 0;      // s
     bool is_stopped = false;  // at `end_time`, because its question was answered
     std::vector<Event> events;
     std::vector<MotionState> states;  // of the moving bodies then, as Trials::names() lists them
     std::vector<Diagnostic> warnings;
+    std::optional<Timeline> motion;  // if wanted: also tracks, energies and lasting contacts
 };
 
 /// How far a trial goes.
@@ -29,6 +30,7 @@ struct TrialLimits {
     /// but may turn out not to have happened.
     std::function<bool(const Event&)> is_answered;
     std::uint64_t max_steps = ~std::uint64_t{0};  // counted as in bake_within
+    bool keeps_motion = false;                    // which takes longer
     std::stop_token stop;
 };
 

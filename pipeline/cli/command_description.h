@@ -17,7 +17,7 @@ using Target = std::variant<bool*, std::string*, std::vector<std::string>*, int*
                             double*, std::optional<std::int64_t>*, std::optional<double>*>;
 
 /// What a shell offers as completions of a value that has no fixed choices.
-enum class Offer { nothing, files, folders, keys, cameras, presets };
+enum class Offer { nothing, files, folders, keys, cameras, presets, measures };
 
 /// An option "--threads N", a flag "--json" or an argument "SHOT|BAKE".
 struct Option {

@@ -263,6 +263,23 @@ struct ReportCommand {
 void describe(ReportCommand& command, CommandDescription& description);
 void run(const ReportCommand& command, CommandContext& context);
 
+/// Simulates variants of a shot and measures them. Strings are as typed.
+struct SweepCommand {
+    InputOptions input;
+    std::vector<std::string> vary;
+    std::vector<std::string> measures;
+    bool lists_measures = false;
+    std::optional<std::int64_t> samples;
+    std::string sampling = "sobol";
+    std::int64_t seed = 0;
+    std::string output;  // .csv or .jsonl; empty: standard output, or with `plot` none
+    std::string plot;    // a drawing, .svg or .png; empty: none
+    DrawingOptions drawing;
+    int threads = 0;
+};
+void describe(SweepCommand& command, CommandDescription& description);
+void run(const SweepCommand& command, CommandContext& context);
+
 struct PlanCommand {
     InputOptions input;
     CacheOptions cache;
@@ -414,6 +431,8 @@ inline constexpr std::tuple kCommandTable{
                             "Print a summary of a shot, or every value of it."},
     CommandRow<ReportCommand>{"report", Group::look, Program::carom,
                               "Print the events, speeds and energy of a shot."},
+    CommandRow<SweepCommand>{"sweep", Group::look, Program::carom,
+                             "Vary values of a shot and measure what changes."},
     CommandRow<RenderCommand>{"render", Group::film, Program::film,
                               "Simulate a shot, render its frames and write the film."},
     CommandRow<RetimeCommand>{"retime", Group::film, Program::film,

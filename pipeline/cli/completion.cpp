@@ -8,6 +8,7 @@
 #include "pipeline/config/config_files.h"
 #include "pipeline/config/key_completion.h"
 #include "pipeline/config/parse_yaml.h"
+#include "pipeline/study/measures.h"
 
 namespace carom::cli {
 
@@ -95,6 +96,13 @@ std::vector<Candidate> values_of(const Option& option, const std::string& typed,
             return candidates_of(config::camera_names(shot_tree(position)));
         case Offer::presets:
             return candidates_of(config::preset_names(config::standard_config_folders()));
+        case Offer::measures: {
+            std::vector<Candidate> candidates;
+            for (const pipeline::study::MeasureInfo& info : pipeline::study::measure_list()) {
+                candidates.push_back({std::string(info.name) + ":", std::string(info.meaning)});
+            }
+            return candidates;
+        }
         case Offer::folders:
             return {{":folders", {}}};
         case Offer::files: {

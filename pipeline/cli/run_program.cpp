@@ -55,6 +55,9 @@ const char* interruption_message(const Command& command) {
     if (std::holds_alternative<CompareCommand>(command)) {
         return "interrupted; the results contain only what was measured by then";
     }
+    if (std::holds_alternative<SweepCommand>(command)) {
+        return "interrupted; what was written has only the variants that were finished";
+    }
     return "interrupted; nothing was written";  // the command takes only seconds
 }
 

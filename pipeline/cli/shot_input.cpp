@@ -26,14 +26,6 @@ std::string text_of(const pipeline::Problem& problem, const Console& console) {
     return (problem.place.file.empty() ? "carom: " : "") + format(problem, word);
 }
 
-pipeline::LoadOptions load_options(const InputOptions& input) {
-    return {.overrides = input.overrides,
-            .quality = input.quality,
-            .camera_file = input.camera_file,
-            .root = input.root,
-            .texts = input.texts.get()};
-}
-
 /// What was read from standard input; nullptr if the shot is a file.
 const std::string* piped(const InputOptions& input) {
     return input.texts ? &input.texts->begin()->second : nullptr;
@@ -73,6 +65,14 @@ bool is_picture_warning(const pipeline::Problem& problem) {
 }
 
 }  // namespace
+
+pipeline::LoadOptions load_options(const InputOptions& input) {
+    return {.overrides = input.overrides,
+            .quality = input.quality,
+            .camera_file = input.camera_file,
+            .root = input.root,
+            .texts = input.texts.get()};
+}
 
 bool is_bake(const InputOptions& input) {
     const auto is_head = [](std::string_view bytes) {

@@ -8,6 +8,7 @@
 
 #include "pipeline/cli/commands.h"
 #include "pipeline/cli/terminal/console.h"
+#include "pipeline/config/load_shot.h"
 #include "pipeline/config/named_file.h"
 #include "pipeline/config/problem.h"
 #include "pipeline/config/shot_source.h"
@@ -29,6 +30,9 @@ enum class Subject {
     plan,    // the motion and the cameras, which are looked at
     film     // pictures or sound: it cannot be made if a moment never comes
 };
+
+/// How the input's options change its shot. The options' texts must outlive the result.
+[[nodiscard]] pipeline::LoadOptions load_options(const InputOptions& input);
 
 /// All problems of an input, and the input unless one of them is an error.
 struct CheckedInput {

@@ -84,14 +84,16 @@ void remove_look(Node& root) {
 /// The sections that affect the simulation.
 Node physics_of(const std::string& text) {
     Node root = parse(text);
-    std::erase_if(root.entries, [](const Entry& entry) {
-        return std::find(kSections.begin(), kSections.end(), entry.key) == kSections.end();
-    });
+    std::erase_if(root.entries, [](const Entry& entry) { return !is_physics_section(entry.key); });
     remove_look(root);
     return root;
 }
 
 }  // namespace
+
+bool is_physics_section(std::string_view section) {
+    return std::find(kSections.begin(), kSections.end(), section) != kSections.end();
+}
 
 std::vector<std::string> changed_physics_keys(const std::string& before, const std::string& after) {
     std::vector<std::string> changed;

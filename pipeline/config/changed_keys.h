@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace carom::pipeline {
@@ -11,5 +12,8 @@ namespace carom::pipeline {
 /// cannot be read has no keys.
 [[nodiscard]] std::vector<std::string> changed_physics_keys(const std::string& before,
                                                             const std::string& after);
+
+/// Whether the section ("events") affects the simulation.
+[[nodiscard]] bool is_physics_section(std::string_view section);
 
 }  // namespace carom::pipeline

@@ -343,6 +343,14 @@ std::optional<Node> Gatherer::read_config_file(const std::string& path, const Pl
 
 }  // namespace
 
+SourceText text_of_shot(std::string text, const std::string& origin) {
+    std::error_code code;
+    const fs::path absolute = fs::absolute(origin, code);
+    const std::string folder = code ? "." : absolute.lexically_normal().parent_path().string();
+    const fs::path path = fs::weakly_canonical(origin, code);
+    return {origin, folder, std::move(text), {}, code ? std::string() : path.string()};
+}
+
 Gathered gather(SourceSet& sources, int root_source, const ConfigFolders& folders,
                 const GatherOptions& options, ProblemList& problems) {
     Gatherer gatherer(sources, folders, problems);

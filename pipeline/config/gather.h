@@ -11,6 +11,9 @@
 
 namespace carom::pipeline::config {
 
+/// The text of a shot whose file is `origin`, which need not exist.
+[[nodiscard]] SourceText text_of_shot(std::string text, const std::string& origin);
+
 struct GatherOptions {
     std::vector<std::string> own{};  // as overrides, but as if the shot's file gave the values
     std::vector<std::string> overrides{};  // "render.samples=64", highest precedence

@@ -47,13 +47,6 @@ std::vector<sim::Asset> hash_assets(const std::vector<NamedFile>& files, const N
     return assets;
 }
 
-/// The absolute path of the file with the shot's text, which need not exist.
-std::string absolute_path(const std::string& origin) {
-    std::error_code code;
-    const fs::path path = fs::weakly_canonical(origin, code);
-    return code ? std::string() : path.string();
-}
-
 /// The files among the texts, each once.
 std::vector<ReadFile> files_of(const SourceSet& sources) {
     std::vector<ReadFile> files;
@@ -65,12 +58,6 @@ std::vector<ReadFile> files_of(const SourceSet& sources) {
         }
     }
     return files;
-}
-
-std::string absolute_folder(const std::string& origin) {
-    std::error_code code;
-    const fs::path absolute = fs::absolute(origin, code);
-    return code ? "." : absolute.lexically_normal().parent_path().string();
 }
 
 /// Builds the shot from the merged tree. After an error it is not complete.
@@ -148,8 +135,7 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
     folders.texts = options.texts;
     folders.most_asset_bytes = options.most_asset_bytes;
     folders.missing = &result.missing;
-    const int source =
-        sources.add({origin, absolute_folder(origin), text, {}, absolute_path(origin)});
+    const int source = sources.add(text_of_shot(text, origin));
     Gathered gathered = gather(sources, source, folders,
                                {.own = options.own,
                                 .overrides = options.overrides,

@@ -41,13 +41,14 @@ std::vector<Segment> split_path(const SourceSet& sources, int source, std::strin
 }
 
 /// The element whose index or key `name` is `name`, or nullptr.
-Node* find_element(Node& list, const std::string& name) {
+template <class MaybeConstNode>
+MaybeConstNode* find_element(MaybeConstNode& list, const std::string& name) {
     std::size_t index = 0;
     const auto [end, code] = std::from_chars(name.data(), name.data() + name.size(), index);
     if (code == std::errc() && end == name.data() + name.size()) {
         return index < list.items.size() ? &list.items[index] : nullptr;
     }
-    for (Node& item : list.items) {
+    for (auto& item : list.items) {
         const Entry* own_name = item.find("name");
         if (own_name != nullptr && own_name->value.text == name) {
             return &item;
@@ -131,6 +132,20 @@ void merge(Node& base, Node over) {
         }
     }
     base.place = over.place;
+}
+
+const Node* value_at(const Node& root, const std::string& path) {
+    SourceSet sources;
+    const Node* node = &root;
+    for (const Segment& segment : split_path(sources, sources.add({"", "", path}), path)) {
+        if (node != nullptr && node->is_sequence()) {
+            node = find_element(*node, segment.name);
+            continue;
+        }
+        const Entry* entry = node != nullptr ? node->find(segment.name) : nullptr;
+        node = entry != nullptr ? &entry->value : nullptr;
+    }
+    return node;
 }
 
 void apply_override(Node& root, SourceSet& sources, int source, ProblemList& problems) {

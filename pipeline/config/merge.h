@@ -19,4 +19,7 @@ void merge(Node& base, Node over);
 /// `name`.
 void apply_override(Node& root, SourceSet& sources, int source, ProblemList& problems);
 
+/// The value at a path such as "a.b[0].c", or nullptr.
+[[nodiscard]] const Node* value_at(const Node& root, const std::string& path);
+
 }  // namespace carom::pipeline::config

@@ -13,6 +13,8 @@ namespace carom::pipeline {
 /// as 0.
 class CsvText {
   public:
+    /// Without a row.
+    CsvText() = default;
     /// `header` is the first row, without quoting.
     explicit CsvText(std::string_view header);
 

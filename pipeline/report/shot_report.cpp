@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/report/event_motion.h"
 #include "sim/timeline/energy.h"
 
 namespace carom::pipeline {
@@ -20,55 +21,12 @@ constexpr double kStill = 1e-6;       // m, m/s, rad/s
 constexpr double kPathRate = 480;     // samples per second along a path
 constexpr int kMostPathSteps = 4800;  // between two keys
 
-struct Velocities {
-    Vec3 before, after;
-    Vec3 spin_before, spin_after;
-};
-
-/// The velocities immediately before and after `time`.
-Velocities velocities_at(const Track& track, double time) {
-    const auto keys = track.keys();
-    const auto key = std::lower_bound(keys.begin(), keys.end(), time - kSameTime,
-                                      [](const Key& k, double t) { return k.time < t; });
-    if (key != keys.end() && key->time <= time + kSameTime) {
-        return {key->velocity_in, key->velocity_out, key->angular_velocity_in,
-                key->angular_velocity_out};
-    }
-    const MotionState state = track.sample(time);
-    return {state.velocity, state.velocity, state.angular_velocity, state.angular_velocity};
-}
-
 std::optional<SpeedChange> speeds_of(const Track* track, double time) {
     if (track == nullptr) {
         return std::nullopt;
     }
     const Velocities v = velocities_at(*track, time);
     return SpeedChange{v.before.length(), v.after.length(), v.spin_before, v.spin_after};
-}
-
-/// The cut angle, if the normal is along the line of centres, as it is for two balls and seldom for
-/// boxes.
-std::optional<double> cut_of(const Event& event, const Track* a, const Track* b) {
-    if (event.kind != EventKind::impact || a == nullptr || b == nullptr) {
-        return std::nullopt;
-    }
-    const Vec3 between = a->sample(event.time).position - b->sample(event.time).position;
-    const Vec3 aside = between.cross(event.normal);
-    if (aside.length() > 1e-6 * between.length()) {
-        return std::nullopt;
-    }
-    const Vec3 approach =
-        velocities_at(*b, event.time).before - velocities_at(*a, event.time).before;
-    if (approach.dot(event.normal) <= 0) {
-        return std::nullopt;
-    }
-    // Balls of unequal size on the cloth have a tilted line of centres.
-    const Vec2 path(approach.x, approach.y);
-    const Vec2 line(event.normal.x, event.normal.y);
-    const double along = path.dot(line);
-    return along > kStill * line.length()
-               ? std::optional<double>(std::atan2(std::abs(path.cross(line)), along))
-               : std::nullopt;
 }
 
 ReportedEvent reported(const Timeline& timeline, const Event& event) {
@@ -260,6 +218,14 @@ std::vector<ReportedEnergy> energies_of(const Timeline& timeline) {
 
 }  // namespace
 
+ReportedObject report_of(const Timeline& timeline, const Track& track) {
+    ReportedObject object;
+    object.name = track.name();
+    measure_motion(track, object);
+    find_fate(timeline, track, object);
+    return object;
+}
+
 ShotReport report_of(const Timeline& timeline) {
     ShotReport report;
     report.start_time = timeline.start_time;
@@ -268,10 +234,7 @@ ShotReport report_of(const Timeline& timeline) {
         report.events.push_back(reported(timeline, event));
     }
     for (const Track& track : timeline.tracks) {
-        ReportedObject& object = report.objects.emplace_back();
-        object.name = track.name();
-        measure_motion(track, object);
-        find_fate(timeline, track, object);
+        report.objects.push_back(report_of(timeline, track));
     }
     report.all_events = report.events.size();
     report.all_objects = report.objects.size();

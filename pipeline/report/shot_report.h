@@ -72,5 +72,7 @@ struct ShotReport {
 };
 
 [[nodiscard]] ShotReport report_of(const sim::Timeline& timeline);
+/// Of one of its objects.
+[[nodiscard]] ReportedObject report_of(const sim::Timeline& timeline, const sim::Track& track);
 
 }  // namespace carom::pipeline

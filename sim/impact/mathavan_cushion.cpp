@@ -1,6 +1,7 @@
 #include "sim/impact/mathavan_cushion.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/length.h"
 #include "sim/numeric/false_position.h"
@@ -70,26 +71,40 @@ class CushionContact {
 
     /// The motion after the next step, whose size is at most `approach` times the fractions above.
     [[nodiscard]] Motion advance(const Motion& motion, double approach, double& step) {
-        const Forces now = forces(motion, 0);
-        step = next_step(motion, rate(motion, now), kMaxStep * approach);
-        if (is_stiff(motion, now, step)) {
+        const Slips slips = slips_of(motion);
+        const Forces now = forces(motion, slips, 0);
+        step = next_step(motion, slips, rate(motion, now), kMaxStep * approach);
+        if (is_stiff(slips, now, step)) {
             step = std::min(step, kMaxStiffStep * approach);
         }
-        return after(motion, now, step);
+        return after(motion, slips, now, step);
     }
 
     /// The motion after `step`.
     [[nodiscard]] Motion after(const Motion& motion, double step) {
-        return after(motion, forces(motion, 0), step);
+        const Slips slips = slips_of(motion);
+        return after(motion, slips, forces(motion, slips, 0), step);
     }
 
   private:
+    /// Of both contacts.
+    struct Slips {
+        Vec3 nose, cloth;
+        double nose_speed, cloth_speed;
+    };
+    [[nodiscard]] Slips slips_of(const Motion& motion) const {
+        const Vec3 nose = slip(motion, normal_);
+        const Vec3 cloth = slip(motion, kUp);
+        return {nose, cloth, length(nose), length(cloth)};
+    }
+
     /// The motion after `step` under the forces `now` at its beginning, by the classic Runge-Kutta
     /// method; by the implicit midpoint rule where a slip turns faster than it grows or shrinks, as
     /// after sticking.
-    [[nodiscard]] Motion after(const Motion& motion, const Forces& now, double step) {
-        if (is_stiff(motion, now, step)) {
-            const Forces middle = forces(motion, 0.5 * step);
+    [[nodiscard]] Motion after(const Motion& motion, const Slips& slips, const Forces& now,
+                               double step) {
+        if (is_stiff(slips, now, step)) {
+            const Forces middle = forces(motion, slips, 0.5 * step);
             return motion + rate(motion + rate(motion, middle) * (0.5 * step), middle) * step;
         }
         const Motion k1 = rate(motion, now);
@@ -99,11 +114,11 @@ class CushionContact {
         return motion + (k1 + k2 * 2 + k3 * 2 + k4) * (step / 6);
     }
 
-    [[nodiscard]] double next_step(const Motion& motion, const Motion& change,
+    [[nodiscard]] double next_step(const Motion& motion, const Slips& slips, const Motion& change,
                                    double longest) const {
-        for (const Vec3& normal : {normal_, kUp}) {
-            const double now = length(slip(motion, normal));
-            const double speed = length(slip(change, normal));
+        const Slips rates = slips_of(change);
+        for (const auto& [now, speed] : {std::pair(slips.nose_speed, rates.nose_speed),
+                                         std::pair(slips.cloth_speed, rates.cloth_speed)}) {
             if (now > no_slip_ && speed > 0) {
                 longest = std::min(longest, kMaxSlipFraction * now / speed);
             }
@@ -115,15 +130,17 @@ class CushionContact {
         return longest;
     }
 
-    [[nodiscard]] bool is_stiff(const Motion& motion, const Forces& f, double step) const {
-        const double nose = length(slip(motion, normal_));
-        const double cloth = length(slip(motion, kUp));
+    [[nodiscard]] bool is_stiff(const Slips& slips, const Forces& f, double step) const {
+        const double nose = slips.nose_speed;
+        const double cloth = slips.cloth_speed;
         return (nose > no_slip_ && kResponse * step * friction_ > nose) ||
                (cloth > no_slip_ && kResponse * step * cloth_friction_ * f.support > cloth);
     }
 
     /// Change of the motion per unit of normal impulse.
-    [[nodiscard]] Motion rate(const Motion& motion) { return rate(motion, forces(motion, 0)); }
+    [[nodiscard]] Motion rate(const Motion& motion) {
+        return rate(motion, forces(motion, slips_of(motion), 0));
+    }
 
     [[nodiscard]] Motion rate(const Motion& motion, const Forces& f) const {
         const Vec3 torque = f.nose.cross(normal_) + f.cloth.cross(kUp);
@@ -140,11 +157,8 @@ class CushionContact {
     /// Friction against the slip after an impulse of `ahead`. For a contact that slips now and
     /// `ahead` 0, it is known. Otherwise the friction that stops the slip, or the largest possible
     /// one, is found by alternating iteration between the two contacts.
-    [[nodiscard]] Forces forces(const Motion& motion, double ahead) {
-        const Vec3 nose_slip = slip(motion, normal_);
-        const Vec3 cloth_slip = slip(motion, kUp);
-        const double nose_speed = length(nose_slip);
-        const double cloth_speed = length(cloth_slip);
+    [[nodiscard]] const Forces& forces(const Motion& motion, const Slips& slips, double ahead) {
+        const auto& [nose_slip, cloth_slip, nose_speed, cloth_speed] = slips;
         const bool is_nose_known = ahead == 0 && nose_speed > no_slip_;
         const bool is_cloth_known = ahead == 0 && cloth_speed > no_slip_;
         const double fraction = ahead > 0 ? 1 / ahead : 0;
@@ -166,8 +180,8 @@ class CushionContact {
                 const Vec3 slip_rate = cloth_slip * fraction + slip(rate(motion, f), kUp);
                 f.cloth = limited(f.cloth - slip_rate / kResponse, limit);
             }
-            const double change = length(f.nose - last.nose) + length(f.cloth - last.cloth);
-            if ((is_nose_known && is_cloth_known) || change < 1e-14) {
+            if ((is_nose_known && is_cloth_known) ||
+                length(f.nose - last.nose) + length(f.cloth - last.cloth) < 1e-14) {
                 break;
             }
         }

@@ -90,6 +90,17 @@ std::size_t monotone_nodes(const Quartic& slope, double low, double high,
     return count + 2;
 }
 
+/// True if the polynomial is positive in [0, high] already by the signs and sizes of its
+/// coefficients, as it is for most of the surfaces that a ball may meet but does not.
+bool stays_positive(const Quartic& c, double high) {
+    constexpr double kRounding = 1e-12;
+    double least = 0;
+    for (std::size_t n = 4; n > 0; --n) {
+        least = (least + std::min(c[n], 0.0)) * high;
+    }
+    return c[0] * (1 - kRounding) + least > 0;
+}
+
 }  // namespace
 
 double evaluate(const Quartic& c, double t) {
@@ -121,7 +132,7 @@ std::size_t sign_changes(const Quartic& c, double low, double high, std::array<d
 }
 
 std::optional<double> first_descent(const Quartic& c, double low, double high) {
-    if (!(low < high)) {
+    if (!(low < high) || (low == 0 && stays_positive(c, high))) {
         return std::nullopt;
     }
     const Quartic slope = derivative(c);

@@ -27,8 +27,22 @@ std::vector<Placement> placements_of(std::span<const MovingBody> bodies) {
     return placed;
 }
 
-std::vector<BodyContact> ContactFinder::find(std::span<const MovingBody> bodies,
-                                             std::span<const Placement> placed, double reach) {
+const std::vector<BodyContact>& ContactFinder::find(std::span<const MovingBody> bodies,
+                                                    std::span<const Placement> placed) {
+    const auto is_same = [](const Placement& known, const Placement& now) {
+        return known.mode == now.mode && known.state.position == now.state.position &&
+               known.state.orientation == now.state.orientation;
+    };
+    if (!std::ranges::equal(last_placed_, placed, is_same)) {
+        last_placed_.assign(placed.begin(), placed.end());
+        last_found_ = find_within(0, bodies, placed);
+    }
+    return last_found_;
+}
+
+std::vector<BodyContact> ContactFinder::find_within(double reach,
+                                                    std::span<const MovingBody> bodies,
+                                                    std::span<const Placement> placed) {
     const auto placed_body = [&](std::size_t number) -> Placed {
         return {static_cast<int>(number), bodies[number], placed[number].state, reach};
     };

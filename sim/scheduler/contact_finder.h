@@ -62,15 +62,14 @@ class ContactFinder {
     explicit ContactFinder(const StaticEnvironment& environment) : environment_(environment) {}
 
     /// All contacts of the bodies in the solver, in a fixed order. `placed`: the bodies'
-    /// placements, in the same order. `reach`: gaps up to this (m, at most kMaxReach) are contacts
-    /// as well, except those with meshes.
-    [[nodiscard]] std::vector<BodyContact> find(std::span<const MovingBody> bodies,
-                                                std::span<const Placement> placed,
-                                                double reach = 0);
-    /// Likewise where the bodies are now.
-    [[nodiscard]] std::vector<BodyContact> find(std::span<const MovingBody> bodies) {
-        return find(bodies, placements_of(bodies));
-    }
+    /// placements, in the same order. Where nothing has moved since the last call, as at the start
+    /// of a step whose end was looked at, they are those found then. Valid until the next call.
+    [[nodiscard]] const std::vector<BodyContact>& find(std::span<const MovingBody> bodies,
+                                                       std::span<const Placement> placed);
+    /// Likewise, with gaps up to `reach` (m, at most kMaxReach), except those with meshes.
+    [[nodiscard]] std::vector<BodyContact> find_within(double reach,
+                                                       std::span<const MovingBody> bodies,
+                                                       std::span<const Placement> placed);
 
     /// Name and material of a part of the static environment.
     [[nodiscard]] SurfaceInfo info(const ContactPartner& partner) const;
@@ -120,6 +119,8 @@ class ContactFinder {
              const Contact& contact, const Rolling& rolling, std::vector<BodyContact>& found) const;
 
     const StaticEnvironment& environment_;
+    std::vector<Placement> last_placed_;
+    std::vector<BodyContact> last_found_;
     NearPairs near_pairs_{kSolidMargin};
     NearPairs wide_pairs_{kMaxReach};
     /// Per ball, those of the table and of the scenery.

@@ -153,7 +153,7 @@ bool ImpactResolver::reaches_obstacle(const PredictedEvent& event, const ImpactG
         contact_time(ball_stiffness(a.radius * b.radius / (a.radius + b.radius)),
                      a.mass * b.mass / (a.mass + b.mass), approach);
     const std::vector<BodyContact> contacts =
-        finder_.find(bodies_.all(), placed, std::min(2 * approach * duration, kMaxReach));
+        finder_.find_within(std::min(2 * approach * duration, kMaxReach), bodies_.all(), placed);
     return std::any_of(contacts.begin(), contacts.end(), [&](const BodyContact& found) {
         if (found.is_between_bodies()) {
             return !bodies_.all()[static_cast<std::size_t>(found.contact.second)].is_ball();

@@ -184,7 +184,7 @@ std::vector<BodyContact> RestitutionPass::contacts_within(double reach, double t
     for (const BodyContact& found : contacts) {
         touching.insert(found.pair());
     }
-    for (const BodyContact& found : finder_.find(bodies_.all(), placed, reach)) {
+    for (const BodyContact& found : finder_.find_within(reach, bodies_.all(), placed)) {
         if (!touching.contains(found.pair())) {
             contacts.push_back(found);
         }

@@ -44,9 +44,9 @@ void Stepper::begin_window(double now) {
 double Stepper::try_step(double now, double until) {
     begin_window(now);
     has_trial_step_ = true;
-    std::vector<BodyContact> contacts = finder_.find(bodies_.all());
+    std::vector<BodyContact> contacts = finder_.find(bodies_.all(), placements_of(bodies_.all()));
     while (sleep_.wake_by_contact(contacts, now)) {
-        contacts = finder_.find(bodies_.all());
+        contacts = finder_.find(bodies_.all(), placements_of(bodies_.all()));
     }
     resolve_impacts(contacts, now);
     trial_.attempt(now, until, contacts);

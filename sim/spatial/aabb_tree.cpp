@@ -86,6 +86,16 @@ void AabbTree::query(const Vec3& point, double distance, std::vector<std::uint32
          found);
 }
 
+void AabbTree::query(const Aabb& box, const Vec3& point, double distance,
+                     std::vector<std::uint32_t>& found) const {
+    walk(
+        [&](const Aabb& candidate) {
+            return candidate.overlaps(box) &&
+                   candidate.squared_distance(point) <= distance * distance;
+        },
+        found);
+}
+
 template <class Predicate>
 void AabbTree::walk(const Predicate& is_hit, std::vector<std::uint32_t>& found) const {
     found.clear();

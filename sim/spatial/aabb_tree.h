@@ -44,6 +44,9 @@ class AabbTree {
     void query(const Aabb& box, std::vector<std::uint32_t>& found) const;
     /// Replaces `found` by the indices of all boxes within `distance` of a point, ascending.
     void query(const Vec3& point, double distance, std::vector<std::uint32_t>& found) const;
+    /// Replaces `found` by the indices of all boxes for which both hold, ascending.
+    void query(const Aabb& box, const Vec3& point, double distance,
+               std::vector<std::uint32_t>& found) const;
 
   private:
     struct Node {

@@ -123,6 +123,8 @@ std::optional<StaticMesh::FeatureImpact> StaticMesh::first_impact(const MotionSe
                                                                   double until) const {
     std::optional<FeatureImpact> first;
     Aabb bounds = swept_bounds(ball, now, until);
+    const Vec3 middle = (bounds.low + bounds.high) * 0.5;
+    const double reach = radius + 0.5 * length(bounds.high - bounds.low) + 1e-9;
     bounds.grow(radius + 1e-9);
     std::vector<std::uint32_t> near;
     for (const auto& each : parts_) {
@@ -131,7 +133,7 @@ std::optional<StaticMesh::FeatureImpact> StaticMesh::first_impact(const MotionSe
             continue;
         }
         prepare(part);
-        part.tree.query(bounds, near);
+        part.tree.query(bounds, middle, reach, near);
         for (const std::uint32_t index : near) {
             const auto time = feature_impact_time(part.features[index], ball, radius, now,
                                                   first ? first->time : until);

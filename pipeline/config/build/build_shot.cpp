@@ -33,13 +33,14 @@ bool Builder::claim_name(const std::string& name, const Place& place, const std:
 
 Shot build_shot(const ShotFile& file, const Node& root, const std::string& name, Reader& reader,
                 sim::billiards::TableMemo* tables) {
-    Builder builder{file, root, reader, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, tables, {}};
+    Builder builder(file, root, reader, tables);
     builder.shot.name = name;
     builder.shot.world = file.world;
     build_table(builder);
     build_balls(builder);
     build_objects(builder);
     place_touching_balls(builder);
+    build_table_geometry(builder);
     build_table_scene(builder);
     build_stick(builder);
     build_look(builder);
@@ -55,6 +56,45 @@ Shot build_shot(const ShotFile& file, const Node& root, const std::string& name,
     warn_about_coplanar_surfaces(builder);
     warn_about_matte_names(builder);
     return std::move(builder.shot);
+}
+
+BuiltWorld build_world(const ShotFile& file, const Node& root, Reader& reader,
+                       sim::billiards::TableMemo* tables) {
+    Builder builder(file, root, reader, tables);
+    builder.has_look = false;
+    builder.shot.world = file.world;
+    build_table(builder);
+    build_balls(builder);
+    build_objects(builder);
+    place_touching_balls(builder);
+    build_table_geometry(builder);
+    build_events(builder);
+    check_references(builder);
+    check_placement(builder);
+    check_world(builder);
+    aim_strikes(builder);
+    return {std::move(static_cast<BuiltNames&>(builder)), std::move(builder.shot.world)};
+}
+
+std::vector<sim::ForceEvent> build_events(const ShotFile& file, const Node& root, Reader& reader,
+                                          const BuiltWorld& others) {
+    Builder builder(file, root, reader, nullptr);
+    static_cast<BuiltNames&>(builder) = others.names;
+    builder.has_look = false;
+    builder.shot.world = others.world;
+    builder.shot.world.events.clear();
+    build_events(builder);
+    check_references(builder);
+    const bool places_balls =
+        std::ranges::any_of(builder.shot.world.events, [](const sim::ForceEvent& event) {
+            return std::holds_alternative<sim::PlaceBall>(event.action);
+        });
+    if (places_balls && !reader.has_error()) {
+        check_placement(builder);
+    }
+    check_events(builder);
+    aim_strikes(builder);
+    return std::move(builder.shot.world.events);
 }
 
 }  // namespace carom::pipeline::config

@@ -1,7 +1,11 @@
 // Builds a Shot from the sections of the YAML: resolves names, builds geometry, fills in defaults.
 #pragma once
 
+#include <map>
+#include <memory>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "pipeline/config/node.h"
 #include "pipeline/config/reader.h"
@@ -15,5 +19,33 @@ namespace carom::pipeline::config {
 /// `file` was read, for places. `tables` has tables that were built before; it may be null.
 [[nodiscard]] Shot build_shot(const ShotFile& file, const Node& root, const std::string& name,
                               Reader& reader, sim::billiards::TableMemo* tables = nullptr);
+
+/// What a shot consists of, by name.
+struct BuiltNames {
+    /// The places of balls and objects (racked balls: the place of the rack).
+    std::map<std::string, Place> placed;
+    std::set<std::string> balls;
+    std::set<std::string> bodies;         // moved by the simulation
+    std::set<std::string> fixed;          // static collision objects
+    std::map<std::string, Vec3> scenery;  // positions of static objects that are only visible
+    std::set<std::string> keyed;          // moved by keys and only visible
+    std::set<std::string> kinematic;      // moved by keys and pushing others
+    std::set<std::string> materials;
+    std::shared_ptr<const sim::billiards::TableGeometry> table_geometry;  // null: no table
+};
+
+/// A world without what is only seen, and the names in it.
+struct BuiltWorld {
+    BuiltNames names;
+    sim::WorldDescription world;
+};
+
+/// As build_shot, for the world alone; `file` needs only the sections that it is made of.
+[[nodiscard]] BuiltWorld build_world(const ShotFile& file, const Node& root, Reader& reader,
+                                     sim::billiards::TableMemo* tables);
+
+/// Builds the events of `file` for another world, which has no other problems.
+[[nodiscard]] std::vector<sim::ForceEvent> build_events(const ShotFile& file, const Node& root,
+                                                        Reader& reader, const BuiltWorld& others);
 
 }  // namespace carom::pipeline::config

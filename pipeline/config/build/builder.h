@@ -1,10 +1,8 @@
 // The steps of build_shot, in the order in which they run.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -17,24 +15,18 @@
 namespace carom::pipeline::config {
 
 /// The state that the steps share.
-struct Builder {
+struct Builder : BuiltNames {
+    Builder(const ShotFile& of, const Node& from, Reader& with,
+            sim::billiards::TableMemo* built_before)
+        : file(of), root(from), reader(with), tables(built_before) {}
+
     const ShotFile& file;
     const Node& root;
     Reader& reader;
     Shot shot;
-
-    /// The places of balls and objects by name (racked balls: the place of the rack).
-    std::map<std::string, Place> placed;
-    std::set<std::string> balls;
-    std::set<std::string> bodies;         // moved by the simulation
-    std::set<std::string> fixed;          // static collision objects
-    std::map<std::string, Vec3> scenery;  // positions of static objects that are only visible
-    std::set<std::string> keyed;          // moved by keys and only visible
-    std::set<std::string> kinematic;      // moved by keys and pushing others
-    std::set<std::string> materials;
-    std::shared_ptr<const sim::billiards::TableGeometry> table_geometry;  // null: no table
     sim::billiards::TableMemo* tables = nullptr;  // tables that were built before, or null
-    std::vector<sim::AimedStrike> aims;           // of the world's events
+    bool has_look = true;                         // false: only the world is built
+    std::vector<sim::AimedStrike> aims{};         // of the world's events
 
     /// The place of a key by its path, or of the last part of the path that was given.
     [[nodiscard]] Place place_of(const std::vector<std::string>& path) const;
@@ -55,7 +47,8 @@ void build_table(Builder& builder);  // the dimensions of the table
 void build_balls(Builder& builder);  // bodies and scene objects
 void build_objects(Builder& builder);
 void place_touching_balls(Builder& builder);
-void build_table_scene(Builder& builder);  // the geometry of the table
+void build_table_geometry(Builder& builder);
+void build_table_scene(Builder& builder);  // what is seen of it
 void build_stick(Builder& builder);        // the cue stick, if it is seen
 void build_look(Builder& builder);         // materials and lights
 void build_events(Builder& builder);
@@ -70,8 +63,9 @@ void check_placement(Builder& builder);            // overlaps, balls in cushion
 void warn_about_ball_positions(Builder& builder);  // far away or under the table
 void warn_about_coplanar_surfaces(Builder& builder);
 void warn_about_matte_names(Builder& builder);
-void check_world(Builder& builder);  // problems that the simulation finds
-void aim_strikes(Builder& builder);  // finds directions, if there is no error
+void check_world(Builder& builder);   // problems that the simulation finds
+void check_events(Builder& builder);  // those of the events alone
+void aim_strikes(Builder& builder);   // finds directions, if there is no error
 
 /// The balls of the rack; empty after a problem.
 [[nodiscard]] std::vector<sim::billiards::PlacedBall> place_rack(Builder& builder);

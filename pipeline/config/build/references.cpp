@@ -185,6 +185,9 @@ Message unknown_pocket(const Builder& builder, const std::string& name,
 
 void check_references(Builder& builder) {
     for (const Reference& reference : builder.reader.references()) {
+        if (reference.kind == ReferenceKind::material && !builder.has_look) {
+            continue;
+        }
         const std::vector<std::string> known = known_names(builder, reference.kind);
         if (std::find(known.begin(), known.end(), reference.name) != known.end()) {
             continue;

@@ -177,7 +177,7 @@ std::vector<sim::billiards::PlacedBall> place_rack(Builder& builder) {
     return balls;
 }
 
-void build_table_scene(Builder& builder) {
+void build_table_geometry(Builder& builder) {
     if (!builder.shot.world.table) {
         return;
     }
@@ -187,7 +187,12 @@ void build_table_scene(Builder& builder) {
                                  ? builder.tables->table(measures, radius)
                                  : std::make_shared<const sim::billiards::TableGeometry>(
                                        sim::billiards::build_table(measures, radius));
-    add_table(builder.shot.scene, measures, *builder.table_geometry);
+}
+
+void build_table_scene(Builder& builder) {
+    if (builder.table_geometry) {
+        add_table(builder.shot.scene, *builder.shot.world.table, *builder.table_geometry);
+    }
 }
 
 }  // namespace carom::pipeline::config

@@ -96,4 +96,13 @@ void check_world(Builder& builder) {
     }
 }
 
+void check_events(Builder& builder) {
+    if (builder.reader.has_error()) {
+        return;
+    }
+    for (const Diagnostic& problem : sim::find_event_problems(builder.shot.world)) {
+        builder.report(problem);
+    }
+}
+
 }  // namespace carom::pipeline::config

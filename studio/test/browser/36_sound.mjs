@@ -2,7 +2,7 @@
 // slowly and repeated, a jump is heard, the loudspeaker and its volume are remembered, and a silent
 // film says so.
 import { join } from 'node:path';
-import { equal, settle, textOf } from './harness.mjs';
+import { equal, goTo, settle, textOf } from './harness.mjs';
 import { pixelOnStrip } from './strip_harness.mjs';
 
 const kInStep = 0.03; // s
@@ -86,8 +86,6 @@ async function pause(page) {
     await page.evaluate(() => { window.studio.state.playing.value = false; });
     await page.evaluate(() => new Promise((done) => { setTimeout(done, 150); }));
 }
-
-const goTo = (page, time) => page.evaluate((to) => window.studio.sound.goTo(to), time);
 
 /// How far the sound is from the play head while it plays, s: the median of `frames` frames.
 async function differenceWhilePlaying(page, frames) {

@@ -143,6 +143,11 @@ export async function holdFilm(page, server, frames) {
     return () => process.kill(film, 'SIGCONT');
 }
 
+/// Puts the play head to a time of the film, s: both of its clocks.
+export function goTo(page, time) {
+    return page.evaluate((to) => window.studio.sound.goTo(to), time);
+}
+
 /// The text of the shot as it stands in the page.
 export function textOf(page) {
     return page.evaluate(() => window.studio.edit.text());

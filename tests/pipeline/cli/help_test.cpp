@@ -90,6 +90,8 @@ TEST_F(Help, Bash_CompletesValuesAndFiles) {
     EXPECT_THAT(bash_offers("carom check --log j"), ElementsAre("json"));
     EXPECT_THAT(bash_offers("carom new s.yaml --template d"), ElementsAre("dominoes"));
     EXPECT_THAT(bash_offers("carom completion z"), ElementsAre("zsh"));
+    EXPECT_THAT(bash_offers("carom sweep tiny.yaml --sampling l"), ElementsAre("latin"));
+    EXPECT_THAT(bash_offers("carom sweep tiny.yaml --measure reb"), ElementsAre("rebound_angle:"));
     carom::testing::write_text(path("my shot.yaml"), "");
     EXPECT_THAT(bash_offers("carom render my"), ElementsAre("my shot.yaml"));
     EXPECT_THAT(bash_offers("carom render -o tin"), ElementsAre("tiny.yaml"));

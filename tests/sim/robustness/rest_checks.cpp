@@ -73,7 +73,7 @@ class RestingBodies {
         for (MovingBody& body : bodies_) {
             place(body, timeline, time, takes_part);
         }
-        contacts_ = finder().find(bodies_);
+        contacts_ = finder().find(bodies_, placements_of(bodies_));
         for (const BodyContact& found : contacts_) {
             if (is_free(found.contact.first) && is_free(found.contact.second)) {
                 join(found.contact.first, found.contact.second);

@@ -56,6 +56,20 @@ TEST(Trials_OfRandomShots, HaveTheBitsOfBakes) {
     }
 }
 
+TEST(Trials_WhoseMotionIsKept, AreBakes) {
+    for (std::uint64_t number = 0; number < 20; ++number) {
+        SCOPED_TRACE(number);
+        const WorldDescription world = test::random_shot(number);
+        TrialLimits limits;
+        limits.keeps_motion = true;
+        const auto outcome = Trials(world).run(world.events, limits);
+        ASSERT_TRUE(outcome && outcome->motion);
+        const Timeline timeline = bake(world);
+        EXPECT_TRUE(*outcome->motion == timeline);
+        expect_outcome_of(timeline, *outcome);
+    }
+}
+
 TEST(Trials_ThatAreAnswered, AreTheBeginningOfTheBake) {
     for (std::uint64_t number = 0; number < 30; ++number) {
         SCOPED_TRACE(number);
