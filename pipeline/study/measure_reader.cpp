@@ -7,9 +7,9 @@
 
 #include "core/text.h"
 #include "pipeline/config/parse_moment.h"
+#include "pipeline/config/pocket_names.h"
 #include "pipeline/config/quantity.h"
 #include "pipeline/config/text.h"
-#include "sim/billiards/layout.h"
 #include "sim/occurrence.h"
 #include "sim/timeline/surface.h"
 
@@ -90,21 +90,17 @@ std::string Arguments::partner() {
 
 std::string Arguments::pocket() {
     const Word& word = take();
-    std::vector<std::string> known;
-    if (world_.table && world_.table->has_cushions) {
-        constexpr double kAnyRadius = 0.03;  // m; the names do not depend on it
-        for (const auto& pocket : sim::billiards::make_layout(*world_.table, kAnyRadius).pockets) {
-            known.push_back(pocket.pocket.name);
-        }
-    }
+    const std::vector<std::string> known =
+        world_.table ? config::pocket_names(*world_.table) : std::vector<std::string>();
     if (known.empty()) {
         fail(word, "the table has no pockets");
     }
-    if (std::ranges::find(known, word.text) == known.end()) {
+    std::string pocket = config::pocket_of_name(*world_.table, word.text);
+    if (pocket.empty()) {
         fail(word, "there is no pocket " + quote(word.text) + hint(word.text, known).text +
                        "; the pockets are " + enumerate(known, "and"));
     }
-    return word.text;
+    return pocket;
 }
 
 int Arguments::number() {
