@@ -264,6 +264,15 @@ void describe(ReportCommand& command, CommandDescription& description);
 void run(const ReportCommand& command, CommandContext& context);
 
 /// Simulates variants of a shot and measures them. Strings are as typed.
+struct SolveCommand {
+    InputOptions input;
+    std::string output;  // the shot with the strike that was found; empty: not written
+    bool lists_all = false;
+    bool json = false;
+};
+void describe(SolveCommand& command, CommandDescription& description);
+void run(const SolveCommand& command, CommandContext& context);
+
 struct SweepCommand {
     InputOptions input;
     std::vector<std::string> vary;
@@ -431,6 +440,8 @@ inline constexpr std::tuple kCommandTable{
                             "Print a summary of a shot, or every value of it."},
     CommandRow<ReportCommand>{"report", Group::look, Program::carom,
                               "Print the events, speeds and energy of a shot."},
+    CommandRow<SolveCommand>{"solve", Group::look, Program::carom,
+                             "Find the strike that does what the shot wants."},
     CommandRow<SweepCommand>{"sweep", Group::look, Program::carom,
                              "Vary values of a shot and measure what changes."},
     CommandRow<RenderCommand>{"render", Group::film, Program::film,

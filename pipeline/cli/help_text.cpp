@@ -1,5 +1,6 @@
 #include "pipeline/cli/help_text.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace carom::cli {
@@ -48,10 +49,30 @@ void add_commands(std::string& text, const CommandDescription& command) {
     }
 }
 
+/// A command line, continued on the next line where it would be wider than the terminal.
+std::string broken(const std::string& line) {
+    std::string text;
+    std::size_t width = kIndent;
+    std::size_t begin = 0;
+    while (begin < line.size()) {
+        const std::size_t end = std::min(line.find(" --", begin + 1), line.size());
+        const std::string part = line.substr(begin, end - begin);
+        if (begin > 0 && width + part.size() > kTerminalWidth - 2) {
+            text += " \\\n     ";
+            width = 5;
+        }
+        text += part;
+        width += part.size();
+        begin = end;
+    }
+    return text;
+}
+
 void add_examples(std::string& text, const std::vector<Example>& examples) {
     text += examples.size() == 1 ? "\nExample:\n" : "\nExamples:\n";
     for (const Example& example : examples) {
-        text += "  " + example.line + "\n" + wrapped(example.meaning, kTerminalWidth, 6) + "\n";
+        text +=
+            "  " + broken(example.line) + "\n" + wrapped(example.meaning, kTerminalWidth, 6) + "\n";
     }
 }
 

@@ -232,6 +232,12 @@ void run(const SweepCommand& command, CommandContext& context) {
     }
     Console& console = context.console;
     const ShotInput input = read_shot_input(command.input, console, Subject::motion);
+    if (!input.shot.solved.empty()) {
+        throw InputError("'" + command.input.path +
+                         "' has 'solve', whose strike would be another one in each variant; write "
+                         "the one to vary with 'carom solve " +
+                         command.input.path + " -o SOLVED.yaml'");
+    }
     const pipeline::ShotVariants variants(command.input.path, load_options(command.input),
                                           "--vary");
     const study::Sweep sweep = read_sweep(command, variants, console);

@@ -62,9 +62,9 @@ std::vector<ReadFile> files_of(const SourceSet& sources) {
 
 /// Builds the shot from the merged tree. After an error it is not complete.
 Shot build_from(const Node& root, const ShotFile& file, const std::string& name, Reader& reader,
-                sim::billiards::TableMemo* tables) {
+                sim::billiards::TableMemo* tables, std::vector<FoundStrike>& found) {
     try {
-        Shot shot = build_shot(file, root, name, reader, tables);
+        Shot shot = build_shot(file, root, name, reader, tables, found);
         shot.moments = reader.moments();
         return shot;
     } catch (const Error& failure) {  // geometry that the checks of single keys accept
@@ -111,12 +111,15 @@ ShotSource::Notes write_directions(Node& root, const std::vector<sim::FoundDirec
 /// Reads the merged tree; empty after an error. `is_whole`: false if a file is missing or an object
 /// could not be repeated, which was reported, so that references must not be checked.
 std::optional<Shot> read_shot(const Node& root, bool is_whole, const std::string& name,
-                              Reader& reader, sim::billiards::TableMemo* tables) {
-    const ShotFile file = read_sections(root, reader);
+                              Reader& reader, sim::billiards::TableMemo* tables,
+                              const std::vector<OpenStrike>& open,
+                              std::vector<FoundStrike>& found) {
+    ShotFile file = read_sections(root, reader);
+    file.open = open;
     if (!is_whole) {
         return std::nullopt;
     }
-    Shot shot = build_from(root, file, name, reader, tables);
+    Shot shot = build_from(root, file, name, reader, tables, found);
     if (!reader.has_error()) {
         shot.assets = hash_assets(reader.named_files(), root, reader);
     }
@@ -151,11 +154,15 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
         apply_conditions(*gathered.root, sources, folders, problems, !gathered.is_complete);
         Reader reader(sources, folders, problems);
         reader.set_partial(!gathered.is_complete);
+        const std::vector<OpenStrike> open = open_strikes(*gathered.root);
+        std::vector<FoundStrike> found;
         const auto tree = std::make_shared<Node>(std::move(*gathered.root));
         root = tree;
-        result.shot = read_shot(*tree, gathered.is_complete && has_all_objects,
-                                fs::path(origin).stem().string(), reader, options.tables);
+        result.shot =
+            read_shot(*tree, gathered.is_complete && has_all_objects,
+                      fs::path(origin).stem().string(), reader, options.tables, open, found);
         if (result.shot) {
+            write_found(*tree, found);
             notes = write_directions(*tree, result.shot->found_directions);
             result.shot->resolved_text = emit_yaml(*tree, reader.replaced());
         }
@@ -230,7 +237,9 @@ std::vector<Problem> resolve_moments(Shot& shot, std::shared_ptr<const ShotSourc
     const ConfigFolders folders = config_folders_of(source->sources().at(0).name);
     const KnownMotion motion{&timeline, &shot.world};
     Reader reader(source->sources(), folders, problems, &motion);
-    std::optional<Shot> known = read_shot(source->root(), true, shot.name, reader, tables);
+    std::vector<FoundStrike> none;  // the tree has what was found
+    std::optional<Shot> known =
+        read_shot(source->root(), true, shot.name, reader, tables, {}, none);
     std::vector<Problem> found = new_problems(problems, *source);
     if (known) {
         shot.cameras = std::move(known->cameras);
@@ -283,7 +292,8 @@ std::vector<Problem> resolve_known_moments(Shot& shot, std::shared_ptr<const Sho
     const KnownMotion motion{&timeline, &shot.world, true};
     Reader reader(source->sources(), folders, problems, &motion);
     const ShotFile file = read_sections(source->root(), reader);
-    Shot known = build_from(source->root(), file, shot.name, reader, nullptr);
+    std::vector<FoundStrike> none;  // the tree has the strikes that were found
+    Shot known = build_from(source->root(), file, shot.name, reader, nullptr, none);
     std::set<std::string> faulty = elements_without_time(reader.moments());
     found = new_problems(problems, *source);
     make_warnings(found, faulty);

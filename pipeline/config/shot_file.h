@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pipeline/camera/camera_rig.h"
+#include "pipeline/config/open_strikes.h"
 #include "pipeline/config/source_set.h"
 #include "pipeline/config/value_types.h"
 #include "pipeline/picture/annotation.h"
@@ -15,6 +16,7 @@
 #include "pipeline/shot/cue_stick.h"
 #include "pipeline/shot/keyed_motion.h"
 #include "pipeline/shot/sound_settings.h"
+#include "pipeline/solve/solver.h"
 #include "pipeline/video/output_settings.h"
 #include "render/scene/render_settings.h"
 #include "render/scene/scene_description.h"
@@ -150,6 +152,21 @@ struct LightSection {
     render::Falloff falloff = render::Falloff::inverse_square;
 };
 
+/// A want, and where it stands.
+struct WantSection {
+    solve::Want want;
+    Place place;
+};
+
+/// A strike that is found.
+struct SolveSection {
+    std::optional<int> event;  // empty: the first strike whose direction or speed is not given
+    std::vector<WantSection> wants, avoided;
+    std::vector<solve::Preference> prefer{solve::Preference::likely};
+    solve::PlayerError player = *solve::player_error("club");
+    Place place;
+};
+
 struct EventSection {
     sim::ForceEvent event;
     std::optional<sim::Aim> aim;      // of a strike, instead of its direction
@@ -188,6 +205,8 @@ struct ShotFile {
     std::vector<Named<BallSection>> balls;
     std::vector<Named<ObjectSection>> objects;
     std::vector<EventSection> events;
+    std::vector<SolveSection> solve;  // in the order in which they are found
+    std::vector<OpenStrike> open;     // of these
     std::vector<Named<render::MaterialDescription>> materials;  // their own names are empty
     std::vector<Named<LightSection>> lights;
     std::optional<StickSection> stick;

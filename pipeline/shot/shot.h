@@ -10,6 +10,7 @@
 #include "pipeline/picture/annotation.h"
 #include "pipeline/shot/cue_stick.h"
 #include "pipeline/shot/sound_settings.h"
+#include "pipeline/solve/solver.h"
 #include "pipeline/video/output_settings.h"
 #include "render/scene/render_settings.h"
 #include "render/scene/scene_description.h"
@@ -27,12 +28,19 @@ struct ShotMoment {
     bool operator==(const ShotMoment&) const = default;
 };
 
+/// A strike that `solve` found, or several solutions of it, the best one first.
+struct SolvedStrike {
+    std::size_t event = 0;  // of the world
+    solve::SolveResult result;
+};
+
 struct Shot {
     std::string name;  // the file's name without folder and extension
     sim::WorldDescription world;
     /// Of strikes whose aims say what they shall do; the world and the resolved text have them,
     /// too.
     std::vector<sim::FoundDirection> found_directions;
+    std::vector<SolvedStrike> solved;  // likewise
     render::SceneDescription scene;  // its objects refer to tracks of bodies or of `keyed` by name
     std::vector<sim::Track> keyed;   // of objects that keys move
     ShownStick stick;                // its parts are objects of the scene

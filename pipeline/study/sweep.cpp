@@ -159,7 +159,7 @@ std::size_t variant_count(const Sweep& sweep) {
 }
 
 std::vector<Problem> find_problems(const Sweep& sweep, const ShotVariants& variants,
-                                   const StudyWork& work) {
+                                   const PartsWork& work) {
     const SweepPoints points(sweep);
     const bool is_quick = varies_events_alone(sweep);
     std::mutex mutex;
@@ -191,7 +191,7 @@ std::vector<Problem> find_problems(const Sweep& sweep, const ShotVariants& varia
     return all;
 }
 
-SweepTable run_sweep(const Sweep& sweep, const ShotVariants& variants, const StudyWork& work) {
+SweepTable run_sweep(const Sweep& sweep, const ShotVariants& variants, const PartsWork& work) {
     const SweepPoints points(sweep);
     const Player player(sweep, variants, work.context.stop);
     std::vector<Measured> measured(points.count());

@@ -9,7 +9,7 @@
 #include "pipeline/config/shot_variants.h"
 #include "pipeline/study/measures.h"
 #include "pipeline/study/sampling.h"
-#include "pipeline/study/variants.h"
+#include "pipeline/variants/variants.h"
 #include "pipeline/study/varied_key.h"
 
 namespace carom::pipeline::study {
@@ -60,12 +60,12 @@ inline constexpr std::uint64_t kMostSteps = 100'000'000;
 
 /// The problems of all variants, each of them once; empty if all can be simulated.
 [[nodiscard]] std::vector<Problem> find_problems(const Sweep& sweep, const ShotVariants& variants,
-                                                 const StudyWork& work = {});
+                                                 const PartsWork& work = {});
 
 /// Simulates all variants, which have no problems. After a stop the table has those that were
 /// finished.
 [[nodiscard]] SweepTable run_sweep(const Sweep& sweep, const ShotVariants& variants,
-                                   const StudyWork& work = {});
+                                   const PartsWork& work = {});
 
 /// The table as CSV (RFC 4180), with titles; nothing is an empty field.
 [[nodiscard]] std::string csv_of(const SweepTable& table);

@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "core/elementary.h"
 #include "core/text.h"
 #include "pipeline/plan/time_axis.h"
 #include "pipeline/study/plot_page.h"
@@ -42,7 +43,7 @@ std::vector<double> PlotAxis::ticks() const {
 }
 
 std::string PlotAxis::text(double value) const {
-    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step()) + 1e-9)));
+    const int decimals = std::max(0, -static_cast<int>(std::floor(logarithm(step()) / logarithm(10) + 1e-9)));
     return decimals > 6 ? fmt::format("{:.3g}", value) : decimal_text(value, decimals);
 }
 

@@ -32,7 +32,7 @@ bool Builder::claim_name(const std::string& name, const Place& place, const std:
 }
 
 Shot build_shot(const ShotFile& file, const Node& root, const std::string& name, Reader& reader,
-                sim::billiards::TableMemo* tables) {
+                sim::billiards::TableMemo* tables, std::vector<FoundStrike>& found) {
     Builder builder(file, root, reader, tables);
     builder.shot.name = name;
     builder.shot.world = file.world;
@@ -52,6 +52,8 @@ Shot build_shot(const ShotFile& file, const Node& root, const std::string& name,
     check_placement(builder);
     check_world(builder);
     aim_strikes(builder);
+    solve_strikes(builder);
+    found = std::move(builder.found_strikes);
     warn_about_ball_positions(builder);
     warn_about_coplanar_surfaces(builder);
     warn_about_matte_names(builder);

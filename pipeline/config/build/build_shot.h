@@ -16,9 +16,11 @@
 namespace carom::pipeline::config {
 
 /// Problems go to the reader; after an error the shot is invalid. `root` is the tree from which
-/// `file` was read, for places. `tables` has tables that were built before; it may be null.
+/// `file` was read, for places. `tables` has tables that were built before; it may be null. `found`
+/// gets the strikes that were found for `solve`.
 [[nodiscard]] Shot build_shot(const ShotFile& file, const Node& root, const std::string& name,
-                              Reader& reader, sim::billiards::TableMemo* tables = nullptr);
+                              Reader& reader, sim::billiards::TableMemo* tables,
+                              std::vector<FoundStrike>& found);
 
 /// What a shot consists of, by name.
 struct BuiltNames {

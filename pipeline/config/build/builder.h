@@ -27,6 +27,7 @@ struct Builder : BuiltNames {
     sim::billiards::TableMemo* tables = nullptr;  // tables that were built before, or null
     bool has_look = true;                         // false: only the world is built
     std::vector<sim::AimedStrike> aims{};         // of the world's events
+    std::vector<FoundStrike> found_strikes{};     // by `solve`
 
     /// The place of a key by its path, or of the last part of the path that was given.
     [[nodiscard]] Place place_of(const std::vector<std::string>& path) const;
@@ -63,9 +64,10 @@ void check_placement(Builder& builder);            // overlaps, balls in cushion
 void warn_about_ball_positions(Builder& builder);  // far away or under the table
 void warn_about_coplanar_surfaces(Builder& builder);
 void warn_about_matte_names(Builder& builder);
-void check_world(Builder& builder);   // problems that the simulation finds
-void check_events(Builder& builder);  // those of the events alone
-void aim_strikes(Builder& builder);   // finds directions, if there is no error
+void check_world(Builder& builder);    // problems that the simulation finds
+void check_events(Builder& builder);   // those of the events alone
+void aim_strikes(Builder& builder);    // finds directions, if there is no error
+void solve_strikes(Builder& builder);  // finds strikes, if there is no error
 
 /// The balls of the rack; empty after a problem.
 [[nodiscard]] std::vector<sim::billiards::PlacedBall> place_rack(Builder& builder);

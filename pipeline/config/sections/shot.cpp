@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "pipeline/config/sections/sections.h"
+#include "pipeline/config/sections/solve.h"
 
 namespace carom::pipeline::config {
 
@@ -43,6 +44,14 @@ const MapSpec<ShotFile>& shot_spec() {
         s.key("objects", &ShotFile::objects, named("object", object_spec()), "other objects");
         s.key("events", &ShotFile::events, numbered("event", event_spec()),
               "actions on balls and objects");
+        const auto one_solve = convert<std::vector<SolveSection>>(
+            record(solve_spec()), [](SolveSection one) { return std::vector{std::move(one)}; });
+        s.key("solve", &ShotFile::solve,
+              any_of<std::vector<SolveSection>>(
+                  {{[](const Node& node) { return node.is_map(); }, one_solve},
+                   {is_list, numbered("solve", solve_spec())}}),
+              "strikes that are found by what they shall bring about; of several, each is found "
+              "with those before it as they are");
         s.key("stick", &ShotFile::stick, cue_stick(),
               "whether a cue stick is seen to strike: `shown` or `hidden` (the default), or its "
               "measures. A strike may say otherwise");

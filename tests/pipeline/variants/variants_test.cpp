@@ -1,4 +1,4 @@
-#include "pipeline/study/variants.h"
+#include "pipeline/variants/variants.h"
 
 #include <atomic>
 #include <stop_token>
@@ -11,7 +11,7 @@
 #include "sim/bake.h"
 #include "tests/folders.h"
 
-namespace carom::pipeline::study {
+namespace carom::pipeline {
 namespace {
 
 using ::testing::Each;
@@ -126,4 +126,4 @@ TEST(Parts_Progress, NeverDecreasesAndEndsAtOne) {
 }
 
 }  // namespace
-}  // namespace carom::pipeline::study
+}  // namespace carom::pipeline

@@ -9,10 +9,10 @@
 #include "core/progress.h"
 #include "sim/trials.h"
 
-namespace carom::pipeline::study {
+namespace carom::pipeline {
 
-/// How work with many parts is done.
-struct StudyWork {
+/// How work of many parts is done.
+struct PartsWork {
     int threads = 0;  // 0: one per processor
     WorkContext context{};
 };
@@ -21,7 +21,7 @@ struct StudyWork {
 /// exception of the first of them in order of `i` is thrown, whatever the threads do, and later
 /// parts may be left out. Throws Stopped soon after a stop is requested.
 void do_parts(std::size_t count, const std::function<void(std::size_t)>& part,
-              const StudyWork& work = {});
+              const PartsWork& work = {});
 
 /// One variant of the shot of Trials.
 struct Variant {
@@ -37,6 +37,6 @@ using VariantOf = std::function<Variant(std::size_t)>;
 [[nodiscard]] std::vector<std::optional<sim::Outcome>> run_variants(const sim::Trials& trials,
                                                                     std::size_t count,
                                                                     const VariantOf& variant_of,
-                                                                    const StudyWork& work = {});
+                                                                    const PartsWork& work = {});
 
-}  // namespace carom::pipeline::study
+}  // namespace carom::pipeline

@@ -1,4 +1,4 @@
-#include "pipeline/study/variants.h"
+#include "pipeline/variants/variants.h"
 
 #include <algorithm>
 #include <atomic>
@@ -10,14 +10,14 @@
 #include "core/error.h"
 #include "render/threads/thread_arena.h"
 
-namespace carom::pipeline::study {
+namespace carom::pipeline {
 
 namespace {
 
 /// What several threads have done of the parts.
 class Parts {
   public:
-    Parts(std::size_t count, const StudyWork& work) : count_(count), work_(work) {}
+    Parts(std::size_t count, const PartsWork& work) : count_(count), work_(work) {}
 
     void run(std::size_t i, const std::function<void(std::size_t)>& part) {
         if (i > first_failed_ || work_.context.stop.stop_requested()) {
@@ -56,7 +56,7 @@ class Parts {
     }
 
     std::size_t count_;
-    const StudyWork& work_;
+    const PartsWork& work_;
     std::atomic<std::size_t> first_failed_{~std::size_t{0}};
     std::mutex mutex_;
     std::size_t done_ = 0;
@@ -66,7 +66,7 @@ class Parts {
 }  // namespace
 
 void do_parts(std::size_t count, const std::function<void(std::size_t)>& part,
-              const StudyWork& work) {
+              const PartsWork& work) {
     Parts parts(count, work);
     // oneTBB prints a warning when it is asked for more.
     const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -77,7 +77,7 @@ void do_parts(std::size_t count, const std::function<void(std::size_t)>& part,
 
 std::vector<std::optional<sim::Outcome>> run_variants(const sim::Trials& trials, std::size_t count,
                                                       const VariantOf& variant_of,
-                                                      const StudyWork& work) {
+                                                      const PartsWork& work) {
     std::vector<std::optional<sim::Outcome>> outcomes(count);
     do_parts(
         count,
@@ -90,4 +90,4 @@ std::vector<std::optional<sim::Outcome>> run_variants(const sim::Trials& trials,
     return outcomes;
 }
 
-}  // namespace carom::pipeline::study
+}  // namespace carom::pipeline

@@ -1,0 +1,31 @@
+// The options of the command that finds strikes.
+#include "pipeline/cli/options/shared_options.h"
+
+namespace carom::cli {
+
+void describe(SolveCommand& command, CommandDescription& description) {
+    description.details = {
+        "A shot says in `solve` what a strike shall bring about: which ball falls where, which "
+        "balls and cushions are met, where a ball comes to rest. Direction, speed and tip of the "
+        "strike are found by simulating, as far as the strike does not give them.",
+        "Solutions that go different ways are listed, the best one first: the way, the strike, the "
+        "window of directions in which it succeeds, and the chance of a player with the errors of "
+        "`solve.player`, with its standard error. Render, check and the studio take the first "
+        "one."};
+    description.argument("SHOT", command.input.path, "The shot; - reads it from standard input.")
+        .offers(Offer::files, {"yaml", "yml"});
+    description.flag("--all", command.lists_all, "List all solutions; by default the three best.");
+    description.flag("--json", command.json, "Print all of them as JSON, an object in each line.");
+    add_changes(description, command.input);
+    add_output(description, command.output,
+               "Write the shot with the strike that was found instead of `solve`, as one file "
+               "without includes.");
+    description.examples = {
+        {"carom solve solve_red_black.yaml", "The best strikes."},
+        {"carom solve solve_red_black.yaml --set solve.player=beginner --all",
+         "All ways, and how sure a beginner would be of each."},
+        {"carom solve solve_red_black.yaml -o solved.yaml", "The shot with its strike."}};
+    description.notes = {"docs/solving.md tells more."};
+}
+
+}  // namespace carom::cli

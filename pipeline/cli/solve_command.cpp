@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <numbers>
+
+#include <fmt/core.h>
+
+#include "core/json_text.h"
+#include "core/text.h"
+#include "pipeline/cli/output_file.h"
+#include "pipeline/cli/run_program.h"
+#include "pipeline/cli/shot_input.h"
+#include "pipeline/solve/solver.h"
+
+namespace carom::cli {
+
+namespace {
+
+namespace solve = pipeline::solve;
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr std::size_t kListed = 3;
+
+std::string strike_text(const sim::Strike& strike) {
+    std::string text =
+        fmt::format("direction {} deg", decimal_text(strike.direction.value_or(0) / kDegree, 3));
+    if (strike.ball_speed) {
+        text += fmt::format(", ball speed {} m/s", decimal_text(*strike.ball_speed, 2));
+    } else {
+        text += fmt::format(", speed {} m/s", decimal_text(strike.speed.value_or(0), 2));
+    }
+    text +=
+        fmt::format(", tip [{}, {}]", decimal_text(strike.tip.x, 2), decimal_text(strike.tip.y, 2));
+    if (strike.elevation > 0) {
+        text += fmt::format(", elevation {} deg", decimal_text(strike.elevation / kDegree, 1));
+    }
+    return text;
+}
+
+std::string rest_text(const solve::Solution& solution) {
+    return solution.rest
+               ? fmt::format("   '{}' rests at [{}, {}]\n", solution.ball,
+                             decimal_text(solution.rest->x, 3), decimal_text(solution.rest->y, 3))
+               : fmt::format("   '{}' leaves the table\n", solution.ball);
+}
+
+std::string text_of(const pipeline::SolvedStrike& solved, bool lists_all) {
+    const auto& solutions = solved.result.solutions;
+    const auto count =
+        static_cast<std::size_t>(std::ranges::count_if(solutions, &solve::Solution::is_solved));
+    std::string text = fmt::format("events[{}]: {} in {} simulations\n", solved.event,
+                                   counted(count, "solution"), solved.result.simulations);
+    const std::size_t listed = lists_all ? count : std::min(count, kListed);
+    for (std::size_t i = 0; i < listed; ++i) {
+        const solve::Solution& each = solutions[i];
+        text += fmt::format("{}. {}\n   {}\n", i + 1, each.route, strike_text(each.strike));
+        if (each.window > 0) {
+            text +=
+                fmt::format("   succeeds within {} deg; ", decimal_text(each.window / kDegree, 2));
+        } else {
+            text += "   ";
+        }
+        text += fmt::format("chance {:.0f} % (standard error {:.0f} %)\n", 100 * each.chance,
+                            100 * each.chance_error);
+        text += rest_text(each);
+    }
+    if (listed < count) {
+        text += fmt::format("{} more: --all lists them\n", count - listed);
+    }
+    return text;
+}
+
+/// A JSON object in each line.
+std::string json_of(const pipeline::SolvedStrike& solved) {
+    std::string lines;
+    for (const solve::Solution& each : solved.result.solutions) {
+        if (!each.is_solved) {
+            continue;
+        }
+        JsonMembers one;
+        one.add("event", static_cast<std::int64_t>(solved.event));
+        one.add("route", each.route);
+        one.add("direction_deg", each.strike.direction.value_or(0) / kDegree);
+        one.add(each.strike.ball_speed ? "ball_speed" : "speed",
+                each.strike.ball_speed.value_or(each.strike.speed.value_or(0)));
+        one.add("tip", {each.strike.tip.x, each.strike.tip.y});
+        one.add("elevation_deg", each.strike.elevation / kDegree);
+        one.add("window_deg", each.window / kDegree);
+        one.add("chance", each.chance);
+        one.add("chance_error", each.chance_error);
+        if (each.rest) {
+            one.add("rest", {each.rest->x, each.rest->y});
+        }
+        one.add("simulations", static_cast<std::int64_t>(solved.result.simulations));
+        lines += one.object() + "\n";
+    }
+    return lines;
+}
+
+}  // namespace
+
+void run(const SolveCommand& command, CommandContext& context) {
+    if (is_sequence(command.input)) {
+        throw InputError(
+            "a film of several shots has no strike of its own; give one of those that "
+            "'" +
+            command.input.path + "' names");
+    }
+    if (is_bake(command.input)) {
+        throw InputError("'" + command.input.path +
+                         "' is a bake, whose strikes are done; give the shot");
+    }
+    if (!command.output.empty()) {
+        check_output_folder(command.output);
+    }
+    const ShotInput input = read_shot_input(command.input, context.console, Subject::motion);
+    if (input.shot.solved.empty()) {
+        throw InputError("'" + command.input.path +
+                         "' has no 'solve', which says what the strike shall bring about "
+                         "(docs/solving.md)");
+    }
+    std::string text;
+    for (const pipeline::SolvedStrike& solved : input.shot.solved) {
+        text += command.json ? json_of(solved) : text_of(solved, command.lists_all);
+    }
+    print_text(text);
+    if (!command.output.empty()) {
+        write_text_output(command.output, input.shot.resolved_text);
+    }
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,199 @@
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include <fmt/core.h>
+
+#include "core/error.h"
+#include "core/hash.h"
+#include "core/lru_cache.h"
+#include "core/text.h"
+#include "pipeline/config/build/builder.h"
+#include "pipeline/config/pocket_names.h"
+#include "pipeline/solve/solver.h"
+#include "sim/bake.h"
+
+namespace carom::pipeline::config {
+namespace {
+
+using solve::Happening;
+using solve::Want;
+
+/// The want with the pocket's own name and the struck ball.
+Want complete(Want want, const Builder& builder, const std::string& struck) {
+    const auto& table = builder.shot.world.table;
+    if (auto* happening = std::get_if<Happening>(&want);
+        happening != nullptr && !happening->pocket.empty() && table) {
+        happening->pocket = pocket_of_name(*table, happening->pocket);
+    } else if (auto* clearing = std::get_if<solve::Clearing>(&want); clearing != nullptr) {
+        clearing->ball = struck;
+    }
+    return want;
+}
+
+/// Whether the wants say something of a pot of the struck ball.
+bool speaks_of_scratch(const SolveSection& section, const std::string& struck) {
+    const auto speaks = [&](const WantSection& want) {
+        const auto* happening = std::get_if<Happening>(&want.want);
+        return happening != nullptr && happening->trigger.kind == sim::Trigger::Kind::potted &&
+               happening->trigger.a == struck;
+    };
+    return std::ranges::any_of(section.wants, speaks) ||
+           std::ranges::any_of(section.avoided, speaks);
+}
+
+solve::SolveProblem problem_of(const SolveSection& section, const OpenStrike& open,
+                               const Builder& builder) {
+    const std::string& struck = builder.shot.world.events[open.event].object;
+    solve::SolveProblem problem;
+    problem.event = open.event;
+    problem.finds_direction = open.finds_direction;
+    problem.finds_speed = open.finds_speed;
+    problem.finds_tip = open.finds_tip;
+    problem.finds_elevation = open.finds_elevation;
+    problem.prefer = section.prefer;
+    problem.player = section.player;
+    for (const auto* list : {&section.wants, &section.avoided}) {
+        for (const WantSection& want : *list) {
+            problem.wants.push_back(complete(want.want, builder, struck));
+        }
+    }
+    if (!speaks_of_scratch(section, struck)) {
+        Happening scratch;
+        scratch.trigger.kind = sim::Trigger::Kind::potted;
+        scratch.trigger.a = struck;
+        scratch.at_least = scratch.at_most = 0;
+        problem.wants.emplace_back(scratch);
+    }
+    return problem;
+}
+
+/// True if the section names a strike that is there, and something of it is to be found.
+bool names_strike(Builder& builder, const SolveSection& section, const OpenStrike& open) {
+    const auto& events = builder.shot.world.events;
+    if (open.event >= events.size() ||
+        !std::holds_alternative<sim::Strike>(events[open.event].action)) {
+        builder.reader.error(
+            section.place, section.event
+                               ? fmt::format("'strike: {}' names no strike of 'events', which are "
+                                             "numbered from 0",
+                                             *section.event)
+                               : "there is no strike whose direction or speed is to be found");
+        return false;
+    }
+    if (!open.finds_direction && !open.finds_speed && !open.finds_tip && !open.finds_elevation) {
+        builder.reader.error(section.place,
+                             "the strike gives its direction, speed and tip: nothing "
+                             "is left to be found");
+        return false;
+    }
+    return true;
+}
+
+Hasher& add(Hasher& hasher, const sim::Trigger& trigger) {
+    return hasher.add(static_cast<int>(trigger.kind)).add(trigger.a).add(trigger.b);
+}
+
+void add(Hasher& hasher, const Want& want) {
+    hasher.add(static_cast<std::uint64_t>(want.index()));
+    if (const auto* happening = std::get_if<Happening>(&want)) {
+        add(hasher, happening->trigger).add(happening->pocket);
+        hasher.add(happening->at_least).add(happening->at_most).add(happening->by);
+        hasher.add(happening->before.has_value());
+        if (happening->before) {
+            add(hasher, *happening->before);
+        }
+    } else if (const auto* rest = std::get_if<solve::RestPlace>(&want)) {
+        hasher.add(rest->ball).add(rest->near).add(rest->within);
+    } else {
+        const auto& clearing = std::get<solve::Clearing>(want);
+        hasher.add(clearing.ball).add(clearing.blocker);
+    }
+}
+
+/// Of all on which the solution depends.
+Hash128 hash_of(const sim::WorldDescription& world, const solve::SolveProblem& problem) {
+    Hasher hasher;
+    hasher.add(sim::physics_hash(world)).add(static_cast<std::uint64_t>(problem.event));
+    hasher.add(problem.finds_direction).add(problem.finds_speed);
+    hasher.add(problem.finds_tip).add(problem.finds_elevation);
+    for (const Want& want : problem.wants) {
+        add(hasher, want);
+    }
+    for (const solve::Preference preference : problem.prefer) {
+        hasher.add(static_cast<int>(preference));
+    }
+    const solve::PlayerError& player = problem.player;
+    hasher.add(player.direction).add(player.elevation).add(player.speed).add(player.tip);
+    return hasher.finish();
+}
+
+/// The shot up to that strike and what it brings about.
+sim::WorldDescription without_later_strikes(sim::WorldDescription world, std::size_t event) {
+    for (std::size_t i = world.events.size(); i-- > event + 1;) {
+        if (std::holds_alternative<sim::Strike>(world.events[i].action)) {
+            world.events.erase(world.events.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+    }
+    return world;
+}
+
+/// Those of the last shots are kept: an edit of a camera does not solve the shot again.
+std::shared_ptr<const solve::SolveResult> solution_of(const sim::WorldDescription& world,
+                                                      const solve::SolveProblem& problem) {
+    constexpr std::size_t kKept = 16;
+    static LruCache<Hash128, solve::SolveResult> known(kKept);
+    return known.get(hash_of(world, problem),
+                     [&] { return solve::solve(sim::Trials(world), problem, {}); });
+}
+
+std::string why_unsolved(const solve::SolveResult& result) {
+    std::string text = "no strike was found that does all this";
+    if (result.solutions.empty()) {
+        return text + fmt::format(", in {} simulations: nothing came near", result.simulations);
+    }
+    const solve::Solution& nearest = result.solutions.front();
+    return text + fmt::format("; the nearest misses by {:.2f} m: {}", nearest.miss, nearest.route);
+}
+
+FoundStrike texts_of(const OpenStrike& open, const sim::Strike& strike) {
+    constexpr double kDegree = std::numbers::pi / 180;
+    FoundStrike found;
+    found.strike = open;
+    found.direction = decimal_text(strike.direction.value_or(0) / kDegree, 6) + " deg";
+    found.speed = decimal_text(strike.speed.value_or(0), 4) + " m/s";
+    found.tip_right = decimal_text(strike.tip.x, 4);
+    found.tip_up = decimal_text(strike.tip.y, 4);
+    found.elevation = decimal_text(strike.elevation / kDegree, 6) + " deg";
+    return found;
+}
+
+}  // namespace
+
+void solve_strikes(Builder& builder) {
+    for (std::size_t i = 0; i < builder.file.solve.size(); ++i) {
+        const SolveSection& section = builder.file.solve[i];
+        const OpenStrike& open = builder.file.open.at(i);
+        if (builder.reader.has_error() || !names_strike(builder, section, open)) {
+            return;
+        }
+        const std::shared_ptr<const solve::SolveResult> found =
+            solution_of(without_later_strikes(builder.shot.world, open.event),
+                        problem_of(section, open, builder));
+        const solve::SolveResult& result = *found;
+        if (result.solutions.empty() || !result.solutions.front().is_solved) {
+            builder.reader.error(section.place, why_unsolved(result));
+            return;
+        }
+        const solve::Solution& best = result.solutions.front();
+        builder.shot.world.events[open.event].action = best.strike;
+        builder.found_strikes.push_back(texts_of(open, best.strike));
+        builder.shot.solved.push_back({open.event, result});
+    }
+}
+
+}  // namespace carom::pipeline::config

@@ -1,0 +1,35 @@
+// Strikes some of whose values are found by `solve`.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pipeline/config/node.h"
+
+namespace carom::pipeline::config {
+
+/// A strike of a `solve`, and which of its values are found.
+struct OpenStrike {
+    std::size_t event = 0;  // in `events`
+    bool finds_direction = false;
+    bool finds_speed = false;
+    bool finds_tip = false;
+    bool finds_elevation = false;  // only where a ball is to be cleared
+};
+
+/// The strikes of the tree's `solve`, in its order. Those of their values that are not given and
+/// are needed get one that the search replaces. Leaves what is wrong to the sections' readers.
+[[nodiscard]] std::vector<OpenStrike> open_strikes(Node& root);
+
+/// What was found for a strike, as texts of the format.
+struct FoundStrike {
+    OpenStrike strike;
+    std::string direction, speed, tip_right, tip_up, elevation;
+};
+
+/// Gives the strikes of the tree what was found, and removes `solve`.
+void write_found(Node& root, const std::vector<FoundStrike>& found);
+
+}  // namespace carom::pipeline::config

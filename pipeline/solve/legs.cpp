@@ -1,0 +1,160 @@
+#include "pipeline/solve/legs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "core/splitmix.h"
+#include "sim/force_event.h"
+
+namespace carom::pipeline::solve {
+namespace {
+
+using sim::Event;
+using sim::EventKind;
+
+/// Shorter pieces (m), as of impacts that come together, are no legs.
+constexpr double kShortest = 2e-3;
+
+std::uint64_t mixed(std::uint64_t cause, std::string_view word) {
+    for (const char c : word) {
+        cause = carom::split_mix(cause + static_cast<unsigned char>(c) + kSplitMixStep);
+    }
+    return cause;
+}
+
+/// What has led each ball to its present motion.
+class Causes {
+  public:
+    std::uint64_t& of(const std::string& ball) {
+        return causes_.try_emplace(ball, mixed(0, ball)).first->second;
+    }
+
+    void note(const Event& event) {
+        if (event.kind == EventKind::strike) {
+            of(event.a) = mixed(of(event.a), "strike");
+        } else if (event.kind == EventKind::impact && event.surface() == sim::Surface::none) {
+            // The same whichever is named first.
+            const std::uint64_t both = of(event.a) + of(event.b);
+            of(event.a) = mixed(both, event.a);
+            of(event.b) = mixed(both, event.b);
+        } else if (event.kind == EventKind::impact && event.surface() != sim::Surface::cloth) {
+            of(event.a) = mixed(of(event.a), event.b + side_of(event.normal));
+        }
+    }
+
+  private:
+    std::map<std::string, std::uint64_t> causes_;
+};
+
+bool ends_leg(const Event& event) {
+    switch (event.kind) {
+        case EventKind::impact:
+            return event.surface() != sim::Surface::cloth;
+        case EventKind::strike:
+        case EventKind::resting:
+        case EventKind::potted:
+        case EventKind::off_table:
+            return true;
+        default:
+            return false;
+    }
+}
+
+}  // namespace
+
+double Leg::miss(const Vec2& point) const {
+    const Vec2 d = point - from;
+    return d.dot(direction) > 0 ? direction.x * d.y - direction.y * d.x
+                                : std::numeric_limits<double>::quiet_NaN();
+}
+
+const Leg* leg_with(const std::vector<Leg>& legs, std::uint64_t cause) {
+    const auto found = std::ranges::find(legs, cause, &Leg::cause);
+    return found != legs.end() ? &*found : nullptr;
+}
+
+Radii radii_of(const sim::WorldDescription& world) {
+    Radii radii;
+    for (const sim::Body& body : world.bodies) {
+        if (const auto* sphere = std::get_if<sim::Sphere>(&body.shape)) {
+            radii.emplace(body.name, sphere->radius);
+        }
+    }
+    return radii;
+}
+
+Vec2 centre_in(const Event& event, const std::string& name, double radius) {
+    const Vec2 place(event.place.x, event.place.y);
+    if (event.kind != EventKind::impact) {
+        return place;
+    }
+    const Vec2 normal(event.normal.x, event.normal.y);
+    return place + normal * (event.a == name ? radius : -radius);
+}
+
+std::string side_of(const Vec3& normal) {
+    constexpr double kStraight = 0.999;
+    const double level = std::sqrt(normal.x * normal.x + normal.y * normal.y);
+    const double x = normal.x / level;
+    const double y = normal.y / level;
+    return y < -kStraight   ? "back"
+           : y > kStraight  ? "front"
+           : x < -kStraight ? "right"
+           : x > kStraight  ? "left"
+                            : "";
+}
+
+std::vector<Leg> legs_of(const std::string& ball, std::span<const Event> events,
+                         const Radii& radii) {
+    const auto known = radii.find(ball);
+    const double radius = known != radii.end() ? known->second : 0;
+    std::vector<Leg> legs;
+    Causes causes;
+    std::optional<Leg> open;
+    Vec2 last(0, 0);
+    double last_cushion = -1;
+    const auto close = [&](const Vec2& end) {
+        const Vec2 d = end - open->from;
+        const double length = std::sqrt(d.dot(d));
+        if (length > kShortest) {
+            open->direction = d / length;
+            open->length = length;
+            legs.push_back(*open);
+        }
+    };
+    for (const Event& event : events) {
+        const bool takes_part = event.a == ball || event.b == ball;
+        const bool is_repeated = takes_part && event.surface() == sim::Surface::cushion &&
+                                 last_cushion >= 0 && event.time - last_cushion < sim::kOneContact;
+        if (!is_repeated) {
+            causes.note(event);
+        }
+        if (!takes_part || event.kind == EventKind::placed) {
+            continue;
+        }
+        last = centre_in(event, ball, radius);
+        if (event.surface() == sim::Surface::cushion) {
+            last_cushion = event.time;
+        }
+        if (!ends_leg(event)) {
+            continue;
+        }
+        if (open) {
+            close(last);
+        }
+        open.reset();
+        if (event.kind == EventKind::impact || event.kind == EventKind::strike) {
+            open = Leg{causes.of(ball), last, Vec2(1, 0), 0};
+        }
+    }
+    if (open) {
+        close(last);
+    }
+    return legs;
+}
+
+}  // namespace carom::pipeline::solve

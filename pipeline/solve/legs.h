@@ -1,0 +1,48 @@
+// The straight pieces of a ball's way between what it meets, by the log of events alone.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/vectors.h"
+#include "sim/timeline/event.h"
+#include "sim/world.h"
+
+namespace carom::pipeline::solve {
+
+/// From one impact of a ball to its next one, its pocket or its end, seen from above.
+struct Leg {
+    /// Of all that led to it, in order: strikes, impacts of balls and of cushions, each with its
+    /// side. Equal for two strikes whose balls came here the same way.
+    std::uint64_t cause = 0;
+    Vec2 from{0, 0};       // of the ball's centre
+    Vec2 direction{1, 0};  // unit
+    double length = 0;     // m
+
+    /// The distance (m) by which the leg passes to the right of a point, negative to the left; NaN
+    /// if the point is behind its start.
+    [[nodiscard]] double miss(const Vec2& point) const;
+};
+
+/// The leg with that cause; null if there is none.
+[[nodiscard]] const Leg* leg_with(const std::vector<Leg>& legs, std::uint64_t cause);
+
+/// The balls' radii by their names.
+using Radii = std::map<std::string, double>;
+[[nodiscard]] Radii radii_of(const sim::WorldDescription& world);
+
+/// The centre (m) of the ball `name` of `radius` in an event in which it takes part.
+[[nodiscard]] Vec2 centre_in(const sim::Event& event, const std::string& name, double radius);
+
+/// The name of the side of the table from which a cushion's normal points: "back" for -y; empty for
+/// jaws and rounded ends.
+[[nodiscard]] std::string side_of(const Vec3& normal);
+
+/// The legs of a ball, in order. Impacts with the cloth end none.
+[[nodiscard]] std::vector<Leg> legs_of(const std::string& ball, std::span<const sim::Event> events,
+                                       const Radii& radii);
+
+}  // namespace carom::pipeline::solve

@@ -1,0 +1,103 @@
+#include "pipeline/solve/route.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "pipeline/solve/legs.h"
+#include "sim/occurrence.h"
+
+namespace carom::pipeline::solve {
+namespace {
+
+using sim::Event;
+using sim::EventKind;
+
+bool is_step(const Event& event) {
+    return event.kind == EventKind::potted ||
+           (event.kind == EventKind::impact && event.surface() != sim::Surface::cloth &&
+            event.surface() != sim::Surface::pocket && event.surface() != sim::Surface::floor);
+}
+
+/// Empty for a pocket's jaws: a pot that touches them is the same shot.
+std::string words_for(const Event& event) {
+    if (event.kind == EventKind::potted) {
+        return event.a + " in " + event.b;
+    }
+    if (event.surface() == sim::Surface::cushion) {
+        const std::string side = side_of(event.normal);
+        return side.empty() ? std::string() : event.a + " - " + side + " cushion";
+    }
+    return std::min(event.a, event.b) + " - " + std::max(event.a, event.b);
+}
+
+/// Marks the events that met the wants; if there are none, the first step.
+std::vector<char> decisive(const std::vector<Want>& wants, std::span<const Event> events) {
+    std::vector<char> marks(events.size(), 0);
+    for (const Want& want : wants) {
+        const auto* happening = std::get_if<Happening>(&want);
+        if (happening == nullptr || happening->is_avoided()) {
+            continue;
+        }
+        sim::OccurrenceCounter counter(happening->trigger);
+        int count = 0;
+        for (std::size_t i = 0; i < events.size() && count < happening->at_least; ++i) {
+            if (counter.counts(events[i]) &&
+                (happening->pocket.empty() || events[i].b == happening->pocket)) {
+                ++count;
+                marks[i] = 1;
+            }
+        }
+        if (happening->before) {
+            const auto end = std::ranges::find_if(events, [&](const Event& event) {
+                return sim::OccurrenceCounter(*happening->before).counts(event);
+            });
+            if (end != events.end()) {
+                marks[static_cast<std::size_t>(end - events.begin())] = 1;
+            }
+        }
+    }
+    return marks;
+}
+
+}  // namespace
+
+std::string Route::text() const {
+    std::string text;
+    for (const std::string& step : steps) {
+        text += (text.empty() ? "" : ", ") + step;
+    }
+    return text.empty() ? "no contact" : text;
+}
+
+Route route_of(const std::vector<Want>& wants, const Trial& trial) {
+    const std::span<const Event> events = trial.events();
+    std::vector<char> marks = decisive(wants, events);
+    std::set<std::string> involved;
+    for (std::size_t i = events.size(); i-- > 0;) {
+        const Event& event = events[i];
+        const bool is_cause = is_step(event) && event.kind == EventKind::impact &&
+                              (involved.contains(event.a) || involved.contains(event.b));
+        if (marks[i] == 0 && !is_cause) {
+            continue;
+        }
+        marks[i] = 1;
+        involved.insert(event.a);
+        if (event.kind == EventKind::impact && event.surface() == sim::Surface::none) {
+            involved.insert(event.b);
+        }
+    }
+    Route route;
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        if (marks[i] == 0 || !is_step(events[i])) {
+            continue;
+        }
+        std::string words = words_for(events[i]);
+        if (!words.empty() && (route.steps.empty() || route.steps.back() != words)) {
+            route.steps.push_back(std::move(words));
+        }
+    }
+    return route;
+}
+
+}  // namespace carom::pipeline::solve

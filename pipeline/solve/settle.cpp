@@ -1,0 +1,279 @@
+#include "pipeline/solve/settle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "core/elementary.h"
+#include "pipeline/solve/route.h"
+#include "sim/stick/strike.h"
+
+namespace carom::pipeline::solve {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// A setting whose aim meets the wants but places at rest.
+struct Candidate {
+    Setting setting;
+    double miss = std::numeric_limits<double>::infinity();      // StrikeTrials::miss()
+    double distance = std::numeric_limits<double>::infinity();  // StrikeTrials::distance()
+    double cost = std::numeric_limits<double>::infinity();
+
+    /// Nothing is to be gained by moving on.
+    [[nodiscard]] bool is_good() const { return miss == 0 && distance < 0.5; }
+};
+
+double length(const Vec2& v) {
+    return std::sqrt(v.dot(v));
+}
+
+/// The setting with the direction in which the happenings are as wanted, found from where the seed
+/// or a neighbour met them.
+std::optional<Setting> aim(const StrikeTrials& trials, const Seed& seed, const Setting& setting) {
+    constexpr int kMaxTries = 7;
+    Setting tried = setting;
+    double slope = seed.slope;
+    double last_direction = 0;
+    double last_miss = std::numeric_limits<double>::quiet_NaN();
+    for (int i = 0; i < kMaxTries; ++i) {
+        const Sample found = trials.sample(tried);
+        if (found.is_met) {
+            return tried;
+        }
+        const Leg* leg = seed.cause != 0 ? leg_with(found.legs[seed.target], seed.cause) : nullptr;
+        const double passed = leg != nullptr ? leg->miss(trials.targets()[seed.target].point)
+                                             : std::numeric_limits<double>::quiet_NaN();
+        if (!std::isfinite(passed)) {
+            return std::nullopt;
+        }
+        if (std::isfinite(last_miss) && tried.direction != last_direction && passed != last_miss) {
+            slope = (passed - last_miss) / (tried.direction - last_direction);
+        }
+        last_direction = tried.direction;
+        last_miss = passed;
+        tried.direction -= std::clamp(passed / slope, -3 * kDegree, 3 * kDegree);
+    }
+    return std::nullopt;
+}
+
+/// How well a setting with that chance agrees with the preferences, the first of which counts most.
+double liking(const StrikeTrials& trials, const Setting& setting, double chance) {
+    constexpr double kFastest = 8;  // m/s
+    double sum = 1e-3 * chance;
+    double weight = 1;
+    for (const Preference preference : trials.problem().prefer) {
+        const double value = preference == Preference::likely ? chance
+                             : preference == Preference::slow
+                                 ? 1 - setting.speed / kFastest
+                                 : 1 - length(setting.tip) / sim::kMiscueOffset;
+        sum += weight * value;
+        weight *= 0.5;
+    }
+    return sum;
+}
+
+Candidate evaluate(const StrikeTrials& trials, const Seed& seed, const Setting& setting) {
+    const std::optional<Setting> aimed =
+        trials.problem().finds_direction && seed.cause != 0 ? aim(trials, seed, setting) : setting;
+    if (!aimed) {
+        return {};
+    }
+    const sim::Outcome outcome = trials.play(*aimed, StrikeTrials::Depth::whole);
+    const double missed = trials.miss(outcome);
+    const double distance = trials.distance(outcome);
+    return {*aimed, missed, distance, missed + 0.02 * distance - 1e-3 * liking(trials, *aimed, 0)};
+}
+
+std::vector<Setting> grid_around(const StrikeTrials& trials, const Seed& seed, bool is_fine) {
+    static const std::vector kFineSpeeds{0.6, 0.8, 1.05, 1.4, 1.8, 2.3, 3.0, 3.9, 5.0, 6.5};
+    static const std::vector<Vec2> kFineTips{{0, 0},      {0, 0.25},   {0, -0.25},  {0, 0.45},
+                                             {0, -0.45},  {0.3, 0},    {-0.3, 0},   {0.3, 0.3},
+                                             {-0.3, 0.3}, {0.3, -0.3}, {-0.3, -0.3}};
+    static const std::vector kSpeeds{0.8, 1.3, 2.1, 3.4, 5.5};
+    static const std::vector<Vec2> kTips{{0, 0}, {0, 0.4}, {0, -0.4}, {0.35, 0}, {-0.35, 0}};
+    std::vector<double> speeds{seed.setting.speed};
+    if (trials.problem().finds_speed) {
+        speeds = is_fine ? kFineSpeeds : kSpeeds;
+    }
+    std::vector<Vec2> tips{seed.setting.tip};
+    if (trials.problem().finds_tip) {
+        tips = is_fine ? kFineTips : kTips;
+    }
+    std::vector<Setting> grid;
+    for (const Vec2& tip : tips) {
+        for (const double speed : speeds) {
+            Setting each = seed.setting;
+            each.speed = speed;
+            each.tip = tip;
+            grid.push_back(each);
+        }
+    }
+    return grid;
+}
+
+/// A pattern search over speed, tip and, where no aim follows, direction (Hooke and Jeeves, Direct
+/// search solution of numerical and statistical problems, 1961).
+Candidate improve(const StrikeTrials& trials, const Seed& seed, Candidate best) {
+    double step = 1;
+    const bool aims = trials.problem().finds_direction && seed.cause != 0;
+    for (int i = 0; i < 7 && !best.is_good(); step *= i > 0 ? 0.5 : 1, ++i) {
+        bool has_improved = true;
+        for (int pass = 0; pass < 3 && has_improved && !best.is_good(); ++pass) {
+            has_improved = false;
+            for (int axis = 0; axis < 4; ++axis) {
+                for (const double sign : {1.0, -1.0}) {
+                    Setting tried = best.setting;
+                    if (axis == 0 && trials.problem().finds_speed) {
+                        tried.speed *= 1 + 0.24 * sign * step;
+                    } else if ((axis == 1 || axis == 2) && trials.problem().finds_tip) {
+                        (axis == 1 ? tried.tip.x : tried.tip.y) += 0.2 * sign * step;
+                        if (length(tried.tip) > sim::kMiscueOffset) {
+                            continue;
+                        }
+                        const double radius = trials.radius();
+                        tried.direction += squirt_of(trials.strike(), best.setting, radius) -
+                                           squirt_of(trials.strike(), tried, radius);
+                    } else if (axis == 3 && trials.problem().finds_direction && !aims) {
+                        tried.direction += 0.5 * kDegree * sign * step;
+                    } else {
+                        continue;
+                    }
+                    const Candidate found = evaluate(trials, seed, tried);
+                    if (found.cost < best.cost) {
+                        best = found;
+                        has_improved = true;
+                        break;
+                    }
+                }
+            }
+        }
+    }
+    return best;
+}
+
+double chance(const StrikeTrials& trials, const Setting& setting, std::size_t count) {
+    std::size_t hits = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        hits += trials.miss(trials.play(disturbed(setting, trials.problem().player, i),
+                                        StrikeTrials::Depth::chance)) == 0
+                    ? 1
+                    : 0;
+    }
+    return static_cast<double>(hits) / static_cast<double>(count);
+}
+
+/// The directions around that of the setting between which the happenings stay as wanted.
+Vec2 window(const StrikeTrials& trials, const Setting& setting) {
+    const auto edge = [&](double sign) {
+        const auto is_met = [&](double offset) {
+            Setting tried = setting;
+            tried.direction += sign * offset;
+            return trials.sample(tried).is_met;
+        };
+        double inside = 0;
+        double outside = 0.02 * kDegree;
+        while (outside < 20 * kDegree && is_met(outside)) {
+            inside = outside;
+            outside *= 2;
+        }
+        for (int i = 0; i < 6; ++i) {
+            const double middle = 0.5 * (inside + outside);
+            (is_met(middle) ? inside : outside) = middle;
+        }
+        return inside;
+    };
+    return {setting.direction - edge(-1), setting.direction + edge(1)};
+}
+
+/// Around the middle of its window, if places at rest allow.
+Solution finish(const StrikeTrials& trials, Setting setting) {
+    constexpr std::size_t kTrials = 100;
+    Solution solution;
+    setting = trials.rounded_where_found(setting);
+    if (trials.problem().finds_direction) {
+        const Vec2 edges = window(trials, setting);
+        solution.window = edges.y - edges.x;
+        Setting middle = setting;
+        middle.direction = 0.5 * (edges.x + edges.y);
+        middle = trials.rounded_where_found(middle);
+        if (trials.miss(trials.play(middle, StrikeTrials::Depth::whole)) == 0) {
+            setting = middle;
+        }
+    }
+    solution.strike = with_setting(trials.strike(), setting);
+    solution.outcome = trials.play(setting, StrikeTrials::Depth::whole);
+    solution.miss = trials.miss(solution.outcome);
+    solution.is_solved = solution.miss == 0;
+    solution.ball = trials.ball();
+    solution.rest = trials.trial_of(solution.outcome).place_of(trials.ball());
+    solution.route = route_of(trials.problem().wants, trials.trial_of(solution.outcome)).text();
+    if (solution.is_solved) {
+        solution.chance = chance(trials, setting, kTrials);
+        solution.chance_error =
+            std::sqrt(solution.chance * (1 - solution.chance) / static_cast<double>(kTrials));
+    }
+    return solution;
+}
+
+}  // namespace
+
+Solution settle(const StrikeTrials& trials, const std::vector<Seed>& seeds, bool is_fine) {
+    constexpr std::size_t kKept = 4;
+    constexpr std::size_t kFewTrials = 20;
+    std::vector<Candidate> candidates;
+    const double radius = trials.radius();
+    for (const Seed& seed : seeds) {
+        candidates.push_back(evaluate(trials, seed, seed.setting));
+    }
+    if (trials.has_places_wanted()) {
+        // From where it succeeds so far to the neighbours of the grid.
+        const Seed& seed = seeds.front();
+        for (Setting setting : grid_around(trials, seed, is_fine)) {
+            const Candidate* nearest = nullptr;
+            double least = std::numeric_limits<double>::infinity();
+            for (const Candidate& known : candidates) {
+                const double apart = std::abs(logarithm(known.setting.speed / setting.speed)) +
+                                     2 * length(known.setting.tip - setting.tip);
+                if (std::isfinite(known.miss) && apart < least) {
+                    least = apart;
+                    nearest = &known;
+                }
+            }
+            if (nearest == nullptr) {
+                break;
+            }
+            setting.direction = nearest->setting.direction +
+                                squirt_of(trials.strike(), nearest->setting, radius) -
+                                squirt_of(trials.strike(), setting, radius);
+            candidates.push_back(evaluate(trials, seed, setting));
+        }
+        std::ranges::stable_sort(candidates, {}, &Candidate::cost);
+        if (candidates.size() > kKept) {
+            candidates.resize(kKept);
+        }
+        for (Candidate& each : candidates) {
+            if (std::isfinite(each.miss)) {
+                each = improve(trials, seed, each);
+            }
+        }
+    }
+    std::ranges::stable_sort(candidates, {}, &Candidate::cost);
+    const Candidate* best = &candidates.front();
+    double best_value = -1;
+    for (const Candidate& each : candidates) {
+        if (each.miss > 0) {
+            continue;
+        }
+        const double value = liking(trials, each.setting, chance(trials, each.setting, kFewTrials));
+        if (value > best_value) {
+            best_value = value;
+            best = &each;
+        }
+    }
+    return finish(trials, best->setting);
+}
+
+}  // namespace carom::pipeline::solve

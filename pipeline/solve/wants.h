@@ -1,0 +1,91 @@
+// What a strike shall bring about, and whether it did.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/vectors.h"
+#include "sim/force_event.h"
+#include "sim/trials.h"
+
+namespace carom::pipeline::solve {
+
+/// Something that happens so many times after the strike: a contact of two objects, of an object
+/// and a cushion, or a ball that is potted.
+struct Happening {
+    sim::Trigger trigger;  // contact or potted; its `nth` is not used
+    std::string pocket;    // potted only: in this one; empty: in any
+    int at_least = 1;
+    int at_most = std::numeric_limits<int>::max();
+    /// Counted until this happens, which it has to.
+    std::optional<sim::Trigger> before;
+    double by = std::numeric_limits<double>::infinity();  // s after the strike
+
+    /// Whether it is something to avoid.
+    [[nodiscard]] bool is_avoided() const { return at_most == 0; }
+};
+
+/// A ball comes to rest near a place.
+struct RestPlace {
+    std::string ball;
+    Vec2 near{0, 0};
+    double within = 0.1;  // m, from centre to centre, seen from above
+};
+
+/// A ball flies over another one, without touching it.
+struct Clearing {
+    std::string ball, blocker;
+};
+
+using Want = std::variant<Happening, RestPlace, Clearing>;
+
+/// A trial as it concerns wants: since a strike.
+struct Trial {
+    const sim::WorldDescription& world;
+    const std::vector<std::string>& names;  // of the bodies of outcome.states
+    const sim::Outcome& outcome;
+    std::size_t strike = 0;  // which of the strikes in the log it is, from 0
+
+    /// The events from the strike on; empty if it did not happen.
+    [[nodiscard]] std::span<const sim::Event> events() const;
+    /// Where a ball is at the end; empty if it is off the table or no moving body.
+    [[nodiscard]] std::optional<Vec2> place_of(const std::string& ball) const;
+};
+
+/// How far a want is from being met: 0 if it is. A place at rest: the distance (m) beyond `within`.
+/// Happenings: 1 for each that is missing or too many, at least 1.
+[[nodiscard]] double miss_of(const Want& want, const Trial& trial);
+
+/// Sees the events of a trial one after the other, and tells when its wants are decided.
+class Watch {
+  public:
+    Watch(const std::vector<Want>& wants, std::size_t strike);
+
+    void see(const sim::Event& event);
+
+    /// Whether one of the happenings can no longer be as it is wanted.
+    [[nodiscard]] bool has_failed() const { return has_failed_; }
+    /// Whether all that shall happen has happened; what is to be avoided may still follow.
+    [[nodiscard]] bool is_met() const { return is_met_; }
+    /// Whether the strike has happened.
+    [[nodiscard]] bool has_begun() const { return seen_strikes_ > strike_; }
+
+  private:
+    struct Count {
+        const Happening* wanted;
+        int count = 0;
+        double last_contact = -1;  // s
+        bool is_closed = false;    // `before` has happened
+    };
+    std::vector<Count> counts_;
+    std::size_t strike_;
+    std::size_t seen_strikes_ = 0;
+    double began_ = 0;
+    bool has_failed_ = false;
+    bool is_met_ = false;
+};
+
+}  // namespace carom::pipeline::solve

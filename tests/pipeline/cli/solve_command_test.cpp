@@ -1,0 +1,52 @@
+// End-to-end tests of carom solve.
+#include "tests/folders.h"
+#include "tests/pipeline/cli/end_to_end.h"
+
+namespace carom::cli {
+namespace {
+
+using carom::testing::EndToEnd;
+using carom::testing::RunResult;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+const std::string kShot = CAROM_SOURCE_DIR "/examples/solve_red_black.yaml";
+
+class SolveCommand : public EndToEnd {};
+
+TEST_F(SolveCommand, Solutions_AreListed) {
+    const RunResult result = run({"solve", kShot, "--all"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, StartsWith("events[0]: "));
+    EXPECT_THAT(result.out, HasSubstr("\n1. cue - red, red in corner_right_back\n   direction "));
+    EXPECT_THAT(result.out, HasSubstr(" % (standard error "));
+    EXPECT_THAT(result.out, Not(HasSubstr("--all lists them")));
+    const RunResult json = run({"solve", kShot, "--json"});
+    EXPECT_THAT(json.out, StartsWith("{\"event\":0,\"route\":\"cue - red, red in "));
+}
+
+TEST_F(SolveCommand, WrittenShot_IsTheSameAndNeedsNoSearch) {
+    EXPECT_EQ(run({"solve", kShot, "-o", "solved.yaml"}).exit_code, 0);
+    const std::string text = text_of("solved.yaml");
+    EXPECT_THAT(text, HasSubstr("direction: "));
+    EXPECT_THAT(text, Not(HasSubstr("solve:")));
+    EXPECT_EQ(run({"report", "solved.yaml"}).out, run({"report", kShot}).out);
+    const RunResult again = run({"solve", "solved.yaml"});
+    EXPECT_EQ(again.exit_code, 2);
+    EXPECT_EQ(again.err,
+              "carom: error: 'solved.yaml' has no 'solve', which says what the strike shall bring "
+              "about (docs/solving.md)\n");
+}
+
+TEST_F(SolveCommand, OtherFiles_AreRefused) {
+    EXPECT_THAT(run({"sweep", kShot, "--vary", "events[0].strike.elevation=1,2 deg", "--measure",
+                     "potted:red"})
+                    .err,
+                HasSubstr("has 'solve', whose strike would be another one in each variant"));
+    EXPECT_THAT(run({"solve", CAROM_SOURCE_DIR "/examples/lesson.yaml"}).err,
+                HasSubstr("a film of several shots has no strike of its own"));
+}
+
+}  // namespace
+}  // namespace carom::cli

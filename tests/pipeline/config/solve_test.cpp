@@ -1,0 +1,134 @@
+// The section `solve`: what is read, what is found, and what is refused.
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pipeline/config/load_shot.h"
+#include "sim/bake.h"
+#include "tests/pipeline/config/shot_text.h"
+
+namespace carom::pipeline {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::string kShot = R"(carom: 1
+table: {size: 9 ft}
+balls:
+  cue: {at: [-0.4, -0.1]}
+  one: {at: [0.8, 0.3]}
+  two: {at: [-0.9, 0.4]}
+)";
+
+std::vector<std::string> messages(const LoadResult& result) {
+    std::vector<std::string> all;
+    for (const Problem& problem : result.problems) {
+        if (problem.severity == Severity::error) {
+            all.push_back(problem.message);
+        }
+    }
+    return all;
+}
+
+LoadResult load(const std::string& rest) {
+    return load_shot_text(kShot + rest, "shot.yaml");
+}
+
+TEST(SolveSection, StrikeIsFound_AndWritten) {
+    const LoadResult result = load(R"(events:
+  - strike: {ball: cue}
+solve: {want: [{potted: one}]}
+)");
+    ASSERT_TRUE(result.shot) << testing::PrintToString(messages(result));
+    ASSERT_EQ(result.shot->solved.size(), 1U);
+    EXPECT_EQ(result.shot->solved[0].event, 0U);
+    const sim::Timeline timeline = sim::bake(result.shot->world);
+    EXPECT_TRUE(std::ranges::any_of(timeline.events, [](const sim::Event& event) {
+        return event.kind == sim::EventKind::potted && event.a == "one";
+    }));
+    // The text has the strike instead of `solve`, and is the same world.
+    const std::string& text = result.shot->resolved_text;
+    EXPECT_THAT(text, Not(HasSubstr("solve")));
+    EXPECT_THAT(text, HasSubstr("direction: "));
+    const LoadResult again = load_shot_text(text, "again.yaml");
+    ASSERT_TRUE(again.shot) << testing::PrintToString(messages(again));
+    EXPECT_EQ(sim::physics_hash(again.shot->world), sim::physics_hash(result.shot->world));
+}
+
+TEST(SolveSection, GivenValuesStay_AndOthersAreFound) {
+    const LoadResult result = load(R"(events:
+  - strike: {ball: cue, speed: 2.7 m/s, tip: [0.1, 0.2]}
+solve: {want: [{potted: one, in: top right}]}
+)");
+    ASSERT_TRUE(result.shot) << testing::PrintToString(messages(result));
+    const auto& strike = std::get<sim::Strike>(result.shot->world.events[0].action);
+    EXPECT_EQ(strike.speed, 2.7);
+    EXPECT_EQ(strike.tip, Vec2(0.1, 0.2));
+    EXPECT_NE(strike.direction, 0);
+}
+
+TEST(SolveSection, StrikesAreFoundOneAfterTheOther) {
+    const LoadResult result = load(R"(events:
+  - strike: {ball: cue}
+  - strike: {ball: cue, when: {resting: all}}
+simulation: {duration: 30 s}
+solve:
+  - {want: [{potted: one}]}
+  - {strike: 1, want: [{potted: two}], prefer: [slow, likely], player: professional}
+)");
+    ASSERT_TRUE(result.shot) << testing::PrintToString(messages(result));
+    std::vector<std::string> potted;
+    for (const sim::Event& event : sim::bake(result.shot->world).events) {
+        if (event.kind == sim::EventKind::potted) {
+            potted.push_back(event.a);
+        }
+    }
+    EXPECT_THAT(potted, ElementsAre("one", "two"));
+}
+
+TEST(SolveSection, WhatCannotBe_IsSaid) {
+    const LoadResult result = load(R"(events:
+  - strike: {ball: cue}
+solve: {want: [{potted: one}, {rest: cue, near: [5, 5]}]}
+)");
+    EXPECT_THAT(messages(result),
+                ElementsAre(HasSubstr("no strike was found that does all this; the nearest misses "
+                                      "by ")));
+    EXPECT_TRUE(std::ranges::any_of(result.problems, [](const Problem& problem) {
+        return problem.severity == Severity::error && problem.place.line == 9;
+    }));
+}
+
+TEST(SolveSection, MistakesAreNamed) {
+    const auto said = [](const std::string& rest) { return messages(load(rest)); };
+    EXPECT_THAT(said("solve: {want: [{potted: one}]}\n"),
+                ElementsAre("there is no strike whose direction or speed is to be found"));
+    EXPECT_THAT(said("events: [{strike: {ball: cue, direction: 0 deg, speed: 1 m/s}}]\n"
+                     "solve: {strike: 3, want: [{potted: one}]}\n"),
+                ElementsAre("'strike: 3' names no strike of 'events', which are numbered from 0"));
+    EXPECT_THAT(said("events: [{strike: {ball: cue, direction: 0 deg, speed: 1 m/s, tip: [0, 0]}}]"
+                     "\nsolve: {strike: 0, want: [{potted: one}]}\n"),
+                ElementsAre("the strike gives its direction, speed and tip: nothing is left to be "
+                            "found"));
+    const std::string open = "events: [{strike: {ball: cue}}]\n";
+    EXPECT_THAT(said(open + "solve: {want: [{potted: on}]}\n"),
+                ElementsAre(HasSubstr("there is no ball 'on'")));
+    EXPECT_THAT(said(open + "solve: {want: [{potted: one, in: midle}]}\n"),
+                ElementsAre(HasSubstr("there is no pocket 'midle'")));
+    EXPECT_THAT(said(open + "solve: {want: [{contact: [cue, one], in: top right}]}\n"),
+                ElementsAre(HasSubstr("'in'")));
+    EXPECT_THAT(said(open + "solve: {want: [{contact: [cue, one], at_least: 3, at_most: 2}]}\n"),
+                ElementsAre("'at_most' must not be less than 'at_least'"));
+    EXPECT_THAT(said(open + "solve: {want: [{potted: one, before: {resting: cue}}]}\n"),
+                ElementsAre("'before' takes a contact, a cushion or a pot, without 'nth' and "
+                            "'after'"));
+    EXPECT_THAT(said(open + "solve: {want: [{potted: one}], avoid: [{rest: cue, near: [0, 0]}]}\n"),
+                ElementsAre("'avoid' takes 'potted', 'contact' and 'cushions', without 'at_most'"));
+    EXPECT_THAT(said(open + "solve: {want: []}\n").size(), 1U);
+}
+
+}  // namespace
+}  // namespace carom::pipeline
