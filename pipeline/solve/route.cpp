@@ -19,8 +19,9 @@ bool is_step(const Event& event) {
             event.surface() != sim::Surface::pocket && event.surface() != sim::Surface::floor);
 }
 
-/// Empty for a pocket's jaws: a pot that touches them is the same shot.
-std::string words_for(const Event& event) {
+/// Empty for a pocket's jaws: a pot that touches them is the same shot. Of two balls, the first is
+/// the one that has moved.
+std::string words_for(const Event& event, const std::set<std::string>& moved) {
     if (event.kind == EventKind::potted) {
         return event.a + " in " + event.b;
     }
@@ -28,7 +29,10 @@ std::string words_for(const Event& event) {
         const std::string side = side_of(event.normal);
         return side.empty() ? std::string() : event.a + " - " + side + " cushion";
     }
-    return std::min(event.a, event.b) + " - " + std::max(event.a, event.b);
+    const bool is_b_first = moved.contains(event.a) == moved.contains(event.b)
+                                ? event.b < event.a
+                                : moved.contains(event.b);
+    return is_b_first ? event.b + " - " + event.a : event.a + " - " + event.b;
 }
 
 /// Marks the events that met the wants; if there are none, the first step.
@@ -88,11 +92,16 @@ Route route_of(const std::vector<Want>& wants, const Trial& trial) {
         }
     }
     Route route;
+    std::set<std::string> moved;
+    if (!events.empty()) {
+        moved.insert(events.front().a);  // struck
+    }
     for (std::size_t i = 0; i < events.size(); ++i) {
         if (marks[i] == 0 || !is_step(events[i])) {
             continue;
         }
-        std::string words = words_for(events[i]);
+        std::string words = words_for(events[i], moved);
+        moved.insert({events[i].a, events[i].b});
         if (!words.empty() && (route.steps.empty() || route.steps.back() != words)) {
             route.steps.push_back(std::move(words));
         }

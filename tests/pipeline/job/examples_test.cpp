@@ -246,5 +246,27 @@ TEST(Turnstile, PlankAndBarsPushTheBalls) {
     EXPECT_GT(speed(2), 0.5) << "rolled down";
 }
 
+std::vector<std::string> potted_in(const sim::Timeline& timeline) {
+    std::vector<std::string> balls;
+    for (const Event& event : timeline.events) {
+        if (event.kind == EventKind::potted) {
+            balls.push_back(event.a);
+        }
+    }
+    return balls;
+}
+
+TEST(Examples, SolveRedBlack_PotsTheRedAndLeavesTheCueBallForTheBlack) {
+    const sim::Timeline timeline = sim::bake(example("solve_red_black").world);
+    EXPECT_EQ(potted_in(timeline), std::vector<std::string>{"red"});
+    const Vec3 cue = timeline.find("cue")->keys().back().position;
+    EXPECT_LT(std::hypot(cue.x - 1.0, cue.y + 0.3), 0.25);
+}
+
+TEST(Examples, Clearance_PotsAllThree) {
+    const sim::Timeline timeline = sim::bake(example("clearance").world);
+    EXPECT_EQ(potted_in(timeline), (std::vector<std::string>{"one", "two", "three"}));
+}
+
 }  // namespace
 }  // namespace carom::pipeline
