@@ -82,7 +82,7 @@ std::vector<std::optional<sim::Outcome>> run_variants(const sim::Trials& trials,
     do_parts(
         count,
         [&](std::size_t i) {
-            Variant variant = variant_of(i);
+            ShotVariant variant = variant_of(i);
             variant.limits.stop = work.context.stop;
             outcomes[i] = trials.run(std::move(variant.events), variant.limits);
         },

@@ -24,13 +24,13 @@ void do_parts(std::size_t count, const std::function<void(std::size_t)>& part,
               const PartsWork& work = {});
 
 /// One variant of the shot of Trials.
-struct Variant {
+struct ShotVariant {
     std::vector<sim::ForceEvent> events;
     sim::TrialLimits limits{};  // its `stop` is that of the work
 };
 
 /// The variant with that number. It is called once for each, in any order, from several threads.
-using VariantOf = std::function<Variant(std::size_t)>;
+using VariantOf = std::function<ShotVariant(std::size_t)>;
 
 /// The outcomes of variants 0 to count - 1, in order: the same with any number of threads. Empty
 /// for a variant that takes more steps than its limit. Throws as do_parts.

@@ -39,8 +39,8 @@ TEST(Variants_OfAShot, AreTheSameInAnyOrderWithAnyThreadsAndAsBakes) {
     const sim::WorldDescription world = bank_shot();
     const sim::Trials trials(world);
     constexpr std::size_t kCount = 20;
-    const auto forwards = [&](std::size_t i) { return Variant{at_speed(world, i)}; };
-    const auto backwards = [&](std::size_t i) { return Variant{at_speed(world, kCount - 1 - i)}; };
+    const auto forwards = [&](std::size_t i) { return ShotVariant{at_speed(world, i)}; };
+    const auto backwards = [&](std::size_t i) { return ShotVariant{at_speed(world, kCount - 1 - i)}; };
     const auto one = run_variants(trials, kCount, forwards, {.threads = 1});
     const auto two = run_variants(trials, kCount, forwards, {.threads = 2});
     const auto other = run_variants(trials, kCount, backwards, {.threads = 3});
@@ -58,7 +58,7 @@ TEST(Variants_WithLimits, EndWhereTheyAreAnsweredOrHaveNoOutcome) {
     const sim::WorldDescription world = bank_shot();
     const sim::Trials trials(world);
     const auto outcomes = run_variants(trials, 6, [&](std::size_t i) {
-        Variant variant{at_speed(world, 10)};
+        ShotVariant variant{at_speed(world, 10)};
         if (i % 2 == 0) {
             variant.limits.max_steps = 1;
         } else {
@@ -110,7 +110,7 @@ TEST(Variants_ThatAreStopped, EndInTheirMiddle) {
     std::stop_source stop;
     stop.request_stop();
     EXPECT_THROW(
-        (void)run_variants(trials, 2, [&](std::size_t i) { return Variant{at_speed(world, i)}; },
+        (void)run_variants(trials, 2, [&](std::size_t i) { return ShotVariant{at_speed(world, i)}; },
                            {.threads = 1, .context = {{}, stop.get_token()}}),
         Stopped);
 }
