@@ -266,7 +266,8 @@ void run(const ReportCommand& command, CommandContext& context);
 /// Simulates variants of a shot and measures them. Strings are as typed.
 struct SolveCommand {
     InputOptions input;
-    std::string output;  // the shot with the strike that was found; empty: not written
+    std::string output;   // the shot with the strike that was found; empty: not written
+    bool writes = false;  // it into the shot's own file
     bool lists_all = false;
     bool json = false;
 };

@@ -8,7 +8,9 @@
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
+#include "pipeline/config/load_shot.h"
 #include "pipeline/solve/solver.h"
+#include "sim/bake.h"
 
 namespace carom::cli {
 
@@ -95,6 +97,19 @@ std::string json_of(const pipeline::SolvedStrike& solved) {
     return lines;
 }
 
+/// Writes the strikes into the shot's file, once it is sure that the text gives the same motion.
+void write_into_shot(const SolveCommand& command, const ShotInput& input) {
+    const std::string text = pipeline::solved_text(input.shot, *input.source);
+    const pipeline::LoadResult written =
+        pipeline::load_shot_text(text, command.input.path, load_options(command.input));
+    if (!written.shot ||
+        sim::physics_hash(written.shot->world) != sim::physics_hash(input.shot.world)) {
+        throw Error("the strike cannot be written into '" + command.input.path +
+                    "'; -o writes a new file");
+    }
+    write_text_output(command.input.path, text);
+}
+
 }  // namespace
 
 void run(const SolveCommand& command, CommandContext& context) {
@@ -124,6 +139,9 @@ void run(const SolveCommand& command, CommandContext& context) {
     print_text(text);
     if (!command.output.empty()) {
         write_text_output(command.output, input.shot.resolved_text);
+    }
+    if (command.writes) {
+        write_into_shot(command, input);
     }
 }
 

@@ -221,6 +221,14 @@ Node without_cameras(const std::set<std::string>& paths, Node root, Shot& shot) 
 
 }  // namespace
 
+std::string solved_text(const Shot& shot, const ShotSource& source) {
+    std::vector<FoundStrike> found;
+    for (const SolvedStrike& each : shot.solved) {
+        found.push_back({each.event, each.values});
+    }
+    return text_with_found(source.sources().at(0).text, source.root(), found);
+}
+
 bool has_open_moments(const Shot& shot) {
     return std::ranges::any_of(shot.moments,
                                [](const ShotMoment& moment) { return !moment.time.has_value(); });

@@ -69,6 +69,10 @@ struct LoadOptions {
                                         const LoadOptions& options = {});
 
 /// Whether the times of some moments are not known yet.
+/// The text of the shot's own file with the strikes that were found for `solve` instead of it; all
+/// else, comments too, stays. Throws Error if they stand in another file.
+[[nodiscard]] std::string solved_text(const Shot& shot, const ShotSource& source);
+
 [[nodiscard]] bool has_open_moments(const Shot& shot);
 
 /// Gives the shot the times at which its moments come in `timeline`, the motion of its world: in

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <functional>
 #include <optional>
 #include <utility>
 
+#include "core/error.h"
 #include "pipeline/config/sections/sections.h"
 
 namespace carom::pipeline::config {
@@ -116,28 +118,109 @@ std::vector<OpenStrike> open_strikes(Node& root) {
 
 void write_found(Node& root, const std::vector<FoundStrike>& found) {
     for (const FoundStrike& each : found) {
-        Node* strike = strike_at(root, each.strike.event);
-        if (strike == nullptr) {
-            continue;
-        }
-        if (each.strike.finds_direction) {
-            set_value(*strike, "direction", scalar(each.direction, strike->place));
-        }
-        if (each.strike.finds_speed) {
-            set_value(*strike, "speed", scalar(each.speed, strike->place));
-        }
-        if (each.strike.finds_tip) {
+        Node* strike = strike_at(root, each.event);
+        for (const auto& [key, value] : each.values) {
+            if (key != "tip") {
+                set_value(*strike, key.c_str(), scalar(value, strike->place));
+                continue;
+            }
+            // "[0.1, -0.2]"
+            const std::size_t comma = value.find(',');
             Node tip;
             tip.kind = Node::Kind::sequence;
             tip.place = strike->place;
-            tip.items = {scalar(each.tip_right, strike->place), scalar(each.tip_up, strike->place)};
+            tip.items = {scalar(value.substr(1, comma - 1), strike->place),
+                         scalar(value.substr(comma + 2, value.size() - comma - 3), strike->place)};
             set_value(*strike, "tip", std::move(tip));
-        }
-        if (each.strike.finds_elevation) {
-            set_value(*strike, "elevation", scalar(each.elevation, strike->place));
         }
     }
     std::erase_if(root.entries, [](const Entry& entry) { return entry.key == "solve"; });
+}
+
+namespace {
+
+/// The byte of a place; columns count code points.
+std::size_t offset_of(const std::string& text, const Place& place) {
+    std::size_t offset = 0;
+    for (int line = 1; line < place.line; ++line) {
+        offset = text.find('\n', offset) + 1;
+    }
+    for (int column = 1; column < place.column; ++column) {
+        do {
+            ++offset;
+        } while (offset < text.size() &&
+                 (static_cast<unsigned char>(text[offset]) & 0xC0U) == 0x80U);
+    }
+    return offset;
+}
+
+/// The brace that closes the one at `begin`, without those in quotes and comments.
+std::size_t closing_brace(const std::string& text, std::size_t begin) {
+    int depth = 0;
+    char quote = 0;
+    for (std::size_t i = begin; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quote != 0) {
+            quote = c == quote ? 0 : quote;
+        } else if (c == '"' || c == '\'') {
+            quote = c;
+        } else if (c == '#' && text[i - 1] == ' ') {
+            i = std::min(text.find('\n', i), text.size());
+        } else if (c == '{' || c == '[') {
+            ++depth;
+        } else if ((c == '}' || c == ']') && --depth == 0) {
+            return i;
+        }
+    }
+    throw Error("the strike cannot be written: its braces do not end");
+}
+
+/// Removes the block of the key `solve`, up to the next line that begins at its margin.
+std::string without_solve(const std::string& text) {
+    const std::size_t first = text.starts_with("solve:") ? 0 : text.find("\nsolve:");
+    if (first == std::string::npos) {
+        throw Error(
+            "'solve' stands in an included file or in braces; -o writes the shot without "
+            "includes");
+    }
+    const std::size_t begin = first == 0 ? 0 : first + 1;
+    std::size_t end = std::min(text.find('\n', begin), text.size() - 1) + 1;
+    const auto belongs = [&](char c) { return c == ' ' || c == '-' || c == '\n' || c == '\r'; };
+    std::size_t kept = end;  // blank lines after the block stay
+    while (end < text.size() && belongs(text[end])) {
+        const bool is_blank = text[end] == '\n' || text[end] == '\r';
+        end = std::min(text.find('\n', end), text.size() - 1) + 1;
+        kept = is_blank ? kept : end;
+    }
+    const bool is_between_blanks = begin >= 2 && text[begin - 2] == '\n' && kept < end;
+    return text.substr(0, begin) + text.substr(is_between_blanks ? end : kept);
+}
+
+}  // namespace
+
+std::string text_with_found(const std::string& text, const Node& root,
+                            const std::vector<FoundStrike>& found) {
+    std::string result = text;
+    // From the last one on, so that the places of the others stay.
+    std::vector<FoundStrike> sorted = found;
+    std::ranges::sort(sorted, std::greater<>(), &FoundStrike::event);
+    for (const FoundStrike& each : sorted) {
+        const Node& strike = root.find("events")->value.items.at(each.event).find("strike")->value;
+        if (strike.place.source != 0) {
+            throw Error("a strike stands in an included file; -o writes the shot without includes");
+        }
+        const std::size_t at = offset_of(result, strike.place);
+        const bool is_flow = result.at(at) == '{';
+        std::string inserted;
+        for (const auto& [key, value] : each.values) {
+            inserted +=
+                is_flow ? ", " + key + ": " + value
+                        : key + ": " + value + "\n" +
+                              std::string(static_cast<std::size_t>(strike.place.column - 1), ' ');
+        }
+        result.insert(is_flow ? closing_brace(result, at) : at, inserted);
+    }
+    return without_solve(result);
 }
 
 }  // namespace carom::pipeline::config

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pipeline/config/node.h"
@@ -23,13 +24,18 @@ struct OpenStrike {
 /// are needed get one that the search replaces. Leaves what is wrong to the sections' readers.
 [[nodiscard]] std::vector<OpenStrike> open_strikes(Node& root);
 
-/// What was found for a strike, as texts of the format.
+/// What was found for a strike: keys and values as texts of the format.
 struct FoundStrike {
-    OpenStrike strike;
-    std::string direction, speed, tip_right, tip_up, elevation;
+    std::size_t event = 0;
+    std::vector<std::pair<std::string, std::string>> values;
 };
 
 /// Gives the strikes of the tree what was found, and removes `solve`.
 void write_found(Node& root, const std::vector<FoundStrike>& found);
+
+/// The text of the shot's own file likewise; all else stays as it is. `root`: the tree. Throws
+/// Error if a strike or `solve` stands in another file.
+[[nodiscard]] std::string text_with_found(const std::string& text, const Node& root,
+                                          const std::vector<FoundStrike>& found);
 
 }  // namespace carom::pipeline::config

@@ -32,6 +32,7 @@ struct ShotMoment {
 struct SolvedStrike {
     std::size_t event = 0;  // of the world
     solve::SolveResult result;
+    std::vector<std::pair<std::string, std::string>> values;  // keys that were found, with units
 };
 
 struct Shot {

@@ -20,6 +20,9 @@ void describe(SolveCommand& command, CommandDescription& description) {
     add_output(description, command.output,
                "Write the shot with the strike that was found instead of `solve`, as one file "
                "without includes.");
+    description.flag("--write", command.writes,
+                     "Write the strike into SHOT itself instead of 'solve'; all else stays as it "
+                     "is.");
     description.examples = {
         {"carom solve solve_red_black.yaml", "The best strikes."},
         {"carom solve solve_red_black.yaml --set solve.player=beginner --all",

@@ -15,6 +15,7 @@
 #include "pipeline/config/build/builder.h"
 #include "pipeline/config/pocket_names.h"
 #include "pipeline/solve/solver.h"
+#include "sim/aim/find_aims.h"
 #include "sim/bake.h"
 
 namespace carom::pipeline::config {
@@ -151,24 +152,57 @@ std::shared_ptr<const solve::SolveResult> solution_of(const sim::WorldDescriptio
                      [&] { return solve::solve(sim::Trials(world), problem, {}); });
 }
 
-std::string why_unsolved(const solve::SolveResult& result) {
-    std::string text = "no strike was found that does all this";
-    if (result.solutions.empty()) {
-        return text + fmt::format(", in {} simulations: nothing came near", result.simulations);
+/// Why the wanted balls cannot be potted directly, one sentence each.
+std::string why_not_directly(const sim::WorldDescription& world,
+                             const solve::SolveProblem& problem) {
+    std::string text;
+    for (const Want& want : problem.wants) {
+        const auto* happening = std::get_if<Happening>(&want);
+        if (happening == nullptr || happening->is_avoided() ||
+            happening->trigger.kind != sim::Trigger::Kind::potted) {
+            continue;
+        }
+        const sim::FoundAims direct = sim::find_aims(
+            world, {{problem.event, sim::PotAim{happening->trigger.a, happening->pocket}}});
+        for (const Diagnostic& reason : direct.problems) {
+            text += "; directly: " + reason.message;
+        }
     }
-    const solve::Solution& nearest = result.solutions.front();
-    return text + fmt::format("; the nearest misses by {:.2f} m: {}", nearest.miss, nearest.route);
+    return text;
+}
+
+std::string why_unsolved(const sim::WorldDescription& world, const solve::SolveProblem& problem,
+                         const solve::SolveResult& result) {
+    std::string text = fmt::format("no strike was found that does all this, in {} simulations",
+                                   result.simulations);
+    if (!result.solutions.empty()) {
+        const solve::Solution& nearest = result.solutions.front();
+        const Vec2 place = nearest.rest.value_or(Vec2(0, 0));
+        text += nearest.miss < 10 && nearest.rest
+                    ? fmt::format(
+                          "; the nearest misses by {:.2f} m ('{}' rests at [{:.2f}, "
+                          "{:.2f}]): {}",
+                          nearest.miss, nearest.ball, place.x, place.y, nearest.route)
+                    : "; the nearest does only: " + nearest.route;
+    }
+    return text + why_not_directly(world, problem);
 }
 
 FoundStrike texts_of(const OpenStrike& open, const sim::Strike& strike) {
     constexpr double kDegree = std::numbers::pi / 180;
     FoundStrike found;
-    found.strike = open;
-    found.direction = decimal_text(strike.direction.value_or(0) / kDegree, 6) + " deg";
-    found.speed = decimal_text(strike.speed.value_or(0), 4) + " m/s";
-    found.tip_right = decimal_text(strike.tip.x, 4);
-    found.tip_up = decimal_text(strike.tip.y, 4);
-    found.elevation = decimal_text(strike.elevation / kDegree, 6) + " deg";
+    found.event = open.event;
+    const auto add = [&](bool is_found, const char* key, std::string value) {
+        if (is_found) {
+            found.values.emplace_back(key, std::move(value));
+        }
+    };
+    add(open.finds_direction, "direction",
+        decimal_text(strike.direction.value_or(0) / kDegree, 6) + " deg");
+    add(open.finds_speed, "speed", decimal_text(strike.speed.value_or(0), 4) + " m/s");
+    add(open.finds_tip, "tip",
+        fmt::format("[{}, {}]", decimal_text(strike.tip.x, 4), decimal_text(strike.tip.y, 4)));
+    add(open.finds_elevation, "elevation", decimal_text(strike.elevation / kDegree, 6) + " deg");
     return found;
 }
 
@@ -181,18 +215,18 @@ void solve_strikes(Builder& builder) {
         if (builder.reader.has_error() || !names_strike(builder, section, open)) {
             return;
         }
-        const std::shared_ptr<const solve::SolveResult> found =
-            solution_of(without_later_strikes(builder.shot.world, open.event),
-                        problem_of(section, open, builder));
+        const sim::WorldDescription world = without_later_strikes(builder.shot.world, open.event);
+        const solve::SolveProblem problem = problem_of(section, open, builder);
+        const std::shared_ptr<const solve::SolveResult> found = solution_of(world, problem);
         const solve::SolveResult& result = *found;
         if (result.solutions.empty() || !result.solutions.front().is_solved) {
-            builder.reader.error(section.place, why_unsolved(result));
+            builder.reader.error(section.place, why_unsolved(world, problem, result));
             return;
         }
         const solve::Solution& best = result.solutions.front();
         builder.shot.world.events[open.event].action = best.strike;
         builder.found_strikes.push_back(texts_of(open, best.strike));
-        builder.shot.solved.push_back({open.event, result});
+        builder.shot.solved.push_back({open.event, result, builder.found_strikes.back().values});
     }
 }
 
