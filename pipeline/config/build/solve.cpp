@@ -165,7 +165,7 @@ std::string why_not_directly(const sim::WorldDescription& world,
         const sim::FoundAims direct = sim::find_aims(
             world, {{problem.event, sim::PotAim{happening->trigger.a, happening->pocket}}});
         for (const Diagnostic& reason : direct.problems) {
-            text += "; directly: " + reason.message;
+            text += "; directly: " + reason.sentence;
         }
     }
     return text;

@@ -1,4 +1,6 @@
 // End-to-end tests of carom solve.
+#include <fstream>
+
 #include "tests/folders.h"
 #include "tests/pipeline/cli/end_to_end.h"
 
@@ -40,12 +42,11 @@ TEST_F(SolveCommand, WrittenShot_IsTheSameAndNeedsNoSearch) {
 }
 
 TEST_F(SolveCommand, StrikeIsWrittenIntoTheShot_AndAllElseStays) {
-    write(
-        "shot.yaml",
-        "carom: 1  # a shot\ntable: {size: 9 ft}\nballs: {cue: {at: [-0.4, -0.1]}, one: {at: "
-        "[0.8, 0.3]}}\n\nsolve:\n  want:  # that\n    - {potted: one}\n\n# what happens\nevents:\n"
-        "  - strike: {ball: cue, speed: 2 m/s}  # hard enough\n");
-    const RunResult result = run({"solve", "shot.yaml", "--write"});
+    std::ofstream(path("shot.yaml"))
+        << "carom: 1  # a shot\ntable: {size: 9 ft}\nballs: {cue: {at: [-0.4, -0.1]}, one: {at: "
+           "[0.8, 0.3]}}\n\nsolve:\n  want:  # that\n    - {potted: one}\n\n# what happens\n"
+           "events:\n  - strike: {ball: cue, speed: 2 m/s}  # hard enough\n";
+    const RunResult result = run({"solve", path("shot.yaml"), "--write"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     const std::string text = text_of("shot.yaml");
     EXPECT_THAT(text,
@@ -53,7 +54,7 @@ TEST_F(SolveCommand, StrikeIsWrittenIntoTheShot_AndAllElseStays) {
                            "-0.1]}, one: {at: [0.8, 0.3]}}\n\n# what happens\nevents:\n"
                            "  - strike: {ball: cue, speed: 2 m/s, direction: "));
     EXPECT_THAT(text, ::testing::EndsWith("]}  # hard enough\n"));
-    EXPECT_THAT(run({"report", "shot.yaml"}).out, HasSubstr("potted   one"));
+    EXPECT_THAT(run({"report", path("shot.yaml")}).out, HasSubstr("potted   one"));
 }
 
 TEST_F(SolveCommand, OtherFiles_AreRefused) {
