@@ -46,8 +46,7 @@ std::vector<char> decisive(const std::vector<Want>& wants, std::span<const Event
         sim::OccurrenceCounter counter(happening->trigger);
         int count = 0;
         for (std::size_t i = 0; i < events.size() && count < happening->at_least; ++i) {
-            if (counter.counts(events[i]) &&
-                (happening->pocket.empty() || events[i].b == happening->pocket)) {
+            if (may_count(*happening, events[i]) && counter.counts(events[i])) {
                 ++count;
                 marks[i] = 1;
             }

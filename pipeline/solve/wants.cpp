@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "core/length.h"
+#include "pipeline/solve/legs.h"
 #include "sim/occurrence.h"
 
 namespace carom::pipeline::solve {
@@ -97,13 +97,19 @@ double miss_of_happening(const Happening& want, const Trial& trial) {
             is_closed = true;
             break;
         }
-        count += counter.counts(event) && (want.pocket.empty() || event.b == want.pocket) ? 1 : 0;
+        count += may_count(want, event) && counter.counts(event) ? 1 : 0;
     }
     const bool lacks_end = want.before && !is_closed;
     return std::max({want.at_least - count, count - want.at_most, 0}) + (lacks_end ? 1 : 0);
 }
 
 }  // namespace
+
+bool may_count(const Happening& want, const Event& event) {
+    const bool is_jaw = want.skips_jaws && event.kind == EventKind::impact &&
+                        event.surface() == sim::Surface::cushion && side_of(event.normal).empty();
+    return !is_jaw && (want.pocket.empty() || event.b == want.pocket);
+}
 
 std::span<const Event> Trial::events() const {
     return since(outcome.events, strike);
@@ -155,7 +161,7 @@ void Watch::see(const Event& event) {
         if (!each.is_closed && event.time - began_ <= want.by) {
             if (want.before && occurs(*want.before)) {
                 each.is_closed = true;
-            } else if (occurs(want.trigger) && (want.pocket.empty() || event.b == want.pocket)) {
+            } else if (may_count(want, event) && occurs(want.trigger)) {
                 const bool is_new = want.trigger.kind != sim::Trigger::Kind::contact ||
                                     each.last_contact < 0 ||
                                     event.time - each.last_contact > sim::kOneContact;

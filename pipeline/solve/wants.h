@@ -16,8 +16,9 @@ namespace carom::pipeline::solve {
 /// Something that happens so many times after the strike: a contact of two objects, of an object
 /// and a cushion, or a ball that is potted.
 struct Happening {
-    sim::Trigger trigger;  // contact or potted; its `nth` is not used
-    std::string pocket;    // potted only: in this one; empty: in any
+    sim::Trigger trigger;     // contact or potted; its `nth` is not used
+    std::string pocket;       // potted only: in this one; empty: in any
+    bool skips_jaws = false;  // only the straight parts of cushions count
     int at_least = 1;
     int at_most = std::numeric_limits<int>::max();
     /// Counted until this happens, which it has to.
@@ -27,6 +28,9 @@ struct Happening {
     /// Whether it is something to avoid.
     [[nodiscard]] bool is_avoided() const { return at_most == 0; }
 };
+
+/// Whether an event that the want's trigger names counts for it: by its pocket, and as no jaw.
+[[nodiscard]] bool may_count(const Happening& want, const sim::Event& event);
 
 /// A ball comes to rest near a place.
 struct RestPlace {

@@ -103,6 +103,7 @@ void add(Hasher& hasher, const Want& want) {
     hasher.add(static_cast<std::uint64_t>(want.index()));
     if (const auto* happening = std::get_if<Happening>(&want)) {
         add(hasher, happening->trigger).add(happening->pocket);
+        hasher.add(happening->skips_jaws);
         hasher.add(happening->at_least).add(happening->at_most).add(happening->by);
         hasher.add(happening->before.has_value());
         if (happening->before) {

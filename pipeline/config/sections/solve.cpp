@@ -43,7 +43,9 @@ const MapSpec<WantKeys>& want_spec() {
             [](WantKeys& want, std::vector<std::string> names) { want.contact = std::move(names); },
             "two objects, or an object and a surface, that touch");
         s.key("cushions", &WantKeys::cushions, name_of(ReferenceKind::ball),
-              "a ball that touches cushions, with `at_least` or `at_most`");
+              "a ball that touches cushions, with `at_least` or `at_most`; the jaws of pockets do "
+              "not "
+              "count");
         s.key("rest", &WantKeys::rest, name_of(ReferenceKind::ball),
               "a ball that comes to rest near a place");
         s.key("near", &WantKeys::near, vector2(Dimension::length), "the place").needed_by("rest");
@@ -91,6 +93,7 @@ Happening happening_of(const WantKeys& keys, bool is_avoided) {
     } else if (keys.cushions) {
         want.trigger.a = *keys.cushions;
         want.trigger.b = "cushion";
+        want.skips_jaws = true;
     } else {
         want.trigger.a = keys.contact.at(0);
         want.trigger.b = keys.contact.at(1);

@@ -144,6 +144,7 @@ void add_pots(std::vector<Layout>& all) {
 Happening cushions(const std::string& name, int count, const Happening& before) {
     Happening want = contact(name, "cushion");
     want.at_least = count;
+    want.skips_jaws = true;
     want.before = before.trigger;
     return want;
 }

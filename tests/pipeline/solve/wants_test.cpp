@@ -79,6 +79,17 @@ TEST_F(WantsTest, CushionsAreCountedSinceTheStrike_BeforeWhatEndsThem) {
     want.at_least = 3;
     EXPECT_EQ(miss(want), 1);  // it never ends
     EXPECT_EQ(miss(happening(sim::Trigger::Kind::contact, "one", "cushion")), 1);
+    // The first contact is with a jaw.
+    want = happening(sim::Trigger::Kind::contact, "cue", "cushion");
+    want.at_least = 3;
+    want.skips_jaws = true;
+    for (Event& each : outcome_.events) {
+        each.normal = Vec3(0, each.time < 1.3 ? 0.7 : -1, 0);
+        each.normal.x = each.time < 1.3 ? 0.7 : 0;
+    }
+    EXPECT_EQ(miss(want), 1);
+    want.at_least = 2;
+    EXPECT_EQ(miss(want), 0);
 }
 
 TEST_F(WantsTest, WhatIsAvoidedMustNotHappen_InItsTime) {
