@@ -45,11 +45,11 @@ std::string rest_text(const solve::Solution& solution) {
 }
 
 std::string text_of(const pipeline::SolvedStrike& solved, bool lists_all) {
-    const auto& solutions = solved.result.solutions;
+    const auto& solutions = solved.result->solutions;
     const auto count =
         static_cast<std::size_t>(std::ranges::count_if(solutions, &solve::Solution::is_solved));
     std::string text = fmt::format("events[{}]: {} in {} simulations\n", solved.event,
-                                   counted(count, "solution"), solved.result.simulations);
+                                   counted(count, "solution"), solved.result->simulations);
     const std::size_t listed = lists_all ? count : std::min(count, kListed);
     for (std::size_t i = 0; i < listed; ++i) {
         const solve::Solution& each = solutions[i];
@@ -73,7 +73,7 @@ std::string text_of(const pipeline::SolvedStrike& solved, bool lists_all) {
 /// A JSON object in each line.
 std::string json_of(const pipeline::SolvedStrike& solved) {
     std::string lines;
-    for (const solve::Solution& each : solved.result.solutions) {
+    for (const solve::Solution& each : solved.result->solutions) {
         if (!each.is_solved) {
             continue;
         }
@@ -91,7 +91,7 @@ std::string json_of(const pipeline::SolvedStrike& solved) {
         if (each.rest) {
             one.add("rest", {each.rest->x, each.rest->y});
         }
-        one.add("simulations", static_cast<std::int64_t>(solved.result.simulations));
+        one.add("simulations", static_cast<std::int64_t>(solved.result->simulations));
         lines += one.object() + "\n";
     }
     return lines;

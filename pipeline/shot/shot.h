@@ -2,15 +2,16 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pipeline/camera/camera_rig.h"
 #include "pipeline/picture/annotation.h"
 #include "pipeline/shot/cue_stick.h"
 #include "pipeline/shot/sound_settings.h"
-#include "pipeline/solve/solver.h"
 #include "pipeline/video/output_settings.h"
 #include "render/scene/render_settings.h"
 #include "render/scene/scene_description.h"
@@ -19,6 +20,10 @@
 #include "sim/world.h"
 
 namespace carom::pipeline {
+
+namespace solve {
+struct SolveResult;  // pipeline/solve/solver.h
+}
 
 /// A value of the shot that is a scene time named by what happens ("the cue ball touches the one").
 struct ShotMoment {
@@ -30,8 +35,8 @@ struct ShotMoment {
 
 /// A strike that `solve` found, or several solutions of it, the best one first.
 struct SolvedStrike {
-    std::size_t event = 0;  // of the world
-    solve::SolveResult result;
+    std::size_t event = 0;                                    // of the world
+    std::shared_ptr<const solve::SolveResult> result;         // not null
     std::vector<std::pair<std::string, std::string>> values;  // keys that were found, with units
 };
 

@@ -227,7 +227,7 @@ void solve_strikes(Builder& builder) {
         const solve::Solution& best = result.solutions.front();
         builder.shot.world.events[open.event].action = best.strike;
         builder.found_strikes.push_back(texts_of(open, best.strike));
-        builder.shot.solved.push_back({open.event, result, builder.found_strikes.back().values});
+        builder.shot.solved.push_back({open.event, found, builder.found_strikes.back().values});
     }
 }
 
