@@ -9,8 +9,8 @@
 #include "pipeline/config/shot_variants.h"
 #include "pipeline/study/measures.h"
 #include "pipeline/study/sampling.h"
-#include "pipeline/variants/variants.h"
 #include "pipeline/study/varied_key.h"
+#include "pipeline/variants/variants.h"
 
 namespace carom::pipeline::study {
 

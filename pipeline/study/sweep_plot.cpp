@@ -43,7 +43,8 @@ std::vector<double> PlotAxis::ticks() const {
 }
 
 std::string PlotAxis::text(double value) const {
-    const int decimals = std::max(0, -static_cast<int>(std::floor(logarithm(step()) / logarithm(10) + 1e-9)));
+    const int decimals =
+        std::max(0, -static_cast<int>(std::floor(logarithm(step()) / logarithm(10) + 1e-9)));
     return decimals > 6 ? fmt::format("{:.3g}", value) : decimal_text(value, decimals);
 }
 
