@@ -76,7 +76,7 @@ void check_group(Reader& reader, const Node& node, const KeyGroup& group, bool m
             given.push_back(&entry);
         }
     }
-    if (given.empty() && may_lack && group.rule == KeyGroup::Rule::exactly_one) {
+    if (given.empty() && may_lack && group.rule != KeyGroup::Rule::at_most_one) {
         reader.error(reader.key_place(), reader.label() + " needs " +
                                              (group.keys.size() > 2 ? "one of " : "either ") +
                                              enumerate(quoted(group.keys), "or"));

@@ -43,7 +43,11 @@ struct KeyInfo {
 
 /// Keys that depend on each other.
 struct KeyGroup {
-    enum class Rule { exactly_one, at_most_one } rule = Rule::exactly_one;
+    enum class Rule {
+        exactly_one,
+        exactly_one_or_solved,  // `solve` finds it where none is given
+        at_most_one
+    } rule = Rule::exactly_one;
     std::vector<std::string> keys;
 };
 
@@ -247,6 +251,11 @@ class MapSpec {
 
     MapSpec& exactly_one_of(std::vector<std::string> keys) {
         table_.add_group(KeyGroup::Rule::exactly_one, std::move(keys));
+        return *this;
+    }
+
+    MapSpec& exactly_one_or_solved(std::vector<std::string> keys) {
+        table_.add_group(KeyGroup::Rule::exactly_one_or_solved, std::move(keys));
         return *this;
     }
 

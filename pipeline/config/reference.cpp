@@ -155,9 +155,11 @@ std::string describe_groups(const MapInfo& map) {
         for (const std::string& key : group.keys) {
             words.push_back("`" + key + "`");
         }
-        const bool is_needed = group.rule == KeyGroup::Rule::exactly_one;
+        const bool is_needed = group.rule != KeyGroup::Rule::at_most_one;
+        const bool is_solved = group.rule == KeyGroup::Rule::exactly_one_or_solved;
         text += std::string("\n") + (is_needed ? "Exactly" : "At most") + " one of " +
-                enumerate(words, "and") + ".\n";
+                enumerate(words, "and") + (is_solved ? ", or none if `solve` finds it" : "") +
+                ".\n";
     }
     return text;
 }

@@ -90,6 +90,39 @@ conditions:
   pockets:
     corner: {shelf: 45 mm, hole_radius: 51 mm}
 )"},
+        {"solve", R"(table: {kind: pool}
+balls:
+  cue: {at: [-0.4, -0.1]}
+  one: {at: [0.8, 0.3]}
+events:
+  - strike: {ball: cue}
+solve:
+  want: [{potted: one, in: top right}]
+  prefer: [likely, slow]
+  player: professional
+)"},
+        {"want", R"(table: {kind: pool}
+balls:
+  cue: {at: [-0.4, -0.1]}
+  one: {at: [0.8, 0.3]}
+events:
+  - strike: {ball: cue}
+solve:
+  want:
+    - {potted: one}
+    - {cushions: one, at_least: 1, before: {potted: one}}
+  avoid: [{contact: [cue, cushion], by: 0.2 s}]
+)"},
+        {"player", R"(table: {kind: pool}
+balls:
+  cue: {at: [-0.4, -0.1]}
+  one: {at: [0.8, 0.3]}
+events:
+  - strike: {ball: cue, speed: 2.5 m/s}
+solve:
+  want: [{potted: one}]
+  player: {direction: 0.2 deg, elevation: 0.1 deg, speed: 0.05, tip: 0.02}
+)"},
         {"rack", R"(table: {kind: pool}
 rack: {set: nine_ball, gap: 0.05 mm}
 balls: {cue: {at: [-0.75, 0.12]}}

@@ -318,8 +318,8 @@ const MapSpec<StrikeSection>& strike_spec() {
         s.key(
             "stick", &StrikeSection::shows_stick, shown_or_hidden(),
             "whether the cue stick of this strike is seen. The default is the shot's own `stick`");
-        s.exactly_one_of({"speed", "ball_speed"});
-        s.exactly_one_of({"toward", "direction", "pot", "cut", "hit", "through"});
+        s.exactly_one_or_solved({"speed", "ball_speed"});
+        s.exactly_one_or_solved({"toward", "direction", "pot", "cut", "hit", "through"});
         s.check(check_tip);
         s.check(check_aim);
         return s;
