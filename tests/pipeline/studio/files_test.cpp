@@ -58,7 +58,7 @@ TEST_F(StudioFiles, StartPage_HasTemplatesAndExamplesWithStills) {
         });
     });
     EXPECT_EQ(offered.templates.front().name, "empty");
-    EXPECT_EQ(offered.examples.size(), 20U);
+    EXPECT_EQ(offered.examples.size(), 22U);
     EXPECT_TRUE(offered.recent.empty());
     for (const StartFile& one : offered.examples) {
         EXPECT_NE(one.still, "") << one.name;
