@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <filesystem>
 #include <system_error>
+#include <thread>
 
 #include <fmt/core.h>
 #include <grp.h>
@@ -60,7 +62,8 @@ std::string owner_text(fs::path path) {
 }
 
 /// Makes a folder and those above it that are missing. That it exists is no failure: another
-/// machine may have made it at the same moment, and a network file system does not show it yet.
+/// machine may have made it at the same moment, and a network file system does not show it yet. Nor
+/// can a folder be made in it until it is shown, for which this waits up to three seconds.
 std::error_code make_folder(const fs::path& path) {
     std::error_code ignored;
     if (path.empty() || fs::is_directory(path, ignored)) {
@@ -69,9 +72,16 @@ std::error_code make_folder(const fs::path& path) {
     if (const std::error_code failure = make_folder(path.parent_path())) {
         return failure;
     }
-    if (::mkdir(path.c_str(), 0777) == 0) {
-        share_folder(path.string());
-        return {};
+    constexpr int kTries = 60;
+    for (int i = 0; i < kTries; ++i) {
+        if (::mkdir(path.c_str(), 0777) == 0) {
+            share_folder(path.string());
+            return {};
+        }
+        if (errno != ENOENT) {
+            break;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
     const int reason = errno == EEXIST && fs::is_regular_file(path, ignored) ? ENOTDIR : errno;
     return {reason == EEXIST ? 0 : reason, std::generic_category()};
