@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "core/error.h"
 #include "pipeline/config/sections/sections.h"
 
@@ -157,11 +159,11 @@ std::size_t offset_of(const std::string& text, const Place& place) {
 /// The brace that closes the one at `begin`, without those in quotes and comments.
 std::size_t closing_brace(const std::string& text, std::size_t begin) {
     int depth = 0;
-    char quote = 0;
+    char quote = '\0';
     for (std::size_t i = begin; i < text.size(); ++i) {
         const char c = text[i];
-        if (quote != 0) {
-            quote = c == quote ? 0 : quote;
+        if (quote != '\0') {
+            quote = c == quote ? '\0' : quote;
         } else if (c == '"' || c == '\'') {
             quote = c;
         } else if (c == '#' && text[i - 1] == ' ') {
@@ -211,12 +213,11 @@ std::string text_with_found(const std::string& text, const Node& root,
         }
         const std::size_t at = offset_of(result, strike.place);
         const bool is_flow = result.at(at) == '{';
+        const std::string margin(static_cast<std::size_t>(strike.place.column - 1), ' ');
         std::string inserted;
         for (const auto& [key, value] : each.values) {
-            inserted +=
-                is_flow ? ", " + key + ": " + value
-                        : key + ": " + value + "\n" +
-                              std::string(static_cast<std::size_t>(strike.place.column - 1), ' ');
+            inserted += is_flow ? fmt::format(", {}: {}", key, value)
+                                : fmt::format("{}: {}\n{}", key, value, margin);
         }
         result.insert(is_flow ? closing_brace(result, at) : at, inserted);
     }

@@ -273,6 +273,7 @@ std::vector<std::vector<Seed>> scan_routes(const StrikeTrials& trials) {
         }
     }
     std::vector<Found> sorted;
+    sorted.reserve(routes.size());
     for (auto& [text, found] : routes) {
         sorted.push_back(std::move(found));
     }
@@ -280,6 +281,7 @@ std::vector<std::vector<Seed>> scan_routes(const StrikeTrials& trials) {
         return std::pair(a.steps, b.seeds.size()) < std::pair(b.steps, a.seeds.size());
     });
     std::vector<std::vector<Seed>> result;
+    result.reserve(sorted.size());
     for (Found& found : sorted) {
         result.push_back(std::move(found.seeds));
     }

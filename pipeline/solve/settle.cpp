@@ -224,6 +224,7 @@ Solution settle(const StrikeTrials& trials, const std::vector<Seed>& seeds, bool
     constexpr std::size_t kKept = 4;
     constexpr std::size_t kFewTrials = 20;
     std::vector<Candidate> candidates;
+    candidates.reserve(seeds.size());
     const double radius = trials.radius();
     for (const Seed& seed : seeds) {
         candidates.push_back(evaluate(trials, seed, seed.setting));

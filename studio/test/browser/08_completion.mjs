@@ -2,7 +2,8 @@
 // units after numbers, and whole entries that carom accepts.
 import { equal, settle, textOf } from './harness.mjs';
 
-/// The keys of all maps below a part of the schema, as {path, keys}; each definition once.
+/// The keys of all maps below a part of the schema, as {path, keys, companions}; each definition once.
+/// Companions, [key, partner], are offered beside their partner only.
 function mapsBelow(schema, node, path, known, found) {
     const { $ref, properties, items, additionalProperties, anyOf = [], allOf = [] } = node;
     if ($ref) {
@@ -14,7 +15,13 @@ function mapsBelow(schema, node, path, known, found) {
         return;
     }
     if (properties) {
-        found.push({ path, keys: Object.keys(properties) });
+        const partners = Object.entries(properties)
+            .map(([key, value]) => [key, value['x-only-with']?.[0]]);
+        found.push({
+            path,
+            keys: partners.filter(([, partner]) => !partner).map(([key]) => key),
+            companions: partners.filter(([, partner]) => partner),
+        });
         for (const [key, value] of Object.entries(properties)) {
             mapsBelow(schema, value, [...path, key], known, found);
         }
@@ -73,7 +80,14 @@ export async function check({ page }) {
     const maps = [];
     mapsBelow(schema, schema, [], new Set(), maps);
     let count = 0;
-    for (const { path, keys } of maps) {
+    for (const { path, keys, companions } of maps) {
+        for (const [key, partner] of companions) {
+            const text = `${textUpTo(path, true)}${partner}: 1, `;
+            const labels = await page.evaluate(
+                (words) => window.studio.labelsAt(words, words.length), text);
+            equal(labels.includes(key), true, `${key} beside ${partner} at ${path.join('.')}`);
+            count += 1;
+        }
         for (const isFlow of [false, true]) {
             const text = textUpTo(path, isFlow);
             const labels = await page.evaluate(

@@ -113,8 +113,9 @@ TEST(SolveTest, StopEndsIt) {
     const Layout layout = make_layouts()[20];
     std::stop_source stop;
     stop.request_stop();
-    EXPECT_THROW(solve(sim::Trials(layout.world), layout.problem, {1, {{}, stop.get_token()}}),
-                 Stopped);
+    EXPECT_THROW(
+        (void)solve(sim::Trials(layout.world), layout.problem, {1, {{}, stop.get_token()}}),
+        Stopped);
 }
 
 }  // namespace
