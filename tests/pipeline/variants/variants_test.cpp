@@ -40,7 +40,9 @@ TEST(Variants_OfAShot, AreTheSameInAnyOrderWithAnyThreadsAndAsBakes) {
     const sim::Trials trials(world);
     constexpr std::size_t kCount = 20;
     const auto forwards = [&](std::size_t i) { return ShotVariant{at_speed(world, i)}; };
-    const auto backwards = [&](std::size_t i) { return ShotVariant{at_speed(world, kCount - 1 - i)}; };
+    const auto backwards = [&](std::size_t i) {
+        return ShotVariant{at_speed(world, kCount - 1 - i)};
+    };
     const auto one = run_variants(trials, kCount, forwards, {.threads = 1});
     const auto two = run_variants(trials, kCount, forwards, {.threads = 2});
     const auto other = run_variants(trials, kCount, backwards, {.threads = 3});
@@ -109,10 +111,10 @@ TEST(Variants_ThatAreStopped, EndInTheirMiddle) {
     const sim::Trials trials(world);
     std::stop_source stop;
     stop.request_stop();
-    EXPECT_THROW(
-        (void)run_variants(trials, 2, [&](std::size_t i) { return ShotVariant{at_speed(world, i)}; },
-                           {.threads = 1, .context = {{}, stop.get_token()}}),
-        Stopped);
+    EXPECT_THROW((void)run_variants(trials, 2,
+                                    [&](std::size_t i) { return ShotVariant{at_speed(world, i)}; },
+                                    {.threads = 1, .context = {{}, stop.get_token()}}),
+                 Stopped);
 }
 
 TEST(Parts_Progress, NeverDecreasesAndEndsAtOne) {
