@@ -43,7 +43,6 @@ struct SolveProblem {
     std::vector<Want> wants;
     std::vector<Preference> prefer{Preference::likely};
     PlayerError player;
-    std::size_t max_simulations = 60'000;
     std::size_t max_routes = 6;  // whose settings are improved
 };
 

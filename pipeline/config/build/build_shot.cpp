@@ -31,16 +31,24 @@ bool Builder::claim_name(const std::string& name, const Place& place, const std:
     return is_new;
 }
 
-Shot build_shot(const ShotFile& file, const Node& root, const std::string& name, Reader& reader,
-                sim::billiards::TableMemo* tables, std::vector<FoundStrike>& found) {
-    Builder builder(file, root, reader, tables);
-    builder.shot.name = name;
-    builder.shot.world = file.world;
+namespace {
+
+void build_bodies(Builder& builder) {
+    builder.shot.world = builder.file.world;
     build_table(builder);
     build_balls(builder);
     build_objects(builder);
     place_touching_balls(builder);
     build_table_geometry(builder);
+}
+
+}  // namespace
+
+Shot build_shot(const ShotFile& file, const Node& root, const std::string& name, Reader& reader,
+                sim::billiards::TableMemo* tables, std::vector<FoundStrike>& found) {
+    Builder builder(file, root, reader, tables);
+    builder.shot.name = name;
+    build_bodies(builder);
     build_table_scene(builder);
     build_stick(builder);
     build_look(builder);
@@ -51,7 +59,6 @@ Shot build_shot(const ShotFile& file, const Node& root, const std::string& name,
     check_references(builder);
     check_placement(builder);
     check_world(builder);
-    aim_strikes(builder);
     solve_strikes(builder);
     found = std::move(builder.found_strikes);
     warn_about_ball_positions(builder);
@@ -64,12 +71,7 @@ BuiltWorld build_world(const ShotFile& file, const Node& root, Reader& reader,
                        sim::billiards::TableMemo* tables) {
     Builder builder(file, root, reader, tables);
     builder.has_look = false;
-    builder.shot.world = file.world;
-    build_table(builder);
-    build_balls(builder);
-    build_objects(builder);
-    place_touching_balls(builder);
-    build_table_geometry(builder);
+    build_bodies(builder);
     build_events(builder);
     check_references(builder);
     check_placement(builder);

@@ -1,6 +1,7 @@
 // The steps of build_shot, in the order in which they run.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -64,10 +65,12 @@ void check_placement(Builder& builder);            // overlaps, balls in cushion
 void warn_about_ball_positions(Builder& builder);  // far away or under the table
 void warn_about_coplanar_surfaces(Builder& builder);
 void warn_about_matte_names(Builder& builder);
-void check_world(Builder& builder);    // problems that the simulation finds
-void check_events(Builder& builder);   // those of the events alone
-void aim_strikes(Builder& builder);    // finds directions, if there is no error
-void solve_strikes(Builder& builder);  // finds strikes, if there is no error
+void check_world(Builder& builder);   // problems that the simulation finds
+void check_events(Builder& builder);  // those of the events alone
+/// Finds the directions of the aims up to that event, if there is no error.
+void aim_strikes(Builder& builder, std::size_t last_event = ~std::size_t{0});
+/// Finds strikes for `solve`, each after the aims before it, and then the other aims.
+void solve_strikes(Builder& builder);
 
 /// The balls of the rack; empty after a problem.
 [[nodiscard]] std::vector<sim::billiards::PlacedBall> place_rack(Builder& builder);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -111,19 +112,24 @@ void build_events(Builder& builder) {
     }
 }
 
-void aim_strikes(Builder& builder) {
-    if (builder.aims.empty() || builder.reader.has_error()) {
+void aim_strikes(Builder& builder, std::size_t last_event) {
+    const auto later =
+        std::stable_partition(builder.aims.begin(), builder.aims.end(),
+                              [&](const sim::AimedStrike& aim) { return aim.event <= last_event; });
+    const std::vector<sim::AimedStrike> aims(builder.aims.begin(), later);
+    builder.aims.erase(builder.aims.begin(), later);
+    if (aims.empty() || builder.reader.has_error()) {
         return;
     }
-    const sim::FoundAims found = sim::find_aims(builder.shot.world, builder.aims);
+    const sim::FoundAims found = sim::find_aims(builder.shot.world, aims);
     for (const Diagnostic& problem : found.problems) {
         builder.report(problem);
     }
     for (const sim::FoundDirection& direction : found.directions) {
         auto& strike = std::get<sim::Strike>(builder.shot.world.events[direction.event].action);
         strike.direction = direction.radians();
+        builder.shot.found_directions.push_back(direction);
     }
-    builder.shot.found_directions = found.directions;
 }
 
 }  // namespace carom::pipeline::config

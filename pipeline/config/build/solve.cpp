@@ -209,26 +209,43 @@ FoundStrike texts_of(const OpenStrike& open, const sim::Strike& strike) {
 
 }  // namespace
 
-void solve_strikes(Builder& builder) {
-    for (std::size_t i = 0; i < builder.file.solve.size(); ++i) {
-        const SolveSection& section = builder.file.solve[i];
-        const OpenStrike& open = builder.file.open.at(i);
-        if (builder.reader.has_error() || !names_strike(builder, section, open)) {
-            return;
-        }
-        const sim::WorldDescription world = without_later_strikes(builder.shot.world, open.event);
-        const solve::SolveProblem problem = problem_of(section, open, builder);
+namespace {
+
+/// False after a problem.
+bool solve_strike(Builder& builder, const SolveSection& section, const OpenStrike& open) {
+    aim_strikes(builder, open.event);
+    if (builder.reader.has_error() || !names_strike(builder, section, open)) {
+        return false;
+    }
+    const sim::WorldDescription world = without_later_strikes(builder.shot.world, open.event);
+    const solve::SolveProblem problem = problem_of(section, open, builder);
+    try {
         const std::shared_ptr<const solve::SolveResult> found = solution_of(world, problem);
         const solve::SolveResult& result = *found;
         if (result.solutions.empty() || !result.solutions.front().is_solved) {
             builder.reader.error(section.place, why_unsolved(world, problem, result));
-            return;
+            return false;
         }
         const solve::Solution& best = result.solutions.front();
         builder.shot.world.events[open.event].action = best.strike;
         builder.found_strikes.push_back(texts_of(open, best.strike));
         builder.shot.solved.push_back({open.event, found, builder.found_strikes.back().values});
+        return true;
+    } catch (const Error& error) {  // the strike never comes
+        builder.reader.error(section.place, error.what());
+        return false;
     }
+}
+
+}  // namespace
+
+void solve_strikes(Builder& builder) {
+    for (std::size_t i = 0; i < builder.file.solve.size(); ++i) {
+        if (!solve_strike(builder, builder.file.solve[i], builder.file.open.at(i))) {
+            return;
+        }
+    }
+    aim_strikes(builder);
 }
 
 }  // namespace carom::pipeline::config

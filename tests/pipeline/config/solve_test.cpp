@@ -91,6 +91,27 @@ solve:
     EXPECT_THAT(potted, ElementsAre("one", "two"));
 }
 
+/// A later aim starts from where the solved strike has left the balls.
+TEST(SolveSection, AimAfterASolvedStrike_KnowsIt) {
+    const LoadResult result = load(R"(events:
+  - strike: {ball: cue}
+  - strike: {ball: cue, when: {resting: all}, pot: two, speed: 2.5 m/s}
+simulation: {duration: 30 s}
+solve: {want: [{potted: one}]}
+)");
+    ASSERT_TRUE(result.shot) << testing::PrintToString(messages(result));
+    std::vector<std::string> potted;
+    for (const sim::Event& event : sim::bake(result.shot->world).events) {
+        if (event.kind == sim::EventKind::potted) {
+            potted.push_back(event.a);
+        }
+    }
+    EXPECT_THAT(potted, ElementsAre("one", "two"));
+    EXPECT_THAT(messages(load("events: [{strike: {ball: cue, when: {potted: one}}}]\n"
+                              "solve: {want: [{potted: two}]}\n")),
+                ElementsAre("the strike on 'cue' never comes"));
+}
+
 /// Three reds and the black after each: the longest of the layouts (tests/pipeline/solve).
 TEST(SolveSection, RunOfSix_IsFoundStrikeByStrike) {
     if (std::getenv("CAROM_ALL_LAYOUTS") == nullptr) {
