@@ -170,7 +170,11 @@ void StaticMesh::find_near(const Vec3& centre, double distance, NearFeatures& ne
         prepare(part);
         part.tree.query(centre, distance, found);
         for (const std::uint32_t index : found) {
-            near.items.push_back({&part, index, bounds_of(part.features[index])});
+            const MeshFeature& feature = part.features[index];
+            const Vec3 d = nearest_point(feature, centre) - centre;
+            if (d.dot(d) <= distance * distance) {
+                near.items.push_back({&part, index, bounds_of(feature)});
+            }
         }
     }
 }
