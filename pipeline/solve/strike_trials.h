@@ -72,6 +72,10 @@ class StrikeTrials {
     /// fraction of `within`. A setting whose balls come to the edge succeeds by luck.
     [[nodiscard]] double distance(const sim::Outcome& outcome) const;
 
+    /// Where balls rest, seen from the middles of their places: both coordinates of each wanted
+    /// one; empty if one of them is off the table.
+    [[nodiscard]] std::vector<double> offsets(const sim::Outcome& outcome) const;
+
     [[nodiscard]] const SolveProblem& problem() const { return problem_; }
     [[nodiscard]] const PartsWork& work() const { return work_; }
     [[nodiscard]] const sim::WorldDescription& world() const { return trials_.world(); }

@@ -56,6 +56,7 @@ solve::SolveProblem problem_of(const SolveSection& section, const OpenStrike& op
     problem.finds_speed = open.finds_speed;
     problem.finds_tip = open.finds_tip;
     problem.finds_elevation = open.finds_elevation;
+    problem.may_raise = open.may_raise;
     problem.prefer = section.prefer;
     problem.player = section.player;
     for (const auto* list : {&section.wants, &section.avoided}) {
@@ -122,7 +123,7 @@ Hash128 hash_of(const sim::WorldDescription& world, const solve::SolveProblem& p
     Hasher hasher;
     hasher.add(sim::physics_hash(world)).add(static_cast<std::uint64_t>(problem.event));
     hasher.add(problem.finds_direction).add(problem.finds_speed);
-    hasher.add(problem.finds_tip).add(problem.finds_elevation);
+    hasher.add(problem.finds_tip).add(problem.finds_elevation).add(problem.may_raise);
     for (const Want& want : problem.wants) {
         add(hasher, want);
     }
@@ -203,7 +204,8 @@ FoundStrike texts_of(const OpenStrike& open, const sim::Strike& strike) {
     add(open.finds_speed, "speed", decimal_text(strike.speed.value_or(0), 4) + " m/s");
     add(open.finds_tip, "tip",
         fmt::format("[{}, {}]", decimal_text(strike.tip.x, 4), decimal_text(strike.tip.y, 4)));
-    add(open.finds_elevation, "elevation", decimal_text(strike.elevation / kDegree, 6) + " deg");
+    add(open.finds_elevation || (open.may_raise && strike.elevation > 0), "elevation",
+        decimal_text(strike.elevation / kDegree, 6) + " deg");
     return found;
 }
 
