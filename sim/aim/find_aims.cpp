@@ -426,6 +426,7 @@ FoundAims find_aims(WorldDescription world, const std::vector<AimedStrike>& aims
     FoundAims found;
     while (!open.empty()) {
         std::vector<std::size_t> strikes;
+        strikes.reserve(open.size());
         for (const AimedStrike& aim : open) {
             strikes.push_back(aim.event);
         }
