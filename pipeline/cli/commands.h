@@ -263,17 +263,21 @@ struct ReportCommand {
 void describe(ReportCommand& command, CommandDescription& description);
 void run(const ReportCommand& command, CommandContext& context);
 
-/// Simulates variants of a shot and measures them. Strings are as typed.
+/// Finds strikes by what they shall bring about.
 struct SolveCommand {
     InputOptions input;
     std::string output;   // the shot with the strike that was found; empty: not written
     bool writes = false;  // it into the shot's own file
     bool lists_all = false;
     bool json = false;
+    std::string map;  // drawings, .svg or .png; empty: none
+    std::string plans;
+    DrawingOptions drawing;
 };
 void describe(SolveCommand& command, CommandDescription& description);
 void run(const SolveCommand& command, CommandContext& context);
 
+/// Simulates variants of a shot and measures them. Strings are as typed.
 struct SweepCommand {
     InputOptions input;
     std::vector<std::string> vary;

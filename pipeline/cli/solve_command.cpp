@@ -5,11 +5,13 @@
 
 #include "core/json_text.h"
 #include "core/text.h"
+#include "pipeline/cli/drawing_output.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/config/load_shot.h"
 #include "pipeline/solve/solver.h"
+#include "pipeline/study/solve_plot.h"
 #include "sim/bake.h"
 
 namespace carom::cli {
@@ -126,6 +128,11 @@ void run(const SolveCommand& command, CommandContext& context) {
     if (!command.output.empty()) {
         check_output_folder(command.output);
     }
+    for (const std::string& path : {command.map, command.plans}) {
+        if (!path.empty()) {
+            check_drawing_path(path, "a drawing");
+        }
+    }
     const ShotInput input = read_shot_input(command.input, context.console, Subject::motion);
     if (input.shot.solved.empty()) {
         throw InputError("'" + command.input.path +
@@ -137,6 +144,15 @@ void run(const SolveCommand& command, CommandContext& context) {
         text += command.json ? json_of(solved) : text_of(solved, command.lists_all);
     }
     print_text(text);
+    const auto draw = [&](const std::string& path, auto make) {
+        if (!path.empty()) {
+            write_drawing({path, command.drawing.width},
+                          make(input.shot, page_of(command.drawing.page, path),
+                               pipeline::PartsWork{0, {{}, context.stop}}));
+        }
+    };
+    draw(command.map, pipeline::study::solve_map_svg);
+    draw(command.plans, pipeline::study::solve_plans_svg);
     if (!command.output.empty()) {
         write_text_output(command.output, input.shot.resolved_text);
     }

@@ -51,6 +51,17 @@ void with_trials(const sim::Trials& trials, const SolveProblem& problem, const P
     }
 }
 
+/// The trial with that setting, to its end, also where nothing is as it is wanted.
+sim::Outcome play(const StrikeTrials& strike, const sim::Trials& trials, const Setting& setting,
+                  bool keeps_motion) {
+    std::vector<sim::ForceEvent> events = trials.world().events;
+    events[strike.problem().event].action = with_setting(strike.strike(), setting);
+    sim::TrialLimits limits;
+    limits.keeps_motion = keeps_motion;
+    limits.stop = strike.work().context.stop;
+    return trials.run(std::move(events), limits).value();
+}
+
 /// The `index`-th of `count` values from `low` to `high`, each in the middle of its part.
 double middle_of(double low, double high, std::size_t index, std::size_t count) {
     return low + (high - low) * (static_cast<double>(index) + 0.5) / static_cast<double>(count);
@@ -104,21 +115,26 @@ std::vector<Landing> landings(const sim::Trials& trials, const SolveProblem& pro
     std::vector<Landing> all(count);
     with_trials(trials, problem, work, [&](const StrikeTrials& strike, const sim::Trials& own) {
         const Setting setting = setting_of(around);
-        sim::TrialLimits limits;  // to the end, also where nothing is as it is wanted
-        limits.stop = work.context.stop;
         do_parts(
             count,
             [&](std::size_t i) {
-                std::vector<sim::ForceEvent> events = own.world().events;
-                events[strike.problem().event].action =
-                    with_setting(strike.strike(), disturbed(setting, problem.player, i));
-                const sim::Outcome outcome = own.run(std::move(events), limits).value();
+                const sim::Outcome outcome =
+                    play(strike, own, disturbed(setting, problem.player, i), false);
                 all[i] = {cell_of(strike, outcome),
                           strike.trial_of(outcome).place_of(strike.ball())};
             },
             work);
     });
     return all;
+}
+
+sim::Timeline motion_of(const sim::Trials& trials, const SolveProblem& problem,
+                        const sim::Strike& strike, const PartsWork& work) {
+    sim::Timeline motion;
+    with_trials(trials, problem, work, [&](const StrikeTrials& own, const sim::Trials& from) {
+        motion = std::move(*play(own, from, setting_of(strike), true).motion);
+    });
+    return motion;
 }
 
 }  // namespace carom::pipeline::solve

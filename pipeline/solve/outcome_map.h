@@ -64,4 +64,8 @@ struct Landing {
                                             const sim::Strike& around, std::size_t count,
                                             const PartsWork& work = {});
 
+/// How all moves with that strike, from its moment on where the search begins there.
+[[nodiscard]] sim::Timeline motion_of(const sim::Trials& trials, const SolveProblem& problem,
+                                      const sim::Strike& strike, const PartsWork& work = {});
+
 }  // namespace carom::pipeline::solve

@@ -23,10 +23,22 @@ void describe(SolveCommand& command, CommandDescription& description) {
     description.flag("--write", command.writes,
                      "Write the strike into SHOT itself instead of 'solve'; all else stays as it "
                      "is.");
+    description
+        .option("--map", &command.map, "FILE",
+                "Draw what comes of the best strike with other directions and speeds, and where "
+                "the struck ball comes to rest under the player's errors, as .svg or .png.")
+        .offers(Offer::files);
+    description
+        .option("--plans", &command.plans, "FILE",
+                "Draw each solution: the table with the paths of its balls, as .svg or .png.")
+        .offers(Offer::files);
+    add_drawing(description, command.drawing);
     description.examples = {
         {"carom solve solve_red_black.yaml", "The best strikes."},
         {"carom solve solve_red_black.yaml --set solve.player=beginner --all",
          "All ways, and how sure a beginner would be of each."},
+        {"carom solve solve_red_black.yaml --map map.svg --plans ways.png",
+         "How exact the strike has to be, and all ways on a sheet."},
         {"carom solve solve_red_black.yaml -o solved.yaml", "The shot with its strike."}};
     description.notes = {"docs/solving.md tells more."};
 }

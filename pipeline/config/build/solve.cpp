@@ -9,14 +9,12 @@
 #include <fmt/core.h>
 
 #include "core/error.h"
-#include "core/hash.h"
 #include "core/lru_cache.h"
 #include "core/text.h"
 #include "pipeline/config/build/builder.h"
 #include "pipeline/config/pocket_names.h"
-#include "pipeline/solve/solver.h"
+#include "pipeline/solve/question.h"
 #include "sim/aim/find_aims.h"
-#include "sim/bake.h"
 
 namespace carom::pipeline::config {
 namespace {
@@ -95,45 +93,6 @@ bool names_strike(Builder& builder, const SolveSection& section, const OpenStrik
     return true;
 }
 
-Hasher& add(Hasher& hasher, const sim::Trigger& trigger) {
-    return hasher.add(static_cast<int>(trigger.kind)).add(trigger.a).add(trigger.b);
-}
-
-void add(Hasher& hasher, const Want& want) {
-    hasher.add(static_cast<std::uint64_t>(want.index()));
-    if (const auto* happening = std::get_if<Happening>(&want)) {
-        add(hasher, happening->trigger).add(happening->pocket);
-        hasher.add(happening->skips_jaws);
-        hasher.add(happening->at_least).add(happening->at_most).add(happening->by);
-        hasher.add(happening->before.has_value());
-        if (happening->before) {
-            add(hasher, *happening->before);
-        }
-    } else if (const auto* rest = std::get_if<solve::RestPlace>(&want)) {
-        hasher.add(rest->ball).add(rest->near).add(rest->within);
-    } else {
-        const auto& clearing = std::get<solve::Clearing>(want);
-        hasher.add(clearing.ball).add(clearing.blocker);
-    }
-}
-
-/// Of all on which the solution depends.
-Hash128 hash_of(const sim::WorldDescription& world, const solve::SolveProblem& problem) {
-    Hasher hasher;
-    hasher.add(sim::physics_hash(world)).add(static_cast<std::uint64_t>(problem.event));
-    hasher.add(problem.finds_direction).add(problem.finds_speed);
-    hasher.add(problem.finds_tip).add(problem.finds_elevation);
-    for (const Want& want : problem.wants) {
-        add(hasher, want);
-    }
-    for (const solve::Preference preference : problem.prefer) {
-        hasher.add(static_cast<int>(preference));
-    }
-    const solve::PlayerError& player = problem.player;
-    hasher.add(player.direction).add(player.elevation).add(player.speed).add(player.tip);
-    return hasher.finish();
-}
-
 /// The shot up to that strike and what it brings about.
 sim::WorldDescription without_later_strikes(sim::WorldDescription world, std::size_t event) {
     for (std::size_t i = world.events.size(); i-- > event + 1;) {
@@ -145,26 +104,26 @@ sim::WorldDescription without_later_strikes(sim::WorldDescription world, std::si
 }
 
 /// Those of the last shots are kept: an edit of a camera does not solve the shot again.
-std::shared_ptr<const solve::SolveResult> solution_of(const sim::WorldDescription& world,
-                                                      const solve::SolveProblem& problem) {
+std::shared_ptr<const solve::SolveResult> solution_of(const solve::SolveQuestion& question) {
     constexpr std::size_t kKept = 16;
     static LruCache<Hash128, solve::SolveResult> known(kKept);
-    return known.get(hash_of(world, problem),
-                     [&] { return solve::solve(sim::Trials(world), problem, {}); });
+    return known.get(hash_of(question), [&] {
+        return solve::solve(sim::Trials(question.world), question.problem, {});
+    });
 }
 
 /// Why the wanted balls cannot be potted directly, one sentence each.
-std::string why_not_directly(const sim::WorldDescription& world,
-                             const solve::SolveProblem& problem) {
+std::string why_not_directly(const solve::SolveQuestion& question) {
     std::string text;
-    for (const Want& want : problem.wants) {
+    for (const Want& want : question.problem.wants) {
         const auto* happening = std::get_if<Happening>(&want);
         if (happening == nullptr || happening->is_avoided() ||
             happening->trigger.kind != sim::Trigger::Kind::potted) {
             continue;
         }
         const sim::FoundAims direct = sim::find_aims(
-            world, {{problem.event, sim::PotAim{happening->trigger.a, happening->pocket}}});
+            question.world,
+            {{question.problem.event, sim::PotAim{happening->trigger.a, happening->pocket}}});
         for (const Diagnostic& reason : direct.problems) {
             text += "; directly: " + reason.sentence;
         }
@@ -172,8 +131,7 @@ std::string why_not_directly(const sim::WorldDescription& world,
     return text;
 }
 
-std::string why_unsolved(const sim::WorldDescription& world, const solve::SolveProblem& problem,
-                         const solve::SolveResult& result) {
+std::string why_unsolved(const solve::SolveQuestion& question, const solve::SolveResult& result) {
     std::string text = fmt::format("no strike was found that does all this, in {} simulations",
                                    result.simulations);
     if (!result.solutions.empty()) {
@@ -186,7 +144,7 @@ std::string why_unsolved(const sim::WorldDescription& world, const solve::SolveP
                           nearest.miss, nearest.ball, place.x, place.y, nearest.route)
                     : "; the nearest does only: " + nearest.route;
     }
-    return text + why_not_directly(world, problem);
+    return text + why_not_directly(question);
 }
 
 FoundStrike texts_of(const OpenStrike& open, const sim::Strike& strike) {
@@ -217,19 +175,20 @@ bool solve_strike(Builder& builder, const SolveSection& section, const OpenStrik
     if (builder.reader.has_error() || !names_strike(builder, section, open)) {
         return false;
     }
-    const sim::WorldDescription world = without_later_strikes(builder.shot.world, open.event);
-    const solve::SolveProblem problem = problem_of(section, open, builder);
+    auto question = std::make_shared<const solve::SolveQuestion>(solve::SolveQuestion{
+        without_later_strikes(builder.shot.world, open.event), problem_of(section, open, builder)});
     try {
-        const std::shared_ptr<const solve::SolveResult> found = solution_of(world, problem);
+        const std::shared_ptr<const solve::SolveResult> found = solution_of(*question);
         const solve::SolveResult& result = *found;
         if (result.solutions.empty() || !result.solutions.front().is_solved) {
-            builder.reader.error(section.place, why_unsolved(world, problem, result));
+            builder.reader.error(section.place, why_unsolved(*question, result));
             return false;
         }
         const solve::Solution& best = result.solutions.front();
         builder.shot.world.events[open.event].action = best.strike;
         builder.found_strikes.push_back(texts_of(open, best.strike));
-        builder.shot.solved.push_back({open.event, found, builder.found_strikes.back().values});
+        builder.shot.solved.push_back(
+            {open.event, std::move(question), found, builder.found_strikes.back().values});
         return true;
     } catch (const Error& error) {  // the strike never comes
         builder.reader.error(section.place, error.what());

@@ -57,6 +57,35 @@ TEST_F(SolveCommand, StrikeIsWrittenIntoTheShot_AndAllElseStays) {
     EXPECT_THAT(run({"report", path("shot.yaml")}).out, HasSubstr("potted   one"));
 }
 
+TEST_F(SolveCommand, Drawings_ShowMapsAndWays) {
+    const RunResult result = run({"solve", kShot, "--map", "map.svg", "--plans", "ways.svg"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, ::testing::EndsWith("map.svg\nways.svg\n"));
+    const std::string map = text_of("map.svg");
+    EXPECT_THAT(map, HasSubstr(">direction, deg</text>"));
+    EXPECT_THAT(map, HasSubstr(">speed of the stick, m/s</text>"));
+    EXPECT_THAT(map, HasSubstr(">Where 'cue' rests in 200 strikes"));
+    EXPECT_THAT(map, HasSubstr(">cue shall rest here</title>"));
+    EXPECT_THAT(map, HasSubstr(">all that is wanted: "));
+    EXPECT_THAT(text_of("ways.svg"), HasSubstr(">1. cue - red, red in corner_right_back</text>"));
+}
+
+TEST_F(SolveCommand, DrawingsThatCannotBeWritten_AreRefusedBeforeTheSearch) {
+    const RunResult result = run({"solve", kShot, "--map", "map.pdf"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.err,
+              "carom: error: 'map.pdf': a drawing can only be written as .svg or .png\n");
+}
+
+TEST_F(SolveCommand, WithoutAResult_NothingIsWritten) {
+    const RunResult result =
+        run({"solve", kShot, "--set", "solve.want=[{potted: red}, {rest: blue, near: [0, 0.5]}]",
+             "--map", "map.svg", "--plans", "ways.svg", "-o", "solved.yaml"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("no strike was found that does all this"));
+    EXPECT_THAT(results(), ::testing::IsEmpty());
+}
+
 TEST_F(SolveCommand, OtherFiles_AreRefused) {
     EXPECT_THAT(run({"sweep", kShot, "--vary", "events[0].strike.elevation=1,2 deg", "--measure",
                      "potted:red"})
