@@ -26,30 +26,6 @@ std::uint64_t mixed(std::uint64_t cause, std::string_view word) {
     return cause;
 }
 
-/// What has led each ball to its present motion.
-class Causes {
-  public:
-    std::uint64_t& of(const std::string& ball) {
-        return causes_.try_emplace(ball, mixed(0, ball)).first->second;
-    }
-
-    void note(const Event& event) {
-        if (event.kind == EventKind::strike) {
-            of(event.a) = mixed(of(event.a), "strike");
-        } else if (event.kind == EventKind::impact && event.surface() == sim::Surface::none) {
-            // The same whichever is named first.
-            const std::uint64_t both = of(event.a) + of(event.b);
-            of(event.a) = mixed(both, event.a);
-            of(event.b) = mixed(both, event.b);
-        } else if (event.kind == EventKind::impact && event.surface() != sim::Surface::cloth) {
-            of(event.a) = mixed(of(event.a), event.b + side_of(event.normal));
-        }
-    }
-
-  private:
-    std::map<std::string, std::uint64_t> causes_;
-};
-
 bool ends_leg(const Event& event) {
     switch (event.kind) {
         case EventKind::impact:
@@ -108,53 +84,72 @@ std::string side_of(const Vec3& normal) {
                             : "";
 }
 
+std::uint64_t& LegReader::cause_of(const std::string& ball) {
+    return causes_.try_emplace(ball, mixed(0, ball)).first->second;
+}
+
+void LegReader::note_cause(const Event& event) {
+    if (event.kind == EventKind::strike) {
+        cause_of(event.a) = mixed(cause_of(event.a), "strike");
+    } else if (event.kind == EventKind::impact && event.surface() == sim::Surface::none) {
+        // The same whichever is named first.
+        const std::uint64_t both = cause_of(event.a) + cause_of(event.b);
+        cause_of(event.a) = mixed(both, event.a);
+        cause_of(event.b) = mixed(both, event.b);
+    } else if (event.kind == EventKind::impact && event.surface() != sim::Surface::cloth) {
+        cause_of(event.a) = mixed(cause_of(event.a), event.b + side_of(event.normal));
+    }
+}
+
+void LegReader::close(std::vector<Leg>& legs) const {
+    if (!open_) {
+        return;
+    }
+    const Vec2 d = last_ - open_->from;
+    const double length = std::sqrt(d.dot(d));
+    if (length > kShortest) {
+        legs.push_back({open_->cause, open_->from, d / length, length});
+    }
+}
+
+void LegReader::see(const Event& event) {
+    const bool takes_part = event.a == ball_ || event.b == ball_;
+    const bool is_repeated = takes_part && event.surface() == sim::Surface::cushion &&
+                             last_cushion_ >= 0 && event.time - last_cushion_ < sim::kOneContact;
+    if (!is_repeated) {
+        note_cause(event);
+    }
+    if (!takes_part || event.kind == EventKind::placed) {
+        return;
+    }
+    last_ = centre_in(event, ball_, radius_);
+    if (event.surface() == sim::Surface::cushion) {
+        last_cushion_ = event.time;
+    }
+    if (!ends_leg(event)) {
+        return;
+    }
+    close(ended_);
+    open_.reset();
+    if (event.kind == EventKind::impact || event.kind == EventKind::strike) {
+        open_ = Leg{cause_of(ball_), last_, Vec2(1, 0), 0};
+    }
+}
+
+std::vector<Leg> LegReader::legs() const {
+    std::vector<Leg> legs = ended_;
+    close(legs);
+    return legs;
+}
+
 std::vector<Leg> legs_of(const std::string& ball, std::span<const Event> events,
                          const Radii& radii) {
     const auto known = radii.find(ball);
-    const double radius = known != radii.end() ? known->second : 0;
-    std::vector<Leg> legs;
-    Causes causes;
-    std::optional<Leg> open;
-    Vec2 last(0, 0);
-    double last_cushion = -1;
-    const auto close = [&](const Vec2& end) {
-        const Vec2 d = end - open->from;
-        const double length = std::sqrt(d.dot(d));
-        if (length > kShortest) {
-            open->direction = d / length;
-            open->length = length;
-            legs.push_back(*open);
-        }
-    };
+    LegReader reader(ball, known != radii.end() ? known->second : 0);
     for (const Event& event : events) {
-        const bool takes_part = event.a == ball || event.b == ball;
-        const bool is_repeated = takes_part && event.surface() == sim::Surface::cushion &&
-                                 last_cushion >= 0 && event.time - last_cushion < sim::kOneContact;
-        if (!is_repeated) {
-            causes.note(event);
-        }
-        if (!takes_part || event.kind == EventKind::placed) {
-            continue;
-        }
-        last = centre_in(event, ball, radius);
-        if (event.surface() == sim::Surface::cushion) {
-            last_cushion = event.time;
-        }
-        if (!ends_leg(event)) {
-            continue;
-        }
-        if (open) {
-            close(last);
-        }
-        open.reset();
-        if (event.kind == EventKind::impact || event.kind == EventKind::strike) {
-            open = Leg{causes.of(ball), last, Vec2(1, 0), 0};
-        }
+        reader.see(event);
     }
-    if (open) {
-        close(last);
-    }
-    return legs;
+    return reader.legs();
 }
 
 }  // namespace carom::pipeline::solve

@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/vectors.h"
@@ -22,6 +24,7 @@ struct Leg {
     Vec2 direction{1, 0};  // unit
     double length = 0;     // m
 
+    [[nodiscard]] Vec2 end() const { return from + direction * length; }
     /// The distance (m) by which the leg passes to the right of a point, negative to the left; NaN
     /// if the point is behind its start.
     [[nodiscard]] double miss(const Vec2& point) const;
@@ -41,7 +44,34 @@ using Radii = std::map<std::string, double>;
 /// jaws and rounded ends.
 [[nodiscard]] std::string side_of(const Vec3& normal);
 
-/// The legs of a ball, in order. Impacts with the cloth end none.
+/// Reads the legs of a ball from events that come one after the other. Impacts with the cloth end
+/// none.
+class LegReader {
+  public:
+    LegReader(std::string ball, double radius) : ball_(std::move(ball)), radius_(radius) {}
+
+    void see(const sim::Event& event);
+
+    /// Those that have ended, in order.
+    [[nodiscard]] const std::vector<Leg>& ended() const { return ended_; }
+    /// Those and the last one, as far as it is known.
+    [[nodiscard]] std::vector<Leg> legs() const;
+
+  private:
+    [[nodiscard]] std::uint64_t& cause_of(const std::string& ball);
+    void note_cause(const sim::Event& event);
+    void close(std::vector<Leg>& legs) const;
+
+    std::string ball_;
+    double radius_;
+    std::map<std::string, std::uint64_t> causes_;  // what has led each ball to its present motion
+    std::vector<Leg> ended_;
+    std::optional<Leg> open_;
+    Vec2 last_{0, 0};
+    double last_cushion_ = -1;  // s
+};
+
+/// The legs of a ball, in order.
 [[nodiscard]] std::vector<Leg> legs_of(const std::string& ball, std::span<const sim::Event> events,
                                        const Radii& radii);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -24,16 +25,6 @@ constexpr int kDirect = 16;
 constexpr int kByCushion = 9;
 /// And at which the ball flies over another one.
 constexpr int kOver = 32;
-/// A leg may end this far (m) before the point that it was to reach: in a pocket's jaws.
-constexpr double kMouth = 0.16;
-
-/// Two directions between which a ball passes a target on the other side.
-struct Bracket {
-    std::size_t target;
-    std::uint64_t cause;
-    double low, high;
-    double low_miss, high_miss;
-};
 
 /// The speeds, and for flights the elevations, at which directions are scanned.
 std::vector<Setting> scan_settings(const StrikeTrials& trials) {
@@ -139,7 +130,8 @@ std::vector<double> scan_directions(const StrikeTrials& trials) {
     return directions;
 }
 
-std::vector<Bracket> brackets_of(const StrikeTrials& trials, const std::vector<Sample>& samples) {
+std::vector<Bracket> brackets_of(const StrikeTrials& trials,
+                                 const std::vector<std::optional<Sample>>& samples) {
     constexpr double kMaxMiss = 0.8;  // m
     std::vector<Bracket> brackets;
     const auto reaches = [](const Leg& leg, const Vec2& point) {
@@ -147,8 +139,8 @@ std::vector<Bracket> brackets_of(const StrikeTrials& trials, const std::vector<S
         return leg.length > std::sqrt(d.dot(d)) - kMouth;
     };
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        const Sample& low = samples[i];
-        const Sample& high = samples[(i + 1) % samples.size()];
+        const Sample& low = *samples[i];
+        const Sample& high = *samples[(i + 1) % samples.size()];
         for (std::size_t t = 0; t < trials.targets().size(); ++t) {
             for (const Leg& leg : low.legs[t]) {
                 const Leg* other = leg_with(high.legs[t], leg.cause);
@@ -161,7 +153,7 @@ std::vector<Bracket> brackets_of(const StrikeTrials& trials, const std::vector<S
                 if (a * b <= 0 && std::abs(a) + std::abs(b) < kMaxMiss &&
                     (reaches(leg, point) || reaches(*other, point))) {
                     const double end = high.direction + (i + 1 == samples.size() ? kTurn : 0);
-                    brackets.push_back({t, leg.cause, low.direction, end, a, b});
+                    brackets.push_back({{t, leg.cause}, low.direction, end, a, b});
                 }
             }
         }
@@ -173,7 +165,7 @@ std::vector<Bracket> brackets_of(const StrikeTrials& trials, const std::vector<S
 std::optional<Seed> follow(const StrikeTrials& trials, const Setting& setting,
                            const Bracket& bracket) {
     Bracket at = bracket;
-    const Target& target = trials.targets()[at.target];
+    const Target& target = trials.targets()[at.pass.target];
     for (int i = 0; i < 10; ++i) {
         const double slope = (at.high_miss - at.low_miss) / (at.high - at.low);
         double next = at.low - at.low_miss / slope;
@@ -182,11 +174,11 @@ std::optional<Seed> follow(const StrikeTrials& trials, const Setting& setting,
         }
         Setting tried = setting;
         tried.direction = next;
-        const Sample found = trials.sample(tried);
+        Sample found = trials.sample(tried);
         if (found.is_met) {
-            return Seed{tried, at.target, at.cause, slope};
+            return Seed{tried, at.pass, slope, std::move(found.route)};
         }
-        const Leg* leg = leg_with(found.legs[at.target], at.cause);
+        const Leg* leg = leg_with(found.legs[at.pass.target], at.pass.cause);
         if (leg == nullptr) {
             return std::nullopt;
         }
@@ -202,90 +194,98 @@ std::optional<Seed> follow(const StrikeTrials& trials, const Setting& setting,
 }
 
 /// Of neighbours that all meet the wants, the middle ones.
-std::vector<Seed> met_directly(const Setting& setting, const std::vector<Sample>& samples) {
+std::vector<Seed> met_directly(const Scan& scan) {
     std::vector<Seed> seeds;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
+    const std::size_t count = scan.samples.size();
+    for (std::size_t i = 0; i < count; ++i) {
         std::size_t end = i;
-        while (end < samples.size() && samples[end].is_met) {
+        while (end < count && scan.samples[end]->is_met) {
             ++end;
         }
         if (end > i) {
-            Setting met = setting;
-            met.direction = samples[(i + end) / 2].direction;
-            seeds.push_back({met, 0, 0, 0});
+            const std::size_t middle = (i + end) / 2;
+            Setting met = scan.setting;
+            met.direction = scan.directions[middle];
+            seeds.push_back({met, std::nullopt, 0, scan.samples[middle]->route});
             i = end;
         }
     }
     return seeds;
 }
 
-std::vector<Seed> scan(const StrikeTrials& trials, const Setting& setting) {
+/// Calls fill(i) for those of `values` that are empty.
+template <class Value, class Fill>
+void fill_empty(const StrikeTrials& trials, std::vector<std::optional<Value>>& values,
+                const Fill& fill) {
     const PartsWork work{trials.work().threads, {{}, trials.work().context.stop}};
-    const std::vector<double> directions =
-        trials.problem().finds_direction ? scan_directions(trials) : std::vector{setting.direction};
-    std::vector<Sample> samples(directions.size());
     do_parts(
-        directions.size(),
+        values.size(),
         [&](std::size_t i) {
-            Setting each = setting;
-            each.direction = directions[i];
-            samples[i] = trials.sample(each);
+            if (!values[i]) {
+                values[i] = fill(i);
+            }
         },
         work);
-    const std::vector<Bracket> brackets = brackets_of(trials, samples);
-    std::vector<std::optional<Seed>> followed(brackets.size());
-    do_parts(
-        brackets.size(), [&](std::size_t i) { followed[i] = follow(trials, setting, brackets[i]); },
-        work);
+}
+
+std::vector<Seed> seeds_of(const StrikeTrials& trials, Scan& scan) {
+    fill_empty(trials, scan.samples, [&](std::size_t i) {
+        Setting each = scan.setting;
+        each.direction = scan.directions[i];
+        return trials.sample(each);
+    });
+    if (scan.brackets.empty()) {
+        scan.brackets = brackets_of(trials, scan.samples);
+        scan.followed.resize(scan.brackets.size());
+    }
+    fill_empty(trials, scan.followed,
+               [&](std::size_t i) { return follow(trials, scan.setting, scan.brackets[i]); });
     std::vector<Seed> seeds;
-    for (const std::optional<Seed>& seed : followed) {
-        if (seed) {
-            seeds.push_back(*seed);
+    for (const auto& seed : scan.followed) {
+        if (*seed) {
+            seeds.push_back(**seed);
         }
     }
-    for (const Seed& seed : met_directly(setting, samples)) {
-        seeds.push_back(seed);
-    }
+    std::ranges::copy(met_directly(scan), std::back_inserter(seeds));
     return seeds;
 }
 
 }  // namespace
 
-std::vector<std::vector<Seed>> scan_routes(const StrikeTrials& trials) {
-    constexpr std::size_t kMaxSeeds = 6;
-    struct Found {
-        std::vector<Seed> seeds;
-        std::size_t steps = 0;
-    };
-    std::map<std::string, Found> routes;
+std::vector<Scan> make_scans(const StrikeTrials& trials) {
+    std::vector<Scan> scans;
     for (const Setting& setting : scan_settings(trials)) {
-        for (const Seed& seed : scan(trials, setting)) {
-            const sim::Outcome outcome = trials.play(seed.setting, StrikeTrials::Depth::scan);
-            if (!trials.is_met(outcome)) {
-                continue;
-            }
-            const Route route = route_of(trials.problem().wants, trials.trial_of(outcome));
-            Found& found = routes[route.text()];
-            found.steps = route.steps.size();
-            if (found.seeds.size() < kMaxSeeds) {
-                found.seeds.push_back(seed);
+        Scan scan{setting, {setting.direction}, {}, {}, {}};
+        if (trials.problem().finds_direction) {
+            scan.directions = scan_directions(trials);
+        }
+        scan.samples.resize(scan.directions.size());
+        scans.push_back(std::move(scan));
+    }
+    return scans;
+}
+
+std::vector<std::vector<Seed>> scan_routes(const StrikeTrials& trials, std::vector<Scan>& scans) {
+    constexpr std::size_t kMaxSeeds = 6;
+    std::map<std::string, std::vector<Seed>> routes;
+    for (Scan& scan : scans) {
+        for (const Seed& seed : seeds_of(trials, scan)) {
+            std::vector<Seed>& known = routes[seed.route.text()];
+            if (known.size() < kMaxSeeds) {
+                known.push_back(seed);
             }
         }
     }
-    std::vector<Found> sorted;
+    std::vector<std::vector<Seed>> sorted;
     sorted.reserve(routes.size());
-    for (auto& [text, found] : routes) {
-        sorted.push_back(std::move(found));
+    for (auto& [text, seeds] : routes) {
+        sorted.push_back(std::move(seeds));
     }
-    std::ranges::stable_sort(sorted, [](const Found& a, const Found& b) {
-        return std::pair(a.steps, b.seeds.size()) < std::pair(b.steps, a.seeds.size());
+    std::ranges::stable_sort(sorted, [](const auto& a, const auto& b) {
+        return std::pair(a.front().route.steps.size(), b.size()) <
+               std::pair(b.front().route.steps.size(), a.size());
     });
-    std::vector<std::vector<Seed>> result;
-    result.reserve(sorted.size());
-    for (Found& found : sorted) {
-        result.push_back(std::move(found.seeds));
-    }
-    return result;
+    return sorted;
 }
 
 }  // namespace carom::pipeline::solve

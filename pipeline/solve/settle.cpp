@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// A setting whose aim meets the wants but places at rest.
+/// What a setting is worth, whose aim meets the wants but places at rest.
 struct Candidate {
     Setting setting;
     double miss = std::numeric_limits<double>::infinity();      // StrikeTrials::miss()
@@ -31,20 +31,23 @@ double length(const Vec2& v) {
 }
 
 /// The setting with the direction in which the happenings are as wanted, found from where the seed
-/// or a neighbour met them.
-std::optional<Setting> aim(const StrikeTrials& trials, const Seed& seed, const Setting& setting) {
+/// or a neighbour met them, and what comes of it.
+std::optional<Played> aim(const StrikeTrials& trials, const Seed& seed, const Setting& setting) {
     constexpr int kMaxTries = 7;
     Setting tried = setting;
     double slope = seed.slope;
     double last_direction = 0;
     double last_miss = std::numeric_limits<double>::quiet_NaN();
     for (int i = 0; i < kMaxTries; ++i) {
-        const Sample found = trials.sample(tried);
+        sim::Outcome outcome =
+            trials.play(tried, StrikeTrials::Depth::chance, seed.pass ? &*seed.pass : nullptr);
+        const Sample found = trials.sample_of(tried, outcome);
         if (found.is_met) {
-            return tried;
+            return Played{tried, std::move(outcome)};
         }
-        const Leg* leg = seed.cause != 0 ? leg_with(found.legs[seed.target], seed.cause) : nullptr;
-        const double passed = leg != nullptr ? leg->miss(trials.targets()[seed.target].point)
+        const Leg* leg =
+            seed.pass ? leg_with(found.legs[seed.pass->target], seed.pass->cause) : nullptr;
+        const double passed = leg != nullptr ? leg->miss(trials.targets()[seed.pass->target].point)
                                              : std::numeric_limits<double>::quiet_NaN();
         if (!std::isfinite(passed)) {
             return std::nullopt;
@@ -75,16 +78,19 @@ double liking(const StrikeTrials& trials, const Setting& setting, double chance)
     return sum;
 }
 
-Candidate evaluate(const StrikeTrials& trials, const Seed& seed, const Setting& setting) {
-    const std::optional<Setting> aimed =
-        trials.problem().finds_direction && seed.cause != 0 ? aim(trials, seed, setting) : setting;
-    if (!aimed) {
-        return {};
+Candidate rated(const StrikeTrials& trials, const Played& played) {
+    const double missed = trials.miss(played.outcome);
+    const double distance = trials.distance(played.outcome);
+    return {played.setting, missed, distance,
+            missed + 0.02 * distance - 1e-3 * liking(trials, played.setting, 0)};
+}
+
+/// What comes of a setting, aimed where an aim leads.
+std::optional<Played> play(const StrikeTrials& trials, const Seed& seed, const Setting& setting) {
+    if (trials.problem().finds_direction && seed.pass) {
+        return aim(trials, seed, setting);
     }
-    const sim::Outcome outcome = trials.play(*aimed, StrikeTrials::Depth::whole);
-    const double missed = trials.miss(outcome);
-    const double distance = trials.distance(outcome);
-    return {*aimed, missed, distance, missed + 0.02 * distance - 1e-3 * liking(trials, *aimed, 0)};
+    return Played{setting, trials.play(setting, StrikeTrials::Depth::whole)};
 }
 
 std::vector<Setting> grid_around(const StrikeTrials& trials, const Seed& seed, bool is_fine) {
@@ -118,7 +124,7 @@ std::vector<Setting> grid_around(const StrikeTrials& trials, const Seed& seed, b
 /// search solution of numerical and statistical problems, 1961).
 Candidate improve(const StrikeTrials& trials, const Seed& seed, Candidate best) {
     double step = 1;
-    const bool aims = trials.problem().finds_direction && seed.cause != 0;
+    const bool aims = trials.problem().finds_direction && seed.pass.has_value();
     for (int i = 0; i < 7 && !best.is_good(); step *= i > 0 ? 0.5 : 1, ++i) {
         bool has_improved = true;
         for (int pass = 0; pass < 3 && has_improved && !best.is_good(); ++pass) {
@@ -141,7 +147,8 @@ Candidate improve(const StrikeTrials& trials, const Seed& seed, Candidate best) 
                     } else {
                         continue;
                     }
-                    const Candidate found = evaluate(trials, seed, tried);
+                    const std::optional<Played> played = play(trials, seed, tried);
+                    const Candidate found = played ? rated(trials, *played) : Candidate{};
                     if (found.cost < best.cost) {
                         best = found;
                         has_improved = true;
@@ -188,28 +195,24 @@ Vec2 window(const StrikeTrials& trials, const Setting& setting) {
     return {setting.direction - edge(-1), setting.direction + edge(1)};
 }
 
-/// Around the middle of its window, if places at rest allow.
-Solution finish(const StrikeTrials& trials, Setting setting) {
-    constexpr std::size_t kTrials = 100;
+Solution solution_of(const StrikeTrials& trials, const Played& played) {
     Solution solution;
-    setting = trials.rounded_where_found(setting);
-    if (trials.problem().finds_direction) {
-        const Vec2 edges = window(trials, setting);
-        solution.window = edges.y - edges.x;
-        Setting middle = setting;
-        middle.direction = 0.5 * (edges.x + edges.y);
-        middle = trials.rounded_where_found(middle);
-        if (trials.miss(trials.play(middle, StrikeTrials::Depth::whole)) == 0) {
-            setting = middle;
-        }
-    }
-    solution.strike = with_setting(trials.strike(), setting);
-    solution.outcome = trials.play(setting, StrikeTrials::Depth::whole);
+    solution.strike = with_setting(trials.strike(), played.setting);
+    solution.outcome = played.outcome;
     solution.miss = trials.miss(solution.outcome);
     solution.is_solved = solution.miss == 0;
     solution.ball = trials.ball();
-    solution.rest = trials.trial_of(solution.outcome).place_of(trials.ball());
-    solution.route = route_of(trials.problem().wants, trials.trial_of(solution.outcome)).text();
+    const Trial trial = trials.trial_of(solution.outcome);
+    solution.rest = trial.place_of(trials.ball());
+    solution.route = route_of(trials.problem().wants, trial).text();
+    return solution;
+}
+
+Solution judged(const StrikeTrials& trials, const Setting& setting, double window) {
+    constexpr std::size_t kTrials = 100;
+    Solution solution =
+        solution_of(trials, {setting, trials.play(setting, StrikeTrials::Depth::whole)});
+    solution.window = window;
     if (solution.is_solved) {
         solution.chance = chance(trials, setting, kTrials);
         solution.chance_error =
@@ -218,51 +221,100 @@ Solution finish(const StrikeTrials& trials, Setting setting) {
     return solution;
 }
 
+/// Around the middle of its window, if places at rest allow.
+Solution finish(const StrikeTrials& trials, Setting setting) {
+    setting = trials.rounded_where_found(setting);
+    if (!trials.problem().finds_direction) {
+        return judged(trials, setting, 0);
+    }
+    const Vec2 edges = window(trials, setting);
+    Setting middle = setting;
+    middle.direction = 0.5 * (edges.x + edges.y);
+    middle = trials.rounded_where_found(middle);
+    if (trials.miss(trials.play(middle, StrikeTrials::Depth::whole)) == 0) {
+        setting = middle;
+    }
+    return judged(trials, setting, edges.y - edges.x);
+}
+
+/// The setting as it is likely to succeed with other values of speed and tip, from where it
+/// succeeds so far; empty if it succeeds nowhere.
+std::optional<Setting> aimed_by_neighbours(const StrikeTrials& trials,
+                                           const std::vector<Played>& played, Setting setting) {
+    const Setting* nearest = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Played& known : played) {
+        const double apart = std::abs(logarithm(known.setting.speed / setting.speed)) +
+                             2 * length(known.setting.tip - setting.tip);
+        if (apart < least) {
+            least = apart;
+            nearest = &known.setting;
+        }
+    }
+    if (nearest == nullptr) {
+        return std::nullopt;
+    }
+    const double radius = trials.radius();
+    setting.direction = nearest->direction + squirt_of(trials.strike(), *nearest, radius) -
+                        squirt_of(trials.strike(), setting, radius);
+    return setting;
+}
+
+/// Plays the seeds, and if places are wanted the grid around the first of them.
+void explore(const StrikeTrials& trials, KnownRoute& route,
+             const std::function<void(const Played&)>& played) {
+    const Seed& first = route.seeds.front();
+    const std::vector<Setting> grid = trials.has_places_wanted()
+                                          ? grid_around(trials, first, route.is_fine)
+                                          : std::vector<Setting>{};
+    for (; route.tried < route.seeds.size() + grid.size(); ++route.tried) {
+        const bool is_seed = route.tried < route.seeds.size();
+        const std::optional<Setting> setting =
+            is_seed
+                ? route.seeds[route.tried].setting
+                : aimed_by_neighbours(trials, route.played, grid[route.tried - route.seeds.size()]);
+        std::optional<Played> found =
+            setting ? play(trials, is_seed ? route.seeds[route.tried] : first, *setting)
+                    : std::nullopt;
+        if (found) {
+            played(*found);
+            route.played.push_back(std::move(*found));
+        }
+    }
+}
+
 }  // namespace
 
-Solution settle(const StrikeTrials& trials, const std::vector<Seed>& seeds, bool is_fine) {
+Solution settle(const StrikeTrials& trials, KnownRoute& route,
+                const std::function<void(const Solution&)>& found) {
     constexpr std::size_t kKept = 4;
     constexpr std::size_t kFewTrials = 20;
-    std::vector<Candidate> candidates;
-    candidates.reserve(seeds.size());
-    const double radius = trials.radius();
-    for (const Seed& seed : seeds) {
-        candidates.push_back(evaluate(trials, seed, seed.setting));
-    }
-    if (trials.has_places_wanted()) {
-        // From where it succeeds so far to the neighbours of the grid.
-        const Seed& seed = seeds.front();
-        for (Setting setting : grid_around(trials, seed, is_fine)) {
-            const Candidate* nearest = nullptr;
-            double least = std::numeric_limits<double>::infinity();
-            for (const Candidate& known : candidates) {
-                const double apart = std::abs(logarithm(known.setting.speed / setting.speed)) +
-                                     2 * length(known.setting.tip - setting.tip);
-                if (std::isfinite(known.miss) && apart < least) {
-                    least = apart;
-                    nearest = &known;
-                }
-            }
-            if (nearest == nullptr) {
-                break;
-            }
-            setting.direction = nearest->setting.direction +
-                                squirt_of(trials.strike(), nearest->setting, radius) -
-                                squirt_of(trials.strike(), setting, radius);
-            candidates.push_back(evaluate(trials, seed, setting));
+    double least = std::numeric_limits<double>::infinity();
+    const auto tell = [&](const Played& played) {
+        const Candidate candidate = rated(trials, played);
+        if (candidate.miss == 0 && candidate.cost < least) {
+            least = candidate.cost;
+            found(solution_of(trials, played));
         }
-        std::ranges::stable_sort(candidates, {}, &Candidate::cost);
+    };
+    std::ranges::for_each(route.played, tell);
+    explore(trials, route, tell);
+    std::vector<Candidate> candidates;
+    candidates.reserve(route.played.size());
+    for (const Played& played : route.played) {
+        candidates.push_back(rated(trials, played));
+    }
+    std::ranges::stable_sort(candidates, {}, &Candidate::cost);
+    if (trials.has_places_wanted()) {
         if (candidates.size() > kKept) {
             candidates.resize(kKept);
         }
         for (Candidate& each : candidates) {
-            if (std::isfinite(each.miss)) {
-                each = improve(trials, seed, each);
-            }
+            each = improve(trials, route.seeds.front(), each);
         }
+        std::ranges::stable_sort(candidates, {}, &Candidate::cost);
     }
-    std::ranges::stable_sort(candidates, {}, &Candidate::cost);
-    const Candidate* best = &candidates.front();
+    Setting best = candidates.empty() ? route.seeds.front().setting : candidates.front().setting;
     double best_value = -1;
     for (const Candidate& each : candidates) {
         if (each.miss > 0) {
@@ -271,10 +323,15 @@ Solution settle(const StrikeTrials& trials, const std::vector<Seed>& seeds, bool
         const double value = liking(trials, each.setting, chance(trials, each.setting, kFewTrials));
         if (value > best_value) {
             best_value = value;
-            best = &each;
+            best = each.setting;
         }
     }
-    return finish(trials, best->setting);
+    return finish(trials, best);
+}
+
+Solution judge(const StrikeTrials& trials, const Setting& setting) {
+    const Vec2 edges = window(trials, setting);
+    return judged(trials, setting, edges.y - edges.x);
 }
 
 }  // namespace carom::pipeline::solve

@@ -1,32 +1,18 @@
 #include "pipeline/solve/solver.h"
 
 #include <algorithm>
+#include <mutex>
 #include <set>
 #include <string>
 #include <utility>
 
+#include "core/error.h"
 #include "pipeline/solve/route.h"
 #include "pipeline/solve/settle.h"
 
 namespace carom::pipeline::solve {
 
 namespace {
-
-SolveResult search(const StrikeTrials& strike) {
-    constexpr std::size_t kFine = 3;  // of the simplest routes
-    std::vector<std::vector<Seed>> routes = scan_routes(strike);
-    if (routes.size() > strike.problem().max_routes) {
-        routes.resize(strike.problem().max_routes);
-    }
-    SolveResult result;
-    result.solutions.resize(routes.size());
-    do_parts(
-        routes.size(),
-        [&](std::size_t i) { result.solutions[i] = settle(strike, routes[i], i < kFine); },
-        strike.work());
-    result.simulations = strike.simulations();
-    return result;
-}
 
 /// The best first, and one of each route.
 void sort(std::vector<Solution>& solutions) {
@@ -53,23 +39,120 @@ void verify(const StrikeTrials& strike, Solution& solution) {
 
 }  // namespace
 
-SolveResult solve(const sim::Trials& trials, const SolveProblem& problem, const PartsWork& work) {
-    const StrikeTrials strike(trials, problem, work);
-    const std::optional<sim::WorldDescription> later = strike.world_at_strike();
-    SolveResult result;
-    if (later) {
-        const sim::Trials at_strike(*later);
-        SolveProblem own = problem;
-        own.event = 0;
-        result = search(StrikeTrials(at_strike, own, work));
-        for (Solution& solution : result.solutions) {
-            verify(strike, solution);
+struct Solver::Knowledge {
+    bool has_begun = false;
+    /// The world at the strike and its problem, if the strike is a later one (see
+    /// StrikeTrials::world_at_strike).
+    std::unique_ptr<const sim::Trials> at_strike;
+    SolveProblem own;
+    std::vector<Scan> scans;
+    std::vector<KnownRoute> routes;  // after the scans
+};
+
+Solver::Solver(std::shared_ptr<const sim::Trials> trials, SolveProblem problem)
+    : trials_(std::move(trials)),
+      problem_(std::move(problem)),
+      knowledge_(std::make_unique<Knowledge>()) {}
+
+Solver::~Solver() = default;
+
+void Solver::want_places(std::vector<RestPlace> places) {
+    const auto replace = [&](std::vector<Want>& wants) {
+        std::erase_if(wants,
+                      [](const Want& want) { return std::holds_alternative<RestPlace>(want); });
+        std::ranges::copy(places, std::back_inserter(wants));
+    };
+    replace(problem_.wants);
+    replace(knowledge_->own.wants);
+}
+
+/// The trials of the strike: in the shot, and in the world at the strike where there is one.
+struct Solver::Strikes {
+    Strikes(Solver& solver, const PartsWork& work) : whole(*solver.trials_, solver.problem_, work) {
+        Knowledge& known = *solver.knowledge_;
+        if (!known.has_begun) {
+            if (const auto later = whole.world_at_strike()) {
+                known.at_strike = std::make_unique<const sim::Trials>(*later);
+                known.own = solver.problem_;
+                known.own.event = 0;
+            }
+            known.has_begun = true;
         }
-    } else {
-        result = search(strike);
+        if (known.at_strike) {
+            at_strike.emplace(*known.at_strike, known.own, work);
+        }
+    }
+
+    /// In which strikes are sought.
+    [[nodiscard]] const StrikeTrials& sought() const { return at_strike ? *at_strike : whole; }
+
+    StrikeTrials whole;
+    std::optional<StrikeTrials> at_strike;
+};
+
+SolveResult Solver::solve(const SolveWork& work) {
+    constexpr std::size_t kFine = 3;  // of the simplest routes
+    SolveResult result;
+    std::vector<std::optional<Solution>> solutions;
+    std::optional<Strikes> strikes;
+    try {
+        strikes.emplace(*this, work.parts);
+        const StrikeTrials& sought = strikes->sought();
+        if (knowledge_->scans.empty()) {
+            knowledge_->scans = make_scans(sought);
+        }
+        std::vector<KnownRoute>& routes = knowledge_->routes;
+        if (routes.empty()) {
+            for (std::vector<Seed>& seeds : scan_routes(sought, knowledge_->scans)) {
+                if (routes.size() < problem_.max_routes) {
+                    routes.push_back({std::move(seeds), routes.size() < kFine, {}, 0});
+                }
+            }
+        }
+        solutions.resize(routes.size());
+        std::mutex mutex;
+        const auto keep = [&](std::size_t i, Solution solution) {
+            if (strikes->at_strike) {
+                verify(strikes->whole, solution);
+            }
+            const std::lock_guard lock(mutex);
+            if (work.found && solution.is_solved) {
+                work.found(solution);
+            }
+            solutions[i] = std::move(solution);
+        };
+        do_parts(
+            routes.size(),
+            [&](std::size_t i) {
+                keep(i, settle(sought, routes[i], [&](const Solution& found) { keep(i, found); }));
+            },
+            work.parts);
+    } catch (const Stopped&) {
+        result.is_complete = false;
+    }
+    for (std::optional<Solution>& solution : solutions) {
+        if (solution) {
+            result.solutions.push_back(std::move(*solution));
+        }
+    }
+    if (strikes) {
+        result.simulations = strikes->sought().simulations();
     }
     sort(result.solutions);
     return result;
+}
+
+Solution Solver::judge(const sim::Strike& strike, const PartsWork& work) {
+    const Strikes strikes(*this, work);
+    Solution solution = solve::judge(strikes.sought(), setting_of(strike));
+    if (strikes.at_strike) {
+        verify(strikes.whole, solution);
+    }
+    return solution;
+}
+
+SolveResult solve(const sim::Trials& trials, const SolveProblem& problem, const SolveWork& work) {
+    return Solver({std::shared_ptr<void>(), &trials}, problem).solve(work);
 }
 
 }  // namespace carom::pipeline::solve

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -59,19 +61,59 @@ struct Solution {
     sim::Outcome outcome;
 };
 
+/// How a search is done.
+struct SolveWork {
+    PartsWork parts{};
+    /// Told of each solution when it is found and of each better one of the same way, by one thread
+    /// at a time. Their windows and chances may come from fewer trials than those of the result.
+    std::function<void(const Solution&)> found{};
+};
+
 struct SolveResult {
     std::vector<Solution> solutions;  // the best one first; those that are solved before others
     std::size_t simulations = 0;
+    bool is_complete = true;  // false: the work was stopped, and this is what had been found
 };
 
-/// Samples directions at several speeds, more closely where the ball would meet others directly or
-/// off up to four cushions (mirror images), and follows signed misses of pockets and balls to their
-/// zeros. What meets the wants is sorted by its route; the settings of each route are then varied
-/// over a grid and by a pattern search, the aim following by the secant method, until places at
-/// rest and preferences are met. Chances are shares of trials with the player's error. The result
-/// depends on the arguments alone. Throws Error if the trials' world has problems, Stopped if the
-/// work is stopped.
+/// Finds strikes, and keeps what it learns of them: the same wants with other places at rest are
+/// answered sooner.
+///
+/// Directions are sampled at several speeds, more closely where the ball would meet others directly
+/// or off up to four cushions (mirror images), and signed misses of pockets and balls followed to
+/// their zeros. What meets the wants is sorted by its route; the settings of each route are then
+/// varied over a grid and by a pattern search, the aim following by the secant method, until places
+/// at rest and preferences are met. Chances are shares of trials with the player's error. The
+/// result depends on world, problem and places alone, not on what was asked before.
+class Solver {
+  public:
+    /// `trials`: not null.
+    Solver(std::shared_ptr<const sim::Trials> trials, SolveProblem problem);
+    ~Solver();
+    Solver(const Solver&) = delete;
+    Solver& operator=(const Solver&) = delete;
+
+    /// Wants these places at rest instead of those wanted so far, and instead of none only if the
+    /// problem has some.
+    void want_places(std::vector<RestPlace> places);
+
+    /// Throws Error if the strike never comes or the trials' world has problems. After a stop it
+    /// returns soon with what had been found; what was learned is kept.
+    [[nodiscard]] SolveResult solve(const SolveWork& work = {});
+
+    /// What a strike brings about: its route, window and chance. Throws Error likewise, Stopped if
+    /// the work is stopped.
+    [[nodiscard]] Solution judge(const sim::Strike& strike, const PartsWork& work = {});
+
+  private:
+    struct Knowledge;
+    struct Strikes;
+    std::shared_ptr<const sim::Trials> trials_;
+    SolveProblem problem_;
+    std::unique_ptr<Knowledge> knowledge_;
+};
+
+/// The result of a solver that is asked once.
 [[nodiscard]] SolveResult solve(const sim::Trials& trials, const SolveProblem& problem,
-                                const PartsWork& work = {});
+                                const SolveWork& work = {});
 
 }  // namespace carom::pipeline::solve

@@ -16,6 +16,15 @@ using sim::Outcome;
 /// A ball that has met more cushions than this will not do what is wanted.
 constexpr int kMaxCushions = 5;
 
+/// Whether the leg has ended and the ball has come away from its target.
+bool has_passed(const std::vector<Leg>& legs, const Pass& pass, const Vec2& point) {
+    auto leg = std::ranges::find(legs, pass.cause, &Leg::cause);
+    return std::any_of(leg, legs.end(), [&](const Leg& each) {
+        const Vec2 d = each.end() - point;
+        return d.dot(d) > kMouth * kMouth;
+    });
+}
+
 }  // namespace
 
 StrikeTrials::StrikeTrials(const sim::Trials& trials, const SolveProblem& problem,
@@ -56,13 +65,18 @@ bool StrikeTrials::shall_be_potted(const std::string& ball) const {
         targets_, [&](const Target& target) { return target.is_pocket && target.ball == ball; });
 }
 
-Outcome StrikeTrials::play(const Setting& setting, Depth depth) const {
+Outcome StrikeTrials::play(const Setting& setting, Depth depth, const Pass* pass) const {
     ++simulations_;
     std::vector<sim::ForceEvent> events = trials_.world().events;
     events[problem_.event].action = with_setting(base_, setting);
     Watch watch(problem_.wants, strike_);
     std::map<std::string, int> cushions;
     bool has_met_ball = false;
+    std::optional<LegReader> legs;
+    if (pass != nullptr) {
+        const std::string& ball = targets_[pass->target].ball;
+        legs.emplace(ball, radii_.at(ball));
+    }
     sim::TrialLimits limits;
     limits.stop = work_.context.stop;
     limits.is_answered = [&](const Event& event) {
@@ -71,6 +85,12 @@ Outcome StrikeTrials::play(const Setting& setting, Depth depth) const {
             depth == Depth::scan || (depth == Depth::chance && !watch.is_met());
         if (!is_stopped_early || !watch.has_begun()) {
             return watch.has_failed();
+        }
+        if (legs && !watch.is_met()) {
+            legs->see(event);
+            if (has_passed(legs->ended(), *pass, targets_[pass->target].point)) {
+                return true;
+            }
         }
         has_met_ball |= event.kind == EventKind::impact && event.surface() == sim::Surface::none;
         const bool is_lost =
@@ -204,11 +224,13 @@ void StrikeTrials::find_targets() {
     }
 }
 
-Sample StrikeTrials::sample(const Setting& setting) const {
-    const Outcome outcome = play(setting, Depth::scan);
+Sample StrikeTrials::sample_of(const Setting& setting, const Outcome& outcome) const {
     Sample sample;
     sample.direction = setting.direction;
     sample.is_met = is_met(outcome);
+    if (sample.is_met) {
+        sample.route = route_of(problem_.wants, trial_of(outcome));
+    }
     const std::span<const Event> events = trial_of(outcome).events();
     for (std::size_t i = 0; i < targets_.size(); ++i) {
         const bool is_same = i > 0 && targets_[i].ball == targets_[i - 1].ball;

@@ -12,9 +12,13 @@
 
 #include "pipeline/solve/legs.h"
 #include "pipeline/solve/player.h"
+#include "pipeline/solve/route.h"
 #include "pipeline/solve/wants.h"
 
 namespace carom::pipeline::solve {
+
+/// A leg may end this far (m) before the point that it was to reach: in a pocket's jaws.
+inline constexpr double kMouth = 0.16;
 
 /// A point that a ball is to come to.
 struct Target {
@@ -23,10 +27,17 @@ struct Target {
     bool is_pocket = false;
 };
 
+/// A ball's leg that is to lead to a target: StrikeTrials::targets()[target].
+struct Pass {
+    std::size_t target = 0;
+    std::uint64_t cause = 0;
+};
+
 /// What a search reads from a trial.
 struct Sample {
     double direction = 0;
     bool is_met = false;                 // all wants but places at rest
+    Route route;                         // then
     std::vector<std::vector<Leg>> legs;  // of each target's ball
 };
 
@@ -40,8 +51,15 @@ class StrikeTrials {
         whole,   // to the end, unless a happening has failed
         chance,  // likewise, unless they are hopeless
     };
-    [[nodiscard]] sim::Outcome play(const Setting& setting, Depth depth) const;
-    [[nodiscard]] Sample sample(const Setting& setting) const;
+    /// `pass`: the trial also ends when it is decided on which side this leg passes its target.
+    [[nodiscard]] sim::Outcome play(const Setting& setting, Depth depth,
+                                    const Pass* pass = nullptr) const;
+    /// What a search reads from a trial of that setting.
+    [[nodiscard]] Sample sample_of(const Setting& setting, const sim::Outcome& outcome) const;
+    /// Of a trial of a scan.
+    [[nodiscard]] Sample sample(const Setting& setting) const {
+        return sample_of(setting, play(setting, Depth::scan));
+    }
     [[nodiscard]] Trial trial_of(const sim::Outcome& outcome) const {
         return {trials_.world(), trials_.names(), outcome, strike_};
     }

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
+#include <memory>
+#include <stop_token>
+#include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -73,8 +77,8 @@ TEST(SolveLayoutsTest, StrikesAreFound) {
 TEST(SolveTest, AnswerIsTheSameWithAnyNumberOfThreads) {
     const Layout layout = make_layouts()[20];
     const sim::Trials trials(layout.world);
-    const SolveResult one = solve(trials, layout.problem, {1, {}});
-    const SolveResult three = solve(trials, layout.problem, {3, {}});
+    const SolveResult one = solve(trials, layout.problem, {{1, {}}});
+    const SolveResult three = solve(trials, layout.problem, {{3, {}}});
     EXPECT_EQ(one.simulations, three.simulations);
     ASSERT_EQ(one.solutions.size(), three.solutions.size());
     for (std::size_t i = 0; i < one.solutions.size(); ++i) {
@@ -109,13 +113,79 @@ TEST(SolveTest, ImpossiblePlace_IsMissedByWhatIsSaid) {
     EXPECT_TRUE(std::ranges::is_sorted(result.solutions, {}, &Solution::miss));
 }
 
-TEST(SolveTest, StopEndsIt) {
+TEST(SolveTest, StopKeepsWhatWasFound) {
     const Layout layout = make_layouts()[20];
+    const sim::Trials trials(layout.world);
     std::stop_source stop;
     stop.request_stop();
-    EXPECT_THROW(
-        (void)solve(sim::Trials(layout.world), layout.problem, {1, {{}, stop.get_token()}}),
-        Stopped);
+    const SolveResult nothing = solve(trials, layout.problem, {{1, {{}, stop.get_token()}}, {}});
+    EXPECT_FALSE(nothing.is_complete);
+    EXPECT_TRUE(nothing.solutions.empty());
+
+    std::stop_source later;
+    const SolveResult some =
+        solve(trials, layout.problem,
+              {{1, {{}, later.get_token()}}, [&](const Solution&) { later.request_stop(); }});
+    EXPECT_FALSE(some.is_complete);
+    ASSERT_FALSE(some.solutions.empty());
+    EXPECT_TRUE(some.solutions.front().is_solved);
+}
+
+/// The values of results that do not depend on what had been played before.
+std::vector<std::pair<double, double>> answers(const SolveResult& result) {
+    std::vector<std::pair<double, double>> values;
+    for (const Solution& each : result.solutions) {
+        values.emplace_back(each.strike.direction.value(), each.chance);
+    }
+    return values;
+}
+
+TEST(SolverTest, PlacesAskedAnew_GetTheAnswersOfANewSolver) {
+    Layout layout = make_layouts()[20];
+    layout.problem.max_routes = 2;
+    const auto trials = std::make_shared<const sim::Trials>(layout.world);
+    const RestPlace first{"cue", {0.3, 0.1}, 0.2};
+    const RestPlace second{"cue", {-0.3, -0.1}, 0.2};
+    layout.problem.wants.emplace_back(first);
+    Solver solver(trials, layout.problem);
+    std::stop_source stop;
+    std::size_t told = 0;
+    EXPECT_FALSE(solver
+                     .solve({{1, {{}, stop.get_token()}},
+                             [&](const Solution& each) {
+                                 EXPECT_TRUE(each.is_solved);
+                                 ++told;
+                                 stop.request_stop();
+                             }})
+                     .is_complete);
+    EXPECT_GT(told, 0U);
+    const SolveResult again = solver.solve();
+    EXPECT_EQ(answers(again), answers(solve(*trials, layout.problem)));
+
+    solver.want_places({second});
+    const SolveResult other = solver.solve();
+    layout.problem.wants.back() = second;
+    const SolveResult fresh = solve(*trials, layout.problem);
+    EXPECT_EQ(answers(other), answers(fresh));
+    EXPECT_LT(2 * other.simulations, fresh.simulations);
+}
+
+TEST(SolverTest, StrikeIsJudgedAsItIs) {
+    const Layout layout = make_layouts()[20];
+    Solver solver(std::make_shared<const sim::Trials>(layout.world), layout.problem);
+    const SolveResult result = solver.solve();
+    ASSERT_FALSE(result.solutions.empty());
+    const Solution& best = result.solutions.front();
+    sim::Strike aside = best.strike;
+    aside.direction = *aside.direction + 0.3 * best.window;
+    const Solution judged = solver.judge(aside);
+    EXPECT_EQ(judged.strike.direction, aside.direction);
+    EXPECT_TRUE(judged.is_solved);
+    EXPECT_EQ(judged.route, best.route);
+    EXPECT_NEAR(judged.window, best.window, 0.1 * best.window);
+    EXPECT_LE(judged.chance, best.chance);
+    aside.direction = *aside.direction + best.window;
+    EXPECT_FALSE(solver.judge(aside).is_solved);
 }
 
 }  // namespace
