@@ -18,6 +18,7 @@ namespace carom::cli {
 
 namespace {
 
+namespace measures = pipeline::measures;
 namespace study = pipeline::study;
 using pipeline::config::quote;
 
@@ -25,7 +26,7 @@ constexpr std::size_t kMostVariants = 1'000'000;
 
 /// A problem of an option's value.
 pipeline::Problem problem_of(const std::string& option, const std::string& text,
-                             const study::TextProblem& wrong) {
+                             const measures::TextProblem& wrong) {
     pipeline::config::SourceSet texts;
     const pipeline::config::Place place =
         texts.place_at(texts.add({option, "", text}), wrong.offset, wrong.length);
@@ -59,11 +60,11 @@ class SweepReader {
             read_key(text, problems);
         }
         for (const std::string& text : command_.measures) {
-            auto parsed = study::parse_measure(text, variants_.own_world());
-            if (const auto* wrong = std::get_if<study::TextProblem>(&parsed)) {
+            auto parsed = measures::parse_measure(text, variants_.own_world());
+            if (const auto* wrong = std::get_if<measures::TextProblem>(&parsed)) {
                 problems.push_back(problem_of("--measure", text, *wrong));
             } else {
-                sweep_.measures.push_back(std::move(std::get<study::Measure>(parsed)));
+                sweep_.measures.push_back(std::move(std::get<measures::Measure>(parsed)));
             }
         }
         if (problems.empty()) {
@@ -76,7 +77,7 @@ class SweepReader {
     void read_key(const std::string& text, std::vector<pipeline::Problem>& problems) {
         auto parsed = study::parse_varied(
             text, [&](const std::string& key) { return variants_.text_of(key); });
-        if (const auto* wrong = std::get_if<study::TextProblem>(&parsed)) {
+        if (const auto* wrong = std::get_if<measures::TextProblem>(&parsed)) {
             problems.push_back(problem_of("--vary", text, *wrong));
             return;
         }
@@ -150,7 +151,7 @@ void require_none(const std::vector<pipeline::Problem>& problems, Console& conso
 
 std::string list_of_measures() {
     std::string text;
-    for (const study::MeasureInfo& info : study::measure_list()) {
+    for (const measures::MeasureInfo& info : measures::measure_list()) {
         const std::string name = std::string(info.name) + ":" + std::string(info.arguments);
         const std::string unit(info.unit.empty() ? "-" : info.unit);
         text += fmt::format("{:<28} {:<6} {}\n", name, unit, info.meaning);

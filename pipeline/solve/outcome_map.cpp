@@ -27,7 +27,7 @@ MapCell cell_of(const StrikeTrials& strike, const sim::Outcome& outcome) {
         if (happening != nullptr && happening->at_least == 0) {
             return MapCell::avoided;
         }
-        const bool is_place = std::holds_alternative<RestPlace>(want);
+        const bool is_place = is_of_end(want);
         is_met &= is_place;
         is_placed &= !is_place;
     }
@@ -119,7 +119,7 @@ std::vector<Landing> landings(const sim::Trials& trials, const SolveProblem& pro
             count,
             [&](std::size_t i) {
                 const sim::Outcome outcome =
-                    play(strike, own, disturbed(setting, problem.player, i), false);
+                    play(strike, own, disturbed(setting, problem.player, i), strike.needs_motion());
                 all[i] = {cell_of(strike, outcome),
                           strike.trial_of(outcome).place_of(strike.ball())};
             },

@@ -18,7 +18,7 @@ namespace carom::pipeline::solve {
 enum class MapCell : std::uint8_t {
     nothing,    // something that is wanted does not happen
     wanted,     // all is as it is wanted
-    misplaced,  // all but where balls come to rest
+    misplaced,  // all but where balls come to rest, or what a measure is
     avoided,    // something happens that is to be avoided, or too often
 };
 

@@ -24,9 +24,11 @@ void add(Hasher& hasher, const Want& want) {
         }
     } else if (const auto* rest = std::get_if<RestPlace>(&want)) {
         hasher.add(rest->ball).add(rest->near).add(rest->within);
+    } else if (const auto* clearing = std::get_if<Clearing>(&want)) {
+        hasher.add(clearing->ball).add(clearing->blocker);
     } else {
-        const auto& clearing = std::get<Clearing>(want);
-        hasher.add(clearing.ball).add(clearing.blocker);
+        const auto& measured = std::get<MeasuredRange>(want);
+        hasher.add(measured.measure).add(measured.low).add(measured.high).add(measured.per_unit);
     }
 }
 

@@ -38,6 +38,7 @@ struct Sample {
     double direction = 0;
     bool is_met = false;                 // all wants but places at rest
     Route route;                         // then
+    double distance = 0;                 // then, if no ball has a target: StrikeTrials::distance()
     std::vector<std::vector<Leg>> legs;  // of each target's ball
 };
 
@@ -90,7 +91,12 @@ class StrikeTrials {
     /// Of the balls, when the strike comes.
     [[nodiscard]] const std::map<std::string, Vec2>& places() const { return places_; }
     [[nodiscard]] const std::vector<Target>& targets() const { return targets_; }
-    [[nodiscard]] bool has_places_wanted() const { return has<RestPlace>(); }
+    /// Or measures.
+    [[nodiscard]] bool has_places_wanted() const {
+        return std::ranges::any_of(problem_.wants, is_of_end);
+    }
+    /// Whether a measure needs the motion of outcomes.
+    [[nodiscard]] bool needs_motion() const;
     [[nodiscard]] bool has_flights_wanted() const { return has<Clearing>(); }
     [[nodiscard]] std::size_t simulations() const { return simulations_; }
 

@@ -74,10 +74,18 @@ double miss_of_flight(const Clearing& want, const Trial& trial) {
     return std::max(least, 0.0);
 }
 
+/// Farther than any place on a table, m.
+constexpr double kNever = 10;
+
+double miss_of_measure(const MeasuredRange& want, const Trial& trial) {
+    const std::optional<double> value = trial.outcome.is_stopped ? std::nullopt : want.value(trial);
+    return value ? want.per_unit * std::max({want.low - *value, *value - want.high, 0.0}) : kNever;
+}
+
 double miss_of_rest(const RestPlace& want, const Trial& trial) {
     const std::optional<Vec2> place = trial.place_of(want.ball);
     if (!place || trial.outcome.is_stopped) {
-        return 10;  // farther than any place on a table
+        return kNever;
     }
     const Vec2 d = *place - want.near;
     return std::max(std::sqrt(d.dot(d)) - want.within, 0.0);
@@ -131,10 +139,33 @@ double miss_of(const Want& want, const Trial& trial) {
     if (const auto* rest = std::get_if<RestPlace>(&want)) {
         return miss_of_rest(*rest, trial);
     }
+    if (const auto* measured = std::get_if<MeasuredRange>(&want)) {
+        return miss_of_measure(*measured, trial);
+    }
     if (const auto* clearing = std::get_if<Clearing>(&want)) {
         return miss_of_flight(*clearing, trial);
     }
     return miss_of_happening(std::get<Happening>(want), trial);
+}
+
+double distance_of(const Want& want, const Trial& trial) {
+    if (const auto* rest = std::get_if<RestPlace>(&want)) {
+        RestPlace exact = *rest;
+        exact.within = 0;
+        return miss_of(exact, trial) / rest->within;
+    }
+    const auto* measured = std::get_if<MeasuredRange>(&want);
+    if (measured == nullptr) {
+        return 0;
+    }
+    const double half = 0.5 * (measured->high - measured->low);
+    if (!std::isfinite(half) || half == 0) {
+        constexpr double kOff = 0.1;  // m
+        return miss_of(want, trial) / kOff;
+    }
+    MeasuredRange exact = *measured;
+    exact.low = exact.high = measured->low + half;
+    return miss_of(exact, trial) / (half * measured->per_unit);
 }
 
 Watch::Watch(const std::vector<Want>& wants, std::size_t strike) : strike_(strike) {

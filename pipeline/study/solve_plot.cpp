@@ -49,9 +49,7 @@ const char* meaning_of(MapCell cell) {
 }
 
 bool has_places(const solve::SolveProblem& problem) {
-    return std::ranges::any_of(problem.wants, [](const solve::Want& want) {
-        return std::holds_alternative<solve::RestPlace>(want);
-    });
+    return std::ranges::any_of(problem.wants, solve::is_of_end);
 }
 
 /// The edges of evenly spaced cells around these values, in a unit.

@@ -12,6 +12,7 @@
 #include "core/lru_cache.h"
 #include "core/text.h"
 #include "pipeline/config/build/builder.h"
+#include "pipeline/config/measures/measures.h"
 #include "pipeline/config/pocket_names.h"
 #include "pipeline/solve/question.h"
 #include "sim/aim/find_aims.h"
@@ -22,14 +23,34 @@ namespace {
 using solve::Happening;
 using solve::Want;
 
-/// The want with the pocket's own name and the struck ball.
-Want complete(Want want, const Builder& builder, const std::string& struck) {
+/// Sets how a measure is read from a trial.
+void complete(solve::MeasuredRange& measured, const Place& place, Builder& builder) {
+    auto parsed = measures::parse_measure(measured.measure, builder.shot.world);
+    if (const auto* wrong = std::get_if<measures::TextProblem>(&parsed)) {
+        builder.reader.error(place, wrong->sentence);
+        return;
+    }
+    auto& measure = std::get<measures::Measure>(parsed);
+    measured.title = measure.title();
+    measured.needs_motion = measure.needs_motion;
+    measured.value = [of = std::move(measure.value)](const solve::Trial& trial) {
+        const measures::Value value = of({trial.world, trial.names, trial.outcome});
+        const auto* number = std::get_if<double>(&value);
+        return number != nullptr ? std::optional(*number) : std::nullopt;
+    };
+}
+
+/// The want with the pocket's own name, the struck ball and how a measure is read.
+Want complete(const WantSection& section, Builder& builder, const std::string& struck) {
+    Want want = section.want;
     const auto& table = builder.shot.world.table;
     if (auto* happening = std::get_if<Happening>(&want);
         happening != nullptr && !happening->pocket.empty() && table) {
         happening->pocket = pocket_of_name(*table, happening->pocket);
     } else if (auto* clearing = std::get_if<solve::Clearing>(&want); clearing != nullptr) {
         clearing->ball = struck;
+    } else if (auto* measured = std::get_if<solve::MeasuredRange>(&want)) {
+        complete(*measured, section.place, builder);
     }
     return want;
 }
@@ -46,7 +67,7 @@ bool speaks_of_scratch(const SolveSection& section, const std::string& struck) {
 }
 
 solve::SolveProblem problem_of(const SolveSection& section, const OpenStrike& open,
-                               const Builder& builder) {
+                               Builder& builder) {
     const std::string& struck = builder.shot.world.events[open.event].object;
     solve::SolveProblem problem;
     problem.event = open.event;
@@ -58,7 +79,7 @@ solve::SolveProblem problem_of(const SolveSection& section, const OpenStrike& op
     problem.player = section.player;
     for (const auto* list : {&section.wants, &section.avoided}) {
         for (const WantSection& want : *list) {
-            problem.wants.push_back(complete(want.want, builder, struck));
+            problem.wants.push_back(complete(want, builder, struck));
         }
     }
     if (!speaks_of_scratch(section, struck)) {
@@ -131,18 +152,47 @@ std::string why_not_directly(const solve::SolveQuestion& question) {
     return text;
 }
 
+/// What is not as it is wanted where a strike does all but places and measures.
+std::string lacks_of(const solve::SolveQuestion& question, const solve::Solution& solution) {
+    const sim::Trials trials(question.world);
+    const std::vector<sim::ForceEvent>& given = question.world.events;
+    std::vector<sim::ForceEvent> events = given;
+    events[question.problem.event].action = solution.strike;
+    sim::TrialLimits limits;
+    limits.keeps_motion = true;
+    const std::optional<sim::Outcome> outcome = trials.run(std::move(events), limits);
+    const auto strike = static_cast<std::size_t>(std::count_if(
+        given.begin(), given.begin() + static_cast<std::ptrdiff_t>(question.problem.event),
+        [](const sim::ForceEvent& e) { return std::holds_alternative<sim::Strike>(e.action); }));
+    const solve::Trial trial{trials.world(), trials.names(), outcome.value(), strike};
+    std::vector<std::string> lacks;
+    for (const Want& want : question.problem.wants) {
+        if (solve::miss_of(want, trial) == 0) {
+            continue;
+        }
+        if (const auto* rest = std::get_if<solve::RestPlace>(&want)) {
+            const std::optional<Vec2> place = trial.place_of(rest->ball);
+            lacks.push_back(place ? fmt::format("'{}' rests at [{:.2f}, {:.2f}], {:.2f} m away",
+                                                rest->ball, place->x, place->y,
+                                                (*place - rest->near).length())
+                                  : fmt::format("'{}' is not on the table", rest->ball));
+        } else if (const auto* measured = std::get_if<solve::MeasuredRange>(&want)) {
+            const std::optional<double> value = measured->value(trial);
+            lacks.push_back(value ? fmt::format("'{}' is {:.4g}", measured->title, *value)
+                                  : fmt::format("'{}' does not happen", measured->title));
+        }
+    }
+    return join(lacks, "; ");
+}
+
 std::string why_unsolved(const solve::SolveQuestion& question, const solve::SolveResult& result) {
     std::string text = fmt::format("no strike was found that does all this, in {} simulations",
                                    result.simulations);
     if (!result.solutions.empty()) {
         const solve::Solution& nearest = result.solutions.front();
-        const Vec2 place = nearest.rest.value_or(Vec2(0, 0));
-        text += nearest.miss < 10 && nearest.rest
-                    ? fmt::format(
-                          "; the nearest misses by {:.2f} m ('{}' rests at [{:.2f}, "
-                          "{:.2f}]): {}",
-                          nearest.miss, nearest.ball, place.x, place.y, nearest.route)
-                    : "; the nearest does only: " + nearest.route;
+        text += nearest.miss < 10 ? fmt::format("; the nearest, {}: {}", nearest.route,
+                                                lacks_of(question, nearest))
+                                  : "; the nearest does only: " + nearest.route;
     }
     return text + why_not_directly(question);
 }
@@ -177,6 +227,9 @@ bool solve_strike(Builder& builder, const SolveSection& section, const OpenStrik
     }
     auto question = std::make_shared<const solve::SolveQuestion>(solve::SolveQuestion{
         without_later_strikes(builder.shot.world, open.event), problem_of(section, open, builder)});
+    if (builder.reader.has_error()) {  // of a measure
+        return false;
+    }
     try {
         const std::shared_ptr<const solve::SolveResult> found = solution_of(*question);
         const solve::SolveResult& result = *found;
