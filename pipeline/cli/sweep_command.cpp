@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 
 #include <fmt/core.h>
 
 #include "core/text.h"
 #include "pipeline/cli/drawing_output.h"
+#include "pipeline/cli/job_observer.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
@@ -179,23 +179,6 @@ void check_usage(const SweepCommand& command) {
     if (!command.plot.empty()) {
         check_drawing_path(command.plot, "a plot");
     }
-}
-
-/// Shows how much of a long sweep is done.
-ProgressCallback progress_on(Console& console, const std::string& stage) {
-    const auto clock = [] {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-            .count();
-    };
-    return [&console, stage, clock, meter = ProgressMeter(),
-            begin = clock()](double fraction) mutable {
-        constexpr double kLong = 1;  // s
-        const double now = clock();
-        meter.on_progress(stage, fraction, now);
-        if (now - begin > kLong) {
-            console.progress(meter.snapshot(now));
-        }
-    };
 }
 
 study::Sweep read_sweep(const SweepCommand& command, const pipeline::ShotVariants& variants,

@@ -37,7 +37,9 @@ void add(Hasher& hasher, const Want& want) {
 Hash128 hash_of(const SolveQuestion& question) {
     const SolveProblem& problem = question.problem;
     Hasher hasher;
-    hasher.add(sim::physics_hash(question.world)).add(static_cast<std::uint64_t>(problem.event));
+    hasher.add(kSolverRevision)
+        .add(sim::physics_hash(question.world))
+        .add(static_cast<std::uint64_t>(problem.event));
     hasher.add(problem.finds_direction).add(problem.finds_speed);
     hasher.add(problem.finds_tip).add(problem.finds_elevation);
     hasher.add(static_cast<std::uint64_t>(problem.max_routes));

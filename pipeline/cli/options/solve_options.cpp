@@ -12,6 +12,12 @@ void describe(SolveCommand& command, CommandDescription& description) {
         "window of directions in which it succeeds, and the chance of a player with the errors of "
         "`solve.player`, with its standard error. Render, check and the studio take the first "
         "one."};
+    description.details.emplace_back(
+        "solve: {want: [{potted: red, in: top right}, {rest: cue, near: [0.3, 0.1], within: 0.2 "
+        "m}], avoid: [{contact: [cue, blue]}], player: club} pots the red and brings the cue ball "
+        "to a place. Other wants: {cushions: cue, at_least: 3, before: {contact: [cue, red]}}, "
+        "{clears: blue}, and what 'carom sweep --measures' lists, as in {measure: "
+        "'rebound_angle:cue', about: 30 deg, within: 1 deg}.");
     description.argument("SHOT", command.input.path, "The shot; - reads it from standard input.")
         .offers(Offer::files, {"yaml", "yml"});
     description.flag("--all", command.lists_all, "List all solutions; by default the three best.");
@@ -33,6 +39,8 @@ void describe(SolveCommand& command, CommandDescription& description) {
                 "Draw each solution: the table with the paths of its balls, as .svg or .png.")
         .offers(Offer::files);
     add_drawing(description, command.drawing);
+    add_cache(description, command.cache);
+    add_no_store(description, command.cache);
     description.examples = {
         {"carom solve solve_red_black.yaml", "The best strikes."},
         {"carom solve solve_red_black.yaml --set solve.player=beginner --all",

@@ -14,8 +14,8 @@
 #include "pipeline/config/build/builder.h"
 #include "pipeline/config/measures/measures.h"
 #include "pipeline/config/pocket_names.h"
-#include "pipeline/solve/question.h"
-#include "sim/aim/find_aims.h"
+#include "pipeline/solve/answers.h"
+#include "pipeline/solve/explain.h"
 
 namespace carom::pipeline::config {
 namespace {
@@ -125,76 +125,28 @@ sim::WorldDescription without_later_strikes(sim::WorldDescription world, std::si
 }
 
 /// Those of the last shots are kept: an edit of a camera does not solve the shot again.
-std::shared_ptr<const solve::SolveResult> solution_of(const solve::SolveQuestion& question) {
+std::shared_ptr<const solve::SolveResult> solution_of(const solve::SolveQuestion& question,
+                                                      const solve::AnswerWork& work) {
     constexpr std::size_t kKept = 16;
     static LruCache<Hash128, solve::SolveResult> known(kKept);
-    return known.get(hash_of(question), [&] {
-        return solve::solve(sim::Trials(question.world), question.problem, {});
-    });
-}
-
-/// Why the wanted balls cannot be potted directly, one sentence each.
-std::string why_not_directly(const solve::SolveQuestion& question) {
-    std::string text;
-    for (const Want& want : question.problem.wants) {
-        const auto* happening = std::get_if<Happening>(&want);
-        if (happening == nullptr || happening->is_avoided() ||
-            happening->trigger.kind != sim::Trigger::Kind::potted) {
-            continue;
+    std::shared_ptr<const solve::SolveResult> incomplete;
+    try {
+        return known.get(hash_of(question), [&] {
+            solve::SolveResult result = solve::answer(question, work);
+            if (!result.is_complete) {
+                incomplete = std::make_shared<const solve::SolveResult>(std::move(result));
+                throw Stopped();
+            }
+            return result;
+        });
+    } catch (const Stopped&) {
+        const bool has_any =
+            incomplete && !incomplete->solutions.empty() && incomplete->solutions.front().is_solved;
+        if (!work.takes_incomplete || !has_any) {
+            throw;
         }
-        const sim::FoundAims direct = sim::find_aims(
-            question.world,
-            {{question.problem.event, sim::PotAim{happening->trigger.a, happening->pocket}}});
-        for (const Diagnostic& reason : direct.problems) {
-            text += "; directly: " + reason.sentence;
-        }
+        return incomplete;
     }
-    return text;
-}
-
-/// What is not as it is wanted where a strike does all but places and measures.
-std::string lacks_of(const solve::SolveQuestion& question, const solve::Solution& solution) {
-    const sim::Trials trials(question.world);
-    const std::vector<sim::ForceEvent>& given = question.world.events;
-    std::vector<sim::ForceEvent> events = given;
-    events[question.problem.event].action = solution.strike;
-    sim::TrialLimits limits;
-    limits.keeps_motion = true;
-    const std::optional<sim::Outcome> outcome = trials.run(std::move(events), limits);
-    const auto strike = static_cast<std::size_t>(std::count_if(
-        given.begin(), given.begin() + static_cast<std::ptrdiff_t>(question.problem.event),
-        [](const sim::ForceEvent& e) { return std::holds_alternative<sim::Strike>(e.action); }));
-    const solve::Trial trial{trials.world(), trials.names(), outcome.value(), strike};
-    std::vector<std::string> lacks;
-    for (const Want& want : question.problem.wants) {
-        if (solve::miss_of(want, trial) == 0) {
-            continue;
-        }
-        if (const auto* rest = std::get_if<solve::RestPlace>(&want)) {
-            const std::optional<Vec2> place = trial.place_of(rest->ball);
-            lacks.push_back(place ? fmt::format("'{}' rests at [{:.2f}, {:.2f}], {:.2f} m away",
-                                                rest->ball, place->x, place->y,
-                                                (*place - rest->near).length())
-                                  : fmt::format("'{}' is not on the table", rest->ball));
-        } else if (const auto* measured = std::get_if<solve::MeasuredRange>(&want)) {
-            const std::optional<double> value = measured->value(trial);
-            lacks.push_back(value ? fmt::format("'{}' is {:.4g}", measured->title, *value)
-                                  : fmt::format("'{}' does not happen", measured->title));
-        }
-    }
-    return join(lacks, "; ");
-}
-
-std::string why_unsolved(const solve::SolveQuestion& question, const solve::SolveResult& result) {
-    std::string text = fmt::format("no strike was found that does all this, in {} simulations",
-                                   result.simulations);
-    if (!result.solutions.empty()) {
-        const solve::Solution& nearest = result.solutions.front();
-        text += nearest.miss < 10 ? fmt::format("; the nearest, {}: {}", nearest.route,
-                                                lacks_of(question, nearest))
-                                  : "; the nearest does only: " + nearest.route;
-    }
-    return text + why_not_directly(question);
 }
 
 FoundStrike texts_of(const OpenStrike& open, const sim::Strike& strike) {
@@ -231,10 +183,12 @@ bool solve_strike(Builder& builder, const SolveSection& section, const OpenStrik
         return false;
     }
     try {
-        const std::shared_ptr<const solve::SolveResult> found = solution_of(*question);
+        const std::shared_ptr<const solve::SolveResult> found = solution_of(
+            *question, builder.answers != nullptr ? *builder.answers : solve::AnswerWork{});
         const solve::SolveResult& result = *found;
         if (result.solutions.empty() || !result.solutions.front().is_solved) {
-            builder.reader.error(section.place, why_unsolved(*question, result));
+            builder.reader.error(section.place,
+                                 solve::why_unsolved(question->world, question->problem, result));
             return false;
         }
         const solve::Solution& best = result.solutions.front();
@@ -243,6 +197,8 @@ bool solve_strike(Builder& builder, const SolveSection& section, const OpenStrik
         builder.shot.solved.push_back(
             {open.event, std::move(question), found, builder.found_strikes.back().values});
         return true;
+    } catch (const Stopped&) {
+        throw;
     } catch (const Error& error) {  // the strike never comes
         builder.reader.error(section.place, error.what());
         return false;
