@@ -124,13 +124,21 @@ void break_shot(benchmark::State& state, billiards::RackKind kind) {
                            benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-/// Variants of one shot: the strike's direction and speed.
+/// A strike that pots the ball "one" in some of the shot's variants only.
+void aim_at_one(WorldDescription& world, double direction, double ball_speed) {
+    world.events[0].time = 0;
+    auto& strike = std::get<Strike>(world.events[0].action);
+    strike.toward.reset();
+    strike.direction = direction;
+    strike.ball_speed = ball_speed;
+}
+
+/// Variants of one shot: up to 0.04 of its direction (rad) and speed (doubled) to both sides.
 std::vector<ForceEvent> variant(const WorldDescription& world, int number) {
     std::vector<ForceEvent> events = world.events;
     auto& strike = std::get<Strike>(events[0].action);
-    strike.toward.reset();
-    strike.direction = -0.266 + 0.002 * (number % 41 - 20);
-    strike.ball_speed = 2 + 0.1 * (number % 20);
+    *strike.direction += 0.002 * (number % 41 - 20);
+    *strike.ball_speed *= 1 + 0.05 * (number % 20);
     return events;
 }
 
@@ -138,18 +146,16 @@ std::vector<ForceEvent> variant(const WorldDescription& world, int number) {
 WorldDescription cut_shot() {
     WorldDescription world = break_of(billiards::RackKind::nine_ball, 12, 0);
     world.bodies = {ball("cue", {-0.6, 0.1, kRadius}), ball("one", {0.5, -0.2, kRadius})};
-    world.events[0].time = 0;
+    aim_at_one(world, -0.266, 2);
     return world;
 }
 
-constexpr int kVariants = 200;
-
-void check_variants(benchmark::State& state, std::size_t potted) {
-    if (potted == 0 || potted == kVariants) {
+void check_variants(benchmark::State& state, std::size_t potted, int variants) {
+    if (potted == 0 || potted == static_cast<std::size_t>(variants)) {
         state.SkipWithError("all variants are alike");
     }
     state.counters["shots_per_s"] = benchmark::Counter(
-        kVariants * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+        variants * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
 }
 
 bool pots_one(const std::vector<Event>& events) {
@@ -158,23 +164,30 @@ bool pots_one(const std::vector<Event>& events) {
     });
 }
 
-void cut_shots_as_bakes(benchmark::State& state) {
-    const WorldDescription world = cut_shot();
+/// Variants of a nine-ball break of 10 s.
+WorldDescription nine_ball_break() {
+    WorldDescription world = break_of(billiards::RackKind::nine_ball, 10, 1);
+    aim_at_one(world, 0, 6);
+    return world;
+}
+
+/// That many variants, each baked by itself.
+void shots_as_bakes(benchmark::State& state, const WorldDescription& world, int variants) {
     std::size_t potted = 0;
     for (auto _ : state) {
         potted = 0;
-        for (int number = 0; number < kVariants; ++number) {
+        for (int number = 0; number < variants; ++number) {
             WorldDescription changed = world;
             changed.events = variant(world, number);
             potted += pots_one(bake(changed).events) ? 1 : 0;
         }
     }
-    check_variants(state, potted);
+    check_variants(state, potted, variants);
 }
 
 /// `stops`: at the pot, or when the ball meets a cushion or stops.
-void cut_shots_as_trials(benchmark::State& state, bool stops) {
-    const WorldDescription world = cut_shot();
+void shots_as_trials(benchmark::State& state, const WorldDescription& world, int variants,
+                     bool stops) {
     TrialLimits limits;
     if (stops) {
         limits.is_answered = [](const Event& event) {
@@ -186,11 +199,11 @@ void cut_shots_as_trials(benchmark::State& state, bool stops) {
     for (auto _ : state) {
         potted = 0;
         const Trials trials(world);
-        for (int number = 0; number < kVariants; ++number) {
+        for (int number = 0; number < variants; ++number) {
             potted += pots_one(trials.run(variant(world, number), limits)->events) ? 1 : 0;
         }
     }
-    check_variants(state, potted);
+    check_variants(state, potted, variants);
 }
 
 /// The direction of a strike that shall pot the ball of a cut shot, or cut it by 30 degrees.
@@ -235,9 +248,14 @@ void resting_boxes(benchmark::State& state) {
 
 }  // namespace
 
-BENCHMARK(cut_shots_as_bakes)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(cut_shots_as_trials, to_the_end, false)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(cut_shots_as_trials, until_answered, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(shots_as_bakes, cut, cut_shot(), 200)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(shots_as_trials, cut_to_the_end, cut_shot(), 200, false)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(shots_as_trials, cut_until_answered, cut_shot(), 200, true)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(shots_as_bakes, nine_ball, nine_ball_break(), 20)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(shots_as_trials, nine_ball, nine_ball_break(), 20, false)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(aim, pot, PotAim{"one", ""})->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(aim, cut, CutAim{"one", 0.52, Side::left})->Unit(benchmark::kMillisecond);
 BENCHMARK(resting_boxes)->Arg(100)->Arg(400)->Arg(1600)->Unit(benchmark::kMillisecond);

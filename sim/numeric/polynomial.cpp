@@ -20,31 +20,28 @@ std::size_t degree(const Quartic& c) {
 }
 
 /// The root in [a, b], where the polynomial has opposite signs (or is zero) at the ends: Newton's
-/// iteration that falls back to bisection whenever it leaves the bracket or converges too slowly.
+/// iteration that falls back to bisection where it leaves the bracket or its steps do not halve
+/// (Press et al., Numerical Recipes, 3rd ed., section 9.4).
 double root_between(const Quartic& c, const Quartic& slope, double a, double b) {
-    double fa = evaluate(c, a);
+    constexpr double kExact = 4e-16;  // relative
+    const bool rises = evaluate(c, a) < 0;
     double t = 0.5 * (a + b);
+    double last_step = b - a;
     for (int i = 0; i < 200; ++i) {
         const double f = evaluate(c, t);
         if (f == 0) {
             return t;
         }
-        if ((f > 0) == (fa > 0)) {
-            a = t;
-            fa = f;
-        } else {
-            b = t;
-        }
-        const double d = evaluate(slope, t);
-        double next = t - f / d;
-        // A few Newton steps at most, then every third step halves the bracket.
-        if (!(next > a && next < b) || i % 3 == 2) {
+        ((f < 0) == rises ? a : b) = t;
+        double next = t - f / evaluate(slope, t);
+        if (!(next > a && next < b) || 2 * std::abs(next - t) > last_step) {
             next = a + 0.5 * (b - a);
         }
-        if (next == t || next == a || next == b) {
-            return next;
-        }
+        last_step = std::abs(next - t);
         t = next;
+        if (last_step <= kExact * std::abs(t)) {
+            break;
+        }
     }
     return t;
 }

@@ -11,12 +11,23 @@ namespace carom::sim {
 namespace {
 
 constexpr double kEnergyInterval = 1.0 / 60;  // s
+/// Of a window in which nothing is stepped and no energies are kept.
+constexpr double kLongestWindow = 1;  // s
 /// ODE steps bodies in contact at a quarter of the world's step, or of this (s) if that is less.
 constexpr double kLongestCoarseStep = 1.0 / 240;
 /// More impacts than this per ball in one window mean that balls are caught in a corner that the
 /// impact laws do not resolve. A break has about ten, a spinning ball pressed against a cushion
 /// some hundreds.
 constexpr std::size_t kMaxEventsPerBall = 2000;
+
+/// The first of the times at which energies are sampled that is later.
+double energy_time_after(double time) {
+    double number = std::floor(time / kEnergyInterval + 0.5);
+    if (number * kEnergyInterval <= time) {
+        ++number;
+    }
+    return number * kEnergyInterval;
+}
 
 std::string cap_warning(std::size_t most, const PredictedEvent& event, const MovingBody& ball) {
     const Vec3 p = ball.segment.position_at(event.time);
@@ -126,6 +137,7 @@ std::optional<PredictedEvent> Scheduler::process_events() {
         if (!is_valid(event)) {
             continue;
         }
+        count_window_of(event);
         ++steps_;
         if (event.kind == PredictedEventKind::cell_crossing ||
             event.kind == PredictedEventKind::search_again) {
@@ -151,10 +163,13 @@ bool Scheduler::needs_step(const PredictedEvent& event) const {
 }
 
 double Scheduler::window_end_from(double now) const {
-    double end = std::min(world_.duration, bodies_.next_key_time(now));
-    if (next_energy_time_ > now) {
-        end = std::min(end, next_energy_time_);
-    }
+    const double next_key = bodies_.next_key_time(now);
+    double end = std::min(world_.duration, next_key);
+    // Without a step of ODE or something that waits, all is known from event to event.
+    const bool is_short = recorder_.keeps_all() || bodies_.is_solver_active() ||
+                          std::isfinite(next_key) || placer_.has_waiting() ||
+                          bodies_.is_return_due() || !path_triggers_.is_empty();
+    end = std::min(end, is_short ? next_energy_time_ : now + kLongestWindow);
     const double next_action = schedule_.next_time();
     return next_action > now ? std::min(end, next_action) : end;
 }
@@ -308,6 +323,7 @@ void Scheduler::process(const PredictedEvent& event) {
             recorder_.warn({{}, "", cap_warning(most, event, bodies_.balls()[event.first])});
         }
         is_capped_ = true;
+        window_end_ = std::min(window_end_, next_energy_time_);
         return;
     }
     now_ = event.time;
@@ -374,7 +390,15 @@ void Scheduler::sample_energy() {
         return;
     }
     add_energy();
-    next_energy_time_ = (std::floor(now_ / kEnergyInterval + 0.5) + 1) * kEnergyInterval;
+    next_energy_time_ = energy_time_after(now_);
+}
+
+/// Long windows count their events as the short ones of a bake do.
+void Scheduler::count_window_of(const PredictedEvent& event) {
+    if (event.time > next_energy_time_) {
+        events_in_window_ = 0;
+        next_energy_time_ = energy_time_after(event.time);
+    }
 }
 
 void Scheduler::add_energy() {

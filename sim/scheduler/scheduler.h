@@ -64,6 +64,7 @@ class Scheduler {
     void check_rest_triggers();
     [[nodiscard]] bool is_over() const;
     void sample_energy();
+    void count_window_of(const PredictedEvent& event);
     void add_energy();
     [[nodiscard]] bool needs_step(const PredictedEvent& event) const;
     void finish();

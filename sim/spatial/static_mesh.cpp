@@ -66,14 +66,19 @@ std::optional<double> feature_impact_time(const MeshFeature& feature, const Moti
     return point_impact_time(ball, feature.points[0], radius, now, until);
 }
 
-SurfaceContact contact_with(const MeshFeature& feature, const Vec3& centre, double radius) {
+SurfaceContact contact_at(const Vec3& point, const MeshFeature& feature, const Vec3& centre,
+                          double radius) {
     SurfaceContact contact;
-    contact.point = nearest_point(feature, centre);
+    contact.point = point;
     const Vec3 d = centre - contact.point;
     const double distance = length(d);
     contact.normal = distance > 1e-9 ? d / distance : feature.direction;
     contact.depth = radius - distance;
     return contact;
+}
+
+SurfaceContact contact_with(const MeshFeature& feature, const Vec3& centre, double radius) {
+    return contact_at(nearest_point(feature, centre), feature, centre, radius);
 }
 
 }  // namespace
@@ -165,7 +170,11 @@ void StaticMesh::find_near(const Vec3& centre, double distance, NearFeatures& ne
         prepare(part);
         part.tree.query(centre, distance, found);
         for (const std::uint32_t index : found) {
-            near.items.push_back({&part, index, bounds_of(part.features[index])});
+            const MeshFeature& feature = part.features[index];
+            const Vec3 d = nearest_point(feature, centre) - centre;
+            if (d.dot(d) <= distance * distance) {
+                near.items.push_back({&part, index, bounds_of(feature)});
+            }
         }
     }
 }
@@ -182,7 +191,13 @@ std::vector<SurfaceContact> StaticMesh::contacts(const Vec3& centre, double radi
         if (item.box.squared_distance(centre) > distance * distance) {
             continue;
         }
-        SurfaceContact candidate = contact_with(item.part->features[item.index], centre, radius);
+        const MeshFeature& feature = item.part->features[item.index];
+        const Vec3 point = nearest_point(feature, centre);
+        const Vec3 d = centre - point;
+        if (d.dot(d) > distance * distance) {
+            continue;
+        }
+        SurfaceContact candidate = contact_at(point, feature, centre, radius);
         candidate.surface = item.part->surface;
         if (candidate.depth >= -margin) {
             found.push_back(candidate);
