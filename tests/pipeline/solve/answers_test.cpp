@@ -25,6 +25,12 @@ SolveQuestion quick_question() {
     return {layout.world, layout.problem};
 }
 
+AnswerWork work_in(const std::string& folder) {
+    AnswerWork work;
+    work.folder.path = folder;
+    return work;
+}
+
 std::string content(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -53,7 +59,7 @@ void expect_equal(const SolveResult& a, const SolveResult& b) {
 TEST(AnswersTest, FolderAnswersTheSameQuestionAgain) {
     const carom::testing::ScratchFolder folder;
     const SolveQuestion question = quick_question();
-    const AnswerWork kept{{folder.path("new/answers")}, {}, {}, false};
+    const AnswerWork kept = work_in(folder.path("new/answers"));
     const SolveResult first = answer(question, kept);
     EXPECT_TRUE(first.solutions.front().is_solved);
     const std::string file = kept.folder.path + "/" + hash_of(question).to_string() + ".answer";
@@ -79,7 +85,9 @@ TEST(AnswersTest, FolderAnswersTheSameQuestionAgain) {
 TEST(AnswersTest, ReadOnlyFolder_StaysAsItIs) {
     const carom::testing::ScratchFolder folder;
     const SolveQuestion question = quick_question();
-    const SolveResult result = answer(question, {{folder.path("answers"), true}, {}, {}, false});
+    AnswerWork work = work_in(folder.path("answers"));
+    work.folder.is_read_only = true;
+    const SolveResult result = answer(question, work);
     EXPECT_TRUE(result.solutions.front().is_solved);
     EXPECT_FALSE(fs::exists(folder.path("answers")));
 }
@@ -88,8 +96,9 @@ TEST(AnswersTest, StoppedSearch_IsNotKept) {
     const carom::testing::ScratchFolder folder;
     std::stop_source stop;
     stop.request_stop();
-    const SolveResult result = answer(
-        quick_question(), {{folder.path("answers")}, {1, {{}, stop.get_token()}}, {}, false});
+    AnswerWork work = work_in(folder.path("answers"));
+    work.parts.context.stop = stop.get_token();
+    const SolveResult result = answer(quick_question(), work);
     EXPECT_FALSE(result.is_complete);
     EXPECT_FALSE(fs::exists(folder.path("answers")));
 }
