@@ -14,6 +14,7 @@
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/config/load_shot.h"
 #include "pipeline/solve/answers.h"
+#include "pipeline/solve/explain.h"
 #include "pipeline/study/solve_plot.h"
 #include "sim/bake.h"
 
@@ -49,7 +50,17 @@ std::string rest_text(const solve::Solution& solution) {
                : fmt::format("   '{}' leaves the table\n", solution.ball);
 }
 
-std::string text_of(std::size_t event, const solve::SolveResult& result, bool lists_all) {
+/// Of a strike that meets its wants, all of them happen. Empty if the question is not known.
+std::vector<std::pair<std::string, std::optional<double>>> measured_values(
+    const solve::SolveQuestion* question, const solve::Solution& solution) {
+    return question != nullptr
+               ? solve::measured_values(question->world, question->problem, solution.strike)
+               : std::vector<std::pair<std::string, std::optional<double>>>{};
+}
+
+/// `question`: null if it is not known.
+std::string text_of(std::size_t event, const solve::SolveResult& result,
+                    const solve::SolveQuestion* question, bool lists_all) {
     const auto& solutions = result.solutions;
     const auto count =
         static_cast<std::size_t>(std::ranges::count_if(solutions, &solve::Solution::is_solved));
@@ -72,6 +83,9 @@ std::string text_of(std::size_t event, const solve::SolveResult& result, bool li
                                   100 * each.chance_error)
                     : "chance not yet known\n";
         text += rest_text(each);
+        for (const auto& [title, value] : measured_values(question, each)) {
+            text += fmt::format("   '{}' is {:.4g}\n", title, value.value_or(0));
+        }
     }
     if (listed < count) {
         text += fmt::format("{} more: --all lists them\n", count - listed);
@@ -80,7 +94,8 @@ std::string text_of(std::size_t event, const solve::SolveResult& result, bool li
 }
 
 /// A JSON object in each line.
-std::string json_of(std::size_t event, const solve::SolveResult& result) {
+std::string json_of(std::size_t event, const solve::SolveResult& result,
+                    const solve::SolveQuestion* question) {
     std::string lines;
     for (const solve::Solution& each : result.solutions) {
         if (!each.is_solved) {
@@ -101,6 +116,9 @@ std::string json_of(std::size_t event, const solve::SolveResult& result) {
             one.add("rest", {each.rest->x, each.rest->y});
         }
         one.add("simulations", static_cast<std::int64_t>(result.simulations));
+        for (const auto& [title, value] : measured_values(question, each)) {
+            one.add(title, value.value_or(0));
+        }
         if (!result.is_complete) {
             one.add("complete", false);
         }
@@ -136,8 +154,9 @@ class FoundSoFar {
 };
 
 std::string text_of(const SolveCommand& command, std::size_t event,
-                    const solve::SolveResult& result) {
-    return command.json ? json_of(event, result) : text_of(event, result, command.lists_all);
+                    const solve::SolveResult& result, const solve::SolveQuestion* question) {
+    return command.json ? json_of(event, result, question)
+                        : text_of(event, result, question, command.lists_all);
 }
 
 /// The shot with its strikes; after an interruption what was found is printed, or taken.
@@ -156,7 +175,7 @@ ShotInput find_strikes(const SolveCommand& command, CommandContext& context) {
     } catch (const Stopped&) {
         context.console.end_progress();
         for (const auto& [event, result] : std::move(found).results()) {
-            print_text(text_of(command, event, result));
+            print_text(text_of(command, event, result, nullptr));
         }
         throw;
     } catch (const InputError& error) {
@@ -209,7 +228,7 @@ void run(const SolveCommand& command, CommandContext& context) {
     }
     std::string text;
     for (const pipeline::SolvedStrike& solved : input.shot.solved) {
-        text += text_of(command, solved.event, *solved.result);
+        text += text_of(command, solved.event, *solved.result, solved.question.get());
     }
     print_text(text);
     const bool is_complete = std::ranges::all_of(

@@ -31,20 +31,25 @@ std::string why_not_directly(const sim::WorldDescription& world, const SolveProb
     return text;
 }
 
-/// What is not as it is wanted where a strike does all but places and measures.
-std::string lacks_of(const sim::WorldDescription& world, const SolveProblem& problem,
-                     const Solution& solution) {
+/// Calls use(the whole trial of that strike).
+template <class Use>
+void with_trial(const sim::WorldDescription& world, const SolveProblem& problem,
+                const sim::Strike& sought, const Use& use) {
     const sim::Trials trials(world);
     const std::vector<sim::ForceEvent>& given = world.events;
     std::vector<sim::ForceEvent> events = given;
-    events[problem.event].action = solution.strike;
+    events[problem.event].action = sought;
     sim::TrialLimits limits;
     limits.keeps_motion = true;
     const std::optional<sim::Outcome> outcome = trials.run(std::move(events), limits);
     const auto strike = static_cast<std::size_t>(std::count_if(
         given.begin(), given.begin() + static_cast<std::ptrdiff_t>(problem.event),
         [](const sim::ForceEvent& e) { return std::holds_alternative<sim::Strike>(e.action); }));
-    const Trial trial{trials.world(), trials.names(), outcome.value(), strike};
+    use(Trial{trials.world(), trials.names(), outcome.value(), strike});
+}
+
+/// What is not as it is wanted, but for happenings.
+std::vector<std::string> lacks_of(const SolveProblem& problem, const Trial& trial) {
     std::vector<std::string> lacks;
     for (const Want& want : problem.wants) {
         if (miss_of(want, trial) == 0) {
@@ -60,12 +65,33 @@ std::string lacks_of(const sim::WorldDescription& world, const SolveProblem& pro
             const std::optional<double> value = measured->value(trial);
             lacks.push_back(value ? fmt::format("'{}' is {:.4g}", measured->title, *value)
                                   : fmt::format("'{}' does not happen", measured->title));
+        } else if (const auto* clearing = std::get_if<Clearing>(&want)) {
+            lacks.push_back(
+                fmt::format("'{}' does not fly over '{}'", clearing->ball, clearing->blocker));
         }
     }
-    return join(lacks, "; ");
+    return lacks;
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, std::optional<double>>> measured_values(
+    const sim::WorldDescription& world, const SolveProblem& problem, const sim::Strike& strike) {
+    std::vector<std::pair<std::string, std::optional<double>>> values;
+    const auto is_measured = [](const Want& want) {
+        return std::holds_alternative<MeasuredRange>(want);
+    };
+    if (std::ranges::any_of(problem.wants, is_measured)) {
+        with_trial(world, problem, strike, [&](const Trial& trial) {
+            for (const Want& want : problem.wants) {
+                if (const auto* measured = std::get_if<MeasuredRange>(&want)) {
+                    values.emplace_back(measured->title, measured->value(trial));
+                }
+            }
+        });
+    }
+    return values;
+}
 
 std::string why_unsolved(const sim::WorldDescription& world, const SolveProblem& problem,
                          const SolveResult& result) {
@@ -73,9 +99,14 @@ std::string why_unsolved(const sim::WorldDescription& world, const SolveProblem&
                                    result.simulations);
     if (!result.solutions.empty()) {
         const Solution& nearest = result.solutions.front();
-        text += nearest.miss < 10 ? fmt::format("; the nearest, {}: {}", nearest.route,
-                                                lacks_of(world, problem, nearest))
-                                  : "; the nearest does only: " + nearest.route;
+        if (nearest.miss < 10) {
+            with_trial(world, problem, nearest.strike, [&](const Trial& trial) {
+                text += fmt::format("; the nearest, {}: {}", nearest.route,
+                                    join(lacks_of(problem, trial), "; "));
+            });
+        } else {
+            text += "; the nearest does only: " + nearest.route;
+        }
     }
     return text + why_not_directly(world, problem);
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <numbers>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -264,11 +265,12 @@ std::vector<std::string> lines_of(const std::string& text, double width) {
     std::vector<std::string> lines{""};
     std::istringstream words(text);
     for (std::string word; words >> word;) {
-        std::string& last = lines.back();
-        if (last.empty() || text_width(last + " " + word, 2.8) <= width) {
-            last += (last.empty() ? "" : " ") + word;
+        std::string longer = lines.back();
+        longer += (longer.empty() ? "" : " ") + word;
+        if (lines.back().empty() || text_width(longer, 2.8) <= width) {
+            lines.back() = std::move(longer);
         } else {
-            lines.push_back(word);
+            lines.push_back(std::move(word));
         }
     }
     return lines;

@@ -91,6 +91,21 @@ TEST_F(SolveCommand, WithoutAResult_NothingIsWritten) {
     EXPECT_THAT(results(), ::testing::IsEmpty());
 }
 
+TEST_F(SolveCommand, WantedMeasures_ArePrinted) {
+    const std::vector<std::string> bank{"solve", kShot, "--set",
+                                        "solve.want=[{cushions: cue}, {measure: "
+                                        "'rebound_angle:cue', about: 30 deg, within: 1 deg}]"};
+    const auto with = [&](const std::string& option) {
+        std::vector<std::string> all = bank;
+        all.push_back(option);
+        return run(all).out;
+    };
+    EXPECT_THAT(with("--all"),
+                ::testing::ContainsRegex("\n   'rebound_angle:cue \\[deg\\]' is (29|3[01])\\.?"));
+    EXPECT_THAT(with("--json"),
+                ::testing::ContainsRegex("\"rebound_angle:cue \\[deg\\]\":(29|3[01])\\."));
+}
+
 TEST_F(SolveCommand, AnswerIsKeptInTheCache) {
     const RunResult first = run({"solve", kShot, "--json"});
     EXPECT_EQ(first.exit_code, 0) << first.err;
