@@ -104,9 +104,13 @@ std::vector<OpenStrike> open_strikes(Node& root) {
             open.push_back({event.value_or(~std::size_t{0})});
             continue;
         }
-        const OpenStrike found{*event, lacks_direction(*strike), !has_any(*strike, kSpeedKeys),
+        const bool lacks_elevation = strike->find("elevation") == nullptr;
+        const OpenStrike found{*event,
+                               lacks_direction(*strike),
+                               !has_any(*strike, kSpeedKeys),
                                strike->find("tip") == nullptr,
-                               strike->find("elevation") == nullptr && wants_flight(each)};
+                               lacks_elevation && wants_flight(each),
+                               lacks_elevation && !wants_flight(each) && lacks_direction(*strike)};
         if (found.finds_direction) {
             set_value(*strike, "direction", scalar("0 deg", each.place));
         }

@@ -17,7 +17,8 @@ struct OpenStrike {
     bool finds_direction = false;
     bool finds_speed = false;
     bool finds_tip = false;
-    bool finds_elevation = false;  // only where a ball is to be cleared
+    bool finds_elevation = false;  // where a ball is to be cleared
+    bool may_raise = false;        // the elevation is found if no level strike does it
 };
 
 /// The strikes of the tree's `solve`, in its order. Those of their values that are not given and

@@ -41,7 +41,7 @@ Hash128 hash_of(const SolveQuestion& question) {
         .add(sim::physics_hash(question.world))
         .add(static_cast<std::uint64_t>(problem.event));
     hasher.add(problem.finds_direction).add(problem.finds_speed);
-    hasher.add(problem.finds_tip).add(problem.finds_elevation);
+    hasher.add(problem.finds_tip).add(problem.finds_elevation).add(problem.may_raise);
     hasher.add(static_cast<std::uint64_t>(problem.max_routes));
     hasher.add(static_cast<std::uint64_t>(problem.wants.size()));
     for (const Want& want : problem.wants) {

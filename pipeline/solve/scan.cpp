@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -26,8 +27,38 @@ constexpr int kByCushion = 9;
 /// And at which the ball flies over another one.
 constexpr int kOver = 32;
 
+/// Whether the way round a ball is sought on which spin bends the ball's path (a massé).
+bool seeks_curves(const StrikeTrials& trials) {
+    return trials.problem().finds_elevation && !trials.has_flights_wanted();
+}
+
+/// Strikes from above beside the middle.
+std::vector<Setting> curved_settings(const StrikeTrials& trials) {
+    const Setting given = trials.given();
+    const auto of = [](bool is_found, auto some, auto value) {
+        return is_found ? some : decltype(some){value};
+    };
+    const std::vector<Vec2> tips =
+        of(trials.problem().finds_tip,
+           std::vector<Vec2>{{0.4, 0}, {-0.4, 0}, {0.3, -0.3}, {-0.3, -0.3}}, given.tip);
+    const std::vector<double> speeds =
+        of(trials.problem().finds_speed, std::vector<double>{2, 3, 4.5}, given.speed);
+    std::vector<Setting> settings;
+    for (const double degrees : {40.0, 55.0, 70.0}) {
+        for (const Vec2& tip : tips) {
+            for (const double speed : speeds) {
+                settings.push_back({given.direction, speed, tip, degrees * kDegree});
+            }
+        }
+    }
+    return settings;
+}
+
 /// The speeds, and for flights the elevations, at which directions are scanned.
 std::vector<Setting> scan_settings(const StrikeTrials& trials) {
+    if (seeks_curves(trials)) {
+        return curved_settings(trials);
+    }
     const Setting given = trials.given();
     std::vector<double> speeds{given.speed};
     if (trials.problem().finds_speed) {
@@ -53,6 +84,27 @@ std::vector<Setting> scan_settings(const StrikeTrials& trials) {
     return settings;
 }
 
+/// To both sides of the bearings of what the ball is to come to.
+std::vector<double> curved_directions(const StrikeTrials& trials) {
+    constexpr int kCount = 30;
+    constexpr double kWidest = 45 * kDegree;
+    std::set<double> bearings;
+    const Vec2 from = trials.places().at(trials.ball());
+    for (const Target& target : trials.targets()) {
+        const Vec2 to =
+            target.ball == trials.ball() ? target.point : trials.places().at(target.ball);
+        bearings.insert(arctangent2(to.y - from.y, to.x - from.x));
+    }
+    std::vector<double> directions;
+    for (const double bearing : bearings) {
+        for (int i = 0; i < kCount; ++i) {
+            directions.push_back(bearing + kWidest * (2 * (i + 0.5) / kCount - 1));
+        }
+    }
+    std::ranges::sort(directions);
+    return directions;
+}
+
 void add_interval(const StrikeTrials& trials, const Vec2& place, double reach, int count,
                   std::vector<double>& directions) {
     const Vec2 d = place - trials.places().at(trials.ball());
@@ -70,6 +122,9 @@ void add_interval(const StrikeTrials& trials, const Vec2& place, double reach, i
 /// All around, and more closely where the ball would meet another one, directly or off cushions
 /// that were mirrors.
 std::vector<double> scan_directions(const StrikeTrials& trials) {
+    if (seeks_curves(trials)) {
+        return curved_directions(trials);
+    }
     std::vector<double> directions;
     const double radius = trials.radius();
     for (const Want& want : trials.problem().wants) {

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <optional>
 
+#include <ImathMatrix.h>
+
 #include "core/elementary.h"
 #include "pipeline/solve/route.h"
 #include "sim/stick/strike.h"
@@ -21,6 +23,7 @@ struct Candidate {
     double miss = std::numeric_limits<double>::infinity();      // StrikeTrials::miss()
     double distance = std::numeric_limits<double>::infinity();  // StrikeTrials::distance()
     double cost = std::numeric_limits<double>::infinity();
+    std::vector<double> offsets{};  // StrikeTrials::offsets()
 
     /// Nothing is to be gained by moving on.
     [[nodiscard]] bool is_good() const { return miss == 0 && distance < 0.5; }
@@ -82,7 +85,8 @@ Candidate rated(const StrikeTrials& trials, const Played& played) {
     const double missed = trials.miss(played.outcome);
     const double distance = trials.distance(played.outcome);
     return {played.setting, missed, distance,
-            missed + 0.02 * distance - 1e-3 * liking(trials, played.setting, 0)};
+            missed + 0.02 * distance - 1e-3 * liking(trials, played.setting, 0),
+            trials.offsets(played.outcome)};
 }
 
 /// What comes of a setting, aimed where an aim leads.
@@ -120,6 +124,128 @@ std::vector<Setting> grid_around(const StrikeTrials& trials, const Seed& seed, b
     return grid;
 }
 
+/// A setting's values apart from its direction, in steps of a search: the logarithm of its speed
+/// and both coordinates of the tip.
+using Values = Vec3;
+
+/// The setting with other values, in the direction in which squirt lets the ball go the same way;
+/// empty if the tip would slip off.
+std::optional<Setting> moved(const StrikeTrials& trials, const Setting& from, const Values& by) {
+    Setting to = from;
+    if (trials.problem().finds_speed) {
+        to.speed *= exponential(by.x);
+    }
+    if (trials.problem().finds_tip) {
+        to.tip += Vec2(by.y, by.z);
+        if (length(to.tip) > sim::kMiscueOffset) {
+            return std::nullopt;
+        }
+        const double radius = trials.radius();
+        to.direction +=
+            squirt_of(trials.strike(), from, radius) - squirt_of(trials.strike(), to, radius);
+    }
+    return to;
+}
+
+Candidate tried(const StrikeTrials& trials, const Seed& seed, const std::optional<Setting>& at) {
+    const std::optional<Played> played = at ? play(trials, seed, *at) : std::nullopt;
+    return played ? rated(trials, *played) : Candidate{};
+}
+
+bool is_same(const Setting& a, const Setting& b) {
+    return a.direction == b.direction && a.speed == b.speed && a.tip == b.tip;
+}
+
+/// How the offsets of balls at rest change with the values: one row for each offset.
+class Slopes {
+  public:
+    Slopes(const StrikeTrials& trials, const Seed& seed, const Candidate& at)
+        : rows_(at.offsets.size(), Values(0, 0, 0)) {
+        constexpr double kStep = 0.05;
+        for (int axis = 0; axis < 3; ++axis) {
+            Values by(0, 0, 0);
+            by[axis] = axis > 0 && at.setting.tip[axis - 1] > 0 ? -kStep : kStep;
+            const std::optional<Setting> next = moved(trials, at.setting, by);
+            if (!next || is_same(*next, at.setting)) {
+                continue;
+            }
+            const Candidate other = tried(trials, seed, next);
+            if (other.offsets.size() == rows_.size()) {
+                set(axis, at, other, by[axis]);
+            }
+        }
+    }
+
+    /// The step that brings the offsets to 0, of those the smallest; the more `damping`, the
+    /// smaller (Levenberg 1944).
+    [[nodiscard]] Values step(const std::vector<double>& offsets, double damping) const {
+        Imath::M33d normal(damping, 0, 0, 0, damping, 0, 0, 0, damping);
+        Values right(0, 0, 0);
+        for (std::size_t i = 0; i < rows_.size(); ++i) {
+            for (int a = 0; a < 3; ++a) {
+                right[a] -= rows_[i][a] * offsets[i];
+                for (int b = 0; b < 3; ++b) {
+                    normal[a][b] += rows_[i][a] * rows_[i][b];
+                }
+            }
+        }
+        return right * normal.inverse();
+    }
+
+    /// Learns from a step that was taken (Broyden, A class of methods for solving nonlinear
+    /// simultaneous equations, 1965).
+    void learn(const Values& step, const Candidate& from, const Candidate& to) {
+        for (std::size_t i = 0; i < rows_.size(); ++i) {
+            const double missed = to.offsets[i] - from.offsets[i] - rows_[i].dot(step);
+            rows_[i] += step * (missed / step.dot(step));
+        }
+    }
+
+  private:
+    void set(int axis, const Candidate& at, const Candidate& other, double by) {
+        for (std::size_t i = 0; i < rows_.size(); ++i) {
+            rows_[i][axis] = (other.offsets[i] - at.offsets[i]) / by;
+        }
+    }
+
+    std::vector<Values> rows_;
+};
+
+/// Brings balls at rest to their places by Newton's steps with slopes from differences.
+Candidate approach(const StrikeTrials& trials, const Seed& seed, Candidate best) {
+    constexpr int kSteps = 6;
+    constexpr double kLongest = 0.3;
+    if (best.offsets.empty() || best.is_good()) {
+        return best;
+    }
+    Slopes slopes(trials, seed, best);
+    double damping = 1e-3;
+    for (int i = 0; i < kSteps && !best.is_good(); ++i) {
+        Values step = slopes.step(best.offsets, damping);
+        const double size = std::sqrt(step.dot(step));
+        if (!(size > 1e-6)) {
+            break;
+        }
+        step *= std::min(1.0, kLongest / size);
+        std::optional<Setting> next = moved(trials, best.setting, step);
+        for (int half = 0; half < 4 && !next; ++half) {
+            step *= 0.5;
+            next = moved(trials, best.setting, step);
+        }
+        const Candidate found = tried(trials, seed, next);
+        if (found.offsets.size() == best.offsets.size()) {
+            slopes.learn(step, best, found);
+        }
+        if (found.cost < best.cost) {
+            best = found;
+            damping *= 0.3;
+        } else {
+            damping = 10 * std::max(damping, 1e-3);
+        }
+    }
+    return best;
+}
+
 /// A pattern search over speed, tip and, where no aim follows, direction (Hooke and Jeeves, Direct
 /// search solution of numerical and statistical problems, 1961).
 Candidate improve(const StrikeTrials& trials, const Seed& seed, Candidate best) {
@@ -131,24 +257,18 @@ Candidate improve(const StrikeTrials& trials, const Seed& seed, Candidate best) 
             has_improved = false;
             for (int axis = 0; axis < 4; ++axis) {
                 for (const double sign : {1.0, -1.0}) {
-                    Setting tried = best.setting;
-                    if (axis == 0 && trials.problem().finds_speed) {
-                        tried.speed *= 1 + 0.24 * sign * step;
-                    } else if ((axis == 1 || axis == 2) && trials.problem().finds_tip) {
-                        (axis == 1 ? tried.tip.x : tried.tip.y) += 0.2 * sign * step;
-                        if (length(tried.tip) > sim::kMiscueOffset) {
-                            continue;
-                        }
-                        const double radius = trials.radius();
-                        tried.direction += squirt_of(trials.strike(), best.setting, radius) -
-                                           squirt_of(trials.strike(), tried, radius);
-                    } else if (axis == 3 && trials.problem().finds_direction && !aims) {
-                        tried.direction += 0.5 * kDegree * sign * step;
-                    } else {
+                    std::optional<Setting> next = best.setting;
+                    if (axis < 3) {
+                        Values by(0, 0, 0);
+                        by[axis] = sign * step * (axis == 0 ? 0.22 : 0.2);
+                        next = moved(trials, best.setting, by);
+                    } else if (trials.problem().finds_direction && !aims) {
+                        next->direction += 0.5 * kDegree * sign * step;
+                    }
+                    if (!next || is_same(*next, best.setting)) {
                         continue;
                     }
-                    const std::optional<Played> played = play(trials, seed, tried);
-                    const Candidate found = played ? rated(trials, *played) : Candidate{};
+                    const Candidate found = tried(trials, seed, next);
                     if (found.cost < best.cost) {
                         best = found;
                         has_improved = true;
@@ -287,7 +407,7 @@ void explore(const StrikeTrials& trials, KnownRoute& route,
 
 Solution settle(const StrikeTrials& trials, KnownRoute& route,
                 const std::function<void(const Solution&)>& found) {
-    constexpr std::size_t kKept = 4;
+    constexpr std::size_t kKept = 6;
     constexpr std::size_t kFewTrials = 20;
     double least = std::numeric_limits<double>::infinity();
     const auto tell = [&](const Played& played) {
@@ -310,7 +430,11 @@ Solution settle(const StrikeTrials& trials, KnownRoute& route,
             candidates.resize(kKept);
         }
         for (Candidate& each : candidates) {
-            each = improve(trials, route.seeds.front(), each);
+            each = approach(trials, route.seeds.front(), each);
+        }
+        std::ranges::stable_sort(candidates, {}, &Candidate::cost);
+        if (!candidates.empty()) {
+            candidates.front() = improve(trials, route.seeds.front(), candidates.front());
         }
         std::ranges::stable_sort(candidates, {}, &Candidate::cost);
     }

@@ -90,6 +90,22 @@ struct Solver::Strikes {
     std::optional<StrikeTrials> at_strike;
 };
 
+/// Of level strikes, and if there are none, of those with a raised stick.
+std::vector<std::vector<Seed>> Solver::find_seeds(const StrikeTrials& sought) {
+    std::vector<Scan>& scans = knowledge_->scans;
+    if (scans.empty()) {
+        scans = make_scans(sought);
+    }
+    std::vector<std::vector<Seed>> seeds = scan_routes(sought, scans);
+    if (seeds.empty() && problem_.may_raise) {
+        problem_.may_raise = knowledge_->own.may_raise = false;
+        problem_.finds_elevation = knowledge_->own.finds_elevation = true;
+        scans = make_scans(sought);
+        seeds = scan_routes(sought, scans);
+    }
+    return seeds;
+}
+
 SolveResult Solver::solve(const SolveWork& work) {
     constexpr std::size_t kFine = 3;  // of the simplest routes
     SolveResult result;
@@ -98,12 +114,9 @@ SolveResult Solver::solve(const SolveWork& work) {
     try {
         strikes.emplace(*this, work.parts);
         const StrikeTrials& sought = strikes->sought();
-        if (knowledge_->scans.empty()) {
-            knowledge_->scans = make_scans(sought);
-        }
         std::vector<KnownRoute>& routes = knowledge_->routes;
         if (routes.empty()) {
-            for (std::vector<Seed>& seeds : scan_routes(sought, knowledge_->scans)) {
+            for (std::vector<Seed>& seeds : find_seeds(sought)) {
                 if (routes.size() < problem_.max_routes) {
                     routes.push_back({std::move(seeds), routes.size() < kFine, {}, 0});
                 }

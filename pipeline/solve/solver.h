@@ -42,6 +42,7 @@ struct SolveProblem {
     bool finds_speed = true;
     bool finds_tip = true;
     bool finds_elevation = false;
+    bool may_raise = false;  // the elevation is found where no level strike does what is wanted
     std::vector<Want> wants;
     std::vector<Preference> prefer{Preference::likely};
     PlayerError player;
@@ -75,6 +76,9 @@ struct SolveResult {
     bool is_complete = true;  // false: the work was stopped, and this is what had been found
 };
 
+struct Seed;
+class StrikeTrials;
+
 /// Finds strikes, and keeps what it learns of them: the same wants with other places at rest are
 /// answered sooner.
 ///
@@ -107,6 +111,7 @@ class Solver {
   private:
     struct Knowledge;
     struct Strikes;
+    [[nodiscard]] std::vector<std::vector<Seed>> find_seeds(const StrikeTrials& sought);
     std::shared_ptr<const sim::Trials> trials_;
     SolveProblem problem_;
     std::unique_ptr<Knowledge> knowledge_;

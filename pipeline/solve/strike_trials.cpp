@@ -139,6 +139,28 @@ double StrikeTrials::distance(const Outcome& outcome) const {
     return sum;
 }
 
+std::vector<double> StrikeTrials::offsets(const Outcome& outcome) const {
+    const Trial trial = trial_of(outcome);
+    std::vector<double> result;
+    for (const Want& want : problem_.wants) {
+        if (const auto* rest = std::get_if<RestPlace>(&want)) {
+            const std::optional<Vec2> place = trial.place_of(rest->ball);
+            if (!place) {
+                return {};
+            }
+            result.push_back(place->x - rest->near.x);
+            result.push_back(place->y - rest->near.y);
+        } else if (const auto* measured = std::get_if<MeasuredRange>(&want)) {
+            const std::optional<double> offset = offset_of(*measured, trial);
+            if (!offset) {
+                return {};
+            }
+            result.push_back(*offset);
+        }
+    }
+    return result;
+}
+
 /// Where the balls are when the strike comes.
 void StrikeTrials::find_start() {
     ++simulations_;

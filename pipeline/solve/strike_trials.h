@@ -73,6 +73,11 @@ class StrikeTrials {
     /// fraction of `within`. A setting whose balls come to the edge succeeds by luck.
     [[nodiscard]] double distance(const sim::Outcome& outcome) const;
 
+    /// Where balls rest, seen from the middles of their places: both coordinates of each wanted
+    /// one; and how far measures are from the middles of their ranges, by their `per_unit`. Empty
+    /// if a ball is off the table, or what is measured does not happen.
+    [[nodiscard]] std::vector<double> offsets(const sim::Outcome& outcome) const;
+
     [[nodiscard]] const SolveProblem& problem() const { return problem_; }
     [[nodiscard]] const PartsWork& work() const { return work_; }
     [[nodiscard]] const sim::WorldDescription& world() const { return trials_.world(); }

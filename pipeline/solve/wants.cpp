@@ -77,8 +77,12 @@ double miss_of_flight(const Clearing& want, const Trial& trial) {
 /// Farther than any place on a table, m.
 constexpr double kNever = 10;
 
+std::optional<double> value_of(const MeasuredRange& want, const Trial& trial) {
+    return trial.outcome.is_stopped ? std::nullopt : want.value(trial);
+}
+
 double miss_of_measure(const MeasuredRange& want, const Trial& trial) {
-    const std::optional<double> value = trial.outcome.is_stopped ? std::nullopt : want.value(trial);
+    const std::optional<double> value = value_of(want, trial);
     return value ? want.per_unit * std::max({want.low - *value, *value - want.high, 0.0}) : kNever;
 }
 
@@ -158,14 +162,21 @@ double distance_of(const Want& want, const Trial& trial) {
     if (measured == nullptr) {
         return 0;
     }
-    const double half = 0.5 * (measured->high - measured->low);
-    if (!std::isfinite(half) || half == 0) {
-        constexpr double kOff = 0.1;  // m
-        return miss_of(want, trial) / kOff;
+    const std::optional<double> offset = offset_of(*measured, trial);
+    const double half = 0.5 * measured->per_unit * (measured->high - measured->low);
+    constexpr double kOff = 0.1;  // m, of a range without an end, or of a single number
+    return std::abs(offset.value_or(kNever)) / (std::isfinite(half) && half > 0 ? half : kOff);
+}
+
+std::optional<double> offset_of(const MeasuredRange& want, const Trial& trial) {
+    const std::optional<double> value = value_of(want, trial);
+    if (!value) {
+        return std::nullopt;
     }
-    MeasuredRange exact = *measured;
-    exact.low = exact.high = measured->low + half;
-    return miss_of(exact, trial) / (half * measured->per_unit);
+    const double half = 0.5 * (want.high - want.low);
+    const double nearest =
+        std::isfinite(half) ? want.low + half : std::clamp(*value, want.low, want.high);
+    return want.per_unit * (*value - nearest);
 }
 
 Watch::Watch(const std::vector<Want>& wants, std::size_t strike) : strike_(strike) {

@@ -88,6 +88,10 @@ struct Trial {
 /// range without an end 0 inside. 0 for wants that are not of the end.
 [[nodiscard]] double distance_of(const Want& want, const Trial& trial);
 
+/// How far (m) a measure is above the middle of its range, or, if that has no end, above or below
+/// it; by `per_unit`. Empty if what is measured does not happen.
+[[nodiscard]] std::optional<double> offset_of(const MeasuredRange& want, const Trial& trial);
+
 /// Sees the events of a trial one after the other, and tells when its wants are decided.
 class Watch {
   public:

@@ -426,10 +426,21 @@ FoundAims find_aims(WorldDescription world, const std::vector<AimedStrike>& aims
     FoundAims found;
     while (!open.empty()) {
         std::vector<std::size_t> strikes;
+        strikes.reserve(open.size());
         for (const AimedStrike& aim : open) {
             strikes.push_back(aim.event);
         }
-        const std::optional<NextStrike> next = next_strike(trials, events, strikes);
+        const NextStrikeSearch coming = next_strike(trials, events, strikes);
+        if (coming.is_too_long) {
+            found.problems.push_back(
+                {Subject::event(open.front().event), kFields[open.front().aim.index()],
+                 fmt::format(
+                     "the shot takes more than {} million steps before this strike, too many "
+                     "to try directions; give its 'direction'",
+                     kMostTrialSteps / 1'000'000)});
+            return found;
+        }
+        const std::optional<NextStrike>& next = coming.found;
         if (!next) {
             break;
         }

@@ -67,8 +67,8 @@ double radius_of(const WorldDescription& world, const std::string& ball) {
     return 0;
 }
 
-std::optional<NextStrike> next_strike(const Trials& trials, const std::vector<ForceEvent>& events,
-                                      const std::vector<std::size_t>& strikes) {
+NextStrikeSearch next_strike(const Trials& trials, const std::vector<ForceEvent>& events,
+                             const std::vector<std::size_t>& strikes) {
     std::vector<ForceEvent> marked = events;
     for (const std::size_t event : strikes) {
         marked[event].action = mark(event);
@@ -97,7 +97,7 @@ std::optional<NextStrike> next_strike(const Trials& trials, const std::vector<Fo
             next->setting.balls.push_back({body.name, level(place), sphere->radius});
         }
     }
-    return outcome ? next : std::nullopt;
+    return outcome ? NextStrikeSearch{std::move(next)} : NextStrikeSearch{std::nullopt, true};
 }
 
 StrikeTrials::StrikeTrials(const Trials& trials, const std::vector<ForceEvent>& events,

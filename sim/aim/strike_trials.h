@@ -25,15 +25,18 @@ struct Setting {
 inline constexpr std::uint64_t kMostTrialSteps = 15'000'000;
 
 /// The setting of the first of the strikes that happens, whatever its direction, and which it is:
-/// an index of `strikes`, which are indices of events. Empty if none happens within
-/// kMostTrialSteps.
+/// an index of `strikes`, which are indices of events.
 struct NextStrike {
     std::size_t which = 0;
     Setting setting;
 };
-[[nodiscard]] std::optional<NextStrike> next_strike(const Trials& trials,
-                                                    const std::vector<ForceEvent>& events,
-                                                    const std::vector<std::size_t>& strikes);
+struct NextStrikeSearch {
+    std::optional<NextStrike> found;  // empty: none happens
+    bool is_too_long = false;         // or not within kMostTrialSteps
+};
+[[nodiscard]] NextStrikeSearch next_strike(const Trials& trials,
+                                           const std::vector<ForceEvent>& events,
+                                           const std::vector<std::size_t>& strikes);
 
 /// A line that the struck ball may cross.
 struct Line {

@@ -75,6 +75,7 @@ solve::SolveProblem problem_of(const SolveSection& section, const OpenStrike& op
     problem.finds_speed = open.finds_speed;
     problem.finds_tip = open.finds_tip;
     problem.finds_elevation = open.finds_elevation;
+    problem.may_raise = open.may_raise;
     problem.prefer = section.prefer;
     problem.player = section.player;
     for (const auto* list : {&section.wants, &section.avoided}) {
@@ -163,7 +164,8 @@ FoundStrike texts_of(const OpenStrike& open, const sim::Strike& strike) {
     add(open.finds_speed, "speed", decimal_text(strike.speed.value_or(0), 4) + " m/s");
     add(open.finds_tip, "tip",
         fmt::format("[{}, {}]", decimal_text(strike.tip.x, 4), decimal_text(strike.tip.y, 4)));
-    add(open.finds_elevation, "elevation", decimal_text(strike.elevation / kDegree, 6) + " deg");
+    add(open.finds_elevation || (open.may_raise && strike.elevation > 0), "elevation",
+        decimal_text(strike.elevation / kDegree, 6) + " deg");
     return found;
 }
 

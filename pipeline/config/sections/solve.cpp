@@ -360,8 +360,8 @@ const MapSpec<SolveSection>& solve_spec() {
         MapSpec<SolveSection> s(
             "solve",
             "A strike is found by what it shall bring about. Of direction, speed and tip those are "
-            "found that the strike does not give; its elevation is 0 unless it is given or a ball "
-            "is to be cleared.");
+            "found that the strike does not give; its elevation is 0 unless it is given, a ball is "
+            "to be cleared or no level strike does what is wanted.");
         s.key("strike", &SolveSection::event, integer(0, 10'000),
               "which of the `events` is the strike, from 0 on");
         s.key("want", &SolveSection::wants, list_of(want_type(false), 1), "what shall happen")

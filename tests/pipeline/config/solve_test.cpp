@@ -74,6 +74,33 @@ solve: {want: [{potted: one, in: top right}]}
     EXPECT_NE(strike.direction, 0);
 }
 
+TEST(SolveSection, BallInTheWay_IsPassedWithARaisedStick) {
+    const std::string rest = R"(  eight: {at: [-0.1, 0]}
+events:
+  - strike: {ball: cue}
+solve:
+  want: [{contact: [cue, one]}]
+  avoid:
+    - {contact: [cue, eight]}
+    - {contact: [cue, cushion], before: {contact: [cue, one]}}
+)";
+    const LoadResult result = load(rest);
+    ASSERT_TRUE(result.shot) << testing::PrintToString(messages(result));
+    const auto& strike = std::get<sim::Strike>(result.shot->world.events[0].action);
+    EXPECT_GT(strike.elevation, 0);
+    EXPECT_THAT(result.shot->resolved_text, HasSubstr("elevation: "));
+    // Without the ball in the way, and where the elevation is given, it stays.
+    const LoadResult level =
+        load(rest.substr(rest.find('\n') + 1,
+                         rest.find("    - {contact: [cue, eight") - rest.find('\n') - 1) +
+             rest.substr(rest.find("    - {contact: [cue, cushion")));
+    ASSERT_TRUE(level.shot) << testing::PrintToString(messages(level));
+    EXPECT_EQ(std::get<sim::Strike>(level.shot->world.events[0].action).elevation, 0);
+    std::string given = rest;
+    given.replace(given.find("{ball: cue}"), 11, "{ball: cue, elevation: 0 deg}");
+    EXPECT_THAT(messages(load(given)), ElementsAre(HasSubstr("no strike was found")));
+}
+
 TEST(SolveSection, StrikesAreFoundOneAfterTheOther) {
     const LoadResult result = load(R"(events:
   - strike: {ball: cue}

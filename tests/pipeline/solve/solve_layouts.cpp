@@ -266,6 +266,21 @@ void add_jumps(std::vector<Layout>& all) {
     }
 }
 
+/// Past a ball in the way without a cushion: by a curve or a jump.
+void add_curves(std::vector<Layout>& all) {
+    for (const auto& [eight, one] :
+         {std::pair(Vec2(-0.2, 0), Vec2(0.1, 0)), std::pair(Vec2(-0.15, 0.02), Vec2(0.3, 0.1))}) {
+        Layout result = layout("round or over a ball", {-0.5, 0}, one);
+        result.world.bodies.push_back(ball("eight", eight));
+        Happening cushions = contact("cue", "cushion");
+        cushions.at_least = cushions.at_most = 0;
+        cushions.before = contact("cue", "one").trigger;
+        result.problem.wants = {contact("cue", "one"), cushions, avoided(contact("cue", "eight"))};
+        result.problem.may_raise = true;
+        all.push_back(result);
+    }
+}
+
 void add_positions(std::vector<Layout>& all) {
     const Vec2 one(0.5, 0.3);
     const NamedPocket& pocket =
@@ -327,6 +342,7 @@ std::vector<Layout> make_layouts() {
     add_combinations(all);
     add_caroms(all);
     add_jumps(all);
+    add_curves(all);
     add_positions(all);
     add_cuts_with_position(all);
     add_safeties(all);
