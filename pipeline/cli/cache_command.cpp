@@ -82,6 +82,8 @@ const char* name_of(CacheEntry::Kind kind) {
             return "stopped frame";
         case CacheEntry::Kind::noisy:
             return "noisy frame";
+        case CacheEntry::Kind::answer:
+            return "answer";
         case CacheEntry::Kind::bake:
             break;
     }
@@ -139,6 +141,9 @@ void list(const CacheCommand& command) {
         }
         if (total_of(entries, CacheEntry::Kind::noisy).count > 0) {
             text += total_text(entries, CacheEntry::Kind::noisy, "noisy frame");
+        }
+        if (total_of(entries, CacheEntry::Kind::answer).count > 0) {
+            text += total_text(entries, CacheEntry::Kind::answer, "answer");
         }
         text += reservations_text(reservations);
     }

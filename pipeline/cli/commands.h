@@ -14,6 +14,10 @@
 #include <variant>
 #include <vector>
 
+namespace carom::pipeline::solve {
+struct AnswerWork;  // pipeline/solve/answers.h
+}
+
 namespace carom::cli {
 
 struct CommandContext;      // run_program.h
@@ -34,6 +38,8 @@ struct InputOptions {
     std::string root;  // the folder in which all files of the shot must lie; empty: anywhere
     /// What was read from standard input (standard_input.h), by its path; else null.
     std::shared_ptr<const std::map<std::string, std::string>> texts = {};
+    /// How strikes of `solve` are found; set before the command runs.
+    std::shared_ptr<pipeline::solve::AnswerWork> answers = {};
 };
 
 struct CacheOptions {
@@ -263,17 +269,22 @@ struct ReportCommand {
 void describe(ReportCommand& command, CommandDescription& description);
 void run(const ReportCommand& command, CommandContext& context);
 
-/// Simulates variants of a shot and measures them. Strings are as typed.
+/// Finds strikes by what they shall bring about.
 struct SolveCommand {
     InputOptions input;
+    CacheOptions cache;
     std::string output;   // the shot with the strike that was found; empty: not written
     bool writes = false;  // it into the shot's own file
     bool lists_all = false;
     bool json = false;
+    std::string map;  // drawings, .svg or .png; empty: none
+    std::string plans;
+    DrawingOptions drawing;
 };
 void describe(SolveCommand& command, CommandDescription& description);
 void run(const SolveCommand& command, CommandContext& context);
 
+/// Simulates variants of a shot and measures them. Strings are as typed.
 struct SweepCommand {
     InputOptions input;
     std::vector<std::string> vary;

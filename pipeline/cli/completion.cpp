@@ -7,8 +7,8 @@
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/config/config_files.h"
 #include "pipeline/config/key_completion.h"
+#include "pipeline/config/measures/measures.h"
 #include "pipeline/config/parse_yaml.h"
-#include "pipeline/study/measures.h"
 
 namespace carom::cli {
 
@@ -98,7 +98,7 @@ std::vector<Candidate> values_of(const Option& option, const std::string& typed,
             return candidates_of(config::preset_names(config::standard_config_folders()));
         case Offer::measures: {
             std::vector<Candidate> candidates;
-            for (const pipeline::study::MeasureInfo& info : pipeline::study::measure_list()) {
+            for (const pipeline::measures::MeasureInfo& info : pipeline::measures::measure_list()) {
                 candidates.push_back({std::string(info.name) + ":", std::string(info.meaning)});
             }
             return candidates;

@@ -36,4 +36,20 @@ pipeline::JobObserver make_console_observer(Console& console, std::int64_t frame
     return observer;
 }
 
+ProgressCallback progress_on(Console& console, const std::string& stage) {
+    const auto clock = [] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+            .count();
+    };
+    return [&console, stage, clock, meter = ProgressMeter(),
+            begin = clock()](double fraction) mutable {
+        constexpr double kLong = 1;  // s
+        const double now = clock();
+        meter.on_progress(stage, fraction, now);
+        if (now - begin > kLong) {
+            console.progress(meter.snapshot(now));
+        }
+    };
+}
+
 }  // namespace carom::cli

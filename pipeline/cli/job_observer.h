@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
+#include "core/progress.h"
 #include "pipeline/cli/terminal/console.h"
 #include "pipeline/job/film_job.h"
 
@@ -12,5 +14,8 @@ namespace carom::cli {
 /// the number of frames of the "render" stage, 0 if it renders none.
 [[nodiscard]] pipeline::JobObserver make_console_observer(Console& console,
                                                           std::int64_t frames = 0);
+
+/// Shows how much of work is done that takes longer than a second.
+[[nodiscard]] ProgressCallback progress_on(Console& console, const std::string& stage);
 
 }  // namespace carom::cli

@@ -89,7 +89,7 @@ std::string commands(const CommandDescription& program) {
 constexpr const char* kEnvironment = R"(.SH ENVIRONMENT
 .TP
 \fBCAROM_CACHE\fR
-The folder of bakes and finished frames.
+The folder of bakes, finished frames and strikes that were found.
 .TP
 \fBCAROM_CACHE_SIZE\fR
 The largest size of that folder.

@@ -11,9 +11,12 @@
 #include "core/printable.h"
 #include "core/write_all.h"
 #include "pipeline/camera/no_view.h"
+#include "pipeline/cli/job_observer.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/standard_input.h"
 #include "pipeline/cli/terminal/interrupts.h"
+#include "pipeline/solve/answers.h"
+#include "pipeline/store/cache_entry.h"
 #include "pipeline/store/cache_folder.h"
 
 namespace carom::cli {
@@ -29,6 +32,36 @@ bool stores_nothing(const Command& command) {
                 return chosen.render.cache.no_store;
             } else {
                 return false;
+            }
+        },
+        command);
+}
+
+/// Strikes of `solve` are found in the cache of the command, or with its progress and its end.
+void set_answers(Command& command, CommandContext& context) {
+    const auto set = [&](InputOptions& input, const CacheOptions& cache) {
+        auto work = std::make_shared<pipeline::solve::AnswerWork>();
+        try {
+            work->folder.path = pipeline::answers_folder(
+                cache.folder.empty() ? pipeline::default_cache_folder() : cache.folder);
+        } catch (const pipeline::CacheUnusable&) {
+            // Then nothing is kept.
+        }
+        work->folder.is_read_only = cache.no_store;
+        work->parts.context = {progress_on(context.console, "solve"), context.stop};
+        input.answers = std::move(work);
+    };
+    std::visit(
+        [&]<class T>(T& chosen) {
+            if constexpr (requires {
+                              chosen.input;
+                              chosen.cache;
+                          }) {
+                set(chosen.input, chosen.cache);
+            } else if constexpr (requires { chosen.input; }) {
+                set(chosen.input, {});
+            } else if constexpr (requires { chosen.render.input; }) {
+                set(chosen.render.input, chosen.render.cache);
             }
         },
         command);
@@ -54,6 +87,9 @@ const char* interruption_message(const Command& command) {
     }
     if (std::holds_alternative<CompareCommand>(command)) {
         return "interrupted; the results contain only what was measured by then";
+    }
+    if (std::holds_alternative<SolveCommand>(command)) {
+        return "interrupted; the search is not complete";
     }
     if (std::holds_alternative<SweepCommand>(command)) {
         return "interrupted; what was written has only the variants that were finished";
@@ -138,6 +174,7 @@ ExitCode run_command(const CommandLine& line, const CommandHandler& handler) {
         return kFailed;
     }
     CommandContext context{console, interrupts->token()};
+    set_answers(command, context);
     return run_guarded(command, handler, context);
 }
 

@@ -71,7 +71,8 @@ pipeline::LoadOptions load_options(const InputOptions& input) {
             .quality = input.quality,
             .camera_file = input.camera_file,
             .root = input.root,
-            .texts = input.texts.get()};
+            .texts = input.texts.get(),
+            .answers = input.answers.get()};
 }
 
 bool is_bake(const InputOptions& input) {

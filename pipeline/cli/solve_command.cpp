@@ -1,15 +1,21 @@
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <numbers>
 
 #include <fmt/core.h>
 
 #include "core/json_text.h"
 #include "core/text.h"
+#include "pipeline/cli/drawing_output.h"
+#include "pipeline/cli/job_observer.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/config/load_shot.h"
-#include "pipeline/solve/solver.h"
+#include "pipeline/solve/answers.h"
+#include "pipeline/solve/explain.h"
+#include "pipeline/study/solve_plot.h"
 #include "sim/bake.h"
 
 namespace carom::cli {
@@ -44,12 +50,23 @@ std::string rest_text(const solve::Solution& solution) {
                : fmt::format("   '{}' leaves the table\n", solution.ball);
 }
 
-std::string text_of(const pipeline::SolvedStrike& solved, bool lists_all) {
-    const auto& solutions = solved.result->solutions;
+/// Of a strike that meets its wants, all of them happen. Empty if the question is not known.
+std::vector<std::pair<std::string, std::optional<double>>> measured_values(
+    const solve::SolveQuestion* question, const solve::Solution& solution) {
+    return question != nullptr
+               ? solve::measured_values(question->world, question->problem, solution.strike)
+               : std::vector<std::pair<std::string, std::optional<double>>>{};
+}
+
+/// `question`: null if it is not known.
+std::string text_of(std::size_t event, const solve::SolveResult& result,
+                    const solve::SolveQuestion* question, bool lists_all) {
+    const auto& solutions = result.solutions;
     const auto count =
         static_cast<std::size_t>(std::ranges::count_if(solutions, &solve::Solution::is_solved));
-    std::string text = fmt::format("events[{}]: {} in {} simulations\n", solved.event,
-                                   counted(count, "solution"), solved.result->simulations);
+    std::string text = fmt::format("events[{}]: {}", event, counted(count, "solution"));
+    text +=
+        result.is_complete ? fmt::format(" in {} simulations\n", result.simulations) : " so far\n";
     const std::size_t listed = lists_all ? count : std::min(count, kListed);
     for (std::size_t i = 0; i < listed; ++i) {
         const solve::Solution& each = solutions[i];
@@ -60,9 +77,15 @@ std::string text_of(const pipeline::SolvedStrike& solved, bool lists_all) {
         } else {
             text += "   ";
         }
-        text += fmt::format("chance {:.0f} % (standard error {:.0f} %)\n", 100 * each.chance,
-                            100 * each.chance_error);
+        // Of what was found just before an interruption the chance is not known.
+        text += result.is_complete || each.chance > 0
+                    ? fmt::format("chance {:.0f} % (standard error {:.0f} %)\n", 100 * each.chance,
+                                  100 * each.chance_error)
+                    : "chance not yet known\n";
         text += rest_text(each);
+        for (const auto& [title, value] : measured_values(question, each)) {
+            text += fmt::format("   '{}' is {:.4g}\n", title, value.value_or(0));
+        }
     }
     if (listed < count) {
         text += fmt::format("{} more: --all lists them\n", count - listed);
@@ -71,14 +94,15 @@ std::string text_of(const pipeline::SolvedStrike& solved, bool lists_all) {
 }
 
 /// A JSON object in each line.
-std::string json_of(const pipeline::SolvedStrike& solved) {
+std::string json_of(std::size_t event, const solve::SolveResult& result,
+                    const solve::SolveQuestion* question) {
     std::string lines;
-    for (const solve::Solution& each : solved.result->solutions) {
+    for (const solve::Solution& each : result.solutions) {
         if (!each.is_solved) {
             continue;
         }
         JsonMembers one;
-        one.add("event", static_cast<std::int64_t>(solved.event));
+        one.add("event", static_cast<std::int64_t>(event));
         one.add("route", each.route);
         one.add("direction_deg", each.strike.direction.value_or(0) / kDegree);
         one.add(each.strike.ball_speed ? "ball_speed" : "speed",
@@ -91,10 +115,75 @@ std::string json_of(const pipeline::SolvedStrike& solved) {
         if (each.rest) {
             one.add("rest", {each.rest->x, each.rest->y});
         }
-        one.add("simulations", static_cast<std::int64_t>(solved.result->simulations));
+        one.add("simulations", static_cast<std::int64_t>(result.simulations));
+        for (const auto& [title, value] : measured_values(question, each)) {
+            one.add(title, value.value_or(0));
+        }
+        if (!result.is_complete) {
+            one.add("complete", false);
+        }
         lines += one.object() + "\n";
     }
     return lines;
+}
+
+/// What is found until the search ends or is interrupted.
+class FoundSoFar {
+  public:
+    void add(std::size_t event, const solve::Solution& solution) {
+        solve::SolveResult& result = results_[event];
+        result.is_complete = false;
+        const auto same =
+            std::ranges::find(result.solutions, solution.route, &solve::Solution::route);
+        if (same != result.solutions.end()) {
+            *same = solution;
+        } else {
+            result.solutions.push_back(solution);
+        }
+    }
+    /// The best ones first, as far as their chances are known.
+    [[nodiscard]] std::map<std::size_t, solve::SolveResult> results() && {
+        for (auto& [event, result] : results_) {
+            std::ranges::stable_sort(result.solutions, std::greater<>(), &solve::Solution::chance);
+        }
+        return std::move(results_);
+    }
+
+  private:
+    std::map<std::size_t, solve::SolveResult> results_;
+};
+
+std::string text_of(const SolveCommand& command, std::size_t event,
+                    const solve::SolveResult& result, const solve::SolveQuestion* question) {
+    return command.json ? json_of(event, result, question)
+                        : text_of(event, result, question, command.lists_all);
+}
+
+/// The shot with its strikes; after an interruption what was found is printed, or taken.
+ShotInput find_strikes(const SolveCommand& command, CommandContext& context) {
+    FoundSoFar found;
+    command.input.answers->takes_incomplete = true;
+    command.input.answers->found = [&](std::size_t event, const solve::Solution& solution) {
+        found.add(event, solution);
+    };
+    bool is_none_found = false;
+    command.input.answers->none_found = [&] { is_none_found = true; };
+    try {
+        ShotInput input = read_shot_input(command.input, context.console, Subject::motion);
+        context.console.end_progress();
+        return input;
+    } catch (const Stopped&) {
+        context.console.end_progress();
+        for (const auto& [event, result] : std::move(found).results()) {
+            print_text(text_of(command, event, result, nullptr));
+        }
+        throw;
+    } catch (const InputError& error) {
+        if (is_none_found) {  // it is not the shot that is wrong
+            throw Error(error.what());
+        }
+        throw;
+    }
 }
 
 /// Writes the strikes into the shot's file, once it is sure that the text gives the same motion.
@@ -126,7 +215,12 @@ void run(const SolveCommand& command, CommandContext& context) {
     if (!command.output.empty()) {
         check_output_folder(command.output);
     }
-    const ShotInput input = read_shot_input(command.input, context.console, Subject::motion);
+    for (const std::string& path : {command.map, command.plans}) {
+        if (!path.empty()) {
+            check_drawing_path(path, "a drawing");
+        }
+    }
+    const ShotInput input = find_strikes(command, context);
     if (input.shot.solved.empty()) {
         throw InputError("'" + command.input.path +
                          "' has no 'solve', which says what the strike shall bring about "
@@ -134,14 +228,33 @@ void run(const SolveCommand& command, CommandContext& context) {
     }
     std::string text;
     for (const pipeline::SolvedStrike& solved : input.shot.solved) {
-        text += command.json ? json_of(solved) : text_of(solved, command.lists_all);
+        text += text_of(command, solved.event, *solved.result, solved.question.get());
     }
     print_text(text);
+    const bool is_complete = std::ranges::all_of(
+        input.shot.solved,
+        [](const pipeline::SolvedStrike& solved) { return solved.result->is_complete; });
+    const auto draw = [&](const std::string& path, auto make) {
+        if (!path.empty()) {
+            const std::string svg =
+                make(input.shot, page_of(command.drawing.page, path),
+                     pipeline::PartsWork{0, {progress_on(context.console, "draw"), context.stop}});
+            context.console.end_progress();
+            write_drawing({path, command.drawing.width}, svg);
+        }
+    };
+    if (is_complete) {
+        draw(command.map, pipeline::study::solve_map_svg);
+        draw(command.plans, pipeline::study::solve_plans_svg);
+    }
     if (!command.output.empty()) {
         write_text_output(command.output, input.shot.resolved_text);
     }
     if (command.writes) {
         write_into_shot(command, input);
+    }
+    if (!is_complete) {
+        throw Stopped();
     }
 }
 

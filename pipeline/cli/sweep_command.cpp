@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 
 #include <fmt/core.h>
 
 #include "core/text.h"
 #include "pipeline/cli/drawing_output.h"
+#include "pipeline/cli/job_observer.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
@@ -18,6 +18,7 @@ namespace carom::cli {
 
 namespace {
 
+namespace measures = pipeline::measures;
 namespace study = pipeline::study;
 using pipeline::config::quote;
 
@@ -25,7 +26,7 @@ constexpr std::size_t kMostVariants = 1'000'000;
 
 /// A problem of an option's value.
 pipeline::Problem problem_of(const std::string& option, const std::string& text,
-                             const study::TextProblem& wrong) {
+                             const measures::TextProblem& wrong) {
     pipeline::config::SourceSet texts;
     const pipeline::config::Place place =
         texts.place_at(texts.add({option, "", text}), wrong.offset, wrong.length);
@@ -59,11 +60,11 @@ class SweepReader {
             read_key(text, problems);
         }
         for (const std::string& text : command_.measures) {
-            auto parsed = study::parse_measure(text, variants_.own_world());
-            if (const auto* wrong = std::get_if<study::TextProblem>(&parsed)) {
+            auto parsed = measures::parse_measure(text, variants_.own_world());
+            if (const auto* wrong = std::get_if<measures::TextProblem>(&parsed)) {
                 problems.push_back(problem_of("--measure", text, *wrong));
             } else {
-                sweep_.measures.push_back(std::move(std::get<study::Measure>(parsed)));
+                sweep_.measures.push_back(std::move(std::get<measures::Measure>(parsed)));
             }
         }
         if (problems.empty()) {
@@ -76,7 +77,7 @@ class SweepReader {
     void read_key(const std::string& text, std::vector<pipeline::Problem>& problems) {
         auto parsed = study::parse_varied(
             text, [&](const std::string& key) { return variants_.text_of(key); });
-        if (const auto* wrong = std::get_if<study::TextProblem>(&parsed)) {
+        if (const auto* wrong = std::get_if<measures::TextProblem>(&parsed)) {
             problems.push_back(problem_of("--vary", text, *wrong));
             return;
         }
@@ -150,7 +151,7 @@ void require_none(const std::vector<pipeline::Problem>& problems, Console& conso
 
 std::string list_of_measures() {
     std::string text;
-    for (const study::MeasureInfo& info : study::measure_list()) {
+    for (const measures::MeasureInfo& info : measures::measure_list()) {
         const std::string name = std::string(info.name) + ":" + std::string(info.arguments);
         const std::string unit(info.unit.empty() ? "-" : info.unit);
         text += fmt::format("{:<28} {:<6} {}\n", name, unit, info.meaning);
@@ -178,23 +179,6 @@ void check_usage(const SweepCommand& command) {
     if (!command.plot.empty()) {
         check_drawing_path(command.plot, "a plot");
     }
-}
-
-/// Shows how much of a long sweep is done.
-ProgressCallback progress_on(Console& console, const std::string& stage) {
-    const auto clock = [] {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-            .count();
-    };
-    return [&console, stage, clock, meter = ProgressMeter(),
-            begin = clock()](double fraction) mutable {
-        constexpr double kLong = 1;  // s
-        const double now = clock();
-        meter.on_progress(stage, fraction, now);
-        if (now - begin > kLong) {
-            console.progress(meter.snapshot(now));
-        }
-    };
 }
 
 study::Sweep read_sweep(const SweepCommand& command, const pipeline::ShotVariants& variants,

@@ -62,11 +62,13 @@ std::vector<ReadFile> files_of(const SourceSet& sources) {
 
 /// Builds the shot from the merged tree. After an error it is not complete.
 Shot build_from(const Node& root, const ShotFile& file, const std::string& name, Reader& reader,
-                sim::billiards::TableMemo* tables, std::vector<FoundStrike>& found) {
+                const BuildAids& aids, std::vector<FoundStrike>& found) {
     try {
-        Shot shot = build_shot(file, root, name, reader, tables, found);
+        Shot shot = build_shot(file, root, name, reader, aids, found);
         shot.moments = reader.moments();
         return shot;
+    } catch (const Stopped&) {  // the search for a strike
+        throw;
     } catch (const Error& failure) {  // geometry that the checks of single keys accept
         reader.error(root.place, failure.what());
         return {};
@@ -111,7 +113,7 @@ ShotSource::Notes write_directions(Node& root, const std::vector<sim::FoundDirec
 /// Reads the merged tree; empty after an error. `is_whole`: false if a file is missing or an object
 /// could not be repeated, which was reported, so that references must not be checked.
 std::optional<Shot> read_shot(const Node& root, bool is_whole, const std::string& name,
-                              Reader& reader, sim::billiards::TableMemo* tables,
+                              Reader& reader, const BuildAids& aids,
                               const std::vector<OpenStrike>& open,
                               std::vector<FoundStrike>& found) {
     ShotFile file = read_sections(root, reader);
@@ -119,7 +121,7 @@ std::optional<Shot> read_shot(const Node& root, bool is_whole, const std::string
     if (!is_whole) {
         return std::nullopt;
     }
-    Shot shot = build_from(root, file, name, reader, tables, found);
+    Shot shot = build_from(root, file, name, reader, aids, found);
     if (!reader.has_error()) {
         shot.assets = hash_assets(reader.named_files(), root, reader);
     }
@@ -158,9 +160,9 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
         std::vector<FoundStrike> found;
         const auto tree = std::make_shared<Node>(std::move(*gathered.root));
         root = tree;
-        result.shot =
-            read_shot(*tree, gathered.is_complete && has_all_objects,
-                      fs::path(origin).stem().string(), reader, options.tables, open, found);
+        result.shot = read_shot(*tree, gathered.is_complete && has_all_objects,
+                                fs::path(origin).stem().string(), reader,
+                                {options.tables, options.answers}, open, found);
         if (result.shot) {
             write_found(*tree, found);
             notes = write_directions(*tree, result.shot->found_directions);
@@ -247,7 +249,7 @@ std::vector<Problem> resolve_moments(Shot& shot, std::shared_ptr<const ShotSourc
     Reader reader(source->sources(), folders, problems, &motion);
     std::vector<FoundStrike> none;  // the tree has what was found
     std::optional<Shot> known =
-        read_shot(source->root(), true, shot.name, reader, tables, {}, none);
+        read_shot(source->root(), true, shot.name, reader, {tables, nullptr}, {}, none);
     std::vector<Problem> found = new_problems(problems, *source);
     if (known) {
         shot.cameras = std::move(known->cameras);
@@ -301,7 +303,7 @@ std::vector<Problem> resolve_known_moments(Shot& shot, std::shared_ptr<const Sho
     Reader reader(source->sources(), folders, problems, &motion);
     const ShotFile file = read_sections(source->root(), reader);
     std::vector<FoundStrike> none;  // the tree has the strikes that were found
-    Shot known = build_from(source->root(), file, shot.name, reader, nullptr, none);
+    Shot known = build_from(source->root(), file, shot.name, reader, {}, none);
     std::set<std::string> faulty = elements_without_time(reader.moments());
     found = new_problems(problems, *source);
     make_warnings(found, faulty);

@@ -16,6 +16,10 @@ namespace carom::sim::billiards {
 class TableMemo;  // sim/billiards/table_memo.h
 }
 
+namespace carom::pipeline::solve {
+struct AnswerWork;  // pipeline/solve/answers.h
+}
+
 namespace carom::pipeline {
 
 class ShotSource;  // pipeline/config/shot_source.h
@@ -57,10 +61,14 @@ struct LoadOptions {
     std::uintmax_t most_asset_bytes = 0;
     /// Tables that were built before. nullptr: the table is built anew.
     sim::billiards::TableMemo* tables = nullptr;
+    /// How strikes of `solve` are found. nullptr: by a search, unless this process has made it
+    /// before.
+    const solve::AnswerWork* answers = nullptr;
 };
 
-/// A file that cannot be read is a problem, not an exception. Nothing is simulated, so that loading
-/// takes milliseconds. Any number of threads may load at the same time.
+/// A file that cannot be read is a problem, not an exception. Nothing is simulated but for `solve`,
+/// so that loading takes milliseconds. Any number of threads may load at the same time. Throws
+/// Stopped if a search for a strike is stopped.
 [[nodiscard]] LoadResult load_shot(const std::string& path, const LoadOptions& options = {});
 
 /// Like load_shot for a text in memory (a bake's shot_text, a fuzzer's input). Relative paths are

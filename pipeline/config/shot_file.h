@@ -152,7 +152,7 @@ struct LightSection {
     render::Falloff falloff = render::Falloff::inverse_square;
 };
 
-/// A want, and where it stands.
+/// A want, and where it stands. A measure is read once the world is known.
 struct WantSection {
     solve::Want want;
     Place place;

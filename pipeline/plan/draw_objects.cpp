@@ -209,7 +209,7 @@ void draw_ball(SvgText& svg, const ObjectPaint& paint, const Vec2& centre, doubl
 }
 
 void draw_paths(PlanDrawing& plan) {
-    plan.svg.open("g", {{"id", "paths"}});
+    plan.svg.open("g", {{"class", "paths"}});
     for (const PlanObject& object : plan.objects) {
         for (const MotionPhase& phase : object.motion) {
             draw_path(plan, object, phase);
@@ -220,7 +220,7 @@ void draw_paths(PlanDrawing& plan) {
 }
 
 void draw_objects(PlanDrawing& plan) {
-    plan.svg.open("g", {{"id", "objects"}});
+    plan.svg.open("g", {{"class", "objects"}});
     for (const PlanObject& object : plan.objects) {
         if (object.radius && object.moves()) {
             draw_ghosts(plan, object);

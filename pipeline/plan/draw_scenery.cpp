@@ -55,7 +55,7 @@ void draw_static_object(PlanDrawing& plan, const render::ObjectDescription& obje
 }  // namespace
 
 void draw_scenery(PlanDrawing& plan) {
-    plan.svg.open("g", {{"id", "scenery"}});
+    plan.svg.open("g", {{"class", "scenery"}});
     for (const render::ObjectDescription& object : plan.shot.scene.objects) {
         if (object.track.empty() && !object.name.starts_with("table/")) {
             draw_static_object(plan, object);

@@ -84,7 +84,7 @@ void draw_fixed_bodies(PlanDrawing& plan) {
 }  // namespace
 
 void draw_table(PlanDrawing& plan) {
-    plan.svg.open("g", {{"id", "table"}});
+    plan.svg.open("g", {{"class", "table"}});
     if (plan.table) {
         const auto& table = *plan.table;
         const auto outer = on_paper(plan.sheet, sim::billiards::outer_path(table));

@@ -201,21 +201,28 @@ std::string plan_svg(const Shot& shot, const sim::Timeline& timeline, const Plan
     return svg_page(plan.svg.finish(), shot.name + " from above", options.page, y);
 }
 
-std::string sketch_svg(const Shot& shot, const sim::Timeline& timeline) {
+PlanSketch plan_sketch(const Shot& shot, const sim::Timeline& timeline, const Vec2& corner,
+                       const Vec2& room) {
     PlanDrawing plan = begin_plan(shot, timeline);
     const Extent extent = extent_of(plan);
-    plan.sheet = make_sheet(extent.low, extent.high, {kPageWidth, kPageWidth});
-    plan.labels = LabelPlacer({{0, 0}, plan.sheet.size()});
+    plan.sheet = make_sheet(extent.low, extent.high, room);
+    plan.sheet.corner = corner;
+    plan.labels = LabelPlacer({corner, corner + plan.sheet.size()});
     draw_table(plan);
     draw_scenery(plan);
     draw_paths(plan);
     draw_objects(plan);
+    return {plan.svg.finish(), plan.sheet};
+}
+
+std::string sketch_svg(const Shot& shot, const sim::Timeline& timeline) {
+    const PlanSketch plan = plan_sketch(shot, timeline, {0, 0}, {kPageWidth, kPageWidth});
     const Vec2 size = plan.sheet.size();
     SvgText svg;
     svg.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
                      {"viewBox", "0 0 " + svg_number(size.x) + " " + svg_number(size.y)}});
     svg.text("style", plan_style(PlanPage::dark));
-    svg.raw(plan.svg.finish());
+    svg.raw(plan.svg);
     svg.close();
     return svg.finish();
 }

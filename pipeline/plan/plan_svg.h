@@ -4,6 +4,7 @@
 #include <string>
 
 #include "pipeline/plan/plan_colours.h"
+#include "pipeline/plan/sheet.h"
 #include "pipeline/shot/shot.h"
 #include "pipeline/sound/film_levels.h"
 #include "sim/timeline/timeline.h"
@@ -20,6 +21,16 @@ struct PlanOptions {
 /// events. Invalid cameras are left out.
 [[nodiscard]] std::string plan_svg(const Shot& shot, const sim::Timeline& timeline,
                                    const PlanOptions& options = {});
+
+/// A part of a page: the table with its balls and their paths, without any text.
+struct PlanSketch {
+    std::string svg;
+    Sheet sheet;
+};
+
+/// At most as large as `room` (mm), from `corner` on.
+[[nodiscard]] PlanSketch plan_sketch(const Shot& shot, const sim::Timeline& timeline,
+                                     const Vec2& corner, const Vec2& room);
 
 /// A small SVG picture of the table with its balls and their paths, without any text, for lists of
 /// shots.

@@ -22,8 +22,9 @@
 namespace carom::pipeline {
 
 namespace solve {
-struct SolveResult;  // pipeline/solve/solver.h
-}
+struct SolveQuestion;  // pipeline/solve/question.h
+struct SolveResult;    // pipeline/solve/solver.h
+}  // namespace solve
 
 /// A value of the shot that is a scene time named by what happens ("the cue ball touches the one").
 struct ShotMoment {
@@ -36,7 +37,8 @@ struct ShotMoment {
 /// A strike that `solve` found, or several solutions of it, the best one first.
 struct SolvedStrike {
     std::size_t event = 0;                                    // of the world
-    std::shared_ptr<const solve::SolveResult> result;         // not null
+    std::shared_ptr<const solve::SolveQuestion> question;     // not null
+    std::shared_ptr<const solve::SolveResult> result;         // likewise
     std::vector<std::pair<std::string, std::string>> values;  // keys that were found, with units
 };
 

@@ -60,6 +60,12 @@ std::vector<char> decisive(const std::vector<Want>& wants, std::span<const Event
             }
         }
     }
+    if (std::ranges::count(marks, 1) == 0) {
+        const auto first = std::ranges::find_if(events, is_step);
+        if (first != events.end()) {
+            marks[static_cast<std::size_t>(first - events.begin())] = 1;
+        }
+    }
     return marks;
 }
 

@@ -248,7 +248,8 @@ std::optional<Seed> follow(const StrikeTrials& trials, const Setting& setting,
     return std::nullopt;
 }
 
-/// Of neighbours that all meet the wants, the middle ones.
+/// Of neighbours that all meet the wants, those that come nearest to places and measures; of equal
+/// ones the middle.
 std::vector<Seed> met_directly(const Scan& scan) {
     std::vector<Seed> seeds;
     const std::size_t count = scan.samples.size();
@@ -258,10 +259,13 @@ std::vector<Seed> met_directly(const Scan& scan) {
             ++end;
         }
         if (end > i) {
-            const std::size_t middle = (i + end) / 2;
+            std::size_t best = (i + end) / 2;
+            for (std::size_t k = i; k < end; ++k) {
+                best = scan.samples[k]->distance < scan.samples[best]->distance ? k : best;
+            }
             Setting met = scan.setting;
-            met.direction = scan.directions[middle];
-            seeds.push_back({met, std::nullopt, 0, scan.samples[middle]->route});
+            met.direction = scan.directions[best];
+            seeds.push_back({met, std::nullopt, 0, scan.samples[best]->route});
             i = end;
         }
     }

@@ -145,6 +145,7 @@ SolveResult Solver::solve(const SolveWork& work) {
     }
     for (std::optional<Solution>& solution : solutions) {
         if (solution) {
+            solution->outcome.motion.reset();  // of measures; large, and known from the strike
             result.solutions.push_back(std::move(*solution));
         }
     }

@@ -79,6 +79,7 @@ Outcome StrikeTrials::play(const Setting& setting, Depth depth, const Pass* pass
     }
     sim::TrialLimits limits;
     limits.stop = work_.context.stop;
+    limits.keeps_motion = needs_motion() && (depth != Depth::scan || targets_.empty());
     limits.is_answered = [&](const Event& event) {
         watch.see(event);
         const bool is_stopped_early =
@@ -98,7 +99,7 @@ Outcome StrikeTrials::play(const Setting& setting, Depth depth, const Pass* pass
             (event.kind == EventKind::resting &&
              (event.a == ball_ ? !has_met_ball : shall_be_potted(event.a)));
         return watch.has_failed() || is_lost ||
-               (watch.is_met() && !has<RestPlace>() && !has<Clearing>()) ||
+               (watch.is_met() && !has_places_wanted() && !has<Clearing>()) ||
                (watch.is_met() && !targets_.empty());
     };
     std::optional<Outcome> outcome = trials_.run(std::move(events), limits);
@@ -108,7 +109,14 @@ Outcome StrikeTrials::play(const Setting& setting, Depth depth, const Pass* pass
 bool StrikeTrials::is_met(const Outcome& outcome) const {
     const Trial trial = trial_of(outcome);
     return std::ranges::all_of(problem_.wants, [&](const Want& want) {
-        return std::holds_alternative<RestPlace>(want) || miss_of(want, trial) == 0;
+        return is_of_end(want) || miss_of(want, trial) == 0;
+    });
+}
+
+bool StrikeTrials::needs_motion() const {
+    return std::ranges::any_of(problem_.wants, [](const Want& want) {
+        const auto* measured = std::get_if<MeasuredRange>(&want);
+        return measured != nullptr && measured->needs_motion;
     });
 }
 
@@ -126,11 +134,7 @@ double StrikeTrials::distance(const Outcome& outcome) const {
     const Trial trial = trial_of(outcome);
     double sum = 0;
     for (const Want& want : problem_.wants) {
-        if (const auto* rest = std::get_if<RestPlace>(&want)) {
-            RestPlace exact = *rest;
-            exact.within = 0;
-            sum += miss_of(exact, trial) / rest->within;
-        }
+        sum += distance_of(want, trial);
     }
     return sum;
 }
@@ -146,6 +150,12 @@ std::vector<double> StrikeTrials::offsets(const Outcome& outcome) const {
             }
             result.push_back(place->x - rest->near.x);
             result.push_back(place->y - rest->near.y);
+        } else if (const auto* measured = std::get_if<MeasuredRange>(&want)) {
+            const std::optional<double> offset = offset_of(*measured, trial);
+            if (!offset) {
+                return {};
+            }
+            result.push_back(*offset);
         }
     }
     return result;
@@ -176,7 +186,8 @@ void StrikeTrials::find_start() {
 
 std::optional<sim::WorldDescription> StrikeTrials::world_at_strike() const {
     const std::vector<sim::ForceEvent>& events = world().events;
-    if (strike_ == 0 || problem_.event + 1 != events.size()) {
+    // Measures are of the whole shot.
+    if (strike_ == 0 || problem_.event + 1 != events.size() || has<MeasuredRange>()) {
         return std::nullopt;
     }
     sim::WorldDescription later = world();
@@ -245,6 +256,7 @@ Sample StrikeTrials::sample_of(const Setting& setting, const Outcome& outcome) c
     sample.direction = setting.direction;
     sample.is_met = is_met(outcome);
     if (sample.is_met) {
+        sample.distance = targets_.empty() ? distance(outcome) : 0;
         sample.route = route_of(problem_.wants, trial_of(outcome));
     }
     const std::span<const Event> events = trial_of(outcome).events();

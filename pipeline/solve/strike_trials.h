@@ -38,6 +38,7 @@ struct Sample {
     double direction = 0;
     bool is_met = false;                 // all wants but places at rest
     Route route;                         // then
+    double distance = 0;                 // then, if no ball has a target: StrikeTrials::distance()
     std::vector<std::vector<Leg>> legs;  // of each target's ball
 };
 
@@ -73,7 +74,8 @@ class StrikeTrials {
     [[nodiscard]] double distance(const sim::Outcome& outcome) const;
 
     /// Where balls rest, seen from the middles of their places: both coordinates of each wanted
-    /// one; empty if one of them is off the table.
+    /// one; and how far measures are from the middles of their ranges, by their `per_unit`. Empty
+    /// if a ball is off the table, or what is measured does not happen.
     [[nodiscard]] std::vector<double> offsets(const sim::Outcome& outcome) const;
 
     [[nodiscard]] const SolveProblem& problem() const { return problem_; }
@@ -94,7 +96,12 @@ class StrikeTrials {
     /// Of the balls, when the strike comes.
     [[nodiscard]] const std::map<std::string, Vec2>& places() const { return places_; }
     [[nodiscard]] const std::vector<Target>& targets() const { return targets_; }
-    [[nodiscard]] bool has_places_wanted() const { return has<RestPlace>(); }
+    /// Or measures.
+    [[nodiscard]] bool has_places_wanted() const {
+        return std::ranges::any_of(problem_.wants, is_of_end);
+    }
+    /// Whether a measure needs the motion of outcomes.
+    [[nodiscard]] bool needs_motion() const;
     [[nodiscard]] bool has_flights_wanted() const { return has<Clearing>(); }
     [[nodiscard]] std::size_t simulations() const { return simulations_; }
 

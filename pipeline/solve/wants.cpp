@@ -74,10 +74,22 @@ double miss_of_flight(const Clearing& want, const Trial& trial) {
     return std::max(least, 0.0);
 }
 
+/// Farther than any place on a table, m.
+constexpr double kNever = 10;
+
+std::optional<double> value_of(const MeasuredRange& want, const Trial& trial) {
+    return trial.outcome.is_stopped ? std::nullopt : want.value(trial);
+}
+
+double miss_of_measure(const MeasuredRange& want, const Trial& trial) {
+    const std::optional<double> value = value_of(want, trial);
+    return value ? want.per_unit * std::max({want.low - *value, *value - want.high, 0.0}) : kNever;
+}
+
 double miss_of_rest(const RestPlace& want, const Trial& trial) {
     const std::optional<Vec2> place = trial.place_of(want.ball);
     if (!place || trial.outcome.is_stopped) {
-        return 10;  // farther than any place on a table
+        return kNever;
     }
     const Vec2 d = *place - want.near;
     return std::max(std::sqrt(d.dot(d)) - want.within, 0.0);
@@ -131,10 +143,40 @@ double miss_of(const Want& want, const Trial& trial) {
     if (const auto* rest = std::get_if<RestPlace>(&want)) {
         return miss_of_rest(*rest, trial);
     }
+    if (const auto* measured = std::get_if<MeasuredRange>(&want)) {
+        return miss_of_measure(*measured, trial);
+    }
     if (const auto* clearing = std::get_if<Clearing>(&want)) {
         return miss_of_flight(*clearing, trial);
     }
     return miss_of_happening(std::get<Happening>(want), trial);
+}
+
+double distance_of(const Want& want, const Trial& trial) {
+    if (const auto* rest = std::get_if<RestPlace>(&want)) {
+        RestPlace exact = *rest;
+        exact.within = 0;
+        return miss_of(exact, trial) / rest->within;
+    }
+    const auto* measured = std::get_if<MeasuredRange>(&want);
+    if (measured == nullptr) {
+        return 0;
+    }
+    const std::optional<double> offset = offset_of(*measured, trial);
+    const double half = 0.5 * measured->per_unit * (measured->high - measured->low);
+    constexpr double kOff = 0.1;  // m, of a range without an end, or of a single number
+    return std::abs(offset.value_or(kNever)) / (std::isfinite(half) && half > 0 ? half : kOff);
+}
+
+std::optional<double> offset_of(const MeasuredRange& want, const Trial& trial) {
+    const std::optional<double> value = value_of(want, trial);
+    if (!value) {
+        return std::nullopt;
+    }
+    const double half = 0.5 * (want.high - want.low);
+    const double nearest =
+        std::isfinite(half) ? want.low + half : std::clamp(*value, want.low, want.high);
+    return want.per_unit * (*value - nearest);
 }
 
 Watch::Watch(const std::vector<Want>& wants, std::size_t strike) : strike_(strike) {

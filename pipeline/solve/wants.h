@@ -1,6 +1,7 @@
 // What a strike shall bring about, and whether it did.
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -44,7 +45,26 @@ struct Clearing {
     std::string ball, blocker;
 };
 
-using Want = std::variant<Happening, RestPlace, Clearing>;
+struct Trial;
+
+/// A measure of the whole shot lies in a range.
+struct MeasuredRange {
+    std::string measure;  // "rebound_angle:cue,1": which one it is
+    std::string title;    // with its unit: "rebound_angle:cue,1 [deg]"
+    /// In its unit; empty: what is measured does not happen.
+    std::function<std::optional<double>(const Trial&)> value;
+    bool needs_motion = false;                              // of the outcome
+    double low = -std::numeric_limits<double>::infinity();  // in its unit
+    double high = std::numeric_limits<double>::infinity();
+    double per_unit = 1;  // m: how far a ball would be from its place that is as wrong as one unit
+};
+
+using Want = std::variant<Happening, RestPlace, Clearing, MeasuredRange>;
+
+/// Whether it is only known when the trial is over, and may come nearer by other speeds and tips.
+[[nodiscard]] inline bool is_of_end(const Want& want) {
+    return std::holds_alternative<RestPlace>(want) || std::holds_alternative<MeasuredRange>(want);
+}
 
 /// A trial as it concerns wants: since a strike.
 struct Trial {
@@ -59,9 +79,18 @@ struct Trial {
     [[nodiscard]] std::optional<Vec2> place_of(const std::string& ball) const;
 };
 
-/// How far a want is from being met: 0 if it is. A place at rest: the distance (m) beyond `within`.
-/// Happenings: 1 for each that is missing or too many, at least 1.
+/// How far a want is from being met: 0 if it is. A place at rest: the distance (m) beyond `within`;
+/// a measure likewise, by its `per_unit`. Happenings: 1 for each that is missing or too many, at
+/// least 1.
 [[nodiscard]] double miss_of(const Want& want, const Trial& trial);
+
+/// How far the outcome is from the middle of what is wanted, as a fraction of what may be off; of a
+/// range without an end 0 inside. 0 for wants that are not of the end.
+[[nodiscard]] double distance_of(const Want& want, const Trial& trial);
+
+/// How far (m) a measure is above the middle of its range, or, if that has no end, above or below
+/// it; by `per_unit`. Empty if what is measured does not happen.
+[[nodiscard]] std::optional<double> offset_of(const MeasuredRange& want, const Trial& trial);
 
 /// Sees the events of a trial one after the other, and tells when its wants are decided.
 class Watch {

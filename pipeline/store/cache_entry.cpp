@@ -87,11 +87,16 @@ std::string bake_file(const std::string& cache_folder, const Hash128& key) {
     return cache_folder + "/bakes/" + key.to_string() + ".bake";
 }
 
+std::string answers_folder(const std::string& cache_folder) {
+    return cache_folder + "/answers";
+}
+
 std::vector<CacheEntry> list_cache(const std::string& folder) {
     std::vector<CacheEntry> entries;
     collect_entries(fs::path(folder) / "frames", ".exr", CacheEntry::Kind::frame, entries);
     collect_entries(fs::path(folder) / "frames", ".sums", CacheEntry::Kind::sums, entries);
     collect_entries(fs::path(folder) / "frames", kNoisyExtension, CacheEntry::Kind::noisy, entries);
+    collect_entries(answers_folder(folder), ".answer", CacheEntry::Kind::answer, entries);
     collect_entries(fs::path(folder) / "bakes", ".bake", CacheEntry::Kind::bake, entries);
     std::sort(entries.begin(), entries.end(), [](const CacheEntry& a, const CacheEntry& b) {
         return a.last_used != b.last_used ? a.last_used < b.last_used : a.path < b.path;

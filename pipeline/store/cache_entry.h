@@ -1,5 +1,5 @@
 // The entries of the cache: finished frames, noisy ones for the denoiser, samples of frames that
-// were stopped, and bakes.
+// were stopped, bakes, and answers of solvers.
 #pragma once
 
 #include <chrono>
@@ -17,12 +17,13 @@ struct CacheEntry {
     enum class Kind {
         frame,
         bake,
-        sums,   // of a frame that was stopped
-        noisy,  // a frame before it was denoised, with what only the denoiser reads
+        answer,  // of a solver
+        sums,    // of a frame that was stopped
+        noisy,   // a frame before it was denoised, with what only the denoiser reads
     };
     Kind kind = Kind::frame;
     std::string path;
-    Hash128 key;  // a frame's key or a bake's physics hash, which is also the file's name
+    Hash128 key;  // a frame's key, a bake's physics hash or a question's hash: the file's name
     std::uint64_t bytes = 0;
     std::chrono::system_clock::time_point last_used;
 };
@@ -37,6 +38,7 @@ inline constexpr const char* kNoisyExtension = ".noisy";
 [[nodiscard]] std::string file_about(const Hash128& key, const std::string& frames_folder,
                                      const char* extension);
 [[nodiscard]] std::string frame_file(const std::string& cache_folder, const Hash128& key);
+[[nodiscard]] std::string answers_folder(const std::string& cache_folder);
 [[nodiscard]] std::string bake_file(const std::string& cache_folder, const Hash128& key);
 
 /// All entries, the least recently used one first. Files with other names and files that are being

@@ -76,7 +76,7 @@ class Player {
             result.is_too_long = true;
             return result;
         }
-        const Played played{trials.world(), trials.names(), *outcome};
+        const measures::Played played{trials.world(), trials.names(), *outcome};
         for (const Measure& measure : sweep_.measures) {
             result.values.push_back(measure.value(played));
         }

@@ -6,13 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/config/measures/measures.h"
 #include "pipeline/config/shot_variants.h"
-#include "pipeline/study/measures.h"
 #include "pipeline/study/sampling.h"
 #include "pipeline/study/varied_key.h"
 #include "pipeline/variants/variants.h"
 
 namespace carom::pipeline::study {
+
+using measures::Measure;
+using measures::Value;
 
 struct Sweep {
     std::vector<VariedKey> keys;

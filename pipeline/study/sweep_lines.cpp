@@ -15,7 +15,7 @@ void SweepPlot::draw_lines(std::size_t measure, double top) {
     draw_heading(measure, top);
     const double room = 0.01 * (x_.high - x_.low);
     const PlotAxis across{x_.low - room, x_.high + room, kPlotLeft, kLineRight};
-    draw_x_axis(across, top, bottom);
+    draw_x_axis(svg_, across, axis_title(sweep_.keys[keys_.axes[0]]), top, bottom);
     if (gives_names(sweep_.measures[measure])) {
         draw_names(measure, across, top, bottom);
         return;
@@ -32,7 +32,7 @@ void SweepPlot::draw_lines(std::size_t measure, double top) {
     }
     const PlotExtent range = values.roomy();
     const PlotAxis upwards{range.low, range.high, bottom, top};
-    draw_y_axis(upwards, kPlotLeft, kLineRight);
+    draw_y_axis(svg_, upwards, kPlotLeft, kLineRight);
     for (std::size_t i = 0; i < series_.size(); ++i) {
         draw_line(series_[i], measure, i, across, upwards);
     }

@@ -66,7 +66,7 @@ void SweepPlot::draw_map(std::size_t measure, const PlotSeries& one, double top)
     const PlotAxis upwards{y_edges.front(), y_edges.back(), bottom, top};
     if (is_scattered) {
         for (const auto& [place, cell] : one.cells[measure]) {
-            draw_dot({across.at(place.first), upwards.at(place.second)}, scale.colour(cell));
+            draw_dot(svg_, {across.at(place.first), upwards.at(place.second)}, scale.colour(cell));
         }
     } else {
         svg_.leaf("rect", {{"class", "area"},
@@ -81,38 +81,16 @@ void SweepPlot::draw_map(std::size_t measure, const PlotSeries& one, double top)
             // A little larger, so that rounding leaves no gap between neighbours.
             constexpr double kOverlap = 0.02;
             draw_rectangle(
-                {across.at(x_edges[column]), upwards.at(y_edges[row + 1])},
+                svg_, {across.at(x_edges[column]), upwards.at(y_edges[row + 1])},
                 {across.at(x_edges[column + 1]) + kOverlap, upwards.at(y_edges[row]) + kOverlap},
                 scale.colour(cell));
         }
         svg_.close();
     }
-    draw_x_axis(across, bottom, bottom);
-    draw_y_axis(upwards, kPlotLeft, kPlotLeft);
-    draw_upright(axis_title(sweep_.keys[keys_.axes[1]]), kMargin + 2, 0.5 * (top + bottom));
+    draw_x_axis(svg_, across, axis_title(sweep_.keys[keys_.axes[0]]), bottom, bottom);
+    draw_y_axis(svg_, upwards, kPlotLeft, kPlotLeft);
+    draw_upright(svg_, axis_title(sweep_.keys[keys_.axes[1]]), kMargin + 2, 0.5 * (top + bottom));
     draw_scale(scale, top, bottom);
-}
-
-void SweepPlot::draw_dot(const Vec2& at, const std::string& colour) {
-    SvgText::Attributes dot{{"cx", svg_number(at.x)}, {"cy", svg_number(at.y)}, {"r", "0.8"}};
-    dot.emplace_back(colour.empty() ? "class" : "fill", colour.empty() ? "area" : colour);
-    svg_.leaf("circle", dot);
-}
-
-void SweepPlot::draw_rectangle(const Vec2& low, const Vec2& high, const std::string& colour) {
-    if (!colour.empty()) {
-        svg_.leaf("rect", {{"x", svg_number(low.x)},
-                           {"y", svg_number(low.y)},
-                           {"width", svg_number(high.x - low.x)},
-                           {"height", svg_number(high.y - low.y)},
-                           {"fill", colour}});
-    }
-}
-
-void SweepPlot::draw_upright(const std::string& text, double x, double y) {
-    svg_.text("text", text,
-              {{"class", "faint middle"},
-               {"transform", "translate(" + svg_point({x, y}) + ") rotate(-90)"}});
 }
 
 void SweepPlot::draw_scale(const PlotScale& scale, double top, double bottom) {
@@ -121,14 +99,15 @@ void SweepPlot::draw_scale(const PlotScale& scale, double top, double bottom) {
     if (!scale.names.empty()) {
         double y = top + 2;
         for (std::size_t i = 0; i < scale.names.size(); ++i, y += 5) {
-            draw_patch(left, y, scale.name_colour(i), scale.names[i]);
+            draw_patch(svg_, left, y, scale.name_colour(i), scale.names[i]);
         }
-        draw_patch(left, y, "", "none");
+        draw_patch(svg_, left, y, "", "none");
         return;
     }
     if (scale.values.low >= scale.values.high) {
         if (scale.values.low == scale.values.high) {
-            draw_patch(left, top + 2, colour_of(0.5), fmt::format("{:.6g}", scale.values.low));
+            draw_patch(svg_, left, top + 2, colour_of(0.5),
+                       fmt::format("{:.6g}", scale.values.low));
         }
         return;
     }
@@ -137,7 +116,7 @@ void SweepPlot::draw_scale(const PlotScale& scale, double top, double bottom) {
     const double height = (bottom - top) / kSteps;
     svg_.open("g", {{"shape-rendering", "crispEdges"}});
     for (int i = kSteps - 1; i >= 0; --i) {  // each over the lower part of the one before
-        draw_rectangle({left, bottom - (i + 1) * height}, {left + kWidth, bottom},
+        draw_rectangle(svg_, {left, bottom - (i + 1) * height}, {left + kWidth, bottom},
                        colour_of((i + 0.5) / kSteps));
     }
     svg_.close();
@@ -150,14 +129,6 @@ void SweepPlot::draw_scale(const PlotScale& scale, double top, double bottom) {
                    {"x", svg_number(left + kWidth + 2)},
                    {"y", svg_number(y + 0.8)}});
     }
-}
-
-void SweepPlot::draw_patch(double x, double y, const std::string& colour, const std::string& text) {
-    SvgText::Attributes patch{
-        {"x", svg_number(x)}, {"y", svg_number(y - 1.5)}, {"width", "4"}, {"height", "3"}};
-    patch.emplace_back(colour.empty() ? "class" : "fill", colour.empty() ? "area" : colour);
-    svg_.leaf("rect", patch);
-    svg_.text("text", text, {{"x", svg_number(x + 6)}, {"y", svg_number(y + 0.9)}});
 }
 
 PlotScale SweepPlot::scale_of(std::size_t measure) const {

@@ -1,14 +1,11 @@
 #include "pipeline/study/sweep_plot.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include <fmt/core.h>
 
-#include "core/elementary.h"
 #include "core/text.h"
-#include "pipeline/plan/time_axis.h"
 #include "pipeline/study/plot_page.h"
 
 namespace carom::pipeline::study {
@@ -17,7 +14,6 @@ namespace {
 
 constexpr double kTop = 30;      // of the first panel, mm
 constexpr double kBetween = 26;  // panels: the numbers and the name of an axis, and a heading
-constexpr double kFurthestTicks = 22;
 constexpr std::size_t kMostLines = 3 * kColours;
 
 std::string measure_title(const Measure& measure) {
@@ -27,39 +23,6 @@ std::string measure_title(const Measure& measure) {
 }
 
 }  // namespace
-
-double PlotAxis::step() const {
-    return round_number((high - low) * kFurthestTicks / 2 / std::abs(to - from));
-}
-
-std::vector<double> PlotAxis::ticks() const {
-    std::vector<double> values;
-    const double distance = step();
-    const auto first = static_cast<long>(std::ceil(low / distance - 1e-9));
-    for (long i = first; static_cast<double>(i) * distance <= high + 1e-9 * distance; ++i) {
-        values.push_back(static_cast<double>(i) * distance);
-    }
-    return values;
-}
-
-std::string PlotAxis::text(double value) const {
-    const int decimals =
-        std::max(0, -static_cast<int>(std::floor(logarithm(step()) / logarithm(10) + 1e-9)));
-    return decimals > 6 ? fmt::format("{:.3g}", value) : decimal_text(value, decimals);
-}
-
-PlotExtent PlotExtent::roomy() const {
-    if (low > high) {
-        return {0, 1};
-    }
-    if (low == high) {
-        const double room = low == 0 ? 1 : 0.1 * std::abs(low);
-        return {low - room, high + room};
-    }
-    const double room = 0.05 * (high - low);
-    const bool is_near_zero = low >= 0 && low < 0.4 * high;
-    return {is_near_zero ? (low == 0 ? -room : 0) : low - room, high + room};
-}
 
 std::string axis_title(const VariedKey& key) {
     return key.unit.empty() ? key.key : key.key + ", " + key.unit;
@@ -144,39 +107,6 @@ void SweepPlot::draw_heading(std::size_t measure, double top, const std::string&
     const double x = kMargin + text_width(title, 3.1) + 4;
     svg_.text("text", fitted_text(std::string(of.info->meaning), 2.6, kPageWidth - kMargin - x),
               {{"class", "faint"}, {"x", svg_number(x)}, {"y", svg_number(top - 3.5)}});
-}
-
-void SweepPlot::draw_x_axis(const PlotAxis& axis, double top, double bottom) {
-    std::string lines;
-    for (const double tick : axis.ticks()) {
-        const double x = axis.at(tick);
-        lines += (lines.empty() ? "" : " ") + svg_path({{x, top}, {x, bottom + 1}}, false);
-        svg_.text(
-            "text", axis.text(tick),
-            {{"class", "small faint middle"}, {"x", svg_number(x)}, {"y", svg_number(bottom + 4)}});
-    }
-    svg_.leaf("path", {{"class", "grid"}, {"d", lines}});
-    svg_.leaf("path", {{"class", "fine"},
-                       {"d", svg_path({{axis.from, bottom}, {axis.to, bottom}}, false)}});
-    svg_.text("text", axis_title(sweep_.keys[keys_.axes[0]]),
-              {{"class", "faint middle"},
-               {"x", svg_number(0.5 * (axis.from + axis.to))},
-               {"y", svg_number(bottom + 9)}});
-}
-
-void SweepPlot::draw_y_axis(const PlotAxis& axis, double left, double right) {
-    std::string lines;
-    for (const double tick : axis.ticks()) {
-        const double y = axis.at(tick);
-        lines += (lines.empty() ? "" : " ") + svg_path({{left - 1, y}, {right, y}}, false);
-        svg_.text("text", axis.text(tick),
-                  {{"class", "small faint end"},
-                   {"x", svg_number(left - 2)},
-                   {"y", svg_number(y + 0.8)}});
-    }
-    svg_.leaf("path", {{"class", "grid"}, {"d", lines}});
-    svg_.leaf("path",
-              {{"class", "fine"}, {"d", svg_path({{left, axis.from}, {left, axis.to}}, false)}});
 }
 
 std::vector<std::string> SweepPlot::names_of(std::size_t measure) const {

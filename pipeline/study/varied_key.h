@@ -8,9 +8,11 @@
 #include <variant>
 #include <vector>
 
-#include "pipeline/study/text_problem.h"
+#include "pipeline/config/measures/text_problem.h"
 
 namespace carom::pipeline::study {
+
+using measures::TextProblem;
 
 /// A value of a varied key.
 struct VariedPoint {

@@ -185,9 +185,8 @@ void describe_transfers(CacheCommand& command, CommandDescription& description) 
 
 void describe(CacheCommand& command, CommandDescription& description) {
     description.details = {
-        "The cache contains bakes and finished frames. Files that are removed from it are "
-        "simulated "
-        "or rendered again when they are needed.",
+        "The cache contains bakes, finished frames and answers of `solve`. Files that are removed "
+        "from it are made again when they are needed.",
         "'carom cache verify' ends with exit code 1 if a file is damaged.",
         "'push', 'pull' and 'merge' copy only finished, intact files, and never replace one that "
         "the "

@@ -42,8 +42,8 @@ void add_camera_file(CommandDescription& description, InputOptions& input) {
 void add_cache(CommandDescription& description, CacheOptions& cache) {
     description
         .option("--cache", &cache.folder, "FOLDER",
-                "The folder for bakes and finished frames. The default is $CAROM_CACHE, else "
-                "$XDG_CACHE_HOME/carom, else ~/.cache/carom.")
+                "The folder for bakes, finished frames and strikes that were found. The default is "
+                "$CAROM_CACHE, else $XDG_CACHE_HOME/carom, else ~/.cache/carom.")
         .offers(Offer::folders);
 }
 

@@ -45,8 +45,8 @@ void build_bodies(Builder& builder) {
 }  // namespace
 
 Shot build_shot(const ShotFile& file, const Node& root, const std::string& name, Reader& reader,
-                sim::billiards::TableMemo* tables, std::vector<FoundStrike>& found) {
-    Builder builder(file, root, reader, tables);
+                const BuildAids& aids, std::vector<FoundStrike>& found) {
+    Builder builder(file, root, reader, aids);
     builder.shot.name = name;
     build_bodies(builder);
     build_table_scene(builder);
@@ -69,7 +69,7 @@ Shot build_shot(const ShotFile& file, const Node& root, const std::string& name,
 
 BuiltWorld build_world(const ShotFile& file, const Node& root, Reader& reader,
                        sim::billiards::TableMemo* tables) {
-    Builder builder(file, root, reader, tables);
+    Builder builder(file, root, reader, {tables, nullptr});
     builder.has_look = false;
     build_bodies(builder);
     build_events(builder);
@@ -82,7 +82,7 @@ BuiltWorld build_world(const ShotFile& file, const Node& root, Reader& reader,
 
 std::vector<sim::ForceEvent> build_events(const ShotFile& file, const Node& root, Reader& reader,
                                           const BuiltWorld& others) {
-    Builder builder(file, root, reader, nullptr);
+    Builder builder(file, root, reader, {});
     static_cast<BuiltNames&>(builder) = others.names;
     builder.has_look = false;
     builder.shot.world = others.world;

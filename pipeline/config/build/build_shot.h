@@ -11,15 +11,21 @@
 #include "pipeline/config/reader.h"
 #include "pipeline/config/shot_file.h"
 #include "pipeline/shot/shot.h"
+#include "pipeline/solve/answers.h"
 #include "sim/billiards/table_memo.h"
 
 namespace carom::pipeline::config {
 
+/// See LoadOptions; each may be null.
+struct BuildAids {
+    sim::billiards::TableMemo* tables = nullptr;
+    const solve::AnswerWork* answers = nullptr;
+};
+
 /// Problems go to the reader; after an error the shot is invalid. `root` is the tree from which
-/// `file` was read, for places. `tables` has tables that were built before; it may be null. `found`
-/// gets the strikes that were found for `solve`.
+/// `file` was read, for places. `found` gets the strikes that were found for `solve`.
 [[nodiscard]] Shot build_shot(const ShotFile& file, const Node& root, const std::string& name,
-                              Reader& reader, sim::billiards::TableMemo* tables,
+                              Reader& reader, const BuildAids& aids,
                               std::vector<FoundStrike>& found);
 
 /// What a shot consists of, by name.

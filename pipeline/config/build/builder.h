@@ -17,15 +17,15 @@ namespace carom::pipeline::config {
 
 /// The state that the steps share.
 struct Builder : BuiltNames {
-    Builder(const ShotFile& of, const Node& from, Reader& with,
-            sim::billiards::TableMemo* built_before)
-        : file(of), root(from), reader(with), tables(built_before) {}
+    Builder(const ShotFile& of, const Node& from, Reader& with, const BuildAids& aids)
+        : file(of), root(from), reader(with), tables(aids.tables), answers(aids.answers) {}
 
     const ShotFile& file;
     const Node& root;
     Reader& reader;
     Shot shot;
     sim::billiards::TableMemo* tables = nullptr;  // tables that were built before, or null
+    const solve::AnswerWork* answers = nullptr;   // of `solve`, or null
     bool has_look = true;                         // false: only the world is built
     std::vector<sim::AimedStrike> aims{};         // of the world's events
     std::vector<FoundStrike> found_strikes{};     // by `solve`

@@ -9,14 +9,13 @@
 #include <fmt/core.h>
 
 #include "core/error.h"
-#include "core/hash.h"
 #include "core/lru_cache.h"
 #include "core/text.h"
 #include "pipeline/config/build/builder.h"
+#include "pipeline/config/measures/measures.h"
 #include "pipeline/config/pocket_names.h"
-#include "pipeline/solve/solver.h"
-#include "sim/aim/find_aims.h"
-#include "sim/bake.h"
+#include "pipeline/solve/answers.h"
+#include "pipeline/solve/explain.h"
 
 namespace carom::pipeline::config {
 namespace {
@@ -24,14 +23,34 @@ namespace {
 using solve::Happening;
 using solve::Want;
 
-/// The want with the pocket's own name and the struck ball.
-Want complete(Want want, const Builder& builder, const std::string& struck) {
+/// Sets how a measure is read from a trial.
+void complete(solve::MeasuredRange& measured, const Place& place, Builder& builder) {
+    auto parsed = measures::parse_measure(measured.measure, builder.shot.world);
+    if (const auto* wrong = std::get_if<measures::TextProblem>(&parsed)) {
+        builder.reader.error(place, wrong->sentence);
+        return;
+    }
+    auto& measure = std::get<measures::Measure>(parsed);
+    measured.title = measure.title();
+    measured.needs_motion = measure.needs_motion;
+    measured.value = [of = std::move(measure.value)](const solve::Trial& trial) {
+        const measures::Value value = of({trial.world, trial.names, trial.outcome});
+        const auto* number = std::get_if<double>(&value);
+        return number != nullptr ? std::optional(*number) : std::nullopt;
+    };
+}
+
+/// The want with the pocket's own name, the struck ball and how a measure is read.
+Want complete(const WantSection& section, Builder& builder, const std::string& struck) {
+    Want want = section.want;
     const auto& table = builder.shot.world.table;
     if (auto* happening = std::get_if<Happening>(&want);
         happening != nullptr && !happening->pocket.empty() && table) {
         happening->pocket = pocket_of_name(*table, happening->pocket);
     } else if (auto* clearing = std::get_if<solve::Clearing>(&want); clearing != nullptr) {
         clearing->ball = struck;
+    } else if (auto* measured = std::get_if<solve::MeasuredRange>(&want)) {
+        complete(*measured, section.place, builder);
     }
     return want;
 }
@@ -48,7 +67,7 @@ bool speaks_of_scratch(const SolveSection& section, const std::string& struck) {
 }
 
 solve::SolveProblem problem_of(const SolveSection& section, const OpenStrike& open,
-                               const Builder& builder) {
+                               Builder& builder) {
     const std::string& struck = builder.shot.world.events[open.event].object;
     solve::SolveProblem problem;
     problem.event = open.event;
@@ -61,7 +80,7 @@ solve::SolveProblem problem_of(const SolveSection& section, const OpenStrike& op
     problem.player = section.player;
     for (const auto* list : {&section.wants, &section.avoided}) {
         for (const WantSection& want : *list) {
-            problem.wants.push_back(complete(want.want, builder, struck));
+            problem.wants.push_back(complete(want, builder, struck));
         }
     }
     if (!speaks_of_scratch(section, struck)) {
@@ -96,45 +115,6 @@ bool names_strike(Builder& builder, const SolveSection& section, const OpenStrik
     return true;
 }
 
-Hasher& add(Hasher& hasher, const sim::Trigger& trigger) {
-    return hasher.add(static_cast<int>(trigger.kind)).add(trigger.a).add(trigger.b);
-}
-
-void add(Hasher& hasher, const Want& want) {
-    hasher.add(static_cast<std::uint64_t>(want.index()));
-    if (const auto* happening = std::get_if<Happening>(&want)) {
-        add(hasher, happening->trigger).add(happening->pocket);
-        hasher.add(happening->skips_jaws);
-        hasher.add(happening->at_least).add(happening->at_most).add(happening->by);
-        hasher.add(happening->before.has_value());
-        if (happening->before) {
-            add(hasher, *happening->before);
-        }
-    } else if (const auto* rest = std::get_if<solve::RestPlace>(&want)) {
-        hasher.add(rest->ball).add(rest->near).add(rest->within);
-    } else {
-        const auto& clearing = std::get<solve::Clearing>(want);
-        hasher.add(clearing.ball).add(clearing.blocker);
-    }
-}
-
-/// Of all on which the solution depends.
-Hash128 hash_of(const sim::WorldDescription& world, const solve::SolveProblem& problem) {
-    Hasher hasher;
-    hasher.add(sim::physics_hash(world)).add(static_cast<std::uint64_t>(problem.event));
-    hasher.add(problem.finds_direction).add(problem.finds_speed);
-    hasher.add(problem.finds_tip).add(problem.finds_elevation).add(problem.may_raise);
-    for (const Want& want : problem.wants) {
-        add(hasher, want);
-    }
-    for (const solve::Preference preference : problem.prefer) {
-        hasher.add(static_cast<int>(preference));
-    }
-    const solve::PlayerError& player = problem.player;
-    hasher.add(player.direction).add(player.elevation).add(player.speed).add(player.tip);
-    return hasher.finish();
-}
-
 /// The shot up to that strike and what it brings about.
 sim::WorldDescription without_later_strikes(sim::WorldDescription world, std::size_t event) {
     for (std::size_t i = world.events.size(); i-- > event + 1;) {
@@ -146,48 +126,28 @@ sim::WorldDescription without_later_strikes(sim::WorldDescription world, std::si
 }
 
 /// Those of the last shots are kept: an edit of a camera does not solve the shot again.
-std::shared_ptr<const solve::SolveResult> solution_of(const sim::WorldDescription& world,
-                                                      const solve::SolveProblem& problem) {
+std::shared_ptr<const solve::SolveResult> solution_of(const solve::SolveQuestion& question,
+                                                      const solve::AnswerWork& work) {
     constexpr std::size_t kKept = 16;
     static LruCache<Hash128, solve::SolveResult> known(kKept);
-    return known.get(hash_of(world, problem),
-                     [&] { return solve::solve(sim::Trials(world), problem, {}); });
-}
-
-/// Why the wanted balls cannot be potted directly, one sentence each.
-std::string why_not_directly(const sim::WorldDescription& world,
-                             const solve::SolveProblem& problem) {
-    std::string text;
-    for (const Want& want : problem.wants) {
-        const auto* happening = std::get_if<Happening>(&want);
-        if (happening == nullptr || happening->is_avoided() ||
-            happening->trigger.kind != sim::Trigger::Kind::potted) {
-            continue;
+    std::shared_ptr<const solve::SolveResult> incomplete;
+    try {
+        return known.get(hash_of(question), [&] {
+            solve::SolveResult result = solve::answer(question, work);
+            if (!result.is_complete) {
+                incomplete = std::make_shared<const solve::SolveResult>(std::move(result));
+                throw Stopped();
+            }
+            return result;
+        });
+    } catch (const Stopped&) {
+        const bool has_any =
+            incomplete && !incomplete->solutions.empty() && incomplete->solutions.front().is_solved;
+        if (!work.takes_incomplete || !has_any) {
+            throw;
         }
-        const sim::FoundAims direct = sim::find_aims(
-            world, {{problem.event, sim::PotAim{happening->trigger.a, happening->pocket}}});
-        for (const Diagnostic& reason : direct.problems) {
-            text += "; directly: " + reason.sentence;
-        }
+        return incomplete;
     }
-    return text;
-}
-
-std::string why_unsolved(const sim::WorldDescription& world, const solve::SolveProblem& problem,
-                         const solve::SolveResult& result) {
-    std::string text = fmt::format("no strike was found that does all this, in {} simulations",
-                                   result.simulations);
-    if (!result.solutions.empty()) {
-        const solve::Solution& nearest = result.solutions.front();
-        const Vec2 place = nearest.rest.value_or(Vec2(0, 0));
-        text += nearest.miss < 10 && nearest.rest
-                    ? fmt::format(
-                          "; the nearest misses by {:.2f} m ('{}' rests at [{:.2f}, "
-                          "{:.2f}]): {}",
-                          nearest.miss, nearest.ball, place.x, place.y, nearest.route)
-                    : "; the nearest does only: " + nearest.route;
-    }
-    return text + why_not_directly(world, problem);
 }
 
 FoundStrike texts_of(const OpenStrike& open, const sim::Strike& strike) {
@@ -219,20 +179,28 @@ bool solve_strike(Builder& builder, const SolveSection& section, const OpenStrik
     if (builder.reader.has_error() || !names_strike(builder, section, open)) {
         return false;
     }
-    const sim::WorldDescription world = without_later_strikes(builder.shot.world, open.event);
-    const solve::SolveProblem problem = problem_of(section, open, builder);
+    auto question = std::make_shared<const solve::SolveQuestion>(solve::SolveQuestion{
+        without_later_strikes(builder.shot.world, open.event), problem_of(section, open, builder)});
+    if (builder.reader.has_error()) {  // of a measure
+        return false;
+    }
     try {
-        const std::shared_ptr<const solve::SolveResult> found = solution_of(world, problem);
+        const std::shared_ptr<const solve::SolveResult> found = solution_of(
+            *question, builder.answers != nullptr ? *builder.answers : solve::AnswerWork{});
         const solve::SolveResult& result = *found;
         if (result.solutions.empty() || !result.solutions.front().is_solved) {
-            builder.reader.error(section.place, why_unsolved(world, problem, result));
+            builder.reader.error(section.place,
+                                 solve::why_unsolved(question->world, question->problem, result));
             return false;
         }
         const solve::Solution& best = result.solutions.front();
         builder.shot.world.events[open.event].action = best.strike;
         builder.found_strikes.push_back(texts_of(open, best.strike));
-        builder.shot.solved.push_back({open.event, found, builder.found_strikes.back().values});
+        builder.shot.solved.push_back(
+            {open.event, std::move(question), found, builder.found_strikes.back().values});
         return true;
+    } catch (const Stopped&) {
+        throw;
     } catch (const Error& error) {  // the strike never comes
         builder.reader.error(section.place, error.what());
         return false;

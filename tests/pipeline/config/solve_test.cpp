@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/config/load_shot.h"
+#include "pipeline/config/measures/measures.h"
+#include "pipeline/solve/solver.h"
 #include "sim/bake.h"
 #include "tests/pipeline/config/shot_text.h"
 
@@ -181,6 +183,55 @@ events:
     EXPECT_THAT(potted, ElementsAre("red_1", "black", "red_2", "black", "red_3", "black"));
 }
 
+/// What the measure gives for a bake of the shot.
+double measured(const Shot& shot, const std::string& text) {
+    const sim::Timeline timeline = sim::bake(shot.world);
+    sim::Outcome outcome;
+    outcome.events = timeline.events;
+    outcome.motion = timeline;
+    const auto measure = std::get<measures::Measure>(measures::parse_measure(text, shot.world));
+    return std::get<double>(measure.value({shot.world, {}, outcome}));
+}
+
+TEST(SolveSection, MeasuresAreWanted) {
+    const std::string open = "events: [{strike: {ball: cue}}]\n";
+    const LoadResult bank = load(open + R"(solve:
+  want: [{cushions: cue}, {measure: 'rebound_angle:cue', about: 30 deg, within: 1 deg}]
+)");
+    ASSERT_TRUE(bank.shot) << testing::PrintToString(messages(bank));
+    EXPECT_NEAR(measured(*bank.shot, "rebound_angle:cue"), 30, 1);
+    const LoadResult stun = load(open + R"(solve:
+  want:
+    - {potted: one}
+    - {measure: 'speed_after:contact,cue,one', at_most: 0.4 m/s}
+    - {measure: 'time:potted,one', at_least: 2, at_most: 3 s}
+)");
+    ASSERT_TRUE(stun.shot) << testing::PrintToString(messages(stun));
+    EXPECT_LE(measured(*stun.shot, "speed_after:contact,cue,one"), 0.4);
+    EXPECT_GE(measured(*stun.shot, "time:potted,one"), 2);
+    EXPECT_LE(measured(*stun.shot, "time:potted,one"), 3);
+    EXPECT_FALSE(stun.shot->solved[0].result->solutions.front().outcome.motion);
+}
+
+TEST(SolveSection, MeasureOfALaterStrike_IsThatOfTheWholeShot) {
+    const LoadResult result = load(R"(events:
+  - strike: {ball: cue, toward: two, speed: 1 m/s}
+  - strike: {ball: cue, when: {resting: all}}
+solve:
+  strike: 1
+  want: [{contact: [cue, one]}, {measure: 'cushions:cue', at_least: 4}]
+)");
+    ASSERT_TRUE(result.shot) << testing::PrintToString(messages(result));
+    EXPECT_GE(measured(*result.shot, "cushions:cue"), 4);
+}
+
+TEST(SolveSection, NearestMeasureIsSaid) {
+    const LoadResult result = load(R"(events: [{strike: {ball: cue, speed: 1 m/s}}]
+solve: {want: [{measure: 'top_speed:cue', at_least: 5 m/s}]}
+)");
+    EXPECT_THAT(messages(result), ElementsAre(HasSubstr(": 'top_speed:cue [m/s]' is 1.")));
+}
+
 TEST(SolveSection, WhatCannotBe_IsSaid) {
     const LoadResult result = load(R"(events:
   - strike: {ball: cue}
@@ -188,7 +239,8 @@ solve: {want: [{potted: one}, {rest: cue, near: [5, 5]}]}
 )");
     EXPECT_THAT(messages(result),
                 ElementsAre(AllOf(HasSubstr("no strike was found that does all this, in "),
-                                  HasSubstr("; the nearest misses by "))));
+                                  HasSubstr("; the nearest, cue - one, "),
+                                  HasSubstr("'cue' rests at ["), HasSubstr(" m away"))));
     EXPECT_TRUE(std::ranges::any_of(result.problems, [](const Problem& problem) {
         return problem.severity == Severity::error && problem.place.line == 9;
     }));
@@ -220,6 +272,51 @@ TEST(SolveSection, MistakesAreNamed) {
     EXPECT_THAT(said(open + "solve: {want: [{potted: one}], avoid: [{rest: cue, near: [0, 0]}]}\n"),
                 ElementsAre("'avoid' takes 'potted', 'contact' and 'cushions', without 'at_most'"));
     EXPECT_THAT(said(open + "solve: {want: []}\n").size(), 1U);
+    EXPECT_THAT(said(open + "solve: {want: [{potted: one}, {rest: one, near: [0, 0]}]}\n"),
+                ElementsAre("'one' cannot be potted and come to rest on the table"));
+    EXPECT_THAT(
+        said(open + "solve: {want: [{potted: one, in: top right}], avoid: [{potted: one}]}\n"),
+        ElementsAre("the pot of 'one' is wanted and avoided"));
+    EXPECT_THAT(said(open + "solve: {want: [{contact: [cue, one], at_least: 2}], avoid: [{contact: "
+                            "[one, cue], at_least: 2}]}\n"),
+                ElementsAre("the contact of 'cue' and 'one' is wanted and avoided"));
+}
+
+TEST(SolveSection, MistakesOfMeasuresAreNamed) {
+    const auto said = [](const std::string& want) {
+        return messages(
+            load("events: [{strike: {ball: cue}}]\nsolve: {want: [{measure: " + want + "}]}\n"));
+    };
+    EXPECT_THAT(said("'rebound_angel:cue', at_least: 30 deg"),
+                ElementsAre("there is no measure 'rebound_angel' (did you mean 'rebound_angle'?); "
+                            "'carom sweep --measures' lists them"));
+    EXPECT_THAT(said("'rebound_angle:cua', at_least: 30 deg"),
+                ElementsAre("there is no ball or object 'cua' (did you mean 'cue'?)"));
+    EXPECT_THAT(
+        said("'pocket:one', at_least: 1"),
+        ElementsAre("'pocket' is a name, not a number; write '{potted: BALL, in: POCKET}'"));
+    EXPECT_THAT(said("'rebound_angle:cue', at_least: 30 m"),
+                ElementsAre("'at_least' must be an angle (rad, deg, turn), not a length ('30 m')"));
+    EXPECT_THAT(said("'rebound_angle:cue', at_least: 30"),
+                ElementsAre("'at_least' is an angle and needs a unit; write '30 deg'"));
+    EXPECT_THAT(said("'rebound_angle:cue', at_least: 30 deg, at_most: 20 deg"),
+                ElementsAre("'at_most' must not be less than 'at_least'"));
+    EXPECT_THAT(
+        said("'rebound_angle:cue', at_least: 30 deg, at_most: 30 deg"),
+        ElementsAre("'at_least' and 'at_most' are equal: no strike meets one value exactly"));
+    EXPECT_THAT(said("'rebound_angle:cue', about: 30 deg, within: 0 deg"),
+                ElementsAre("'within' must be more than 0 deg, not '0 deg'"));
+    EXPECT_THAT(
+        said("'rebound_angle:cue', about: 30 deg"),
+        ElementsAre("'about' needs 'within', which says how far from it the measure may be"));
+    EXPECT_THAT(said("'rebound_angle:cue', at_most: 30 deg, within: 1 deg"),
+                ElementsAre("'within' needs 'about'"));
+    const char* unbounded =
+        "a measure is wanted 'at_least', 'at_most' or both, or 'about' a value and 'within' a "
+        "distance from it";
+    EXPECT_THAT(said("'rebound_angle:cue'"), ElementsAre(unbounded));
+    EXPECT_THAT(said("'rebound_angle:cue', at_least: 3 deg, about: 4 deg, within: 1 deg"),
+                ElementsAre(unbounded));
 }
 
 }  // namespace

@@ -35,7 +35,8 @@ class Swept : public ::testing::Test {
                 parse_varied(text, [&](const std::string& key) { return variants.text_of(key); })));
         }
         for (const std::string& text : measures) {
-            sweep.measures.push_back(std::get<Measure>(parse_measure(text, variants.own_world())));
+            sweep.measures.push_back(
+                std::get<Measure>(measures::parse_measure(text, variants.own_world())));
         }
         return sweep;
     }

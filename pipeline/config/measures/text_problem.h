@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-namespace carom::pipeline::study {
+namespace carom::pipeline::measures {
 
 struct TextProblem {
     std::string sentence;    // without a full stop
@@ -12,4 +12,4 @@ struct TextProblem {
     std::size_t length = 0;
 };
 
-}  // namespace carom::pipeline::study
+}  // namespace carom::pipeline::measures

@@ -1,4 +1,4 @@
-#include "pipeline/study/measures.h"
+#include "pipeline/config/measures/measures.h"
 
 #include <algorithm>
 #include <array>
@@ -11,12 +11,12 @@
 #include "core/elementary.h"
 #include "core/length.h"
 #include "core/text.h"
+#include "pipeline/config/measures/measure_reader.h"
 #include "pipeline/config/text.h"
 #include "pipeline/report/event_motion.h"
 #include "pipeline/report/shot_report.h"
-#include "pipeline/study/measure_reader.h"
 
-namespace carom::pipeline::study {
+namespace carom::pipeline::measures {
 
 namespace {
 
@@ -471,6 +471,16 @@ std::span<const MeasureInfo> measure_list() {
     return list;
 }
 
+std::string unknown_measure(const std::string& name) {
+    std::vector<std::string> known;
+    known.reserve(kKinds.size());
+    for (const Kind& kind : kKinds) {
+        known.emplace_back(kind.info.name);
+    }
+    return "there is no measure " + config::quote(name) + config::hint(name, known).text +
+           "; 'carom sweep --measures' lists them";
+}
+
 std::string Measure::title() const {
     const bool has_unit = !info->unit.empty() && info->unit != "name";
     return has_unit ? text + " [" + std::string(info->unit) + "]" : text;
@@ -482,15 +492,7 @@ std::variant<Measure, TextProblem> parse_measure(const std::string& text,
     const std::string name = text.substr(0, colon);
     const auto kind = std::ranges::find(kKinds, name, [](const Kind& k) { return k.info.name; });
     if (kind == kKinds.end()) {
-        std::vector<std::string> known;
-        known.reserve(kKinds.size());
-        for (const Kind& k : kKinds) {
-            known.emplace_back(k.info.name);
-        }
-        return TextProblem{"there is no measure " + config::quote(name) +
-                               config::hint(name, known).text +
-                               "; 'carom sweep --measures' lists them",
-                           0, std::max<std::size_t>(name.size(), 1)};
+        return TextProblem{unknown_measure(name), 0, std::max<std::size_t>(name.size(), 1)};
     }
     const std::string usage = name + ":" + std::string(kind->info.arguments);
     try {
@@ -503,4 +505,4 @@ std::variant<Measure, TextProblem> parse_measure(const std::string& text,
     }
 }
 
-}  // namespace carom::pipeline::study
+}  // namespace carom::pipeline::measures

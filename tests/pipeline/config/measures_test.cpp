@@ -1,4 +1,4 @@
-#include "pipeline/study/measures.h"
+#include "pipeline/config/measures/measures.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -12,7 +12,7 @@
 #include "pipeline/report/shot_report.h"
 #include "tests/folders.h"
 
-namespace carom::pipeline::study {
+namespace carom::pipeline::measures {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
@@ -254,4 +254,4 @@ TEST(Measures_ThatCannotBeRead, SayWhyAndWhere) {
 }
 
 }  // namespace
-}  // namespace carom::pipeline::study
+}  // namespace carom::pipeline::measures

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <variant>
 
-#include "pipeline/study/text_problem.h"
+#include "pipeline/config/measures/text_problem.h"
 #include "sim/trials.h"
 
-namespace carom::pipeline::study {
+namespace carom::pipeline::measures {
 
 /// A variant that was simulated.
 struct Played {
@@ -30,6 +30,9 @@ struct MeasureInfo {
     std::string_view meaning;    // a sentence
 };
 
+/// "there is no measure 'speeed' (did you mean …"
+[[nodiscard]] std::string unknown_measure(const std::string& name);
+
 /// All of them, in the order of the list for users.
 [[nodiscard]] std::span<const MeasureInfo> measure_list();
 
@@ -48,4 +51,4 @@ struct Measure {
 [[nodiscard]] std::variant<Measure, TextProblem> parse_measure(const std::string& text,
                                                                const sim::WorldDescription& world);
 
-}  // namespace carom::pipeline::study
+}  // namespace carom::pipeline::measures

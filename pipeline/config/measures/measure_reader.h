@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/study/measures.h"
+#include "pipeline/config/measures/measures.h"
 #include "sim/event_time.h"
 
-namespace carom::pipeline::study {
+namespace carom::pipeline::measures {
 
 /// Thrown and caught while a measure is read.
 struct WrongMeasure {
@@ -69,4 +69,4 @@ class Arguments {
 /// s; empty if the moment never comes.
 [[nodiscard]] std::optional<double> time_of(const sim::EventTime& moment, const Played& played);
 
-}  // namespace carom::pipeline::study
+}  // namespace carom::pipeline::measures

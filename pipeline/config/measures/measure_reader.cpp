@@ -1,4 +1,4 @@
-#include "pipeline/study/measure_reader.h"
+#include "pipeline/config/measures/measure_reader.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 #include "sim/occurrence.h"
 #include "sim/timeline/surface.h"
 
-namespace carom::pipeline::study {
+namespace carom::pipeline::measures {
 
 using config::hint;
 using config::quote;
@@ -220,4 +220,4 @@ std::optional<double> time_of(const sim::EventTime& moment, const Played& played
     return event != nullptr ? std::optional(event->time + moment.delay) : std::nullopt;
 }
 
-}  // namespace carom::pipeline::study
+}  // namespace carom::pipeline::measures
