@@ -6,6 +6,7 @@
 
 #include "core/elementary.h"
 #include "core/length.h"
+#include "core/normal.h"
 #include "core/splitmix.h"
 #include "sim/stick/strike.h"
 
@@ -14,12 +15,13 @@ namespace {
 
 constexpr double kMaxElevation = 85 * std::numbers::pi / 180;
 
-/// Two independent numbers of standard normal distribution (Box and Muller, A note on the
-/// generation of random normal deviates, 1958).
+double normal_number(SplitMix64& random) {
+    return normal_quantile(random.next_unit() + 0x1p-54);
+}
+
 Vec2 normal_pair(SplitMix64& random) {
-    const double size = std::sqrt(-2 * logarithm(1 - random.next_unit()));
-    const SinCos at = sin_cos(2 * std::numbers::pi * random.next_unit());
-    return {size * at.cos, size * at.sin};
+    const double first = normal_number(random);
+    return {first, normal_number(random)};
 }
 
 }  // namespace

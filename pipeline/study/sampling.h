@@ -25,7 +25,4 @@ inline constexpr std::size_t kMostSobolDimensions = 21;
                                                              std::size_t dimensions,
                                                              std::uint64_t seed);
 
-/// The number below which a standard normal variable is with probability `p`, in (0, 1).
-[[nodiscard]] double normal_quantile(double p);
-
 }  // namespace carom::pipeline::study

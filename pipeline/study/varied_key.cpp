@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "core/normal.h"
 #include "pipeline/config/quantity.h"
 #include "pipeline/config/text.h"
 #include "pipeline/study/sampling.h"

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/elementary.h"
+#include "core/normal.h"
 
 namespace carom::pipeline::study {
 namespace {

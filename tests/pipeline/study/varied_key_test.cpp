@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/normal.h"
 #include "pipeline/study/sampling.h"
 
 namespace carom::pipeline::study {
