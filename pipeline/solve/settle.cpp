@@ -328,11 +328,12 @@ Solution solution_of(const StrikeTrials& trials, const Played& played) {
     return solution;
 }
 
-Solution judged(const StrikeTrials& trials, const Setting& setting, double window) {
+Solution judged(const StrikeTrials& trials, const Setting& setting, const Vec2& edges) {
     constexpr std::size_t kTrials = 100;
     Solution solution =
         solution_of(trials, {setting, trials.play(setting, StrikeTrials::Depth::whole)});
-    solution.window = window;
+    solution.window_edges = edges;
+    solution.window = edges.y - edges.x;
     if (solution.is_solved) {
         solution.chance = chance(trials, setting, kTrials);
         solution.chance_error =
@@ -345,7 +346,7 @@ Solution judged(const StrikeTrials& trials, const Setting& setting, double windo
 Solution finish(const StrikeTrials& trials, Setting setting) {
     setting = trials.rounded_where_found(setting);
     if (!trials.problem().finds_direction) {
-        return judged(trials, setting, 0);
+        return judged(trials, setting, {setting.direction, setting.direction});
     }
     const Vec2 edges = window(trials, setting);
     Setting middle = setting;
@@ -354,7 +355,7 @@ Solution finish(const StrikeTrials& trials, Setting setting) {
     if (trials.miss(trials.play(middle, StrikeTrials::Depth::whole)) == 0) {
         setting = middle;
     }
-    return judged(trials, setting, edges.y - edges.x);
+    return judged(trials, setting, edges);
 }
 
 /// The setting as it is likely to succeed with other values of speed and tip, from where it
@@ -405,14 +406,14 @@ void explore(const StrikeTrials& trials, KnownRoute& route,
 
 }  // namespace
 
-Solution settle(const StrikeTrials& trials, KnownRoute& route,
+Solution settle(const StrikeTrials& trials, KnownRoute& route, bool tells_nearest,
                 const std::function<void(const Solution&)>& found) {
     constexpr std::size_t kKept = 6;
     constexpr std::size_t kFewTrials = 20;
     double least = std::numeric_limits<double>::infinity();
     const auto tell = [&](const Played& played) {
         const Candidate candidate = rated(trials, played);
-        if (candidate.miss == 0 && candidate.cost < least) {
+        if ((candidate.miss == 0 || tells_nearest) && candidate.cost < least) {
             least = candidate.cost;
             found(solution_of(trials, played));
         }
@@ -454,8 +455,7 @@ Solution settle(const StrikeTrials& trials, KnownRoute& route,
 }
 
 Solution judge(const StrikeTrials& trials, const Setting& setting) {
-    const Vec2 edges = window(trials, setting);
-    return judged(trials, setting, edges.y - edges.x);
+    return judged(trials, setting, window(trials, setting));
 }
 
 }  // namespace carom::pipeline::solve

@@ -129,7 +129,7 @@ SolveResult Solver::solve(const SolveWork& work) {
                 verify(strikes->whole, solution);
             }
             const std::lock_guard lock(mutex);
-            if (work.found && solution.is_solved) {
+            if (work.found && (solution.is_solved || work.tells_nearest)) {
                 work.found(solution);
             }
             solutions[i] = std::move(solution);
@@ -137,7 +137,8 @@ SolveResult Solver::solve(const SolveWork& work) {
         do_parts(
             routes.size(),
             [&](std::size_t i) {
-                keep(i, settle(sought, routes[i], [&](const Solution& found) { keep(i, found); }));
+                keep(i, settle(sought, routes[i], work.tells_nearest,
+                               [&](const Solution& found) { keep(i, found); }));
             },
             work.parts);
     } catch (const Stopped&) {

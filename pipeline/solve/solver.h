@@ -51,10 +51,13 @@ struct SolveProblem {
 
 struct Solution {
     sim::Strike strike;
-    bool is_solved = false;    // all wants are met
-    double miss = 0;           // the sum of miss_of(), Happenings counted as 10 m
-    std::string route;         // Route::text()
-    double window = 0;         // of directions in which the happenings are as wanted, rad
+    bool is_solved = false;  // all wants are met
+    double miss = 0;         // the sum of miss_of(), Happenings counted as 10 m
+    std::string route;       // Route::text()
+    /// The directions (rad) between which the happenings are as wanted, and how far these are
+    /// apart.
+    Vec2 window_edges{0, 0};
+    double window = 0;
     double chance = 0;         // that the wants are met under the player's error
     double chance_error = 0;   // standard error
     std::string ball;          // that is struck
@@ -68,6 +71,8 @@ struct SolveWork {
     /// Told of each solution when it is found and of each better one of the same way, by one thread
     /// at a time. Their windows and chances may come from fewer trials than those of the result.
     std::function<void(const Solution&)> found{};
+    /// Whether `found` is also told of what misses places at rest less than all before.
+    bool tells_nearest = false;
 };
 
 struct SolveResult {

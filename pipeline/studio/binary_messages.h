@@ -60,7 +60,7 @@ struct CamerasHead {
     std::int64_t entries = 0;
 };
 
-/// The path of an object in one run of a fan.
+/// The path of an object in one of several runs.
 struct FanTrack {
     std::string name{};
     int run = 0;             // from 0

@@ -52,21 +52,31 @@ void mark_needed(std::span<const Point> points, std::vector<bool>& needed) {
     }
 }
 
-/// The path of an object until it is put elsewhere; empty if it does not move.
-std::vector<Point> path_of(const sim::Track& track) {
-    std::size_t count = 1;
-    while (count < track.keys().size() && !track.jumps_after(count - 1)) {
-        ++count;
+/// The path of an object from a time on until it is put elsewhere; empty if it does not move.
+std::vector<Point> path_of(const sim::Track& track, double from) {
+    std::size_t first = 0;
+    std::size_t end = 1;
+    for (; end < track.keys().size(); ++end) {
+        if (track.jumps_after(end - 1)) {
+            if (track.keys()[end].time > from) {
+                break;
+            }
+            first = end;
+        }
     }
-    const std::span<const sim::Key> keys = track.keys().first(count);
-    const sim::Bounds bounds = track.position_bounds(keys.front().time, keys.back().time);
+    const std::span<const sim::Key> keys = track.keys().subspan(first, end - first);
+    const double start = std::clamp(from, keys.front().time, keys.back().time);
+    const sim::Bounds bounds = track.position_bounds(start, keys.back().time);
     if ((bounds.high - bounds.low).length() < kTolerance) {
         return {};
     }
-    std::vector<Point> points;
-    const double step = std::max(kSampleStep, (keys.back().time - keys.front().time) / kMostPoints);
+    std::vector<Point> points{{start, track.sample(start).position}};
+    const double step = std::max(kSampleStep, (keys.back().time - start) / kMostPoints);
     for (const sim::Key& key : keys) {
-        double time = points.empty() ? key.time : points.back().time + step;
+        if (key.time <= start) {
+            continue;
+        }
+        double time = points.back().time + step;
         while (time < key.time) {
             points.push_back({time, track.sample(time).position});
             time += step;
@@ -135,23 +145,28 @@ void count(const sim::Event& event, int run, std::map<OutcomeKey, Outcome>& outc
 
 }  // namespace
 
+void add_paths(const sim::Timeline& timeline, double from, int run, std::vector<FanTrack>& tracks,
+               std::vector<double>& numbers) {
+    for (const sim::Track& track : timeline.tracks) {
+        const std::vector<Point> path = path_of(track, from);
+        if (path.empty()) {
+            continue;
+        }
+        tracks.push_back({track.name(), run, static_cast<std::int64_t>(numbers.size()),
+                          static_cast<std::int64_t>(path.size())});
+        for (const Point& point : path) {
+            numbers.insert(numbers.end(),
+                           {point.time, point.place.x, point.place.y, point.place.z});
+        }
+    }
+}
+
 Numbers<FanHead> fan_message(const std::vector<sim::Timeline>& runs) {
     Numbers<FanHead> message;
     std::map<OutcomeKey, Outcome> outcomes;
     for (std::size_t run = 0; run < runs.size(); ++run) {
-        for (const sim::Track& track : runs[run].tracks) {
-            const std::vector<Point> path = path_of(track);
-            if (path.empty()) {
-                continue;
-            }
-            message.head.tracks.push_back({track.name(), static_cast<int>(run),
-                                           static_cast<std::int64_t>(message.numbers.size()),
-                                           static_cast<std::int64_t>(path.size())});
-            for (const Point& point : path) {
-                message.numbers.insert(message.numbers.end(),
-                                       {point.time, point.place.x, point.place.y, point.place.z});
-            }
-        }
+        add_paths(runs[run], runs[run].start_time, static_cast<int>(run), message.head.tracks,
+                  message.numbers);
         for (const sim::Event& event : runs[run].events) {
             if (is_outcome(event)) {
                 count(event, static_cast<int>(run), outcomes);

@@ -2,6 +2,7 @@
 
 #include <iterator>
 #include <limits>
+#include <mutex>
 #include <stop_token>
 #include <thread>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "pipeline/check/file_check.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/picture/lit_annotations.h"
+#include "pipeline/solve/answers.h"
 #include "pipeline/studio/live_bake.h"
 #include "pipeline/studio/live_messages.h"
 #include "pipeline/studio/live_requests.h"
@@ -45,12 +47,15 @@ class LiveShot::Worker {
           sequence_(output_, options_.root),
           bake_(options_.clock),
           requests_(bake_) {
+        answers_.folder.path = options_.answers_folder;
         thread_ = std::jthread([this](const std::stop_token& end) { run(end); });
     }
 
     ~Worker() {
         thread_.request_stop();
         bake_.end();
+        const std::lock_guard lock(search_mutex_);
+        search_.request_stop();
     }
 
     Worker(const Worker&) = delete;
@@ -58,7 +63,11 @@ class LiveShot::Worker {
     Worker(Worker&&) = delete;
     Worker& operator=(Worker&&) = delete;
 
-    void offer(TextsOfVersion texts) { requests_.offer(std::move(texts)); }
+    void offer(TextsOfVersion texts) {
+        const std::lock_guard lock(search_mutex_);  // their own search begins after this
+        requests_.offer(std::move(texts));
+        search_.request_stop();
+    }
     void set_dragging(bool on) { requests_.set_dragging(on); }
     void simulate() { requests_.simulate(); }
 
@@ -68,11 +77,31 @@ class LiveShot::Worker {
             try {
                 answer(*request);
             } catch (const Stopped&) {
+                if (is_search_told_) {
+                    output_.text(Work{});
+                }
                 continue;
             } catch (const std::exception& error) {
                 fail(*request, error.what());
             }
         }
+    }
+
+    /// `solve` takes seconds, for which newer texts do not wait: the search for those of that
+    /// version can be stopped from now on.
+    void begin_search(std::int64_t v) {
+        const std::lock_guard lock(search_mutex_);
+        search_ = std::stop_source();
+        if (requests_.has_newer()) {
+            search_.request_stop();
+        }
+        is_search_told_ = false;
+        answers_.parts.context = {
+            [this, v](double fraction) {
+                is_search_told_ = fraction < 1;
+                output_.text(is_search_told_ ? Work{"solve", v, fraction} : Work{});
+            },
+            search_.get_token()};
     }
 
     void fail(const LiveRequest& request, const std::string& message) {
@@ -83,6 +112,7 @@ class LiveShot::Worker {
     void answer(const LiveRequest& request) {
         const double start = thread_cpu_seconds();
         const std::int64_t v = request.texts.v;
+        begin_search(v);
         if (sequence_.takes(request.texts)) {
             timeline_.reset();
             messages_.forget_cameras();
@@ -235,7 +265,8 @@ class LiveShot::Worker {
                 .root = options_.root,
                 .texts = texts.texts.get(),
                 .most_asset_bytes = options_.most_asset_bytes,
-                .tables = &tables_};
+                .tables = &tables_,
+                .answers = &answers_};
     }
 
     LiveOptions options_;
@@ -245,7 +276,12 @@ class LiveShot::Worker {
     LiveBake bake_;
     LiveRequests requests_;
 
+    std::mutex search_mutex_;  // of the next one; taken before that of the requests
+    std::stop_source search_;
+
     // Of the thread.
+    pipeline::solve::AnswerWork answers_;
+    bool is_search_told_ = false;  // to the page
     sim::billiards::TableMemo tables_;
     pipeline::FileChecker files_;
     std::optional<sim::Timeline> timeline_;  // without keyed motions

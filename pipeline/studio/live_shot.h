@@ -60,7 +60,8 @@ struct LiveOutput {
 struct LiveOptions {
     std::vector<std::string> overrides{};
     std::string quality{};
-    std::string root{};  // the folder below which the shot's files are
+    std::string root{};            // the folder below which the shot's files are
+    std::string answers_folder{};  // where strikes that `solve` found are kept; empty: nowhere
     /// Steps as sim::bake_within counts them.
     std::uint64_t most_steps = 15'000'000;
     /// The largest size of a mesh or an image that the shot may name.
@@ -84,9 +85,9 @@ class LiveShot {
     LiveShot(LiveShot&&) = delete;
     LiveShot& operator=(LiveShot&&) = delete;
 
-    /// Texts to answer. Older ones that still wait are dropped. A simulation that has taken more
-    /// than 0.1 s of processor time is stopped for them, except if the one before it was stopped,
-    /// too, so that answers keep coming.
+    /// Texts to answer. Older ones that still wait are dropped, and a search for strikes for them
+    /// is stopped. A simulation that has taken more than 0.1 s of processor time is stopped for
+    /// them, except if the one before it was stopped, too, so that answers keep coming.
     void offer(TextsOfVersion texts);
 
     /// During a drag, a shot whose simulation takes more than 0.3 s of processor time is simulated

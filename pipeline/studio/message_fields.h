@@ -8,4 +8,5 @@
 #include "pipeline/studio/sequence_message_fields.h"
 #include "pipeline/studio/server_message_fields.h"
 #include "pipeline/studio/shot_message_fields.h"
+#include "pipeline/studio/solve_message_fields.h"
 #include "pipeline/studio/sound_message_fields.h"

@@ -15,4 +15,5 @@
 #include "pipeline/studio/sequence_messages.h"
 #include "pipeline/studio/server_messages.h"
 #include "pipeline/studio/shot_messages.h"
+#include "pipeline/studio/solve_messages.h"
 #include "pipeline/studio/sound_messages.h"

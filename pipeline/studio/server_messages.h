@@ -215,7 +215,7 @@ struct Made {
 /// What the server works on, for the status line.
 struct Work {
     static constexpr const char* kName = "work";
-    std::string what{};  // "bake", or empty: nothing
+    std::string what{};  // "bake", "solve", or empty: nothing
     std::int64_t v = 0;
     double fraction = 0;  // [0, 1]
 };

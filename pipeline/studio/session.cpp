@@ -55,6 +55,11 @@ void Session::State::start_workers() {
             messages_.send(0, head, std::as_bytes(std::span(numbers)));
         },
         [this](const ServerMessage& message) { messages_.send(0, message); });
+    solver_ = std::make_unique<ShotSolver>(
+        [this](PageId page, const SolutionsHead& head, const std::vector<double>& numbers) {
+            messages_.send(page, head, std::as_bytes(std::span(numbers)));
+        },
+        send);
     annotations_ = std::make_unique<SceneAnnotations>(
         [this](PageId page, const AnnotationsHead& head, const std::vector<double>& numbers) {
             messages_.send(page, head, std::as_bytes(std::span(numbers)));
@@ -91,6 +96,7 @@ void Session::State::closed(PageId page) {
     pages_.erase(page);
     films_->cancel(page);
     annotations_->cancel(page);
+    solver_->cancel(page);
     documents_->closed(page);
     set_dragging(page, false);
 }

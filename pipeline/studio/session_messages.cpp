@@ -221,6 +221,18 @@ void Session::State::receive(PageId /*page*/, const Unfan& /*message*/) {
     fan_->cancel();
 }
 
+void Session::State::receive(PageId page, const SolveShot& question) {
+    solver_->ask(page, question);
+}
+
+void Session::State::receive(PageId page, const Judge& question) {
+    solver_->ask(page, question);
+}
+
+void Session::State::receive(PageId page, const Unsolve& /*message*/) {
+    solver_->cancel(page);
+}
+
 void Session::State::receive(PageId page, const See& question) {
     films_->ask(page, question);
 }

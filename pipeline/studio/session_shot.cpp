@@ -7,6 +7,8 @@
 
 #include "pipeline/config/shot_source.h"
 #include "pipeline/sequence/sequence_writer.h"
+#include "pipeline/store/cache_entry.h"
+#include "pipeline/store/cache_folder.h"
 #include "pipeline/studio/message_json.h"
 #include "pipeline/studio/paths.h"
 #include "pipeline/studio/session_state.h"
@@ -31,6 +33,17 @@ std::string Session::State::files_root() {
     return root();
 }
 
+/// Empty if the cache cannot be used.
+std::string Session::State::answers_folder() const {
+    try {
+        return pipeline::answers_folder(options_.cache_folder.empty()
+                                            ? pipeline::default_cache_folder()
+                                            : options_.cache_folder);
+    } catch (const pipeline::CacheUnusable&) {
+        return {};
+    }
+}
+
 void Session::State::open_shot(const std::string& path) {
     auto shot = std::make_shared<OpenedShot>(path, root_for(path));
     const int opening = close_shot();
@@ -39,7 +52,8 @@ void Session::State::open_shot(const std::string& path) {
     shot_->open_journal(options_.cache_folder);
     live_ = std::make_unique<LiveShot>(LiveOptions{.overrides = options_.overrides,
                                                    .quality = options_.quality,
-                                                   .root = shot_->files().root()},
+                                                   .root = shot_->files().root(),
+                                                   .answers_folder = answers_folder()},
                                        output_of(opening));
     watch_->watch(shot_->files().watched());
     offer();
@@ -50,6 +64,7 @@ int Session::State::close_shot() {
     ended_ = std::move(live_);
     pictures_->cancel_all();
     fan_->cancel();
+    solver_->cancel(0);
     films_->clear();
     sound_->clear();
     show(nullptr, nullptr, 0);
@@ -65,6 +80,7 @@ void Session::State::show(const std::shared_ptr<const pipeline::Shot>& shot,
     pictures_->set_shot(shot, timeline, v);
     documents_->set_shot(shot, timeline, v);
     fan_->set_shot(shot, timeline, v);
+    solver_->set_shot(shot, timeline, v);
     annotations_->set_shot(shot, timeline, v);
 }
 
@@ -72,6 +88,7 @@ void Session::State::show(const std::shared_ptr<const pipeline::Shot>& shot,
 void Session::State::offer() {
     pictures_->hold(Hold::texts, true);
     fan_->cancel();
+    solver_->cancel(0);
     const Workspace& files = shot_->files();
     live_->offer({files.version(), files.shot(), files.texts()});
 }

@@ -28,6 +28,7 @@
 #include "pipeline/studio/scene_meshes.h"
 #include "pipeline/studio/sequence_pictures.h"
 #include "pipeline/studio/session.h"
+#include "pipeline/studio/shot_solver.h"
 
 namespace carom::studio {
 
@@ -65,6 +66,9 @@ class Session::State {
     void receive(PageId page, const AddParts& request);
     void receive(PageId page, const Fan& question);
     void receive(PageId page, const Unfan& message);
+    void receive(PageId page, const SolveShot& question);
+    void receive(PageId page, const Judge& question);
+    void receive(PageId page, const Unsolve& message);
     void receive(PageId page, const Dragging& dragging);
     void receive(PageId page, const Recover& answer);
     void receive(PageId page, const Simulate& message);
@@ -87,6 +91,7 @@ class Session::State {
     [[nodiscard]] OpenShot open_texts() const;
 
     // The open shot; with the mutex.
+    [[nodiscard]] std::string answers_folder() const;
     [[nodiscard]] std::string root_for(const std::string& path) const;
     void open_shot(const std::string& path);
     int close_shot();
@@ -125,6 +130,7 @@ class Session::State {
     // They send messages from threads of their own.
     std::unique_ptr<FileDesk> desk_;
     std::unique_ptr<OutcomeFan> fan_;
+    std::unique_ptr<ShotSolver> solver_;
     std::unique_ptr<SceneAnnotations> annotations_;
     std::unique_ptr<PictureView> pictures_;
     std::unique_ptr<SequencePictures> films_;  // with the mutex

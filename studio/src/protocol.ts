@@ -89,6 +89,29 @@ export interface Fan {
 export interface Unfan {
 }
 
+export interface SolveShot {
+    q: number;
+    v: number;
+    event: number;
+    struck: string;
+    ball: string;
+    pocket: string;
+    rest?: [number, number];
+    within: number;
+    seconds: number;
+}
+
+export interface Judge {
+    q: number;
+    v: number;
+    event: number;
+    wants_map: boolean;
+    directions?: [number, number];
+}
+
+export interface Unsolve {
+}
+
 export interface Dragging {
     on: boolean;
 }
@@ -174,6 +197,9 @@ export interface ToServer {
     add_parts: AddParts;
     fan: Fan;
     unfan: Unfan;
+    solve: SolveShot;
+    judge: Judge;
+    unsolve: Unsolve;
     dragging: Dragging;
     recover: Recover;
     simulate: Simulate;
@@ -591,6 +617,34 @@ export interface Made {
     file: string;
 }
 
+export interface Pot {
+    ball: string;
+    pocket: string;
+}
+
+export interface Judged {
+    q: number;
+    v: number;
+    event: number;
+    pots: Pot[];
+    window: [number, number];
+    direction: number;
+    chance: number;
+    chance_error: number;
+}
+
+export interface StrikeMap {
+    q: number;
+    v: number;
+    event: number;
+    pots: Pot[];
+    directions: [number, number];
+    speeds: [number, number];
+    columns: number;
+    rows: number;
+    cells: string;
+}
+
 /// The texts that the server sends, by the member "t".
 export interface ToPage {
     welcome: Welcome;
@@ -617,6 +671,8 @@ export interface ToPage {
     film_frame: FilmFrame;
     making: Making;
     made: Made;
+    judged: Judged;
+    strike_map: StrikeMap;
 }
 
 export interface TrackHead {
@@ -732,6 +788,37 @@ export interface AnnotationsHead {
 export const kAnnotationsType = 5;
 export const kAnnotationsNumbersPerPoint = 4;
 
+export interface ShotSolution {
+    route: string;
+    pocket: string;
+    is_solved: boolean;
+    miss: number;
+    chance: number;
+    chance_error: number;
+    window: number;
+    direction: number;
+    speed: number;
+    is_ball_speed: boolean;
+    elevation: number;
+    tip: [number, number];
+    rest?: [number, number];
+}
+
+export interface SolutionsHead {
+    q: number;
+    v: number;
+    complete: boolean;
+    message: string;
+    time: number;
+    solve_item: number;
+    trials: number;
+    milliseconds: number;
+    solutions: ShotSolution[];
+    tracks: FanTrack[];
+}
+export const kSolutionsType = 6;
+export const kSolutionsNumbersPerPoint = 4;
+
 /// The heads of the binary messages.
 export interface BinaryToPage {
     timeline: TimelineHead;
@@ -739,6 +826,7 @@ export interface BinaryToPage {
     picture: PictureHead;
     fan: FanHead;
     annotations: AnnotationsHead;
+    solutions: SolutionsHead;
 }
 
 /// The names of the binary messages by their type.
@@ -748,4 +836,5 @@ export const kBinaryTypes: Record<number, keyof BinaryToPage> = {
     [kPictureType]: 'picture',
     [kFanType]: 'fan',
     [kAnnotationsType]: 'annotations',
+    [kSolutionsType]: 'solutions',
 };

@@ -4,7 +4,7 @@ import { batch } from '@preact/signals';
 import type { BinaryToPage, ToPage } from '../protocol';
 import { kBinaryTypes } from '../protocol';
 import {
-    cameraFrames, deferred, fan, files, meshes, picture, pictureAsked, problems, sceneAnnotations, sequence, shot, soundState, start, textVersion, timeline, welcome, work,
+    cameraFrames, deferred, fan, files, judged, meshes, picture, pictureAsked, problems, sceneAnnotations, sequence, shot, solutions, soundState, start, strikeMap, textVersion, timeline, welcome, work,
     type CameraFrames,
 } from '../state/state';
 import { asFloat64, decodeBinary } from './decode';
@@ -87,6 +87,12 @@ const texts: Handlers<ToPage> = {
     sound: (message) => {
         soundState.value = message;
     },
+    judged: (message) => {
+        judged.value = message;
+    },
+    strike_map: (message) => {
+        strikeMap.value = message;
+    },
     work: (message) => {
         work.value = message;
     },
@@ -119,6 +125,9 @@ const binaries: Handlers<BinaryToPage> = {
     },
     fan: (head, payload) => {
         fan.value = { head, numbers: asFloat64(payload) };
+    },
+    solutions: (head, payload) => {
+        solutions.value = { head, numbers: asFloat64(payload) };
     },
     annotations: (head, payload) => {
         sceneAnnotations.value = { head, numbers: asFloat64(payload) };
@@ -171,6 +180,9 @@ function forgetShot(): void {
     timeline.value = null;
     cameraFrames.value = null;
     fan.value = null;
+    solutions.value = null;
+    judged.value = null;
+    strikeMap.value = null;
     sceneAnnotations.value = null;
     work.value = null;
     deferred.value = null;

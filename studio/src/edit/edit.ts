@@ -2,8 +2,8 @@
 /// value; what the page draws follows from the server's answer.
 import type { KeyPath } from '../protocol';
 import { indentRest, nestBlock } from './add_entry';
-import { applyPlan, checkOption } from './apply';
-import type { EditResult } from './edit_types';
+import { applyPlan, changed, checkOption } from './apply';
+import type { Change, EditResult } from './edit_types';
 import { withEdits } from './file_edits';
 import { planEntry, planInsert, planRemove } from './plan';
 import { checkScenePath } from './scene_paths';
@@ -21,6 +21,19 @@ export function removeValue(path: KeyPath, label: string, isOfScene = false): Ed
             checkScenePath(path, files);
         }
         return withEdits(files, planRemove(files, path, decisions));
+    }, label, { text: '', path });
+}
+
+/// Makes changes and takes values out, as one step of undo; all paths come from the scene that is shown.
+export function changeAndRemove(
+    changes: Change[], removed: readonly KeyPath[], label: string,
+): EditResult {
+    const path = changes[0]?.path ?? [];
+    return applyPlan((files, decisions) => {
+        [...changes.map((one) => one.path), ...removed].forEach((one) =>
+            checkScenePath(one, files));
+        return removed.reduce((all, one) => withEdits(all, planRemove(all, one, decisions)),
+            changed(files, changes, decisions));
     }, label, { text: '', path });
 }
 

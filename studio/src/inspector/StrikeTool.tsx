@@ -1,10 +1,11 @@
 /// Where the tip hits the ball, and the direction of the aim, as two discs to drag.
-import { beginGesture, type Change } from '../edit/edit';
-import { beginsDrag, dragFrom } from '../input/element_drag';
+import type { Change } from '../edit/edit';
 import { keyStep } from '../input/key_run';
 import type { KeyPath, ShotEvent } from '../protocol';
 import { valueAt } from '../view/gizmos/shot_values';
 import { kMiscueOffset } from '../view/gizmos/strike_geometry';
+import { dragOn, kArrows } from './disc_drag';
+import { OutcomeStrip } from './OutcomeStrip';
 
 const kRadius = 44; // px of the ball, and of the dial
 const kStep = 0.01; // ball radii
@@ -14,27 +15,6 @@ function pointIn(disc: Element, event: PointerEvent): [number, number] {
     const box = disc.getBoundingClientRect();
     return [(event.clientX - box.left - box.width / 2) / kRadius,
         -(event.clientY - box.top - box.height / 2) / kRadius];
-}
-
-/// A drag on a disc: one step of undo.
-function dragOn(event: PointerEvent, label: string, changes: (x: number, y: number) => Change[]): void {
-    if (!beginsDrag(event)) {
-        return;
-    }
-    const disc = event.currentTarget as Element;
-    const gesture = beginGesture(true);
-    const follow = (at: PointerEvent) => { gesture.update(changes(...pointIn(disc, at))); };
-    follow(event);
-    dragFrom(event, {
-        move: follow,
-        end: (isDone) => {
-            if (isDone) {
-                gesture.commit(label);
-            } else {
-                gesture.cancel();
-            }
-        },
-    });
 }
 
 function tipChanges(path: KeyPath, x: number, y: number): Change[] {
@@ -60,10 +40,6 @@ function directionInText(event: ShotEvent): number {
     return typeof direction === 'number' ? direction : event.direction;
 }
 
-const kArrows: Record<string, readonly [number, number]> = {
-    ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1],
-};
-
 function TipDisc({ event }: { event: ShotEvent }) {
     const [x, y] = event.tip;
     const isMiscue = Math.hypot(x, y) > kMiscueOffset;
@@ -87,7 +63,8 @@ function TipDisc({ event }: { event: ShotEvent }) {
                 aria-valuemin={0} aria-valuemax={1}
                 aria-valuetext={`${x.toFixed(2)} right, ${y.toFixed(2)} up, in ball radii${isMiscue ? ', miscue' : ''}`}
                 onKeyDown={press}
-                onPointerDown={(down) => dragOn(down, 'Move tip', (a, b) => tipChanges(event.path, a, b))}>
+                onPointerDown={(down) => dragOn(down, 'Move tip',
+                    (disc, at) => tipChanges(event.path, ...pointIn(disc, at)))}>
                 <circle class="ball" r={kRadius} />
                 <path class="cross" d={`M${-kRadius} 0H${kRadius}M0 ${-kRadius}V${kRadius}`} />
                 <circle class="limit" r={kRadius * kMiscueOffset} />
@@ -120,8 +97,10 @@ function Dial({ event }: { event: ShotEvent }) {
                 aria-label="Direction of the aim" aria-valuenow={Math.round(degrees * 10) / 10}
                 aria-valuemin={-360} aria-valuemax={360} aria-valuetext={`${degrees.toFixed(1)} degrees`}
                 onKeyDown={press}
-                onPointerDown={(down) => dragOn(down, 'Turn the aim',
-                    (a, b) => directionChanges(event, Math.atan2(b, a)))}>
+                onPointerDown={(down) => dragOn(down, 'Turn the aim', (disc, at) => {
+                    const [a, b] = pointIn(disc, at);
+                    return directionChanges(event, Math.atan2(b, a));
+                })}>
                 <circle class="dial" r={kRadius} />
                 {Array.from({ length: 24 }, (_, i) => (
                     <path key={i} class="cross" transform={`rotate(${15 * i})`}
@@ -137,5 +116,10 @@ function Dial({ event }: { event: ShotEvent }) {
 
 /// The discs of a strike.
 export function StrikeTool({ event }: { event: ShotEvent }) {
-    return <div class="strike"><TipDisc event={event} /><Dial event={event} /></div>;
+    return (
+        <>
+            <div class="strike"><TipDisc event={event} /><Dial event={event} /></div>
+            <OutcomeStrip event={event} />
+        </>
+    );
 }

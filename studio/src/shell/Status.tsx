@@ -61,7 +61,7 @@ function Simulation() {
         );
     }
     if (work.value?.what) {
-        return <span>simulating: {Math.round(100 * work.value.fraction)} %</span>;
+        return <span>{work.value.what === 'solve' ? 'finding the strike' : 'simulating'}: {Math.round(100 * work.value.fraction)} %</span>;
     }
     if (shot.value && meshes.value === null) { // large ones take seconds
         return <span>preparing the meshes</span>;

@@ -74,7 +74,8 @@ export function Toolbar() {
                     text={filmText() || 'Film'} onClick={() => togglePanel('film')} />
             </div>
             <div class="group">
-                <Tool icon={TriangleAlert} label="Show the first problem" isDisabled={!first}
+                <Tool icon={TriangleAlert} isDisabled={!first}
+                    label={`Show the first problem${count > 0 ? ` of ${count}` : ''}`}
                     text={count > 0 ? String(count) : ''}
                     onClick={() => first && showRange(first.place)} />
                 <Tool icon={isDark ? Sun : Moon}

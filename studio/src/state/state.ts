@@ -2,7 +2,7 @@
 /// the inspector read these and write through src/edit.
 import { computed, signal } from '@preact/signals';
 import type {
-    AnnotationsHead, CamerasHead, Deferred, FanHead, KeyPath, OpenFile, PictureHead, Problems, SequenceState, ShotState, SoundState, Start,
+    AnnotationsHead, CamerasHead, Deferred, FanHead, Judged, KeyPath, OpenFile, PictureHead, Problems, SequenceState, ShotState, SolutionsHead, SoundState, Start, StrikeMap,
     TimelineHead, Triple, Welcome, Work,
 } from '../protocol';
 
@@ -21,6 +21,12 @@ export interface CameraFrames {
 /// The finished runs of a shot with small disturbances: kFanNumbersPerPoint numbers for each point.
 export interface OutcomeFan {
     head: FanHead;
+    numbers: Float64Array;
+}
+
+/// Strikes with the paths of what they move: kSolutionsNumbersPerPoint numbers for each point.
+export interface Solutions {
+    head: SolutionsHead;
     numbers: Float64Array;
 }
 
@@ -71,6 +77,11 @@ export const openFilm = computed(() => sequence.value?.film ?? shot.value?.film 
 /// The answer to the newest question how sure the outcome is; of an older version once the texts
 /// changed.
 export const fan = signal<OutcomeFan | null>(null);
+/// Strikes that were found for what is sought.
+export const solutions = signal<Solutions | null>(null);
+/// What a strike pots as it is, and what comes of others like it.
+export const judged = signal<Judged | null>(null);
+export const strikeMap = signal<StrikeMap | null>(null);
 /// The answer to the newest question what annotations in the scene look like.
 export const sceneAnnotations = signal<SceneAnnotations | null>(null);
 export const problems = signal<Problems | null>(null);

@@ -3,6 +3,7 @@
 import type { RefObject } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { FlatView } from './flat/FlatView';
+import { SolutionBar } from '../solve/SolutionBar';
 import { Menu } from './menu/Menu';
 import { PictureBar } from './picture/PictureBar';
 import { Stage } from './stage';
@@ -73,6 +74,7 @@ export function View() {
         >
             {isPossible ? <DrawnView gone={() => setPossible(false)} /> : <FlatView />}
             <PictureBar />
+            <SolutionBar />
             <Menu />
         </div>
     );

@@ -2,6 +2,7 @@
 import { makeAnnotations } from './annotations';
 import { makeBallDrag } from './ball_drag';
 import { makeCameras } from './camera_gizmos/camera_part';
+import { makeAimWindow } from './gizmos/aim_window';
 import { makeArrows } from './gizmos/arrows';
 import { makeEventPins } from './gizmos/event_pins';
 import { makeFan } from './gizmos/fan';
@@ -10,6 +11,7 @@ import { makeNudge } from './gizmos/nudge';
 import { makeObjectBodies, makeObjectHandles } from './gizmos/objects';
 import { makeProblemMarks } from './gizmos/problem_marks';
 import { makeOutlines } from './outlines';
+import { makeSolutions } from './gizmos/solutions';
 import { makeStrike } from './gizmos/strike';
 import { makeLights } from './light_gizmos/light_part';
 import type { MakePart } from './parts';
@@ -29,6 +31,8 @@ export const kAllParts: readonly MakePart[] = [
     makeNudge,
     makeProblemMarks,
     makeStrike,
+    makeSolutions,
+    makeAimWindow,
     makeArrows,
     makeEventPins,
     makeFan,

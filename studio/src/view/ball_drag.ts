@@ -3,7 +3,10 @@
 /// the view; with x, y or z held along that axis; with Shift ten times finer.
 import type { Change } from '../edit/edit';
 import { tracks } from '../motion/clock';
-import type { SceneObject, Triple } from '../protocol';
+import type { SceneObject, TablePocket, Triple } from '../protocol';
+import { canPot, seekPot } from '../solve/search';
+import { pocketAt } from '../solve/solve_state';
+import { pocketWords } from '../solve/solution_text';
 import { sceneTime, selection, shot } from '../state/state';
 import { kBodyPriority, type Drag, type MakePart, type ViewContext } from './parts';
 import { ballItems } from './gizmos/ball_menu';
@@ -32,7 +35,7 @@ export const makeBallDrag: MakePart = (context) => {
         hover: (event) => context.objectAt(event)?.kind === 'ball' ? 'grab' : null,
         menu: (pixel) => {
             const ball = context.objectAt(pixel);
-            return ball?.kind === 'ball' ? ballItems(ball) : [];
+            return ball?.kind === 'ball' ? ballItems(ball, pixel.clientX, pixel.clientY) : [];
         },
         dispose: () => {
             forgetKeys();
@@ -115,11 +118,43 @@ function dragBall(ball: SceneObject, start: PointerEvent, context: ViewContext):
             ? stepOf(context.metresPerPixel(to) / 10, 1e-6, kPrecision) : kPrecision;
         return [{ path: [...ball.path, 'at'], value, precision }];
     };
-    return editDrag(start, {
+    // No ball rests in a pocket: over one, the drag says that it shall be potted there, and the ball is
+    // where it was.
+    let pocket: TablePocket | undefined;
+    const intoPocket = (event: PointerEvent): boolean => {
+        const to = !event.altKey && canPot(ball) ? follow(event, 'level') : null;
+        pocket = to ? pocketAt(to, shot.peek()?.pockets ?? []) : undefined;
+        if (pocket) {
+            sketch.show('ball-drag', pocketFigure(ball, pocket));
+        }
+        return pocket !== undefined;
+    };
+    const drag = editDrag(start, {
         label: `Move ${ball.name}`,
-        changes: (event) => partner && !event.altKey ? around(event) : freely(event),
+        changes: (event) => intoPocket(event) ? []
+            : partner && !event.altKey ? around(event) : freely(event),
         ended: () => sketch.hide('ball-drag'),
     });
+    return {
+        ...drag,
+        end: (event) => {
+            drag.end(event);
+            if (pocket) {
+                seekPot(ball.name, pocket.name);
+            }
+        },
+    };
+}
+
+/// The wish to pot a ball.
+function pocketFigure(ball: SceneObject, { name, place, radius }: TablePocket): Figure {
+    return {
+        balls: [{ at: [...place, 0], radius: ball.radius, colour: kColours.potted }],
+        dots: [{ at: [...place, 0.03], colour: kColours.potted, size: 26, shape: 'ring' }],
+        labels: [{
+            at: [place[0], place[1], radius / 2], text: `pot ${ball.name} in ${pocketWords(name)}`,
+        }],
+    };
 }
 
 /// The ball where it starts now, if the view shows it elsewhere, and what it snaps to.

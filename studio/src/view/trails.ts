@@ -6,6 +6,7 @@ import {
     LineSegments, Points, PointsMaterial,
 } from 'three';
 import { tracks } from '../motion/clock';
+import { wish } from '../solve/solve_state';
 import { onCommand } from '../state/keys';
 import { dragging, hasErrors, isDeferred, sceneTime, shot, timeline } from '../state/state';
 import { showTrails } from '../state/view_state';
@@ -121,7 +122,7 @@ export const makeTrails: MakePart = (context) => {
             if (one) {
                 old.update(trailShapes(one.objects, one.tracks, kPinnedStyle, new Map()));
             }
-            trails.show(showTrails.value);
+            trails.show(showTrails.value && wish.value === null);
             old.show(showTrails.value && one !== null);
             ask();
         }),

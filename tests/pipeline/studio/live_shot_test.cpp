@@ -1,6 +1,7 @@
 // Which texts are answered, which simulations are stopped, and which are not needed at all.
 #include "pipeline/studio/live_shot.h"
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <filesystem>
@@ -334,6 +335,29 @@ TEST_F(LiveShotTest, FailedSimulation_LeavesNoProgressBehind) {
     offer(1, 1);
     wait([&] { return complete_ == 1; });
     EXPECT_EQ(work_, (std::vector<std::string>{"bake", ""}));
+}
+
+TEST_F(LiveShotTest, SearchOfSolve_IsStoppedForNewerTexts) {
+    const std::string run = CAROM_SOURCE_DIR "/examples/clearance.yaml";  // takes seconds
+    auto texts = std::make_shared<pipeline::config::OpenTexts>();
+    (*texts)[run] = read(run);
+    live_->offer({1, run, texts});
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    offer(2, 0);
+    wait([&] { return !answered_.empty(); });
+    const std::lock_guard lock(mutex_);
+    EXPECT_EQ(answered_, std::vector<std::int64_t>{2});
+    EXPECT_TRUE(work_.empty() || work_.back().empty());
+}
+
+TEST_F(LiveShotTest, SolveIsAnswered_AlsoByTheFirstTexts) {
+    const std::string shot = CAROM_SOURCE_DIR "/examples/solve_red_black.yaml";
+    for (std::int64_t v = 1; v <= 5; ++v) {  // as a text that is opened, and typed in
+        auto texts = std::make_shared<pipeline::config::OpenTexts>();
+        (*texts)[shot] = read(shot) + "# " + std::to_string(v) + "\n";
+        live_->offer({v, shot, texts});
+        wait([&] { return std::ranges::count(answered_, v) == 1; });
+    }
 }
 
 TEST_F(LiveShotTest, End_StopsTheSimulation) {

@@ -33,14 +33,19 @@ TEST(StudioMessages, Text_IsReadWithAllFields) {
 }
 
 TEST(StudioMessages, PageMessages_AreTheSameAfterARoundTrip) {
-    const std::vector<PageMessage> messages{Hello{kProtocol},
-                                            TextChange{3, "a.yaml", "\"quoted\"\t\\"},
-                                            Save{"a.yaml", "x", "00"},
-                                            Revert{4, "a.yaml"},
-                                            Open{"a.yaml", "b.yaml", "", true},
-                                            Dragging{true},
-                                            Recover{true},
-                                            Simulate{9}};
+    const std::vector<PageMessage> messages{
+        Hello{kProtocol},
+        TextChange{3, "a.yaml", "\"quoted\"\t\\"},
+        Save{"a.yaml", "x", "00"},
+        Revert{4, "a.yaml"},
+        Open{"a.yaml", "b.yaml", "", true},
+        Dragging{true},
+        Recover{true},
+        Simulate{9},
+        SolveShot{1, 2, 0, "cue", "one", "side_back", {{0.5, 1}}},
+        SolveShot{2, 2, 0, "cue", "one"},
+        Judge{3, 2, 0, true, {{1.5, 2}}},
+        Unsolve{}};
     for (const PageMessage& message : messages) {
         const std::string text = to_json(message);
         EXPECT_EQ(to_json(read_page_message(text)), text);

@@ -4,7 +4,9 @@ import { applyChanges, insertItem, removeValue, type Change } from '../../edit/e
 import type { SceneObject } from '../../protocol';
 import { rackedBalls } from '../../edit/ball_names';
 import { selection, shot } from '../../state/state';
-import type { MenuItem } from '../menu/menu_state';
+import { canPot, seekPot } from '../../solve/search';
+import { pocketWords } from '../../solve/solution_text';
+import { openMenu, type MenuItem } from '../menu/menu_state';
 import { contactDistance } from './ball_snap';
 import { valueAt } from './shot_values';
 import { shownStrike } from './strike';
@@ -84,6 +86,24 @@ function rackItems(ball: SceneObject): MenuItem[] {
     }];
 }
 
-export function ballItems(ball: SceneObject): MenuItem[] {
-    return [...strikeItems(ball), ...placeItems(ball), ...rackItems(ball)];
+/// Strikes are sought that pot the ball: in the best pocket, or in one that a second menu offers.
+function potItems(ball: SceneObject, x: number, y: number): MenuItem[] {
+    const pockets = shot.peek()?.pockets ?? [];
+    return !canPot(ball) ? [] : [
+        { label: `Pot ${ball.name}`, startsGroup: true, run: () => seekPot(ball.name, '') },
+        {
+            label: `Pot ${ball.name} in …`,
+            run: () => openMenu({
+                title: `Pot ${ball.name} in`, x, y,
+                items: () => pockets.map(({ name }) => ({
+                    label: pocketWords(name), run: () => seekPot(ball.name, name),
+                })),
+            }),
+        },
+    ];
+}
+
+/// `x`, `y`: where the menu is, CSS pixels of the page.
+export function ballItems(ball: SceneObject, x: number, y: number): MenuItem[] {
+    return [...potItems(ball, x, y), ...strikeItems(ball), ...placeItems(ball), ...rackItems(ball)];
 }

@@ -26,7 +26,7 @@ function shownBalls(objects: readonly SceneObject[]): SceneObject[] {
 
 /// Line pieces of the runs of some objects, with their colours.
 export function fanLines(
-    head: FanHead, numbers: Float64Array, balls: readonly SceneObject[],
+    head: Pick<FanHead, 'tracks'>, numbers: Float64Array, balls: readonly SceneObject[],
 ): { places: number[]; colours: number[] } {
     const places: number[] = [];
     const colours: number[] = [];

@@ -3,6 +3,7 @@
 import { Vector3 } from 'three';
 import { endKeyRun, keyStep } from '../../input/key_run';
 import type { SceneObject } from '../../protocol';
+import { wish } from '../../solve/solve_state';
 import { selection, shot } from '../../state/state';
 import { kDrawingPriority, type MakePart, type ViewContext } from '../parts';
 import { placePath } from './object_drags';
@@ -19,7 +20,7 @@ export const makeNudge: MakePart = (context) => {
     const onKey = (event: KeyboardEvent) => {
         const way = kWays[event.key];
         const object = selectedObject();
-        const isFree = !event.ctrlKey && !event.metaKey && !takesArrows(event.target);
+        const isFree = wish.peek() === null && !event.ctrlKey && !event.metaKey && !takesArrows(event.target);
         if (!way || !object || !isFree || event.defaultPrevented) {
             return;
         }
@@ -51,7 +52,7 @@ export function selectedObject(): SceneObject | null {
 }
 
 /// Text fields, lists, sliders and menus use the arrows themselves.
-function takesArrows(target: EventTarget | null): boolean {
+export function takesArrows(target: EventTarget | null): boolean {
     return target instanceof Element && target.closest('input, textarea, select, '
         + '[contenteditable], [role=tree], [role=listbox], [role=menu], [role=tablist], '
         + '[role=slider], [role=spinbutton], [role=separator], dialog') !== null;
@@ -67,7 +68,7 @@ function startOf(object: SceneObject): number[] {
 }
 
 /// The axis of the world that is nearest to a direction of the view, on the level plane.
-function inWorld(context: ViewContext, [right, up]: [number, number]): [number, number] {
+export function inWorld(context: ViewContext, [right, up]: [number, number]): [number, number] {
     const camera = context.camera();
     const across = new Vector3(1, 0, 0).applyQuaternion(camera.quaternion);
     const [x, y] = Math.abs(across.x) >= Math.abs(across.y)

@@ -5,6 +5,7 @@ import { Color } from 'three';
 import type { Change } from '../../edit/edit';
 import { tracks } from '../../motion/clock';
 import type { KeyPath, ShotEvent, ShotState } from '../../protocol';
+import { wish } from '../../solve/solve_state';
 import { lookThrough, playing, selection, shot } from '../../state/state';
 import { kHandlePriority, type Drag, type MakePart, type ViewContext } from '../parts';
 import { tablePlan, type OtherBall } from './ball_snap';
@@ -74,7 +75,8 @@ function viewOf(state: ShotState, event: ShotEvent): StrikeView | null {
 export const makeStrike: MakePart = (context) => {
     const sketch = sketchOf(context);
     const handles = (): StrikeHandle[] => {
-        const view = shownStrike.peek()?.isChosen ? strikeView.peek() : null;
+        const isShown = shownStrike.peek()?.isChosen && wish.peek() === null;
+        const view = isShown ? strikeView.peek() : null;
         const isFromAbove = Math.abs(viewDirection(context)[2]) > 0.97;
         return view ? strikeHandles(view).filter(({ kind }) => kind !== 'elevation' || !isFromAbove)
             : [];
@@ -84,7 +86,8 @@ export const makeStrike: MakePart = (context) => {
         const view = strikeView.value;
         const isChosen = shownStrike.value?.isChosen ?? false;
         // What is only faint does not disturb the film.
-        const isShown = isChosen || (!playing.value && lookThrough.value === null);
+        const isShown = wish.value === null
+            && (isChosen || (!playing.value && lookThrough.value === null));
         sketch.show('strike', view && isShown ? strikeFigure(view, isChosen) : {});
     });
     return {
