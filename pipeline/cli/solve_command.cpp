@@ -71,9 +71,9 @@ std::string text_of(std::size_t event, const solve::SolveResult& result,
     for (std::size_t i = 0; i < listed; ++i) {
         const solve::Solution& each = solutions[i];
         text += fmt::format("{}. {}\n   {}\n", i + 1, each.route, strike_text(each.strike));
-        if (each.window > 0) {
-            text +=
-                fmt::format("   succeeds within {} deg; ", decimal_text(each.window / kDegree, 2));
+        if (each.window_width() > 0) {
+            text += fmt::format("   succeeds within {} deg; ",
+                                decimal_text(each.window_width() / kDegree, 2));
         } else {
             text += "   ";
         }
@@ -109,7 +109,7 @@ std::string json_of(std::size_t event, const solve::SolveResult& result,
                 each.strike.ball_speed.value_or(each.strike.speed.value_or(0)));
         one.add("tip", {each.strike.tip.x, each.strike.tip.y});
         one.add("elevation_deg", each.strike.elevation / kDegree);
-        one.add("window_deg", each.window / kDegree);
+        one.add("window_deg", each.window_width() / kDegree);
         one.add("chance", each.chance);
         one.add("chance_error", each.chance_error);
         if (each.rest) {

@@ -100,9 +100,10 @@ std::string answer_text(const SolveResult& result) {
     for (const Solution& each : result.solutions) {
         const Setting setting = setting_of(each.strike);
         text += each.route + "\n" + each.ball + "\n";
-        text += fmt::format("{} {} {} {} {} {} {} {} {} {}", each.is_solved ? 1 : 0, each.miss,
-                            each.window, each.chance, each.chance_error, setting.direction,
-                            setting.speed, setting.tip.x, setting.tip.y, setting.elevation);
+        text += fmt::format("{} {} {} {} {} {} {} {} {} {} {}", each.is_solved ? 1 : 0, each.miss,
+                            each.window.x, each.window.y, each.chance, each.chance_error,
+                            setting.direction, setting.speed, setting.tip.x, setting.tip.y,
+                            setting.elevation);
         text += each.rest ? fmt::format(" {} {}\n", each.rest->x, each.rest->y) : "\n";
     }
     return text + hash_line(text);
@@ -129,18 +130,18 @@ std::optional<SolveResult> parse_answer(std::string_view text, const SolveQuesti
         each.route = reader.line();
         each.ball = reader.line();
         const std::vector<double> values = reader.numbers();
-        if (values.size() != 10 && values.size() != 12) {
+        if (values.size() != 11 && values.size() != 13) {
             return std::nullopt;
         }
         each.is_solved = values[0] == 1;
         each.miss = values[1];
-        each.window = values[2];
-        each.chance = values[3];
-        each.chance_error = values[4];
+        each.window = Vec2(values[2], values[3]);
+        each.chance = values[4];
+        each.chance_error = values[5];
         each.strike =
-            with_setting(strike, {values[5], values[6], {values[7], values[8]}, values[9]});
-        if (values.size() == 12) {
-            each.rest = Vec2(values[10], values[11]);
+            with_setting(strike, {values[6], values[7], {values[8], values[9]}, values[10]});
+        if (values.size() == 13) {
+            each.rest = Vec2(values[11], values[12]);
         }
     }
     return result;

@@ -332,8 +332,7 @@ Solution judged(const StrikeTrials& trials, const Setting& setting, const Vec2& 
     constexpr std::size_t kTrials = 100;
     Solution solution =
         solution_of(trials, {setting, trials.play(setting, StrikeTrials::Depth::whole)});
-    solution.window_edges = edges;
-    solution.window = edges.y - edges.x;
+    solution.window = edges;
     if (solution.is_solved) {
         solution.chance = chance(trials, setting, kTrials);
         solution.chance_error =

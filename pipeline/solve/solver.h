@@ -51,18 +51,17 @@ struct SolveProblem {
 
 struct Solution {
     sim::Strike strike;
-    bool is_solved = false;  // all wants are met
-    double miss = 0;         // the sum of miss_of(), Happenings counted as 10 m
-    std::string route;       // Route::text()
-    /// The directions (rad) between which the happenings are as wanted, and how far these are
-    /// apart.
-    Vec2 window_edges{0, 0};
-    double window = 0;
+    bool is_solved = false;    // all wants are met
+    double miss = 0;           // the sum of miss_of(), Happenings counted as 10 m
+    std::string route;         // Route::text()
+    Vec2 window{0, 0};         // the directions (rad) between which the happenings are as wanted
     double chance = 0;         // that the wants are met under the player's error
     double chance_error = 0;   // standard error
     std::string ball;          // that is struck
     std::optional<Vec2> rest;  // where it is at the end; empty: not on the table
     sim::Outcome outcome;
+
+    [[nodiscard]] double window_width() const { return window.y - window.x; }
 };
 
 /// How a search is done.

@@ -87,7 +87,7 @@ ShotSolution message_of(const solve::Solution& solution, const std::string& ball
     message.miss = solution.miss;
     message.chance = solution.chance;
     message.chance_error = solution.chance_error;
-    message.window = solution.window;
+    message.window = solution.window_width();
     message.direction = solution.strike.direction.value_or(0);
     message.is_ball_speed = solution.strike.ball_speed.has_value();
     message.speed = solution.strike.ball_speed.value_or(solution.strike.speed.value_or(0));
@@ -385,7 +385,7 @@ class ShotSolver::Worker {
                 }
                 const solve::Solution judged =
                     solve::Solver(kept_.trials, kept_problem_).judge(list[i].strike, work);
-                message.window = judged.window;
+                message.window = judged.window_width();
                 message.chance = judged.chance;
                 message.chance_error = judged.chance_error;
             },

@@ -40,7 +40,7 @@ Judged judged_of(const JudgedStrike& job, const pipeline::PartsWork& work) {
         solve::Solver(job.trials, pot_problem(job.sought, pots)).judge(job.sought.strike(), work);
     if (found.is_solved) {
         judged.pots = pots;
-        judged.window = {found.window_edges.x, found.window_edges.y};
+        judged.window = {found.window.x, found.window.y};
         judged.chance = found.chance;
         judged.chance_error = found.chance_error;
     }

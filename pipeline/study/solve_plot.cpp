@@ -113,7 +113,7 @@ class MapPage {
         heading(best.route, kMargin, top, kPageWidth - 2 * kMargin);
         const solve::OutcomeMap map =
             solve::outcome_map(trials, solved.question->problem, best.strike,
-                               solve::range_around(best.strike, best.window), work_);
+                               solve::range_around(best.strike, best.window_width()), work_);
         const PlotAxis across = axis_over(map.directions, kDegrees, kPlotLeft, kMapRight);
         const PlotAxis upwards = axis_over(map.speeds, 1, bottom, top);
         svg_.leaf("rect", {{"class", "area"},
@@ -157,7 +157,7 @@ class MapPage {
     void draw_found(const Solution& best, const PlotAxis& across, const PlotAxis& upwards) {
         const Vec2 at(across.at(kDegrees * best.strike.direction.value_or(0)),
                       upwards.at(speed_of(best.strike)));
-        draw_mark(at, 0.5 * (across.to - across.from) * kDegrees * best.window /
+        draw_mark(at, 0.5 * (across.to - across.from) * kDegrees * best.window_width() /
                           (across.high - across.low));
     }
 
@@ -236,11 +236,11 @@ class MapPage {
                        fmt::format("{}: {}", meaning_of(cell), percent_text(part)));
             y += 4.6;
         }
-        draw_mark({kTableLeft + 2, y}, best.window > 0 ? 2 : 0);
-        const std::string window = best.window > 0
-                                       ? fmt::format(", which succeeds within {} deg",
-                                                     decimal_text(kDegrees * best.window, 2))
-                                       : "";
+        draw_mark({kTableLeft + 2, y}, best.window_width() > 0 ? 2 : 0);
+        const std::string window =
+            best.window_width() > 0 ? fmt::format(", which succeeds within {} deg",
+                                                  decimal_text(kDegrees * best.window_width(), 2))
+                                    : "";
         svg_.text("text", "the strike that was found" + window,
                   {{"x", svg_number(kTableLeft + 6)}, {"y", svg_number(y + 0.9)}});
     }
@@ -340,8 +340,8 @@ class PlansPage {
             y += kLine;
         }
         std::string facts = "chance " + percent_text(way.chance);
-        if (way.window > 0) {
-            facts += fmt::format(", within {} deg", decimal_text(kDegrees * way.window, 2));
+        if (way.window_width() > 0) {
+            facts += fmt::format(", within {} deg", decimal_text(kDegrees * way.window_width(), 2));
         }
         facts += fmt::format(", {} m/s, tip [{}, {}]", decimal_text(speed_of(way.strike), 2),
                              decimal_text(way.strike.tip.x, 2), decimal_text(way.strike.tip.y, 2));

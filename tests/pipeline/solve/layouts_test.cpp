@@ -68,7 +68,7 @@ TEST(SolveLayoutsTest, StrikesAreFound) {
         fmt::print("| {} | {} | {} | {:.2f} | {:.2f} | {} | {:.1f} |\n", layout.name,
                    is_solved ? result.solutions.front().route : "-",
                    std::ranges::count_if(result.solutions, &Solution::is_solved),
-                   is_solved ? result.solutions.front().window * 57.29578 : 0,
+                   is_solved ? result.solutions.front().window_width() * 57.29578 : 0,
                    is_solved ? result.solutions.front().chance : 0, result.simulations, seconds);
     }
     EXPECT_GE(solved, tried - (tries_all() ? 3 : 0));
@@ -177,14 +177,14 @@ TEST(SolverTest, StrikeIsJudgedAsItIs) {
     ASSERT_FALSE(result.solutions.empty());
     const Solution& best = result.solutions.front();
     sim::Strike aside = best.strike;
-    aside.direction = *aside.direction + 0.3 * best.window;
+    aside.direction = *aside.direction + 0.3 * best.window_width();
     const Solution judged = solver.judge(aside);
     EXPECT_EQ(judged.strike.direction, aside.direction);
     EXPECT_TRUE(judged.is_solved);
     EXPECT_EQ(judged.route, best.route);
-    EXPECT_NEAR(judged.window, best.window, 0.1 * best.window);
+    EXPECT_NEAR(judged.window_width(), best.window_width(), 0.1 * best.window_width());
     EXPECT_LE(judged.chance, best.chance);
-    aside.direction = *aside.direction + best.window;
+    aside.direction = *aside.direction + best.window_width();
     EXPECT_FALSE(solver.judge(aside).is_solved);
 }
 

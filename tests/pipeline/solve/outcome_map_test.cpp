@@ -21,7 +21,7 @@ struct Found {
 
     Found() { layout.problem.wants.emplace_back(RestPlace{"cue", *best.rest, 0.15}); }
     [[nodiscard]] MapRange range() const {
-        MapRange range = range_around(best.strike, best.window);
+        MapRange range = range_around(best.strike, best.window_width());
         range.columns = 25;
         range.rows = 9;  // that of the strike in the middle
         range.high_speed = 1.5 * *best.strike.speed;
@@ -40,8 +40,8 @@ TEST(OutcomeMapTest, ShowsTheWindowAndThePlace) {
         const double off = std::abs(map.directions[column] - direction);
         const MapCell cell = map.at(4, column);
         EXPECT_EQ(cell == MapCell::wanted || cell == MapCell::misplaced,
-                  off < 0.5 * found.best.window)
-            << off / kDegree << " degrees off, window " << found.best.window / kDegree;
+                  off < 0.5 * found.best.window_width())
+            << off / kDegree << " degrees off, window " << found.best.window_width() / kDegree;
     }
     for (std::size_t i = 0; i < map.cells.size(); ++i) {
         if (map.cells[i] != MapCell::wanted && map.cells[i] != MapCell::misplaced) {

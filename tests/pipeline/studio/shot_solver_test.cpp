@@ -115,7 +115,7 @@ class ShotSolverWork : public testing::Test {
             EXPECT_EQ(head.solutions[i].direction, one.strike.direction);
             EXPECT_EQ(head.solutions[i].speed, one.strike.speed);
             EXPECT_EQ(head.solutions[i].chance, one.chance);
-            EXPECT_EQ(head.solutions[i].window, one.window);
+            EXPECT_EQ(head.solutions[i].window, one.window_width());
             ++i;
         }
         EXPECT_EQ(i, head.solutions.size());
@@ -285,7 +285,7 @@ TEST_F(ShotSolverWork, StrikeThatPots_HasAWindowAChanceAndAMap) {
                        pot_problem(sought, judged.pots));
     const solve::Solution solution = same.judge(sought.strike());
     EXPECT_EQ(judged.chance, solution.chance);
-    EXPECT_EQ(judged.window[1] - judged.window[0], solution.window);
+    EXPECT_EQ(judged.window[1] - judged.window[0], solution.window_width());
 
     const auto map = wait_for<StrikeMap>();
     EXPECT_EQ(map.cells.size(), static_cast<std::size_t>(map.columns * map.rows));
