@@ -1,4 +1,5 @@
 // What `carom sound` writes of impacts, against the motion from which it is computed.
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -38,15 +39,18 @@ double decay_of(const HeardRow& row) {
     return is_surface ? 5 / (M_PI * 140) : 0.5e-3;
 }
 
-/// The rows near which all others are below 1 % of their peak. Before an impact they count as much
-/// as after it, because backwards they sound before it.
+/// Peaks are sought so far (s) around their times.
+constexpr double kReach = 0.01;
+
+/// The rows near which all others are below 1 % of their peak where they are heard. Before an
+/// impact they count as much as after it, because backwards they sound before it.
 std::vector<HeardRow> lone(const std::vector<HeardRow>& rows) {
     std::vector<HeardRow> result;
     for (const HeardRow& row : rows) {
         double others = 0;
         for (const HeardRow& other : rows) {
-            const double apart = std::abs(other.film_time - row.film_time) * other.time_factor;
-            others += other.peak * std::exp(-apart / decay_of(other));
+            const double apart = std::max(std::abs(other.peak_time - row.peak_time) - kReach, 0.0);
+            others += other.peak * std::exp(-apart * other.time_factor / decay_of(other));
         }
         if (others - row.peak < 0.01 * row.peak) {
             result.push_back(row);
@@ -70,7 +74,8 @@ TEST_F(SoundImpacts, LoneImpactsOfABreak_PeakAtTheirTimes) {
         const std::string what =
             fmt::format("{} {} at {} s, {} Pa", row.a, row.b, row.film_time, row.peak);
         const std::int64_t expected = sample_of(row.peak_time);
-        const std::size_t peak = peak_index(samples.left, expected - 480, expected + 480);
+        const std::int64_t reach = sample_of(kReach);
+        const std::size_t peak = peak_index(samples.left, expected - reach, expected + reach);
         // A cushion's peak is flat, so that in slow motion a thousandth of its pressure moves it.
         EXPECT_NEAR(static_cast<double>(peak) / kSampleRate, row.peak_time,
                     1e-4 / (row.b == "cushion" ? row.time_factor : 1))
