@@ -100,8 +100,7 @@ class Solver {
     Solver(const Solver&) = delete;
     Solver& operator=(const Solver&) = delete;
 
-    /// Wants these places at rest instead of those wanted so far, and instead of none only if the
-    /// problem has some.
+    /// Wants these places at rest instead of those wanted so far; after some, not none again.
     void want_places(std::vector<RestPlace> places);
 
     /// Throws Error if the strike never comes or the trials' world has problems. After a stop it
