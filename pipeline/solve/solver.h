@@ -100,7 +100,8 @@ class Solver {
     Solver(const Solver&) = delete;
     Solver& operator=(const Solver&) = delete;
 
-    /// Wants these places at rest instead of those wanted so far; after some, not none again.
+    /// Wants these places at rest instead of those wanted so far. Only where none are wanted after
+    /// some may the result be another than that of a new solver.
     void want_places(std::vector<RestPlace> places);
 
     /// Throws Error if the strike never comes or the trials' world has problems. After a stop it
