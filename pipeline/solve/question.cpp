@@ -34,6 +34,15 @@ void add(Hasher& hasher, const Want& want) {
 
 }  // namespace
 
+sim::WorldDescription without_later_strikes(sim::WorldDescription world, std::size_t event) {
+    for (std::size_t i = world.events.size(); i-- > event + 1;) {
+        if (std::holds_alternative<sim::Strike>(world.events[i].action)) {
+            world.events.erase(world.events.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+    }
+    return world;
+}
+
 Hash128 hash_of(const SolveQuestion& question) {
     const SolveProblem& problem = question.problem;
     Hasher hasher;

@@ -79,6 +79,12 @@ std::string Route::text() const {
     return text.empty() ? "no contact" : text;
 }
 
+std::pair<double, double> rank_of(double miss, std::string_view route, double chance) {
+    constexpr double kPerStep = 0.05;
+    const auto steps = static_cast<double>(std::ranges::count(route, ','));
+    return {miss, kPerStep * steps - chance};
+}
+
 Route route_of(const std::vector<Want>& wants, const Trial& trial) {
     const std::span<const Event> events = trial.events();
     std::vector<char> marks = decisive(wants, events);

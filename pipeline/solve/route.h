@@ -3,6 +3,8 @@
 
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "pipeline/solve/wants.h"
@@ -18,6 +20,10 @@ struct Route {
     /// The steps, separated by commas; "no contact" if there are none.
     [[nodiscard]] std::string text() const;
 };
+
+/// By what solutions are sorted, the smallest first: a simple shot is taken before one that is
+/// hardly more likely. `route`: Route::text().
+[[nodiscard]] std::pair<double, double> rank_of(double miss, std::string_view route, double chance);
 
 [[nodiscard]] Route route_of(const std::vector<Want>& wants, const Trial& trial);
 

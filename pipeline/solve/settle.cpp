@@ -34,7 +34,7 @@ double length(const Vec2& v) {
 }
 
 /// The setting with the direction in which the happenings are as wanted, found from where the seed
-/// or a neighbour met them, and what comes of it.
+/// or a neighbour met them, and what comes of it. The seed has a pass.
 std::optional<Played> aim(const StrikeTrials& trials, const Seed& seed, const Setting& setting) {
     constexpr int kMaxTries = 7;
     Setting tried = setting;
@@ -42,14 +42,12 @@ std::optional<Played> aim(const StrikeTrials& trials, const Seed& seed, const Se
     double last_direction = 0;
     double last_miss = std::numeric_limits<double>::quiet_NaN();
     for (int i = 0; i < kMaxTries; ++i) {
-        sim::Outcome outcome =
-            trials.play(tried, StrikeTrials::Depth::chance, seed.pass ? &*seed.pass : nullptr);
+        sim::Outcome outcome = trials.play(tried, StrikeTrials::Depth::chance, &*seed.pass);
         const Sample found = trials.sample_of(tried, outcome);
         if (found.is_met) {
             return Played{tried, std::move(outcome)};
         }
-        const Leg* leg =
-            seed.pass ? leg_with(found.legs[seed.pass->target], seed.pass->cause) : nullptr;
+        const Leg* leg = leg_with(found.legs[seed.pass->target], seed.pass->cause);
         const double passed = leg != nullptr ? leg->miss(trials.targets()[seed.pass->target].point)
                                              : std::numeric_limits<double>::quiet_NaN();
         if (!std::isfinite(passed)) {

@@ -25,10 +25,10 @@ struct KnownRoute {
 
 /// Other speeds and tips than those of the seeds are tried over a grid, the aim following by the
 /// secant method, then by a pattern search, until balls rest where they are wanted; of what meets
-/// all wants, the setting with the best chance and preferences is taken. `found` is told of what
-/// meets all wants as soon as it is seen, or of the nearest so far; its window and chance are not
-/// yet known. Throws Stopped if the trials' work is stopped; what was played over the grid is kept
-/// in `route`.
+/// all wants, the setting with the best chance and preferences is taken. Calls `found` at once with
+/// each better setting that meets all wants, with `tells_nearest` also with the nearest so far; its
+/// window and chance are not yet known. Throws Stopped if the trials' work is stopped; what was
+/// played over the grid is kept in `route`.
 [[nodiscard]] Solution settle(const StrikeTrials& trials, KnownRoute& route, bool tells_nearest,
                               const std::function<void(const Solution&)>& found);
 

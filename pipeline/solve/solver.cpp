@@ -16,11 +16,8 @@ namespace {
 
 /// The best first, and one of each route.
 void sort(std::vector<Solution>& solutions) {
-    // A simple shot is taken before one that is hardly more likely.
-    constexpr double kPerStep = 0.05;
     std::ranges::stable_sort(solutions, {}, [](const Solution& solution) {
-        const auto steps = static_cast<double>(std::ranges::count(solution.route, ','));
-        return std::pair(solution.miss, kPerStep * steps - solution.chance);
+        return rank_of(solution.miss, solution.route, solution.chance);
     });
     std::set<std::string> known;
     std::erase_if(solutions,

@@ -12,6 +12,7 @@
 
 #include "core/error.h"
 #include "pipeline/solve/explain.h"
+#include "pipeline/solve/route.h"
 #include "pipeline/solve/solver.h"
 #include "pipeline/studio/fan_message.h"
 #include "pipeline/studio/sought_strike.h"
@@ -27,7 +28,7 @@ namespace solve = pipeline::solve;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kMostSeconds = 60;   // of a search
-constexpr double kJudgeSeconds = 15;  // of all that is told of a strike as it is
+constexpr double kJudgeSeconds = 15;  // for the window, the chance and the map of one strike
 constexpr double kAheadWithin = 0.1;  // m
 constexpr double kHappening = 10;     // what a solution misses that does not even pot the ball
 
@@ -63,11 +64,8 @@ struct Shown {
     std::vector<double> numbers;
 };
 
-/// As SolveResult sorts them.
-double rank_of(const ShotSolution& one) {
-    constexpr double kPerStep = 0.05;
-    return 1e3 * one.miss + kPerStep * static_cast<double>(std::ranges::count(one.route, ',')) -
-           one.chance;
+auto rank_of(const ShotSolution& one) {
+    return solve::rank_of(one.miss, one.route, one.chance);
 }
 
 /// Whether all but the place is as it is wanted.

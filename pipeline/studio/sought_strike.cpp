@@ -79,11 +79,7 @@ SoughtStrike sought_strike(const pipeline::Shot& shot, const sim::Timeline& time
     strike.toward.reset();
     strike.toward_point.reset();
     sought.time = told.time;
-    for (std::size_t i = events.size(); i-- > sought.event + 1;) {
-        if (std::holds_alternative<sim::Strike>(events[i].action)) {
-            events.erase(events.begin() + static_cast<std::ptrdiff_t>(i));
-        }
-    }
+    sought.world = pipeline::solve::without_later_strikes(std::move(sought.world), sought.event);
     return sought;
 }
 

@@ -1,4 +1,4 @@
-// What is told of a strike as it is.
+// Judges a strike of the shot: its window, its chance and a map of what others around it do.
 #pragma once
 
 #include <cstdint>

@@ -115,16 +115,6 @@ bool names_strike(Builder& builder, const SolveSection& section, const OpenStrik
     return true;
 }
 
-/// The shot up to that strike and what it brings about.
-sim::WorldDescription without_later_strikes(sim::WorldDescription world, std::size_t event) {
-    for (std::size_t i = world.events.size(); i-- > event + 1;) {
-        if (std::holds_alternative<sim::Strike>(world.events[i].action)) {
-            world.events.erase(world.events.begin() + static_cast<std::ptrdiff_t>(i));
-        }
-    }
-    return world;
-}
-
 /// Those of the last shots are kept: an edit of a camera does not solve the shot again.
 std::shared_ptr<const solve::SolveResult> solution_of(const solve::SolveQuestion& question,
                                                       const solve::AnswerWork& work) {
@@ -179,8 +169,9 @@ bool solve_strike(Builder& builder, const SolveSection& section, const OpenStrik
     if (builder.reader.has_error() || !names_strike(builder, section, open)) {
         return false;
     }
-    auto question = std::make_shared<const solve::SolveQuestion>(solve::SolveQuestion{
-        without_later_strikes(builder.shot.world, open.event), problem_of(section, open, builder)});
+    auto question = std::make_shared<const solve::SolveQuestion>(
+        solve::SolveQuestion{solve::without_later_strikes(builder.shot.world, open.event),
+                             problem_of(section, open, builder)});
     if (builder.reader.has_error()) {  // of a measure
         return false;
     }

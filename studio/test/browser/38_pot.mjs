@@ -128,8 +128,14 @@ async function checkDrag(page) {
     const [from, to] = [await pixelOf(page, [...start, 0.03]), await pixelOf(page, [...goal, 0.03])];
     await page.evaluate(() => {
         window.studio.firsts = [];
+        window.studio.answers = []; // [question, milliseconds, its best strike; null: none fits]
         let last = window.studio.solve.solutions.value.head.q; // of the pot anywhere
         window.studio.solve.solutions.subscribe((all) => {
+            if (all) {
+                const [best] = all.head.solutions;
+                window.studio.answers.push([all.head.q, Math.round(all.head.milliseconds),
+                    best?.is_solved ? `${best.direction} ${best.speed} ${best.tip}` : null]);
+            }
             if (all && all.head.q !== last && all.head.solutions.length > 0) {
                 last = all.head.q;
                 window.studio.firsts.push(Math.round(all.head.milliseconds));
@@ -151,7 +157,12 @@ async function checkDrag(page) {
     equal(Math.hypot(chosen.rest[0] - wish.rest[0], chosen.rest[1] - wish.rest[1]) < 0.1501, true,
         `the cue ball ends at ${chosen.rest}`);
     await checkSizes(page, 'place');
-    const firsts = await page.evaluate(() => window.studio.firsts);
+    const { firsts, answers } = await page.evaluate(
+        () => ({ firsts: window.studio.firsts, answers: window.studio.answers }),
+    );
+    const ofLast = answers.filter(([question]) => question === answers.at(-1)[0]);
+    const fits = ofLast.find(([, , strike]) => strike !== null)[1];
+    const best = ofLast.find(([, , strike]) => strike === ofLast.at(-1)[2])[1];
     // A click on the chosen path writes it.
     const middle = await page.evaluate(() => {
         const { view, gizmos, state } = window.studio;
@@ -172,8 +183,8 @@ async function checkDrag(page) {
     const line = (await textOf(page)).split('\n')[kLine];
     equal(kStrike.test(line), true, line);
     await undo(page, kShot, 'the strike with a place');
-    return `first answers while dragging ${firsts.join(', ')} ms, the last one complete after `
-        + `${Math.round(milliseconds)} ms`;
+    return `first answers while dragging ${firsts.join(', ')} ms; of the last one a strike `
+        + `that fits after ${fits}, the best after ${best}, all after ${Math.round(milliseconds)} ms`;
 }
 
 /// A place that no strike reaches: what is nearest is shown, and the message says why.
