@@ -100,7 +100,7 @@ WaveIntegrator::WaveIntegrator(const TransportScene& scene, const PathSettings& 
       path_integrator_(scene_, settings, light_tracer),
       has_light_tracer_(light_tracer != nullptr),
       max_bounces_(settings.max_bounces),
-      kernels_(best_wave_kernels()),
+      kernels_(&best_wave_kernels()),
       wave_scene_(make_wave_scene(scene, settings, path_integrator_.caustics())) {
     CAROM_ASSERT(can_do(scene, settings));
     if (!scene.lights.environment().is_sampled()) {
@@ -117,8 +117,7 @@ bool WaveIntegrator::can_do(const TransportScene& scene, const PathSettings& set
     for (std::size_t light = 0; light < scene.lights.sampled_count(); ++light) {
         rays += first_vertex_samples(scene.lights, light);
     }
-    return best_wave_kernels() != nullptr && settings.strategy == DirectStrategy::both &&
-           rays <= ShadowWave::kMostRays;
+    return settings.strategy == DirectStrategy::both && rays <= ShadowWave::kMostRays;
 }
 
 RadianceSample WaveIntegrator::sample(const Ray& camera_ray, float pixel_spread,
