@@ -57,7 +57,7 @@ struct WaveKernels {
     void (*sum_light)(ShadowWave& shadows);
 };
 
-/// Returns null if the processor has no wide vectors.
-[[nodiscard]] const WaveKernels* best_wave_kernels();
+/// All instruction sets give the same bits.
+[[nodiscard]] const WaveKernels& best_wave_kernels();
 
 }  // namespace carom::render
