@@ -9,6 +9,7 @@
 #include "core/assert.h"
 #include "core/colour.h"
 #include "render/geometry/validity.h"
+#include "render/integrator/branch_sums.h"
 
 namespace carom::render {
 namespace {
@@ -47,9 +48,6 @@ void append(const Floats3& more, int more_count, Floats3& values, int count) {
     append(more.z, more_count, values.z, count);
 }
 
-/// Appends so that the branches of a sample follow each other in an order that depends neither on
-/// the vector width nor on the other samples of the wave; the order in which their light is summed
-/// does not either.
 void append(const PathWave& more, bool transmits, PathWave& paths) {
     const auto add = [&](auto PathWave::*field) {
         append(more.*field, more.count, paths.*field, paths.count);
@@ -78,56 +76,11 @@ void append(const PathWave& more, bool transmits, PathWave& paths) {
 
 }  // namespace
 
-/// What one camera sample accumulates.
-struct PathIntegrator::Work {
+/// A camera sample of a wave.
+struct PathIntegrator::Sample {
     PathDimensions dimensions;
     SampleIndex index;
-    RenderStatistics& count;
     RadianceSample result{};
-    V3f direct{0, 0, 0};  // light seen directly, or scattered once
-    V3f indirect{0, 0, 0};
-
-    void add(const V3f& radiance, int scatterings) {
-        validate(radiance);
-        (scatterings <= 1 ? direct : indirect) += radiance;
-    }
-    /// Adds the light of a lamp or the room that a path reached at this vertex.
-    void add_light(const V3f& radiance, int vertex, bool is_seen) {
-        add(radiance, vertex);
-        if (is_seen) {
-            result.light += radiance;
-        }
-    }
-    void add_light(const Path& path, const V3f& radiance) {
-        add_light(path.throughput * radiance, path.vertex,
-                  is_imaged(path.vertex, path.branch, path.last.is_delta));
-    }
-
-    /// The result of the sample, with indirect light clamped.
-    [[nodiscard]] RadianceSample total(float clamp) {
-        const float brightest = largest(indirect);
-        if (clamp > 0 && brightest > clamp) {
-            indirect *= clamp / brightest;
-        }
-        result.radiance = direct + indirect;
-        if (!is_light(result.radiance)) {
-            result.radiance = V3f(0, 0, 0);
-        }
-        return result;
-    }
-
-  private:
-    // With expensive checks on, an invalid radiance stops the program where it first appears.
-    void validate([[maybe_unused]] const V3f& radiance) const {
-#ifdef CAROM_VALIDATION
-        if (!is_light(radiance)) {
-            std::fprintf(stderr, "radiance (%g, %g, %g) in sample %d of pixel (%d, %d)\n",
-                         static_cast<double>(radiance.x), static_cast<double>(radiance.y),
-                         static_cast<double>(radiance.z), index.sample, index.x, index.y);
-            std::abort();
-        }
-#endif
-    }
 };
 
 struct PathIntegrator::Wave final : Integrator::Workspace {
@@ -145,8 +98,44 @@ struct PathIntegrator::Wave final : Integrator::Workspace {
     std::vector<Hit> hits = std::vector<Hit>(kWaveStorage);  // by paths
     WaveList hit_paths{};                                    // that become vertices
     TurnWave turns{};
-    std::vector<int> group_ends;  // in the vertices, by group
-    std::vector<Work> works;      // of samples
+    std::vector<int> group_ends;      // in the vertices, by group
+    std::vector<Sample> from_camera;  // camera samples
+    BranchSums sums;
+    Floats3 mirrored{};  // by path
+
+    explicit Wave(int coats) : sums(coats) {}
+
+    [[nodiscard]] Sample& sample_of(int path) {
+        return from_camera[static_cast<std::size_t>(paths().slot.at[path])];
+    }
+    /// Adds light that a path found.
+    void add(int path, const V3f& radiance, int scatterings) {
+        validate(path, radiance);
+        sums.add(paths().slot.at[path], vertex, static_cast<std::uint32_t>(paths().branch.at[path]),
+                 radiance, scatterings);
+    }
+    /// Adds the light of a lamp or the room that a path reached, reduced by its throughput.
+    void add_light(int path, const V3f& radiance) {
+        add(path, radiance, vertex);
+        if (is_imaged(vertex, static_cast<std::uint32_t>(paths().branch.at[path]),
+                      paths().is_delta.at[path] != 0)) {
+            sample_of(path).result.light += radiance;
+        }
+    }
+
+  private:
+    // With expensive checks on, an invalid radiance stops the program where it first appears.
+    void validate([[maybe_unused]] int path, [[maybe_unused]] const V3f& radiance) {
+#ifdef CAROM_VALIDATION
+        if (!is_light(radiance)) {
+            const SampleIndex& index = sample_of(path).index;
+            std::fprintf(stderr, "radiance (%g, %g, %g) in sample %d of pixel (%d, %d)\n",
+                         static_cast<double>(radiance.x), static_cast<double>(radiance.y),
+                         static_cast<double>(radiance.z), index.sample, index.x, index.y);
+            std::abort();
+        }
+#endif
+    }
 };
 
 WaveStep PathIntegrator::step_of(Wave& wave, int first, int last) const {
@@ -161,7 +150,7 @@ PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& 
       hits_(scene_, settings.strategy),
       caustics_(scene_),
       light_tracer_(light_tracer),
-      kernels_(best_wave_kernels()),
+      kernels_(&best_wave_kernels()),
       wave_scene_(make_wave_scene(scene, settings, caustics_)) {
     CAROM_ASSERT(settings.split_vertices >= 0 && settings.split_vertices <= kMostSplits);
     if (!scene.lights.environment().is_sampled()) {
@@ -174,27 +163,43 @@ PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& 
 }
 
 std::unique_ptr<Integrator::Workspace> PathIntegrator::make_workspace() const {
-    return std::make_unique<Wave>();
+    return std::make_unique<Wave>(wave_scene_.glossy_samples);
 }
 
 void PathIntegrator::samples(const CameraRun& run, float pixel_spread, RadianceSample* results,
                              Workspace* workspace, RenderStatistics& count) const {
     Wave& wave = dynamic_cast<Wave&>(*workspace);
     for (int from = 0; from < run.count; from += wave_samples_) {
-        begin(run.part(from, wave_samples_), pixel_spread, wave, count);
-        count.camera_rays += wave.works.size();
+        begin(run.part(from, wave_samples_), pixel_spread, wave);
+        count.camera_rays += wave.from_camera.size();
         while (wave.paths().count > 0) {
             process_hits(wave);
             take_step(wave, count);
             for (int k = 0; k < wave.near_balls.count; ++k) {
-                add_caustics(wave.near_balls.at.at[k], wave);
+                add_caustics(wave.near_balls.at.at[k], wave, count);
             }
             wave.vertex += 1;
         }
-        for (Work& work : wave.works) {
-            *results++ = work.total(settings_.clamp);
+        wave.sums.finish();
+        for (std::size_t i = 0; i < wave.from_camera.size(); ++i) {
+            *results++ = finished(wave, i);
         }
     }
+}
+
+// The result of a sample, with indirect light clamped.
+RadianceSample PathIntegrator::finished(const Wave& wave, std::size_t sample) const {
+    RadianceSample result = wave.from_camera[sample].result;
+    V3f indirect = wave.sums.indirect_of(static_cast<int>(sample));
+    const float brightest = largest(indirect);
+    if (settings_.clamp > 0 && brightest > settings_.clamp) {
+        indirect *= settings_.clamp / brightest;
+    }
+    result.radiance = wave.sums.direct_of(static_cast<int>(sample)) + indirect;
+    if (!is_light(result.radiance)) {
+        result.radiance = V3f(0, 0, 0);
+    }
+    return result;
 }
 
 void PathIntegrator::take_step(Wave& wave, RenderStatistics& count) const {
@@ -218,15 +223,15 @@ void PathIntegrator::take_step(Wave& wave, RenderStatistics& count) const {
     count.scattered_rays += static_cast<std::uint64_t>(wave.next().count);
 }
 
-void PathIntegrator::begin(const CameraRun& run, float pixel_spread, Wave& wave,
-                           RenderStatistics& count) const {
+void PathIntegrator::begin(const CameraRun& run, float pixel_spread, Wave& wave) const {
     wave.vertex = 0;
-    wave.works.clear();
+    wave.from_camera.clear();
+    wave.sums.clear();
     PathWave& paths = wave.paths();
     paths.count = run.count;
     paths.vertex = 0;
     for (int i = 0; i < paths.count; ++i) {
-        wave.works.push_back({PathDimensions(run.stream(i)), run.index(i), count});
+        wave.from_camera.push_back({PathDimensions(run.stream(i)), run.index(i)});
     }
     const CameraBatch& batch = *run.batch;
     const auto copy = [&](const auto* from, auto& field) {
@@ -261,17 +266,16 @@ void PathIntegrator::begin(const CameraRun& run, float pixel_spread, Wave& wave,
 void PathIntegrator::look(const CameraRun& run, float pixel_spread, RadianceSample* results,
                           Workspace* workspace) const {
     Wave& wave = dynamic_cast<Wave&>(*workspace);
-    RenderStatistics count;
     for (int from = 0; from < run.count; from += wave_samples_) {
-        begin(run.part(from, wave_samples_), pixel_spread, wave, count);
+        begin(run.part(from, wave_samples_), pixel_spread, wave);
         process_hits(wave);
         wave.next().count = 0;
         wave.next().vertex = 1;
         kernels_->look_into_coats(step_of(wave, 0, wave.vertices.count));
         wave.vertex = 1;
         process_hits(wave);
-        for (const Work& work : wave.works) {
-            *results++ = work.result;
+        for (const Sample& sample : wave.from_camera) {
+            *results++ = sample.result;
         }
     }
 }
@@ -289,7 +293,7 @@ void PathIntegrator::process_hits(Wave& wave) const {
         if (hit.object == kNoObject) {
             wave.missed.paths.add(i);
         } else if (scene_.is_light(hit)) {
-            add_hit_light(paths.path(i), hit, wave.works[paths.slot.at[i]]);
+            add_hit_light(i, hit, wave);
         } else if (const std::uint8_t traits = wave_scene_.groups.traits[hit.object];
                    traits == 0 ? !is_spent : becomes_vertex(i, hit, traits, wave)) {
             wave.hit_paths.add(i);
@@ -321,7 +325,7 @@ void PathIntegrator::process_hits(Wave& wave) const {
 
 void PathIntegrator::note_first_surfaces(Wave& wave) {
     for (int i = 0; i < wave.vertices.count; ++i) {
-        RadianceSample& result = wave.works[wave.paths().slot.at[wave.vertices.path.at[i]]].result;
+        RadianceSample& result = wave.sample_of(wave.vertices.path.at[i]).result;
         result.coverage = 1;
         result.object = static_cast<std::uint32_t>(wave.vertices.object.at[i]);
         result.normal = wave.vertices.normal.get(i);
@@ -329,13 +333,19 @@ void PathIntegrator::note_first_surfaces(Wave& wave) {
     }
 }
 
+// In the order of the paths, so that that of the groups does not matter.
 void PathIntegrator::note_mirrored_surfaces(Wave& wave) {
     const PathWave& paths = wave.paths();
+    for (Floats* channel : {&wave.mirrored.x, &wave.mirrored.y, &wave.mirrored.z}) {
+        std::fill_n(channel->at, paths.count, 0.0F);
+    }
     for (int i = 0; i < wave.vertices.count; ++i) {
         const int path = wave.vertices.path.at[i];
+        wave.mirrored.set(path, paths.throughput.get(path) * wave.vertices.base.get(i));
+    }
+    for (int path = 0; path < paths.count; ++path) {
         if (is_seen_in_coat(1, static_cast<std::uint32_t>(paths.branch.at[path]))) {
-            wave.works[paths.slot.at[path]].result.mirrored +=
-                paths.throughput.get(path) * wave.vertices.base.get(i);
+            wave.sample_of(path).result.mirrored += wave.mirrored.get(path);
         }
     }
 }
@@ -350,9 +360,7 @@ void PathIntegrator::add_misses(Wave& wave) const {
         const int path = missed.at.at[k];
         const V3f light =
             wave_scene_.sky ? wave.missed.light.get(k) : paths.throughput.get(path) * constant_sky_;
-        const bool seen = is_imaged(wave.vertex, static_cast<std::uint32_t>(paths.branch.at[path]),
-                                    paths.is_delta.at[path] != 0);
-        wave.works[paths.slot.at[path]].add_light(light, wave.vertex, seen);
+        wave.add_light(path, light);
     }
 }
 
@@ -360,7 +368,7 @@ void PathIntegrator::add_misses(Wave& wave) const {
 bool PathIntegrator::becomes_vertex(int path, const Hit& hit, std::uint8_t traits,
                                     Wave& wave) const {
     if ((traits & kShines) != 0) {
-        add_emission(wave.paths().path(path), hit, wave.works[wave.paths().slot.at[path]]);
+        add_emission(path, hit, wave);
     }
     if (wave.vertex == 0 && (traits & kHasGloss) != 0) {
         wave.vertices.has_gloss = true;
@@ -377,7 +385,7 @@ void PathIntegrator::end_outside_glass(Wave& wave) const {
     vertices.some_end = wave.vertex > settings_.max_bounces;
     for (int i = 0; vertices.some_end && i < vertices.count; ++i) {
         const int path = vertices.path.at[i];
-        const PathDimensions& dimensions = wave.works[paths.slot.at[path]].dimensions;
+        const PathDimensions& dimensions = wave.sample_of(path).dimensions;
         const bool stays = vertices.from_behind.at[i] != 0 && wave.vertex < kLastVertex &&
                            dimensions.further(paths.path(path)).y < kSurvivalInGlass;
         vertices.ends.at[i] = stays ? 0 : 1;
@@ -387,17 +395,19 @@ void PathIntegrator::end_outside_glass(Wave& wave) const {
     }
 }
 
-void PathIntegrator::add_hit_light(const Path& path, const Hit& hit, Work& work) const {
+void PathIntegrator::add_hit_light(int index, const Hit& hit, Wave& wave) const {
+    const Path path = wave.paths().path(index);
+    RadianceSample& result = wave.sample_of(index).result;
     if (path.vertex == 0) {
-        work.result.coverage = 1;
-        work.result.object = hit.object;
+        result.coverage = 1;
+        result.object = hit.object;
     }
     if (is_sampled_as_caustic(path, hit)) {
         return;
     }
-    work.add_light(path, hits_.of_light(path, hit));
+    wave.add_light(index, path.throughput * hits_.of_light(path, hit));
     if (path.vertex == 0) {
-        work.result.normal = -path.ray.direction;
+        result.normal = -path.ray.direction;
     }
 }
 
@@ -414,13 +424,14 @@ bool PathIntegrator::is_sampled_as_caustic(const Path& path, const Hit& hit) con
     return path.vertex == 1 ? light_tracer_->covers(ball, light) : caustics_.covers(ball, light);
 }
 
-void PathIntegrator::add_emission(const Path& path, const Hit& hit, Work& work) const {
+void PathIntegrator::add_emission(int index, const Hit& hit, Wave& wave) const {
+    const Path path = wave.paths().path(index);
     const SurfacePoint point = scene_.frame.surface_at(path.ray, hit);
     const float cosine = -point.geometric_normal.dot(path.ray.direction);
     const Material& material = scene_.materials[point.material];
     if (cosine > 0 && material.is_emissive()) {
-        work.add_light(path,
-                       hits_.of_object(path, hit, material.emission(), point.geometric_normal));
+        const V3f light = hits_.of_object(path, hit, material.emission(), point.geometric_normal);
+        wave.add_light(index, path.throughput * light);
     }
 }
 
@@ -465,7 +476,7 @@ void PathIntegrator::find_poses(const WaveGroup& group, int first, int last, Wav
     }
 }
 
-void PathIntegrator::add_caustics(int vertex, Wave& wave) const {
+void PathIntegrator::add_caustics(int vertex, Wave& wave, RenderStatistics& count) const {
     const VertexWave& vertices = wave.vertices;
     const PathWave& paths = wave.paths();
     const int index = vertices.path.at[vertex];
@@ -477,13 +488,12 @@ void PathIntegrator::add_caustics(int vertex, Wave& wave) const {
     const auto bsdf = scalar::bsdf_at<scalar::One>(
         material.numbers(), scalar::three(vertices.base.get(vertex)), scalar::three(normal),
         scalar::three(vertices.normal.get(vertex)), scalar::three(-path.ray.direction), false);
-    Work& work = wave.works[paths.slot.at[index]];
     const V3f found =
         caustics_.estimate(path,
                            {position, position + normal * vertices.offset.at[vertex],
                             static_cast<std::uint32_t>(vertices.object.at[vertex]), bsdf},
-                           work.dimensions, work.count);
-    work.add(path.throughput * found, wave.vertex + 2);
+                           wave.sample_of(index).dimensions, count);
+    wave.add(index, path.throughput * found, wave.vertex + 2);
 }
 
 void PathIntegrator::trace_shadows(Wave& wave, RenderStatistics& count) const {
@@ -497,7 +507,7 @@ void PathIntegrator::trace_shadows(Wave& wave, RenderStatistics& count) const {
     CAROM_VALIDATE(is_valid(shadows));
     for (int vertex = shadows.first; vertex < shadows.last; ++vertex) {
         const int path = wave.vertices.path.at[vertex];
-        wave.works[wave.paths().slot.at[path]].add(shadows.sum.get(vertex), wave.vertex + 1);
+        wave.add(path, shadows.sum.get(vertex), wave.vertex + 1);
     }
 }
 

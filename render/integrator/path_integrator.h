@@ -38,10 +38,11 @@ class PathIntegrator final : public Integrator {
               Workspace* workspace) const override;
 
   private:
-    struct Work;
+    struct Sample;
     struct Wave;
 
-    void begin(const CameraRun& run, float pixel_spread, Wave& wave, RenderStatistics& count) const;
+    void begin(const CameraRun& run, float pixel_spread, Wave& wave) const;
+    [[nodiscard]] RadianceSample finished(const Wave& wave, std::size_t sample) const;
     [[nodiscard]] WaveStep step_of(Wave& wave, int first, int last) const;
     void take_step(Wave& wave, RenderStatistics& count) const;
     void process_hits(Wave& wave) const;
@@ -53,10 +54,10 @@ class PathIntegrator final : public Integrator {
     void end_outside_glass(Wave& wave) const;
     void sort_vertices(Wave& wave) const;
     void find_poses(const WaveGroup& group, int first, int last, Wave& wave) const;
-    void add_hit_light(const Path& path, const Hit& hit, Work& work) const;
-    void add_emission(const Path& path, const Hit& hit, Work& work) const;
+    void add_hit_light(int path, const Hit& hit, Wave& wave) const;
+    void add_emission(int path, const Hit& hit, Wave& wave) const;
     [[nodiscard]] bool is_sampled_as_caustic(const Path& path, const Hit& hit) const;
-    void add_caustics(int vertex, Wave& wave) const;
+    void add_caustics(int vertex, Wave& wave, RenderStatistics& count) const;
     void trace_shadows(Wave& wave, RenderStatistics& count) const;
 
     TransportScene scene_;

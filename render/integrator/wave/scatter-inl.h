@@ -20,7 +20,7 @@ struct ScatterLanes {
     F pdf, spread;
     I branch;
     I is_delta, connects, ball;
-    I entered_ball;  // set in scenes with surfaces that transmit
+    I entered_ball;
 };
 
 /// What continues from the vertices whatever their directions.
@@ -67,6 +67,7 @@ HWY_INLINE void set_balls(const WaveStep& step, const VertexLanes& v, const Dire
     const M connected = is_equal(gather(step.paths.connects, v.path), hn::Set(di, 1));
     const M reflects = hn::AndNot(to.passes, to.is_delta);
     ray.ball = hn::IfThenElse(hn::RebindMask(di, hn::And(reflects, connected)), object, none);
+    ray.entered_ball = none;
     if (!step.scene.materials.transmits) {
         return;
     }

@@ -205,7 +205,6 @@ HWY_INLINE void select_caustics(const WaveStep& step, const VertexLanes& v,
 }
 
 inline HWY_ATTR void take_step(const WaveStep& step) {
-    const VertexWave& vertices = step.vertices;
     const int vertex = step.paths.vertex;
     const bool has_lights = step.shadows.rays > 0;
     const bool connects = step.scene.caustics && vertex < PathDimensions::kConnectingVertices &&
