@@ -19,7 +19,7 @@ class FrameSums;        // render/frame/frame_sums.h
 struct StructureProbe;  // render/acceleration/structure_cost.h
 
 /// Incremented whenever the renderer's pixels change for the same inputs.
-inline constexpr int kRendererRevision = 18;
+inline constexpr int kRendererRevision = 19;
 
 /// The inputs of a frame besides scene and tracks. Canonical: scene_open <= scene_close.
 struct FrameInput {
