@@ -95,8 +95,7 @@ RadianceSample DistributedIntegrator::sample(const Ray& camera_ray, float pixel_
     count.camera_rays += 1;
     TreeRay root{camera_ray};
     root.spread = pixel_spread;
-    const V3f radiance = trace(root, work);
-    work.result.radiance = is_light(radiance) ? radiance : V3f(0, 0, 0);
+    work.result.radiance = trace(root, work);
     return work.result;
 }
 

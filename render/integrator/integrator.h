@@ -47,7 +47,8 @@ class Integrator {
     }
 
     /// The radiance that arrives along `camera_ray`. `pixel_spread`: width of a pixel at distance
-    /// 1. All returned values are finite and >= 0. Adds to `count`.
+    /// 1. All returned values are finite and >= 0, except by a fault of the integrator, which the
+    /// caller looks for. Adds to `count`.
     [[nodiscard]] virtual RadianceSample sample(const Ray& camera_ray, float pixel_spread,
                                                 const SampleStream& stream,
                                                 const SampleIndex& index,

@@ -145,9 +145,6 @@ RadianceSample PathIntegrator::total(PathWork& work) const {
         }
     }
     work.result.radiance = work.direct + work.indirect;
-    if (!is_light(work.result.radiance)) {
-        work.result.radiance = V3f(0, 0, 0);
-    }
     return work.result;
 }
 
