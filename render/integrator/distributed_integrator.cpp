@@ -96,8 +96,7 @@ void DistributedIntegrator::samples(const CameraRun& run, float pixel_spread,
         count.camera_rays += 1;
         TreeRay root{run.ray(i)};
         root.spread = pixel_spread;
-        const V3f radiance = trace(root, work);
-        work.result.radiance = is_light(radiance) ? radiance : V3f(0, 0, 0);
+        work.result.radiance = trace(root, work);
         results[i] = work.result;
     }
 }

@@ -196,9 +196,6 @@ RadianceSample PathIntegrator::finished(const Wave& wave, std::size_t sample) co
         indirect *= settings_.clamp / brightest;
     }
     result.radiance = wave.sums.direct_of(static_cast<int>(sample)) + indirect;
-    if (!is_light(result.radiance)) {
-        result.radiance = V3f(0, 0, 0);
-    }
     return result;
 }
 
