@@ -39,7 +39,8 @@ class Integrator {
 
     /// The radiance that arrives along the camera rays of a run. `pixel_spread`: width of a pixel
     /// at distance 1. A result does not depend on the other samples; all values are finite and >=
-    /// 0. `results` has room for as many; `workspace` comes from this integrator. Adds to `count`.
+    /// 0, except by a fault of the integrator, which the caller looks for. `results` has room for
+    /// as many; `workspace` comes from this integrator. Adds to `count`.
     virtual void samples(const CameraRun& run, float pixel_spread, RadianceSample* results,
                          Workspace* workspace, RenderStatistics& count) const = 0;
 
