@@ -12,9 +12,17 @@
 namespace carom::render {
 namespace {
 
-// Samples between two checks for a stop request; a sample of the distributed integrator is a tree
-// of rays.
-constexpr int kPathSamplesAtOnce = CameraBatch::kMost;
+/// Samples between two checks for a stop request. One of the distributed integrator is a tree of
+/// rays; even of the largest some are taken together, for the vector code.
+int samples_at_once(const RenderSettings& settings, const TransportScene& scene) {
+    constexpr double kRays = 1e6;
+    constexpr double kLeast = 16;
+    if (settings.integrator != IntegratorKind::distributed) {
+        return CameraBatch::kMost;
+    }
+    const double rays = rays_per_camera_ray(settings.distributed, scene.lights.sampled_count());
+    return static_cast<int>(std::clamp<double>(kRays / rays, kLeast, CameraBatch::kMost));
+}
 
 PathSettings path_settings(const RenderSettings& settings) {
     PathSettings path;
@@ -81,7 +89,7 @@ TileRenderer::TileRenderer(const RenderSettings& settings, const FrameInput& fra
       samples_(settings.integrator == IntegratorKind::distributed
                    ? camera_samples(settings.distributed)
                    : settings.samples),
-      samples_at_once_(settings.integrator == IntegratorKind::distributed ? 1 : kPathSamplesAtOnce),
+      samples_at_once_(samples_at_once(settings, scene)),
       fixings_{is_off(settings, &DistributedSettings::pixel_samples),
                is_off(settings, &DistributedSettings::blur_samples)},
       feature_tracer_(settings.for_denoiser

@@ -4,12 +4,12 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
-#include <numeric>
 
 #include "core/assert.h"
 #include "core/colour.h"
 #include "render/geometry/validity.h"
 #include "render/integrator/branch_sums.h"
+#include "render/integrator/wave/hit_surfaces.h"
 
 namespace carom::render {
 namespace {
@@ -37,43 +37,6 @@ constexpr float kSurvivalInGlass = 0.95f;
     return true;
 }
 
-template <class Values>
-void append(const Values& more, int more_count, Values& values, int count) {
-    std::copy_n(more.at, more_count, values.at + count);
-}
-
-void append(const Floats3& more, int more_count, Floats3& values, int count) {
-    append(more.x, more_count, values.x, count);
-    append(more.y, more_count, values.y, count);
-    append(more.z, more_count, values.z, count);
-}
-
-void append(const PathWave& more, bool transmits, PathWave& paths) {
-    const auto add = [&](auto PathWave::*field) {
-        append(more.*field, more.count, paths.*field, paths.count);
-    };
-    add(&PathWave::slot);
-    add(&PathWave::branch);
-    add(&PathWave::origin);
-    add(&PathWave::direction);
-    add(&PathWave::time);
-    add(&PathWave::throughput);
-    add(&PathWave::width);
-    add(&PathWave::spread);
-    add(&PathWave::last_position);
-    add(&PathWave::last_normal);
-    add(&PathWave::pdf);
-    add(&PathWave::total_importance);
-    add(&PathWave::environment_samples);
-    add(&PathWave::is_delta);
-    add(&PathWave::connects);
-    add(&PathWave::connected_ball);
-    if (transmits) {
-        add(&PathWave::entered_ball);
-    }
-    paths.count += more.count;
-}
-
 }  // namespace
 
 /// A camera sample of a wave.
@@ -84,26 +47,30 @@ struct PathIntegrator::Sample {
 };
 
 struct PathIntegrator::Wave final : Integrator::Workspace {
-    // Zero-initialised, so that what lies beyond the last path is harmless.
-    PathWave of_even_vertices{}, of_odd_vertices{};
+    PathWave of_even_vertices, of_odd_vertices;
     PathWave& paths() { return vertex % 2 == 0 ? of_even_vertices : of_odd_vertices; }
     PathWave& next() { return vertex % 2 == 0 ? of_odd_vertices : of_even_vertices; }
-    PathWave scattered{};  // to be appended to `next`
+    PathWave scattered;  // to be appended to `next`
     int vertex = 0;
-    VertexWave vertices{};
-    ShadowWave shadows{};
-    SampleWave samples{};
-    WaveList near_balls{};
-    MissWave missed{};
-    std::vector<Hit> hits = std::vector<Hit>(kWaveStorage);  // by paths
-    WaveList hit_paths{};                                    // that become vertices
-    TurnWave turns{};
-    std::vector<int> group_ends;      // in the vertices, by group
-    std::vector<Sample> from_camera;  // camera samples
+    VertexWave vertices;
+    ShadowWave shadows;
+    SampleWave samples;
+    WaveList near_balls;
+    MissWave missed;
+    HitSurfaces surfaces;
+    WaveList hit_paths;  // that become vertices
+    std::vector<Sample> from_camera;
     BranchSums sums;
-    Floats3 mirrored{};  // by path
+    Floats3 mirrored;  // by path
 
-    explicit Wave(int coats) : sums(coats) {}
+    explicit Wave(const PathIntegrator& integrator)
+        : surfaces(integrator.scene_, integrator.wave_scene_, *integrator.kernels_, kWavePaths),
+          sums(integrator.wave_scene_.glossy_samples) {
+        const auto reserve = [](auto&... parts) { (parts.reserve(kWavePaths), ...); };
+        reserve(of_even_vertices, of_odd_vertices, scattered, vertices, shadows, near_balls, missed,
+                hit_paths, mirrored);
+        samples.reserve(kWaveSamples);
+    }
 
     [[nodiscard]] Sample& sample_of(int path) {
         return from_camera[static_cast<std::size_t>(paths().slot.at[path])];
@@ -151,7 +118,8 @@ PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& 
       caustics_(scene_),
       light_tracer_(light_tracer),
       kernels_(&best_wave_kernels()),
-      wave_scene_(make_wave_scene(scene, settings, caustics_)) {
+      wave_scene_(make_wave_scene(scene)) {
+    set_up(wave_scene_, settings, caustics_);
     CAROM_ASSERT(settings.split_vertices >= 0 && settings.split_vertices <= kMostSplits);
     if (!scene.lights.environment().is_sampled()) {
         constant_sky_ = scene.lights.environment().radiance(V3f(0, 0, 1));
@@ -163,7 +131,7 @@ PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& 
 }
 
 std::unique_ptr<Integrator::Workspace> PathIntegrator::make_workspace() const {
-    return std::make_unique<Wave>(wave_scene_.glossy_samples);
+    return std::make_unique<Wave>(*this);
 }
 
 void PathIntegrator::samples(const CameraRun& run, float pixel_spread, RadianceSample* results,
@@ -215,7 +183,7 @@ void PathIntegrator::take_step(Wave& wave, RenderStatistics& count) const {
         kernels_->take_step(step_of(wave, first, wave.shadows.last));
         trace_shadows(wave, count);
     }
-    append(wave.scattered, wave_scene_.materials.transmits, wave.next());
+    wave.next().append(wave.scattered);
     CAROM_VALIDATE(is_valid(wave.next()));
     count.scattered_rays += static_cast<std::uint64_t>(wave.next().count);
 }
@@ -224,33 +192,12 @@ void PathIntegrator::begin(const CameraRun& run, float pixel_spread, Wave& wave)
     wave.vertex = 0;
     wave.from_camera.clear();
     wave.sums.clear();
-    PathWave& paths = wave.paths();
-    paths.count = run.count;
-    paths.vertex = 0;
-    for (int i = 0; i < paths.count; ++i) {
+    for (int i = 0; i < run.count; ++i) {
         wave.from_camera.push_back({PathDimensions(run.stream(i)), run.index(i)});
     }
-    const CameraBatch& batch = *run.batch;
-    const auto copy = [&](const auto* from, auto& field) {
-        std::copy_n(from + run.first, run.count, field.at);
-    };
-    copy(batch.pixel_hash, wave.samples.pixel_hash);
-    copy(batch.reversed_sample, wave.samples.reversed_sample);
-    copy(batch.origin[0], paths.origin.x);
-    copy(batch.origin[1], paths.origin.y);
-    copy(batch.origin[2], paths.origin.z);
-    copy(batch.direction[0], paths.direction.x);
-    copy(batch.direction[1], paths.direction.y);
-    copy(batch.direction[2], paths.direction.z);
-    copy(batch.time, paths.time);
-    std::iota(paths.slot.at, paths.slot.at + paths.count, 0);
+    PathWave& paths = wave.paths();
+    begin_wave(run, pixel_spread, wave.samples, paths);
     const auto fill = [&](auto& field, auto value) { std::fill_n(field.at, paths.count, value); };
-    fill(paths.branch, 1);
-    fill(paths.throughput.x, 1.0f);
-    fill(paths.throughput.y, 1.0f);
-    fill(paths.throughput.z, 1.0f);
-    fill(paths.width, 0.0f);
-    fill(paths.spread, pixel_spread);
     fill(paths.pdf, 0.0f);
     fill(paths.total_importance, 0.0f);
     fill(paths.environment_samples, 1.0f);
@@ -280,13 +227,13 @@ void PathIntegrator::look(const CameraRun& run, float pixel_spread, RadianceSamp
 // Sorts the hits: misses and vertices are collected; hits of lights are processed at once.
 void PathIntegrator::process_hits(Wave& wave) const {
     PathWave& paths = wave.paths();
-    scene_.frame.structure().closest_hits(paths.rays(), wave.hits.data());
+    const Hit* const hits = wave.surfaces.trace(paths);
     wave.vertices.has_gloss = false;
     wave.missed.paths.count = 0;
     wave.hit_paths.count = 0;
     const bool is_spent = wave.vertex > settings_.max_bounces;
     for (int i = 0; i < paths.count; ++i) {
-        const Hit& hit = wave.hits[i];
+        const Hit& hit = hits[i];
         if (hit.object == kNoObject) {
             wave.missed.paths.add(i);
         } else if (scene_.is_light(hit)) {
@@ -300,18 +247,7 @@ void PathIntegrator::process_hits(Wave& wave) const {
     if (wave.vertex >= kRouletteVertex) {
         kernels_->play_roulette(wave.samples, paths, wave.hit_paths);
     }
-    sort_vertices(wave);
-    int first = 0;
-    for (std::size_t k = 0; k < wave_scene_.groups.groups.size(); ++k) {
-        const WaveGroup& group = wave_scene_.groups.groups[k];
-        const int last = wave.group_ends[k];
-        if (first < last) {
-            find_poses(group, first, last, wave);
-            kernels_->find_surfaces({wave_scene_, group, paths, wave.hits.data(), wave.turns,
-                                     wave.vertices, first, last});
-        }
-        first = last;
-    }
+    wave.surfaces.find(paths, wave.hit_paths, wave.vertices);
     end_outside_glass(wave);
     if (wave.vertex == 0) {
         note_first_surfaces(wave);
@@ -432,47 +368,6 @@ void PathIntegrator::add_emission(int index, const Hit& hit, Wave& wave) const {
     }
 }
 
-// Makes vertices of the hits, one group after the other, in each of them in the order of the paths.
-void PathIntegrator::sort_vertices(Wave& wave) const {
-    const WaveGroups& groups = wave_scene_.groups;
-    std::vector<int>& ends = wave.group_ends;
-    ends.assign(groups.groups.size() + 1, 0);
-    for (int k = 0; k < wave.hit_paths.count; ++k) {
-        ends[groups.of_object[wave.hits[wave.hit_paths.at.at[k]].object] + 1u] += 1;
-    }
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    VertexWave& vertices = wave.vertices;
-    vertices.count = wave.hit_paths.count;
-    // Each group's end grows from its beginning.
-    for (int k = 0; k < wave.hit_paths.count; ++k) {
-        const int path = wave.hit_paths.at.at[k];
-        const Hit& hit = wave.hits[path];
-        const std::uint16_t group = groups.of_object[hit.object];
-        const int i = ends[group]++;
-        vertices.path.at[i] = path;
-        vertices.object.at[i] = static_cast<std::int32_t>(hit.object);
-        vertices.material.at[i] = static_cast<std::int32_t>(groups.groups[group].material);
-        vertices.distance.at[i] = hit.t;
-    }
-}
-
-void PathIntegrator::find_poses(const WaveGroup& group, int first, int last, Wave& wave) const {
-    if (!group.moves) {
-        return;
-    }
-    const bool turns = group.kind != WaveGroup::Kind::ball || group.has_texture;
-    for (int i = first; i < last; ++i) {
-        const auto object = static_cast<std::uint32_t>(wave.vertices.object.at[i]);
-        const float time = wave.paths().time.at[wave.vertices.path.at[i]];
-        wave.vertices.position.set(i, scene_.frame.centre(object, time));
-        if (turns) {
-            const Imath::Quatf turn = scene_.frame.world_from_body(object, time);
-            wave.turns.real.at[i] = turn.r;
-            wave.turns.vector.set(i, turn.v);
-        }
-    }
-}
-
 void PathIntegrator::add_caustics(int vertex, Wave& wave, RenderStatistics& count) const {
     const VertexWave& vertices = wave.vertices;
     const PathWave& paths = wave.paths();
@@ -496,10 +391,7 @@ void PathIntegrator::add_caustics(int vertex, Wave& wave, RenderStatistics& coun
 void PathIntegrator::trace_shadows(Wave& wave, RenderStatistics& count) const {
     ShadowWave& shadows = wave.shadows;
     count.shadow_rays += static_cast<std::uint64_t>(shadows.count);
-    for (int k = 0; k < shadows.rays; ++k) {
-        scene_.frame.structure().test_occlusion(
-            shadows.batch(k), shadows.t_max.data() + shadows.place(k, shadows.first));
-    }
+    shadows.trace(scene_.frame.structure());
     kernels_->sum_light(shadows);
     CAROM_VALIDATE(is_valid(shadows));
     for (int vertex = shadows.first; vertex < shadows.last; ++vertex) {

@@ -52,8 +52,6 @@ class PathIntegrator final : public Integrator {
     [[nodiscard]] bool becomes_vertex(int path, const Hit& hit, std::uint8_t traits,
                                       Wave& wave) const;
     void end_outside_glass(Wave& wave) const;
-    void sort_vertices(Wave& wave) const;
-    void find_poses(const WaveGroup& group, int first, int last, Wave& wave) const;
     void add_hit_light(int path, const Hit& hit, Wave& wave) const;
     void add_emission(int path, const Hit& hit, Wave& wave) const;
     [[nodiscard]] bool is_sampled_as_caustic(const Path& path, const Hit& hit) const;

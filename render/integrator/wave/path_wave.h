@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <new>
+#include <tuple>
 #include <vector>
 
-#include "render/acceleration/ray_batch.h"
+#include "render/acceleration/acceleration_structure.h"
 #include "render/integrator/path_state.h"
 
 namespace carom::render {
@@ -14,18 +17,38 @@ namespace carom::render {
 /// Largest number of camera samples in a wave, and of paths: a sample may split twice.
 inline constexpr int kWaveSamples = 512;
 inline constexpr int kWavePaths = 10 * kWaveSamples;
-/// Vector code may read and write beyond the last path.
-inline constexpr int kWaveStorage = kWavePaths + 16;
 
-struct Floats {
-    alignas(64) float at[kWaveStorage];
+/// Numbers for vector code, which may read and write beyond the last one. All are 0 at first, so
+/// that what lies there is harmless.
+template <class T>
+struct WaveArray {
+    static constexpr int kBeyond = 16;
+
+    T* at = nullptr;
+
+    void reserve(int count) {
+        const auto size = static_cast<std::size_t>(count + kBeyond);
+        numbers.reset(new (kAlignment) T[size]());
+        at = numbers.get();
+    }
+
+  private:
+    static constexpr std::align_val_t kAlignment{64};
+    struct Free {
+        void operator()(T* array) const { ::operator delete[](array, kAlignment); }
+    };
+    std::unique_ptr<T[], Free> numbers;
 };
-struct Words {
-    alignas(64) std::int32_t at[kWaveStorage];
-};
+using Floats = WaveArray<float>;
+using Words = WaveArray<std::int32_t>;
 struct Floats3 {
     Floats x, y, z;
 
+    void reserve(int count) {
+        for (Floats* channel : {&x, &y, &z}) {
+            channel->reserve(count);
+        }
+    }
     [[nodiscard]] V3f get(int i) const { return {x.at[i], y.at[i], z.at[i]}; }
     void set(int i, const V3f& v) {
         x.at[i] = v.x;
@@ -53,6 +76,25 @@ struct PathWave {
     static constexpr std::int32_t kPassedBall = 1 << 30;
     Words connected_ball;
     Words entered_ball;  // set in scenes with surfaces that transmit
+
+    /// Pointers to all arrays.
+    static constexpr auto fields() {
+        return std::tuple(&PathWave::slot, &PathWave::branch, &PathWave::origin,
+                          &PathWave::direction, &PathWave::time, &PathWave::throughput,
+                          &PathWave::width, &PathWave::spread, &PathWave::last_position,
+                          &PathWave::last_normal, &PathWave::pdf, &PathWave::total_importance,
+                          &PathWave::environment_samples, &PathWave::is_delta, &PathWave::connects,
+                          &PathWave::connected_ball, &PathWave::entered_ball);
+    }
+    void reserve(int paths) {
+        std::apply([&](auto... field) { ((this->*field).reserve(paths), ...); }, fields());
+    }
+    /// Appends other paths.
+    void append(const PathWave& more) {
+        std::apply([&](auto... field) { (copy(more.*field, more.count, this->*field), ...); },
+                   fields());
+        count += more.count;
+    }
 
     [[nodiscard]] Ray ray(int i) const {
         return {origin.get(i), direction.get(i), 0, kInfinity, time.at[i], kind()};
@@ -88,6 +130,17 @@ struct PathWave {
         path.spread = spread.at[i];
         return path;
     }
+
+  private:
+    template <class T>
+    void copy(const WaveArray<T>& more, int number, WaveArray<T>& to) const {
+        std::copy_n(more.at, number, to.at + count);
+    }
+    void copy(const Floats3& more, int number, Floats3& to) const {
+        copy(more.x, number, to.x);
+        copy(more.y, number, to.y);
+        copy(more.z, number, to.z);
+    }
 };
 
 /// The vertices of a wave.
@@ -105,6 +158,17 @@ struct VertexWave {
     Floats3 base;
     Words from_behind;  // 1 or 0; in scenes with surfaces that transmit
     Words ends;         // 1: the path ends here
+
+    void reserve(int vertices) {
+        for (Words* words : {&path, &object, &material, &from_behind, &ends}) {
+            words->reserve(vertices);
+        }
+        for (Floats3* floats : {&position, &geometric_normal, &normal, &base}) {
+            floats->reserve(vertices);
+        }
+        distance.reserve(vertices);
+        offset.reserve(vertices);
+    }
 };
 
 /// Shadow rays of the vertices [first, last) of a wave, `rays` for each vertex. The first rays of
@@ -127,10 +191,16 @@ struct ShadowWave {
     // Of each ray, in scenes with surfaces that transmit.
     std::vector<float> origin_x, origin_y, origin_z;
 
+    void reserve(int vertices) {
+        origin.reserve(vertices);
+        time.reserve(vertices);
+        sum.reserve(vertices);
+    }
     /// Of the vertices from `from` on takes as many as fit, to whom so many `rays` will be added.
     void begin(int from, int vertices, int rays_of_each, bool has_origins) {
         first = from;
         rays = rays_of_each;
+        count = 0;
         const int most = rays > 0 ? kRays / rays / kLanes * kLanes : vertices;
         last = std::min(vertices, from + std::max(most, kLanes));
         stride = last - first + kLanes;
@@ -147,6 +217,14 @@ struct ShadowWave {
         return static_cast<std::size_t>(k) * static_cast<std::size_t>(stride) +
                static_cast<std::size_t>(vertex - first);
     }
+    /// Sets `t_max` to 0 for rays that are occluded.
+    void trace(const AccelerationStructure& structure) {
+        for (int k = 0; k < rays; ++k) {
+            structure.test_occlusion(batch(k), t_max.data() + place(k, first));
+        }
+    }
+
+  private:
     /// The `k`th rays of all vertices.
     [[nodiscard]] RayBatch batch(int k) const {
         const std::size_t at = place(k, first);
@@ -164,6 +242,11 @@ struct ShadowWave {
 /// What belongs to the camera samples of a wave.
 struct SampleWave {
     Words pixel_hash, reversed_sample;  // of their random numbers
+
+    void reserve(int samples) {
+        pixel_hash.reserve(samples);
+        reversed_sample.reserve(samples);
+    }
 };
 
 /// Indices of vertices or paths.
@@ -171,6 +254,7 @@ struct WaveList {
     int count = 0;
     Words at;
 
+    void reserve(int most) { at.reserve(most); }
     void add(int index) { at.at[count++] = index; }
 };
 
@@ -178,6 +262,11 @@ struct WaveList {
 struct MissWave {
     WaveList paths;
     Floats3 light;  // by the place in the list
+
+    void reserve(int most) {
+        paths.reserve(most);
+        light.reserve(most);
+    }
 };
 
 }  // namespace carom::render

@@ -69,8 +69,8 @@ HWY_INLINE PointLanes on_boxes(const SurfaceTask& task, const HitLanes& hit) {
 
 /// Ray and point are in the axes of the body; for objects without a track, in the world's. Not
 /// inlined: each shape's code is long.
-HWY_NOINLINE HWY_ATTR PointLanes on_shapes(const SurfaceTask& task, const HitLanes& hit,
-                                           const RayOf<Lanes>& ray) {
+inline HWY_NOINLINE HWY_ATTR PointLanes on_shapes(const SurfaceTask& task, const HitLanes& hit,
+                                                  const RayOf<Lanes>& ray) {
     const WaveShapes& shapes = task.scene.groups.shapes;
     MappedShapeOf<Lanes> shape;
     shape.unit_from_body = gather(shapes.unit_from_world, hit.object);

@@ -35,10 +35,6 @@ struct VertexLanes {
     F total_importance, environment_samples;
 };
 
-HWY_INLINE M no_lanes() {
-    return hn::MaskFromVec(hn::Zero(FloatTag()));
-}
-
 /// `number_of` returns a number of each lane's material.
 template <class NumberOf>
 HWY_INLINE Layers layers_from(const WaveMaterials& materials, I material,

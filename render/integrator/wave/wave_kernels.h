@@ -11,6 +11,11 @@ namespace carom::render {
 struct TurnWave {
     Floats real;
     Floats3 vector;
+
+    void reserve(int vertices) {
+        real.reserve(vertices);
+        vector.reserve(vertices);
+    }
 };
 
 /// The vertices in [first, last) of a group. Known are path, object, material, distance and, of

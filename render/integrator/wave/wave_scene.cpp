@@ -10,6 +10,7 @@ namespace {
 
 WaveLight known_light(const LightSet& lights, std::size_t index) {
     WaveLight light;
+    light.is_round = lights.is_round(index);
     if (lights.is_environment(index)) {
         const bool has_light = lights.environment().picture().distribution.density != nullptr;
         light.kind = has_light ? WaveLight::Kind::environment : WaveLight::Kind::other;
@@ -37,17 +38,6 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
                             lights.area_light(index));
     light.samples = first_vertex_samples(lights, index);
     return light;
-}
-
-template <class Numbers>
-void add_numbers(const Numbers& numbers, WaveNumberTable& table) {
-    std::size_t place = 0;
-    Numbers::each_number(numbers, [&](float number) {
-        if (place == table.size()) {
-            table.emplace_back();
-        }
-        table[place++].push_back(number);
-    });
 }
 
 WaveMaterials make_materials(const std::vector<Material>& all) {
@@ -88,39 +78,43 @@ AlbedoNumbers WaveMaterials::tables() const {
     return tables;
 }
 
-WaveScene make_wave_scene(const TransportScene& scene, const PathSettings& settings,
-                          const Caustics& caustics) {
+WaveScene make_wave_scene(const TransportScene& scene) {
     WaveScene known;
     known.lights = &scene.lights;
-    const bool samples = settings.strategy != DirectStrategy::scattering_only;
-    for (std::size_t light = 0; samples && light < scene.lights.sampled_count(); ++light) {
+    for (std::size_t light = 0; light < scene.lights.sampled_count(); ++light) {
         known.light.push_back(known_light(scene.lights, light));
     }
-    known.environment_importance = scene.lights.environment().importance();
-    const Caustics::BallBounds& bounds = caustics.ball_bounds();
-    known.ball_x = bounds.x;
-    known.ball_y = bounds.y;
-    known.ball_z = bounds.z;
-    known.ball_bounding_radius = bounds.bounding_radius;
-    known.ball_radius2 = bounds.radius2;
-    known.ball_gain = bounds.gain;
-    known.ball_of_object = caustics.ball_of_object();
-    known.ball_of_object.resize(scene.frame.object_count(), -1);
-    known.groups = make_wave_groups(scene);
-    known.materials = make_materials(scene.materials);
     const Environment& environment = scene.lights.environment();
+    known.environment_importance = environment.importance();
     if (environment.is_sampled() && environment.picture().distribution.density != nullptr) {
         known.sky = environment.picture();
     }
-    known.strategy = settings.strategy;
-    known.max_bounces = settings.max_bounces;
-    const bool has_gloss =
-        std::any_of(known.groups.traits.begin(), known.groups.traits.end(),
-                    [](std::uint8_t traits) { return (traits & kHasGloss) != 0; });
-    known.glossy_samples = has_gloss ? settings.glossy_samples : 1;
-    known.split_vertices = settings.split_vertices;
-    known.caustics = settings.caustics;
+    known.groups = make_wave_groups(scene);
+    known.materials = make_materials(scene.materials);
     return known;
+}
+
+void set_up(WaveScene& wave_scene, const PathSettings& settings, const Caustics& caustics) {
+    if (settings.strategy == DirectStrategy::scattering_only) {
+        wave_scene.light.clear();
+    }
+    const Caustics::BallBounds& bounds = caustics.ball_bounds();
+    wave_scene.ball_x = bounds.x;
+    wave_scene.ball_y = bounds.y;
+    wave_scene.ball_z = bounds.z;
+    wave_scene.ball_bounding_radius = bounds.bounding_radius;
+    wave_scene.ball_radius2 = bounds.radius2;
+    wave_scene.ball_gain = bounds.gain;
+    wave_scene.ball_of_object = caustics.ball_of_object();
+    wave_scene.ball_of_object.resize(wave_scene.groups.of_object.size(), -1);
+    wave_scene.strategy = settings.strategy;
+    wave_scene.max_bounces = settings.max_bounces;
+    const auto& traits = wave_scene.groups.traits;
+    const bool has_gloss = std::any_of(traits.begin(), traits.end(),
+                                       [](std::uint8_t trait) { return (trait & kHasGloss) != 0; });
+    wave_scene.glossy_samples = has_gloss ? settings.glossy_samples : 1;
+    wave_scene.split_vertices = settings.split_vertices;
+    wave_scene.caustics = settings.caustics;
 }
 
 int WaveScene::first_rays() const {

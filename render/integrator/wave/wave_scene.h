@@ -19,6 +19,7 @@ struct WaveLight {
     enum class Kind { area, environment, delta, curved_object, flat_object, other };
     Kind kind = Kind::other;
     int samples = 1;  // at a path's first vertex
+    bool is_round = false;
     AreaLightConstants area;
     DeltaLightConstants delta;
     EmissiveShapeConstants shape;         // of a curved object
@@ -35,6 +36,18 @@ struct WaveLight {
 
 /// The numbers of a kind of all materials, in the order of its each_number.
 using WaveNumberTable = std::vector<std::vector<float>>;
+
+/// Appends the numbers of one material.
+template <class Numbers>
+void add_numbers(const Numbers& numbers, WaveNumberTable& table) {
+    std::size_t place = 0;
+    Numbers::each_number(numbers, [&](float number) {
+        if (place == table.size()) {
+            table.emplace_back();
+        }
+        table[place++].push_back(number);
+    });
+}
 
 /// Materials as a structure of arrays (material/kernels/material_numbers.h).
 struct WaveMaterials {
@@ -77,7 +90,8 @@ struct WaveScene {
 };
 
 /// For one frame; everything is borrowed.
-[[nodiscard]] WaveScene make_wave_scene(const TransportScene& scene, const PathSettings& settings,
-                                        const Caustics& caustics);
+[[nodiscard]] WaveScene make_wave_scene(const TransportScene& scene);
+/// Adds what path tracing needs.
+void set_up(WaveScene& wave_scene, const PathSettings& settings, const Caustics& caustics);
 
 }  // namespace carom::render

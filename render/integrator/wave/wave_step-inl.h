@@ -54,24 +54,14 @@ HWY_INLINE void add_shadow_rays(const WaveStep& step, const VertexLanes& v, cons
     const F3 value = v.throughput * weighted_value(step.scene, v, wi, side.passes, pdf) *
                      light.radiance * (all(1.f) / pdf);
     const M is_lit = hn::And(shines, hn::Gt(largest(value), all(0.f)));
-    ShadowWave& out = step.shadows;
-    const std::size_t at = out.place(k, v.first);
-    const auto put = [at](F number, std::vector<float>& numbers)
-                         HWY_ATTR { hn::StoreU(number, FloatTag(), numbers.data() + at); };
-    put(light.direction.x, out.x);
-    put(light.direction.y, out.y);
-    put(light.direction.z, out.z);
-    put(select(is_lit, light.distance * all(kOneMinusShadowEpsilon), all(0.f)), out.t_max);
-    put(value.x, out.red);
-    put(value.y, out.green);
-    put(value.z, out.blue);
+    put_rays(step.shadows, k, v.first, light, value, is_lit);
     if (step.scene.materials.transmits) {
+        const std::size_t at = step.shadows.place(k, v.first);
         const F3 origin = origin_of_rays(v, side.passes);
-        put(origin.x, out.origin_x);
-        put(origin.y, out.origin_y);
-        put(origin.z, out.origin_z);
+        hn::StoreU(origin.x, FloatTag(), step.shadows.origin_x.data() + at);
+        hn::StoreU(origin.y, FloatTag(), step.shadows.origin_y.data() + at);
+        hn::StoreU(origin.z, FloatTag(), step.shadows.origin_z.data() + at);
     }
-    out.count += static_cast<int>(hn::CountTrue(FloatTag(), is_lit));
 }
 
 HWY_INLINE PlaceLanes place_of(const VertexLanes& v) {

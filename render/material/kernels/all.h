@@ -9,5 +9,6 @@
 #include "render/material/kernels/phong.h"
 #include "render/material/kernels/base_direction.h"
 #include "render/material/kernels/bsdf.h"
+#include "render/material/kernels/classic.h"
 #include "render/material/kernels/resolve.h"
 // clang-format on
