@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "render/acceleration/primitives.h"
-#include "render/acceleration/test_counts.h"
+#include "lab/structures/primitives.h"
+#include "lab/structures/test_counts.h"
 #include "render/geometry/scalar_kernels.h"
 
 namespace carom::render {

@@ -33,14 +33,15 @@ HWY_INLINE kernels::Triple<hn::Vec<D>> broadcast(D d, const V3f& v) {
 
 /// The triangles of a leaf, from `lane` on, for one ray.
 template <class D>
-HWY_INLINE kernels::Triple<hn::Vec<D>> triangles(D d, const Lanes (&lanes)[3], int lane) {
+HWY_INLINE kernels::Triple<hn::Vec<D>> triangles(D d, const FloatLanes (&lanes)[3], int lane) {
     return {{hn::Load(d, lanes[0].values + lane), hn::Load(d, lanes[1].values + lane),
              hn::Load(d, lanes[2].values + lane)}};
 }
 
 /// One triangle of a leaf for all rays.
 template <class D>
-HWY_INLINE kernels::Triple<hn::Vec<D>> triangle_in_all(D d, const Lanes (&lanes)[3], int lane) {
+HWY_INLINE kernels::Triple<hn::Vec<D>> triangle_in_all(D d, const FloatLanes (&lanes)[3],
+                                                       int lane) {
     return {{hn::Set(d, lanes[0].values[lane]), hn::Set(d, lanes[1].values[lane]),
              hn::Set(d, lanes[2].values[lane])}};
 }

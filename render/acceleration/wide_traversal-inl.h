@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "render/acceleration/wide_tally.h"
 #include "render/acceleration/wide_tree.h"
 #include "render/geometry/scalar_kernels.h"
 
@@ -40,16 +39,16 @@ struct TreeRay {
 };
 
 /// A bit for each child whose box the ray enters before `limit`, and the distances of entry.
-template <bool kMoving, class D>
-HWY_INLINE unsigned enter_children(D d, const TreeRay<D>& ray, const WideTree& tree,
-                                   std::uint32_t index, float limit, float* HWY_RESTRICT enters) {
-    const WideNode& node = tree.nodes[index];
+template <bool kMoving, class D, class Nodes>
+HWY_INLINE unsigned enter_children(D d, const TreeRay<D>& ray, const Nodes& tree,
+                                   const WideNode& node, std::uint32_t index, float limit,
+                                   float* HWY_RESTRICT enters) {
     unsigned children = 0;
     for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
         const auto plane = [&](int axis, int side) HWY_ATTR {
             hn::Vec<D> place = hn::LoadU(d, node.planes[axis][side].values + lane);
             if constexpr (kMoving) {
-                const float* travel = tree.travels[index].planes[axis][side].values + lane;
+                const float* travel = tree.travel(index).planes[axis][side].values + lane;
                 place = hn::MulAdd(ray.time, hn::LoadU(d, travel), place);
             }
             return place;
@@ -74,19 +73,6 @@ HWY_INLINE unsigned enter_children(D d, const TreeRay<D>& ray, const WideTree& t
     return children;
 }
 
-/// Prefetches data that is needed soon.
-template <class T>
-HWY_INLINE void prefetch(const T& wanted) {
-    const char* at = reinterpret_cast<const char*>(&wanted);
-    for (std::size_t line = 0; line < sizeof(T); line += 64) {
-        __builtin_prefetch(at + line);
-    }
-}
-
-struct NoPrefetch {
-    HWY_INLINE void operator()(std::uint32_t /*leaf*/) const {}
-};
-
 /// The order in which a node's children are visited.
 enum class Order {
     nearest,
@@ -94,13 +80,10 @@ enum class Order {
 };
 
 /// Calls `visit(leaf)` for the leaves whose boxes the ray enters before `limit`, which visits may
-/// lower; ends when a visit returns true. `prefetch_leaf(leaf)` is called for leaves that have to
-/// wait. `tally` counts the nodes.
-template <bool kMoving, Order kOrder = Order::nearest, class D, class Tally, class Visit,
-          class PrefetchLeaf = NoPrefetch>
-HWY_INLINE void traverse(D d, const WideTree& tree, const Ray& ray, const float& limit,
-                         const Tally& tally, const Visit& visit,
-                         const PrefetchLeaf& prefetch_leaf = {}) {
+/// lower; ends when a visit returns true. `tree`: a WideTree, or what has its functions.
+template <bool kMoving, Order kOrder = Order::nearest, class D, class Nodes, class Visit>
+HWY_INLINE void traverse(D d, const Nodes& tree, const Ray& ray, const float& limit,
+                         const Visit& visit) {
     struct StackEntry {
         float enter;
         std::int32_t child;
@@ -112,11 +95,6 @@ HWY_INLINE void traverse(D d, const WideTree& tree, const Ray& ray, const float&
     // Insertion into the stack of waiting children, the farthest first; `before`: its size at the
     // node.
     const auto push = [&](const StackEntry& child, int before) HWY_ATTR {
-        if (child.child >= 0) {
-            prefetch(tree.nodes[static_cast<std::uint32_t>(child.child)]);
-        } else {
-            prefetch_leaf(static_cast<std::uint32_t>(-1 - child.child));
-        }
         int at = count++;
         for (; kOrder == Order::nearest && at > before && stack[at - 1].enter < child.enter; --at) {
             stack[at] = stack[at - 1];
@@ -127,10 +105,11 @@ HWY_INLINE void traverse(D d, const WideTree& tree, const Ray& ray, const float&
     for (;;) {
         if (current >= 0) {
             const auto index = static_cast<std::uint32_t>(current);
-            tally.node(tree.nodes[index]);
-            unsigned children = enter_children<kMoving>(d, tree_ray, tree, index, limit, enters);
+            const WideNode& node = tree.node(index);
+            unsigned children =
+                enter_children<kMoving>(d, tree_ray, tree, node, index, limit, enters);
             if (children != 0) {
-                const std::int32_t* below = tree.nodes[index].children;
+                const std::int32_t* below = node.children;
                 const int lane = std::countr_zero(children);
                 StackEntry first{enters[lane], below[lane]};
                 const int before = count;
