@@ -50,26 +50,26 @@ struct Noted {
     }
 };
 
-/// Calls `found(hit)` for each hit of a triangle in a block until it returns true.
+/// Calls `found(hit)` for each hit of a triangle in a leaf until it returns true.
 template <class Found>
-bool test_block(const TriangleTree& tree, std::uint32_t leaf, const Ray& ray, const Found& found) {
+bool test_leaf(const TriangleTree& tree, std::uint32_t leaf, const Ray& ray, float enter,
+               const Found& found) {
     using L = ScalarLanes<float>;
     namespace kernels = triangle::scalar;
     const TriangleBlock& block = tree.blocks[leaf];
     const TriangleNames& names = tree.names[leaf];
-    const auto at = [](const FloatLanes (&lanes)[3], std::size_t k) {
+    const auto at = [](const FloatLanes(&lanes)[3], std::size_t k) {
         return kernels::Triple<float>{{lanes[0].values[k], lanes[1].values[k], lanes[2].values[k]}};
     };
     const auto triple = [](const V3f& v) { return kernels::Triple<float>{{v.x, v.y, v.z}}; };
-    const kernels::RayIn<L> ray_in{triple(ray.origin), triple(ray.direction), ray.t_min,
-                                   kInfinity};
+    const kernels::RayIn<L> ray_in{triple(ray.origin), triple(ray.direction), ray.t_min, kInfinity};
     for (std::size_t k = 0; k < kBlockLanes && names.object.values[k] >= 0; ++k) {
         const auto hit = kernels::MollerTrumbore::intersect<triangle::Division::early>(
             ray_in, kernels::MollerTrumbore::Record<L>{at(block.corner, k), at(block.edge_b, k),
                                                        at(block.edge_c, k)});
-        if (hit.valid && found(Hit{hit.t, static_cast<std::uint32_t>(names.object.values[k]),
-                                   static_cast<std::uint32_t>(names.number.values[k]), hit.u,
-                                   hit.v})) {
+        if (hit.valid &&
+            found(Hit{std::max(hit.t, enter), static_cast<std::uint32_t>(names.object.values[k]),
+                      static_cast<std::uint32_t>(names.number.values[k]), hit.u, hit.v})) {
             return true;
         }
     }
@@ -77,17 +77,17 @@ bool test_block(const TriangleTree& tree, std::uint32_t leaf, const Ray& ray, co
 }
 
 /// Calls `found(hit)` for hits before `limit` until it returns true.
-template <class Found>
-void ask_triangles(const TriangleTree& tree, const Ray& ray, const float& limit,
-                   KindCounts& counts, const Found& found) {
+template <Order kOrder, class Found>
+void ask_triangles(const TriangleTree& tree, const Ray& ray, const float& limit, KindCounts& counts,
+                   const Found& found) {
     if (tree.blocks.empty()) {
         return;
     }
-    traverse<false>(WideTag(), CountedNodes{tree.tree, counts}, ray, limit,
-                    [&](std::uint32_t leaf) {
-                        count_shapes(tree.names[leaf].object, counts);
-                        return test_block(tree, leaf, ray, found);
-                    });
+    traverse<kOrder>(CountedNodes{tree.tree, counts}, SingleRay(ray, limit), {ray.t_min, 0},
+                     [&](std::uint32_t leaf, const SingleRay::Entry& entry) {
+                         count_shapes(tree.names[leaf].object, counts);
+                         return test_leaf(tree, leaf, ray, entry.enter, found);
+                     });
 }
 
 }  // namespace
@@ -110,7 +110,7 @@ bool any_counted(const AnalyticTree& tree, const Ray& ray, KindCounts& counts) {
 }
 
 void closest_counted(const TriangleTree& tree, const Ray& ray, Hit& best, KindCounts& counts) {
-    ask_triangles(tree, ray, best.t, counts, [&](const Hit& hit) {
+    ask_triangles<Order::nearest_first>(tree, ray, best.t, counts, [&](const Hit& hit) {
         const bool is_lower = hit.object < best.object ||
                               (hit.object == best.object && hit.primitive < best.primitive);
         if (hit.t < best.t || (hit.t == best.t && best.object != kNoObject && is_lower)) {
@@ -122,7 +122,7 @@ void closest_counted(const TriangleTree& tree, const Ray& ray, Hit& best, KindCo
 
 bool any_counted(const TriangleTree& tree, const Ray& ray, KindCounts& counts) {
     bool found = false;
-    ask_triangles(tree, ray, ray.t_max, counts, [&](const Hit& hit) {
+    ask_triangles<Order::any>(tree, ray, ray.t_max, counts, [&](const Hit& hit) {
         found = hit.t < ray.t_max;
         return found;
     });

@@ -2,7 +2,7 @@
 #include "render/acceleration/analytic_kernels-inl.h"
 #include "render/acceleration/analytic_tree.h"
 #include "render/acceleration/moving_shape.h"
-#include "render/acceleration/wide_traversal-inl.h"
+#include "render/acceleration/tree_traversal-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
@@ -132,17 +132,17 @@ HWY_ATTR bool ask_tree(const AnalyticTree& tree, const Nodes& nodes, const Ray& 
     if (tree.tree.nodes.empty()) {
         return false;
     }
-    const WideTag d;
-    const VisitLeaf<WideTag, Query> leaf(d, tree, ray, query);
+    const VisitLeaf<WideTag, Query> leaf(WideTag(), tree, ray, query);
     bool answered = false;
-    const auto visit = [&](std::uint32_t index) HWY_ATTR {
+    const auto visit = [&](std::uint32_t index, const SingleRay::Entry& /*entry*/) HWY_ATTR {
         answered = leaf(index);
         return answered;
     };
+    const SingleRay::Entry root{ray.t_min, 0};
     if (tree.tree.travels.empty()) {
-        traverse<false>(d, nodes, ray, limit, visit);
+        traverse<Order::nearest_first>(nodes, SingleRay(ray, limit), root, visit);
     } else {
-        traverse<true>(d, nodes, ray, limit, visit);
+        traverse<Order::nearest_first, true>(nodes, SingleRay(ray, limit), root, visit);
     }
     return answered;
 }
