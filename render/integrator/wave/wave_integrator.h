@@ -23,7 +23,7 @@ class WaveIntegrator final : public Integrator {
     WaveIntegrator(const TransportScene& scene, const PathSettings& settings,
                    const LightTracer* light_tracer = nullptr);
 
-    /// Whether waves support this processor, these settings and this number of lights.
+    /// Whether waves support these settings and this number of lights.
     [[nodiscard]] static bool can_do(const TransportScene& scene, const PathSettings& settings);
 
     [[nodiscard]] RadianceSample sample(const Ray& camera_ray, float pixel_spread,
