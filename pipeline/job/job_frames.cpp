@@ -60,7 +60,7 @@ RenderFunction renderer_of(const Shot& shot, const FilmJobOptions& options) {
     if (options.renderer) {
         return options.renderer;
     }
-    return make_scene_renderer(shot, options.threads, options.factory);
+    return make_scene_renderer(shot, options.threads, options.structures);
 }
 
 }  // namespace carom::pipeline

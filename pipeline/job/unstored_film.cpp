@@ -83,6 +83,7 @@ class UnstoredPictures {
                                     context, nullptr);
         counts = film.statistics;
         counts_ += counts;
+        observer_.check(counts, wanted.frame);
         return render::as_stored(std::move(film), stored_frame_metadata(source_.shot(), counts));
     }
 

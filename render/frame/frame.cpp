@@ -6,7 +6,6 @@
 
 #include "core/error.h"
 #include "render/acceleration/flush_denormals.h"
-#include "render/acceleration/structure_cost.h"
 #include "render/frame/adaptive_progress.h"
 #include "render/frame/frame_sums_data.h"
 #include "render/frame/frame_work.h"
@@ -146,10 +145,9 @@ void make_room(FrameSums::Data& sums, std::size_t pixels) {
 
 Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks,
                   const FrameInput& frame, const RenderSettings& settings,
-                  const WorkContext& context, FrameSums* sums, StructureProbe* probe) {
-    const FlushDenormals flush;  // while Embree builds
-    const FrameWork work(scene, tracks, frame, settings,
-                         probe != nullptr ? probe->options : StructureOptions{});
+                  const WorkContext& context, FrameSums* sums) {
+    const FlushDenormals flush;
+    const FrameWork work(scene, tracks, frame, settings);
     FrameSums own;
     FrameSums::Data& data = sums != nullptr ? sums->data() : own.data();
     if (sums != nullptr || work.tiles().is_adaptive()) {
@@ -163,9 +161,6 @@ Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks
     film.aovs = planes.aovs.take();
     film.notes = planes.aovs.take_notes();
     planes.denoiser.append_to(film);
-    if (probe != nullptr) {
-        probe->cost = work.scene().cost();
-    }
     return film;
 }
 

@@ -18,8 +18,7 @@ namespace carom::render {
 class FrameWork {
   public:
     FrameWork(const PreparedScene& scene, std::span<const sim::Track> tracks,
-              const FrameInput& frame, const RenderSettings& settings,
-              const StructureOptions& options = {});
+              const FrameInput& frame, const RenderSettings& settings);
 
     [[nodiscard]] const RenderSettings& settings() const { return settings_; }
     [[nodiscard]] const FrameScene& scene() const { return frame_scene_; }

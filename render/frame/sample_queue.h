@@ -13,7 +13,8 @@
 namespace carom::render {
 
 /// For one thread. Samples are added to their pixel's sums in the order of the requests, and only
-/// the rays of added samples are counted.
+/// the rays of added samples are counted. A sample that is negative or not finite is counted, too,
+/// and added as black.
 class SampleQueue {
   public:
     /// Everything is borrowed.
