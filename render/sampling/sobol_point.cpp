@@ -90,7 +90,8 @@ inline HWY_ATTR void block(std::uint32_t reversed_index, std::uint32_t set_hash,
     for (int d = 0; d < 2; ++d) {
         for (int k = 0; k < 4; k += four_lanes()) {
             const Four of_point = hn::Xor(hn::Set(words, base[d]), hn::Load(words, kBlock[d] + k));
-            write_scrambled(of_point, hn::Set(words, seeds[d]), coordinates + 4 * d + k);
+            write_scrambled(of_point, hn::Set(words, seeds[d]), coordinates);
+            coordinates += four_lanes();
         }
     }
 }

@@ -221,19 +221,5 @@ TEST(FilmWorker, BudgetThatIsOver_BeginsNothing) {
     EXPECT_EQ(farm.rendered, 0);
 }
 
-TEST(FilmWorker, TierOfAnotherMachine_IsRefusedWithBothNames) {
-    Farm farm;
-    FilmJobOptions options = farm.options();
-    options.renderer = nullptr;
-    options.tier = "ABACUS";
-    try {
-        (void)work_on_film(farm.shot, farm.bake, options, {}, {}, {}, {});
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_THAT(error.what(),
-                    ::testing::HasSubstr("need ABACUS instructions, and this machine"));
-    }
-}
-
 }  // namespace
 }  // namespace carom::pipeline

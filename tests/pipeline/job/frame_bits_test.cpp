@@ -64,25 +64,16 @@ void expect_same(const render::Film& a, const render::Film& b, const std::string
     EXPECT_EQ(a.statistics.shadow_rays, b.statistics.shadow_rays) << what;
 }
 
-/// Three examples, or all of them for scripts/test --all: with the scalar code, frames take several
-/// times longer.
-bool is_tried_on_all_sets(const std::string& path) {
-    const char* all = std::getenv("CAROM_ALL_EXAMPLES");
-    return (all != nullptr && std::string_view(all) == "1") ||
-           path.ends_with("/nine_ball_break.yaml") || path.ends_with("/distributed.yaml") ||
-           path.ends_with("/park.yaml");
-}
+class ExampleInstructions : public ::testing::TestWithParam<std::string> {};
 
 // The key of a frame does not contain the instruction set, so the set must not matter.
-TEST_P(ExampleBits, EveryInstructionSet_GivesTheSame) {
-    if (!is_tried_on_all_sets(GetParam())) {
-        GTEST_SKIP() << "CAROM_ALL_EXAMPLES=1 tests this one too";
-    }
+TEST_P(ExampleInstructions, EverySet_GivesTheSameBits) {
     const ScratchFolder bakes;
     ExampleFilm film(GetParam(), bakes.path());
     film.shot.render.for_denoiser = film.shot.render.integrator == render::IntegratorKind::path;
     const std::int64_t frame = frames_of(film, GetParam()).front();
     const render::Film best = film.render(frame);
+    EXPECT_NE(best.aovs.empty(), film.shot.render.for_denoiser);
     int tried = 0;
     test::for_each_instruction_set([&](const char* name) {
         expect_same(film.render(frame), best, name);
@@ -104,7 +95,19 @@ std::string name_of(const ::testing::TestParamInfo<std::string>& tested) {
     return path.parent_path().filename().string() + "_" + path.stem().string();
 }
 
+/// Three examples; all of them if CAROM_ALL_EXAMPLES is set, since frames take several times longer
+/// without vectors.
+std::vector<std::string> examples_for_all_sets() {
+    const std::string folder = CAROM_SOURCE_DIR "/examples/";
+    return std::getenv("CAROM_ALL_EXAMPLES") != nullptr
+               ? carom::testing::example_files()
+               : std::vector<std::string>{folder + "nine_ball_break.yaml",
+                                          folder + "distributed.yaml", folder + "park.yaml"};
+}
+
 INSTANTIATE_TEST_SUITE_P(All, ExampleBits, ::testing::ValuesIn(carom::testing::example_files()),
+                         name_of);
+INSTANTIATE_TEST_SUITE_P(All, ExampleInstructions, ::testing::ValuesIn(examples_for_all_sets()),
                          name_of);
 
 }  // namespace
