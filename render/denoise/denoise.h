@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "core/progress.h"
@@ -51,6 +52,53 @@ struct DenoiseInput {
     PlaneView variance;
 };
 
+struct DenoiseShape {
+    int width = 0;  // pixels
+    int height = 0;
+    std::size_t features = 0;  // in threes, such as a colour; at most kMostFeatures
+    bool has_variance = false;
+    bool has_share = false;
+};
+
+/// Hands out what is known of a noisy picture row by row, so that it need not all be in memory in
+/// this form. Any thread may ask for any row, also several times. Numbers that are not finite count
+/// as 0.
+class DenoiseSource {
+  public:
+    virtual ~DenoiseSource() = default;
+
+    /// Where to write the row's numbers; `variance` is null if there is none.
+    struct ColourRows {
+        float* mean[3];
+        float* difference[3];
+        float* variance;
+    };
+    struct FeatureRows {
+        float* exact[DenoiseInput::kMostFeatures];
+        float* error[DenoiseInput::kMostFeatures];
+        float* difference[DenoiseInput::kMostFeatures];
+        float* share;
+    };
+    [[nodiscard]] virtual DenoiseShape shape() const = 0;
+    virtual void colours(int y, const ColourRows& rows) const = 0;
+    virtual void features(int y, const FeatureRows& rows) const = 0;
+};
+
+/// From planes.
+class PlaneSource final : public DenoiseSource {
+  public:
+    explicit PlaneSource(DenoiseInput input) : input_(std::move(input)) {}
+
+    [[nodiscard]] DenoiseShape shape() const override;
+    void colours(int y, const ColourRows& rows) const override;
+    void features(int y, const FeatureRows& rows) const override;
+
+  private:
+    void read(const PlaneView& view, int y, float* row) const;
+
+    DenoiseInput input_;
+};
+
 struct DenoisedPicture {
     std::vector<float> rgb;  // width * height * 3, row by row from the top left, >= 0
     /// The estimated mean over the channels of (x - r)^2 / (r^2 + 0.01), where r is the picture
@@ -74,5 +122,9 @@ struct DenoisedPicture {
 /// the processor. Besides the result it takes about 44 kB of memory for each column of a picture,
 /// of 1920 columns if it has fewer. Throws Stopped.
 [[nodiscard]] DenoisedPicture denoise(const DenoiseInput& input, const WorkContext& context = {});
+
+/// DenoisedPicture::error alone. Throws Stopped.
+[[nodiscard]] std::vector<float> error_after_denoising(const DenoiseSource& source,
+                                                       const WorkContext& context = {});
 
 }  // namespace carom::render
