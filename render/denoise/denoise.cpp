@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <Imath/half.h>
+
 #include "core/assert.h"
 #include "core/error.h"
 #include "render/denoise/band.h"
@@ -42,12 +44,18 @@ DenoisedPicture denoise_all(const DenoiseSource& source, bool has_picture,
 }  // namespace
 
 DenoiseShape PlaneSource::shape() const {
-    return {input_.width, input_.height, input_.features.size(), input_.variance.first != nullptr,
-            input_.share_of_samples.first != nullptr};
+    return {input_.width, input_.height, input_.features.size(), !input_.variance.empty(),
+            !input_.share_of_samples.empty()};
 }
 
 void PlaneSource::read(const PlaneView& view, int y, float* row) const {
-    const float* first = view.first + std::ptrdiff_t{y} * input_.width * view.step;
+    const std::ptrdiff_t before = std::ptrdiff_t{y} * input_.width;
+    if (view.halves != nullptr) {
+        std::transform(view.halves + before, view.halves + before + input_.width, row,
+                       imath_half_to_float);
+        return;
+    }
+    const float* first = view.first + before * view.step;
     for (std::ptrdiff_t x = 0; x < input_.width; ++x) {
         row[x] = first[x * view.step];
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -12,13 +13,14 @@ namespace carom::render {
 /// Incremented whenever denoised pixels change for the same inputs.
 inline constexpr int kDenoiserRevision = 6;
 
-/// Numbers of a picture, row by row from the top left, of which every `step`th belongs to this
-/// plane. Borrowed.
+/// Numbers of a picture, row by row from the top left: floats, of which every `step`th belongs to
+/// this plane, or the bits of half floats. Borrowed.
 struct PlaneView {
     const float* first = nullptr;
     std::ptrdiff_t step = 1;
+    const std::uint16_t* halves = nullptr;
 
-    [[nodiscard]] float operator[](std::ptrdiff_t pixel) const { return first[pixel * step]; }
+    [[nodiscard]] bool empty() const { return first == nullptr && halves == nullptr; }
 };
 
 /// A channel of colour in both halves: A = mean + difference, B = mean - difference.
@@ -44,11 +46,11 @@ struct DenoiseInput {
     int height = 0;
     ColourPlanes colour[3];
     std::vector<FeaturePlanes> features;  // in threes, such as a colour; at most kMostFeatures
-    /// The weight of the halves' samples in the exact features, [0, 1]; `first` is null if they do
+    /// The weight of the halves' samples in the exact features, [0, 1]; empty if they do
     /// not contain them.
     PlaneView share_of_samples;
     /// Variance of the mean luminance, right up to a factor that changes slowly over the picture;
-    /// `first` is null if it is not known.
+    /// empty if it is not known.
     PlaneView variance;
 };
 

@@ -88,7 +88,14 @@ float rounded_feature(float value) {
 DenoiserPlanes::DenoiserPlanes(int width, int height) : width_(width) {
     const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     for (std::string& name : channel_names()) {
-        channels_.push_back({std::move(name), std::vector<float>(pixels), true});
+        channels_.push_back({std::move(name), {}});
+        channels_.back().bits.reserve(pixels);
+    }
+}
+
+void DenoiserPlanes::make_room(std::size_t pixels) {
+    for (HalfChannel& channel : channels_) {
+        channel.bits.resize(std::max(channel.bits.size(), pixels));
     }
 }
 
@@ -148,9 +155,9 @@ void DenoiserPlanes::write(std::span<const DenoiserPixel> pixels, std::size_t fi
     values.set_colours(pixels);
     values.set_features(pixels);
     const auto write = [&](std::size_t channel, const DenoiserValues::Values& from) {
-        float* to = channels_[channel].values.data() + first;
+        std::uint16_t* to = channels_[channel].bits.data() + first;
         for (std::size_t i = 0; i < pixels.size(); i += width) {
-            std::copy_n(from.data() + i, width, to);
+            std::transform(from.data() + i, from.data() + i + width, to, half_bits);
             to += width_;
         }
     };
@@ -173,39 +180,26 @@ float with_added_colour(float half, float added) {
 void DenoiserPlanes::add_to_colours(const SplatPicture& a, const SplatPicture& b) {
     for (std::size_t c = 0; c < kColours; ++c) {
         const auto axis = static_cast<int>(c);
-        std::vector<float>& values = channels_[c].values;
-        for (std::size_t i = 0; i < values.size(); ++i) {
+        std::vector<std::uint16_t>& bits = channels_[c].bits;
+        for (std::size_t i = 0; i < bits.size(); ++i) {
             const int x = static_cast<int>(i % static_cast<std::size_t>(width_));
             const int y = static_cast<int>(i / static_cast<std::size_t>(width_));
-            values[i] = with_added_colour(values[i], 0.5F * (a.at(x, y)[axis] - b.at(x, y)[axis]));
+            bits[i] = half_bits(with_added_colour(imath_half_to_float(bits[i]),
+                                                  0.5F * (a.at(x, y)[axis] - b.at(x, y)[axis])));
         }
     }
-}
-
-void DenoiserPlanes::append_to(Film& film) {
-    for (Channel& channel : channels_) {
-        film.aovs.push_back(std::move(channel));
-    }
-    channels_.clear();
-}
-
-bool is_denoiser_channel(std::string_view name) {
-    static const std::vector<std::string> names = channel_names();
-    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 namespace {
 
 DenoiseInput input_of(const Film& film) {
+    const std::vector<std::string> names = channel_names();
+    if (!std::ranges::equal(film.half_aovs, names, {}, &HalfChannel::name)) {
+        throw Error("a frame without the channels for the denoiser cannot be denoised");
+    }
     std::vector<PlaneView> views;
-    for (const std::string& name : channel_names()) {
-        const auto found =
-            std::find_if(film.aovs.begin(), film.aovs.end(),
-                         [&](const Channel& channel) { return channel.name == name; });
-        if (found == film.aovs.end()) {
-            throw Error("a frame without the channel '" + name + "' cannot be denoised");
-        }
-        views.push_back({found->values.data()});
+    for (const HalfChannel& channel : film.half_aovs) {
+        views.push_back({.halves = channel.bits.data()});
     }
     DenoiseInput input;
     input.width = film.width;
@@ -236,8 +230,7 @@ Film denoised(const Film& film, const WorkContext& context) {
     for (std::size_t i = 0; i < picture.error.size(); ++i) {
         std::copy_n(&picture.rgb[kColours * i], kColours, &result.rgba[4 * i]);
     }
-    std::copy_if(film.aovs.begin(), film.aovs.end(), std::back_inserter(result.aovs),
-                 [](const Channel& channel) { return !is_denoiser_channel(channel.name); });
+    result.aovs = film.aovs;
     result.notes = film.notes;
     result.statistics = film.statistics;
     return result;

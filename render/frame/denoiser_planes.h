@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/progress.h"
@@ -67,6 +67,8 @@ class DenoiserPlanes {
     DenoiserPlanes(int width, int height);
 
     [[nodiscard]] bool empty() const { return channels_.empty(); }
+    /// Room for the first `pixels` of the picture; before there is none.
+    void make_room(std::size_t pixels);
 
     /// Writes the pixels of a rectangle of this width, row by row; the first one is that number of
     /// the picture's.
@@ -75,16 +77,13 @@ class DenoiserPlanes {
     /// Adds light to the halves. Once all pixels are written, from one thread.
     void add_to_colours(const SplatPicture& a, const SplatPicture& b);
 
-    /// Moves the channels to the film's; does nothing without planes.
-    void append_to(Film& film);
+    /// The channels, none without planes.
+    [[nodiscard]] std::vector<HalfChannel> take() { return std::move(channels_); }
 
   private:
     int width_ = 0;
-    std::vector<Channel> channels_;
+    std::vector<HalfChannel> channels_;
 };
-
-/// Whether it is the name of one of these channels.
-[[nodiscard]] bool is_denoiser_channel(std::string_view name);
 
 /// The film without noise (denoise.h) and without these channels, which it must have. It has the
 /// film's alpha, other channels, notes and statistics. Throws Stopped, and Error if channels are

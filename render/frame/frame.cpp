@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/free_memory.h"
 #include "render/acceleration/flush_denormals.h"
 #include "render/acceleration/structure_cost.h"
 #include "render/frame/adaptive_progress.h"
@@ -77,23 +78,36 @@ class AdaptiveFrame final : public SessionObserver {
 
 constexpr int kAllSamples = std::numeric_limits<int>::max();
 
-Film render_evenly(FrameSession& session, bool keeps_sums, const WorkContext& context) {
-    FramePlanes planes =
-        session.make_planes(session.settings().aovs, session.settings().for_denoiser);
+Film render_evenly(FrameSession& session, FrameSums::Data& sums, bool keeps_sums,
+                   const WorkContext& context) {
+    const RenderSettings& settings = session.settings();
+    FramePlanes planes = session.make_planes(settings.aovs, settings.for_denoiser);
+    planes.make_room(session.pixel_count());
     EvenFrame observer(session, planes, keeps_sums, context);
     session.refine(kAllSamples, context, observer);
-    return session.finished(std::move(planes), context);
+    const Reflections reflections = session.trace_reflections(planes.aovs.has_variance(), context);
+    planes.film.statistics = std::exchange(sums, {}).statistics;
+    return session.film_of(std::move(planes), reflections);
 }
 
-Film render_adaptively(FrameSession& session, const FrameSums::Data& sums,
-                       const WorkContext& context) {
+/// The sums of a tile are forgotten once they are written, so that they and the film do not take
+/// memory at the same time. From there on nothing can be stopped.
+Film render_adaptively(FrameSession& session, FrameSums::Data& sums, const WorkContext& context) {
+    const RenderSettings& settings = session.settings();
     AdaptiveFrame observer(session, sums, context);
     session.refine(kAllSamples, context, observer);
-    FramePlanes planes =
-        session.make_planes(session.settings().aovs, session.settings().for_denoiser);
-    session.write_all(planes, context);
+    FramePlanes planes = session.make_planes(settings.aovs, settings.for_denoiser);
+    const Reflections reflections = session.trace_reflections(planes.aovs.has_variance(), context);
+    session.write_all(planes, {}, [&](int tile) {
+        constexpr int kTilesAtOnce = 1024;
+        session.release(tile);
+        if (tile % kTilesAtOnce == kTilesAtOnce - 1) {
+            give_back_freed_memory();
+        }
+    });
+    planes.film.statistics = std::exchange(sums, {}).statistics;
     observer.finish();
-    return session.finished(std::move(planes), context);
+    return session.film_of(std::move(planes), reflections);
 }
 
 }  // namespace
@@ -106,8 +120,9 @@ Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks
     FrameSums::Data& data = sums != nullptr ? sums->data() : own.data();
     FrameSession session(scene, tracks, frame, settings, SumsKind::needed_by(settings), data,
                          probe != nullptr ? probe->options : StructureOptions{});
-    Film film = session.tiles().is_adaptive() ? render_adaptively(session, data, context)
-                                              : render_evenly(session, sums != nullptr, context);
+    Film film = session.tiles().is_adaptive()
+                    ? render_adaptively(session, data, context)
+                    : render_evenly(session, data, sums != nullptr, context);
     if (probe != nullptr) {
         probe->cost = session.scene().cost();
     }

@@ -58,8 +58,9 @@ class PreparedScene {
 /// linear light. The pixels depend only on the arguments, not on threads; any number of threads
 /// may call at the same time. `tracks` must contain the tracks that the scene names; a missing
 /// track is an Error, and so are settings with problems. Throws Stopped. `sums`: if given, sampling
-/// resumes from them and saves its state there even when it is stopped. `probe`: if
-/// given, the cost of intersection is measured. The pixels are the same with either.
+/// resumes from them and saves its state there even when it is stopped; once it is finished they
+/// are empty. `probe`: if given, the cost of intersection is measured. The pixels are the same with
+/// either.
 [[nodiscard]] Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks,
                                 const FrameInput& frame, const RenderSettings& settings,
                                 const WorkContext& context = {}, FrameSums* sums = nullptr,

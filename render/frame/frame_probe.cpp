@@ -81,6 +81,7 @@ std::vector<Film> FrameProbe::Data::films(const std::vector<ProbeBlock>& shown,
                                           const WorkContext& context) {
     FramePlanes planes =
         session.make_planes(session.settings().aovs, session.settings().for_denoiser);
+    planes.make_room(session.pixel_count());
     for (auto& [index, tile] : tiles) {
         const bool is_shown = tile.block + shown.size() >= chosen.size();
         if (is_shown && !context.stop.stop_requested()) {
@@ -91,7 +92,7 @@ std::vector<Film> FrameProbe::Data::films(const std::vector<ProbeBlock>& shown,
     }
     Film whole = std::move(planes.film);
     whole.aovs = planes.aovs.take();
-    planes.denoiser.append_to(whole);
+    whole.half_aovs = planes.denoiser.take();
     std::vector<Film> films;
     films.reserve(shown.size());
     for (const ProbeBlock& block : shown) {

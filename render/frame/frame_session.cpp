@@ -294,11 +294,9 @@ class FrameSession::DenoiserRows final : public DenoiseSource {
 
 /// The images of lights in balls are traced for it; these rays are not counted.
 MeasuredError FrameSession::measured_error(const WorkContext& context) const {
-    RenderStatistics ignored;
-    SplatMoments no_moments;
     std::vector<SplatPicture> pictures;
     if (is_whole_) {
-        pictures = reflections(mean_samples(), ignored, no_moments, context);
+        pictures = trace_reflections(mean_samples(), false, context).pictures;
     }
     if (settings_.for_denoiser) {
         return render::measured_error(
@@ -325,7 +323,7 @@ FramePlanes FrameSession::make_planes(const std::vector<std::string>& aovs,
     Film film;
     film.width = settings_.width;
     film.height = settings_.height;
-    film.rgba.resize(4 * pixel_count());
+    film.rgba.reserve(4 * pixel_count());
     RenderSettings settings = settings_;
     settings.aovs = aovs;
     return {std::move(film), AovPlanes(settings, frame_, frame_scene_, prepared_.data().names),
@@ -341,39 +339,37 @@ void FrameSession::write(int tile, FramePlanes& planes) const {
     }
 }
 
-void FrameSession::write_all(FramePlanes& planes, const WorkContext& context,
+void FrameSession::write_all(FramePlanes& planes, const std::stop_token& stop,
                              const std::function<void(int tile)>& written) const {
     RenderStatistics none;
-    for_all_tiles(
-        tiles_.tile_count(), {{}, context.stop}, none,
-        [&](int tile) {
-            write(tile, planes);
-            return RenderStatistics{};
-        },
-        [&](int tile) {
-            if (written) {
-                written(tile);
-            }
-        });
+    const int across = tiles_.tile_of(settings_.width - 1, 0) + 1;
+    for (int first = 0; first < tiles_.tile_count(); first += across) {
+        const TileArea area = tiles_.area(first);
+        planes.make_room(static_cast<std::size_t>(area.top + area.height) *
+                         static_cast<std::size_t>(settings_.width));
+        for_all_tiles(
+            across, {{}, stop}, none,
+            [&](int n) {
+                write(first + n, planes);
+                return RenderStatistics{};
+            },
+            [](int) {});
+        for (int tile = first; tile < first + across && written; ++tile) {
+            written(tile);
+        }
+    }
 }
 
-Film FrameSession::finished(FramePlanes planes, const WorkContext& context) const {
+Film FrameSession::film_of(FramePlanes planes, const Reflections& reflections) const {
     Film film = std::move(planes.film);
-    film.statistics = sums_.statistics;
-    const double samples =
-        static_cast<double>(film.statistics.camera_rays) / static_cast<double>(pixel_count());
-    SplatMoments moments =
-        planes.aovs.has_variance() ? SplatMoments(pixel_count()) : SplatMoments();
-    const std::vector<SplatPicture> pictures =
-        reflections(samples, film.statistics, moments, context);
+    const std::vector<SplatPicture>& pictures = reflections.pictures;
     const float weight = 1.0F / static_cast<float>(pictures.size());
     for (const SplatPicture& picture : pictures) {
         for (int y = 0; y < film.height; ++y) {
-            for (int x = 0; x < film.width; ++x) {
+            float* rgba =
+                &film.rgba[4 * static_cast<std::size_t>(y) * static_cast<std::size_t>(film.width)];
+            for (int x = 0; x < film.width; ++x, rgba += 4) {
                 const V3f light = picture.at(x, y);
-                float* rgba = &film.rgba[4 * (static_cast<std::size_t>(y) *
-                                                  static_cast<std::size_t>(film.width) +
-                                              static_cast<std::size_t>(x))];
                 for (int c = 0; c < 3; ++c) {
                     rgba[c] += weight * light[c];
                 }
@@ -383,34 +379,41 @@ Film FrameSession::finished(FramePlanes planes, const WorkContext& context) cons
     if (!planes.denoiser.empty()) {
         planes.denoiser.add_to_colours(pictures[0], pictures[1]);
     }
-    planes.aovs.finish_variance(moments.variance());
+    planes.aovs.finish_variance(reflections.moments.variance());
+    film.statistics += reflections.statistics;
     film.aovs = planes.aovs.take();
     film.notes = planes.aovs.take_notes();
-    planes.denoiser.append_to(film);
+    film.half_aovs = planes.denoiser.take();
     return film;
 }
 
-std::vector<SplatPicture> FrameSession::reflections(double samples, RenderStatistics& statistics,
-                                                    SplatMoments& moments,
-                                                    const WorkContext& context) const {
+Reflections FrameSession::trace_reflections(bool with_variance, const WorkContext& context) const {
+    const double samples =
+        static_cast<double>(sums_.statistics.camera_rays) / static_cast<double>(pixel_count());
+    return trace_reflections(samples, with_variance, context);
+}
+
+Reflections FrameSession::trace_reflections(double samples, bool with_variance,
+                                            const WorkContext& context) const {
     const bool has_two = has_halves(settings_);
-    std::vector<SplatPicture> pictures;
+    Reflections all;
+    all.moments = with_variance ? SplatMoments(pixel_count()) : SplatMoments();
     for (int index = 0; index < (has_two ? 2 : 1); ++index) {
         const Half half{has_two ? samples / 2 : samples, index, has_two ? 0.5F : 1.0F};
-        pictures.emplace_back(settings_.width, settings_.height);
-        for (const std::vector<Splat>& image : trace_reflections(half, statistics, context)) {
-            tiles_.add(image, pictures.back());
-            if (!moments.empty()) {
-                tiles_.add(image, half.weight, moments);
+        all.pictures.emplace_back(settings_.width, settings_.height);
+        for (const std::vector<Splat>& image : trace_half(half, all.statistics, context)) {
+            tiles_.add(image, all.pictures.back());
+            if (with_variance) {
+                tiles_.add(image, half.weight, all.moments);
             }
         }
     }
-    return pictures;
+    return all;
 }
 
-std::vector<std::vector<Splat>> FrameSession::trace_reflections(const Half& half,
-                                                                RenderStatistics& statistics,
-                                                                const WorkContext& context) const {
+std::vector<std::vector<Splat>> FrameSession::trace_half(const Half& half,
+                                                         RenderStatistics& statistics,
+                                                         const WorkContext& context) const {
     const std::size_t number = tiles_.reflection_count();
     std::vector<std::vector<Splat>> images(number);
     std::vector<RenderStatistics> counts(number);

@@ -2,8 +2,11 @@
 // blocks from which the cost of a film is forecast. Internal to this folder.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <span>
+#include <stop_token>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -45,11 +48,23 @@ class SessionObserver {
     virtual void planned(double /*seconds*/) {}               // CPU time of all threads
 };
 
-/// What a frame consists of.
+/// What a frame consists of. Its rows take memory as they are reached.
 struct FramePlanes {
     Film film;
     AovPlanes aovs;
     DenoiserPlanes denoiser;
+
+    void make_room(std::size_t pixels) {
+        film.rgba.resize(std::max(film.rgba.size(), 4 * pixels));
+        denoiser.make_room(pixels);
+    }
+};
+
+/// The light that pixels do not sample themselves.
+struct Reflections {
+    std::vector<SplatPicture> pictures;  // one, or one of each half
+    SplatMoments moments;                // their variance, if it is wanted
+    RenderStatistics statistics;         // their rays
 };
 
 class FrameSession {
@@ -95,17 +110,21 @@ class FrameSession {
     /// Forgets the sums of a tile.
     void release(int tile) { sums_.tiles[static_cast<std::size_t>(tile)] = {}; }
 
-    /// Black, with the channels of these names.
+    /// With the channels of these names. There is no room for pixels yet.
     [[nodiscard]] FramePlanes make_planes(const std::vector<std::string>& aovs,
                                           bool for_denoiser) const;
+    /// Writes a tile, for which there is room.
     void write(int tile, FramePlanes& planes) const;
-    /// Calls write() for all tiles in which there are samples, and `written` after each one. Throws
-    /// Stopped.
-    void write_all(FramePlanes& planes, const WorkContext& context,
+    /// Makes room for and writes all tiles in which there are samples, and calls `written` after
+    /// each one from one thread. Throws Stopped.
+    void write_all(FramePlanes& planes, const std::stop_token& stop,
                    const std::function<void(int tile)>& written = {}) const;
-    /// The frame, of which all tiles are written: adds the images of lights in balls, with as many
-    /// samples as pixels have on average. Throws Stopped.
-    [[nodiscard]] Film finished(FramePlanes planes, const WorkContext& context) const;
+    /// Traces the images of lights in balls, with as many samples as pixels have on average. Throws
+    /// Stopped.
+    [[nodiscard]] Reflections trace_reflections(bool with_variance,
+                                                const WorkContext& context) const;
+    /// The frame, of which all tiles are written.
+    [[nodiscard]] Film film_of(FramePlanes planes, const Reflections& reflections) const;
 
   private:
     /// A half of the samples, of which there are `samples` per pixel.
@@ -130,14 +149,11 @@ class FrameSession {
     template <class Visit>
     void for_each_pixel(const Visit& visit) const;
 
-    /// The images of lights in balls of each half: one picture with all samples, or two if the
-    /// samples are taken in halves. Their variance is added to `moments` unless it is empty.
-    [[nodiscard]] std::vector<SplatPicture> reflections(double samples,
-                                                        RenderStatistics& statistics,
-                                                        SplatMoments& moments,
-                                                        const WorkContext& context) const;
-    [[nodiscard]] std::vector<std::vector<Splat>> trace_reflections(
-        const Half& half, RenderStatistics& statistics, const WorkContext& context) const;
+    [[nodiscard]] Reflections trace_reflections(double samples, bool with_variance,
+                                                const WorkContext& context) const;
+    [[nodiscard]] std::vector<std::vector<Splat>> trace_half(const Half& half,
+                                                             RenderStatistics& statistics,
+                                                             const WorkContext& context) const;
 
     const PreparedScene& prepared_;
     RenderSettings settings_;

@@ -60,8 +60,11 @@ struct ProgressiveFrame::Data {
     [[nodiscard]] Film film(const std::vector<std::string>& aovs, bool for_denoiser,
                             const WorkContext& context) const {
         FramePlanes planes = session.make_planes(aovs, for_denoiser);
-        session.write_all(planes, context);
-        return session.finished(std::move(planes), context);
+        const Reflections reflections =
+            session.trace_reflections(planes.aovs.has_variance(), context);
+        session.write_all(planes, context.stop);
+        planes.film.statistics = sums.statistics;
+        return session.film_of(std::move(planes), reflections);
     }
 };
 
