@@ -10,6 +10,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/ray_scene.h"
+#include "lab/structures/make_structure.h"
 #include "render/acceleration/flush_denormals.h"
 #include "render/camera/thin_lens_camera.h"
 #include "render/sampling/sampler.h"
@@ -22,13 +23,11 @@ using namespace render;
 struct Built {
     explicit Built(bool with_knot, AccelerationKind kind)
         : shot(make_table_shot(with_knot)),
-          geometry(shot.scene, settings(kind)),
+          geometry(shot.scene, {}, maker(kind)),
           frame(geometry, shot.tracks, shot.scene_open, shot.scene_close) {}
 
-    static RenderSettings settings(AccelerationKind kind) {
-        RenderSettings result;
-        result.acceleration = kind;
-        return result;
+    static StructureMaker maker(AccelerationKind kind) {
+        return named_structure(std::string(name_of(kind)));
     }
 
     TableShot shot;
@@ -155,7 +154,7 @@ void next_4d(benchmark::State& state) {
 
 void frame_set_up(benchmark::State& state, bool with_knot, AccelerationKind kind) {
     const TableShot shot = make_table_shot(with_knot);
-    const StaticGeometry geometry(shot.scene, Built::settings(kind));
+    const StaticGeometry geometry(shot.scene, {}, Built::maker(kind));
     for (auto _ : state) {
         const FrameScene frame(geometry, shot.tracks, shot.scene_open, shot.scene_close);
         benchmark::DoNotOptimize(&frame);

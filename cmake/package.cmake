@@ -37,7 +37,7 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SHLIBDEPS OFF)
 string(JOIN ", " CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "carom (= ${PROJECT_VERSION})" pkg-config
   libode-dev libebur128-dev libavcodec-dev libavformat-dev libavutil-dev libswresample-dev libswscale-dev libyaml-cpp-dev libopenexr-dev libpng-dev libzstd-dev libimath-dev
-  libembree-dev libhwy-dev libtbb-dev libxxhash-dev libfmt-dev libfreetype-dev libcairo2-dev libpango1.0-dev)
+  libhwy-dev libtbb-dev libxxhash-dev libfmt-dev libfreetype-dev libcairo2-dev libpango1.0-dev)
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION
 "The static libraries, headers and CMake files of carom, and two example programs: find_package(carom) gives carom::sim,
 carom::render and carom::film. Before version 1.0 the interface may change with every release.")

@@ -11,7 +11,7 @@ namespace {
 using namespace carom::cli;
 
 void run_in_laboratory(const Command& command, CommandContext& context) {
-    context.factory = carom::render::make_structure;
+    context.structures = carom::render::named_structure;
     context.music = carom::pipeline::music_of;
     context.view = carom::pipeline::try_view;
     run_here<Program::film, Program::lab>(command, context);

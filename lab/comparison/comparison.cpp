@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "lab/comparison/frame_meter.h"
-#include "render/scene/acceleration_names.h"
+#include "lab/structures/make_structure.h"
 
 namespace carom::pipeline {
 
@@ -20,21 +20,12 @@ using render::RayKind;
 using render::RenderSettings;
 using render::TestCounts;
 
-std::string all_names() {
-    std::string text;
-    for (const render::AccelerationName& known : render::kAccelerationNames) {
-        text += (text.empty() ? "" : ", ") + std::string(known.name);
-    }
-    return text;
-}
-
 AccelerationKind kind_of(const std::string& name) {
-    const auto found =
-        std::ranges::find(render::kAccelerationNames, name, &render::AccelerationName::name);
-    if (found == render::kAccelerationNames.end()) {
-        throw Error("unknown structure '" + name + "'; use one of " + all_names() + ", or all");
+    try {
+        return render::structure_kind(name);
+    } catch (const Error& error) {
+        throw Error(error.what() + std::string(", or all"));
     }
-    return found->kind;
 }
 
 /// One ray through each pixel, and the rays that follow from it.
@@ -121,8 +112,8 @@ class ComparisonRun {
             return row;
         }
         const MeasuredFrame timed = least_time(kind, shadow_rays, scene_.settings);
-        row.build_seconds = timed.cost.build_seconds;
-        row.bytes = timed.cost.bytes;
+        row.build_seconds = timed.build_seconds;
+        row.bytes = timed.bytes;
         row.cpu_seconds = timed.cpu_seconds;
         if (row.is_counted) {
             const auto found = counted_.find({kind, shadow_rays});
@@ -153,7 +144,7 @@ class ComparisonRun {
         }
         const KindCounts total = row.tests.total();
         const KindCounts measured = counts.total();
-        row.bytes = timed.cost.bytes;
+        row.bytes = timed.bytes;
         row.cpu_seconds = timed.cpu_seconds * static_cast<double>(total.objects + total.boxes) /
                           static_cast<double>(measured.objects + measured.boxes);
         row.is_computed = true;
@@ -161,7 +152,7 @@ class ComparisonRun {
 
     TestCounts count(AccelerationKind kind, ShadowRays shadow_rays,
                      const RenderSettings& settings) {
-        return measure(kind, shadow_rays, true, settings).cost.counts;
+        return measure(kind, shadow_rays, true, settings).counts;
     }
 
     // The least time of several frames if they are quick, because other load on the machine only
@@ -176,7 +167,7 @@ class ComparisonRun {
             const MeasuredFrame again = measure(kind, shadow_rays, false, settings);
             all += again.cpu_seconds;
             least.cpu_seconds = std::min(least.cpu_seconds, again.cpu_seconds);
-            least.cost.build_seconds = std::min(least.cost.build_seconds, again.cost.build_seconds);
+            least.build_seconds = std::min(least.build_seconds, again.build_seconds);
         }
         return least;
     }
@@ -229,11 +220,6 @@ bool is_linear(AccelerationKind kind) {
     return kind == AccelerationKind::brute_force || kind == AccelerationKind::single_boxes;
 }
 
-std::string_view name_of(AccelerationKind kind) {
-    return std::ranges::find(render::kAccelerationNames, kind, &render::AccelerationName::kind)
-        ->name;
-}
-
 std::vector<AccelerationKind> structures_from_text(const std::string& text) {
     std::vector<AccelerationKind> kinds;
     if (text == "all") {
@@ -254,7 +240,7 @@ std::vector<AccelerationKind> structures_from_text(const std::string& text) {
         kinds.push_back(kind);
     }
     if (kinds.empty()) {
-        throw Error("no structure is given; use one of " + all_names() + ", or all");
+        throw Error("no structure is given; use one of " + render::structure_names() + ", or all");
     }
     return kinds;
 }

@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "lab/comparison/laboratory_scene.h"
-#include "render/acceleration/structure_cost.h"
-#include "render/acceleration/structure_options.h"
+#include "lab/structures/acceleration_names.h"
+#include "lab/structures/structure_options.h"
+#include "lab/structures/test_counts.h"
 
 namespace carom::pipeline {
 
@@ -71,9 +72,6 @@ using ComparisonProgress = std::function<void(std::string_view structure, double
 
 /// Whether a ray's tests are as many as the shapes.
 [[nodiscard]] bool is_linear(render::AccelerationKind kind);
-
-/// "kdtree"
-[[nodiscard]] std::string_view name_of(render::AccelerationKind kind);
 
 /// "all", or a comma-separated list of names without repetition. Throws Error that names the
 /// mistake and lists the names.

@@ -1,8 +1,6 @@
 #include "lab/comparison/frame_meter.h"
 
 #include "core/cpu_time.h"
-#include "lab/structures/make_structure.h"
-#include "render/acceleration/structure_cost.h"
 #include "render/frame/frame.h"
 
 namespace carom::pipeline {
@@ -14,23 +12,22 @@ bool FrameMeter::can_count(AccelerationKind kind) {
 }
 
 MeasuredFrame FrameMeter::measure(render::RenderSettings settings, AccelerationKind kind,
-                                  const render::StructureOptions& options,
-                                  const WorkContext& context) {
-    settings.acceleration = kind;
-    render::StructureProbe probe{options, {}};
+                                  const MeasuredQueries& queries, const WorkContext& context) {
     MeasuredFrame result;
     arena_.execute([&] {
-        if (prepared_for_ != kind) {
-            prepared_for_.reset();
-            prepared_.emplace(scene_.scene, settings, render::make_structure);
-            prepared_for_ = kind;
+        if (!structure_ || structure_->kind() != kind) {
+            prepared_.reset();
+            structure_.emplace(kind);
+            prepared_.emplace(scene_.scene, settings, structure_->maker());
         }
+        structure_->set(queries.are_counted, queries.shadow_rays_stop, queries.sizes);
         const double start = process_cpu_seconds();
-        (void)render::render_frame(*prepared_, scene_.tracks, scene_.frame, settings, context,
-                                   nullptr, &probe);
-        result.cpu_seconds = process_cpu_seconds() - start - probe.cost.frame_build_seconds;
+        (void)render::render_frame(*prepared_, scene_.tracks, scene_.frame, settings, context);
+        result.cpu_seconds = process_cpu_seconds() - start - structure_->build_seconds();
     });
-    result.cost = probe.cost;
+    result.build_seconds = structure_->build_seconds();
+    result.bytes = structure_->bytes();
+    result.counts = structure_->take_counts();
     return result;
 }
 

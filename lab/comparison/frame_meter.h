@@ -6,13 +6,23 @@
 #include <stop_token>
 
 #include "lab/comparison/comparison.h"
+#include "lab/structures/structure_meter.h"
 #include "render/threads/thread_arena.h"
 
 namespace carom::pipeline {
 
 struct MeasuredFrame {
-    render::StructureCost cost;
-    double cpu_seconds = 0;  // of the frame, all threads; excluding the build
+    double build_seconds = 0;   // CPU time
+    std::size_t bytes = 0;      // without the shapes themselves
+    render::TestCounts counts;  // if tests are counted
+    double cpu_seconds = 0;     // of the frame, all threads; excluding the build
+};
+
+/// How the structure of a frame answers.
+struct MeasuredQueries {
+    bool are_counted = false;
+    bool shadow_rays_stop = true;  // at the first hit
+    render::StructureSizes sizes{};
 };
 
 class FrameMeter {
@@ -26,14 +36,13 @@ class FrameMeter {
     /// `settings`: those of the scene, or of a part of its picture. Throws Error, Stopped.
     [[nodiscard]] MeasuredFrame measure(render::RenderSettings settings,
                                         render::AccelerationKind kind,
-                                        const render::StructureOptions& options,
-                                        const WorkContext& context);
+                                        const MeasuredQueries& queries, const WorkContext& context);
 
   private:
     const LaboratoryScene& scene_;
     render::ThreadArena arena_;
-    // The structure of the last measurement: what frames share is reused for parts of a picture.
-    std::optional<render::AccelerationKind> prepared_for_;
+    // Of the last measurement: what frames share is reused for parts of a picture.
+    std::optional<render::StructureMeter> structure_;
     std::optional<render::PreparedScene> prepared_;
 };
 

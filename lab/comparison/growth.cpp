@@ -17,7 +17,6 @@ namespace {
 using render::AccelerationKind;
 using render::FrameScene;
 using render::Ray;
-using render::StaticGeometry;
 
 constexpr std::size_t kRays = 20'000;
 
@@ -56,13 +55,6 @@ std::vector<RayArrays> arrays_of(std::span<const Ray> rays) {
     return arrays;
 }
 
-/// A scene at its own time.
-FrameScene frame_of(const StaticGeometry& geometry, const LaboratoryScene& scene,
-                    const render::StructureOptions& options = {}) {
-    return FrameScene(geometry, scene.tracks, scene.frame.scene_open, scene.frame.scene_close,
-                      options);
-}
-
 void time_rays(const render::AccelerationStructure& structure, const RaysByKind& rays,
                double enough, const std::stop_token& stop, GrowthPoint& point) {
     const auto per_ray = [](double seconds, std::size_t count) {
@@ -87,21 +79,22 @@ GrowthPoint point_of(AccelerationKind kind, const LaboratoryScene& scene, const 
                      double enough, const std::stop_token& stop) {
     const render::FlushDenormals flush;
     GrowthPoint point;
-    const StaticGeometry geometry = geometry_of(scene, kind);
+    MeasuredScene measured(scene, kind);
     {
-        const FrameScene frame = frame_of(geometry, scene);
-        point.build_seconds = frame.cost().build_seconds;
-        point.bytes = frame.cost().bytes;
+        const FrameScene frame = measured.frame();
+        point.build_seconds = measured.structure().build_seconds();
+        point.bytes = measured.structure().bytes();
         time_rays(frame.structure(), rays, enough, stop, point);
     }
     point.is_counted = FrameMeter::can_count(kind);
     if (point.is_counted) {
-        const FrameScene counting = frame_of(geometry, scene, {.counts = true});
+        measured.structure().set(true);
+        const FrameScene counting = measured.frame();
         for (const std::vector<Ray>& of_kind : rays) {
             check_stop(stop);
             static_cast<void>(trace(counting.structure(), of_kind));
         }
-        point.tests = counting.cost().counts;
+        point.tests = measured.structure().take_counts();
     }
     return point;
 }
@@ -165,8 +158,8 @@ void measure_size(std::size_t size, const GrowthOptions& options, const std::sto
     const std::size_t shapes = shapes_of(scene);
     RaysByKind rays;
     {
-        const StaticGeometry geometry = geometry_of(scene, AccelerationKind::wide_bvh);
-        const FrameScene frame = frame_of(geometry, scene);
+        const MeasuredScene measured(scene, AccelerationKind::hybrid);
+        const FrameScene frame = measured.frame();
         rays = growth_rays(frame.structure(), kRays);
     }
     const double tests = 3.0 * static_cast<double>(kRays) * static_cast<double>(shapes);

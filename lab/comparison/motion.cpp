@@ -17,7 +17,6 @@ namespace {
 using render::AccelerationKind;
 using render::FrameScene;
 using render::Ray;
-using render::StaticGeometry;
 
 constexpr std::size_t kRays = 20'000;
 
@@ -43,13 +42,13 @@ std::vector<TimedRay> by_part(const RaysByKind& rays, int intervals) {
 /// A structure for each part of the shutter.
 class Parts {
   public:
-    Parts(const StaticGeometry& geometry, const LaboratoryScene& scene, double shutter,
-          int intervals, const render::StructureOptions& options) {
+    Parts(MeasuredScene& scene, double shutter, int intervals) {
         for (int i = 0; i < intervals; ++i) {
             const double open = shutter * i / intervals;
             const double close = shutter * (i + 1) / intervals;
-            parts_.push_back(
-                std::make_unique<FrameScene>(geometry, scene.tracks, open, close, options));
+            parts_.push_back(std::unique_ptr<FrameScene>(new FrameScene(scene.frame(open, close))));
+            build_seconds_ += scene.structure().build_seconds();
+            bytes_ += scene.structure().bytes();
         }
     }
     /// The number of rays that hit something.
@@ -60,35 +59,23 @@ class Parts {
         }
         return count;
     }
-    /// The sum over all parts.
-    [[nodiscard]] render::StructureCost cost() const {
-        render::StructureCost sum;
-        for (const auto& part : parts_) {
-            const render::StructureCost cost = part->cost();
-            sum.build_seconds += cost.build_seconds;
-            sum.bytes += cost.bytes;
-            for (std::size_t i = 0; i < sum.counts.of.size(); ++i) {
-                sum.counts.of[i].rays += cost.counts.of[i].rays;
-                sum.counts.of[i].objects += cost.counts.of[i].objects;
-                sum.counts.of[i].boxes += cost.counts.of[i].boxes;
-                sum.counts.of[i].nodes += cost.counts.of[i].nodes;
-            }
-        }
-        return sum;
-    }
+    /// Sums over all parts.
+    [[nodiscard]] double build_seconds() const { return build_seconds_; }
+    [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
   private:
     std::vector<std::unique_ptr<FrameScene>> parts_;
+    double build_seconds_ = 0;
+    std::size_t bytes_ = 0;
 };
 
 /// The least of several times: building is quick and sensitive to other load on the machine.
-double least_build_seconds(const StaticGeometry& geometry, const LaboratoryScene& scene,
-                           double shutter, int intervals, double enough) {
+double least_build_seconds(MeasuredScene& scene, double shutter, int intervals, double enough) {
     constexpr int kMost = 8;
     double least = std::numeric_limits<double>::infinity();
     double all = 0;
     for (int i = 0; i < kMost && (i < 2 || all < enough); ++i) {
-        const double seconds = Parts(geometry, scene, shutter, intervals, {}).cost().build_seconds;
+        const double seconds = Parts(scene, shutter, intervals).build_seconds();
         least = std::min(least, seconds);
         all += seconds;
     }
@@ -122,13 +109,14 @@ class MotionRun {
 
   private:
     void measure_shutter(double shutter) {
-        const StaticGeometry geometry = geometry_of(scene_, AccelerationKind::bvh);
-        const FrameScene frame(geometry, scene_.tracks, 0, shutter, {.counts = true});
+        const MeasuredScene measured(scene_, AccelerationKind::bvh);
+        const FrameScene frame = measured.frame(0, shutter);
         const RaysByKind rays = growth_rays(frame.structure(), kRays);
-        const StaticGeometry linear = geometry_of(scene_, AccelerationKind::brute_force);
-        const FrameScene brute_force(linear, scene_.tracks, 0, shutter, {.counts = true});
+        MeasuredScene linear(scene_, AccelerationKind::brute_force);
+        linear.structure().set(true);
+        const FrameScene brute_force = linear.frame(0, shutter);
         static_cast<void>(hits(brute_force.structure(), rays[0].front()));
-        const std::size_t shapes = brute_force.cost().counts.total().objects;
+        const std::size_t shapes = linear.structure().take_counts().total().objects;
         for (const AccelerationKind kind : options_.structures) {
             for (const int intervals : options_.intervals) {
                 if (shutter == 0 && intervals > 1) {
@@ -155,10 +143,10 @@ class MotionRun {
             std::ceil(is_linear(kind) ? std::max(1.0, 20 * tests / options_.most_tests) : 1.0));
         const std::vector<TimedRay> timed = by_part(thinned(rays, every), intervals);
         const auto count = static_cast<double>(timed.size());
-        const StaticGeometry geometry = geometry_of(scene_, kind);
+        MeasuredScene measured(scene_, kind);
         {
-            const Parts parts(geometry, scene_, shutter, intervals, {});
-            point.bytes = parts.cost().bytes;
+            const Parts parts(measured, shutter, intervals);
+            point.bytes = parts.bytes();
             std::size_t found = 0;
             point.seconds_per_ray =
                 least_seconds([&] { found = parts.trace(timed); }, options_.enough_seconds, stop_) /
@@ -166,12 +154,13 @@ class MotionRun {
             point.hits = static_cast<double>(found) / count;
         }
         point.build_seconds =
-            least_build_seconds(geometry, scene_, shutter, intervals, options_.enough_seconds);
+            least_build_seconds(measured, shutter, intervals, options_.enough_seconds);
         point.is_counted = FrameMeter::can_count(kind);
         if (point.is_counted) {
-            const Parts counting(geometry, scene_, shutter, intervals, {.counts = true});
+            measured.structure().set(true);
+            const Parts counting(measured, shutter, intervals);
             static_cast<void>(counting.trace(timed));
-            point.tests = counting.cost().counts;
+            point.tests = measured.structure().take_counts();
         }
         return point;
     }

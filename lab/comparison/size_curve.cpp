@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "lab/structures/make_structure.h"
 
 namespace carom::pipeline {
 

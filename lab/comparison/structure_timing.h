@@ -10,7 +10,7 @@
 #include "core/cpu_time.h"
 #include "core/error.h"
 #include "lab/comparison/laboratory_scene.h"
-#include "render/acceleration/structure_options.h"
+#include "lab/structures/structure_meter.h"
 #include "render/frame_scene/frame_scene.h"
 #include "render/frame_scene/static_geometry.h"
 #include "render/geometry/ray.h"
@@ -27,9 +27,30 @@ inline void check_stop(const std::stop_token& stop) {
     }
 }
 
-/// The scene's static part for one kind of structure.
-[[nodiscard]] render::StaticGeometry geometry_of(const LaboratoryScene& scene,
-                                                 render::AccelerationKind kind);
+/// Frames of a scene whose structures are of one kind.
+class MeasuredScene {
+  public:
+    /// Refers to the scene.
+    MeasuredScene(const LaboratoryScene& scene, render::AccelerationKind kind)
+        : scene_(scene),
+          structure_(kind),
+          geometry_(scene.scene, scene.settings, structure_.maker()) {}
+
+    [[nodiscard]] render::StructureMeter& structure() { return structure_; }
+    /// From `open` to `close`, s.
+    [[nodiscard]] render::FrameScene frame(double open, double close) const {
+        return {geometry_, scene_.tracks, open, close};
+    }
+    /// At the scene's own time.
+    [[nodiscard]] render::FrameScene frame() const {
+        return frame(scene_.frame.scene_open, scene_.frame.scene_close);
+    }
+
+  private:
+    const LaboratoryScene& scene_;
+    render::StructureMeter structure_;
+    render::StaticGeometry geometry_;
+};
 
 /// Whether the ray hits something: a shadow ray ends at any hit.
 [[nodiscard]] inline bool hits(const render::AccelerationStructure& structure,

@@ -6,7 +6,7 @@
 
 #include <Imath/ImathBox.h>
 
-#include "render/acceleration/primitives.h"
+#include "lab/structures/primitives.h"
 
 namespace carom::render {
 

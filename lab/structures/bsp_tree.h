@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lab/structures/planes_tree.h"
-#include "render/acceleration/structure_options.h"
+#include "lab/structures/structure_options.h"
 
 namespace carom::render {
 

@@ -6,7 +6,7 @@
 
 #include "lab/structures/boxes.h"
 #include "lab/structures/query.h"
-#include "render/acceleration/structure_options.h"
+#include "lab/structures/structure_options.h"
 
 namespace carom::render {
 

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "lab/structures/box_hierarchy.h"
-#include "render/acceleration/structure_options.h"
+#include "lab/structures/structure_options.h"
 
 namespace carom::render {
 

@@ -5,7 +5,7 @@
 
 #include "lab/structures/box_hierarchy.h"
 #include "lab/structures/mailbox.h"
-#include "render/acceleration/structure_options.h"
+#include "lab/structures/structure_options.h"
 
 namespace carom::render {
 

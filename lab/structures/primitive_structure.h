@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "lab/structures/query.h"
-#include "render/acceleration/measured_structure.h"
+#include "lab/structures/shared_counts.h"
+#include "lab/structures/structure_options.h"
+#include "render/acceleration/acceleration_structure.h"
 #include "render/acceleration/safe_ray.h"
-#include "render/acceleration/shared_counts.h"
-#include "render/acceleration/structure_options.h"
 
 namespace carom::render {
 
@@ -16,7 +16,7 @@ namespace carom::render {
 /// which passes every primitive whose box the ray enters before its t_max to `query`, until a test
 /// ends the search, and `std::size_t bytes() const`.
 template <class Index>
-class PrimitiveStructure final : public MeasuredStructure {
+class PrimitiveStructure final : public AccelerationStructure {
   public:
     PrimitiveStructure(Primitives primitives, const StructureOptions& options)
         : primitives_(std::move(primitives)),
@@ -34,16 +34,15 @@ class PrimitiveStructure final : public MeasuredStructure {
     [[nodiscard]] bool any_hit(const Ray& ray) const override {
         return find(ray, RayKind::shadow, options_.shadow_rays_stop).object != kNoObject;
     }
-    [[nodiscard]] std::size_t bytes() const override { return index_.bytes(); }
-    [[nodiscard]] TestCounts counts() const override { return counts_.current(); }
+    [[nodiscard]] std::size_t bytes() const { return index_.bytes(); }
 
   private:
     [[nodiscard]] Hit find(const Ray& ray, RayKind kind, bool any) const {
         if (!is_traceable(ray)) {
             return {};
         }
-        return options_.counts ? find_counting<true>(ray, kind, any)
-                               : find_counting<false>(ray, kind, any);
+        return options_.counts != nullptr ? find_counting<true>(ray, kind, any)
+                                          : find_counting<false>(ray, kind, any);
     }
 
     template <bool Counting>
@@ -57,7 +56,7 @@ class PrimitiveStructure final : public MeasuredStructure {
             index_.search(query);
         }
         if constexpr (Counting) {
-            counts_.add_ray(kind, query.counts());
+            options_.counts->add_ray(kind, query.counts());
         }
         return query.found() ? query.best() : Hit{};
     }
@@ -65,7 +64,6 @@ class PrimitiveStructure final : public MeasuredStructure {
     Primitives primitives_;
     StructureOptions options_;
     Index index_;
-    mutable SharedCounts counts_;
 };
 
 }  // namespace carom::render

@@ -9,7 +9,7 @@
 
 #include "lab/structures/boxes.h"
 #include "lab/structures/mailbox.h"
-#include "render/acceleration/structure_options.h"
+#include "lab/structures/structure_options.h"
 
 namespace carom::render {
 

@@ -1,8 +1,8 @@
 // Sizes of structures that can be varied.
 #pragma once
 
-#include "render/acceleration/structure_options.h"
-#include "render/scene/render_settings.h"
+#include "lab/structures/acceleration_names.h"
+#include "lab/structures/structure_options.h"
 
 namespace carom::render {
 

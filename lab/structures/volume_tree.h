@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "lab/structures/outlines.h"
-#include "render/acceleration/structure_options.h"
+#include "lab/structures/structure_options.h"
 
 namespace carom::render {
 

@@ -58,7 +58,7 @@ void run(const ContactSheetCommand& command, CommandContext& context) {
     const std::int64_t all = film_frames(shot);
     pipeline::FilmJobOptions job = job_options(command.cache, {}, {});
     job.threads = command.threads;
-    job.factory = context.factory;
+    job.structures = context.structures;
     job.frames = spread_frames(command.count, all);
     const std::vector<std::int64_t> frames = job.frames.frames(all);
     require_store(job);

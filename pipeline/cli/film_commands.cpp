@@ -195,7 +195,7 @@ void film_shot(ShotInput input, const std::string& path, const RenderCommand& co
     FilmJobOptions options = job_options(command.cache, command.frames, command.chunk);
     options.output = path;
     options.threads = command.threads;
-    options.factory = context.factory;
+    options.structures = context.structures;
     const std::int64_t frames =
         count_job_frames(input.shot, options, command.frames, context.console);
     if (frames == 0) {
@@ -273,7 +273,7 @@ void run(const FrameCommand& command, CommandContext& context) {
 
     FilmJobOptions options = job_options(command.cache, {}, {});
     options.threads = command.threads;
-    options.factory = context.factory;
+    options.structures = context.structures;
     require_store(options);
     const sim::Bake bake = obtain_bake(input, command.input, command.cache, context);
     warn_of_no_store(command.cache, context.console);

@@ -15,11 +15,25 @@ namespace carom::cli {
 using pipeline::FilmJobOptions;
 using pipeline::Shot;
 
+namespace {
+
+void require_structure(const std::string& name, const CommandContext& context) {
+    if (name != render::kOwnStructure && context.structures == nullptr) {
+        throw NeedsProgram("carom-lab");
+    }
+    try {
+        (void)render::structure_maker(context.structures, name);
+    } catch (const Error& error) {
+        throw InputError(error.what());
+    }
+}
+
+}  // namespace
+
 ShotInput read_film_input(const InputOptions& input, FileReading reading, CommandContext& context) {
     CheckedInput checked = load_shot_input(input);
-    if (checked.input &&
-        render::find_problem(checked.input->shot.render.acceleration, context.factory)) {
-        throw NeedsProgram(render::kComparisonProgram);
+    if (checked.input) {
+        require_structure(checked.input->shot.render.acceleration, context);
     }
     check_files(checked, reading, context);
     return require_shot_input(std::move(checked), input, context.console);

@@ -15,7 +15,7 @@
 #include "pipeline/config/shot_source.h"
 #include "pipeline/shot/shot.h"
 #include "pipeline/video/output_settings.h"
-#include "render/acceleration/structure_factory.h"
+#include "render/acceleration/structure_maker.h"
 #include "sim/timeline/timeline.h"
 #include "sound/mix/added_sound.h"
 
@@ -61,7 +61,7 @@ class OutputClosed : public Error {
 struct CommandContext {
     Console& console;
     std::stop_token stop;
-    render::StructureFactory factory = nullptr;  // of structures that the renderer does not have
+    render::NamedStructures structures = nullptr;  // that the renderer does not have
     /// Opens a film's music (pipeline/video/music_source.h); null in the program that links no
     /// decoder.
     sound::AddedSound (*music)(const pipeline::MusicSettings& settings,

@@ -113,7 +113,7 @@ void render_sequence(const RenderCommand& command, CommandContext& context) {
     pipeline::FilmJobOptions options = job_options(command.cache, command.frames, command.chunk);
     options.output = path;
     options.threads = command.threads;
-    options.factory = context.factory;
+    options.structures = context.structures;
     const std::int64_t frames = count_sequence_frames(sequence, options, command.frames);
     require_store(options);
     const SequenceBakes bakes = obtain_bakes(sequence, command.cache, context);
@@ -223,7 +223,7 @@ void write_sequence_frame(const FrameCommand& command, CommandContext& context) 
     check_output_folder(path);
     pipeline::FilmJobOptions options = job_options(command.cache, {}, {});
     options.threads = command.threads;
-    options.factory = context.factory;
+    options.structures = context.structures;
     if (!is_moment) {
         require_store(options);
         bakes = obtain_bakes(sequence, command.cache, context);
@@ -277,7 +277,7 @@ void write_sequence_sheet(const ContactSheetCommand& command, CommandContext& co
     Sequence sequence = read_checked_sequence(input, FileReading::usual, context);
     pipeline::FilmJobOptions options = job_options(command.cache, {}, {});
     options.threads = command.threads;
-    options.factory = context.factory;
+    options.structures = context.structures;
     sheet.frames = spread_frames(command.count, sequence.frames()).frames(sequence.frames());
     sheet.facts =
         fmt::format("{} frames, {:.6g} per second", sequence.frames(), sequence.fps.to_double());

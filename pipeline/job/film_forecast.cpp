@@ -127,7 +127,9 @@ FilmForecast forecast_film(const Shot& shot, const sim::Bake& bake,
     CpuLimit limit(seconds, stop);
     render::ThreadArena arena(options.threads);
     arena.execute([&] {
-        const render::PreparedScene scene(shot.scene, shot.render, options.factory);
+        const render::PreparedScene scene(
+            shot.scene, shot.render,
+            render::structure_maker(options.structures, shot.render.acceleration));
         forecast.preparation_seconds = process_cpu_seconds() - begin;
         FilmProbe probe(source, plan, pictures);
         probe.measure(scene, has_sequences(shot, options.output),

@@ -44,7 +44,7 @@ struct ForecastSettings {
 /// Renders small blocks of some frames of each camera; nothing is stored. `missing`: the frames to
 /// render, as in FilmStatus. If there are none, the times and the store's bytes are 0, and the
 /// film's size is not known (0). Of `options` the output, the frames, the chunk, the cache's
-/// folder, the threads and the factory are used. Throws Error, Stopped.
+/// folder, the threads and the structures are used. Throws Error, Stopped.
 [[nodiscard]] FilmForecast forecast_film(const Shot& shot, const sim::Bake& bake,
                                          const std::vector<std::int64_t>& missing,
                                          const FilmJobOptions& options, const std::stop_token& stop,

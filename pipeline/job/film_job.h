@@ -15,7 +15,7 @@
 #include "pipeline/shot/shot.h"
 #include "pipeline/store/cache_maintenance.h"
 #include "pipeline/store/claim_times.h"
-#include "render/acceleration/structure_factory.h"
+#include "render/acceleration/structure_maker.h"
 #include "render/film/film.h"
 #include "render/frame/frame_sums.h"
 #include "sim/timeline/bake_file.h"
@@ -46,9 +46,9 @@ struct FilmJobOptions {
     FrameRange frames;         // empty: all
     FrameChunk chunk;          // of these frames
     std::string cache_folder;  // of bakes and frames; empty: default_cache_folder()
-    std::uint64_t cache_limit = kNoLimit;        // bytes; removes the least recently used first
-    int threads = 0;                             // 0: one per processor
-    render::StructureFactory factory = nullptr;  // of structures that the renderer does not have
+    std::uint64_t cache_limit = kNoLimit;          // bytes; removes the least recently used first
+    int threads = 0;                               // 0: one per processor
+    render::NamedStructures structures = nullptr;  // that the renderer does not have
     /// The instruction set with which all frames have to be rendered (render::simd_tier()); empty:
     /// this process's. Frames of another one can be encoded, but not rendered.
     std::string tier{};
@@ -67,7 +67,7 @@ struct FilmJobOptions {
     std::function<std::unique_ptr<SoundSource>(const SoundContext&)> sound{};
     /// Makes what receives the frames instead of the file `output`.
     std::function<std::unique_ptr<FilmSink>(const FilmSource&, const FilmPlan&)> sink{};
-    /// Renders the pictures instead of render_frame; `threads` and `factory` are ignored then.
+    /// Renders the pictures instead of render_frame; `threads` and `structures` are ignored then.
     std::function<render::Film(const FrameInputs&, const WorkContext&, render::FrameSums*)>
         renderer{};
 };

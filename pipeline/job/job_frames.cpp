@@ -69,7 +69,7 @@ RenderFunction renderer_of(const Shot& shot, const FilmJobOptions& options) {
                 render::simd_tier()));
         };
     }
-    return make_scene_renderer(shot, options.threads, options.factory);
+    return make_scene_renderer(shot, options.threads, options.structures);
 }
 
 }  // namespace carom::pipeline

@@ -34,7 +34,7 @@ constexpr double kRoundsPerPixel = 60;
 /// What the denoiser needs: 32 channels, while they are rendered, packed and filtered.
 constexpr double kForDenoiser = 180;
 
-/// The memory of a mesh in multiples of its file size: arrays in double, and Embree's tree.
+/// The memory of a mesh in multiples of its file size: arrays in double, and the tree.
 double mesh_growth(const std::string& extension) {
     return extension == ".ply" ? 6.5 : 3.3;
 }

@@ -6,7 +6,7 @@
 #include "core/progress.h"
 #include "pipeline/shot/shot.h"
 #include "pipeline/store/frame_inputs.h"
-#include "render/acceleration/structure_factory.h"
+#include "render/acceleration/structure_maker.h"
 #include "render/film/film.h"
 #include "render/frame/frame_sums.h"
 
@@ -19,8 +19,8 @@ using RenderFunction =
     std::function<render::Film(const FrameInputs&, const WorkContext&, render::FrameSums*)>;
 
 /// Calls render_frame on `threads` threads (0: one per processor). The scene is prepared for the
-/// first picture. Refers to `shot`; `factory` as for PreparedScene.
+/// first picture. Refers to `shot`; `structures` may be null.
 [[nodiscard]] RenderFunction make_scene_renderer(const Shot& shot, int threads,
-                                                 render::StructureFactory factory);
+                                                 render::NamedStructures structures);
 
 }  // namespace carom::pipeline

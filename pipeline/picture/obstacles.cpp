@@ -26,8 +26,8 @@ bool Obstacles::hides(const Vec3& eye, const Vec3& direction, double depth) cons
 
 render::StaticGeometry obstacle_geometry(const render::SceneDescription& scene,
                                          render::RenderSettings settings) {
-    const render::FlushDenormals flush;  // while Embree builds
-    settings.acceleration = render::AccelerationKind::hybrid;
+    const render::FlushDenormals flush;
+    settings.acceleration = render::kOwnStructure;
     return render::StaticGeometry(scene, settings);
 }
 

@@ -10,7 +10,7 @@ namespace {
 Hash128 key_of_scene(const pipeline::Shot& shot, const Hash128& scene_hash) {
     FieldHasher hasher;
     hasher.add(scene_hash.to_string());
-    hasher.add(static_cast<std::int32_t>(shot.render.acceleration));
+    hasher.add(shot.render.acceleration);
     for (const render::ObjectDescription& object : shot.scene.objects) {
         hasher.add(object.name).add(object.material).add(object.track);
     }

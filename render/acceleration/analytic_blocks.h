@@ -13,10 +13,10 @@ namespace carom::render {
 inline constexpr int kBlockLanes = 8;
 
 /// A number per lane.
-struct alignas(32) Lanes {
+struct alignas(32) FloatLanes {
     float values[kBlockLanes] = {};
 
-    [[nodiscard]] static constexpr Lanes all(float value) {
+    [[nodiscard]] static constexpr FloatLanes all(float value) {
         return {{value, value, value, value, value, value, value, value}};
     }
 };
@@ -43,18 +43,18 @@ struct SphereSegment {
 // its object, which BlockList::add fills.
 
 struct StaticSphereBlock {
-    Lanes centre[3];
-    Lanes radius2 = Lanes::all(-1);
+    FloatLanes centre[3];
+    FloatLanes radius2 = FloatLanes::all(-1);
     ObjectLanes object;
 
     void set(int lane, const SphereSegment& sphere);
 };
 
 struct MovingSphereBlock {
-    Lanes path[4][3];  // coefficient, axis
-    Lanes path_start;
-    Lanes start, end;  // valid while start <= time < end
-    Lanes radius2 = Lanes::all(-1);
+    FloatLanes path[4][3];  // coefficient, axis
+    FloatLanes path_start;
+    FloatLanes start, end;  // valid while start <= time < end
+    FloatLanes radius2 = FloatLanes::all(-1);
     ObjectLanes object;
 
     void set(int lane, const SphereSegment& sphere);
@@ -63,9 +63,10 @@ struct MovingSphereBlock {
 
 /// Unused lanes are at infinity, a distance that is never a hit.
 struct AlignedBoxBlock {
-    Lanes planes[3][2] = {{Lanes::all(kInfinity), Lanes::all(kInfinity)},
-                          {Lanes::all(kInfinity), Lanes::all(kInfinity)},
-                          {Lanes::all(kInfinity), Lanes::all(kInfinity)}};  // axis; low, high
+    FloatLanes planes[3][2] = {
+        {FloatLanes::all(kInfinity), FloatLanes::all(kInfinity)},
+        {FloatLanes::all(kInfinity), FloatLanes::all(kInfinity)},
+        {FloatLanes::all(kInfinity), FloatLanes::all(kInfinity)}};  // axis; low, high
     ObjectLanes object;
 
     void set(int lane, const V3f& low, const V3f& high);
@@ -74,9 +75,12 @@ struct AlignedBoxBlock {
 /// A unit shape under an affine map. In unused lanes the map sends every point to infinity.
 struct MappedBlock {
     // Rows of unit_from_world; the translation is the last one.
-    Lanes map[4][3] = {
-        {}, {}, {}, {Lanes::all(kInfinity), Lanes::all(kInfinity), Lanes::all(kInfinity)}};
-    Lanes one_sided;  // rectangles: 1 if rays from below, z < 0, pass; otherwise 0
+    FloatLanes map[4][3] = {
+        {},
+        {},
+        {},
+        {FloatLanes::all(kInfinity), FloatLanes::all(kInfinity), FloatLanes::all(kInfinity)}};
+    FloatLanes one_sided;  // rectangles: 1 if rays from below, z < 0, pass; otherwise 0
     ObjectLanes object;
 
     void set_map(int lane, const Affine& unit_from_world);
@@ -88,7 +92,7 @@ struct MappedBlock {
 
 /// A MappedBlock for unit shapes with a profile (shape_list.h).
 struct ProfiledBlock : MappedBlock {
-    Lanes profile[3];
+    FloatLanes profile[3];
 
     void set_profile(int lane, const V3f& shape_profile);
     [[nodiscard]] V3f profile_of(int lane) const;

@@ -1,9 +1,5 @@
 #include "render/acceleration/analytic_tree_kernels.h"
 
-#include <utility>
-
-#include "render/acceleration/moving_shape.h"
-
 // See analytic_kernels.cpp.
 #define HWY_DISABLED_TARGETS (HWY_AVX3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
@@ -12,202 +8,20 @@
 // Must follow foreach_target.h.
 #include <hwy/highway.h>
 
-#include "render/acceleration/analytic_kernels-inl.h"
-#include "render/acceleration/wide_traversal-inl.h"
+#include "render/acceleration/analytic_tree_queries-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
-/// A query for the nearest hit.
-struct ClosestInBlock {
-    Hit* best;
-
-    template <class D, class Block, class Test>
-    HWY_INLINE bool operator()(D d, const RayLanes<D>& ray, const Block& block,
-                               const Test& test) const {
-        BestLanes<D> nearest{hn::Set(d, best->t),
-                             hn::Set(Int<D>(), static_cast<std::int32_t>(best->object))};
-        bool offered = false;
-        for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
-            offered |= nearest.offer(d, test(d, ray, block, lane), block.object, lane);
-        }
-        if (offered) {
-            Candidate candidate{best->t, best->object};
-            nearest.reduce(d, candidate);
-            if (candidate.t < best->t || candidate.object != best->object) {
-                *best = {candidate.t, candidate.object, 0, 0, 0};
-            }
-        }
-        return false;
-    }
-
-    bool operator()(const MovingShape& shape, const Ray& ray) const {
-        Ray remaining = ray;
-        const bool may_tie = best->object != kNoObject && shape.object < best->object;
-        remaining.t_max = may_tie ? std::nextafter(best->t, kInfinity) : best->t;
-        Hit hit;
-        if (intersect_moving(shape, remaining, hit)) {
-            *best = hit;
-        }
-        return false;
-    }
-};
-
-/// A query for any hit.
-struct AnyInBlock {
-    float t_max;
-
-    template <class D, class Block, class Test>
-    HWY_INLINE bool operator()(D d, const RayLanes<D>& ray, const Block& block,
-                               const Test& test) const {
-        for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
-            if (is_any_before(d, test(d, ray, block, lane), hn::Set(d, t_max))) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    bool operator()(const MovingShape& shape, const Ray& ray) const {
-        return occluded_by_moving(shape, ray);
-    }
-};
-
-/// A query whose tests are counted by `tally`.
-template <class Question, class Tally>
-struct Noted {
-    Question question;
-    Tally tally;
-
-    template <class D, class Block, class Test>
-    HWY_INLINE bool operator()(D d, const RayLanes<D>& ray, const Block& block,
-                               const Test& test) const {
-        tally.shapes(block.object);
-        return question(d, ray, block, test);
-    }
-
-    HWY_INLINE bool operator()(const MovingShape& shape, const Ray& ray) const {
-        tally.shape();
-        return question(shape, ray);
-    }
-};
-
-/// The tests of all shapes for one ray, set up once.
-template <class D, class List>
-struct RayTests;
-template <class D, class... Shapes>
-struct RayTests<D, ShapeList<Shapes...>> {
-    template <class Shape>
-    struct Of {
-        [[no_unique_address]] decltype(test_for_ray(Shape(), D(), V3f())) test;
-    };
-    struct All : Of<Shapes>... {};
-    All all;
-
-    HWY_INLINE RayTests(D d, const V3f& direction)
-        : all{Of<Shapes>{test_for_ray(Shapes(), d, direction)}...} {}
-
-    template <class Shape>
-    HWY_INLINE const auto& of() const {
-        return static_cast<const Of<Shape>&>(all).test;
-    }
-};
-
-template <class D, class Query>
-struct VisitLeaf {
-    const AnalyticTree& tree;
-    const Ray& ray;
-    RayLanes<D> lanes;
-    RayTests<D, LaneShapes> tests;
-    Query query;
-
-    HWY_INLINE VisitLeaf(D d, const AnalyticTree& tree_of, const Ray& of, const Query& asked)
-        : tree(tree_of), ray(of), lanes(broadcast(d, of)), tests(d, of.direction), query(asked) {}
-
-    /// Returns true if the query is answered.
-    HWY_INLINE bool operator()(std::uint32_t leaf) const {
-        const std::uint32_t end = tree.first_part[leaf + 1];
-        for (std::uint32_t i = tree.first_part[leaf]; i < end; ++i) {
-            const TreePart& part = tree.parts[i];
-            if (part.shape == TreePart::kMoving ? query(tree.moving[part.index], ray)
-                                                : ask_one_of(LaneShapes(), part)) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-  private:
-    template <class... Shapes>
-    HWY_INLINE bool ask_one_of(ShapeList<Shapes...> /*list*/, const TreePart& part) const {
-        return ((part.shape == kLaneShape<Shapes> && ask<Shapes>(part.index)) || ...);
-    }
-
-    template <class Shape>
-    HWY_INLINE bool ask(std::uint32_t block) const {
-        if constexpr (Shape::kIsBounded) {
-            return query(D(), lanes, tree.blocks.of<Shape>().blocks[block],
-                         tests.template of<Shape>());
-        } else {
-            return false;
-        }
-    }
-};
-
-template <class Question, class Tally>
-HWY_ATTR void ask_tree(const AnalyticTree& tree, const Ray& ray, const float& limit,
-                       const Question& question, const Tally& tally, bool& answered) {
-    using Query = Noted<Question, Tally>;
-    const WideTag d;
-    const VisitLeaf<WideTag, Query> leaf(d, tree, ray, Query{question, tally});
-    const auto visit = [&](std::uint32_t index) HWY_ATTR {
-        answered = leaf(index);
-        return answered;
-    };
-    if (tree.tree.travels.empty()) {
-        traverse<false>(d, tree.tree, ray, limit, tally, visit);
-    } else {
-        traverse<true>(d, tree.tree, ray, limit, tally, visit);
-    }
-}
-
-template <class Tally>
-HWY_INLINE void find_closest(const AnalyticTree& tree, const Ray& ray, const Tally& tally,
-                             Hit& best) {
-    if (tree.tree.nodes.empty()) {
-        return;
-    }
-    bool answered = false;
-    ask_tree(tree, ray, best.t, ClosestInBlock{&best}, tally, answered);
-}
-
-template <class Tally>
-HWY_INLINE bool find_any(const AnalyticTree& tree, const Ray& ray, const Tally& tally) {
-    if (tree.tree.nodes.empty()) {
-        return false;
-    }
-    bool answered = false;
-    ask_tree(tree, ray, ray.t_max, AnyInBlock{ray.t_max}, tally, answered);
-    return answered;
-}
-
 inline HWY_ATTR void closest_in_tree(const AnalyticTree& tree, const Ray& ray, Hit& best) {
-    find_closest(tree, ray, NoTally(), best);
+    (void)ask_tree(tree, tree.tree, ray, best.t, ClosestInBlock{&best});
 }
 inline HWY_ATTR bool any_in_tree(const AnalyticTree& tree, const Ray& ray) {
-    return find_any(tree, ray, NoTally());
-}
-inline HWY_ATTR void closest_counted(const AnalyticTree& tree, const Ray& ray, Hit& best,
-                                     KindCounts& counts) {
-    find_closest(tree, ray, Tally(counts), best);
-}
-inline HWY_ATTR bool any_counted(const AnalyticTree& tree, const Ray& ray, KindCounts& counts) {
-    return find_any(tree, ray, Tally(counts));
+    return ask_tree(tree, tree.tree, ray, ray.t_max, AnyInBlock{ray.t_max});
 }
 
 inline const AnalyticTreeKernels& tree_kernels_of_target() {
-    static const AnalyticTreeKernels kKernels = {closest_in_tree, any_in_tree, closest_counted,
-                                                 any_counted};
+    static const AnalyticTreeKernels kKernels = {closest_in_tree, any_in_tree};
     return kKernels;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "render/acceleration/analytic_tree.h"
-#include "render/acceleration/test_counts.h"
 #include "render/geometry/ray.h"
 
 namespace carom::render {
@@ -15,11 +14,6 @@ struct AnalyticTreeKernels {
     /// or an equally near one of a lower object.
     void (*closest)(const AnalyticTree& tree, const Ray& ray, Hit& best);
     bool (*any)(const AnalyticTree& tree, const Ray& ray);
-
-    /// `closest`, and adds the number of tests to `counts`.
-    void (*closest_counted)(const AnalyticTree& tree, const Ray& ray, Hit& best,
-                            KindCounts& counts);
-    bool (*any_counted)(const AnalyticTree& tree, const Ray& ray, KindCounts& counts);
 };
 
 [[nodiscard]] const AnalyticTreeKernels& best_tree_kernels();

@@ -13,12 +13,12 @@ namespace carom::render {
 /// Copies one lane of a block into a lane of another.
 template <class Block>
 void copy_lane(const Block& from, int lane, Block& to, int to_lane) {
-    static_assert(std::is_trivially_copyable_v<Block> && sizeof(Block) % sizeof(Lanes) == 0,
+    static_assert(std::is_trivially_copyable_v<Block> && sizeof(Block) % sizeof(FloatLanes) == 0,
                   "a block is rows of lanes");
     constexpr std::size_t kNumber = sizeof(float);
     const auto* source = reinterpret_cast<const std::byte*>(&from);
     auto* target = reinterpret_cast<std::byte*>(&to);
-    for (std::size_t row = 0; row < sizeof(Block); row += sizeof(Lanes)) {
+    for (std::size_t row = 0; row < sizeof(Block); row += sizeof(FloatLanes)) {
         std::memcpy(target + row + static_cast<std::size_t>(to_lane) * kNumber,
                     source + row + static_cast<std::size_t>(lane) * kNumber, kNumber);
     }

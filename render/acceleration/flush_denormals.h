@@ -1,4 +1,4 @@
-// The floating-point mode that Embree requires.
+// The floating-point mode of the renderer.
 #pragma once
 
 #include <xmmintrin.h>

@@ -59,7 +59,6 @@ void HybridStructure::set_loops(const ShapeSet& shapes) {
     moving_ = shapes.moving;
 }
 
-// Without the shapes in their blocks, as for the other structures.
 std::size_t HybridStructure::bytes() const {
     return (tree_ ? bytes_of(tree_->tree) : 0) + (meshes_ ? meshes_->bytes() : 0);
 }

@@ -7,10 +7,10 @@
 #include <memory>
 #include <vector>
 
+#include "render/acceleration/acceleration_structure.h"
 #include "render/acceleration/analytic_kernels.h"
 #include "render/acceleration/analytic_tree_kernels.h"
 #include "render/acceleration/batch_kernels.h"
-#include "render/acceleration/measured_structure.h"
 #include "render/acceleration/shapes.h"
 
 namespace carom::render {
@@ -24,7 +24,7 @@ inline constexpr std::size_t kTreeThreshold = 160;
 /// tree, which gives the same hits. Triangles are tested last, within the distance found. A tree of
 /// many static shapes may be shared between frames; then only the other shapes are in `shapes`, and
 /// they are tested in loops.
-class HybridStructure final : public MeasuredStructure {
+class HybridStructure final : public AccelerationStructure {
   public:
     explicit HybridStructure(const ShapeSet& shapes, std::size_t tree_threshold = kTreeThreshold);
     HybridStructure(const ShapeSet& shapes, std::shared_ptr<const AnalyticTree> static_tree);
@@ -34,7 +34,8 @@ class HybridStructure final : public MeasuredStructure {
     [[nodiscard]] PacketMask any_hits(const ShadowRayPacket& packet) const override;
     void closest_hits(const RayBatch& rays, Hit* hits) const override;
     void test_occlusion(const RayBatch& rays, float* t_max) const override;
-    [[nodiscard]] std::size_t bytes() const override;
+    /// Memory of the trees.
+    [[nodiscard]] std::size_t bytes() const;
 
   private:
     void set_loops(const ShapeSet& shapes);

@@ -1,5 +1,5 @@
-// Checks that keep invalid rays from the kernels: Debian's Embree is built with assertions and ends
-// the process on a NaN origin, a negative t_min or a time outside [0, 1].
+// Checks that keep invalid rays from the kernels (and from Embree, which Debian builds with
+// assertions that end the process on a NaN origin, a negative t_min or a time outside [0, 1]).
 #pragma once
 
 #include <algorithm>

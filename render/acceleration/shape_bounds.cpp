@@ -9,7 +9,7 @@ namespace {
 
 using Box = Imath::Box3f;
 
-/// A margin for the rounding of box tests, including Embree's.
+/// A margin for the rounding of box tests.
 Box widened(const Box& box) {
     Box result = box;
     for (int axis = 0; axis < 3; ++axis) {

@@ -26,7 +26,7 @@ float enlargement(const V3f& edge_b, const V3f& edge_c) {
 
 /// The slab of the first `count` triangles of a block, along the mean of their normals.
 LeafSlab slab_of(const TriangleBlock& block, std::uint32_t count) {
-    const auto vector = [](const Lanes(&lanes)[3], std::uint32_t lane) {
+    const auto vector = [](const FloatLanes(&lanes)[3], std::uint32_t lane) {
         return V3f(lanes[0].values[lane], lanes[1].values[lane], lanes[2].values[lane]);
     };
     V3f sum(0, 0, 0);

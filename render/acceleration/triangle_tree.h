@@ -11,15 +11,14 @@
 #include "render/acceleration/analytic_blocks.h"
 #include "render/acceleration/horizon.h"
 #include "render/acceleration/mesh_entry.h"
-#include "render/acceleration/test_counts.h"
 #include "render/acceleration/wide_tree.h"
 
 namespace carom::render {
 
 /// Eight triangles. Unused lanes hold a degenerate triangle, which no ray hits.
 struct alignas(64) TriangleBlock {
-    Lanes corner[3];  // by axis
-    Lanes edge_b[3], edge_c[3];
+    FloatLanes corner[3];  // by axis
+    FloatLanes edge_b[3], edge_c[3];
 };
 
 /// Objects and indices of a block's triangles.
@@ -48,21 +47,6 @@ struct TriangleTree {
 
 [[nodiscard]] TriangleTree make_triangle_tree(std::span<const MeshEntry> meshes);
 
-/// Rays must be safe (safe_ray.h). The test gives the same bits as moller_trumbore.h.
-struct TriangleTreeKernels {
-    /// As AnalyticTreeKernels::closest; of equally near hits the one with the lower object wins,
-    /// then the one with the lower triangle.
-    void (*closest)(const TriangleTree& tree, const Ray& ray, Hit& best);
-    bool (*any)(const TriangleTree& tree, const Ray& ray);
-
-    /// `closest`, and adds the number of tests to `counts`.
-    void (*closest_counted)(const TriangleTree& tree, const Ray& ray, Hit& best,
-                            KindCounts& counts);
-    bool (*any_counted)(const TriangleTree& tree, const Ray& ray, KindCounts& counts);
-};
-
 [[nodiscard]] std::size_t bytes_of(const TriangleTree& tree);
-
-[[nodiscard]] const TriangleTreeKernels& best_triangle_kernels();
 
 }  // namespace carom::render

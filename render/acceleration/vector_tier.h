@@ -1,8 +1,7 @@
 // Which vector instructions frames are rendered with. The last bits of a frame depend on its tier:
 // processors below AVX2 follow one path at a time, which adds up light in another order than paths
-// in step, and Embree, for `acceleration: embree`, has routines of its own for each instruction
-// set. Where rays hit is the same in every tier (analytic_kernels_test compares the bits). Wider
-// vectors than those of AVX2 give the same bits as AVX2, so they are no tier.
+// in step. Where rays hit is the same in every tier (analytic_kernels_test compares the bits).
+// Wider vectors than those of AVX2 give the same bits as AVX2, so they are no tier.
 #pragma once
 
 #include <array>
@@ -24,9 +23,8 @@ inline constexpr std::array<std::string_view, 4> kTierOptions{"avx2", "sse4", "s
 /// exists. Part of a frame's key.
 [[nodiscard]] std::string_view simd_tier();
 
-/// Lets the whole process render with a tier, as far as bits depend on it, while the object exists:
-/// our own kernels, and Embree's in scenes that are prepared meanwhile. To be made before anything
-/// is prepared, and not twice at the same time.
+/// Lets the whole process render with a tier, as far as bits depend on it, while the object exists.
+/// To be made before anything is prepared, and not twice at the same time.
 class TierLimit {
   public:
     /// The machine must have the tier.

@@ -15,13 +15,13 @@ namespace carom::render {
 /// The boxes of eight children at the shutter's opening. Lanes without a child hold a box that no
 /// ray enters.
 struct alignas(64) WideNode {
-    Lanes planes[3][2];          // axis; low, high
+    FloatLanes planes[3][2];     // axis; low, high
     std::int32_t children[8]{};  // > 0: a node; < 0: the leaf -1 - child; 0: none
 };
 
 /// How far those planes move until the shutter closes.
 struct alignas(32) WideTravel {
-    Lanes planes[3][2];
+    FloatLanes planes[3][2];
 };
 
 /// Items order[first] to order[first + count - 1].
@@ -36,6 +36,9 @@ struct WideTree {
     std::vector<WideTravel> travels;  // by node; empty if nothing moves
     std::vector<WideLeaf> leaves;
     std::vector<std::uint32_t> order;  // indices of items
+
+    [[nodiscard]] const WideNode& node(std::uint32_t index) const { return nodes[index]; }
+    [[nodiscard]] const WideTravel& travel(std::uint32_t index) const { return travels[index]; }
 };
 
 /// Memory of the tree without its items.

@@ -6,7 +6,6 @@
 
 #include "core/free_memory.h"
 #include "render/acceleration/flush_denormals.h"
-#include "render/acceleration/structure_cost.h"
 #include "render/frame/adaptive_progress.h"
 #include "render/frame/frame_session.h"
 #include "render/frame/tile_loop.h"
@@ -114,19 +113,13 @@ Film render_adaptively(FrameSession& session, FrameSums::Data& sums, const WorkC
 
 Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks,
                   const FrameInput& frame, const RenderSettings& settings,
-                  const WorkContext& context, FrameSums* sums, StructureProbe* probe) {
-    const FlushDenormals flush;  // while Embree builds
+                  const WorkContext& context, FrameSums* sums) {
+    const FlushDenormals flush;
     FrameSums own;
     FrameSums::Data& data = sums != nullptr ? sums->data() : own.data();
-    FrameSession session(scene, tracks, frame, settings, SumsKind::needed_by(settings), data,
-                         probe != nullptr ? probe->options : StructureOptions{});
-    Film film = session.tiles().is_adaptive()
-                    ? render_adaptively(session, data, context)
-                    : render_evenly(session, data, sums != nullptr, context);
-    if (probe != nullptr) {
-        probe->cost = session.scene().cost();
-    }
-    return film;
+    FrameSession session(scene, tracks, frame, settings, SumsKind::needed_by(settings), data);
+    return session.tiles().is_adaptive() ? render_adaptively(session, data, context)
+                                         : render_evenly(session, data, sums != nullptr, context);
 }
 
 }  // namespace carom::render

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "core/progress.h"
-#include "render/acceleration/structure_factory.h"
+#include "render/acceleration/structure_maker.h"
 #include "render/camera/camera_state.h"
 #include "render/film/film.h"
 #include "render/scene/render_settings.h"
@@ -15,11 +15,10 @@
 
 namespace carom::render {
 
-class FrameSums;        // render/frame/frame_sums.h
-struct StructureProbe;  // render/acceleration/structure_cost.h
+class FrameSums;  // render/frame/frame_sums.h
 
 /// Incremented whenever the renderer's pixels change for the same inputs.
-inline constexpr int kRendererRevision = 18;
+inline constexpr int kRendererRevision = 19;
 
 /// The inputs of a frame besides scene and tracks. Canonical: scene_open <= scene_close.
 struct FrameInput {
@@ -35,12 +34,12 @@ struct FrameInput {
 
 /// What all frames of a shot share: meshes, textures, the structure over static shapes. Immutable;
 /// any number of threads may render from it. Construction reads files and throws Error with the
-/// file's name. `factory` makes the structures that the library does not make itself; without it
-/// those are an Error (find_problem()).
+/// file's name. `maker`: if given, it makes the acceleration structures; without it, a name in
+/// RenderSettings::acceleration that is not kOwnStructure is an Error.
 class PreparedScene {
   public:
     PreparedScene(const SceneDescription& scene, const RenderSettings& settings,
-                  StructureFactory factory = nullptr);
+                  StructureMaker maker = {});
     ~PreparedScene();
     PreparedScene(PreparedScene&&) noexcept;
     PreparedScene& operator=(PreparedScene&&) noexcept;
@@ -59,11 +58,9 @@ class PreparedScene {
 /// may call at the same time. `tracks` must contain the tracks that the scene names; a missing
 /// track is an Error, and so are settings with problems. Throws Stopped. `sums`: if given, sampling
 /// resumes from them and saves its state there even when it is stopped; once it is finished they
-/// are empty. `probe`: if given, the cost of intersection is measured. The pixels are the same with
-/// either.
+/// are empty. The pixels are the same.
 [[nodiscard]] Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks,
                                 const FrameInput& frame, const RenderSettings& settings,
-                                const WorkContext& context = {}, FrameSums* sums = nullptr,
-                                StructureProbe* probe = nullptr);
+                                const WorkContext& context = {}, FrameSums* sums = nullptr);
 
 }  // namespace carom::render

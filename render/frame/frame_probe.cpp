@@ -147,7 +147,7 @@ double FrameProbe::Data::reflection_seconds() const {
 FrameProbe::FrameProbe(const PreparedScene& scene, std::span<const sim::Track> tracks,
                        const FrameInput& frame, const RenderSettings& settings, int block_size) {
     CAROM_ASSERT(block_size > 0 && block_size % kSmallestBlock == 0);
-    const FlushDenormals flush;  // while Embree builds
+    const FlushDenormals flush;
     const double begin = process_cpu_seconds();
     data_ = std::make_unique<Data>(scene, tracks, frame, settings, block_size);
     data_->preparation = process_cpu_seconds() - begin;

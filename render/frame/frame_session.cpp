@@ -25,15 +25,14 @@ const PreparedScene::Data& checked(const PreparedScene& scene, const FrameInput&
 
 FrameSession::FrameSession(const PreparedScene& scene, std::span<const sim::Track> tracks,
                            const FrameInput& frame, const RenderSettings& settings,
-                           const SumsKind& kind, FrameSums::Data& sums,
-                           const StructureOptions& options)
+                           const SumsKind& kind, FrameSums::Data& sums)
     : prepared_(scene),
       settings_(settings),
       frame_(frame),
       kind_(kind),
       sums_(sums),
       frame_scene_(checked(scene, frame, settings).geometry, tracks, frame.scene_open,
-                   frame.scene_close, options),
+                   frame.scene_close),
       lights_(scene.data().lights.in_frame(frame_scene_.motions())),
       transport_{frame_scene_, scene.data().materials, lights_, scene.data().object_count},
       tiles_(settings, frame, transport_),

@@ -73,7 +73,7 @@ class FrameSession {
     /// all of its own there. Throws as render_frame does.
     FrameSession(const PreparedScene& scene, std::span<const sim::Track> tracks,
                  const FrameInput& frame, const RenderSettings& settings, const SumsKind& kind,
-                 FrameSums::Data& sums, const StructureOptions& options = {});
+                 FrameSums::Data& sums);
 
     [[nodiscard]] const RenderSettings& settings() const { return settings_; }
     [[nodiscard]] const FrameScene& scene() const { return frame_scene_; }

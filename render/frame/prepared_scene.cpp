@@ -123,14 +123,14 @@ void add_shining_objects(LightSet& lights, const SceneDescription& scene,
 }
 
 PreparedScene::Data* make_data(const SceneDescription& scene, const RenderSettings& settings,
-                               StructureFactory factory) {
+                               StructureMaker maker) {
     std::optional<LightSet> lights;
     std::optional<StaticGeometry> geometry;
     std::vector<Material> materials;
     for_each_at_once(2, [&](std::size_t part) {
         if (part == 0) {
             lights.emplace(scene.lights);  // first, as it rejects what the geometry cannot hold
-            geometry.emplace(scene, settings, factory);
+            geometry.emplace(scene, settings, std::move(maker));
         } else {
             materials = make_materials(scene);
         }
@@ -145,8 +145,8 @@ PreparedScene::Data* make_data(const SceneDescription& scene, const RenderSettin
 }  // namespace
 
 PreparedScene::PreparedScene(const SceneDescription& scene, const RenderSettings& settings,
-                             StructureFactory factory)
-    : data_(make_data(scene, settings, factory)) {}
+                             StructureMaker maker)
+    : data_(make_data(scene, settings, std::move(maker))) {}
 
 PreparedScene::~PreparedScene() = default;
 PreparedScene::PreparedScene(PreparedScene&&) noexcept = default;

@@ -70,7 +70,7 @@ struct ProgressiveFrame::Data {
 
 ProgressiveFrame::ProgressiveFrame(const PreparedScene& scene, std::span<const sim::Track> tracks,
                                    const FrameInput& frame, const RenderSettings& settings) {
-    const FlushDenormals flush;  // while Embree builds
+    const FlushDenormals flush;
     data_ = std::make_unique<Data>(scene, tracks, frame, settings);
 }
 

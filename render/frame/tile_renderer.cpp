@@ -7,7 +7,6 @@
 #include "render/frame/sample_plan.h"
 #include "render/integrator/distributed_integrator.h"
 #include "render/integrator/path_integrator.h"
-#include "render/integrator/wave/wave_integrator.h"
 #include "render/sampling/sampler.h"
 
 namespace carom::render {
@@ -30,11 +29,7 @@ std::unique_ptr<const Integrator> make_integrator(const RenderSettings& settings
     if (settings.integrator == IntegratorKind::distributed) {
         return std::make_unique<DistributedIntegrator>(scene, settings.distributed);
     }
-    const PathSettings path = path_settings(settings);
-    if (WaveIntegrator::can_do(scene, path)) {
-        return std::make_unique<WaveIntegrator>(scene, path, light_tracer);
-    }
-    return std::make_unique<PathIntegrator>(scene, path, light_tracer);
+    return std::make_unique<PathIntegrator>(scene, path_settings(settings), light_tracer);
 }
 
 /// Whether the settings switch the effect of `count` off.

@@ -7,12 +7,9 @@
 #include <vector>
 
 #include "core/assert.h"
-#include "core/cpu_time.h"
 #include "core/error.h"
-#include "render/acceleration/embree_structure.h"
 #include "render/acceleration/hybrid_structure.h"
 #include "render/acceleration/moving_shape.h"
-#include "render/acceleration/wide_bvh.h"
 #include "render/frame_scene/static_geometry_data.h"
 #include "render/frame_scene/surface.h"
 
@@ -111,8 +108,8 @@ ShapeSet with_movers(ShapeSet shapes, const StaticGeometry::Data& geometry,
 
 /// A tree over static shapes serves every frame if few other shapes exist; with many others, one
 /// tree over all shapes is faster.
-std::unique_ptr<MeasuredStructure> hybrid_structure(const StaticGeometry::Data& geometry,
-                                                    const Motions& motions) {
+std::unique_ptr<AccelerationStructure> hybrid_structure(const StaticGeometry::Data& geometry,
+                                                        const Motions& motions) {
     if (geometry.static_tree) {
         const ShapeSet others = with_movers(geometry.outside_tree, geometry, motions);
         if (loop_cost(others) < kTreeThreshold) {
@@ -123,26 +120,17 @@ std::unique_ptr<MeasuredStructure> hybrid_structure(const StaticGeometry::Data& 
         with_movers(geometry.static_shapes, geometry, motions));
 }
 
-std::unique_ptr<MeasuredStructure> make_structure_of(const StaticGeometry::Data& geometry,
-                                                     const Motions& motions,
-                                                     const StructureOptions& options) {
-    if (geometry.acceleration == AccelerationKind::hybrid) {
-        return hybrid_structure(geometry, motions);
-    }
-    const ShapeSet shapes = with_movers(geometry.static_shapes, geometry, motions);
-    if (geometry.acceleration == AccelerationKind::embree) {
-        return std::make_unique<EmbreeStructure>(geometry.device, shapes, geometry.static_meshes);
-    }
-    if (geometry.acceleration == AccelerationKind::wide_bvh) {
-        return std::make_unique<WideBvh>(shapes, geometry.static_meshes, options);
-    }
-    return geometry.factory(geometry.acceleration, shapes, geometry.static_meshes, options);
+std::unique_ptr<AccelerationStructure> make_structure_of(const StaticGeometry::Data& geometry,
+                                                         const Motions& motions) {
+    return geometry.maker ? geometry.maker(with_movers(geometry.static_shapes, geometry, motions),
+                                           geometry.static_meshes)
+                          : hybrid_structure(geometry, motions);
 }
 
 }  // namespace
 
 FrameScene::FrameScene(const StaticGeometry& geometry, std::span<const sim::Track> tracks,
-                       double scene_open, double scene_close, const StructureOptions& options)
+                       double scene_open, double scene_close)
     : data_(std::make_unique<Data>()) {
     CAROM_ASSERT(scene_open <= scene_close);
     const StaticGeometry::Data& shared = geometry.data();
@@ -156,17 +144,10 @@ FrameScene::FrameScene(const StaticGeometry& geometry, std::span<const sim::Trac
                                                                     scene_open, scene_close);
         }
     }
-    const double start = process_cpu_seconds();
-    structure_ = make_structure_of(shared, data_->motions, options);
-    build_seconds_ = process_cpu_seconds() - start;
+    structure_ = make_structure_of(shared, data_->motions);
 }
 
 FrameScene::~FrameScene() = default;
-
-StructureCost FrameScene::cost() const {
-    return {data_->geometry->build_seconds + build_seconds_, build_seconds_, structure_->bytes(),
-            structure_->counts()};
-}
 
 SurfacePoint FrameScene::surface_at(const Ray& ray, const Hit& hit) const {
     CAROM_ASSERT(hit.object < data_->motions.size());

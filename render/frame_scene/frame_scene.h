@@ -9,8 +9,7 @@
 #include <Imath/ImathBox.h>
 #include <Imath/ImathQuat.h>
 
-#include "render/acceleration/measured_structure.h"
-#include "render/acceleration/structure_cost.h"
+#include "render/acceleration/acceleration_structure.h"
 #include "render/scene/render_settings.h"
 #include "sim/timeline/track.h"
 
@@ -25,18 +24,14 @@ class StaticGeometry;  // render/frame_scene/static_geometry.h: shared by all fr
 class FrameScene {
   public:
     /// `scene_open` <= `scene_close`, s of scene time. `geometry` outlives this object. Throws
-    /// Error if an object names a track that is not among `tracks`. `options` are for the
-    /// structures of comparisons; `hybrid` and `embree` neither count nor continue beyond the first
-    /// hit.
+    /// Error if an object names a track that is not among `tracks`.
     FrameScene(const StaticGeometry& geometry, std::span<const sim::Track> tracks,
-               double scene_open, double scene_close, const StructureOptions& options = {});
+               double scene_open, double scene_close);
     ~FrameScene();
     FrameScene(const FrameScene&) = delete;
     FrameScene& operator=(const FrameScene&) = delete;
 
     [[nodiscard]] const AccelerationStructure& structure() const { return *structure_; }
-    /// The cost up to now.
-    [[nodiscard]] StructureCost cost() const;
 
     /// The surface point of `hit` at the ray's time.
     [[nodiscard]] SurfacePoint surface_at(const Ray& ray, const Hit& hit) const;
@@ -72,8 +67,7 @@ class FrameScene {
   private:
     struct Data;
     std::unique_ptr<Data> data_;
-    std::unique_ptr<MeasuredStructure> structure_;
-    double build_seconds_ = 0;
+    std::unique_ptr<AccelerationStructure> structure_;
 };
 
 }  // namespace carom::render

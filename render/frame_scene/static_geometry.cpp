@@ -5,9 +5,7 @@
 #include <utility>
 
 #include "core/assert.h"
-#include "core/cpu_time.h"
 #include "core/error.h"
-#include "render/acceleration/embree_structure.h"
 #include "render/acceleration/hybrid_structure.h"
 #include "render/frame_scene/static_geometry_data.h"
 
@@ -97,7 +95,7 @@ void add_meshes(StaticGeometry::Data& data) {
             data.static_meshes.push_back({object.mesh.get(), i});
         }
     }
-    if (!data.static_meshes.empty() && data.acceleration == AccelerationKind::hybrid) {
+    if (!data.static_meshes.empty() && !data.maker) {
         data.static_shapes.meshes = std::make_shared<TriangleScene>(data.static_meshes);
     }
 }
@@ -123,31 +121,23 @@ void add_static_shape(ShapeSet& shapes, const SceneObject& object, std::uint32_t
 }
 
 StaticGeometry::StaticGeometry(const SceneDescription& scene, const RenderSettings& settings,
-                               StructureFactory factory) {
-    if (const auto problem = find_problem(settings.acceleration, factory)) {
-        throw Error(problem->sentence);
+                               StructureMaker maker) {
+    if (settings.acceleration != kOwnStructure && !maker) {
+        throw Error("the acceleration structure '" + settings.acceleration +
+                    "' is for comparison; only the program carom-lab has it");
     }
     auto data = std::make_unique<Data>();
-    data->acceleration = settings.acceleration;
-    data->factory = factory;
+    data->maker = std::move(maker);
     add_objects(*data, scene);
-    if (data->acceleration == AccelerationKind::embree) {
-        data->device = make_embree_device();
-    }
-    double start = process_cpu_seconds();
     add_meshes(*data);
-    data->build_seconds += process_cpu_seconds() - start;
     for (std::uint32_t i = 0; i < data->objects.size(); ++i) {
         if (!data->objects[i].is_tracked()) {
             add_static_shape(data->static_shapes, data->objects[i], i, data->objects[i].frame);
         }
     }
-    if (data->acceleration == AccelerationKind::hybrid &&
-        loop_cost(data->static_shapes) >= kTreeThreshold) {
-        start = process_cpu_seconds();
+    if (!data->maker && loop_cost(data->static_shapes) >= kTreeThreshold) {
         data->static_tree =
             std::make_shared<const AnalyticTree>(make_analytic_tree(data->static_shapes));
-        data->build_seconds += process_cpu_seconds() - start;
         data->outside_tree = infinite_shapes(data->static_shapes);
         data->outside_tree.meshes = data->static_shapes.meshes;
     }

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "render/acceleration/structure_factory.h"
+#include "render/acceleration/structure_maker.h"
 #include "render/scene/render_settings.h"
 #include "render/scene/scene_description.h"
 
@@ -24,9 +24,9 @@ class StaticGeometry {
   public:
     /// Reads the mesh files. Throws Error that names the object or file: a mesh that cannot be
     /// read, a material that the scene lacks, a transform that is not invertible, a size that is
-    /// not positive; or with the sentence of find_problem().
+    /// not positive. `maker`: as for PreparedScene.
     StaticGeometry(const SceneDescription& scene, const RenderSettings& settings,
-                   StructureFactory factory = nullptr);
+                   StructureMaker maker = {});
     ~StaticGeometry();
     StaticGeometry(StaticGeometry&&) noexcept;
     StaticGeometry& operator=(StaticGeometry&&) noexcept;

@@ -12,13 +12,9 @@
 
 namespace carom::render {
 
-class EmbreeDevice;
-
 struct StaticGeometry::Data {
-    AccelerationKind acceleration = AccelerationKind::hybrid;
-    StructureFactory factory = nullptr;          // for structures that the library does not make
-    std::shared_ptr<const EmbreeDevice> device;  // null unless the structure is Embree
-    std::vector<SceneObject> objects;            // those of the scene, then lights
+    StructureMaker maker;              // empty: the frames have a HybridStructure
+    std::vector<SceneObject> objects;  // those of the scene, then lights
     std::vector<std::optional<std::uint32_t>> object_of_light;
     std::vector<std::shared_ptr<const TriangleScene>> tracked_meshes;  // by object; may be null
     std::vector<MeshEntry> static_meshes;
@@ -26,7 +22,6 @@ struct StaticGeometry::Data {
     // For many static shapes: a tree over them, and those that the tree cannot hold.
     std::shared_ptr<const AnalyticTree> static_tree;
     ShapeSet outside_tree;
-    double build_seconds = 0;  // CPU time of trees and scenes that frames share
 };
 
 /// Adds the shape of a static object.

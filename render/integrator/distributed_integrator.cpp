@@ -87,16 +87,18 @@ struct DistributedIntegrator::Lobe {
     std::uint32_t kind = 0;
 };
 
-RadianceSample DistributedIntegrator::sample(const Ray& camera_ray, float pixel_spread,
-                                             const SampleStream& stream,
-                                             const SampleIndex& /*index*/,
-                                             RenderStatistics& count) const {
-    Work work{stream, count};
-    count.camera_rays += 1;
-    TreeRay root{camera_ray};
-    root.spread = pixel_spread;
-    work.result.radiance = trace(root, work);
-    return work.result;
+void DistributedIntegrator::samples(const CameraRun& run, float pixel_spread,
+                                    RadianceSample* results, Workspace* /*workspace*/,
+                                    RenderStatistics& count) const {
+    for (int i = 0; i < run.count; ++i) {
+        const SampleStream stream = run.stream(i);
+        Work work{stream, count};
+        count.camera_rays += 1;
+        TreeRay root{run.ray(i)};
+        root.spread = pixel_spread;
+        work.result.radiance = trace(root, work);
+        results[i] = work.result;
+    }
 }
 
 V3f DistributedIntegrator::trace(const TreeRay& from, Work& work) const {

@@ -27,9 +27,8 @@ class DistributedIntegrator final : public Integrator {
     DistributedIntegrator(const TransportScene& scene, const DistributedSettings& settings)
         : scene_(scene), settings_(settings) {}
 
-    [[nodiscard]] RadianceSample sample(const Ray& camera_ray, float pixel_spread,
-                                        const SampleStream& stream, const SampleIndex& index,
-                                        RenderStatistics& count) const override;
+    void samples(const CameraRun& run, float pixel_spread, RadianceSample* results,
+                 Workspace* workspace, RenderStatistics& count) const override;
 
   private:
     struct Work;

@@ -11,31 +11,6 @@ namespace carom::render {
 
 enum class IntegratorKind { path, distributed };
 enum class PixelFilter { box, gaussian, blackman_harris };
-enum class AccelerationKind {
-    hybrid,
-    embree,
-    brute_force,
-    single_boxes,
-    grid,
-    octree,
-    octree_queue,
-    octree_loose,
-    octree_enclosing,
-    octree_overlapping,
-    octree_cut,
-    kd_tree,
-    kd_tree_median,
-    bsp_tree,
-    r_tree,
-    r_tree_hilbert,
-    r_tree_cyclic,
-    slabs,
-    box_volumes,
-    sphere_volumes,
-    oriented_box_volumes,
-    bvh,
-    wide_bvh
-};
 
 struct RenderSettings {
     int width = 1280;  // pixels, [16, 16384]
@@ -52,10 +27,10 @@ struct RenderSettings {
     double clamp =
         0;  // radiance of one sample's indirect light is clamped to this; 0: off (biased otherwise)
     PixelFilter filter = PixelFilter::blackman_harris;
-    double filter_width = 1.5;  // full width in pixels, [0.5, 8]; box: 1
-    AccelerationKind acceleration = AccelerationKind::hybrid;
-    std::uint64_t seed = 0;         // chooses the noise only
-    std::vector<std::string> aovs;  // by the names in render/frame/aov_planes.h
+    double filter_width = 1.5;            // full width in pixels, [0.5, 8]; box: 1
+    std::string acceleration = "hybrid";  // another one needs a maker (structure_maker.h)
+    std::uint64_t seed = 0;               // chooses the noise only
+    std::vector<std::string> aovs;        // by the names in render/frame/aov_planes.h
     /// Samples are taken in two halves, and the frame has the channels that the denoiser needs
     /// (render/frame/denoiser_planes.h). Not with the distributed integrator.
     bool for_denoiser = false;

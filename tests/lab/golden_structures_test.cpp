@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "lab/structures/make_structure.h"
-#include "render/scene/acceleration_names.h"
 #include "tests/render/frame/golden_scenes.h"
 
 namespace carom::render {
@@ -14,10 +13,8 @@ class GoldenPicture : public testing::TestWithParam<test::GoldenScene> {};
 TEST_P(GoldenPicture, EveryStructure_GivesTheSamePixels) {
     const test::GoldenScene& golden = GetParam();
     const auto pixels_by = [&](AccelerationKind kind) {
-        RenderSettings settings = golden.settings;
-        settings.acceleration = kind;
-        const PreparedScene prepared(golden.scene, settings, make_structure);
-        return render_frame(prepared, golden.tracks, golden.frame, settings).rgba;
+        const PreparedScene prepared(golden.scene, golden.settings, structure_maker(kind));
+        return render_frame(prepared, golden.tracks, golden.frame, golden.settings).rgba;
     };
     const std::vector<float> expected = pixels_by(AccelerationKind::brute_force);
     for (const AccelerationName& known : kAccelerationNames) {

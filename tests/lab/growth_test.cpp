@@ -106,9 +106,7 @@ TEST(LaneLimit, ChoosesOtherKernelsAndGivesThemBack) {
 
 TEST(GrowthRays, AreOfAllKindsAndTheSameEveryTime) {
     const LaboratoryScene scene = sphere_cloud(100);
-    render::RenderSettings settings = scene.settings;
-    settings.acceleration = render::AccelerationKind::wide_bvh;
-    const render::StaticGeometry geometry(scene.scene, settings);
+    const render::StaticGeometry geometry(scene.scene, scene.settings);
     const render::FrameScene frame(geometry, {}, 0, 0);
     const auto rays = growth_rays(frame.structure(), 1000);
     const auto again = growth_rays(frame.structure(), 1000);

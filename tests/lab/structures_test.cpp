@@ -9,12 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include "lab/structures/embree_structure.h"
 #include "lab/structures/make_structure.h"
-#include "render/acceleration/embree_structure.h"
+#include "lab/structures/primitives.h"
+#include "lab/structures/shared_counts.h"
 #include "render/acceleration/hybrid_structure.h"
-#include "render/acceleration/primitives.h"
-#include "render/acceleration/wide_bvh.h"
-#include "render/scene/acceleration_names.h"
 #include "tests/render/acceleration/random_shapes.h"
 
 namespace carom::render {
@@ -39,13 +38,32 @@ std::vector<Named> exact_structures() {
     return all;
 }
 
-std::unique_ptr<MeasuredStructure> make(const RandomScene& scene, AccelerationKind kind,
-                                        const StructureOptions& options = {}) {
-    if (kind == AccelerationKind::wide_bvh) {
-        return std::make_unique<WideBvh>(scene.shapes, scene.static_meshes, options);
-    }
-    return make_structure(kind, scene.shapes, scene.static_meshes, options);
+std::unique_ptr<AccelerationStructure> make(const RandomScene& scene, AccelerationKind kind,
+                                            const StructureOptions& options = {}) {
+    return make_structure(kind, scene.shapes, scene.static_meshes, options).structure;
 }
+
+/// A structure whose tests are counted.
+class CountingStructure {
+  public:
+    CountingStructure(const RandomScene& scene, AccelerationKind kind,
+                      StructureOptions options = {}) {
+        options.counts = &counts_;
+        made_ = make_structure(kind, scene.shapes, scene.static_meshes, options);
+    }
+    const AccelerationStructure* operator->() const { return made_.structure.get(); }
+    const AccelerationStructure& operator*() const { return *made_.structure; }
+    [[nodiscard]] std::size_t bytes() const { return made_.bytes; }
+    TestCounts counts() {
+        total_ += counts_.take();
+        return total_;
+    }
+
+  private:
+    SharedCounts counts_;
+    TestCounts total_;
+    MadeStructure made_;
+};
 
 class Laboratory : public testing::TestWithParam<Named> {};
 
@@ -166,14 +184,14 @@ TEST_P(Laboratory, Counts_AreOfTheRaysAndFewerThanBruteForces) {
         sphere.object = i;
         scene.shapes.add_sphere(sphere);
     }
-    const auto structure = make(scene, GetParam().kind, {.counts = true});
+    CountingStructure structure(scene, GetParam().kind);
     Hit hit;
     for (int i = 0; i < 300; ++i) {
         Ray ray = test::random_ray_toward(random, 3, 2);
         ray.kind = i < 100 ? RayKind::primary : RayKind::secondary;
         static_cast<void>(i < 200 ? structure->closest_hit(ray, hit) : structure->any_hit(ray));
     }
-    const TestCounts counts = structure->counts();
+    const TestCounts counts = structure.counts();
     const bool is_brute = GetParam().kind == AccelerationKind::brute_force;
     for (const KindCounts& kind : counts.of) {
         EXPECT_EQ(kind.rays, 100u);
@@ -188,14 +206,14 @@ TEST_P(Laboratory, Counts_AreOfTheRaysAndFewerThanBruteForces) {
 
 TEST_P(Laboratory, ShadowRaysThatDoNotStop_TestMore) {
     const RandomScene scene = everything(6, 0, 0);
-    const auto stops = make(scene, GetParam().kind, {.counts = true});
-    const auto goes_on = make(scene, GetParam().kind, {.counts = true, .shadow_rays_stop = false});
+    CountingStructure stops(scene, GetParam().kind);
+    CountingStructure goes_on(scene, GetParam().kind, {.shadow_rays_stop = false});
     TestRandom random(10);
     for (int i = 0; i < 2'000; ++i) {
         const Ray ray = test::random_ray_toward(random, 3, 2);
         ASSERT_EQ(stops->any_hit(ray), goes_on->any_hit(ray));
     }
-    EXPECT_LT(stops->counts().total().objects, goes_on->counts().total().objects);
+    EXPECT_LT(stops.counts().total().objects, goes_on.counts().total().objects);
 }
 
 RandomScene row_of_spheres(std::uint32_t count) {
@@ -222,11 +240,11 @@ Ray down_at(float x) {
 // sphere is in one leaf, whose box is that of the pair.
 TEST(LaboratoryOfMedianKdTree, RowOfSpheres_IsHalvedByNumberIntoPairs) {
     const RandomScene scene = row_of_spheres(8);
-    const auto structure = make(scene, AccelerationKind::kd_tree_median, {.counts = true});
+    CountingStructure structure(scene, AccelerationKind::kd_tree_median);
     Hit hit;
     ASSERT_TRUE(structure->closest_hit(down_at(5), hit));
     EXPECT_EQ(hit.object, 5u);
-    const TestCounts counts = structure->counts();
+    const TestCounts counts = structure.counts();
     EXPECT_EQ(counts[RayKind::primary].nodes, 2u);    // of eight spheres and of four
     EXPECT_EQ(counts[RayKind::primary].boxes, 4u);    // two in each
     EXPECT_EQ(counts[RayKind::primary].objects, 2u);  // both of the leaf
@@ -243,24 +261,23 @@ TEST(LaboratoryOfMedianKdTree, ManyShapesInOnePlace_AreEachInOneLeaf) {
         sphere.object = i;
         scene.shapes.add_sphere(sphere);
     }
-    const auto structure = make(scene, AccelerationKind::kd_tree_median, {.counts = true});
+    CountingStructure structure(scene, AccelerationKind::kd_tree_median);
     Hit hit;
     ASSERT_TRUE(structure->closest_hit(down_at(0.5f), hit));
-    EXPECT_LE(structure->counts()[RayKind::primary].objects, 1000u);
-    EXPECT_LE(structure->counts()[RayKind::primary].boxes, 2u * 511);
-    EXPECT_LT(structure->bytes(), 1000u * 100);
+    EXPECT_LE(structure.counts()[RayKind::primary].objects, 1000u);
+    EXPECT_LE(structure.counts()[RayKind::primary].boxes, 2u * 511);
+    EXPECT_LT(structure.bytes(), 1000u * 100);
 }
 
 TEST(LaboratoryOfSingleBoxes, EveryRay_TestsAllBoxesAndTheShapesOfThoseItEnters) {
-    const auto structure =
-        make(row_of_spheres(10), AccelerationKind::single_boxes, {.counts = true});
+    CountingStructure structure(row_of_spheres(10), AccelerationKind::single_boxes);
     Hit hit;
     ASSERT_TRUE(structure->closest_hit(down_at(5), hit));
     ASSERT_FALSE(structure->closest_hit(down_at(5.5f), hit));
-    const TestCounts counts = structure->counts();
+    const TestCounts counts = structure.counts();
     EXPECT_EQ(counts[RayKind::primary].boxes, 20u);
     EXPECT_EQ(counts[RayKind::primary].objects, 1u);
-    EXPECT_EQ(structure->bytes(), 10 * sizeof(Imath::Box3f));
+    EXPECT_EQ(structure.bytes(), 10 * sizeof(Imath::Box3f));
 }
 
 SphereSegment sphere_at(const V3f& centre, float radius, std::uint32_t object) {
@@ -284,15 +301,15 @@ RandomScene corners_and_middle() {
 
 KindCounts counts_of(AccelerationKind kind, const RandomScene& scene, const Ray& ray,
                      const StructureSizes& sizes = {}) {
-    const auto structure = make(scene, kind, {.counts = true, .sizes = sizes});
+    CountingStructure structure(scene, kind, {.sizes = sizes});
     Hit hit;
     static_cast<void>(structure->closest_hit(ray, hit));
-    return structure->counts()[RayKind::primary];
+    return structure.counts()[RayKind::primary];
 }
 
 std::size_t bytes_of(AccelerationKind kind, const RandomScene& scene,
                      const StructureSizes& sizes = {}) {
-    return make(scene, kind, {.sizes = sizes})->bytes();
+    return make_structure(kind, scene.shapes, scene.static_meshes, {.sizes = sizes}).bytes;
 }
 
 // What each placement does with the sphere across the middle of the cube.
@@ -346,16 +363,16 @@ TEST(LaboratoryOfOctrees, Pieces_EndAtTheirCubes) {
 TEST(LaboratoryOfOctrees, OneQueueForAllLevels_TestsNoMoreShapes) {
     TestRandom random(12);
     const RandomScene scene = everything(30, 0, 0);
-    const auto stack = make(scene, AccelerationKind::octree, {.counts = true});
-    const auto queue = make(scene, AccelerationKind::octree_queue, {.counts = true});
-    EXPECT_EQ(stack->bytes(), queue->bytes());
+    CountingStructure stack(scene, AccelerationKind::octree);
+    CountingStructure queue(scene, AccelerationKind::octree_queue);
+    EXPECT_EQ(stack.bytes(), queue.bytes());
     Hit hit;
     for (int i = 0; i < 3000; ++i) {
         const Ray ray = test::random_ray_toward(random, 3, 2);
         ASSERT_EQ(stack->closest_hit(ray, hit), queue->closest_hit(ray, hit));
     }
-    EXPECT_LT(queue->counts().total().objects, stack->counts().total().objects);
-    EXPECT_LT(queue->counts().total().boxes, stack->counts().total().boxes);
+    EXPECT_LT(queue.counts().total().objects, stack.counts().total().objects);
+    EXPECT_LT(queue.counts().total().boxes, stack.counts().total().boxes);
 }
 
 TEST(LaboratoryOfRTrees, CyclicSort_TakesMoreTestsThanTiles) {
@@ -364,14 +381,14 @@ TEST(LaboratoryOfRTrees, CyclicSort_TakesMoreTestsThanTiles) {
     for (std::uint32_t i = 0; i < 1000; ++i) {
         scene.shapes.add_sphere(sphere_at(test::random_point(random, 2), 0.05f, i));
     }
-    const auto cyclic = make(scene, AccelerationKind::r_tree_cyclic, {.counts = true});
-    const auto tiles = make(scene, AccelerationKind::r_tree, {.counts = true});
-    EXPECT_EQ(cyclic->bytes(), tiles->bytes());
+    CountingStructure cyclic(scene, AccelerationKind::r_tree_cyclic);
+    CountingStructure tiles(scene, AccelerationKind::r_tree);
+    EXPECT_EQ(cyclic.bytes(), tiles.bytes());
     for (int i = 0; i < 1000; ++i) {
         const Ray ray = test::random_ray_toward(random, 3, 2);
         ASSERT_EQ(cyclic->any_hit(ray), tiles->any_hit(ray));
     }
-    EXPECT_GT(5 * cyclic->counts().total().boxes, 6 * tiles->counts().total().boxes);
+    EXPECT_GT(5 * cyclic.counts().total().boxes, 6 * tiles.counts().total().boxes);
 }
 
 // Sixty-four spheres in a square: sorted by x, four share a node if they are in one half of a
@@ -467,12 +484,12 @@ TEST(LaboratoryOfMotion, LegOfAPath_IsBoundedOnlyDuringItsTime) {
     hitting.time = 0.45f;
     Ray beyond = down_at(15);
     for (const AccelerationKind kind : {AccelerationKind::bvh, AccelerationKind::slabs}) {
-        const auto structure = make(scene, kind, {.counts = true});
+        CountingStructure structure(scene, kind);
         Hit hit;
         ASSERT_TRUE(structure->closest_hit(hitting, hit));
-        const std::uint64_t before = structure->counts().total().objects;
+        const std::uint64_t before = structure.counts().total().objects;
         ASSERT_FALSE(structure->closest_hit(beyond, hit));
-        EXPECT_EQ(structure->counts().total().objects, before);
+        EXPECT_EQ(structure.counts().total().objects, before);
     }
 }
 
@@ -538,7 +555,7 @@ TEST(LaboratoryOfWideBvh, OneLeaf_CountsItsShapes) {
         sphere.object = i;
         scene.shapes.add_sphere(sphere);
     }
-    const auto structure = make(scene, AccelerationKind::wide_bvh, {.counts = true});
+    CountingStructure structure(scene, AccelerationKind::wide_bvh);
     Ray through;
     through.kind = RayKind::primary;
     through.origin = V3f(0, 0, -3);
@@ -549,7 +566,7 @@ TEST(LaboratoryOfWideBvh, OneLeaf_CountsItsShapes) {
     ASSERT_TRUE(structure->closest_hit(through, hit));
     ASSERT_FALSE(structure->closest_hit(past, hit));
     ASSERT_TRUE(structure->any_hit(through));
-    const TestCounts counts = structure->counts();
+    const TestCounts counts = structure.counts();
     EXPECT_EQ(counts[RayKind::primary].rays, 2u);
     EXPECT_EQ(counts[RayKind::primary].objects, 5u);
     EXPECT_EQ(counts[RayKind::primary].boxes, 2u);
@@ -588,9 +605,9 @@ TEST(LaboratoryPeers, HybridAndEmbree_FindTheSamePrimitives) {
     ShapeSet with_meshes = scene.shapes;
     with_meshes.meshes = std::make_shared<TriangleScene>(scene.static_meshes);
     const HybridStructure hybrid(with_meshes);
-    const EmbreeStructure embree(scene.device, scene.shapes, scene.static_meshes);
+    const EmbreeStructure embree(make_embree_device(), scene.shapes, scene.static_meshes);
     const auto brute_force =
-        make_structure(AccelerationKind::brute_force, scene.shapes, scene.static_meshes, {});
+        make_structure(AccelerationKind::brute_force, scene.shapes, scene.static_meshes).structure;
     const Primitives primitives(scene.shapes, scene.static_meshes);
     TestRandom random(11);
     std::array<int, 2> differing{};

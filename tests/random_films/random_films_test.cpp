@@ -78,7 +78,7 @@ bool film_one(std::uint64_t number) {
     const std::int64_t frames = frame_count(shot.cameras, shot.timing);
     try {
         const FrameInputs inputs = source.inputs(static_cast<std::int64_t>(number) % frames);
-        check(make_scene_renderer(shot, 1, render::make_structure)(inputs, {}, nullptr));
+        check(make_scene_renderer(shot, 1, render::named_structure)(inputs, {}, nullptr));
     } catch (const carom::Error& error) {
         EXPECT_TRUE(is_camera_error(error)) << error.what();
     }

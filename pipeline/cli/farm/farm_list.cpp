@@ -206,7 +206,7 @@ ConsoleSettings silent_console() {
 
 void farm_list(const FarmCommand& command, CommandContext& context) {
     Console silent(silent_console());
-    CommandContext quiet{silent,        context.stop,          context.factory,
+    CommandContext quiet{silent,        context.stop,          context.structures,
                          context.music, context.text_problems, context.view};
     const std::string store = store_of(command);
     std::vector<std::string> jobs;

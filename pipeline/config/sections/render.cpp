@@ -5,7 +5,6 @@
 #include "pipeline/config/fraction.h"
 #include "pipeline/config/picture_size.h"
 #include "pipeline/config/sections/sections.h"
-#include "render/scene/acceleration_names.h"
 #include "render/scene/scene_problems.h"
 
 namespace carom::pipeline::config {
@@ -31,15 +30,6 @@ ValueType<Rational> shutter_turn() {
         return to_rational(turns);
     };
     return result;
-}
-
-std::vector<std::pair<std::string, render::AccelerationKind>> acceleration_names() {
-    std::vector<std::pair<std::string, render::AccelerationKind>> names;
-    names.reserve(render::kAccelerationNames.size());
-    for (const render::AccelerationName& known : render::kAccelerationNames) {
-        names.emplace_back(known.name, known.kind);
-    }
-    return names;
 }
 
 ValueType<Rational> shutter_time() {
@@ -196,10 +186,10 @@ void add_sampling(MapSpec<RenderSection>& s) {
         "full width of the filter in pixels; 1 for `box`. The standard deviation of the Gaussian "
         "is a sixth of it");
     add("acceleration", &RenderSettings::acceleration,
-        choice<render::AccelerationKind>(acceleration_names()),
-        "acceleration structure that finds the shape that a ray hits. `hybrid` is the fastest; the "
-        "others are for comparison (docs/developers/laboratory.md). The pictures are the same "
-        "except for the last bits");
+        text("the name of an acceleration structure"),
+        "acceleration structure that finds the shape that a ray hits: the renderer's own, or one "
+        "of the program carom-lab, which has others for comparison "
+        "(docs/developers/laboratory.md). The pictures are the same except for the last bits");
     s.set(
         "seed", integer64(0, (std::int64_t{1} << 53U) - 1),
         [](RenderSection& r, std::int64_t seed) {

@@ -42,7 +42,7 @@ using LaneHits = DistanceOf<VectorLanes<D>>;
 
 /// A number of each shape of a block, from `lane` on, for one ray.
 template <class D>
-HWY_INLINE hn::Vec<D> load(D d, const render::Lanes& lanes, int lane) {
+HWY_INLINE hn::Vec<D> load(D d, const FloatLanes& lanes, int lane) {
     return hn::LoadU(d, lanes.values + lane);
 }
 
@@ -51,12 +51,12 @@ struct InAll {
     int lane;
 };
 template <class D>
-HWY_INLINE hn::Vec<D> load(D d, const render::Lanes& lanes, InAll shape) {
+HWY_INLINE hn::Vec<D> load(D d, const FloatLanes& lanes, InAll shape) {
     return hn::Set(d, lanes.values[shape.lane]);
 }
 
 template <class D, class At>
-HWY_INLINE Three<hn::Vec<D>> load(D d, const render::Lanes (&lanes)[3], At at) {
+HWY_INLINE Three<hn::Vec<D>> load(D d, const FloatLanes (&lanes)[3], At at) {
     return {load(d, lanes[0], at), load(d, lanes[1], at), load(d, lanes[2], at)};
 }
 

@@ -1,7 +1,10 @@
 // The state of many paths as structures of arrays, for vector code. Plain data.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "render/acceleration/ray_batch.h"
 #include "render/integrator/path_state.h"
@@ -46,7 +49,10 @@ struct PathWave {
     Floats pdf;
     Floats total_importance, environment_samples;
     Words is_delta, connects;  // 1 or 0
+    /// LastScattering::connected_ball, with this bit if the path passed the ball.
+    static constexpr std::int32_t kPassedBall = 1 << 30;
     Words connected_ball;
+    Words entered_ball;  // set in scenes with surfaces that transmit
 
     [[nodiscard]] Ray ray(int i) const {
         return {origin.get(i), direction.get(i), 0, kInfinity, time.at[i], kind()};
@@ -70,7 +76,9 @@ struct PathWave {
         path.last.pdf = pdf.at[i];
         path.last.is_delta = is_delta.at[i] != 0;
         path.last.connects = connects.at[i] != 0;
-        path.last.connected_ball = connected_ball.at[i];
+        const std::int32_t ball = connected_ball.at[i];
+        path.last.connected_ball = ball < 0 ? -1 : ball & ~kPassedBall;
+        path.last.passed_ball = ball >= 0 && (ball & kPassedBall) != 0;
         path.last.all_lights = vertex == 1;
         path.last.total_importance = total_importance.at[i];
         path.last.environment_samples = environment_samples.at[i];
@@ -86,6 +94,7 @@ struct PathWave {
 struct VertexWave {
     int count = 0;
     bool has_gloss = false;  // some of them have a rough coat that is sampled several times
+    bool some_end = false;   // `ends` is set
     Words path;              // index in the PathWave
     Words object;
     Words material;
@@ -94,36 +103,60 @@ struct VertexWave {
     Floats3 geometric_normal, normal;  // on the viewer's side
     Floats offset;                     // m
     Floats3 base;
+    Words from_behind;  // 1 or 0; in scenes with surfaces that transmit
+    Words ends;         // 1: the path ends here
 };
 
-/// Shadow rays of a wave's vertices, at most `rays` for each vertex. The first rays of all vertices
-/// are stored before the second ones.
+/// Shadow rays of the vertices [first, last) of a wave, `rays` for each vertex. The first rays of
+/// all vertices are stored before the second ones.
 struct ShadowWave {
-    static constexpr int kMostRays = 32;  // of a first vertex
-    static constexpr int kStorage = kMostRays * (kWaveSamples + 16);
-    static_assert(kStorage >= kWaveStorage);
+    /// About as many rays are traced together, but always those of one vector of vertices.
+    static constexpr int kRays = 32 * kWaveSamples;
+    static constexpr int kLanes = 16;
 
+    int first = 0, last = 0;
     int stride = 0;  // from a vertex's ray to its next one
     int rays = 0;    // of each vertex
     int count = 0;   // of rays that were asked for
     Floats3 origin;  // by vertex
     Floats time;     // by vertex
     Floats3 sum;     // by vertex: all light that arrives
-    alignas(64) float x[kStorage];
-    alignas(64) float y[kStorage];
-    alignas(64) float z[kStorage];
-    alignas(64) float t_max[kStorage];  // m; 0: no ray
-    alignas(64) float red[kStorage];    // of the light that arrives unless occluded
-    alignas(64) float green[kStorage];
-    alignas(64) float blue[kStorage];
+    std::vector<float> x, y, z;
+    std::vector<float> t_max;             // m; 0: no ray
+    std::vector<float> red, green, blue;  // of the light that arrives unless occluded
+    // Of each ray, in scenes with surfaces that transmit.
+    std::vector<float> origin_x, origin_y, origin_z;
 
-    /// The `k`th rays of `vertices` vertices.
-    [[nodiscard]] RayBatch batch(int k, int vertices) const {
-        const int first = k * stride;
-        return {vertices,
-                {origin.x.at, origin.y.at, origin.z.at},
-                {x + first, y + first, z + first},
-                time.at,
+    /// Of the vertices from `from` on takes as many as fit, to whom so many `rays` will be added.
+    void begin(int from, int vertices, int rays_of_each, bool has_origins) {
+        first = from;
+        rays = rays_of_each;
+        const int most = rays > 0 ? kRays / rays / kLanes * kLanes : vertices;
+        last = std::min(vertices, from + std::max(most, kLanes));
+        stride = last - first + kLanes;
+        const std::size_t size = static_cast<std::size_t>(stride) * static_cast<std::size_t>(rays);
+        for (auto* numbers : {&x, &y, &z, &t_max, &red, &green, &blue}) {
+            numbers->resize(std::max(numbers->size(), size));
+        }
+        for (auto* numbers : {&origin_x, &origin_y, &origin_z}) {
+            numbers->resize(has_origins ? std::max(numbers->size(), size) : 0);
+        }
+    }
+    /// Where the `k`th ray of a vertex is.
+    [[nodiscard]] std::size_t place(int k, int vertex) const {
+        return static_cast<std::size_t>(k) * static_cast<std::size_t>(stride) +
+               static_cast<std::size_t>(vertex - first);
+    }
+    /// The `k`th rays of all vertices.
+    [[nodiscard]] RayBatch batch(int k) const {
+        const std::size_t at = place(k, first);
+        const bool has_origins = !origin_x.empty();
+        return {last - first,
+                {has_origins ? &origin_x[at] : origin.x.at + first,
+                 has_origins ? &origin_y[at] : origin.y.at + first,
+                 has_origins ? &origin_z[at] : origin.z.at + first},
+                {&x[at], &y[at], &z[at]},
+                time.at + first,
                 RayKind::shadow};
     }
 };

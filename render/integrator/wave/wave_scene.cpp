@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <variant>
 
+#include "render/integrator/light_hits.h"
+
 namespace carom::render {
 namespace {
 
@@ -37,20 +39,42 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
     return light;
 }
 
-void add_material(const Material& material, WaveMaterials& materials) {
-    const auto layers = material.layers().numbers();
+template <class Numbers>
+void add_numbers(const Numbers& numbers, WaveNumberTable& table) {
     std::size_t place = 0;
-    scalar::LayersOf<scalar::One>::each_number(layers, [&](float number) {
-        if (place == materials.numbers.size()) {
-            materials.numbers.emplace_back();
+    Numbers::each_number(numbers, [&](float number) {
+        if (place == table.size()) {
+            table.emplace_back();
         }
-        materials.numbers[place++].push_back(number);
+        table[place++].push_back(number);
     });
-    const auto tables = AlbedoNumbers::each(layers.tables);
-    for (std::size_t kind = 0; kind < tables.size(); ++kind) {
-        const float* const table = *tables[kind];
-        materials.albedos[kind].insert(materials.albedos[kind].end(), table, table + kAlbedoNodes);
+}
+
+WaveMaterials make_materials(const std::vector<Material>& all) {
+    WaveMaterials materials;
+    const auto has = [&](bool (Material::*trait)() const) {
+        return std::any_of(all.begin(), all.end(),
+                           [&](const Material& material) { return (material.*trait)(); });
+    };
+    materials.transmits = has(&Material::is_transmissive);
+    for (const Material& material : all) {
+        const auto numbers = material.numbers();
+        add_numbers(numbers, materials.layers);
+        if (has(&Material::is_glass)) {
+            add_numbers(numbers.glass, materials.glass);
+        }
+        if (has(&Material::is_phong)) {
+            add_numbers(numbers.phong, materials.phong);
+        }
+        materials.is_phong.push_back(material.is_phong() ? 1.0F : 0.0F);
+        const auto tables = AlbedoNumbers::each(numbers.tables);
+        for (std::size_t kind = 0; kind < tables.size(); ++kind) {
+            const float* const table = *tables[kind];
+            materials.albedos[kind].insert(materials.albedos[kind].end(), table,
+                                           table + kAlbedoNodes);
+        }
     }
+    return materials;
 }
 
 }  // namespace
@@ -68,7 +92,8 @@ WaveScene make_wave_scene(const TransportScene& scene, const PathSettings& setti
                           const Caustics& caustics) {
     WaveScene known;
     known.lights = &scene.lights;
-    for (std::size_t light = 0; light < scene.lights.sampled_count(); ++light) {
+    const bool samples = settings.strategy != DirectStrategy::scattering_only;
+    for (std::size_t light = 0; samples && light < scene.lights.sampled_count(); ++light) {
         known.light.push_back(known_light(scene.lights, light));
     }
     known.environment_importance = scene.lights.environment().importance();
@@ -82,13 +107,12 @@ WaveScene make_wave_scene(const TransportScene& scene, const PathSettings& setti
     known.ball_of_object = caustics.ball_of_object();
     known.ball_of_object.resize(scene.frame.object_count(), -1);
     known.groups = make_wave_groups(scene);
-    for (const Material& material : scene.materials) {
-        add_material(material, known.materials);
-    }
+    known.materials = make_materials(scene.materials);
     const Environment& environment = scene.lights.environment();
     if (environment.is_sampled() && environment.picture().distribution.density != nullptr) {
         known.sky = environment.picture();
     }
+    known.strategy = settings.strategy;
     known.max_bounces = settings.max_bounces;
     const bool has_gloss =
         std::any_of(known.groups.traits.begin(), known.groups.traits.end(),

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render/integrator/caustics.h"
-#include "render/integrator/path_integrator.h"
+#include "render/integrator/path_settings.h"
 #include "render/integrator/transport_scene.h"
 #include "render/integrator/wave/wave_groups.h"
 #include "render/light/light_set.h"
@@ -33,9 +33,15 @@ struct WaveLight {
     [[nodiscard]] bool is_environment() const { return kind == Kind::environment; }
 };
 
-/// LayerConstants of the materials, as a structure of arrays.
+/// The numbers of a kind of all materials, in the order of its each_number.
+using WaveNumberTable = std::vector<std::vector<float>>;
+
+/// Materials as a structure of arrays (material/kernels/material_numbers.h).
 struct WaveMaterials {
-    std::vector<std::vector<float>> numbers;  // in the order of LayersOf::each_number
+    WaveNumberTable layers;
+    WaveNumberTable glass, phong;  // empty if no material has any
+    std::vector<float> is_phong;   // 1 or 0
+    bool transmits = false;        // some material does
     // kAlbedoNodes numbers for each material, by kind of table.
     std::array<std::vector<float>, kAlbedoKinds> albedos;
 
@@ -56,6 +62,7 @@ struct WaveScene {
 
     WaveMaterials materials;
     WaveGroups groups;
+    DirectStrategy strategy = DirectStrategy::both;
     int max_bounces = 0;
     int split_vertices = 0;
     int glossy_samples = 1;

@@ -301,7 +301,7 @@ TEST(Render, Settings_FillEveryField) {
     EXPECT_EQ(r.clamp, 8);
     EXPECT_EQ(r.filter, render::PixelFilter::gaussian);
     EXPECT_EQ(r.filter_width, 2);
-    EXPECT_EQ(r.acceleration, render::AccelerationKind::embree);
+    EXPECT_EQ(r.acceleration, "embree");
     EXPECT_EQ(r.seed, 12U);
     EXPECT_THAT(r.aovs, testing::ElementsAre("depth", "variance"));
     EXPECT_EQ(load_sections("").render, render::RenderSettings{});

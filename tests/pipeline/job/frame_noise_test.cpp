@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "lab/structures/make_structure.h"
+#include "render/frame/frame.h"
 #include "tests/folders.h"
 #include "tests/pipeline/job/example_frames.h"
 #include "tests/scratch_folder.h"
@@ -53,10 +55,14 @@ class FrameNoise : public ::testing::Test {
 
 TEST_F(FrameNoise, OtherAccelerationStructures_HaveTheSameNoise) {
     const std::vector<float> usual = picture();
-    for (const auto kind : {render::AccelerationKind::embree, render::AccelerationKind::wide_bvh}) {
-        film_.shot.render.acceleration = kind;
+    for (const auto kind : {render::AccelerationKind::embree, render::AccelerationKind::bvh}) {
+        const FrameInputs inputs = film_.inputs(kFrame);
+        const render::PreparedScene scene(film_.shot.scene, film_.shot.render,
+                                          render::structure_maker(kind));
+        const std::vector<float> other =
+            render::render_frame(scene, inputs.tracks, inputs.frame, film_.shot.render).rgba;
         // At edges, rounding sends a few paths to another surface.
-        EXPECT_LT(changed(usual, picture(), 1e-3F), 0.02) << static_cast<int>(kind);
+        EXPECT_LT(changed(usual, other, 1e-3F), 0.02) << name_of(kind);
     }
 }
 

@@ -6,7 +6,6 @@
 #include <numbers>
 #include <vector>
 
-#include "render/acceleration/embree_structure.h"
 #include "render/acceleration/moving_shape.h"
 #include "render/acceleration/shapes.h"
 #include "render/acceleration/triangle_scene.h"
@@ -161,7 +160,6 @@ struct RandomScene {
     render::ShapeSet shapes;
     std::vector<std::unique_ptr<render::TriangleMesh>> meshes;
     std::vector<render::MeshEntry> static_meshes;
-    std::shared_ptr<const render::EmbreeDevice> device = render::make_embree_device();
     std::uint32_t object_count = 0;
 
     void add_static(TestRandom& random, int count) {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/acceleration/embree_structure.h"
+#include "lab/structures/embree_structure.h"
 #include "render/acceleration/hybrid_structure.h"
 #include "render/geometry/intersect.h"
 #include "tests/render/acceleration/owned_batch.h"
@@ -24,7 +24,7 @@ struct Structures {
     explicit Structures(const RandomScene& scene)
         : hybrid(scene.shapes),
           tree(scene.shapes, 0),
-          embree(scene.device, scene.shapes, scene.static_meshes) {}
+          embree(make_embree_device(), scene.shapes, scene.static_meshes) {}
     HybridStructure hybrid;
     HybridStructure tree;
     EmbreeStructure embree;
@@ -219,7 +219,7 @@ TEST(Structures, MoreSpheresThanLanes_SameHits) {
                                     0.2f, scene.object_count++);
         }
         const HybridStructure hybrid(scene.shapes);
-        const EmbreeStructure embree(scene.device, scene.shapes, {});
+        const EmbreeStructure embree(make_embree_device(), scene.shapes, {});
         for (int i = 0; i < 3'000; ++i) {
             const Ray ray = test::random_ray(random, 2);
             Hit a;
@@ -332,7 +332,7 @@ TEST(Structures, SameDistance_LowerObjectIsReported) {
 TEST(Structures, NothingInTheScene_NoHit) {
     const RandomScene scene;
     const HybridStructure hybrid(scene.shapes);
-    const EmbreeStructure embree(scene.device, scene.shapes, {});
+    const EmbreeStructure embree(make_embree_device(), scene.shapes, {});
     for (const AccelerationStructure* structure :
          {static_cast<const AccelerationStructure*>(&hybrid),
           static_cast<const AccelerationStructure*>(&embree)}) {

@@ -2,16 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "render/acceleration/embree_handles.h"
-
 namespace carom::render {
 namespace {
-
-/// Whether Embree traces eight rays together, which it does from AVX on.
-bool embree_has_eight_lanes() {
-    const EmbreeDevice device;
-    return rtcGetDeviceProperty(device.get(), RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED) != 0;
-}
 
 TEST(VectorTier, NameOfAnOption_IsThatOfKeys) {
     EXPECT_EQ(tier_named("avx2"), "AVX2");
@@ -28,10 +20,8 @@ TEST(VectorTier, EveryMachine_HasTheLowestAndItsOwn) {
     EXPECT_FALSE(machine_has_tier(""));
 }
 
-TEST(VectorTier, Limit_HoldsForOurKernelsAndEmbreeUntilItEnds) {
+TEST(VectorTier, Limit_HoldsUntilItEnds) {
     const std::string_view usual = simd_tier();
-    const bool usual_lanes = embree_has_eight_lanes();
-    EXPECT_EQ(usual_lanes, usual == "AVX2");
     for (const std::string_view option : kTierOptions) {
         const std::string_view tier = tier_named(option);
         if (!machine_has_tier(tier)) {
@@ -39,10 +29,8 @@ TEST(VectorTier, Limit_HoldsForOurKernelsAndEmbreeUntilItEnds) {
         }
         const TierLimit limit(tier);
         EXPECT_EQ(simd_tier(), tier);
-        EXPECT_EQ(embree_has_eight_lanes(), tier == "AVX2");
     }
     EXPECT_EQ(simd_tier(), usual);
-    EXPECT_EQ(embree_has_eight_lanes(), usual_lanes);
 }
 
 }  // namespace

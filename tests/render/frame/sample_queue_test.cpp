@@ -14,12 +14,6 @@ namespace {
 /// Adds nothing, but records the requests.
 class CountingIntegrator final : public Integrator {
   public:
-    [[nodiscard]] RadianceSample sample(const Ray& /*ray*/, float /*spread*/,
-                                        const SampleStream& /*stream*/,
-                                        const SampleIndex& /*index*/,
-                                        RenderStatistics& /*count*/) const override {
-        return {};
-    }
     void samples(const CameraRun& run, float /*spread*/, RadianceSample* /*results*/,
                  Workspace* /*workspace*/, RenderStatistics& /*count*/) const override {
         EXPECT_EQ(run.first, static_cast<int>(sizes.size()) % CameraBatch::kMost * run.count);
@@ -71,16 +65,18 @@ TEST(SampleQueue, StopBetweenSamples_LeavesTheOthersOut) {
 /// Returns what no sample may be, once.
 class FaultyIntegrator final : public Integrator {
   public:
-    [[nodiscard]] RadianceSample sample(const Ray& /*ray*/, float /*spread*/,
-                                        const SampleStream& /*stream*/, const SampleIndex& index,
-                                        RenderStatistics& /*count*/) const override {
-        RadianceSample sample;
-        sample.radiance = V3f(1, 2, 3);
-        if (index.sample == 2) {
-            sample.radiance.y = index.x == 3 ? std::numeric_limits<float>::quiet_NaN() : -1;
-            sample.coverage = 1;
+    void samples(const CameraRun& run, float /*spread*/, RadianceSample* results,
+                 Workspace* /*workspace*/, RenderStatistics& /*count*/) const override {
+        for (int i = 0; i < run.count; ++i) {
+            RadianceSample sample;
+            sample.radiance = V3f(1, 2, 3);
+            if (run.index(i).sample == 2) {
+                sample.radiance.y =
+                    run.index(i).x == 3 ? std::numeric_limits<float>::quiet_NaN() : -1;
+                sample.coverage = 1;
+            }
+            results[i] = sample;
         }
-        return sample;
     }
 };
 

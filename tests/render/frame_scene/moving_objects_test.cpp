@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lab/structures/make_structure.h"
 #include "render/acceleration/moving_shape.h"
 #include "render/geometry/intersect.h"
 #include "render/geometry/rigid_motion.h"
@@ -90,8 +91,8 @@ std::optional<double> expected_hit(const MotionState& state, const Vec3& half, c
         RaySegment<double>{origin / half, direction / half});
 }
 
-void expect_box_hits(const SceneBuilder& builder, const Vec3& half, AccelerationKind kind) {
-    const BuiltScene scene(builder, kOpen, kClose, kind);
+void expect_box_hits(const SceneBuilder& builder, const Vec3& half, const StructureMaker& maker) {
+    const BuiltScene scene(builder, kOpen, kClose, maker);
     TestRandom random(2);
     int hits = 0;
     int differing = 0;
@@ -128,16 +129,18 @@ void expect_box_hits(const SceneBuilder& builder, const Vec3& half, Acceleration
 TEST(MovingBox, TumblingBox_IsWhereTheTrackHasIt) {
     SceneBuilder builder;
     builder.add_moving(BoxShape{Vec3(0.2, 0.4, 0.3)}, tumbling(), Vec3(1, 2, 1));
-    for (const AccelerationKind kind : {AccelerationKind::hybrid, AccelerationKind::embree}) {
-        expect_box_hits(builder, Vec3(0.1, 0.4, 0.15), kind);
+    for (const StructureMaker& maker :
+         {StructureMaker(), structure_maker(AccelerationKind::embree)}) {
+        expect_box_hits(builder, Vec3(0.1, 0.4, 0.15), maker);
     }
 }
 
 /// All points within `radius` of the box |p| <= core.
-void expect_round_hits(const Shape& shape, const Vec3& core, double radius, AccelerationKind kind) {
+void expect_round_hits(const Shape& shape, const Vec3& core, double radius,
+                       const StructureMaker& maker) {
     SceneBuilder builder;
     builder.add_moving(shape, tumbling());
-    const BuiltScene scene(builder, kOpen, kClose, kind);
+    const BuiltScene scene(builder, kOpen, kClose, maker);
     TestRandom random(7);
     for (int i = 0; i < 20'000; ++i) {
         const float time = random.unit();
@@ -167,23 +170,26 @@ void expect_round_hits(const Shape& shape, const Vec3& core, double radius, Acce
 }
 
 TEST(MovingCapsule, TumblingCapsule_IsWhereTheTrackHasIt) {
-    for (const AccelerationKind kind : {AccelerationKind::hybrid, AccelerationKind::embree}) {
-        expect_round_hits(CapsuleShape{0.1, 0.5}, Vec3(0, 0, 0.25), 0.1, kind);
+    for (const StructureMaker& maker :
+         {StructureMaker(), structure_maker(AccelerationKind::embree)}) {
+        expect_round_hits(CapsuleShape{0.1, 0.5}, Vec3(0, 0, 0.25), 0.1, maker);
     }
 }
 
 TEST(MovingRoundedBox, TumblingBox_IsWhereTheTrackHasIt) {
-    for (const AccelerationKind kind : {AccelerationKind::hybrid, AccelerationKind::embree}) {
+    for (const StructureMaker& maker :
+         {StructureMaker(), structure_maker(AccelerationKind::embree)}) {
         expect_round_hits(RoundedBoxShape{Vec3(0.4, 0.5, 0.8), 0.1}, Vec3(0.1, 0.15, 0.3), 0.1,
-                          kind);
+                          maker);
     }
 }
 
 TEST(MovingMesh, TumblingMesh_IsWhereTheTrackHasIt) {
     SceneBuilder builder;
     builder.add_moving(cube_mesh(), tumbling(), Vec3(0.1, 0.4, 0.15));
-    for (const AccelerationKind kind : {AccelerationKind::hybrid, AccelerationKind::embree}) {
-        expect_box_hits(builder, Vec3(0.1, 0.4, 0.15), kind);
+    for (const StructureMaker& maker :
+         {StructureMaker(), structure_maker(AccelerationKind::embree)}) {
+        expect_box_hits(builder, Vec3(0.1, 0.4, 0.15), maker);
     }
 }
 
@@ -214,8 +220,8 @@ TEST(SweptBounds, OfATumblingTile_HoldItsCornersAndLittleElse) {
 /// The number of rays that hit; `hybrid` and Embree must give the same hits, except for the last
 /// bits on meshes, for which Embree has its own test.
 int compare_structures(const SceneBuilder& builder, int rays) {
-    const BuiltScene hybrid(builder, kOpen, kClose, AccelerationKind::hybrid);
-    const BuiltScene embree(builder, kOpen, kClose, AccelerationKind::embree);
+    const BuiltScene hybrid(builder, kOpen, kClose);
+    const BuiltScene embree(builder, kOpen, kClose, structure_maker(AccelerationKind::embree));
     TestRandom random(3);
     int hits = 0;
     for (int i = 0; i < rays; ++i) {

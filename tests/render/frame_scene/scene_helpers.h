@@ -85,14 +85,8 @@ struct BuiltScene {
     FrameScene frame;
 
     BuiltScene(const SceneBuilder& builder, double open = 0, double close = 0,
-               AccelerationKind kind = AccelerationKind::hybrid)
-        : geometry(builder.scene, settings(kind)), frame(geometry, builder.tracks, open, close) {}
-
-    static RenderSettings settings(AccelerationKind kind) {
-        RenderSettings result;
-        result.acceleration = kind;
-        return result;
-    }
+               const StructureMaker& maker = {})
+        : geometry(builder.scene, {}, maker), frame(geometry, builder.tracks, open, close) {}
 };
 
 inline Ray ray_from(const Vec3& origin, const Vec3& target, float time = 0) {

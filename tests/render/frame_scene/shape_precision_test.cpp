@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lab/structures/make_structure.h"
 #include "tests/render/frame_scene/scene_helpers.h"
 
 namespace carom::test {
@@ -258,7 +259,8 @@ void compare(const BuiltScene& scene, const Case& c, const Mat44& world_from_obj
 }
 
 TEST(Shapes, UnderAnyAffineMap_HitsPlacesNormalsAndUvAreThoseOfDoublePrecision) {
-    for (const AccelerationKind kind : {AccelerationKind::hybrid, AccelerationKind::embree}) {
+    for (const StructureMaker& maker :
+         {StructureMaker(), structure_maker(AccelerationKind::embree)}) {
         TestRandom random(11);
         for (const Case& c : cases()) {
             Tally tally;
@@ -266,7 +268,7 @@ TEST(Shapes, UnderAnyAffineMap_HitsPlacesNormalsAndUvAreThoseOfDoublePrecision) 
                 const Mat44 map = random_affine(random);
                 SceneBuilder builder;
                 builder.add(c.shape, map);
-                const BuiltScene scene(builder, 0, 0, kind);
+                const BuiltScene scene(builder, 0, 0, maker);
                 const Vec3 centre(map[3][0], map[3][1], map[3][2]);
                 for (int i = 0; i < 1500; ++i) {
                     const float distance = i % 3 == 0 ? 0.5f : (i % 3 == 1 ? 4 : 40);

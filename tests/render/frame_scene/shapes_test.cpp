@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "lab/structures/make_structure.h"
 #include "tests/render/frame_scene/scene_helpers.h"
 
 namespace carom::test {
@@ -235,7 +236,8 @@ TEST(Shapes, TrackedObjects_AreMappedBeforeTheyMove) {
     Mat44 map;
     map[1][0] = 0.5;  // y leans towards x
     map[3][0] = 2;
-    for (const AccelerationKind kind : {AccelerationKind::hybrid, AccelerationKind::embree}) {
+    for (const StructureMaker& maker :
+         {StructureMaker(), structure_maker(AccelerationKind::embree)}) {
         SceneBuilder builder;
         const Quat turn = turn_about(Vec3(0, 0, 1), kPi / 2);
         builder.tracks.emplace_back(
@@ -243,7 +245,7 @@ TEST(Shapes, TrackedObjects_AreMappedBeforeTheyMove) {
                                           key_at(1, Vec3(1, 0, 0), Vec3(1, 0, 0), Vec3(0), turn)});
         builder.add(BoxShape{Vec3(1, 1, 1)}, map, "path");
         builder.add(ConeShape{1, 0, 2}, Mat44(), "path");
-        const BuiltScene scene(builder, 0, 1, kind);
+        const BuiltScene scene(builder, 0, 1, maker);
         // The box's point (0.3, 0.4, 0.5) at time 0.5.
         const Vec3 in_body = Vec3(0.3, 0.4, 0.5) * map;
         const Vec3 in_world = turn.rotateVector(in_body) + Vec3(0.5, 0, 0);

@@ -1,4 +1,4 @@
-#include "render/acceleration/embree_user_shapes.h"
+#include "lab/structures/embree_user_shapes.h"
 
 #include <cmath>
 

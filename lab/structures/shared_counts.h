@@ -2,8 +2,9 @@
 #pragma once
 
 #include <mutex>
+#include <utility>
 
-#include "render/acceleration/test_counts.h"
+#include "lab/structures/test_counts.h"
 
 namespace carom::render {
 
@@ -15,13 +16,14 @@ class SharedCounts {
         const std::scoped_lock lock(mutex_);
         counts_[kind] += counts;
     }
-    [[nodiscard]] TestCounts current() const {
+    /// All since the last call.
+    [[nodiscard]] TestCounts take() {
         const std::scoped_lock lock(mutex_);
-        return counts_;
+        return std::exchange(counts_, {});
     }
 
   private:
-    mutable std::mutex mutex_;
+    std::mutex mutex_;
     TestCounts counts_;
 };
 

@@ -3,6 +3,8 @@
 
 namespace carom::render {
 
+class SharedCounts;
+
 /// Sizes that some structures of the laboratory leave open; 0: the structure's own.
 struct StructureSizes {
     int leaf_capacity = 0;    // the most shapes that are not divided any further
@@ -11,8 +13,8 @@ struct StructureSizes {
 };
 
 struct StructureOptions {
-    bool counts = false;           // tests are counted
-    bool shadow_rays_stop = true;  // at the first hit; otherwise they find the nearest one
+    SharedCounts* counts = nullptr;  // if given, tests are counted; outlives the structure
+    bool shadow_rays_stop = true;    // at the first hit; otherwise they find the nearest one
     StructureSizes sizes{};
 };
 

@@ -1,4 +1,4 @@
-#include "render/acceleration/primitives.h"
+#include "lab/structures/primitives.h"
 
 #include <algorithm>
 #include <array>

@@ -4,9 +4,33 @@
 #include <array>
 #include <string_view>
 
-#include "render/scene/render_settings.h"
-
 namespace carom::render {
+
+enum class AccelerationKind {
+    hybrid,  // the renderer's own
+    embree,
+    brute_force,
+    single_boxes,
+    grid,
+    octree,
+    octree_queue,
+    octree_loose,
+    octree_enclosing,
+    octree_overlapping,
+    octree_cut,
+    kd_tree,
+    kd_tree_median,
+    bsp_tree,
+    r_tree,
+    r_tree_hilbert,
+    r_tree_cyclic,
+    slabs,
+    box_volumes,
+    sphere_volumes,
+    oriented_box_volumes,
+    bvh,
+    wide_bvh
+};
 
 struct AccelerationName {
     std::string_view name;

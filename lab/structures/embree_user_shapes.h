@@ -1,8 +1,8 @@
 // Primitives as Embree user geometry. Internal to this folder.
 #pragma once
 
-#include "render/acceleration/embree_handles.h"
-#include "render/acceleration/primitives.h"
+#include "lab/structures/embree_handles.h"
+#include "lab/structures/primitives.h"
 
 namespace carom::render {
 

@@ -1,9 +1,9 @@
-#include "render/acceleration/embree_structure.h"
+#include "lab/structures/embree_structure.h"
 
 #include <utility>
 #include <vector>
 
-#include "render/acceleration/embree_user_shapes.h"
+#include "lab/structures/embree_user_shapes.h"
 #include "render/acceleration/mesh_entry.h"
 #include "render/acceleration/safe_ray.h"
 

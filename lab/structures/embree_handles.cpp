@@ -1,4 +1,4 @@
-#include "render/acceleration/embree_handles.h"
+#include "lab/structures/embree_handles.h"
 
 #include <algorithm>
 #include <string_view>

@@ -4,7 +4,7 @@
 #include <memory>
 #include <span>
 
-#include "render/acceleration/measured_structure.h"
+#include "render/acceleration/acceleration_structure.h"
 #include "render/acceleration/shapes.h"
 
 namespace carom::render {
@@ -19,7 +19,7 @@ struct MeshEntry;
 /// bounds, and static meshes are triangles of the same scene. The hits are those of
 /// HybridStructure, except that of two triangles at exactly the same distance either may be
 /// reported.
-class EmbreeStructure final : public MeasuredStructure {
+class EmbreeStructure final : public AccelerationStructure {
   public:
     /// `shapes.meshes` is not used: the static meshes are given by `meshes` and must outlive this
     /// object. Throws Error.
@@ -31,7 +31,8 @@ class EmbreeStructure final : public MeasuredStructure {
 
     [[nodiscard]] bool closest_hit(const Ray& ray, Hit& hit) const override;
     [[nodiscard]] bool any_hit(const Ray& ray) const override;
-    [[nodiscard]] std::size_t bytes() const override;
+    /// Memory of all scenes of the device.
+    [[nodiscard]] std::size_t bytes() const;
 
   private:
     struct Data;

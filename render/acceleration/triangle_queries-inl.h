@@ -1,0 +1,244 @@
+// The tests of triangles in the leaves of a tree. Included once per instruction set.
+#include <algorithm>
+
+#include "render/acceleration/tree_traversal-inl.h"
+#include "render/acceleration/triangle_tree.h"
+#include "render/triangle/moller_trumbore-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace carom::render::HWY_NAMESPACE {
+
+namespace kernels = triangle::HWY_NAMESPACE;
+
+#define CAROM_KERNEL HWY_INLINE
+#define CAROM_KERNEL_ATTRIBUTE HWY_ATTR
+#include "render/acceleration/kernels/culling.h"
+#undef CAROM_KERNEL_ATTRIBUTE
+#undef CAROM_KERNEL
+
+using PacketLanes = VectorLanes<PacketTag>;
+
+template <class L>
+HWY_INLINE kernels::Triple<typename L::Value> triple_of(const V3f& v) {
+    return {{L::all(v.x), L::all(v.y), L::all(v.z)}};
+}
+
+template <class D>
+HWY_INLINE kernels::HitIn<VectorLanes<D>> test(
+    const kernels::Triple<hn::Vec<D>>& origin, const kernels::Triple<hn::Vec<D>>& direction,
+    const kernels::MollerTrumbore::Record<VectorLanes<D>>& triangles, float t_min) {
+    const D d;
+    return kernels::MollerTrumbore::intersect<triangle::Division::early>(
+        kernels::RayIn<VectorLanes<D>>{origin, direction, hn::Set(d, t_min), hn::Set(d, kInfinity)},
+        triangles);
+}
+
+/// The triangles of a leaf, from `lane` on, for one ray.
+HWY_INLINE kernels::HitIn<VectorLanes<ChildTag>> test_block(const TriangleBlock& block, int lane,
+                                                            const Ray& ray) {
+    using L = VectorLanes<ChildTag>;
+    const auto load = [&](const FloatLanes(&numbers)[3]) HWY_ATTR {
+        const ChildTag d;
+        return kernels::Triple<L::Value>{{hn::Load(d, numbers[0].values + lane),
+                                          hn::Load(d, numbers[1].values + lane),
+                                          hn::Load(d, numbers[2].values + lane)}};
+    };
+    return test<ChildTag>(triple_of<L>(ray.origin), triple_of<L>(ray.direction),
+                          {load(block.corner), load(block.edge_b), load(block.edge_c)}, ray.t_min);
+}
+
+/// Whether no triangle of a leaf can be hit before `limit`.
+HWY_INLINE bool stays_beyond(const LeafSlab& slab, const Ray& ray, float limit) {
+    using L = ScalarLanes<float>;
+    return stay_beyond<L>(slab, triple_of<L>(ray.origin), triple_of<L>(ray.direction), limit);
+}
+
+/// The nearest hit of one ray, whose distance is `limit`. Of the ray, t_max is not used.
+struct ClosestOfRay {
+    const TriangleTree& tree;
+    Ray ray;
+    float& limit;
+    std::int32_t& object;
+    std::int32_t& primitive;
+    float& u;
+    float& v;
+
+    HWY_INLINE bool operator()(std::uint32_t leaf, const SingleRay::Entry& entry) const {
+        if (stays_beyond(tree.slabs[leaf], ray, limit)) {
+            return false;
+        }
+        const ChildTag d;
+        const TriangleNames& names = tree.names[leaf];
+        for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
+            const auto hit = test_block(tree.blocks[leaf], lane, ray);
+            const auto distance = hn::Max(hit.t, hn::Set(d, entry.enter));
+            const auto near = hn::And(hit.valid, hn::Le(distance, hn::Set(d, limit)));
+            if (hn::AllFalse(d, near)) {
+                continue;
+            }
+            alignas(32) float t[kBlockLanes];
+            alignas(32) float us[kBlockLanes];
+            alignas(32) float vs[kBlockLanes];
+            std::uint8_t bits[8] = {};
+            hn::StoreMaskBits(d, near, bits);
+            hn::Store(distance, d, t);
+            hn::Store(hit.u, d, us);
+            hn::Store(hit.v, d, vs);
+            for (unsigned left = bits[0]; left != 0; left &= left - 1) {
+                const int k = std::countr_zero(left);
+                offer(names.object.values[lane + k], names.number.values[lane + k], t[k], us[k],
+                      vs[k]);
+            }
+        }
+        return false;
+    }
+
+    HWY_INLINE void offer(std::int32_t other, std::int32_t number, float t, float at_u,
+                          float at_v) const {
+        const bool is_lower = other < object || (other == object && number < primitive);
+        if (t < limit || (t == limit && is_lower)) {
+            limit = t;
+            object = other;
+            primitive = number;
+            u = at_u;
+            v = at_v;
+        }
+    }
+};
+
+/// Occlusion of one ray, whose limit becomes -1.
+struct AnyOfRay {
+    const TriangleTree& tree;
+    Ray ray;
+    float& limit;
+
+    HWY_INLINE bool operator()(std::uint32_t leaf, const SingleRay::Entry& entry) const {
+        if (stays_beyond(tree.slabs[leaf], ray, limit)) {
+            return false;
+        }
+        const ChildTag d;
+        for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
+            const auto hit = test_block(tree.blocks[leaf], lane, ray);
+            const auto distance = hn::Max(hit.t, hn::Set(d, entry.enter));
+            if (!hn::AllFalse(d, hn::And(hit.valid, hn::Lt(distance, hn::Set(d, limit))))) {
+                limit = -1;
+                return true;
+            }
+        }
+        return false;
+    }
+};
+
+/// What both queries of packets share.
+struct PacketQuery {
+    const TriangleTree& tree;
+    PacketRays& rays;
+
+    [[nodiscard]] HWY_INLINE Ray ray(int i) const {
+        Ray ray;
+        ray.origin = V3f(rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]);
+        ray.direction = V3f(rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]);
+        ray.t_min = rays.t_min;
+        return ray;
+    }
+
+    /// Calls `offer(k, hit)` for each triangle of a leaf with the hits of all rays; the distances
+    /// of rays that do not meet the leaf are infinite.
+    template <class Offer>
+    HWY_INLINE void test_leaf(std::uint32_t leaf, const PacketRays::Entry& entry,
+                              const Offer& offer) const {
+        using Triple = kernels::Triple<hn::Vec<PacketTag>>;
+        const PacketTag d;
+        const auto load = [&](const float(&numbers)[3][kPacketLanes]) HWY_ATTR {
+            return Triple{
+                {hn::Load(d, numbers[0]), hn::Load(d, numbers[1]), hn::Load(d, numbers[2])}};
+        };
+        const Triple origin = load(rays.origin);
+        const Triple direction = load(rays.direction);
+        const auto gone =
+            stay_beyond<PacketLanes>(tree.slabs[leaf], origin, direction, hn::Load(d, rays.limit));
+        const auto meets = hn::AndNot(gone, rays.active(entry));
+        if (hn::AllFalse(d, meets)) {
+            return;
+        }
+        const auto enter = hn::IfThenElse(meets, hn::Load(d, entry.enter), hn::Set(d, kInfinity));
+        const TriangleBlock& block = tree.blocks[leaf];
+        for (int k = 0; k < kBlockLanes && tree.names[leaf].object.values[k] >= 0; ++k) {
+            const auto in_all = [&](const FloatLanes(&numbers)[3]) HWY_ATTR {
+                return Triple{{hn::Set(d, numbers[0].values[k]), hn::Set(d, numbers[1].values[k]),
+                               hn::Set(d, numbers[2].values[k])}};
+            };
+            auto hit = test<PacketTag>(
+                origin, direction,
+                {in_all(block.corner), in_all(block.edge_b), in_all(block.edge_c)}, rays.t_min);
+            hit.t = hn::Max(hit.t, enter);
+            offer(k, hit);
+        }
+    }
+};
+
+struct alignas(64) PacketHits {
+    std::int32_t object[kPacketLanes];
+    std::int32_t primitive[kPacketLanes];
+    float u[kPacketLanes], v[kPacketLanes];
+};
+
+/// Nearest hits of a packet; distances are the rays' limits.
+struct ClosestOfPacket : PacketQuery {
+    static constexpr Order kOrder = Order::nearest_first;
+    PacketHits& hits;
+
+    [[nodiscard]] HWY_INLINE ClosestOfRay of_one(int i) const {
+        return {tree,      ray(i),   rays.limit[i], hits.object[i], hits.primitive[i],
+                hits.u[i], hits.v[i]};
+    }
+
+    HWY_INLINE bool operator()(std::uint32_t leaf, const PacketRays::Entry& entry) const {
+        const PacketTag d;
+        const hn::RebindToSigned<PacketTag> di;
+        const TriangleNames& names = tree.names[leaf];
+        test_leaf(leaf, entry, [&](int k, const kernels::HitIn<PacketLanes>& hit) HWY_ATTR {
+            const auto limit = hn::Load(d, rays.limit);
+            auto take = hn::And(hit.valid, hn::Le(hit.t, limit));
+            if (hn::AllFalse(d, take)) {
+                return;
+            }
+            const auto object = hn::Set(di, names.object.values[k]);
+            const auto number = hn::Set(di, names.number.values[k]);
+            const auto old_object = hn::Load(di, hits.object);
+            const auto old_number = hn::Load(di, hits.primitive);
+            const auto lower =
+                hn::Or(hn::Lt(object, old_object),
+                       hn::And(hn::Eq(object, old_object), hn::Lt(number, old_number)));
+            take = hn::And(take, hn::Or(hn::Lt(hit.t, limit), hn::RebindMask(d, lower)));
+            hn::Store(hn::IfThenElse(take, hit.t, limit), d, rays.limit);
+            const auto take_int = hn::RebindMask(di, take);
+            hn::Store(hn::IfThenElse(take_int, object, old_object), di, hits.object);
+            hn::Store(hn::IfThenElse(take_int, number, old_number), di, hits.primitive);
+            hn::Store(hn::IfThenElse(take, hit.u, hn::Load(d, hits.u)), d, hits.u);
+            hn::Store(hn::IfThenElse(take, hit.v, hn::Load(d, hits.v)), d, hits.v);
+        });
+        return false;
+    }
+};
+
+/// Occlusion of a packet: limits become -1.
+struct AnyOfPacket : PacketQuery {
+    static constexpr Order kOrder = Order::any;
+
+    [[nodiscard]] HWY_INLINE AnyOfRay of_one(int i) const { return {tree, ray(i), rays.limit[i]}; }
+
+    HWY_INLINE bool operator()(std::uint32_t leaf, const PacketRays::Entry& entry) const {
+        const PacketTag d;
+        auto limit = hn::Load(d, rays.limit);
+        test_leaf(leaf, entry, [&](int /*k*/, const kernels::HitIn<PacketLanes>& hit) HWY_ATTR {
+            const auto found = hn::And(hit.valid, hn::Lt(hit.t, limit));
+            limit = hn::IfThenElse(found, hn::Set(d, -1.f), limit);
+        });
+        hn::Store(limit, d, rays.limit);
+        return false;
+    }
+};
+
+}  // namespace carom::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
