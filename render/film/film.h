@@ -14,7 +14,12 @@ namespace carom::render {
 struct Channel {
     std::string name;  // EXR channel name: "Z", "N.X" ...
     std::vector<float> values;
-    bool is_half = false;  // all values are half floats, and stored as such
+};
+
+/// One of half floats, as their bits.
+struct HalfChannel {
+    std::string name;
+    std::vector<std::uint16_t> bits;
 };
 
 /// Counters of the renderer.
@@ -62,7 +67,8 @@ struct Film {
     int height = 0;
     std::vector<float> rgba;  // width * height * 4, row by row from the top left; alpha is coverage
     std::vector<Channel> aovs;
-    Notes notes;  // descriptions of the channels: Cryptomatte's manifests
+    std::vector<HalfChannel> half_aovs;  // for the denoiser; only packed films have them
+    Notes notes;                         // descriptions of the channels: Cryptomatte's manifests
     RenderStatistics statistics;
 };
 

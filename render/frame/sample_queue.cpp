@@ -26,9 +26,10 @@ SampleQueue::SampleQueue(const Setting& setting, std::stop_token stop, RenderSta
     pixels_.reserve(kSize);
 }
 
-void SampleQueue::add(const SampleStream& stream, const SampleIndex& index, PixelSums& sums) {
+void SampleQueue::add(const SampleStream& stream, const SampleIndex& index, TileSums& sums,
+                      std::size_t pixel) {
     batch_->add(stream, index);
-    pixels_.push_back(&sums);
+    pixels_.emplace_back(&sums, pixel);
     if (batch_->count == kSize) {
         flush();
     }
@@ -58,13 +59,7 @@ void SampleQueue::flush() {
             count_.add_unusable(1, {index.x, index.y});
             results_[i] = {};
         }
-        if (setting_.keeps_halves) {
-            pixels_[i]->add_to_half(results_[i]);
-        }
-        pixels_[i]->add(results_[i]);
-        if (setting_.counts_objects) {
-            pixels_[i]->count_object(results_[i].object);
-        }
+        pixels_[i].first->add(pixels_[i].second, results_[i]);
     }
     batch_->count = 0;
     pixels_.clear();

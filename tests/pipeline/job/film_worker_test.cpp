@@ -130,14 +130,14 @@ TEST(FilmWorker, StoppedPicture_IsGoneOnWithByTheNextWorker) {
     int found = 0;
     options.renderer = [&](const FrameInputs& inputs, const WorkContext&,
                            render::FrameSums* sums) -> render::Film {
-        std::vector<render::PixelSums>& pixels = sums->data().pixels;
+        render::FrameSums::Data& data = sums->data();
         if (farm.rendered++ == 3) {
             stop.request_stop();
-            pixels.resize(std::size_t{32} * 18);
-            pixels[0].samples = 5;
+            data.pixels = std::size_t{32} * 18;
+            data.statistics.camera_rays = 5;
             throw Stopped();
         }
-        if (!pixels.empty()) {
+        if (data.pixels > 0) {
             ++found;
             EXPECT_EQ(sums->samples(), 5U);
         }
