@@ -7,6 +7,10 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#ifdef __GLIBC__  // which the headers above define
+#include <malloc.h>
+#endif
+
 namespace carom {
 
 namespace {
@@ -81,6 +85,12 @@ Bytes free_address_space(const std::string& root) {
 std::optional<std::uint64_t> free_memory(const std::string& root) {
     return least(least(free_in_system(root), free_in_control_groups(root)),
                  free_address_space(root));
+}
+
+void give_back_freed_memory() {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
 }
 
 }  // namespace carom

@@ -14,4 +14,7 @@ namespace carom {
 /// read. `root` is a prefix of the paths, for tests.
 [[nodiscard]] std::optional<std::uint64_t> free_memory(const std::string& root = "");
 
+/// Gives freed memory back to the system, of which malloc keeps what lies between blocks in use.
+void give_back_freed_memory();
+
 }  // namespace carom

@@ -4,8 +4,7 @@
 namespace carom::pipeline {
 
 /// Limits the vectors of the whole process while the object exists; to be made before structures
-/// are prepared, and not twice at the same time. Rays hit the same with every limit
-/// (render/acceleration/vector_tier.h).
+/// are prepared, and not twice at the same time. Rays hit the same with every limit.
 class LaneLimit {
   public:
     /// 4 (SSE4), 8 (AVX2) or 16 (AVX-512); the machine has them.

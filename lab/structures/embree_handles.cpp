@@ -8,15 +8,15 @@
 
 #include "core/assert.h"
 #include "core/error.h"
-#include "render/acceleration/vector_tier.h"
+#include "render/acceleration/analytic_kernels.h"
 #include "render/geometry/ray.h"
 
 namespace carom::render {
 namespace {
 
-/// The instructions of the tier and nothing wider, so that the bits do not depend on the processor.
+/// The instructions of our own kernels.
 const char* device_settings() {
-    const std::string_view tier = simd_tier();
+    const std::string_view tier = best_kernels().tier;
     return tier == "AVX2" ? "isa=avx2" : (tier == "SSE4" ? "isa=sse4.2" : "isa=sse2");
 }
 

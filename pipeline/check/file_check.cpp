@@ -95,7 +95,7 @@ void FileChecker::examine_picture(const std::string& path, bool is_whole, Findin
         return;
     }
     const render::RawPicture picture = render::read_picture(path);
-    finding.pixels = picture.values.size() / static_cast<std::size_t>(picture.channels);
+    finding.pixels = picture.pixel_count();
     if (!picture.has_alpha() && !picture.is_floating_point) {
         return;  // all values are light
     }

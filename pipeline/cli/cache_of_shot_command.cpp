@@ -7,7 +7,6 @@
 #include "pipeline/cli/run_program.h"
 #include "pipeline/job/film_plan.h"
 #include "pipeline/job/job_frames.h"
-#include "render/acceleration/vector_tier.h"
 
 namespace carom::cli {
 
@@ -17,8 +16,7 @@ void run_for_shot(const CacheCommand& command, CommandContext& context) {
     (void)count_job_frames(input.shot, options, command.frames, context.console);
     // The keys of the frames follow from the motion.
     const sim::Bake bake = obtain_bake(input, command.input, command.cache, context);
-    const pipeline::FilmSource source(input.shot, bake.timeline,
-                                      std::string(render::tier_named(command.tier)));
+    const pipeline::FilmSource source(input.shot, bake.timeline);
     const pipeline::FilmPlan plan =
         plan_film(source, job_frames(input.shot, options), context.stop);
     const std::vector<Hash128> keys = keys_of(plan, bake);

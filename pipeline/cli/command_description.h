@@ -25,7 +25,8 @@ struct Option {
     std::string name;        // "--output"; of an argument its placeholder: "SHOT|BAKE"
     std::string value;       // "FILE"; empty: a flag or an argument
     std::string help;        // sentences
-    Target target;           // a null bool*: the parser handles the option (--help, --version)
+    Target target;           // a null bool*: the parser handles the option (--help, --version);
+                             // a null std::string*: the value is not used
     bool is_required = false;
     std::vector<std::string> choices;  // the only valid values; empty: any value
     std::optional<double> minimum;     // of a number

@@ -41,7 +41,8 @@ CLI::Option& add_target(CLI::App& app, const Option& option) {
         if constexpr (std::is_same_v<T, bool>) {
             return app.add_flag(names, *target);
         } else {
-            CLI::Option* added = app.add_option(names, *target);
+            CLI::Option* added =
+                target != nullptr ? app.add_option(names, *target) : app.add_option(names);
             if constexpr (std::is_same_v<T, std::vector<std::string>>) {
                 // One value for each time the option is given; arguments follow one another.
                 added->allow_extra_args(option.is_argument());

@@ -67,7 +67,6 @@ struct RenderCommand {
     std::string output;  // empty: the shot's name in the current folder
     std::string frames;  // "0-47x2"; empty: all
     std::string chunk;   // "2/8" of these: only frames, no film; empty: a film
-    std::string tier;    // "avx2": of vector instructions; empty: the machine's best
     int threads = 0;     // 0: one per processor
     bool dry_run = false;
 };
@@ -79,7 +78,6 @@ struct MuxCommand {
     CacheOptions cache;
     std::string output;
     std::string frames;
-    std::string tier;  // of the frames; empty: that of which most are stored
     bool so_far = false;
 };
 void describe(MuxCommand& command, CommandDescription& description);
@@ -100,7 +98,6 @@ struct CacheCommand {
     std::vector<std::string> folders;  // merge: the other caches
     InputOptions input;                // push, pull: of a shot; path empty: all files
     std::string frames;                // of the shot
-    std::string tier;                  // of these frames: "avx2"; empty: this machine's
 };
 void describe(CacheCommand& command, CommandDescription& description);
 void run(const CacheCommand& command, CommandContext& context);
@@ -133,8 +130,7 @@ struct FarmCommand {
     std::string folder;  // export
     std::string format = "slurm";
     std::string frames;
-    std::string tier;  // "avx2"; empty: AVX2, or the machine's best below it
-    std::string job;   // all others: the film, the job's folder, its id or a number in the queue
+    std::string job;  // all others: the film, the job's folder, its id or a number in the queue
     std::string partition;
     std::string account;
     std::string time;
@@ -197,8 +193,7 @@ struct FrameCommand {
     CacheOptions cache;
     std::string output;
     std::optional<std::int64_t> frame;
-    std::string at;    // video time, "1.25s"; empty: `frame`, or frame 0 without it
-    std::string tier;  // as of RenderCommand
+    std::string at;  // video time, "1.25s"; empty: `frame`, or frame 0 without it
     int threads = 0;
 };
 void describe(FrameCommand& command, CommandDescription& description);
@@ -220,8 +215,7 @@ struct ContactSheetCommand {
     std::string output;  // empty: the shot's name and _sheet.png in the current folder
     int count = 12;
     int columns = 4;
-    int width = 320;   // of one picture, pixels
-    std::string tier;  // as of RenderCommand
+    int width = 320;  // of one picture, pixels
     int threads = 0;
 };
 void describe(ContactSheetCommand& command, CommandDescription& description);

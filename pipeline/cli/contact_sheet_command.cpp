@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include "pipeline/cli/bake_input.h"
-#include "pipeline/cli/chosen_tier.h"
 #include "pipeline/cli/film_input.h"
 #include "pipeline/cli/frames_sheet.h"
 #include "pipeline/cli/job_observer.h"
@@ -47,7 +46,6 @@ void run(const ContactSheetCommand& command, CommandContext& context) {
     const std::string path = output_or_default(command.output, options.path, "_sheet.png");
     check_sheet_path(path, "a contact sheet");
     check_output_folder(path);
-    const ChosenTier tier(command.tier);
     ShotInput input = read_film_input(options, FileReading::usual, context);
     Shot& shot = input.shot;
     set_picture_width(shot, command.width);

@@ -13,7 +13,6 @@
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/camera/shown_frame.h"
 #include "pipeline/cli/bake_input.h"
-#include "pipeline/cli/chosen_tier.h"
 #include "pipeline/cli/film_input.h"
 #include "pipeline/cli/forecast_report.h"
 #include "pipeline/cli/job_observer.h"
@@ -29,7 +28,6 @@
 #include "pipeline/job/film_status.h"
 #include "pipeline/job/frame_graphics.h"
 #include "pipeline/job/job_metadata.h"
-#include "pipeline/job/stored_tier.h"
 #include "pipeline/sequence/load_sequence.h"
 #include "pipeline/video/image_sequence.h"
 #include "pipeline/video/picture_kind.h"
@@ -178,7 +176,6 @@ void run(const RenderCommand& command, CommandContext& context) {
 
 void film_shot(ShotInput input, const std::string& path, const RenderCommand& command,
                std::chrono::steady_clock::time_point begin, CommandContext& context) {
-    const ChosenTier tier(command.tier);
     const bool makes_film = !path.empty();
     if (!command.chunk.empty() && makes_film && !pipeline::is_image_sequence(path)) {
         throw InputError("cannot write the film '" + path +
@@ -242,9 +239,6 @@ void run(const MuxCommand& command, CommandContext& context) {
     const std::int64_t frames =
         count_job_frames(input.shot, options, command.frames, context.console);
     const sim::Bake bake = obtain_bake(input, command.input, command.cache, context);
-    options.tier = tier_to_mux(command.tier, context.console, [&] {
-        return pipeline::stored_tier(input.shot, bake, options, context.stop);
-    });
     const pipeline::FilmJobResult result = pipeline::mux_film(
         input.shot, bake, options, make_console_observer(context.console, frames), context.stop);
     context.console.end_progress();
@@ -259,7 +253,6 @@ void run(const FrameCommand& command, CommandContext& context) {
     if (is_sequence(command.input)) {
         return write_sequence_frame(command, context);
     }
-    const ChosenTier tier(command.tier);
     ShotInput input = read_film_input(command.input, FileReading::usual, context);
     if (is_moment_text(command.at)) {
         know_motion(input, command.input, command.cache, context);

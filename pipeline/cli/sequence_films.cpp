@@ -10,7 +10,6 @@
 
 #include "pipeline/camera/shown_frame.h"
 #include "pipeline/cli/bake_input.h"
-#include "pipeline/cli/chosen_tier.h"
 #include "pipeline/cli/film_input.h"
 #include "pipeline/cli/frames_sheet.h"
 #include "pipeline/cli/job_observer.h"
@@ -95,7 +94,6 @@ void print_status(const Sequence& sequence, const SequenceBakes& bakes,
 
 void render_sequence(const RenderCommand& command, CommandContext& context) {
     const auto begin = std::chrono::steady_clock::now();
-    const ChosenTier tier(command.tier);
     Sequence sequence = read_checked_sequence(command.input, FileReading::usual, context);
     const bool makes_film = command.chunk.empty();
     const std::string path = makes_film
@@ -143,9 +141,6 @@ void mux_sequence(const MuxCommand& command, CommandContext& context) {
     options.so_far = command.so_far;
     const std::int64_t frames = count_sequence_frames(sequence, options, command.frames);
     const SequenceBakes bakes = obtain_bakes(sequence, command.cache, context);
-    options.tier = tier_to_mux(command.tier, context.console, [&] {
-        return pipeline::stored_tier(sequence, bakes, options, context.stop);
-    });
     const pipeline::FilmJobResult result = pipeline::mux_sequence(
         sequence, bakes, options, make_console_observer(context.console, frames), context.stop);
     context.console.end_progress();
@@ -209,7 +204,6 @@ std::int64_t chosen_frame(const FrameCommand& command, Sequence& sequence,
 }  // namespace
 
 void write_sequence_frame(const FrameCommand& command, CommandContext& context) {
-    const ChosenTier tier(command.tier);
     Sequence sequence = read_checked_sequence(command.input, FileReading::usual, context);
     SequenceBakes bakes;
     const bool is_moment = is_moment_text(command.at);
@@ -273,7 +267,6 @@ void write_sequence_sheet(const ContactSheetCommand& command, CommandContext& co
     sheet.path = output_or_default(command.output, input.path, "_sheet.png");
     check_sheet_path(sheet.path, "a contact sheet");
     check_output_folder(sheet.path);
-    const ChosenTier tier(command.tier);
     Sequence sequence = read_checked_sequence(input, FileReading::usual, context);
     pipeline::FilmJobOptions options = job_options(command.cache, {}, {});
     options.threads = command.threads;

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFormat = 3;
+constexpr int kFormat = 4;
 constexpr int kMostJobs = 10000;  // of one film in one store
 
 std::string farm_folder(const std::string& store) {
@@ -76,7 +76,6 @@ void write_job(const FarmJob& job) {
         .add("store", job.store)
         .add("root", job.root)
         .add("frames", job.frames)
-        .add("tier", job.tier)
         .add("workers", job.workers)
         .add("tasks_at_once", job.tasks_at_once)
         .add("processors", job.processors)
@@ -124,7 +123,6 @@ FarmJob read_job(const std::string& folder) {
         job.root = (fs::path(job.folder) / job.root).lexically_normal().string();
     }
     job.frames = text_of(record, "frames");
-    job.tier = text_of(record, "tier");
     job.workers = record->integer("workers");
     job.tasks_at_once = record->integer("tasks_at_once");
     job.processors = record->integer("processors");

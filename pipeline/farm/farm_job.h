@@ -26,7 +26,6 @@ struct FarmJob {
     std::string store;         // the cache of bakes and frames that all workers share, absolute
     std::string root;          // the folder in which the shot's files must lie; empty: anywhere
     std::string frames;        // "0-47x2"; empty: all
-    std::string tier;          // the instruction set of all frames
     std::int64_t workers = 1;  // tasks of the array
     std::int64_t tasks_at_once = 0;  // of them; 0: as many as the cluster has room for
     std::int64_t processors = 1;     // of each

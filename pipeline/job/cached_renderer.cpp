@@ -65,7 +65,7 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 }  // namespace
 
 render::ImageMetadata CachedRenderer::metadata(const render::RenderStatistics& counts) const {
-    return stored_frame_metadata(source_.shot(), counts, source_.tier());
+    return stored_frame_metadata(source_.shot(), counts);
 }
 
 /// Renders the picture before it is denoised, under the claim of its caller, who stores it.

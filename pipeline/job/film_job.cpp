@@ -115,7 +115,7 @@ FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOp
     ThreadSafeObserver safe_observer(observer);
     DamageReport damages(safe_observer);
     const FrameStore store = open_store(options, damages);
-    const FilmSource source(shot, bake.timeline, options.tier);
+    const FilmSource source(shot, bake.timeline);
     FilmPlan plan = plan_film(source, frames, stop);
     if (options.so_far) {
         plan = plan_so_far(plan, [&](const Hash128& key) { return store.contains(key); });
@@ -172,7 +172,7 @@ render::Film make_frame(const Shot& shot, const sim::Bake& bake, std::int64_t fr
     ThreadSafeObserver safe_observer(observer);
     DamageReport damages(safe_observer);
     const FrameStore store = open_store(options, damages);
-    const FilmSource source(shot, bake.timeline, options.tier);
+    const FilmSource source(shot, bake.timeline);
     const FilmPlan plan = plan_film(source, {frame}, stop);
     const Pin pin(cache_folder_of(options), keys_of(plan, bake));
     CachePruner pruner(cache_folder_of(options), options.cache_limit, safe_observer);

@@ -49,9 +49,6 @@ struct FilmJobOptions {
     std::uint64_t cache_limit = kNoLimit;          // bytes; removes the least recently used first
     int threads = 0;                               // 0: one per processor
     render::NamedStructures structures = nullptr;  // that the renderer does not have
-    /// The instruction set with which all frames have to be rendered (render::simd_tier()); empty:
-    /// this process's. Frames of another one can be encoded, but not rendered.
-    std::string tier{};
     /// Frames that are not stored show the nearest stored one before them (film_so_far.h); nothing
     /// is rendered.
     bool so_far = false;

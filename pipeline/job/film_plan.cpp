@@ -1,7 +1,5 @@
 #include "pipeline/job/film_plan.h"
 
-#include <utility>
-
 #include "core/error.h"
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/job/denoised_picture.h"
@@ -9,12 +7,11 @@
 
 namespace carom::pipeline {
 
-FilmSource::FilmSource(const Shot& shot, const sim::Timeline& timeline, std::string tier)
+FilmSource::FilmSource(const Shot& shot, const sim::Timeline& timeline)
     : shot_(shot),
       timeline_(timeline),
       cameras_(with_fitted_paths(shot.cameras, timeline)),
-      scene_hash_(hash_scene(shot.scene)),
-      tier_(std::move(tier)) {}
+      scene_hash_(hash_scene(shot.scene)) {}
 
 std::vector<PlannedFrame> FilmSource::layers(std::int64_t frame) const {
     return plan_mixed_frame(frame, cameras_, shot_.timing, timeline_);
@@ -34,7 +31,7 @@ Hash128 FilmSource::noisy_key(const FrameInputs& inputs) const {
 }
 
 Hash128 FilmSource::key(const FrameInputs& inputs, const render::RenderSettings& settings) const {
-    return frame_key(inputs, shot_.scene, scene_hash_, settings, tier_);
+    return frame_key(inputs, shot_.scene, scene_hash_, settings);
 }
 
 FilmPlan plan_film(const FilmSource& source, const std::vector<std::int64_t>& frames,

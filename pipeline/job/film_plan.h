@@ -17,12 +17,11 @@ namespace carom::pipeline {
 /// A shot, its timeline and the data that all its frames share. Refers to both.
 class FilmSource {
   public:
-    /// Reads the scene's files to hash them. `tier` as in frame_key. Throws Error.
-    FilmSource(const Shot& shot, const sim::Timeline& timeline, std::string tier = {});
+    /// Reads the scene's files to hash them. Throws Error.
+    FilmSource(const Shot& shot, const sim::Timeline& timeline);
 
     [[nodiscard]] const Shot& shot() const { return shot_; }
     [[nodiscard]] const sim::Timeline& timeline() const { return timeline_; }
-    [[nodiscard]] const std::string& tier() const { return tier_; }
 
     /// The layers of a frame (plan_mixed_frame): two in a cross-fade, otherwise one.
     [[nodiscard]] std::vector<PlannedFrame> layers(std::int64_t frame) const;
@@ -46,7 +45,6 @@ class FilmSource {
     const sim::Timeline& timeline_;
     std::vector<CameraRig> cameras_;  // of the shot, with paths that are fitted to the timeline
     Hash128 scene_hash_;
-    std::string tier_;
 };
 
 /// The frames of a film in order. Frames that show the same share one picture.

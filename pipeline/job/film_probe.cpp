@@ -214,7 +214,10 @@ render::Film mosaic_of(const std::vector<render::Film>& blocks, std::size_t colu
     film.width = static_cast<int>(columns * side);
     film.height = static_cast<int>(rows * side);
     for (const render::Channel& channel : blocks.front().aovs) {
-        film.aovs.push_back({channel.name, {}, channel.is_half});
+        film.aovs.push_back({channel.name, {}});
+    }
+    for (const render::HalfChannel& channel : blocks.front().half_aovs) {
+        film.half_aovs.push_back({channel.name, {}});
     }
     for (std::size_t y = 0; y < rows * side; ++y) {
         for (std::size_t x = 0; x < columns * side; ++x) {
@@ -224,6 +227,9 @@ render::Film mosaic_of(const std::vector<render::Film>& blocks, std::size_t colu
             film.rgba.insert(film.rgba.end(), rgba, rgba + 4);
             for (std::size_t c = 0; c < film.aovs.size(); ++c) {
                 film.aovs[c].values.push_back(block.aovs[c].values[pixel]);
+            }
+            for (std::size_t c = 0; c < film.half_aovs.size(); ++c) {
+                film.half_aovs[c].bits.push_back(block.half_aovs[c].bits[pixel]);
             }
         }
     }

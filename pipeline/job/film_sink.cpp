@@ -100,7 +100,7 @@ class VideoSink : public FilmSink {
             light_is_stated_ = true;
         }
         writer_ = std::make_unique<VideoWriter>(
-            path_, format, shot_.output, video_metadata(shot_, source_.tier()),
+            path_, format, shot_.output, video_metadata(shot_),
             sound_of_frames(sound_, shot_.output, sounded_film(shot_), frames_));
     }
 
@@ -154,8 +154,7 @@ class SequenceSink : public FilmSink {
         const std::vector<PlannedFrame> layers = source_.layers(frame);
         write_picture(
             exported, view_, path_in_sequence(pattern_, frame),
-            exported_frame_metadata(source_.shot(), source_.timeline(), frame, exported,
-                                    source_.tier()),
+            exported_frame_metadata(source_.shot(), source_.timeline(), frame, exported),
             [&](std::span<std::uint8_t> rgb, int width, int height) {
                 graphics_.draw(layers, rgb, width, height);
             },

@@ -43,7 +43,7 @@ FilmStatus status_of(const FilmPlan& plan, const FrameStore& store, DamagedFrame
 
 FilmStatus film_status(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
                        const std::stop_token& stop, DamagedFrames damaged) {
-    const FilmSource source(shot, bake.timeline, options.tier);
+    const FilmSource source(shot, bake.timeline);
     const FilmPlan plan = plan_film(source, job_frames(shot, options), stop);
     return status_of(plan, open_store(options), damaged, stop);
 }

@@ -48,7 +48,7 @@ void wait(std::chrono::milliseconds time, const std::stop_token& stop) {
 struct Film {
     Film(const WorkerFilm& film, const std::stop_token& stop)
         : given(film),
-          source(film.shot, film.bake.timeline, film.options.tier),
+          source(film.shot, film.bake.timeline),
           plan(plan_film(source, job_frames(film.shot, film.options), stop)) {}
 
     /// By picture, whether a frame of this kind shows it.

@@ -66,6 +66,7 @@ bool FrameScheduler::try_render(std::size_t picture, const std::stop_token& stop
         ++rendered_;
     }
     counts_ += result.counts;
+    observer_.check(result.counts, plan_.pictures[picture].frame);
     report(picture, result);
     queue_.mark_ready(picture, std::move(result.film));
     if (on_stored_ && result.origin == RenderOrigin::rendered) {

@@ -5,7 +5,6 @@
 #include "core/error.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/store/cache_folder.h"
-#include "render/acceleration/vector_tier.h"
 
 namespace carom::pipeline {
 namespace {
@@ -60,14 +59,6 @@ std::vector<Hash128> keys_of(const FilmPlan& plan, const sim::Bake& bake) {
 RenderFunction renderer_of(const Shot& shot, const FilmJobOptions& options) {
     if (options.renderer) {
         return options.renderer;
-    }
-    if (!options.tier.empty() && options.tier != render::simd_tier()) {
-        return [tier = options.tier](const FrameInputs&, const WorkContext&,
-                                     render::FrameSums*) -> render::Film {
-            throw Error(fmt::format(
-                "the film's frames need {} instructions, and this machine renders with {}", tier,
-                render::simd_tier()));
-        };
     }
     return make_scene_renderer(shot, options.threads, options.structures);
 }

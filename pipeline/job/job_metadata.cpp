@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include "render/acceleration/vector_tier.h"
 #include "render/camera/camera_matrices.h"
 #include "render/frame/frame.h"
 
@@ -18,11 +17,10 @@ std::string clamp_text(double clamp) {
     return clamp > 0 ? number_text(clamp) : "off";
 }
 
-std::map<std::string, std::string> render_metadata(const Shot& shot, const std::string& tier) {
+std::map<std::string, std::string> render_metadata(const Shot& shot) {
     std::map<std::string, std::string> metadata{
         {"carom_version", CAROM_VERSION},
-        {"renderer_revision", fmt::format("{}", render::kRendererRevision)},
-        {"simd", tier.empty() ? std::string(render::simd_tier()) : tier}};
+        {"renderer_revision", fmt::format("{}", render::kRendererRevision)}};
     if (shot.render.integrator == render::IntegratorKind::distributed) {
         const render::DistributedSettings& settings = shot.render.distributed;
         metadata["integrator"] = "distributed";
@@ -56,18 +54,16 @@ void add_rays(const render::RenderStatistics& counts, render::ImageMetadata& met
 }  // namespace
 
 render::ImageMetadata stored_frame_metadata(const Shot& shot,
-                                            const render::RenderStatistics& counts,
-                                            const std::string& tier) {
-    render::ImageMetadata metadata = render_metadata(shot, tier);
+                                            const render::RenderStatistics& counts) {
+    render::ImageMetadata metadata = render_metadata(shot);
     add_rays(counts, metadata);
     return metadata;
 }
 
 render::ImageMetadata exported_frame_metadata(const Shot& shot, const sim::Timeline& timeline,
-                                              std::int64_t frame, const render::Film& film,
-                                              const std::string& tier) {
+                                              std::int64_t frame, const render::Film& film) {
     const PlannedFrame planned = plan_frame(frame, shot.cameras, shot.timing, timeline);
-    render::ImageMetadata metadata = render_metadata(shot, tier);
+    render::ImageMetadata metadata = render_metadata(shot);
     add_rays(film.statistics, metadata);
     for (const auto& [key, value] : film.notes) {
         if (key.rfind(render::kRaysPrefix, 0) == 0) {
@@ -97,8 +93,8 @@ render::ExrStandardAttributes exr_standard_attributes(const Shot& shot,
             static_cast<int>(shot.timing.fps.denominator())};
 }
 
-std::map<std::string, std::string> video_metadata(const Shot& shot, const std::string& tier) {
-    std::map<std::string, std::string> metadata = render_metadata(shot, tier);
+std::map<std::string, std::string> video_metadata(const Shot& shot) {
+    std::map<std::string, std::string> metadata = render_metadata(shot);
     metadata["title"] = shot.output.title.empty() ? shot.name : shot.output.title;
     metadata["shot"] = shot.name;
     return metadata;

@@ -1,4 +1,4 @@
-// The metadata of written files. `tier`: with which the frames were rendered, as in FilmJobOptions.
+// The metadata of written files.
 #pragma once
 
 #include <cstdint>
@@ -14,15 +14,14 @@ namespace carom::pipeline {
 /// The metadata of a stored frame: only what belongs to its key, since many films may share it,
 /// with the rays by kind, if there are any.
 [[nodiscard]] render::ImageMetadata stored_frame_metadata(
-    const Shot& shot, const render::RenderStatistics& counts = {}, const std::string& tier = {});
+    const Shot& shot, const render::RenderStatistics& counts = {});
 
 /// The metadata of an exported frame: with the shot, its number, camera and times, and the rays of
 /// `film`, counted now or when it was stored.
 [[nodiscard]] render::ImageMetadata exported_frame_metadata(const Shot& shot,
                                                             const sim::Timeline& timeline,
                                                             std::int64_t frame,
-                                                            const render::Film& film = {},
-                                                            const std::string& tier = {});
+                                                            const render::Film& film = {});
 
 /// The standard attributes of the same frame in an OpenEXR file: the camera of `planned` and the
 /// film's frame rate.
@@ -30,7 +29,6 @@ namespace carom::pipeline {
                                                                     const PlannedFrame& planned);
 
 /// The metadata of a video: the shot's name and the render settings.
-[[nodiscard]] std::map<std::string, std::string> video_metadata(const Shot& shot,
-                                                                const std::string& tier = {});
+[[nodiscard]] std::map<std::string, std::string> video_metadata(const Shot& shot);
 
 }  // namespace carom::pipeline

@@ -24,7 +24,7 @@ constexpr double kProgram = 180e6;
 /// The film of a frame, its tiles, the frame that is being stored, and its view transform.
 constexpr double kPicturePerPixel = 62;
 /// The sums of all samples of a frame that can be gone on with (render/frame/frame_sums.h).
-constexpr double kSumsPerPixel = 256;
+constexpr double kSumsPerPixel = 190;
 /// One AOV, while it is rendered and while it is stored.
 constexpr double kPerPixelAndAov = 20;
 

@@ -1,5 +1,9 @@
 #include "pipeline/job/thread_safe_observer.h"
 
+#include <utility>
+
+#include <fmt/core.h>
+
 namespace carom::pipeline {
 
 void ThreadSafeObserver::report_progress(std::string_view stage, double fraction) {
@@ -34,6 +38,20 @@ void ThreadSafeObserver::warning(const std::string& message) {
     if (observer_.on_warning) {
         observer_.on_warning(message);
     }
+}
+
+void ThreadSafeObserver::check(const render::RenderStatistics& counts, std::int64_t frame) {
+    {
+        const std::scoped_lock lock(mutex_);
+        if (counts.unusable_samples == 0 || std::exchange(has_warned_of_samples_, true)) {
+            return;
+        }
+    }
+    const auto [x, y] = counts.unusable_pixel;
+    warning(fmt::format(
+        "frame {}: {} of its samples, the first at pixel ({}, {}), {} negative or not "
+        "finite, which is a fault of carom; they count as black",
+        frame, counts.unusable_samples, x, y, counts.unusable_samples == 1 ? "was" : "were"));
 }
 
 void ThreadSafeObserver::frame(std::int64_t number, bool from_store, double seconds,

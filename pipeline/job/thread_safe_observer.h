@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "pipeline/job/film_job.h"
+#include "render/film/film.h"
 
 namespace carom::pipeline {
 
@@ -17,6 +18,8 @@ class ThreadSafeObserver {
     void render_progress(double fraction);
     void encode_progress(double fraction);
     void warning(const std::string& message);
+    /// A warning if samples of this frame were unusable; only for the first such frame of the job.
+    void check(const render::RenderStatistics& counts, std::int64_t frame);
     void frame(std::int64_t number, bool from_store, double seconds, std::uint64_t rays);
 
   private:
@@ -26,6 +29,7 @@ class ThreadSafeObserver {
     const JobObserver& observer_;
     double render_fraction_ = 0;
     double encode_fraction_ = 0;
+    bool has_warned_of_samples_ = false;
 };
 
 }  // namespace carom::pipeline

@@ -83,8 +83,8 @@ class UnstoredPictures {
                                     context, nullptr);
         counts = film.statistics;
         counts_ += counts;
-        return render::as_stored(std::move(film),
-                                 stored_frame_metadata(source_.shot(), counts, source_.tier()));
+        observer_.check(counts, wanted.frame);
+        return render::as_stored(std::move(film), stored_frame_metadata(source_.shot(), counts));
     }
 
     /// Each frame of the film is reported once.
@@ -141,7 +141,7 @@ FilmJobResult make_unstored_film(const Shot& shot, const sim::Bake& bake,
         throw Error("frames that are neither stored nor written to a film would be lost");
     }
     ThreadSafeObserver safe_observer(observer);
-    const FilmSource source(shot, bake.timeline, options.tier);
+    const FilmSource source(shot, bake.timeline);
     const FilmPlan plan = plan_film(source, job_frames(shot, options), stop);
     const std::unique_ptr<FilmSink> sink = sink_of(options, source, plan, safe_observer, stop);
     if (sink->wants_preview()) {
@@ -159,7 +159,7 @@ render::Film make_unstored_frame(const Shot& shot, const sim::Bake& bake, std::i
                                  const FilmJobOptions& options, const JobObserver& observer,
                                  const std::stop_token& stop) {
     ThreadSafeObserver safe_observer(observer);
-    const FilmSource source(shot, bake.timeline, options.tier);
+    const FilmSource source(shot, bake.timeline);
     const FilmPlan plan = plan_film(source, {frame}, stop);
     UnstoredPictures pictures(source, plan, options, safe_observer, 1);
     render::Film film = pictures.get(plan.picture_of.front(), stop);

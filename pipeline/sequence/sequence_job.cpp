@@ -14,12 +14,10 @@
 #include "pipeline/job/frame_signal.h"
 #include "pipeline/job/job_metadata.h"
 #include "pipeline/job/shot_sound.h"
-#include "pipeline/job/stored_tier.h"
 #include "pipeline/sequence/sequence_scene.h"
 #include "pipeline/sequence/sequence_writer.h"
 #include "pipeline/video/picture_writer.h"
 #include "pipeline/video/video_writer.h"
-#include "render/acceleration/vector_tier.h"
 
 namespace carom::pipeline {
 
@@ -187,11 +185,9 @@ const Shot& first_shot(const Sequence& sequence, Shot& empty) {
     return empty;
 }
 
-std::map<std::string, std::string> metadata_of(const Sequence& sequence,
-                                               const FilmJobOptions& options) {
+std::map<std::string, std::string> metadata_of(const Sequence& sequence) {
     Shot empty;
-    std::map<std::string, std::string> metadata =
-        video_metadata(first_shot(sequence, empty), options.tier);
+    std::map<std::string, std::string> metadata = video_metadata(first_shot(sequence, empty));
     metadata["title"] = sequence.output.title.empty() ? sequence.name : sequence.output.title;
     return metadata;
 }
@@ -292,7 +288,7 @@ FilmJobResult make_sequence(const Sequence& sequence, const SequenceBakes& bakes
     const SoundMaker sound = with_warnings(
         options.sound ? options.sound : sequence_sound(sequence, bakes, stop), observer.on_warning);
     VideoWriter writer(
-        options.output, format, sequence.output, metadata_of(sequence, options),
+        options.output, format, sequence.output, metadata_of(sequence),
         sound_of_frames(sound, sequence.output, {sequence.frames(), sequence.fps}, frames));
     const std::string note = silence_note(sound, sequence.output, options.output, frames);
     if (!note.empty() && observer.on_warning) {
@@ -322,23 +318,6 @@ FilmStatus part_status(const Sequence& sequence, std::size_t part, const Sequenc
     return own.empty() ? FilmStatus{}
                        : film_status(std::get<ShotPart>(sequence.parts[part].content).shot,
                                      bakes.at(part), part_options(options, own), stop);
-}
-
-std::string stored_tier(const Sequence& sequence, const SequenceBakes& bakes,
-                        const FilmJobOptions& options, const std::stop_token& stop) {
-    const std::vector<std::int64_t> frames = selected(sequence, options);
-    std::size_t longest = 0;
-    std::vector<std::int64_t> most;
-    for (const auto& [part, bake] : bakes) {
-        std::vector<std::int64_t> own = own_frames(sequence, part, frames);
-        if (own.size() > most.size()) {
-            longest = part;
-            most = std::move(own);
-        }
-    }
-    return most.empty() ? std::string(render::simd_tier())
-                        : stored_tier(std::get<ShotPart>(sequence.parts[longest].content).shot,
-                                      bakes.at(longest), part_options(options, most), stop);
 }
 
 FilmJobResult mux_sequence(const Sequence& sequence, const SequenceBakes& bakes,

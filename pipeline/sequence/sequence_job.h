@@ -43,10 +43,6 @@ FilmJobResult make_sequence(const Sequence& sequence, const SequenceBakes& bakes
                                      const SequenceBakes& bakes, const FilmJobOptions& options,
                                      const std::stop_token& stop);
 
-/// The tier of which the store has the most pictures of the part of which the options select most.
-[[nodiscard]] std::string stored_tier(const Sequence& sequence, const SequenceBakes& bakes,
-                                      const FilmJobOptions& options, const std::stop_token& stop);
-
 /// Like make_sequence, but only with stored frames. Throws an Error that names the missing frames
 /// in the film's numbers, unless the film so far is wanted.
 FilmJobResult mux_sequence(const Sequence& sequence, const SequenceBakes& bakes,

@@ -12,7 +12,7 @@ namespace carom::pipeline::solve {
 
 /// The version of the search, a part of every question's hash: raised when the search finds other
 /// strikes, or says something else of them. (Motion has its own: sim/revision.h.)
-inline constexpr std::uint64_t kSolverRevision = 1;
+inline constexpr std::uint64_t kSolverRevision = 2;
 
 /// The world without the strikes after that event: the shot up to it and what it brings about.
 [[nodiscard]] sim::WorldDescription without_later_strikes(sim::WorldDescription world,

@@ -405,7 +405,8 @@ void explore(const StrikeTrials& trials, KnownRoute& route,
 
 Solution settle(const StrikeTrials& trials, KnownRoute& route, bool tells_nearest,
                 const std::function<void(const Solution&)>& found) {
-    constexpr std::size_t kKept = 6;
+    constexpr std::size_t kKept = 4;  // of which the places are approached
+    constexpr std::size_t kJudged = 3;
     constexpr std::size_t kFewTrials = 20;
     double least = std::numeric_limits<double>::infinity();
     const auto tell = [&](const Played& played) {
@@ -435,6 +436,7 @@ Solution settle(const StrikeTrials& trials, KnownRoute& route, bool tells_neares
             candidates.front() = improve(trials, route.seeds.front(), candidates.front());
         }
         std::ranges::stable_sort(candidates, {}, &Candidate::cost);
+        candidates.resize(std::min(candidates.size(), kJudged));
     }
     Setting best = candidates.empty() ? route.seeds.front().setting : candidates.front().setting;
     double best_value = -1;

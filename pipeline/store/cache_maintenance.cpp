@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "pipeline/store/frame_checksum.h"
 #include "pipeline/store/incoming.h"
+#include "pipeline/store/own_key.h"
 #include "pipeline/store/pins.h"
 #include "sim/timeline/bake_file.h"
 
@@ -47,11 +48,18 @@ bool is_noisy(const CacheEntry& entry) {
     return entry.kind == CacheEntry::Kind::noisy;
 }
 
+bool is_of_other_version(const CacheEntry& entry) {
+    const bool is_of_frame = entry.kind == CacheEntry::Kind::frame ||
+                             entry.kind == CacheEntry::Kind::sums || is_noisy(entry);
+    return is_of_frame && !is_own_key(entry.key);
+}
+
 }  // namespace
 
 PruneResult prune_cache(const std::string& folder, const PruneOptions& options) {
     std::vector<CacheEntry> entries = list_cache(folder);
     std::stable_partition(entries.begin(), entries.end(), is_noisy);
+    std::stable_partition(entries.begin(), entries.end(), is_of_other_version);
     PruneResult result;
     for (const CacheEntry& entry : entries) {
         ++result.kept;

@@ -47,9 +47,10 @@ struct PruneResult {
     std::uint64_t kept_bytes = 0;
 };
 
-/// Removes entries until the rest fits: noisy frames first, even those of running jobs, which have
-/// read them already, since their denoised frames are there; then what was used least recently,
-/// except what running jobs need (pins.h). A job that needs a removed frame renders it again.
+/// Removes entries until the rest fits: first frames of earlier versions of carom, which this one
+/// never reads (own_key.h); then noisy frames, even those of running jobs, which have read them
+/// already, since their denoised frames are there; then what was used least recently, except what
+/// running jobs need (pins.h). A job that needs a removed frame renders it again.
 /// Throws Error if the folder cannot be read.
 PruneResult prune_cache(const std::string& folder, const PruneOptions& options);
 

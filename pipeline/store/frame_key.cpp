@@ -5,7 +5,7 @@
 
 #include "core/field_hasher.h"
 #include "pipeline/store/frame_inputs.h"
-#include "render/acceleration/vector_tier.h"
+#include "pipeline/store/own_key.h"
 #include "render/denoise/denoise.h"
 #include "render/frame/aov_planes.h"
 #include "render/frame/frame_fields.h"
@@ -91,12 +91,10 @@ void add_motion(FieldHasher& hasher, const render::SceneDescription& scene,
 }  // namespace
 
 Hash128 frame_key(const FrameInputs& inputs, const render::SceneDescription& scene,
-                  const Hash128& scene_hash, const render::RenderSettings& settings,
-                  std::string_view tier) {
+                  const Hash128& scene_hash, const render::RenderSettings& settings) {
     FieldHasher hasher;
-    hasher.add("carom frame, key format 3");
-    hasher.add(std::int32_t{render::kRendererRevision})
-        .add(tier.empty() ? render::simd_tier() : tier);
+    hasher.add("carom frame").add(std::int32_t{kFrameKeyFormat});
+    hasher.add(std::int32_t{render::kRendererRevision});
     hasher.add(scene_hash);
     hasher.add_value(used_settings(settings));
     if (std::any_of(settings.aovs.begin(), settings.aovs.end(), render::is_matte)) {
@@ -104,14 +102,14 @@ Hash128 frame_key(const FrameInputs& inputs, const render::SceneDescription& sce
     }
     hasher.add_value(inputs.frame);
     add_motion(hasher, scene, inputs);
-    return hasher.finish();
+    return own_key(hasher.finish());
 }
 
 Hash128 denoised_key(const Hash128& noisy, double strength) {
     Hasher hasher;
     hasher.add("carom denoised frame, key format 1");
     hasher.add(std::int32_t{render::kDenoiserRevision}).add(noisy).add(strength);
-    return hasher.finish();
+    return own_key(hasher.finish());
 }
 
 }  // namespace carom::pipeline

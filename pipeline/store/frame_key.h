@@ -1,8 +1,6 @@
 // The key of a frame: the hash of its own inputs and of nothing else.
 #pragma once
 
-#include <string_view>
-
 #include "core/hash.h"
 #include "pipeline/store/frame_inputs.h"
 #include "render/scene/render_settings.h"
@@ -15,12 +13,10 @@ namespace carom::pipeline {
 [[nodiscard]] Hash128 hash_scene(const render::SceneDescription& scene);
 
 /// Hash of the motion of the tracks while the shutter is open, the camera values, `scene_hash`, the
-/// render settings, the renderer's revision and its SIMD tier. Neither the bake nor names nor the
-/// frame's number enter. The frame's seed follows from these (frame_seed.h). `tier`: that of the
-/// process that renders the frame; empty: this one's (simd_tier()).
+/// render settings and the renderer's revision. Neither the bake nor names nor the frame's number
+/// enter. The frame's seed follows from these (frame_seed.h).
 [[nodiscard]] Hash128 frame_key(const FrameInputs& inputs, const render::SceneDescription& scene,
-                                const Hash128& scene_hash, const render::RenderSettings& settings,
-                                std::string_view tier = {});
+                                const Hash128& scene_hash, const render::RenderSettings& settings);
 
 /// The key of the picture that is made of the frame with the key `noisy` by denoising: the hash of
 /// that key, the denoiser's revision and its strength.

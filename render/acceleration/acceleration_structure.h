@@ -21,15 +21,6 @@ class AccelerationStructure {
     /// Whether anything is hit in (ray.t_min, ray.t_max).
     [[nodiscard]] virtual bool any_hit(const Ray& ray) const = 0;
 
-    /// The rays of a packet for which `any_hit` is true.
-    [[nodiscard]] virtual PacketMask any_hits(const ShadowRayPacket& packet) const {
-        PacketMask hits = 0;
-        for (int i = 0; i < packet.count; ++i) {
-            hits |= any_hit(packet.ray(i)) ? PacketMask{1} << i : 0;
-        }
-        return hits;
-    }
-
     /// `closest_hit` of each ray without an upper bound; a ray without a hit gets the object
     /// kNoObject.
     virtual void closest_hits(const RayBatch& rays, Hit* hits) const {

@@ -106,59 +106,6 @@ inline HWY_ATTR bool any(const AnalyticBlocks& blocks, const Ray& ray) {
     return hits_any(LaneShapes(), blocks, ray, broadcast(WideTag(), ray));
 }
 
-/// Whether the ray hits any shape except plain spheres, which are the first two of the list.
-template <class... Shapes>
-HWY_ATTR bool hits_other(ShapeList<StaticSphere, MovingSphere, Shapes...> /*list*/,
-                         const AnalyticBlocks& blocks, const Ray& ray) {
-    return hits_any(ShapeList<Shapes...>(), blocks, ray, broadcast(WideTag(), ray));
-}
-
-/// One ray of a packet in every lane.
-HWY_INLINE RayLanes<WideTag> broadcast_from_packet(const ShadowRayPacket& packet, int index) {
-    return broadcast(WideTag(), packet.ray(index));
-}
-
-/// Returns `open` without the rays for which `is_occluded(index)` is true.
-template <class Predicate>
-HWY_INLINE PacketMask without_occluded(PacketMask open, const Predicate& is_occluded) {
-    PacketMask rest = open;
-    for (int i = 0; open >> i != 0; ++i) {
-        const PacketMask bit = PacketMask{1} << i;
-        if ((open & bit) != 0 && is_occluded(i)) {
-            rest &= ~bit;
-        }
-    }
-    return rest;
-}
-
-/// The spheres' positions relative to the common origin are computed once for all rays.
-template <class Shape>
-HWY_INLINE PacketMask past_spheres(const BlockList<Shape>& list, const ShadowRayPacket& packet,
-                                   PacketMask open) {
-    const WideTag d;
-    const RayLanes<WideTag> origin = broadcast_from_packet(packet, 0);
-    for (const auto& block : list.blocks) {
-        for (int lane = 0; lane < kBlockLanes && open != 0;
-             lane += static_cast<int>(hn::Lanes(d))) {
-            const SphereLanes<WideTag> spheres = spheres_from(d, origin, block, lane);
-            open = without_occluded(open, [&](int i) HWY_ATTR {
-                return is_any_before(d, spheres.hit(broadcast_from_packet(packet, i)),
-                                     hn::Set(d, packet.t_max[i]));
-            });
-        }
-    }
-    return open;
-}
-
-inline HWY_ATTR PacketMask any_of_packet(const AnalyticBlocks& blocks,
-                                         const ShadowRayPacket& packet, PacketMask asked) {
-    PacketMask open = past_spheres(blocks.of<MovingSphere>(), packet, asked);
-    open = past_spheres(blocks.of<StaticSphere>(), packet, open);
-    open = without_occluded(
-        open, [&](int i) HWY_ATTR { return hits_other(LaneShapes(), blocks, packet.ray(i)); });
-    return asked & ~open;
-}
-
 template <class Block, class Test>
 HWY_INLINE bool hit_one(const Block& block, int lane, const RayLanes<OneTag>& ray, const Test& test,
                         float& t) {
@@ -191,8 +138,7 @@ inline HWY_ATTR bool one(const AnalyticBlocks& blocks, std::uint32_t shape, std:
 }
 
 inline const AnalyticKernels& kernels_of_target() {
-    static const AnalyticKernels kKernels = {closest, any, any_of_packet, one,
-                                             hwy::TargetName(HWY_TARGET)};
+    static const AnalyticKernels kKernels = {closest, any, one, hwy::TargetName(HWY_TARGET)};
     return kKernels;
 }
 

@@ -30,10 +30,6 @@ struct Candidate {
 struct AnalyticKernels {
     void (*closest)(const AnalyticBlocks& blocks, const Ray& ray, Candidate& best);
     bool (*any)(const AnalyticBlocks& blocks, const Ray& ray);
-    /// Those of the rays `asked` for which `any` is true.
-    PacketMask (*any_of_packet)(const AnalyticBlocks& blocks, const ShadowRayPacket& packet,
-                                PacketMask asked);
-
     /// Whether the first hit of shape `index` in the list of the shape type `shape` (kLaneShape) is
     /// nearer than `t`; if so, replaces `t`.
     bool (*one)(const AnalyticBlocks& blocks, std::uint32_t shape, std::uint32_t index,

@@ -130,30 +130,6 @@ bool HybridStructure::any_hit(const Ray& ray) const {
     return meshes_ && meshes_->any_hit(safe);
 }
 
-PacketMask HybridStructure::any_hits(const ShadowRayPacket& packet) const {
-    ShadowRayPacket safe = packet;
-    safe.time = std::clamp(packet.time, 0.f, 1.f);
-    PacketMask traceable = 0;
-    for (int i = 0; i < packet.count; ++i) {
-        traceable |= is_traceable(packet.ray(i)) ? PacketMask{1} << i : 0;
-    }
-    PacketMask hits = kernels_.any_of_packet(blocks_, safe, traceable);
-    const auto meets_one_by_one = [&](const Ray& ray) {
-        return (tree_ && tree_kernels_.any(*tree_, ray)) ||
-               std::any_of(moving_.begin(), moving_.end(), [&](const MovingShape& shape) {
-                   return occluded_by_moving(shape, ray);
-               });
-    };
-    for (int i = 0; i < packet.count && (tree_ || !moving_.empty()); ++i) {
-        const PacketMask bit = PacketMask{1} << i;
-        if ((traceable & ~hits & bit) != 0 && meets_one_by_one(safe.ray(i))) {
-            hits |= bit;
-        }
-    }
-    const PacketMask open = traceable & ~hits;
-    return meshes_ && open != 0 ? hits | meshes_->any_hits(safe, open) : hits;
-}
-
 namespace {
 
 /// The nearest hits of a part of a batch.

@@ -31,7 +31,6 @@ class HybridStructure final : public AccelerationStructure {
 
     [[nodiscard]] bool closest_hit(const Ray& ray, Hit& hit) const override;
     [[nodiscard]] bool any_hit(const Ray& ray) const override;
-    [[nodiscard]] PacketMask any_hits(const ShadowRayPacket& packet) const override;
     void closest_hits(const RayBatch& rays, Hit* hits) const override;
     void test_occlusion(const RayBatch& rays, float* t_max) const override;
     /// Memory of the trees.

@@ -27,8 +27,6 @@ class TriangleScene {
     /// object, then the lower index, is reported.
     [[nodiscard]] bool closest_hit(const Ray& ray, Hit& hit) const;
     [[nodiscard]] bool any_hit(const Ray& ray) const;
-    /// Those of the rays `asked` of a packet of safe rays for which `any_hit` is true.
-    [[nodiscard]] PacketMask any_hits(const ShadowRayPacket& packet, PacketMask asked) const;
 
     /// See TriangleBatchKernels.
     void closest_hits(const RayBatch& rays, const HitArrays& hits) const;

@@ -2,34 +2,15 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/camera/camera_batch.cpp"
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4)  // these make rays one by one
-#include <hwy/foreach_target.h>                      // compiles this file once per instruction set
+#include <hwy/foreach_target.h>  // compiles this file once per instruction set
 // Must follow foreach_target.h.
 #include <hwy/highway.h>
 
-#if HWY_TARGET != HWY_SCALAR
 #include "render/camera/kernels-inl.h"
 #include "render/sampling/lane_sampler-inl.h"
-#endif
-
-#ifndef CAROM_MAKE_RAYS
-#define CAROM_MAKE_RAYS
-namespace carom::render {
-using MakeRays = void(const ThinLensCamera& camera, const CameraFixings& fixings,
-                      CameraBatch& batch);
-}  // namespace carom::render
-#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
-
-#if HWY_TARGET == HWY_SCALAR
-
-inline MakeRays* make_rays_of_target() {
-    return nullptr;
-}
-
-#else
 
 HWY_INLINE void store_rays(CameraBatch& batch, int first, const CameraRayOf<Lanes>& ray) {
     const FloatTag d;
@@ -67,12 +48,6 @@ inline HWY_ATTR void make_rays_in_lanes(const ThinLensCamera& camera, const Came
     }
 }
 
-inline MakeRays* make_rays_of_target() {
-    return make_rays_in_lanes;
-}
-
-#endif
-
 }  // namespace carom::render::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -80,35 +55,10 @@ HWY_AFTER_NAMESPACE();
 
 namespace carom::render {
 
-HWY_EXPORT(make_rays_of_target);
-
-namespace {
-
-void make_rays_one_by_one(const ThinLensCamera& camera, const CameraFixings& fixings,
-                          CameraBatch& batch) {
-    for (int i = 0; i < batch.count; ++i) {
-        CameraSample sample = camera_sample(static_cast<std::uint32_t>(batch.pixel_hash[i]),
-                                            static_cast<std::uint32_t>(batch.reversed_sample[i]));
-        if (fixings.centred) {
-            sample.pixel = V2f(0.5f, 0.5f);
-        }
-        if (fixings.instantaneous) {
-            sample.time = 0.5f;
-        }
-        const Ray ray = camera.ray(batch.x[i], batch.y[i], sample);
-        for (int axis = 0; axis < 3; ++axis) {
-            batch.origin[axis][i] = ray.origin[axis];
-            batch.direction[axis][i] = ray.direction[axis];
-        }
-        batch.time[i] = ray.time;
-    }
-}
-
-}  // namespace
+HWY_EXPORT(make_rays_in_lanes);
 
 void make_rays(const ThinLensCamera& camera, const CameraFixings& fixings, CameraBatch& batch) {
-    MakeRays* const in_lanes = HWY_DYNAMIC_DISPATCH(make_rays_of_target)();
-    (in_lanes != nullptr ? in_lanes : make_rays_one_by_one)(camera, fixings, batch);
+    HWY_DYNAMIC_DISPATCH(make_rays_in_lanes)(camera, fixings, batch);
 }
 
 }  // namespace carom::render

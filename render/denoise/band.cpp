@@ -40,16 +40,8 @@ float finite(float value) {
     return std::abs(value) <= std::numeric_limits<float>::max() ? limited : 0.0F;
 }
 
-/// Reads a row of the picture.
-void read_row(const PlaneView& view, int y, int width, float* row) {
-    const float* first = view.first + std::ptrdiff_t{y} * width * view.step;
-    if (view.step == 1) {
-        std::transform(first, first + width, row, finite);
-        return;
-    }
-    for (std::ptrdiff_t x = 0; x < width; ++x) {
-        row[x] = finite(first[x * view.step]);
-    }
+void make_finite(float* row, int width) {
+    std::transform(row, row + width, row, finite);
 }
 
 /// Calls `row` for all rows, in parallel.
@@ -70,8 +62,7 @@ void add_and_subtract(const float* a, const float* b, int width, float* sum, flo
 }
 
 /// Sets the pixels to 0 in which the samples saw something else of a feature.
-void keep_plain(const std::vector<float>& error, const std::vector<float>& difference,
-                std::vector<float>& plain) {
+void keep_plain(const float* error, const float* difference, std::vector<float>& plain) {
     for (std::size_t x = 0; x < plain.size(); ++x) {
         plain[x] = error[x] == 0 && difference[x] == 0 ? plain[x] : 0.0F;
     }
@@ -91,10 +82,10 @@ std::vector<Plane> feature_planes(std::size_t count, const RowRange& rows, int w
     return result;
 }
 
-BandPlanes make_planes(const DenoiseInput& input, const RowRange& rows) {
+BandPlanes make_planes(const DenoiseShape& shape, const RowRange& rows) {
     BandPlanes planes;
-    const int width = planes.width = input.width;
-    const int height = planes.height = input.height;
+    const int width = planes.width = shape.width;
+    const int height = planes.height = shape.height;
     planes.chunks = rounded_up(width) / kChunk;
     planes.rows = rows;
     planes.predicted = rows.widened(kError + kMask, height);
@@ -107,8 +98,8 @@ BandPlanes make_planes(const DenoiseInput& input, const RowRange& rows) {
     make(planes.variance, planes.weighed, width);
     planes.bandwidth2 = Plane(planes.weighed, width);
     planes.ridge = Plane(planes.weighed, width);
-    planes.shape = input.variance.first != nullptr ? Plane(planes.known, width) : Plane();
-    const std::size_t features = input.features.size();
+    planes.shape = shape.has_variance ? Plane(planes.known, width) : Plane();
+    const std::size_t features = shape.features;
     planes.exact = feature_planes(features, planes.predicted, width);
     planes.share = Plane(planes.predicted, width);
     planes.plain = Plane(planes.predicted, width);
@@ -130,8 +121,11 @@ BandPlanes make_planes(const DenoiseInput& input, const RowRange& rows) {
 
 }  // namespace
 
-Band::Band(const DenoiseInput& input, const RowRange& rows)
-    : input_(input), kernels_(best_denoise_kernels()), planes_(make_planes(input, rows)) {}
+Band::Band(const DenoiseSource& source, const RowRange& rows)
+    : source_(source),
+      shape_(source.shape()),
+      kernels_(best_denoise_kernels()),
+      planes_(make_planes(shape_, rows)) {}
 
 void Band::denoise(DenoisedPicture& result) {
     for_rows(planes_.known, [&](int y) { copy_colours(y); });
@@ -149,11 +143,18 @@ void Band::denoise(DenoisedPicture& result) {
 
 void Band::copy_colours(int y) {
     const int width = planes_.width;
+    DenoiseSource::ColourRows rows{};
     for (int c = 0; c < kChannels; ++c) {
-        float* mean = planes_.mean[c].row(y);
-        float* difference = planes_.difference[c].row(y);
-        read_row(input_.colour[c].mean, y, width, mean);
-        read_row(input_.colour[c].difference, y, width, difference);
+        rows.mean[c] = planes_.mean[c].row(y);
+        rows.difference[c] = planes_.difference[c].row(y);
+    }
+    rows.variance = has_shape() ? planes_.shape.row(y) : nullptr;
+    source_.colours(y, rows);
+    for (int c = 0; c < kChannels; ++c) {
+        float* mean = rows.mean[c];
+        float* difference = rows.difference[c];
+        make_finite(mean, width);
+        make_finite(difference, width);
         add_and_subtract(mean, difference, width, planes_.half[0][c].row(y),
                          planes_.half[1][c].row(y));
         for (Plane* plane :
@@ -164,8 +165,8 @@ void Band::copy_colours(int y) {
         planes_.squares[c].extend(y);
     }
     if (has_shape()) {
-        float* shape = planes_.shape.row(y);
-        read_row(input_.variance, y, width, shape);
+        float* shape = rows.variance;
+        make_finite(shape, width);
         std::transform(shape, shape + width, shape, [](float v) { return std::max(0.0F, v); });
         planes_.shape.extend(y);
     }
@@ -174,35 +175,38 @@ void Band::copy_colours(int y) {
 void Band::copy_features(int y) {
     const int width = planes_.width;
     const bool is_predicted = y >= planes_.predicted.first && y < planes_.predicted.end;
-    std::vector<float> mean(static_cast<std::size_t>(width));
-    std::vector<float> error(mean.size());
-    std::vector<float> difference(mean.size());
-    std::vector<float> plain(mean.size(), 1.0F);
-    for (std::size_t f = 0; f < input_.features.size(); ++f) {
-        read_row(input_.features[f].exact, y, width, mean.data());
+    const auto columns = static_cast<std::size_t>(width);
+    std::vector<float> numbers(3 * shape_.features * columns + columns);
+    std::vector<float> plain(columns, 1.0F);
+    DenoiseSource::FeatureRows rows{};
+    for (std::size_t f = 0; f < shape_.features; ++f) {
+        rows.exact[f] = &numbers[3 * f * columns];
+        rows.error[f] = rows.exact[f] + columns;
+        rows.difference[f] = rows.error[f] + columns;
+    }
+    float* share_of_samples = &numbers[3 * shape_.features * columns];
+    rows.share = shape_.has_share ? share_of_samples : nullptr;
+    source_.features(y, rows);
+    make_finite(numbers.data(), static_cast<int>(numbers.size()));
+    for (std::size_t f = 0; f < shape_.features; ++f) {
+        float* mean = rows.exact[f];
+        const float* error = rows.error[f];
+        const float* difference = rows.difference[f];
         if (is_predicted) {
-            std::copy(mean.begin(), mean.end(), planes_.exact[f].row(y));
+            std::copy(mean, mean + width, planes_.exact[f].row(y));
             planes_.exact[f].extend(y);
-        }
-        read_row(input_.features[f].error, y, width, error.data());
-        read_row(input_.features[f].difference, y, width, difference.data());
-        if (is_predicted) {
             keep_plain(error, difference, plain);
         }
-        std::transform(mean.begin(), mean.end(), error.begin(), mean.begin(), std::plus<>());
-        add_and_subtract(mean.data(), difference.data(), width, planes_.features[0][f].row(y),
+        std::transform(mean, mean + width, error, mean, std::plus<>());
+        add_and_subtract(mean, difference, width, planes_.features[0][f].row(y),
                          planes_.features[1][f].row(y));
         planes_.features[0][f].extend(y);
         planes_.features[1][f].extend(y);
     }
     if (is_predicted) {
         float* share = planes_.share.row(y);
-        std::fill(share, share + width, 0.0F);
-        if (input_.share_of_samples.first != nullptr) {
-            read_row(input_.share_of_samples, y, width, share);
-            std::transform(share, share + width, share,
-                           [](float s) { return std::clamp(s, 0.0F, 1.0F); });
-        }
+        std::transform(share_of_samples, share_of_samples + width, share,
+                       [](float s) { return std::clamp(s, 0.0F, 1.0F); });
         planes_.share.extend(y);
         std::copy(plain.begin(), plain.end(), planes_.plain.row(y));
         planes_.plain.extend(y);
@@ -355,7 +359,7 @@ void Band::write(int y, DenoisedPicture& result) const {
     std::vector<float> filtered(share.size());
     const auto width = static_cast<std::size_t>(planes_.width);
     const std::size_t first = static_cast<std::size_t>(y) * width;
-    for (std::size_t c = 0; c < kChannels; ++c) {
+    for (std::size_t c = 0; c < kChannels && !result.rgb.empty(); ++c) {
         const float* mean = planes_.mean[c].row(y);
         box_mean(planes_.squares[c], y, kLimit, near_squared.data());
         box_mean(planes_.plain_squares[c], y, kLimit, plain_squared.data());

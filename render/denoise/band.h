@@ -8,13 +8,14 @@
 namespace carom::render {
 
 /// Rows beyond the band, as far as it looks at them, are computed with it; so its result depends on
-/// the picture alone. Work is shared by the threads of the caller's arena. The input must outlive
+/// the picture alone. Work is shared by the threads of the caller's arena. The source must outlive
 /// the band.
 class Band {
   public:
-    Band(const DenoiseInput& input, const RowRange& rows);
+    Band(const DenoiseSource& source, const RowRange& rows);
 
-    /// Sets the band's rows of the result, which has the size of the input.
+    /// Sets the band's rows of the result, which has the size of the picture; without room for
+    /// colours, only their error.
     void denoise(DenoisedPicture& result);
 
   private:
@@ -25,9 +26,10 @@ class Band {
     void compare_errors(int y);
     void write(int y, DenoisedPicture& result) const;
     void box_mean(const Plane& plane, int y, int radius, float* mean) const;
-    [[nodiscard]] bool has_shape() const { return input_.variance.first != nullptr; }
+    [[nodiscard]] bool has_shape() const { return shape_.has_variance; }
 
-    const DenoiseInput& input_;
+    const DenoiseSource& source_;
+    DenoiseShape shape_;
     const DenoiseKernels& kernels_;
     BandPlanes planes_;
 };

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/progress.h"
@@ -11,13 +13,14 @@ namespace carom::render {
 /// Incremented whenever denoised pixels change for the same inputs.
 inline constexpr int kDenoiserRevision = 6;
 
-/// Numbers of a picture, row by row from the top left, of which every `step`th belongs to this
-/// plane. Borrowed.
+/// Numbers of a picture, row by row from the top left: floats, of which every `step`th belongs to
+/// this plane, or the bits of half floats. Borrowed.
 struct PlaneView {
     const float* first = nullptr;
     std::ptrdiff_t step = 1;
+    const std::uint16_t* halves = nullptr;
 
-    [[nodiscard]] float operator[](std::ptrdiff_t pixel) const { return first[pixel * step]; }
+    [[nodiscard]] bool empty() const { return first == nullptr && halves == nullptr; }
 };
 
 /// A channel of colour in both halves: A = mean + difference, B = mean - difference.
@@ -43,12 +46,59 @@ struct DenoiseInput {
     int height = 0;
     ColourPlanes colour[3];
     std::vector<FeaturePlanes> features;  // in threes, such as a colour; at most kMostFeatures
-    /// The weight of the halves' samples in the exact features, [0, 1]; `first` is null if they do
+    /// The weight of the halves' samples in the exact features, [0, 1]; empty if they do
     /// not contain them.
     PlaneView share_of_samples;
     /// Variance of the mean luminance, right up to a factor that changes slowly over the picture;
-    /// `first` is null if it is not known.
+    /// empty if it is not known.
     PlaneView variance;
+};
+
+struct DenoiseShape {
+    int width = 0;  // pixels
+    int height = 0;
+    std::size_t features = 0;  // in threes, such as a colour; at most kMostFeatures
+    bool has_variance = false;
+    bool has_share = false;
+};
+
+/// Hands out what is known of a noisy picture row by row, so that it need not all be in memory in
+/// this form. Any thread may ask for any row, also several times. Numbers that are not finite count
+/// as 0.
+class DenoiseSource {
+  public:
+    virtual ~DenoiseSource() = default;
+
+    /// Where to write the row's numbers; `variance` is null if there is none.
+    struct ColourRows {
+        float* mean[3];
+        float* difference[3];
+        float* variance;
+    };
+    struct FeatureRows {
+        float* exact[DenoiseInput::kMostFeatures];
+        float* error[DenoiseInput::kMostFeatures];
+        float* difference[DenoiseInput::kMostFeatures];
+        float* share;
+    };
+    [[nodiscard]] virtual DenoiseShape shape() const = 0;
+    virtual void colours(int y, const ColourRows& rows) const = 0;
+    virtual void features(int y, const FeatureRows& rows) const = 0;
+};
+
+/// From planes.
+class PlaneSource final : public DenoiseSource {
+  public:
+    explicit PlaneSource(DenoiseInput input) : input_(std::move(input)) {}
+
+    [[nodiscard]] DenoiseShape shape() const override;
+    void colours(int y, const ColourRows& rows) const override;
+    void features(int y, const FeatureRows& rows) const override;
+
+  private:
+    void read(const PlaneView& view, int y, float* row) const;
+
+    DenoiseInput input_;
 };
 
 struct DenoisedPicture {
@@ -74,5 +124,9 @@ struct DenoisedPicture {
 /// the processor. Besides the result it takes about 44 kB of memory for each column of a picture,
 /// of 1920 columns if it has fewer. Throws Stopped.
 [[nodiscard]] DenoisedPicture denoise(const DenoiseInput& input, const WorkContext& context = {});
+
+/// DenoisedPicture::error alone. Throws Stopped.
+[[nodiscard]] std::vector<float> error_after_denoising(const DenoiseSource& source,
+                                                       const WorkContext& context = {});
 
 }  // namespace carom::render

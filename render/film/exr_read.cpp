@@ -113,8 +113,7 @@ Film read_pixels(Imf::InputFile& file) {
         insert(kColourNames[c], film.rgba.data() + c, 4);
     }
     for (const std::string& name : further_channels(file.header().channels())) {
-        const bool is_half = file.header().channels()[name].type == Imf::HALF;
-        film.aovs.push_back({present_name(name), std::vector<float>(count), is_half});
+        film.aovs.push_back({present_name(name), std::vector<float>(count)});
         insert(name, film.aovs.back().values.data(), 1);
     }
     file.setFrameBuffer(target);

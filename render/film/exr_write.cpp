@@ -72,7 +72,7 @@ void add_channels(Imf::Header& header, const Film& film) {
         header.channels().insert(name, Imf::Channel(Imf::HALF));
     }
     for (const Channel& aov : film.aovs) {
-        header.channels().insert(aov.name, Imf::Channel(aov.is_half ? Imf::HALF : Imf::FLOAT));
+        header.channels().insert(aov.name, Imf::Channel(Imf::FLOAT));
     }
 }
 
@@ -85,9 +85,7 @@ Halves as_halves(const std::vector<float>& values) {
 }
 
 /// Where the library finds the pixels. It only reads them, although it takes pointers to char.
-/// `halves`: of the channels that are stored as such, otherwise empty.
-Imf::FrameBuffer buffer_of(const Film& film, const Halves& colours,
-                           const std::vector<Halves>& halves) {
+Imf::FrameBuffer buffer_of(const Film& film, const Halves& colours) {
     const std::size_t width = static_cast<std::size_t>(film.width);
     Imf::FrameBuffer buffer;
     const auto insert = [&](const std::string& name, Imf::PixelType type, const void* start,
@@ -98,13 +96,8 @@ Imf::FrameBuffer buffer_of(const Film& film, const Halves& colours,
     for (std::size_t c = 0; c < 4; ++c) {
         insert(kColourNames[c], Imf::HALF, colours.data() + c, 4 * sizeof(Imath::half));
     }
-    for (std::size_t i = 0; i < film.aovs.size(); ++i) {
-        const Channel& aov = film.aovs[i];
-        if (aov.is_half) {
-            insert(aov.name, Imf::HALF, halves[i].data(), sizeof(Imath::half));
-        } else {
-            insert(aov.name, Imf::FLOAT, aov.values.data(), sizeof(float));
-        }
+    for (const Channel& aov : film.aovs) {
+        insert(aov.name, Imf::FLOAT, aov.values.data(), sizeof(float));
     }
     return buffer;
 }
@@ -115,10 +108,6 @@ void write_exr(const Film& film, const std::string& path, const ImageMetadata& m
                const std::optional<ExrStandardAttributes>& standard) {
     check_film(film, path);
     const Halves colours = as_halves(film.rgba);
-    std::vector<Halves> halves;
-    for (const Channel& aov : film.aovs) {
-        halves.push_back(aov.is_half ? as_halves(aov.values) : Halves());
-    }
     MemoryFile memory;
     try {
         Imf::Header header(film.width, film.height);
@@ -133,7 +122,7 @@ void write_exr(const Film& film, const std::string& path, const ImageMetadata& m
         }
         use_exr_threads();
         Imf::OutputFile output(memory, header);
-        output.setFrameBuffer(buffer_of(film, colours, halves));
+        output.setFrameBuffer(buffer_of(film, colours));
         output.writePixels(film.height);
     } catch (const std::exception& error) {
         refuse_to_write(path, exr_reason(error.what()));

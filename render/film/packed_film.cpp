@@ -72,10 +72,16 @@ Film take_header(std::span<const std::byte>& bytes) {
     }
     for (auto count = take_value<std::uint32_t>(bytes); count > 0; --count) {
         std::string name = take_text(bytes);
-        film.aovs.push_back({std::move(name), {}, take_value<std::uint8_t>(bytes) != 0});
+        const bool is_half = take_value<std::uint8_t>(bytes) != 0;
+        if (!is_half && !film.half_aovs.empty()) {
+            throw Error("its channels are in the wrong order");
+        }
+        is_half ? void(film.half_aovs.push_back({std::move(name), {}}))
+                : void(film.aovs.push_back({std::move(name), {}}));
     }
     const std::int64_t pixels = std::int64_t{film.width} * film.height;
-    const auto planes = 4 + std::ssize(film.aovs);  // of a byte per pixel at least
+    const auto planes =
+        4 + std::ssize(film.aovs) + std::ssize(film.half_aovs);  // of a byte per pixel at least
     if (film.width <= 0 || film.height <= 0 || pixels > kMostPixels ||
         pixels > kMostPacked * static_cast<std::int64_t>(bytes.size()) / planes) {
         throw Error("it is too short for its pixels");
@@ -96,11 +102,16 @@ std::vector<std::byte> pack_film(const Film& film, const std::string& path) {
         append_text(key, bytes);
         append_text(text, bytes);
     }
-    append_value(static_cast<std::uint32_t>(film.aovs.size()), bytes);
+    append_value(static_cast<std::uint32_t>(film.aovs.size() + film.half_aovs.size()), bytes);
     for (const Channel& channel : film.aovs) {
         CAROM_ASSERT(channel.values.size() == pixels);
         append_text(channel.name, bytes);
-        append_value(static_cast<std::uint8_t>(channel.is_half), bytes);
+        append_value(std::uint8_t{0}, bytes);
+    }
+    for (const HalfChannel& channel : film.half_aovs) {
+        CAROM_ASSERT(channel.bits.size() == pixels);
+        append_text(channel.name, bytes);
+        append_value(std::uint8_t{1}, bytes);
     }
     PlanePacker packer;
     std::vector<std::uint16_t> halves(pixels);
@@ -109,12 +120,11 @@ std::vector<std::byte> pack_film(const Film& film, const std::string& path) {
         finite = append_halves(film.rgba.data() + c, 4, halves, packer, bytes) && finite;
     }
     for (const Channel& channel : film.aovs) {
-        if (channel.is_half) {
-            finite = append_halves(channel.values.data(), 1, halves, packer, bytes) && finite;
-        } else {
-            finite = all_finite(channel.values) && finite;
-            packer.append(channel.values, bytes);
-        }
+        finite = all_finite(channel.values) && finite;
+        packer.append(channel.values, bytes);
+    }
+    for (const HalfChannel& channel : film.half_aovs) {
+        packer.append(channel.bits, bytes);
     }
     if (!finite) {
         check_film(film, path);  // throws
@@ -133,11 +143,11 @@ Film unpack_film(std::span<const std::byte> bytes) {
     }
     for (Channel& channel : film.aovs) {
         channel.values.resize(pixels);
-        if (channel.is_half) {
-            take_halves(bytes, halves, channel.values.data(), 1);
-        } else {
-            unpack_floats(bytes, channel.values);
-        }
+        unpack_floats(bytes, channel.values);
+    }
+    for (HalfChannel& channel : film.half_aovs) {
+        channel.bits.resize(pixels);
+        unpack_halves(bytes, channel.bits);
     }
     if (!bytes.empty()) {
         throw Error("it is longer than its channels");

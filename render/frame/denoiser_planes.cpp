@@ -16,7 +16,7 @@ namespace carom::render {
 namespace {
 
 constexpr std::size_t kColours = 3;
-constexpr std::size_t kFeatures = PixelFeatures::kCount;
+constexpr std::size_t kFeatures = DenoiserValues::kFeatures;
 
 constexpr std::array<std::string_view, 9> kFeatureNames{"albedo.R", "albedo.G", "albedo.B",
                                                         "normal.X", "normal.Y", "normal.Z",
@@ -85,133 +85,121 @@ float rounded_feature(float value) {
 
 }  // namespace
 
-PixelFeatures features_of_half(const PixelSums& pixel, int half) {
-    const int samples = pixel.samples_of_half(half);
-    return samples > 0
-               ? pixel.halves[static_cast<std::size_t>(half)] * (1.0F / static_cast<float>(samples))
-               : PixelFeatures();
-}
-
 DenoiserPlanes::DenoiserPlanes(int width, int height) : width_(width) {
     const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     for (std::string& name : channel_names()) {
-        channels_.push_back({std::move(name), std::vector<float>(pixels), true});
+        channels_.push_back({std::move(name), {}});
+        channels_.back().bits.reserve(pixels);
     }
 }
 
-namespace {
+void DenoiserPlanes::make_room(std::size_t pixels) {
+    for (HalfChannel& channel : channels_) {
+        channel.bits.resize(std::max(channel.bits.size(), pixels));
+    }
+}
 
-using Values = std::array<float, DenoiserPlanes::kMost>;
-
-/// Values of some pixels before they are rounded.
-struct Unrounded {
-    std::array<Values, kColours> difference_of_colour{};
-    Values variance{};
-    Values share{};
-    std::array<Values, kFeatures> exact{}, mean{}, difference{};
-
-    void set(std::size_t i, const FeaturePixel& pixel, const PixelSums& sums) {
-        const V3f colours = sums.mean_of_half(0) - sums.mean_of_half(1);
-        const PixelFeatures means = pixel.traced.with_samples(pixel.halves, sums.samples);
+// The loops over the pixels of a channel have no branches, so that compilers use vectors.
+void DenoiserValues::set_colours(std::span<const DenoiserPixel> pixels) {
+    CAROM_ASSERT(pixels.size() <= kMost);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const auto& [sums, traced, pixel] = pixels[i];
+        const V3f difference = sums->mean_of_half(pixel, 0) - sums->mean_of_half(pixel, 1);
         for (std::size_t c = 0; c < kColours; ++c) {
-            difference_of_colour[c][i] = 0.5F * colours[static_cast<int>(c)];
+            colours_[c][i] = 0.5F * difference[static_cast<int>(c)];
         }
-        variance[i] = sums.samples > 0 ? sums.means().variance : 0;
-        share[i] = pixel.traced.share_of_samples(sums.samples);
+        variance_[i] = sums->variance(pixel);
+    }
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        for (Values& colour : colours_) {
+            colour[i] = rounded<kNoiseDigits>(colour[i]);
+        }
+        variance_[i] = rounded<kVarianceDigits>(variance_[i]);
+    }
+}
+
+void DenoiserValues::set_features(std::span<const DenoiserPixel> pixels) {
+    CAROM_ASSERT(pixels.size() <= kMost);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const auto& [sums, traced, pixel] = pixels[i];
+        const PixelFeatures halves[2] = {sums->features_of_half(pixel, 0),
+                                         sums->features_of_half(pixel, 1)};
+        const TracedFeatures rays = traced->at(pixel);
+        const PixelFeatures means = rays.with_samples(halves, sums->samples(pixel));
+        share_[i] = as_half(rays.share_of_samples(sums->samples(pixel)));
         for (std::size_t f = 0; f < kFeatures; ++f) {
-            exact[f][i] = means[f];
-            mean[f][i] = 0.5F * (pixel.halves[0][f] + pixel.halves[1][f]);
-            difference[f][i] = 0.5F * (pixel.halves[0][f] - pixel.halves[1][f]);
+            exact_[f][i] = means[f];
+            error_[f][i] = 0.5F * (halves[0][f] + halves[1][f]);
+            difference_[f][i] = 0.5F * (halves[0][f] - halves[1][f]);
         }
     }
-};
-
-}  // namespace
+    for (std::size_t f = 0; f < kFeatures; ++f) {
+        const float step = f < PixelFeatures::kLight ? kExactStep : 0;
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+            const float exact = exact_[f][i];
+            const float mean = error_[f][i];
+            exact_[f][i] = as_half(step > 0 ? stepped(exact, step) : exact);
+            // Where all rays saw the same, the error is none, although the exact mean is rounded.
+            const float error = rounded_feature(mean - exact_[f][i]);
+            error_[f][i] = render::difference(mean, exact) == 0 ? 0 : error;
+            difference_[f][i] = rounded_feature(difference_[f][i]);
+        }
+    }
+}
 
 /// Channel by channel: planes of a picture often begin at the same place of a page of memory, where
-/// the processor's cache keeps few lines. The loops have no branches, so that compilers use
-/// vectors.
-void DenoiserPlanes::write(std::span<const FeaturePixel> pixels, std::size_t width,
-                           const PixelSums* sums, std::size_t row) {
-    CAROM_ASSERT(!pixels.empty() && pixels.size() <= kMost);
-    Unrounded all;
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        all.set(i, pixels[i], sums[i / width * row + i % width]);
-    }
-    const std::size_t first =
-        static_cast<std::size_t>(pixels.front().y) * static_cast<std::size_t>(width_) +
-        static_cast<std::size_t>(pixels.front().x);
-    Values values;
-    const auto write = [&](std::size_t channel, const auto& value) {
-        for (std::size_t i = 0; i < pixels.size(); ++i) {
-            values[i] = value(i);
-        }
-        float* to = channels_[channel].values.data() + first;
+/// the processor's cache keeps few lines.
+void DenoiserPlanes::write(std::span<const DenoiserPixel> pixels, std::size_t first,
+                           std::size_t width) {
+    DenoiserValues values;
+    values.set_colours(pixels);
+    values.set_features(pixels);
+    const auto write = [&](std::size_t channel, const DenoiserValues::Values& from) {
+        std::uint16_t* to = channels_[channel].bits.data() + first;
         for (std::size_t i = 0; i < pixels.size(); i += width) {
-            std::copy_n(values.data() + i, width, to);
+            std::transform(from.data() + i, from.data() + i + width, to, half_bits);
             to += width_;
         }
     };
     for (std::size_t c = 0; c < kColours; ++c) {
-        write(c,
-              [&](std::size_t i) { return rounded<kNoiseDigits>(all.difference_of_colour[c][i]); });
+        write(c, values.difference_of_colour(c));
     }
-    write(kVariance, [&](std::size_t i) { return rounded<kVarianceDigits>(all.variance[i]); });
-    write(kShare, [&](std::size_t i) { return as_half(all.share[i]); });
+    write(kVariance, values.variance());
+    write(kShare, values.share());
     for (std::size_t f = 0; f < kFeatures; ++f) {
-        const Values& exact = all.exact[f];
-        const Values& mean = all.mean[f];
-        if (f >= PixelFeatures::kLight) {
-            write(kExact + f, [&](std::size_t i) { return as_half(exact[i]); });
-        } else {
-            write(kExact + f,
-                  [&](std::size_t i) { return as_half(stepped(exact[i], kExactStep)); });
-        }
-        const Values kept = values;
-        write(kError + f, [&](std::size_t i) {
-            // Where all rays saw the same, the error is none, although the exact mean is rounded.
-            const float error = rounded_feature(mean[i] - kept[i]);
-            return difference(mean[i], exact[i]) == 0 ? 0 : error;
-        });
-        write(kDifference + f,
-              [&](std::size_t i) { return rounded_feature(all.difference[f][i]); });
+        write(kExact + f, values.exact(f));
+        write(kError + f, values.error(f));
+        write(kDifference + f, values.difference(f));
     }
 }
 
-void DenoiserPlanes::add_to_colours(const Film& a, const Film& b) {
+float with_added_colour(float half, float added) {
+    return added == 0 ? half : rounded<kNoiseDigits>(half + added);
+}
+
+void DenoiserPlanes::add_to_colours(const SplatPicture& a, const SplatPicture& b) {
     for (std::size_t c = 0; c < kColours; ++c) {
-        std::vector<float>& values = channels_[c].values;
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            const float added = 0.5F * (a.rgba[4 * i + c] - b.rgba[4 * i + c]);
-            values[i] = added == 0 ? values[i] : rounded<kNoiseDigits>(values[i] + added);
+        const auto axis = static_cast<int>(c);
+        std::vector<std::uint16_t>& bits = channels_[c].bits;
+        for (std::size_t i = 0; i < bits.size(); ++i) {
+            const int x = static_cast<int>(i % static_cast<std::size_t>(width_));
+            const int y = static_cast<int>(i / static_cast<std::size_t>(width_));
+            bits[i] = half_bits(with_added_colour(imath_half_to_float(bits[i]),
+                                                  0.5F * (a.at(x, y)[axis] - b.at(x, y)[axis])));
         }
     }
-}
-
-void DenoiserPlanes::append_to(Film& film) {
-    for (Channel& channel : channels_) {
-        film.aovs.push_back(std::move(channel));
-    }
-    channels_.clear();
-}
-
-bool is_denoiser_channel(std::string_view name) {
-    static const std::vector<std::string> names = channel_names();
-    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 namespace {
 
 DenoiseInput input_of(const Film& film) {
+    const std::vector<std::string> names = channel_names();
+    if (!std::ranges::equal(film.half_aovs, names, {}, &HalfChannel::name)) {
+        throw Error("a frame without the channels for the denoiser cannot be denoised");
+    }
     std::vector<PlaneView> views;
-    for (const std::string& name : channel_names()) {
-        const auto found =
-            std::find_if(film.aovs.begin(), film.aovs.end(),
-                         [&](const Channel& channel) { return channel.name == name; });
-        if (found == film.aovs.end()) {
-            throw Error("a frame without the channel '" + name + "' cannot be denoised");
-        }
-        views.push_back({found->values.data()});
+    for (const HalfChannel& channel : film.half_aovs) {
+        views.push_back({.halves = channel.bits.data()});
     }
     DenoiseInput input;
     input.width = film.width;
@@ -230,7 +218,7 @@ DenoiseInput input_of(const Film& film) {
 }  // namespace
 
 std::vector<float> error_after_denoising(const Film& film, const WorkContext& context) {
-    return denoise(input_of(film), context).error;
+    return error_after_denoising(PlaneSource(input_of(film)), context);
 }
 
 Film denoised(const Film& film, const WorkContext& context) {
@@ -242,8 +230,7 @@ Film denoised(const Film& film, const WorkContext& context) {
     for (std::size_t i = 0; i < picture.error.size(); ++i) {
         std::copy_n(&picture.rgb[kColours * i], kColours, &result.rgba[4 * i]);
     }
-    std::copy_if(film.aovs.begin(), film.aovs.end(), std::back_inserter(result.aovs),
-                 [](const Channel& channel) { return !is_denoiser_channel(channel.name); });
+    result.aovs = film.aovs;
     result.notes = film.notes;
     result.statistics = film.statistics;
     return result;

@@ -1,23 +1,27 @@
 // The channels of a frame that the denoiser needs, and the denoised frame.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/progress.h"
 #include "render/film/film.h"
-#include "render/frame/feature_tracer.h"
-#include "render/frame/pixel_sums.h"
+#include "render/frame/splat_picture.h"
+#include "render/frame/tile_sums.h"
 
 namespace carom::render {
 
-/// The means over what one half of a pixel's samples saw; all 0 if it has none.
-[[nodiscard]] PixelFeatures features_of_half(const PixelSums& pixel, int half);
+/// A pixel of a tile, and what camera rays saw of that tile.
+struct DenoiserPixel {
+    const TileSums* sums = nullptr;
+    const TracedTile* traced = nullptr;
+    std::size_t pixel = 0;
+};
 
-/// Collects these channels, some pixels at a time and from any thread. The halves of a pixel's
-/// samples are A and B:
+/// What the denoiser reads of some pixels. The halves of a pixel's samples are A and B:
 ///   half.R .G .B              (A - B) / 2 of the colour
 ///   half_variance.X           of the mean luminance, as if samples were independent
 ///   exact_albedo.R .G .B, exact_normal.X .Y .Z, exact_light.R .G .B
@@ -26,6 +30,36 @@ namespace carom::render {
 ///   half_albedo.R ...         (A - B) / 2 of the feature
 ///   exact_share.X             weight of the samples in the exact features
 /// Values have as few digits as suffice, so that they take little room in files.
+class DenoiserValues {
+  public:
+    static constexpr std::size_t kMost = 256;  // pixels
+    static constexpr std::size_t kFeatures = PixelFeatures::kCount;
+    using Values = std::array<float, kMost>;
+
+    /// Sets the first two channels.
+    void set_colours(std::span<const DenoiserPixel> pixels);
+    /// Sets the others.
+    void set_features(std::span<const DenoiserPixel> pixels);
+
+    [[nodiscard]] const Values& difference_of_colour(std::size_t c) const { return colours_[c]; }
+    [[nodiscard]] const Values& variance() const { return variance_; }
+    [[nodiscard]] const Values& exact(std::size_t feature) const { return exact_[feature]; }
+    [[nodiscard]] const Values& error(std::size_t feature) const { return error_[feature]; }
+    [[nodiscard]] const Values& difference(std::size_t feature) const {
+        return difference_[feature];
+    }
+    [[nodiscard]] const Values& share() const { return share_; }
+
+  private:
+    std::array<Values, 3> colours_;
+    std::array<Values, kFeatures> exact_, error_, difference_;
+    Values variance_, share_;
+};
+
+/// A value of `half`, after the halves got colours of which half of the difference is `added`.
+[[nodiscard]] float with_added_colour(float half, float added);
+
+/// Collects these channels, some pixels at a time and from any thread.
 class DenoiserPlanes {
   public:
     /// No planes.
@@ -33,28 +67,23 @@ class DenoiserPlanes {
     DenoiserPlanes(int width, int height);
 
     [[nodiscard]] bool empty() const { return channels_.empty(); }
+    /// Room for the first `pixels` of the picture; before there is none.
+    void make_room(std::size_t pixels);
 
-    /// The most pixels of one call of write().
-    static constexpr std::size_t kMost = 256;
+    /// Writes the pixels of a rectangle of this width, row by row; the first one is that number of
+    /// the picture's.
+    void write(std::span<const DenoiserPixel> pixels, std::size_t first, std::size_t width);
 
-    /// Writes the pixels of a rectangle of this width, row by row from the top left. `sums`: of the
-    /// first one; those of the pixel below it follow after `row` others.
-    void write(std::span<const FeaturePixel> pixels, std::size_t width, const PixelSums* sums,
-               std::size_t row);
+    /// Adds light to the halves. Once all pixels are written, from one thread.
+    void add_to_colours(const SplatPicture& a, const SplatPicture& b);
 
-    /// Adds colours to the halves. Once all pixels are written, from one thread.
-    void add_to_colours(const Film& a, const Film& b);
-
-    /// Moves the channels to the film's; does nothing without planes.
-    void append_to(Film& film);
+    /// The channels, none without planes.
+    [[nodiscard]] std::vector<HalfChannel> take() { return std::move(channels_); }
 
   private:
     int width_ = 0;
-    std::vector<Channel> channels_;
+    std::vector<HalfChannel> channels_;
 };
-
-/// Whether it is the name of one of these channels.
-[[nodiscard]] bool is_denoiser_channel(std::string_view name);
 
 /// The film without noise (denoise.h) and without these channels, which it must have. It has the
 /// film's alpha, other channels, notes and statistics. Throws Stopped, and Error if channels are

@@ -1,144 +1,112 @@
 #include "render/frame/frame.h"
 
-#include <chrono>
+#include <limits>
 #include <utility>
 #include <vector>
 
-#include "core/error.h"
+#include "core/free_memory.h"
 #include "render/acceleration/flush_denormals.h"
 #include "render/frame/adaptive_progress.h"
-#include "render/frame/frame_sums_data.h"
-#include "render/frame/frame_work.h"
+#include "render/frame/frame_session.h"
 #include "render/frame/tile_loop.h"
 
 namespace carom::render {
 namespace {
 
-/// What a frame consists of.
-struct Planes {
-    explicit Planes(const FrameWork& work)
-        : film(work.empty_film()),
-          aovs(work.make_aovs(work.settings().aovs)),
-          denoiser(work.make_denoiser_planes()) {}
+/// Writes each tile as soon as it has its samples, and then forgets their sums unless they may be
+/// resumed from.
+class EvenFrame final : public SessionObserver {
+  public:
+    EvenFrame(FrameSession& session, FramePlanes& planes, bool keeps_sums,
+              const WorkContext& context)
+        : session_(session),
+          planes_(planes),
+          keeps_sums_(keeps_sums),
+          progress_(context.progress, session.tiles().tile_count()) {}
 
-    Film film;
-    AovPlanes aovs;
-    DenoiserPlanes denoiser;
-
-    void write(const TileRenderer& tiles, int tile, const TileSums& sums,
-               const std::vector<TracedFeatures>& features = {}) {
-        tiles.write(tile, sums, film);
-        tiles.write(tile, sums, aovs);
-        tiles.write(tile, sums, denoiser, features);
+    void finished(const SessionRound& /*round*/, int tile) override {
+        session_.write(tile, planes_);
+        if (!keeps_sums_) {
+            session_.release(tile);
+        }
+        progress_.finish_tile();
     }
+
+  private:
+    FrameSession& session_;
+    FramePlanes& planes_;
+    bool keeps_sums_;
+    TileProgress progress_;
 };
 
-/// Takes all samples of a tile before those of the next one. Unless `sums` has room for all, only
-/// the sums of the tiles in work are in memory.
-Planes render_evenly(const FrameWork& work, const WorkContext& context, FrameSums::Data& sums) {
-    Planes planes(work);
-    constexpr std::size_t kSide = TileRenderer::kTileSize;
-    const TileRenderer& tiles = work.tiles();
-    TileProgress progress(context.progress, tiles.tile_count());
-    for_all_tiles(
-        tiles.tile_count(), context, sums.statistics,
-        [&](int tile) {
-            std::vector<PixelSums> own(sums.pixels.empty() ? kSide * kSide : 0);
-            const TileSums pixels =
-                own.empty() ? tiles.sums_of(tile, sums.pixels) : TileSums{own.data(), kSide};
-            const RenderStatistics count =
-                tiles.add_samples(tile, pixels, {tiles.samples()}, context.stop);
-            if (!context.stop.stop_requested()) {
-                planes.write(tiles, tile, pixels);
-            }
-            return count;
-        },
-        [&](int) { progress.finish_tile(); });
-    return planes;
-}
+class AdaptiveFrame final : public SessionObserver {
+  public:
+    AdaptiveFrame(FrameSession& session, const FrameSums::Data& sums, const WorkContext& context)
+        : session_(session),
+          sums_(sums),
+          progress_(context.progress, session.settings(), session.tiles().tile_count()) {}
 
-/// The first samples of an adaptive frame.
-void take_first_samples(const FrameWork& work, const WorkContext& context, FrameSums::Data& sums,
-                        AdaptiveProgress& progress) {
-    using Clock = std::chrono::steady_clock;
-    const TileRenderer& tiles = work.tiles();
-    sums.seconds.resize(static_cast<std::size_t>(tiles.tile_count()));
-    for_all_tiles(
-        tiles.tile_count(), context, sums.statistics,
-        [&](int n) {
-            const Clock::time_point begin = Clock::now();
-            const int tile = progress.nth_tile(n);
-            const RenderStatistics rays = tiles.add_samples(tile, tiles.sums_of(tile, sums.pixels),
-                                                            {tiles.samples()}, context.stop);
-            sums.seconds[static_cast<std::size_t>(tile)] +=
-                std::chrono::duration<float>(Clock::now() - begin).count();
-            return rays;
-        },
-        [&](int n) {
-            const int tile = progress.nth_tile(n);
-            progress.first_samples_done(
-                tile, tiles.errors(tile, tiles.sums_of(tile, sums.pixels)),
-                static_cast<double>(sums.seconds[static_cast<std::size_t>(tile)]));
-        });
-}
-
-/// The samples that the plan of the sums still asks for.
-void take_round(const FrameWork& work, const WorkContext& context, FrameSums::Data& sums,
-                AdaptiveProgress& progress) {
-    const TileRenderer& tiles = work.tiles();
-    for_all_tiles(
-        tiles.tile_count(), context, sums.statistics,
-        [&](int tile) {
-            return tiles.add_samples(tile, tiles.sums_of(tile, sums.pixels),
-                                     SampleLimit::planned(sums.plan), context.stop);
-        },
-        [&](int tile) { progress.tile_done(tile); });
-}
-
-Planes render_adaptively(const FrameWork& work, const WorkContext& context, FrameSums::Data& sums) {
-    const TileRenderer& tiles = work.tiles();
-    AdaptiveProgress progress(context.progress, work.settings(), tiles.tile_count());
-    take_first_samples(work, context, sums, progress);
-    const bool goes_on = !sums.plan.empty();
-    if (!goes_on) {
-        sums.features = work.trace_features(sums.pixels, context);
-        sums.plan.assign(work.pixel_count(), work.settings().samples);
-    } else {
-        const std::vector<double> lacking = tiles.lacking_samples(sums.pixels, sums.plan);
-        progress.begin_round(lacking, lacking);
-        take_round(work, context, sums, progress);
-    }
-    for (;;) {
-        SampleRound round = work.next_round(sums.pixels, sums.features, sums.plan, context);
-        if (!round.is_needed) {
-            break;
+    [[nodiscard]] int nth_tile(int n) const override { return progress_.nth_tile(n); }
+    void begin(const SessionRound& round) override {
+        const bool resumes = !round.is_first && std::exchange(is_begun_, true) == false;
+        for (int tile = 0; resumes && tile < session_.tiles().tile_count(); ++tile) {
+            finish_first(tile);
         }
-        sums.plan = std::move(round.plan);
-        progress.begin_round(tiles.lacking_samples(sums.pixels, sums.plan),
-                             tiles.lacking_samples(sums.pixels, round.expected));
-        take_round(work, context, sums, progress);
+        is_begun_ = true;
+        if (!round.is_first) {
+            progress_.begin_round(round.lacking, round.expected);
+        }
     }
-    Planes planes(work);
-    RenderStatistics none;
-    for_all_tiles(
-        tiles.tile_count(), {{}, context.stop}, none,
-        [&](int tile) {
-            planes.write(tiles, tile, tiles.sums_of(tile, sums.pixels), sums.features);
-            return RenderStatistics{};
-        },
-        [](int) {});
-    progress.finish();
-    return planes;
+    void finished(const SessionRound& round, int tile) override {
+        round.is_first ? finish_first(tile) : progress_.tile_done(tile);
+    }
+    void finish() { progress_.finish(); }
+
+  private:
+    void finish_first(int tile) {
+        const auto index = static_cast<std::size_t>(tile);
+        progress_.first_samples_done(tile, session_.tiles().errors(tile, sums_.tiles[index]),
+                                     static_cast<double>(sums_.seconds[index]));
+    }
+
+    FrameSession& session_;
+    const FrameSums::Data& sums_;
+    AdaptiveProgress progress_;
+    bool is_begun_ = false;
+};
+
+constexpr int kAllSamples = std::numeric_limits<int>::max();
+
+Film render_evenly(FrameSession& session, FrameSums::Data& sums, bool keeps_sums,
+                   const WorkContext& context) {
+    const RenderSettings& settings = session.settings();
+    FramePlanes planes = session.make_planes(settings.aovs, settings.for_denoiser);
+    planes.make_room(session.pixel_count());
+    EvenFrame observer(session, planes, keeps_sums, context);
+    session.refine(kAllSamples, context, observer);
+    const Reflections reflections = session.trace_reflections(planes.aovs.has_variance(), context);
+    planes.film.statistics = std::exchange(sums, {}).statistics;
+    return session.film_of(std::move(planes), reflections);
 }
 
-/// With room for the sums of a frame, unless it has them.
-void make_room(FrameSums::Data& sums, std::size_t pixels) {
-    if (sums.pixels.empty()) {
-        sums.pixels.resize(pixels);
-    }
-    if (sums.pixels.size() != pixels) {
-        throw Error("the sums are those of a frame of another size");
-    }
+/// The sums of a tile are forgotten once they are written, so that they and the film do not take
+/// memory at the same time. From there on nothing can be stopped.
+Film render_adaptively(FrameSession& session, FrameSums::Data& sums, const WorkContext& context) {
+    const RenderSettings& settings = session.settings();
+    AdaptiveFrame observer(session, sums, context);
+    session.refine(kAllSamples, context, observer);
+    FramePlanes planes = session.make_planes(settings.aovs, settings.for_denoiser);
+    const Reflections reflections = session.trace_reflections(planes.aovs.has_variance(), context);
+    session.write_all(planes, {}, [&](int tile) {
+        constexpr int kTilesAtOnce = 1024;
+        session.release(tile);
+        if (tile % kTilesAtOnce == kTilesAtOnce - 1) {
+            give_back_freed_memory();
+        }
+    });
+    planes.film.statistics = std::exchange(sums, {}).statistics;
+    observer.finish();
+    return session.film_of(std::move(planes), reflections);
 }
 
 }  // namespace
@@ -147,21 +115,11 @@ Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks
                   const FrameInput& frame, const RenderSettings& settings,
                   const WorkContext& context, FrameSums* sums) {
     const FlushDenormals flush;
-    const FrameWork work(scene, tracks, frame, settings);
     FrameSums own;
     FrameSums::Data& data = sums != nullptr ? sums->data() : own.data();
-    if (sums != nullptr || work.tiles().is_adaptive()) {
-        make_room(data, work.pixel_count());
-    }
-    Planes planes = work.tiles().is_adaptive() ? render_adaptively(work, context, data)
-                                               : render_evenly(work, context, data);
-    Film film = std::move(planes.film);
-    film.statistics = data.statistics;
-    work.add_reflections(film, planes.denoiser, planes.aovs, context);
-    film.aovs = planes.aovs.take();
-    film.notes = planes.aovs.take_notes();
-    planes.denoiser.append_to(film);
-    return film;
+    FrameSession session(scene, tracks, frame, settings, SumsKind::needed_by(settings), data);
+    return session.tiles().is_adaptive() ? render_adaptively(session, data, context)
+                                         : render_evenly(session, data, sums != nullptr, context);
 }
 
 }  // namespace carom::render

@@ -18,7 +18,7 @@ namespace carom::render {
 class FrameSums;  // render/frame/frame_sums.h
 
 /// Incremented whenever the renderer's pixels change for the same inputs.
-inline constexpr int kRendererRevision = 18;
+inline constexpr int kRendererRevision = 19;
 
 /// The inputs of a frame besides scene and tracks. Canonical: scene_open <= scene_close.
 struct FrameInput {
@@ -56,9 +56,9 @@ class PreparedScene {
 /// Renders one frame, tiles in parallel on oneTBB: settings.width x settings.height pixels of
 /// linear light. The pixels depend only on the arguments, not on threads; any number of threads
 /// may call at the same time. `tracks` must contain the tracks that the scene names; a missing
-/// track is an Error, and so are settings with problems. Throws Stopped. `sums`: if given, the
-/// frame goes on with them and keeps all samples in them, also when it is stopped; the pixels are
-/// the same.
+/// track is an Error, and so are settings with problems. Throws Stopped. `sums`: if given, sampling
+/// resumes from them and saves its state there even when it is stopped; once it is finished they
+/// are empty. The pixels are the same.
 [[nodiscard]] Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks,
                                 const FrameInput& frame, const RenderSettings& settings,
                                 const WorkContext& context = {}, FrameSums* sums = nullptr);

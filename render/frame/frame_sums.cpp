@@ -11,22 +11,16 @@
 namespace carom::render {
 namespace {
 
-constexpr std::array<char, 8> kMagic{'c', 'a', 'r', 'o', 'm', 's', 'u', '4'};
+constexpr std::array<char, 8> kMagic{'c', 'a', 'r', 'o', 'm', 's', 'u', '5'};
 constexpr std::size_t kPiece = std::size_t{1} << 20;  // bytes
 
-/// Calls `visit` for each value of a pixel except its lists.
-template <class Visit, class Pixel>
-requires std::is_same_v<std::remove_const_t<Pixel>, PixelSums>
-void for_each_value(Visit& visit, Pixel& pixel) {
-    visit(pixel.radiance);
-    visit(pixel.normal);
-    visit(pixel.albedo);
-    visit(pixel.coverage);
-    visit(pixel.luminance);
-    visit(pixel.luminance2);
-    visit(pixel.samples);
-    visit(pixel.half_radiance[0]);
-    visit(pixel.half_radiance[1]);
+template <class Kind, class Visit>
+void for_each_flag(Kind&& kind, Visit& visit) {
+    visit(kind.halves);
+    visit(kind.variance);
+    visit(kind.surfaces);
+    visit(kind.features);
+    visit(kind.objects);
 }
 
 /// Collects small values into pieces.
@@ -34,8 +28,6 @@ class Writer {
   public:
     explicit Writer(const FrameSums::Sink& sink) : sink_(sink) { buffer_.reserve(kPiece); }
 
-    void operator()(const Vec3& value) { (*this)(std::array{value.x, value.y, value.z}); }
-    void operator()(const V3f& value) { (*this)(std::array{value.x, value.y, value.z}); }
     template <class Value>
     void operator()(const Value& value) {
         static_assert(std::is_trivially_copyable_v<Value>);
@@ -49,18 +41,8 @@ class Writer {
     template <class Value>
     void list(const std::vector<Value>& values) {
         (*this)(std::uint64_t{values.size()});
-        for (const Value& value : values) {
-            (*this)(value);
-        }
-    }
-
-    /// What the halves saw, if it is for the denoiser.
-    void halves(const std::array<PixelFeatures, 2>& values) {
-        const bool are_used = values != std::array<PixelFeatures, 2>{};
-        (*this)(static_cast<std::uint8_t>(are_used));
-        if (are_used) {
-            (*this)(values);
-        }
+        const auto bytes = std::as_bytes(std::span(values));
+        buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
     }
 
     void flush() {
@@ -82,15 +64,10 @@ class Reader {
 
     [[nodiscard]] bool is_good() const { return is_good_; }
 
-    void operator()(Vec3& value) {
-        std::array<double, 3> xyz{};
-        (*this)(xyz);
-        value = {xyz[0], xyz[1], xyz[2]};
-    }
-    void operator()(V3f& value) {
-        std::array<float, 3> xyz{};
-        (*this)(xyz);
-        value = {xyz[0], xyz[1], xyz[2]};
+    void operator()(bool& value) {
+        std::uint8_t byte = 0;
+        (*this)(byte);
+        value = byte != 0;
     }
     template <class Value>
     void operator()(Value& value) {
@@ -103,16 +80,10 @@ class Reader {
     void list(std::vector<Value>& values) {
         std::uint64_t count = 0;
         (*this)(count);
-        for (; count > 0 && is_good_; --count) {
-            (*this)(values.emplace_back());
-        }
-    }
-
-    void halves(std::array<PixelFeatures, 2>& values) {
-        std::uint8_t are_used = 0;
-        (*this)(are_used);
-        if (are_used != 0) {
-            (*this)(values);
+        while (count > values.size() && is_good_) {
+            const std::size_t known = values.size();
+            values.resize(known + std::min<std::size_t>(count - known, kPiece / sizeof(Value)));
+            is_good_ = source_(std::as_writable_bytes(std::span(values).subspan(known)));
         }
     }
 
@@ -129,25 +100,21 @@ FrameSums::FrameSums(FrameSums&&) noexcept = default;
 FrameSums& FrameSums::operator=(FrameSums&&) noexcept = default;
 
 std::uint64_t FrameSums::samples() const {
-    std::uint64_t sum = 0;
-    for (const PixelSums& pixel : data_->pixels) {
-        sum += static_cast<std::uint64_t>(pixel.samples);
-    }
-    return sum;
+    return data_->statistics.camera_rays;
 }
 
 void FrameSums::save(const Sink& sink) const {
     Writer write(sink);
     write(kMagic);
-    write(std::uint64_t{data_->pixels.size()});
+    write(std::uint64_t{data_->pixels});
     write(data_->statistics);
-    write.list(data_->plan);
-    write.list(data_->features);
+    write(data_->has_plan);
     write.list(data_->seconds);
-    for (const PixelSums& pixel : data_->pixels) {
-        for_each_value(write, pixel);
-        write.list(pixel.objects);
-        write.halves(pixel.halves);
+    write(std::uint64_t{data_->tiles.size()});
+    for (const TileSums& tile : data_->tiles) {
+        write(std::uint64_t{tile.size()});
+        for_each_flag(tile.kind(), write);
+        TileSums::for_each_plane(tile, [&](const auto& plane) { write.list(plane); });
     }
     write.flush();
 }
@@ -163,18 +130,32 @@ std::optional<FrameSums> FrameSums::load(const Source& source, std::size_t pixel
     if (!read.is_good() || magic != kMagic || count != pixels) {
         return std::nullopt;
     }
+    data.pixels = pixels;
+    std::uint64_t tiles = 0;
     read(data.statistics);
-    read.list(data.plan);
-    read.list(data.features);
+    read(data.has_plan);
     read.list(data.seconds);
-    data.pixels.resize(pixels);
-    for (PixelSums& pixel : data.pixels) {
-        for_each_value(read, pixel);
-        read.list(pixel.objects);
-        read.halves(pixel.halves);
+    read(tiles);
+    std::size_t known = 0;
+    for (; tiles > 0 && read.is_good(); --tiles) {
+        std::uint64_t size = 0;
+        SumsKind kind;
+        read(size);
+        for_each_flag(kind, read);
+        known += size;
+        if (!read.is_good() || known > pixels) {
+            return std::nullopt;
+        }
+        TileSums& tile = data.tiles.emplace_back(size, kind);
+        TileSums::for_each_plane(tile, [&](auto& plane) {
+            plane.clear();
+            read.list(plane);
+        });
+        if (!read.is_good() || tile.size() != size || !tile.is_valid(data.has_plan)) {
+            return std::nullopt;
+        }
     }
-    const auto fits = [&](std::size_t size) { return size == 0 || size == pixels; };
-    if (!read.is_good() || !fits(data.plan.size()) || !fits(data.features.size())) {
+    if (!read.is_good() || data.seconds.size() != data.tiles.size()) {
         return std::nullopt;
     }
     return sums;

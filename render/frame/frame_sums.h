@@ -1,4 +1,4 @@
-// What the samples of a frame add up to, so that a frame that was stopped can be gone on with.
+// What the samples of a frame add up to, so that a frame that was stopped can be resumed.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,12 @@
 
 namespace carom::render {
 
-/// Filled by render_frame (256 bytes a pixel). A frame that goes on with the sums of an
-/// earlier attempt, of whatever process, has the same bytes as one that was never stopped.
+/// Filled by render_frame: 32 to 190 bytes a pixel, as the frame needs (tile_sums.h). A frame that
+/// resumes from the sums of an earlier attempt, of whatever process, has the same bytes as one that
+/// was never stopped.
 class FrameSums {
   public:
-    /// Takes the bytes that come next, of which there are some.
+    /// Takes the next bytes, at least one.
     using Sink = std::function<void(std::span<const std::byte>)>;
     /// Fills the whole span with the bytes that come next; false if there are not that many.
     using Source = std::function<bool(std::span<std::byte>)>;

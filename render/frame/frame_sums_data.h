@@ -1,21 +1,20 @@
 // The content of FrameSums. Internal to this folder.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "render/film/film.h"
-#include "render/frame/feature_tracer.h"
 #include "render/frame/frame_sums.h"
-#include "render/frame/pixel_sums.h"
+#include "render/frame/tile_sums.h"
 
 namespace carom::render {
 
 struct FrameSums::Data {
-    std::vector<PixelSums> pixels;  // row by row
-    // With adaptive sampling, once the first samples are taken:
-    std::vector<int> plan;                 // samples after the current round (sample_plan.h)
-    std::vector<TracedFeatures> features;  // for the denoiser
-    std::vector<float> seconds;   // that the first samples of each tile took, with such sampling
+    std::size_t pixels = 0;       // of the frame; 0 before it is begun
+    std::vector<TileSums> tiles;  // of the frame; those without samples are empty
+    bool has_plan = false;        // in all tiles, with adaptive sampling once it has first samples
+    std::vector<float> seconds;   // CPU time that the first samples of each tile took
     RenderStatistics statistics;  // of all rays
 };
 

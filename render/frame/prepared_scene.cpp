@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "render/acceleration/instruction_set.h"
 #include "render/frame_scene/flat_faces.h"
 #include "render/frame_scene/scene_object.h"
 #include "render/threads/thread_arena.h"
@@ -124,6 +125,7 @@ void add_shining_objects(LightSet& lights, const SceneDescription& scene,
 
 PreparedScene::Data* make_data(const SceneDescription& scene, const RenderSettings& settings,
                                StructureMaker maker) {
+    limit_instructions();
     std::optional<LightSet> lights;
     std::optional<StaticGeometry> geometry;
     std::vector<Material> materials;

@@ -78,7 +78,10 @@ Film cut_block(const Film& whole, const ProbeBlock& block, int size) {
     film.width = size;
     film.height = size;
     for (const Channel& channel : whole.aovs) {
-        film.aovs.push_back({channel.name, {}, channel.is_half});
+        film.aovs.push_back({channel.name, {}});
+    }
+    for (const HalfChannel& channel : whole.half_aovs) {
+        film.half_aovs.push_back({channel.name, {}});
     }
     for (int i = 0; i < size * size; ++i) {
         const int x = std::min(block.x * size + i % size, whole.width - 1);
@@ -89,6 +92,9 @@ Film cut_block(const Film& whole, const ProbeBlock& block, int size) {
         film.rgba.insert(film.rgba.end(), rgba, rgba + 4);
         for (std::size_t c = 0; c < film.aovs.size(); ++c) {
             film.aovs[c].values.push_back(whole.aovs[c].values[pixel]);
+        }
+        for (std::size_t c = 0; c < film.half_aovs.size(); ++c) {
+            film.half_aovs[c].bits.push_back(whole.half_aovs[c].bits[pixel]);
         }
     }
     return film;

@@ -12,7 +12,7 @@
 
 namespace carom::render {
 
-/// Keeps the sums of all samples between the rounds (256 bytes a pixel). Once it has all
+/// Keeps the sums of all samples between the rounds (tile_sums.h). Once it has all
 /// samples, its film is that of render_frame, bit for bit, however many rounds there were and
 /// however often they were stopped. For one thread at a time; work runs in the arena of the caller.
 class ProgressiveFrame {

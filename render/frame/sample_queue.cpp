@@ -3,8 +3,17 @@
 #include <utility>
 
 #include "core/assert.h"
+#include "render/geometry/validity.h"
 
 namespace carom::render {
+namespace {
+
+bool is_usable(const RadianceSample& sample) {
+    return is_light(sample.radiance) && is_light(sample.light) && is_light(sample.albedo) &&
+           is_light(sample.mirrored) && is_finite(sample.normal);
+}
+
+}  // namespace
 
 SampleQueue::SampleQueue(const Setting& setting, std::stop_token stop, RenderStatistics& count)
     : setting_(setting),
@@ -17,9 +26,10 @@ SampleQueue::SampleQueue(const Setting& setting, std::stop_token stop, RenderSta
     pixels_.reserve(kSize);
 }
 
-void SampleQueue::add(const SampleStream& stream, const SampleIndex& index, PixelSums& sums) {
+void SampleQueue::add(const SampleStream& stream, const SampleIndex& index, TileSums& sums,
+                      std::size_t pixel) {
     batch_->add(stream, index);
-    pixels_.push_back(&sums);
+    pixels_.emplace_back(&sums, pixel);
     if (batch_->count == kSize) {
         flush();
     }
@@ -44,13 +54,12 @@ int SampleQueue::trace() {
 void SampleQueue::flush() {
     const auto traced = static_cast<std::size_t>(trace());
     for (std::size_t i = 0; i < traced; ++i) {
-        if (setting_.keeps_halves) {
-            pixels_[i]->add_to_half(results_[i]);
+        if (!is_usable(results_[i])) {
+            const SampleIndex index = CameraRun::all(*batch_).index(static_cast<int>(i));
+            count_.add_unusable(1, {index.x, index.y});
+            results_[i] = {};
         }
-        pixels_[i]->add(results_[i]);
-        if (setting_.counts_objects) {
-            pixels_[i]->count_object(results_[i].object);
-        }
+        pixels_[i].first->add(pixels_[i].second, results_[i]);
     }
     batch_->count = 0;
     pixels_.clear();

@@ -3,17 +3,19 @@
 
 #include <memory>
 #include <stop_token>
+#include <utility>
 #include <vector>
 
 #include "render/camera/camera_batch.h"
-#include "render/frame/pixel_sums.h"
+#include "render/frame/tile_sums.h"
 #include "render/integrator/integrator.h"
 #include "render/integrator/workspace_pool.h"
 
 namespace carom::render {
 
 /// For one thread. Samples are added to their pixel's sums in the order of the requests, and only
-/// the rays of added samples are counted.
+/// the rays of added samples are counted. A sample that is negative or not finite is counted, too,
+/// and added as black.
 class SampleQueue {
   public:
     /// Everything is borrowed.
@@ -23,14 +25,13 @@ class SampleQueue {
         const ThinLensCamera& camera;
         CameraFixings fixings;
         float pixel_spread;
-        int traced_at_once;         // samples between two checks for a stop request
-        bool counts_objects;        // that samples hit
-        bool keeps_halves = false;  // what the halves of the samples saw
+        int traced_at_once;  // samples between two checks for a stop request
     };
     SampleQueue(const Setting& setting, std::stop_token stop, RenderStatistics& count);
 
-    /// `sums` must stay in place until `flush`.
-    void add(const SampleStream& stream, const SampleIndex& index, PixelSums& sums);
+    /// `sums`, in which the pixel has that number, must stay in place until `flush`.
+    void add(const SampleStream& stream, const SampleIndex& index, TileSums& sums,
+             std::size_t pixel);
 
     /// Returns when all samples are added. Once a stop is requested, it returns soon, and the
     /// remaining samples are forgotten.
@@ -49,7 +50,7 @@ class SampleQueue {
     RenderStatistics& count_;
     WorkspacePool::Loan workspace_;
     std::unique_ptr<CameraBatch> batch_;
-    std::vector<PixelSums*> pixels_;
+    std::vector<std::pair<TileSums*, std::size_t>> pixels_;
     std::vector<RadianceSample> results_;
 };
 

@@ -7,15 +7,22 @@
 #include "render/frame/sample_plan.h"
 #include "render/integrator/distributed_integrator.h"
 #include "render/integrator/path_integrator.h"
-#include "render/integrator/wave/wave_integrator.h"
 #include "render/sampling/sampler.h"
 
 namespace carom::render {
 namespace {
 
-// Samples between two checks for a stop request; a sample of the distributed integrator is a tree
-// of rays.
-constexpr int kPathSamplesAtOnce = CameraBatch::kMost;
+/// Samples between two checks for a stop request. One of the distributed integrator is a tree of
+/// rays; even of the largest some are taken together, for the vector code.
+int samples_at_once(const RenderSettings& settings, const TransportScene& scene) {
+    constexpr double kRays = 1e6;
+    constexpr double kLeast = 16;
+    if (settings.integrator != IntegratorKind::distributed) {
+        return CameraBatch::kMost;
+    }
+    const double rays = rays_per_camera_ray(settings.distributed, scene.lights.sampled_count());
+    return static_cast<int>(std::clamp<double>(kRays / rays, kLeast, CameraBatch::kMost));
+}
 
 PathSettings path_settings(const RenderSettings& settings) {
     PathSettings path;
@@ -30,11 +37,7 @@ std::unique_ptr<const Integrator> make_integrator(const RenderSettings& settings
     if (settings.integrator == IntegratorKind::distributed) {
         return std::make_unique<DistributedIntegrator>(scene, settings.distributed);
     }
-    const PathSettings path = path_settings(settings);
-    if (WaveIntegrator::can_do(scene, path)) {
-        return std::make_unique<WaveIntegrator>(scene, path, light_tracer);
-    }
-    return std::make_unique<PathIntegrator>(scene, path, light_tracer);
+    return std::make_unique<PathIntegrator>(scene, path_settings(settings), light_tracer);
 }
 
 /// Whether the settings switch the effect of `count` off.
@@ -62,7 +65,7 @@ int expected_samples(const RenderSettings& settings) {
 
 static_assert(TileRenderer::kTileSize <= FeatureTracer::kMostSide);
 static_assert(std::size_t{TileRenderer::kTileSize} * TileRenderer::kTileSize <=
-              DenoiserPlanes::kMost);
+              DenoiserValues::kMost);
 
 int tiles_along(int pixels) {
     return (pixels + TileRenderer::kTileSize - 1) / TileRenderer::kTileSize;
@@ -86,7 +89,7 @@ TileRenderer::TileRenderer(const RenderSettings& settings, const FrameInput& fra
       samples_(settings.integrator == IntegratorKind::distributed
                    ? camera_samples(settings.distributed)
                    : settings.samples),
-      samples_at_once_(settings.integrator == IntegratorKind::distributed ? 1 : kPathSamplesAtOnce),
+      samples_at_once_(samples_at_once(settings, scene)),
       fixings_{is_off(settings, &DistributedSettings::pixel_samples),
                is_off(settings, &DistributedSettings::blur_samples)},
       feature_tracer_(settings.for_denoiser
@@ -94,46 +97,44 @@ TileRenderer::TileRenderer(const RenderSettings& settings, const FrameInput& fra
                                                             fixings_, pixel_spread_,
                                                             expected_samples(settings), frame.seed)
                           : nullptr),
-      counts_objects_(std::any_of(settings.aovs.begin(), settings.aovs.end(), is_matte)),
       tiles_x_(tiles_along(settings.width)),
       tiles_y_(tiles_along(settings.height)) {}
 
+TileArea TileRenderer::area(int tile) const {
+    const int left = tile % tiles_x_ * kTileSize;
+    const int top = tile / tiles_x_ * kTileSize;
+    return {left, top, std::min(kTileSize, settings_.width - left),
+            std::min(kTileSize, settings_.height - top)};
+}
+
+/// Calls pixel(x, y, i) for each pixel of the tile, the i-th.
 template <class Pixel>
 void TileRenderer::for_each_pixel(int tile, const Pixel& pixel) const {
-    const int x0 = tile_left(tile);
-    const int y0 = tile_top(tile);
-    for (int y = y0; y < std::min(y0 + kTileSize, settings_.height); ++y) {
-        for (int x = x0; x < std::min(x0 + kTileSize, settings_.width); ++x) {
-            pixel(x, y);
+    const TileArea own = area(tile);
+    std::size_t i = 0;
+    for (int y = own.top; y < own.top + own.height; ++y) {
+        for (int x = own.left; x < own.left + own.width; ++x) {
+            pixel(x, y, i++);
         }
     }
 }
 
-TileSums TileRenderer::sums_of(int tile, std::vector<PixelSums>& picture) const {
-    return {&picture[index(tile_left(tile), tile_top(tile))],
-            static_cast<std::size_t>(settings_.width)};
-}
-
-bool TileRenderer::is_done(int tile, const TileSums& sums, const SampleLimit& limit) const {
-    bool done = true;
-    for_each_pixel(tile, [&](int x, int y) {
-        done = done && at(tile, sums, x, y).samples >= limit.at(index(x, y));
-    });
-    return done;
-}
-
-RenderStatistics TileRenderer::add_samples(int tile, const TileSums& sums, const SampleLimit& limit,
+RenderStatistics TileRenderer::add_samples(int tile, TileSums& sums, const SampleLimit& limit,
                                            const std::stop_token& stop) const {
     RenderStatistics count;
-    if (is_done(tile, sums, limit)) {
+    bool is_done = true;
+    for (std::size_t pixel = 0; pixel < sums.size(); ++pixel) {
+        is_done = is_done && sums.samples(pixel) >= limit.at(sums, pixel);
+    }
+    if (is_done) {
         return count;
     }
-    SampleQueue queue({*integrator_, *workspaces_, camera_, fixings_, pixel_spread_,
-                       samples_at_once_, counts_objects_, settings_.for_denoiser},
-                      stop, count);
-    for_each_pixel(tile, [&](int x, int y) {
+    SampleQueue queue(
+        {*integrator_, *workspaces_, camera_, fixings_, pixel_spread_, samples_at_once_}, stop,
+        count);
+    for_each_pixel(tile, [&](int x, int y, std::size_t pixel) {
         if (!stop.stop_requested()) {
-            request(x, y, limit.at(index(x, y)), at(tile, sums, x, y), queue);
+            request(x, y, limit.at(sums, pixel), sums, pixel, queue);
         }
     });
     queue.flush();
@@ -141,36 +142,30 @@ RenderStatistics TileRenderer::add_samples(int tile, const TileSums& sums, const
 }
 
 /// Requests the samples that a pixel lacks.
-void TileRenderer::request(int x, int y, int samples, PixelSums& sums, SampleQueue& queue) const {
+void TileRenderer::request(int x, int y, int samples, TileSums& sums, std::size_t pixel,
+                           SampleQueue& queue) const {
     const SampleStream first(seed_, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
                              0);
     const SampleStream second(seed_of_half(seed_, 1), static_cast<std::uint32_t>(x),
                               static_cast<std::uint32_t>(y), 0);
     const bool halves = has_halves(settings_);
-    for (int sample = sums.samples; sample < samples; ++sample) {
+    for (int sample = sums.samples(pixel); sample < samples; ++sample) {
         const auto number = static_cast<std::uint32_t>(sample);
         if (halves) {
             const SampleStream& half = sample % 2 == 0 ? first : second;
-            queue.add(half.of_sample(number / 2), {x, y, sample}, sums);
+            queue.add(half.of_sample(number / 2), {x, y, sample}, sums, pixel);
         } else {
-            queue.add(first.of_sample(number), {x, y, sample}, sums);
+            queue.add(first.of_sample(number), {x, y, sample}, sums, pixel);
         }
     }
 }
 
 void TileRenderer::write(int tile, const TileSums& sums, Film& film) const {
-    for_each_pixel(tile, [&](int x, int y) {
-        const PixelSums& pixel = at(tile, sums, x, y);
+    for_each_pixel(tile, [&](int x, int y, std::size_t pixel) {
         float* rgba = &film.rgba[4 * index(x, y)];
-        if (pixel.samples == 0) {
-            std::fill(rgba, rgba + 4, 0.0f);
-            return;
-        }
-        const double scale = 1.0 / pixel.samples;
-        for (int channel = 0; channel < 3; ++channel) {
-            rgba[channel] = static_cast<float>(pixel.radiance[channel] * scale);
-        }
-        rgba[3] = static_cast<float>(pixel.coverage * scale);
+        const V3f mean = sums.mean(pixel);
+        std::copy_n(&mean.x, 3, rgba);
+        rgba[3] = sums.coverage(pixel);
     });
 }
 
@@ -178,45 +173,35 @@ void TileRenderer::write(int tile, const TileSums& sums, AovPlanes& aovs) const 
     if (aovs.empty()) {
         return;
     }
-    for_each_pixel(tile, [&](int x, int y) {
-        const PixelSums& pixel = at(tile, sums, x, y);
-        if (pixel.samples > 0) {
-            aovs.write(x, y, pixel.means());
+    for_each_pixel(tile, [&](int x, int y, std::size_t pixel) {
+        if (sums.samples(pixel) > 0) {
+            aovs.write(x, y, sums.means(pixel));
         }
     });
 }
 
-std::vector<FeaturePixel> TileRenderer::features_of(int tile, const TileSums& sums) const {
+TracedTile TileRenderer::trace_features(int tile, const TileSums& sums) const {
     std::vector<FeaturePixel> pixels;
-    pixels.reserve(std::size_t{kTileSize} * kTileSize);
-    for_each_pixel(tile, [&](int x, int y) {
-        const PixelSums& pixel = at(tile, sums, x, y);
-        pixels.push_back({x, y, {features_of_half(pixel, 0), features_of_half(pixel, 1)}});
+    pixels.reserve(sums.size());
+    for_each_pixel(tile, [&](int x, int y, std::size_t pixel) {
+        pixels.push_back(
+            {x, y, {sums.features_of_half(pixel, 0), sums.features_of_half(pixel, 1)}});
     });
-    return pixels;
-}
-
-std::vector<FeaturePixel> TileRenderer::trace_features(int tile, const TileSums& sums) const {
-    std::vector<FeaturePixel> pixels = features_of(tile, sums);
     feature_tracer_->trace(pixels);
-    return pixels;
+    return TracedTile(pixels);
 }
 
-void TileRenderer::write(int tile, const TileSums& sums, DenoiserPlanes& planes,
-                         const std::vector<TracedFeatures>& features) const {
+void TileRenderer::write(int tile, const TileSums& sums, DenoiserPlanes& planes) const {
     if (planes.empty()) {
         return;
     }
-    std::vector<FeaturePixel> pixels = features_of(tile, sums);
-    if (features.empty()) {
-        feature_tracer_->trace(pixels);
-    } else {
-        for (FeaturePixel& pixel : pixels) {
-            pixel.traced = features[index(pixel.x, pixel.y)];
-        }
+    const TracedTile now = sums.traced.empty() ? trace_features(tile, sums) : TracedTile();
+    std::vector<DenoiserPixel> pixels;
+    for (std::size_t pixel = 0; pixel < sums.size(); ++pixel) {
+        pixels.push_back({&sums, sums.traced.empty() ? &now : &sums.traced, pixel});
     }
-    const int width = std::min(kTileSize, settings_.width - tile_left(tile));
-    planes.write(pixels, static_cast<std::size_t>(width), sums.first, sums.row);
+    const TileArea own = area(tile);
+    planes.write(pixels, index(own.left, own.top), static_cast<std::size_t>(own.width));
 }
 
 std::vector<float> TileRenderer::errors(int tile, const TileSums& sums) const {
@@ -224,12 +209,11 @@ std::vector<float> TileRenderer::errors(int tile, const TileSums& sums) const {
     constexpr int kBlocks = kTileSize / kBlock;
     std::vector<float> errors(std::size_t{kBlocks} * kBlocks);
     std::vector<int> pixels(errors.size());
-    for_each_pixel(tile, [&](int x, int y) {
+    for_each_pixel(tile, [&](int x, int y, std::size_t pixel) {
         const int number = y % kTileSize / kBlock * kBlocks + x % kTileSize / kBlock;
         const auto block = static_cast<std::size_t>(number);
-        const PixelSums& pixel = at(tile, sums, x, y);
-        const V3f a = pixel.mean_of_half(0);
-        const V3f b = pixel.mean_of_half(1);
+        const V3f a = sums.mean_of_half(pixel, 0);
+        const V3f b = sums.mean_of_half(pixel, 1);
         errors[block] += error_of_halves(0.5F * (a + b), 0.5F * (a - b));
         pixels[block] += 1;
     });
@@ -242,21 +226,6 @@ std::vector<float> TileRenderer::errors(int tile, const TileSums& sums) const {
     return result;
 }
 
-std::vector<double> TileRenderer::lacking_samples(const std::vector<PixelSums>& sums,
-                                                  const std::vector<int>& plan) const {
-    std::vector<double> lacking;
-    for (int tile = 0; tile < tile_count(); ++tile) {
-        double samples = 0;
-        int pixels = 0;
-        for_each_pixel(tile, [&](int x, int y) {
-            samples += plan[index(x, y)] - sums[index(x, y)].samples;
-            pixels += 1;
-        });
-        lacking.push_back(samples / pixels / settings_.samples);
-    }
-    return lacking;
-}
-
 std::size_t TileRenderer::reflection_count() const {
     return light_tracer_ ? light_tracer_->pair_count() : 0;
 }
@@ -266,7 +235,7 @@ std::vector<Splat> TileRenderer::reflection(std::size_t index, double samples, i
     return light_tracer_->splats(index, samples, seed_of_half(seed_, half), count);
 }
 
-/// Calls pixel(index, density of its filter there) for the pixels on which the splat lands.
+/// Calls pixel(x, y, density of its filter there) for the pixels on which the splat lands.
 template <class Pixel>
 void TileRenderer::for_each_pixel_of(const Splat& splat, const Pixel& pixel) const {
     const PixelFilterSampler& filter = camera_.filter();
@@ -283,19 +252,15 @@ void TileRenderer::for_each_pixel_of(const Splat& splat, const Pixel& pixel) con
     for (int y = first(splat.position.y); y <= last(splat.position.y, settings_.height); ++y) {
         const double across = density(splat.position.y, y);
         for (int x = first(splat.position.x); x <= last(splat.position.x, settings_.width); ++x) {
-            pixel(index(x, y), static_cast<float>(across * density(splat.position.x, x)));
+            pixel(x, y, static_cast<float>(across * density(splat.position.x, x)));
         }
     }
 }
 
-void TileRenderer::add(const std::vector<Splat>& splats, Film& film) const {
+void TileRenderer::add(const std::vector<Splat>& splats, SplatPicture& picture) const {
     for (const Splat& splat : splats) {
-        for_each_pixel_of(splat, [&](std::size_t pixel, float weight) {
-            for (int channel = 0; channel < 3; ++channel) {
-                film.rgba[4 * pixel + static_cast<std::size_t>(channel)] +=
-                    weight * splat.flux[channel];
-            }
-        });
+        for_each_pixel_of(
+            splat, [&](int x, int y, float weight) { picture.add(x, y, weight * splat.flux); });
     }
 }
 
@@ -303,8 +268,8 @@ void TileRenderer::add(const std::vector<Splat>& splats, float weight,
                        SplatMoments& moments) const {
     for (const Splat& splat : splats) {
         const float flux = luminance(splat.flux);
-        for_each_pixel_of(splat, [&](std::size_t pixel, float density) {
-            moments.add(pixel, splat.quarter, density * flux);
+        for_each_pixel_of(splat, [&](int x, int y, float density) {
+            moments.add(index(x, y), splat.quarter, density * flux);
         });
     }
     moments.finish_image(weight);

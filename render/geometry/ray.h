@@ -27,35 +27,6 @@ struct Ray {
     RayKind kind = RayKind::secondary;
 };
 
-/// Shadow rays with a common origin and time, as from a vertex towards lights, which are tested
-/// together.
-struct ShadowRayPacket {
-    static constexpr int kMost = 8;
-
-    V3f origin{0, 0, 0};
-    float time = 0;
-    int count = 0;
-    alignas(32) float direction[3][kMost] = {};  // by axis, then by ray; unit length
-    alignas(32) float t_max[kMost] = {};         // t_min is 0
-
-    /// Requires count < kMost.
-    void add(const V3f& towards, float distance) {
-        direction[0][count] = towards.x;
-        direction[1][count] = towards.y;
-        direction[2][count] = towards.z;
-        t_max[count] = distance;
-        count += 1;
-    }
-    [[nodiscard]] Ray ray(int index) const {
-        return {origin, V3f(direction[0][index], direction[1][index], direction[2][index]),
-                0,      t_max[index],
-                time,   RayKind::shadow};
-    }
-};
-
-/// One bit for each ray of a packet; the first ray has the lowest bit.
-using PacketMask = std::uint32_t;
-
 inline constexpr std::uint32_t kNoObject = 0xffffffffu;
 
 struct Hit {

@@ -55,15 +55,16 @@ RawPicture read_channels(Imf::InputFile& file, const std::vector<std::string>& n
                        true,
                        {},
                        true};
-    picture.values.resize(static_cast<std::size_t>(data.width() * data.height()) * names.size());
+    std::vector<float> values(picture.value_count());
     const std::size_t pixel = names.size() * sizeof(float);
     Imf::FrameBuffer target;
     for (std::size_t c = 0; c < names.size(); ++c) {
-        target.insert(names[c], Imf::Slice::Make(Imf::FLOAT, picture.values.data() + c, box, pixel,
+        target.insert(names[c], Imf::Slice::Make(Imf::FLOAT, values.data() + c, box, pixel,
                                                  pixel * static_cast<std::size_t>(data.width())));
     }
     file.setFrameBuffer(target);
     file.readPixels(box.min.y, box.max.y);
+    picture.values = std::move(values);
     return within_display(std::move(picture), data, display);
 }
 

@@ -32,16 +32,17 @@ float usable(float value, bool& is_clamped) {
 }  // namespace
 
 PixelLight pixel_light(const RawPicture& picture, std::size_t pixel, bool is_linear) {
-    const float* values = &picture.values[pixel * static_cast<std::size_t>(picture.channels)];
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    const auto stored = [&](std::size_t c) { return picture.value(pixel * channels + c); };
     PixelLight light;
     if (picture.has_alpha()) {
-        light.alpha = std::min(usable(values[picture.channels - 1], light.is_clamped), 1.0f);
+        light.alpha = std::min(usable(stored(channels - 1), light.is_clamped), 1.0f);
     }
-    const bool is_grey = picture.channels < 3;
+    const bool is_grey = channels < 3;
     const bool is_encoded = !is_linear && !picture.is_floating_point;
     const float alpha = light.alpha;
     for (int c = 0; c < 3; ++c) {
-        float value = usable(values[is_grey ? 0 : c], light.is_clamped);
+        float value = usable(stored(is_grey ? 0 : static_cast<std::size_t>(c)), light.is_clamped);
         if (is_encoded) {
             // What was multiplied is the encoded colour.
             const bool divides = picture.is_associated && alpha > 0 && alpha < 1;

@@ -45,6 +45,33 @@ class TiffNumbers {
     bool is_little_;
 };
 
+/// The values of a picture that becomes `width` pixels wide.
+template <class Value>
+std::vector<Value> values_turned(const std::vector<Value>& values, const RawPicture& picture,
+                                 int width, Orientation orientation) {
+    const auto is_one_of = [orientation](std::initializer_list<Orientation> numbers) {
+        return std::ranges::find(numbers, orientation) != numbers.end();
+    };
+    // Whether the first row is at the bottom or right, and the first column at the right or bottom.
+    const bool are_rows_reversed = is_one_of({3, 4, 6, 7});
+    const bool are_columns_reversed = is_one_of({2, 3, 7, 8});
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    std::vector<Value> result(values.size());
+    const Value* from = values.data();
+    for (int row = 0; row < picture.height; ++row) {
+        const int r = are_rows_reversed ? picture.height - 1 - row : row;
+        for (int column = 0; column < picture.width; ++column, from += channels) {
+            const int c = are_columns_reversed ? picture.width - 1 - column : column;
+            const auto [x, y] = swaps_axes(orientation) ? std::pair(r, c) : std::pair(c, r);
+            const std::size_t pixel =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                static_cast<std::size_t>(x);
+            std::copy_n(from, channels, &result[pixel * channels]);
+        }
+    }
+    return result;
+}
+
 }  // namespace
 
 PictureSize turned(PictureSize size, Orientation orientation) {
@@ -55,30 +82,14 @@ RawPicture turned(RawPicture picture, Orientation orientation) {
     if (!is_known(orientation) || orientation == kUpright) {
         return picture;
     }
-    const auto is_one_of = [orientation](std::initializer_list<Orientation> values) {
-        return std::ranges::find(values, orientation) != values.end();
-    };
-    // Whether the first row is at the bottom or right, and the first column at the right or bottom.
-    const bool are_rows_reversed = is_one_of({3, 4, 6, 7});
-    const bool are_columns_reversed = is_one_of({2, 3, 7, 8});
     const auto [width, height] = turned(PictureSize{picture.width, picture.height}, orientation);
-    const auto channels = static_cast<std::size_t>(picture.channels);
-    std::vector<float> values(picture.values.size());
-    const float* from = picture.values.data();
-    for (int row = 0; row < picture.height; ++row) {
-        const int r = are_rows_reversed ? picture.height - 1 - row : row;
-        for (int column = 0; column < picture.width; ++column, from += channels) {
-            const int c = are_columns_reversed ? picture.width - 1 - column : column;
-            const auto [x, y] = swaps_axes(orientation) ? std::pair(r, c) : std::pair(c, r);
-            const std::size_t pixel =
-                static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                static_cast<std::size_t>(x);
-            std::copy_n(from, channels, &values[pixel * channels]);
-        }
-    }
+    picture.values = std::visit(
+        [&](const auto& values) {
+            return PictureValues(values_turned(values, picture, width, orientation));
+        },
+        picture.values);
     picture.width = width;
     picture.height = height;
-    picture.values = std::move(values);
     return picture;
 }
 
@@ -117,6 +128,7 @@ RawPicture within_display(RawPicture picture, const PixelWindow& data, const Pix
                                         (static_cast<long long>(x) - window.left)) *
                channels;
     };
+    const auto& stored = std::get<std::vector<float>>(picture.values);
     std::vector<float> values(static_cast<std::size_t>(display.width() * display.height()) *
                               channels);
     const int left = std::max(data.left, display.left);
@@ -124,7 +136,7 @@ RawPicture within_display(RawPicture picture, const PixelWindow& data, const Pix
     for (int y = std::max(data.top, display.top); y <= std::min(data.bottom, display.bottom); ++y) {
         if (left <= right) {
             std::copy_n(
-                &picture.values[index(data, left, y)],
+                &stored[index(data, left, y)],
                 static_cast<std::size_t>(static_cast<long long>(right) - left + 1) * channels,
                 &values[index(display, left, y)]);
         }

@@ -36,9 +36,9 @@ struct PixelWindow {
     bool operator==(const PixelWindow&) const = default;
 };
 
-/// The part of `picture`, which fills the window `data`, within the window `display`, which is what
-/// a file shows ("OpenEXR: technical introduction", data window and display window). Pixels without
-/// data are black and, with alpha, transparent.
+/// The part of `picture`, whose values are numbers and which fills the window `data`, within the
+/// window `display`, which is what a file shows ("OpenEXR: technical introduction", data window and
+/// display window). Pixels without data are black and, with alpha, transparent.
 [[nodiscard]] RawPicture within_display(RawPicture picture, const PixelWindow& data,
                                         const PixelWindow& display);
 

@@ -1,4 +1,6 @@
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <cstring>
 #include <optional>
 #include <utility>
@@ -98,6 +100,9 @@ class Reader {
         png_read_info(png_, info_);
         // 8 or 16 bits a channel, palettes as RGB, and transparent colours as alpha.
         png_set_expand(png_);
+        if constexpr (std::endian::native == std::endian::little) {
+            png_set_swap(png_);
+        }
         png_set_interlace_handling(png_);
         png_read_update_info(png_, info_);
         return true;
@@ -116,24 +121,6 @@ class Reader {
     png_structp png_ = nullptr;
     png_infop info_ = nullptr;
 };
-
-/// The values in [0, 1] of rows that follow each other. 16-bit values are big-endian.
-std::vector<float> scaled(const std::vector<png_byte>& bytes, bool has_16_bits) {
-    constexpr float kOne8 = 1.0f / 255;
-    constexpr float kOne16 = 1.0f / 65535;
-    std::vector<float> values;
-    values.reserve(bytes.size() / (has_16_bits ? 2 : 1));
-    if (has_16_bits) {
-        for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
-            values.push_back(static_cast<float>(bytes[i] << 8 | bytes[i + 1]) * kOne16);
-        }
-    } else {
-        for (const png_byte byte : bytes) {
-            values.push_back(static_cast<float>(byte) * kOne8);
-        }
-    }
-    return values;
-}
 
 /// A number of a colour profile, which is big-endian; 0 outside of it.
 std::uint32_t profile_number(std::span<const std::byte> profile, std::size_t at, std::size_t size) {
@@ -175,6 +162,23 @@ double profile_gamma(std::span<const std::byte> profile) {
         return is_power ? profile_number(profile, curve + 12, 4) / 65536.0 : 0;
     }
     return 0;
+}
+
+/// The rows become the picture's values where they are to stay: pictures can be large. False after
+/// an error.
+template <class Value>
+bool read_values(Reader& reader, RawPicture& picture) {
+    std::vector<Value> values;
+    values.reserve(picture.value_count() + kReadBeyond);
+    values.resize(picture.value_count());
+    const auto height = static_cast<std::size_t>(picture.height);
+    std::vector<png_bytep> starts(height);
+    for (std::size_t row = 0; row < height; ++row) {
+        starts[row] = reinterpret_cast<png_bytep>(&values[row * (values.size() / height)]);
+    }
+    const bool is_read = reader.read_rows(starts.data());
+    picture.values = std::move(values);
+    return is_read;
 }
 
 /// As RawPicture has it. Throws Error for codes of light that sRGB is no approximation of.
@@ -228,15 +232,11 @@ RawPicture decode_png(std::span<const std::byte> bytes, const std::string& path)
     if (rows * reader.row_bytes() / kMostPacked > bytes.size()) {
         refuse_image(path, "the file is too short for its pixels");
     }
-    std::vector<png_byte> pixels(rows * reader.row_bytes());
-    std::vector<png_bytep> starts(rows);
-    for (std::size_t row = 0; row < rows; ++row) {
-        starts[row] = &pixels[row * reader.row_bytes()];
-    }
-    if (!reader.read_rows(starts.data())) {
+    const bool is_read = reader.has_16_bits() ? read_values<std::uint16_t>(reader, picture)
+                                              : read_values<std::uint8_t>(reader, picture);
+    if (!is_read) {
         refuse_image(path, reader.error());
     }
-    picture.values = scaled(pixels, reader.has_16_bits());
     picture.gamma = gamma_of(reader, path);
     return turned(std::move(picture), reader.orientation());
 }

@@ -286,7 +286,8 @@ RawPicture decode_radiance(std::span<const std::byte> bytes, const std::string& 
         refuse_image(path, "the file is too short for its pixels");
     }
     RawPicture picture{header.columns, header.rows, 3, true, {}};
-    picture.values.reserve(is_packed ? 3 * columns * static_cast<std::size_t>(header.rows) : 0);
+    std::vector<float> values;
+    values.reserve(is_packed ? 3 * columns * static_cast<std::size_t>(header.rows) : 0);
     const std::array<float, 256> scale_of = scales();
     const bool is_scaled = header.scale != std::array<double, 3>{1, 1, 1};
     std::vector<std::uint8_t> row(kComponents * columns);
@@ -299,11 +300,11 @@ RawPicture decode_radiance(std::span<const std::byte> bytes, const std::string& 
             const float scale = scale_of[row[i + 3]];
             for (std::size_t c = 0; c < 3; ++c) {
                 const float value = static_cast<float>(row[i + c]) * scale;
-                picture.values.push_back(is_scaled ? static_cast<float>(value * header.scale[c])
-                                                   : value);
+                values.push_back(is_scaled ? static_cast<float>(value * header.scale[c]) : value);
             }
         }
     }
+    picture.values = std::move(values);
     return turned(std::move(picture), header.orientation);
 }
 

@@ -9,6 +9,18 @@ namespace {
 
 constexpr float kCoatReflectance = 0.04f;  // of index 1.5, straight on
 
+/// The BSDF times the cosine, for light from a direction on the viewer's side.
+V3f scattered(const scalar::BsdfOf<scalar::One>& bsdf, const V3f& direction) {
+    const auto world = scalar::three(direction);
+    const auto wi = bsdf.frame.from_world(world);
+    if (!scalar::side_of<scalar::One>(bsdf, world, wi.z).is_above) {
+        return {0, 0, 0};
+    }
+    const auto base = scalar::base_towards<scalar::One>(bsdf, wi, false);
+    const auto coat = scalar::coat_towards<scalar::One>(bsdf, wi, false);
+    return scalar::vector_of(base.value + coat.value);
+}
+
 }  // namespace
 
 Caustics::Caustics(const TransportScene& scene)
@@ -47,11 +59,6 @@ void Caustics::add(const SpecularBall& ball) {
     ball_bounds_.gain.push_back(std::max(1.0f, fraction / kCoatReflectance));
 }
 
-bool Caustics::connects(const Path& path, const ShadingVertex& vertex) const {
-    return !balls_.empty() && path.vertex < PathDimensions::kConnectingVertices &&
-           vertex.bsdf.is_broad();
-}
-
 inline float Caustics::weight(std::size_t ball, const V3f& position, const V3f& normal) const {
     const V3f to_ball =
         V3f(ball_bounds_.x[ball], ball_bounds_.y[ball], ball_bounds_.z[ball]) - position;
@@ -61,9 +68,7 @@ inline float Caustics::weight(std::size_t ball, const V3f& position, const V3f& 
 }
 
 // `own`: the ball that the vertex lies on, which reflects nothing onto it.
-float Caustics::total_weight(const ShadingVertex& vertex, std::size_t own) const {
-    const V3f position = vertex.position;
-    const V3f normal = vertex.surface.geometric_normal;
+float Caustics::total_weight(const V3f& position, const V3f& normal, std::size_t own) const {
     float total = 0;
     for (std::size_t i = 0; i < balls_.size(); ++i) {
         total += weight(i, position, normal);
@@ -73,12 +78,14 @@ float Caustics::total_weight(const ShadingVertex& vertex, std::size_t own) const
 
 // A vertex connects with a probability equal to the total weight of the balls: most vertices are
 // far from balls and cost nothing.
-V3f Caustics::estimate(const Path& path, const ShadingVertex& vertex, std::uint32_t object,
-                       const PathDimensions& dimensions, RenderStatistics& count) const {
+V3f Caustics::estimate(const Path& path, const Receiver& vertex, const PathDimensions& dimensions,
+                       RenderStatistics& count) const {
+    const std::uint32_t object = vertex.object;
     const std::size_t own = object < index_.size() && index_[object] >= 0
                                 ? static_cast<std::size_t>(index_[object])
                                 : balls_.size();
-    const float total = total_weight(vertex, own);
+    const V3f normal = scalar::vector_of(vertex.bsdf.geometric_normal);
+    const float total = total_weight(vertex.position, normal, own);
     const float survival = std::min(1.0f, total);
     if (!(dimensions.caustic_roulette(path) < survival)) {
         return V3f(0, 0, 0);
@@ -88,7 +95,7 @@ V3f Caustics::estimate(const Path& path, const ShadingVertex& vertex, std::uint3
     std::size_t chosen = balls_.size();
     float probability = 0;
     for (std::size_t i = 0; i < balls_.size() && rest >= 0; ++i) {
-        const float w = i == own ? 0 : weight(i, vertex.position, vertex.surface.geometric_normal);
+        const float w = i == own ? 0 : weight(i, vertex.position, normal);
         if (w > 0) {
             chosen = i;  // the last one with a weight if rounding leaves a rest
             probability = w / total;
@@ -101,7 +108,7 @@ V3f Caustics::estimate(const Path& path, const ShadingVertex& vertex, std::uint3
     return sample_connection(chosen, path, vertex, u, count) / (survival * probability);
 }
 
-V3f Caustics::sample_connection(std::size_t index, const Path& path, const ShadingVertex& vertex,
+V3f Caustics::sample_connection(std::size_t index, const Path& path, const Receiver& vertex,
                                 const std::array<float, 4>& u, RenderStatistics& count) const {
     const float* intensities = &pairs_[index * light_count_];
     std::size_t light = 0;
@@ -123,8 +130,7 @@ V3f Caustics::sample_connection(std::size_t index, const Path& path, const Shadi
     if (!connection) {
         return V3f(0, 0, 0);
     }
-    const V3f value =
-        vertex.bsdf.evaluate(Layers::all, connection->direction).value * connection->radiance;
+    const V3f value = scattered(vertex.bsdf, connection->direction) * connection->radiance;
     if (!(luminance(value) > 0) ||
         is_occluded(scene_, *connection, vertex.origin, path.ray.time, count)) {
         return V3f(0, 0, 0);
@@ -133,7 +139,7 @@ V3f Caustics::sample_connection(std::size_t index, const Path& path, const Shadi
 }
 
 V3f Caustics::sample_refraction(const SpecularBall& ball, std::size_t light, const Path& path,
-                                const ShadingVertex& vertex, const V2f& u,
+                                const Receiver& vertex, const V2f& u,
                                 RenderStatistics& count) const {
     const RefractedConnections found =
         connect_through(scene_, ball, light, vertex.position, path.ray.time, u);
@@ -141,8 +147,7 @@ V3f Caustics::sample_refraction(const SpecularBall& ball, std::size_t light, con
     for (int i = 0; i < found.count; ++i) {
         const RefractedConnections::One& one = found.at[static_cast<std::size_t>(i)];
         const SpecularConnection& outside = one.outside;
-        const V3f value =
-            vertex.bsdf.evaluate(Layers::all, outside.direction).value * outside.radiance;
+        const V3f value = scattered(vertex.bsdf, outside.direction) * outside.radiance;
         if (luminance(value) > 0 &&
             !is_occluded(scene_, one, vertex.origin, path.ray.time, count)) {
             sum += value * outside.solid_angle;

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/integrator/direct_light.h"
 #include "render/integrator/path_state.h"
 #include "render/integrator/specular_connection.h"
 #include "render/integrator/transport_scene.h"
@@ -21,12 +20,15 @@ class Caustics {
   public:
     explicit Caustics(const TransportScene& scene);
 
-    /// Whether caustics are sampled at this vertex. Narrow lobes find the light better themselves.
-    [[nodiscard]] bool connects(const Path& path, const ShadingVertex& vertex) const;
-
-    /// An estimate of the caustics at the vertex, scattered towards the path's previous vertex.
-    /// `object`: the one that the vertex lies on.
-    [[nodiscard]] V3f estimate(const Path& path, const ShadingVertex& vertex, std::uint32_t object,
+    /// A vertex of a path that samples caustics.
+    struct Receiver {
+        V3f position;
+        V3f origin;  // of rays on the viewer's side
+        std::uint32_t object;
+        const scalar::BsdfOf<scalar::One>& bsdf;
+    };
+    /// An estimate of the caustics there, scattered towards the path's previous vertex.
+    [[nodiscard]] V3f estimate(const Path& path, const Receiver& vertex,
                                const PathDimensions& dimensions, RenderStatistics& count) const;
 
     /// Whether the ball is one of clear glass, through which light is sampled; otherwise it is its
@@ -57,12 +59,12 @@ class Caustics {
 
   private:
     [[nodiscard]] float weight(std::size_t ball, const V3f& position, const V3f& normal) const;
-    [[nodiscard]] float total_weight(const ShadingVertex& vertex, std::size_t own) const;
-    [[nodiscard]] V3f sample_connection(std::size_t ball, const Path& path,
-                                        const ShadingVertex& vertex, const std::array<float, 4>& u,
+    [[nodiscard]] float total_weight(const V3f& position, const V3f& normal, std::size_t own) const;
+    [[nodiscard]] V3f sample_connection(std::size_t ball, const Path& path, const Receiver& vertex,
+                                        const std::array<float, 4>& u,
                                         RenderStatistics& count) const;
     [[nodiscard]] V3f sample_refraction(const SpecularBall& ball, std::size_t light,
-                                        const Path& path, const ShadingVertex& vertex, const V2f& u,
+                                        const Path& path, const Receiver& vertex, const V2f& u,
                                         RenderStatistics& count) const;
     void add(const SpecularBall& ball);
 

@@ -1,258 +1,207 @@
 #include "render/integrator/distributed_integrator.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <optional>
+#include <deque>
 
-#include "core/elementary_float.h"
-#include "render/geometry/validity.h"
-#include "render/integrator/path_state.h"
-#include "render/integrator/scalar_kernels.h"
-#include "render/integrator/shadow_ray_constants.h"
+#include "render/integrator/wave/hit_surfaces.h"
 #include "render/sampling/gaussian_lobe.h"
 
 namespace carom::render {
 namespace {
 
-// Every ray of the tree draws its random numbers from sets of its own, identified by its path in
-// the tree.
-constexpr std::uint32_t kRoot = 1;
-constexpr std::uint32_t kLights = 0x9e3779b9u;
-
-std::uint32_t child_of(std::uint32_t node, std::uint32_t child) {
-    std::uint32_t x = node * 0x85ebca6bu + child + 0x165667b1u;
-    x = (x ^ (x >> 15)) * 0x2c1b3c6du;
-    return x ^ (x >> 13);
-}
-
-bool is_black(const V3f& c) {
-    return c.x <= 0 && c.y <= 0 && c.z <= 0;
-}
-
-V3f reflect(const V3f& wo, const V3f& normal) {
-    return normal * (2 * normal.dot(wo)) - wo;
-}
-
-/// Snell's law: sin(transmitted) = sin(incident) / `relative_index`. Empty at total reflection.
-std::optional<V3f> refracted(const V3f& wo, const V3f& normal, float relative_index) {
-    const float eta = 1 / relative_index;
-    const float cosine = normal.dot(wo);
-    const float cosine2 = 1 - eta * eta * (1 - cosine * cosine);
-    if (cosine2 <= 0) {
-        return std::nullopt;
+WaveNumberTable make_models(const std::vector<Material>& materials) {
+    WaveNumberTable models;
+    for (const Material& material : materials) {
+        const PhongModel& phong = material.phong();
+        scalar::ClassicOf<scalar::One> model{};
+        model.emission = scalar::three(material.emission());
+        model.ambient = scalar::three(phong.ambient);
+        model.has_ambient = phong.has_ambient ? 1.0F : 0.0F;
+        model.diffuse_fraction = phong.diffuse_fraction;
+        model.specular = scalar::three(phong.specular);
+        model.shininess = phong.shininess;
+        model.reflectance = scalar::three(phong.reflectance);
+        model.metal = phong.metal;
+        model.transmittance = scalar::three(phong.transmittance);
+        model.index = phong.index;
+        const auto within = [](float spread) {
+            return spread > 0 ? gaussian_within_a_quarter_turn(spread) : 1.0F;
+        };
+        model.reflectance_spread = phong.reflectance_spread;
+        model.reflectance_most = within(phong.reflectance_spread);
+        model.transmittance_spread = phong.transmittance_spread;
+        model.transmittance_most = within(phong.transmittance_spread);
+        add_numbers(model, models);
     }
-    return (normal * (eta * cosine - std::sqrt(cosine2)) - wo * eta).normalized();
+    return models;
 }
 
 }  // namespace
 
-struct DistributedIntegrator::Work {
-    const SampleStream& stream;
-    RenderStatistics& count;
-    RadianceSample result{};
+/// The rays of a generation that are followed together, and their vertices.
+struct DistributedIntegrator::Generation {
+    PathWave rays;
+    VertexWave vertices;
+    LobeWave reflection, refraction;
 
-    [[nodiscard]] std::array<float, 4> numbers(std::uint32_t set) const {
-        SampleStream numbers = stream;
-        numbers.seek(set);
-        return numbers.next_4d();
+    Generation() {
+        const auto reserve = [](auto&... parts) { (parts.reserve(kWaveSamples), ...); };
+        reserve(rays, vertices, reflection, refraction);
+        refraction.side = -1;
     }
 };
 
-struct DistributedIntegrator::TreeRay {
-    Ray ray;
-    int generation = 0;  // 0: a camera ray
-    std::uint32_t node = kRoot;
-    float width = 0;   // of the pixel's cone at the ray's origin, m
-    float spread = 0;  // growth of that width per m
+/// The rays of some camera samples. Of each generation one ray of a sample is followed at a time,
+/// so that a sample's light is added up in the order of its tree.
+struct DistributedIntegrator::Forest final : Integrator::Workspace {
+    explicit Forest(const DistributedIntegrator& integrator)
+        : surfaces(integrator.scene_, integrator.wave_scene_, best_wave_kernels(), kWaveSamples) {
+        const auto reserve = [](auto&... parts) { (parts.reserve(kWaveSamples), ...); };
+        reserve(shadows, own, samples, hit_rays);
+    }
+    Generation& generation(int number) {
+        while (generations.size() <= static_cast<std::size_t>(number)) {
+            generations.emplace_back();
+        }
+        return generations[static_cast<std::size_t>(number)];
+    }
+
+    std::deque<Generation> generations;
+    HitSurfaces surfaces;
+    ShadowWave shadows;
+    Floats3 own;
+    SampleWave samples;
+    WaveList hit_rays;
+    RadianceSample* results = nullptr;
+    RenderStatistics* count = nullptr;
 };
 
-struct DistributedIntegrator::Vertex {
-    const TreeRay& from;
-    const SurfacePoint& point;
-    const Surface& surface;
-    const PhongModel& model;
-    V3f wo;
-    float width = 0;  // of the pixel's cone, m
-};
-
-/// Rays of one kind around one direction.
-struct DistributedIntegrator::Lobe {
-    V3f axis;
-    float spread = 0;  // standard deviation, rad
-    int samples = 1;   // setting
-    float side = 1;    // of the surface that they leave from: 1 the viewer's, -1 the other
-    std::uint32_t kind = 0;
-};
-
-RadianceSample DistributedIntegrator::sample(const Ray& camera_ray, float pixel_spread,
-                                             const SampleStream& stream,
-                                             const SampleIndex& /*index*/,
-                                             RenderStatistics& count) const {
-    Work work{stream, count};
-    count.camera_rays += 1;
-    TreeRay root{camera_ray};
-    root.spread = pixel_spread;
-    const V3f radiance = trace(root, work);
-    work.result.radiance = is_light(radiance) ? radiance : V3f(0, 0, 0);
-    return work.result;
+DistributedIntegrator::DistributedIntegrator(const TransportScene& scene,
+                                             const DistributedSettings& settings)
+    : scene_(scene),
+      settings_(settings),
+      wave_scene_(make_wave_scene(scene)),
+      models_(make_models(scene.materials)),
+      kernels_(&best_tree_kernels()) {
+    wave_scene_.materials.transmits = true;  // sides of surfaces matter
+    for (WaveGroup& group : wave_scene_.groups.groups) {
+        group.absorption = V3f(0, 0, 0);  // the model has none
+    }
 }
 
-V3f DistributedIntegrator::trace(const TreeRay& from, Work& work) const {
-    Hit hit;
-    if (!scene_.frame.structure().closest_hit(from.ray, hit)) {
-        return scene_.lights.environment().radiance(from.ray.direction);
-    }
-    const V3f wo = -from.ray.direction;
-    const bool is_camera_ray = from.generation == 0;
-    if (is_camera_ray) {
-        work.result.coverage = 1;
-        work.result.object = hit.object;
-        work.result.normal = wo;
-    }
-    if (scene_.is_light(hit)) {
-        return scene_.lights.emitted(scene_.light_of(hit), wo);
-    }
-    const SurfacePoint point = scene_.frame.surface_at(from.ray, hit);
-    const Material& material = scene_.materials[point.material];
-    const float width = from.width + from.spread * hit.t;
-    const float cosine = std::max(std::abs(point.geometric_normal.dot(wo)), kLeastConeCosine);
-    const Surface surface = material.resolve(point, wo, width / std::sqrt(cosine));
-    if (is_camera_ray) {
-        work.result.normal = surface.frame.z;
-        work.result.albedo = surface.base;
-    }
-    const Vertex vertex{from, point, surface, material.phong(), wo, width};
-    const float ambient = static_cast<float>(settings_.ambient_coefficient);
-    V3f sum = surface.emission + vertex.model.ambient_colour(surface.base) * ambient +
-              direct(vertex, work);
-    if (from.generation < settings_.recursion_limit) {
-        sum += reflected_and_refracted(vertex, work);
-    }
-    return sum;
+std::unique_ptr<Integrator::Workspace> DistributedIntegrator::make_workspace() const {
+    return std::make_unique<Forest>(*this);
 }
 
-V3f DistributedIntegrator::direct(const Vertex& vertex, Work& work) const {
-    V3f sum(0, 0, 0);
-    const LightSet& lights = scene_.lights;
-    const int samples =
-        samples_at(settings_.shadow_samples, vertex.from.generation, settings_.falloff);
-    std::array<float, 4> numbers{};
-    for (std::size_t light = 0; light < lights.sampled_count(); ++light) {
-        if (light % 2 == 0) {
-            const auto pair = static_cast<std::uint32_t>(light / 2);
-            numbers = work.numbers(child_of(vertex.from.node ^ kLights, pair));
-        }
-        V2f u = light % 2 == 0 ? V2f(numbers[0], numbers[1]) : V2f(numbers[2], numbers[3]);
-        if (settings_.shadow_samples == 1) {
-            // The centre: both coordinates of a rectangle, the axis of a sphere's cone.
-            u = V2f(lights.is_round(light) ? 0.0f : 0.5f, 0.5f);
-        }
-        // All rays to a delta light are the same.
-        const int rays = lights.is_delta(light) ? 1 : samples;
-        V3f of_light(0, 0, 0);
-        for (int k = 0; k < rays; ++k) {
-            of_light += from_light(light, lattice_point(u, k, rays), vertex, work);
-        }
-        sum += of_light / static_cast<float>(rays);
+void DistributedIntegrator::samples(const CameraRun& run, float pixel_spread,
+                                    RadianceSample* results, Workspace* workspace,
+                                    RenderStatistics& count) const {
+    Forest& forest = dynamic_cast<Forest&>(*workspace);
+    forest.count = &count;
+    for (int from = 0; from < run.count; from += kWaveSamples) {
+        const CameraRun part = run.part(from, kWaveSamples);
+        forest.results = results + from;
+        std::fill_n(forest.results, part.count, RadianceSample{});
+        begin_wave(part, pixel_spread, forest.samples, forest.generation(0).rays);
+        count.camera_rays += static_cast<std::uint64_t>(part.count);
+        trace(forest, 0);
     }
-    return sum;
 }
 
-V3f DistributedIntegrator::from_light(std::size_t light, const V2f& u, const Vertex& vertex,
-                                      Work& work) const {
-    work.count.shadow_rays += 1;
-    const Surface& surface = vertex.surface;
-    const auto sample = scene_.lights.sample(light, vertex.point.position, u, vertex.from.ray.time);
-    const float cosine = sample ? surface.frame.z.dot(sample->direction) : 0.0f;
-    V3f scattered(0, 0, 0);
-    if (cosine > 0 && surface.geometric_normal.dot(sample->direction) > 0) {
-        const PhongModel& model = vertex.model;
-        scattered = model.diffuse_colour(surface.base) * cosine;
-        const float highlight = reflect(sample->direction, surface.frame.z).dot(vertex.wo);
-        if (highlight > 0) {
-            scattered += model.specular * power(highlight, model.shininess);
-        }
-        scattered *= scene_.lights.radiance(light, *sample) * (kInversePi / sample->pdf);
+void DistributedIntegrator::trace(Forest& forest, int generation) const {
+    Generation& all = forest.generation(generation);
+    process_hits(forest, all, generation);
+    const auto of_generation = [&](int samples) {
+        return samples_at(samples, generation, settings_.falloff);
+    };
+    const TreeStep step{
+        wave_scene_,
+        models_,
+        static_cast<float>(settings_.ambient_coefficient),
+        {of_generation(settings_.shadow_samples), settings_.shadow_samples == 1,
+         of_generation(settings_.reflection_samples), of_generation(settings_.refraction_samples)},
+        forest.samples,
+        all.rays,
+        all.vertices,
+        forest.shadows,
+        forest.own,
+        all.reflection,
+        all.refraction};
+    shade(forest, step);
+    if (generation >= settings_.recursion_limit) {
+        return;
     }
-    if (is_black(scattered)) {
-        work.count.needless_shadow_rays += 1;
-        return scattered;
-    }
-    const Ray shadow{vertex.point.position + surface.geometric_normal * vertex.point.offset,
-                     sample->direction,
-                     0,
-                     sample->distance * kOneMinusShadowEpsilon,
-                     vertex.from.ray.time,
-                     RayKind::shadow};
-    return scene_.frame.structure().any_hit(shadow) ? V3f(0, 0, 0) : scattered;
-}
-
-V3f DistributedIntegrator::reflected_and_refracted(const Vertex& vertex, Work& work) const {
-    const PhongModel& model = vertex.model;
-    V3f reflectance = model.reflectance_colour(vertex.surface.base);
-    V3f transmittance = model.transmittance;
-    V3f sum(0, 0, 0);
-    if (!is_black(transmittance) && settings_.refraction_samples > 0) {
-        const bool from_outside = vertex.point.geometric_normal.dot(vertex.wo) >= 0;
-        const float relative_index = from_outside ? model.index : 1 / model.index;
-        if (const auto axis = refracted(vertex.wo, vertex.surface.frame.z, relative_index)) {
-            const Lobe lobe{*axis, model.transmittance_spread, settings_.refraction_samples, -1, 1};
-            sum += transmittance * mean_over_lobe(lobe, vertex, work);
-        } else {
-            reflectance += transmittance;
-        }
-    }
-    if (!is_black(reflectance) && settings_.reflection_samples > 0) {
-        const Lobe lobe{reflect(vertex.wo, vertex.surface.frame.z), model.reflectance_spread,
-                        settings_.reflection_samples, 1, 0};
-        sum += reflectance * mean_over_lobe(lobe, vertex, work);
-    }
-    return sum;
-}
-
-V3f DistributedIntegrator::mean_over_lobe(const Lobe& lobe, const Vertex& vertex,
-                                          Work& work) const {
-    const TreeRay& from = vertex.from;
-    const bool is_exact = lobe.spread <= 0 || lobe.samples == 1;
-    const int samples = is_exact ? 1 : samples_at(lobe.samples, from.generation, settings_.falloff);
-    const V3f outside = vertex.surface.geometric_normal * lobe.side;
-    // A bump-mapped normal may reflect or refract to the wrong side; the geometric normal does not.
-    V3f axis = lobe.axis;
-    if (axis.dot(outside) <= 0) {
-        axis = lobe.side > 0 ? reflect(vertex.wo, outside) : -vertex.wo;
-    }
-    const OrthonormalBasis basis = OrthonormalBasis::around(axis);
-    const std::uint32_t branch = child_of(from.node, lobe.kind);
-    const auto numbers = work.numbers(branch);
-    TreeRay child;
-    child.generation = from.generation + 1;
-    child.width = vertex.width;
-    child.spread = is_exact ? std::min(from.spread * kMirrorSpread, kWidestSpread)
-                            : std::clamp(lobe.spread, from.spread, kWidestSpread);
-    child.ray = Ray{vertex.point.position + outside * vertex.point.offset, axis, 0, kInfinity,
-                    from.ray.time};
-    V3f sum(0, 0, 0);
-    float weights = 0;
-    for (int k = 0; k < samples; ++k) {
-        V3f local(0, 0, 1);
-        if (!is_exact) {
-            const V2f u = lattice_point(V2f(numbers[0], numbers[1]), k, samples);
-            local = sample_gaussian_lobe(u, lobe.spread);
-            child.ray.direction = basis.to_world(local).normalized();
-            if (child.ray.direction.dot(outside) <= 0) {
-                child.ray.direction = basis.to_world(V3f(-local.x, -local.y, local.z)).normalized();
+    kernels_->find_lobes(step);
+    for (const LobeWave* lobe : {&all.refraction, &all.reflection}) {
+        for (int k = 0; k < lobe->samples; ++k) {
+            PathWave& next = forest.generation(generation + 1).rays;
+            next.count = 0;
+            next.vertex = generation + 1;
+            kernels_->send(step, *lobe, k, next);
+            const auto rays = static_cast<std::uint64_t>(next.count);
+            forest.count->scattered_rays += rays;
+            (lobe->side > 0 ? forest.count->reflection_rays : forest.count->refraction_rays) +=
+                rays;
+            if (rays > 0) {
+                trace(forest, generation + 1);
             }
         }
-        child.node = child_of(branch, static_cast<std::uint32_t>(k) + 2);
-        work.count.scattered_rays += 1;
-        (lobe.side > 0 ? work.count.reflection_rays : work.count.refraction_rays) += 1;
-        sum += trace(child, work) * local.z;
-        weights += local.z;
     }
-    return weights > 0 ? sum / weights : V3f(0, 0, 0);
+}
+
+// Adds what rays see of lights and environment, and makes vertices of the other hits.
+void DistributedIntegrator::process_hits(Forest& forest, Generation& all, int generation) const {
+    PathWave& rays = all.rays;
+    const Hit* const hits = forest.surfaces.trace(rays);
+    forest.hit_rays.count = 0;
+    for (int i = 0; i < rays.count; ++i) {
+        RadianceSample& result = forest.results[rays.slot.at[i]];
+        const Hit& hit = hits[i];
+        const V3f direction = rays.direction.get(i);
+        if (hit.object == kNoObject) {
+            result.radiance +=
+                rays.throughput.get(i) * scene_.lights.environment().radiance(direction);
+            continue;
+        }
+        if (generation == 0) {
+            result.coverage = 1;
+            result.object = hit.object;
+            result.normal = -direction;
+        }
+        if (scene_.is_light(hit)) {
+            result.radiance +=
+                rays.throughput.get(i) * scene_.lights.emitted(scene_.light_of(hit), -direction);
+        } else {
+            forest.hit_rays.add(i);
+        }
+    }
+    forest.surfaces.find(rays, forest.hit_rays, all.vertices);
+    for (int i = 0; generation == 0 && i < all.vertices.count; ++i) {
+        RadianceSample& result = forest.results[rays.slot.at[all.vertices.path.at[i]]];
+        result.normal = all.vertices.normal.get(i);
+        result.albedo = all.vertices.base.get(i);
+    }
+}
+
+void DistributedIntegrator::shade(Forest& forest, const TreeStep& step) const {
+    int rays = 0;
+    for (const WaveLight& light : wave_scene_.light) {
+        rays += light.kind == WaveLight::Kind::delta ? 1 : step.counts.shadow;
+    }
+    ShadowWave& shadows = forest.shadows;
+    for (int first = 0; first < step.vertices.count; first = shadows.last) {
+        shadows.begin(first, step.vertices.count, rays, false);
+        kernels_->shade(step);
+        shadows.trace(scene_.frame.structure());
+        const auto asked = static_cast<std::uint64_t>(rays) *
+                           static_cast<std::uint64_t>(shadows.last - shadows.first);
+        forest.count->shadow_rays += asked;
+        forest.count->needless_shadow_rays += asked - static_cast<std::uint64_t>(shadows.count);
+        best_wave_kernels().sum_light(shadows);
+        for (int i = shadows.first; i < shadows.last; ++i) {
+            RadianceSample& result = forest.results[step.rays.slot.at[step.vertices.path.at[i]]];
+            result.radiance += forest.own.get(i) + shadows.sum.get(i);
+        }
+    }
 }
 
 }  // namespace carom::render

@@ -3,6 +3,8 @@
 
 #include "render/integrator/integrator.h"
 #include "render/integrator/transport_scene.h"
+#include "render/integrator/wave/tree_kernels.h"
+#include "render/integrator/wave/wave_kernels.h"
 #include "render/scene/distributed_settings.h"
 
 namespace carom::render {
@@ -22,30 +24,29 @@ namespace carom::render {
 ///
 /// Rays see lights and the environment directly. A constant environment lights diffuse surfaces by
 /// the ambient term alone, because nothing else here follows scattered light.
+///
+/// The trees of many camera samples are traced together, in vector lanes.
 class DistributedIntegrator final : public Integrator {
   public:
-    DistributedIntegrator(const TransportScene& scene, const DistributedSettings& settings)
-        : scene_(scene), settings_(settings) {}
+    DistributedIntegrator(const TransportScene& scene, const DistributedSettings& settings);
 
-    [[nodiscard]] RadianceSample sample(const Ray& camera_ray, float pixel_spread,
-                                        const SampleStream& stream, const SampleIndex& index,
-                                        RenderStatistics& count) const override;
+    [[nodiscard]] std::unique_ptr<Workspace> make_workspace() const override;
+    void samples(const CameraRun& run, float pixel_spread, RadianceSample* results,
+                 Workspace* workspace, RenderStatistics& count) const override;
 
   private:
-    struct Work;
-    struct TreeRay;
-    struct Vertex;
-    struct Lobe;
+    struct Forest;
+    struct Generation;
 
-    [[nodiscard]] V3f trace(const TreeRay& ray, Work& work) const;
-    [[nodiscard]] V3f direct(const Vertex& vertex, Work& work) const;
-    [[nodiscard]] V3f from_light(std::size_t light, const V2f& u, const Vertex& vertex,
-                                 Work& work) const;
-    [[nodiscard]] V3f reflected_and_refracted(const Vertex& vertex, Work& work) const;
-    [[nodiscard]] V3f mean_over_lobe(const Lobe& lobe, const Vertex& vertex, Work& work) const;
+    void trace(Forest& forest, int generation) const;
+    void process_hits(Forest& forest, Generation& rays, int generation) const;
+    void shade(Forest& forest, const TreeStep& step) const;
 
     TransportScene scene_;
     DistributedSettings settings_;
+    WaveScene wave_scene_;
+    WaveNumberTable models_;  // ClassicOf, by material
+    const TreeKernels* kernels_;
 };
 
 }  // namespace carom::render

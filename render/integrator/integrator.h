@@ -37,23 +37,14 @@ class Integrator {
     /// Returns null if the integrator needs none.
     [[nodiscard]] virtual std::unique_ptr<Workspace> make_workspace() const { return nullptr; }
 
-    /// Computes `sample` for all samples of a run, in any order: a result does not depend on the
-    /// others. `results` has room for as many. `workspace` comes from this integrator.
+    /// The radiance that arrives along the camera rays of a run. `pixel_spread`: width of a pixel
+    /// at distance 1. A result does not depend on the other samples; all values are finite and >=
+    /// 0, except by a fault of the integrator, which the caller looks for. `results` has room for
+    /// as many; `workspace` comes from this integrator. Adds to `count`.
     virtual void samples(const CameraRun& run, float pixel_spread, RadianceSample* results,
-                         Workspace* /*workspace*/, RenderStatistics& count) const {
-        for (int i = 0; i < run.count; ++i) {
-            results[i] = sample(run.ray(i), pixel_spread, run.stream(i), run.index(i), count);
-        }
-    }
+                         Workspace* workspace, RenderStatistics& count) const = 0;
 
-    /// The radiance that arrives along `camera_ray`. `pixel_spread`: width of a pixel at distance
-    /// 1. All returned values are finite and >= 0. Adds to `count`.
-    [[nodiscard]] virtual RadianceSample sample(const Ray& camera_ray, float pixel_spread,
-                                                const SampleStream& stream,
-                                                const SampleIndex& index,
-                                                RenderStatistics& count) const = 0;
-
-    /// What rays from the camera see: all of `sample` except the radiance, with the same means.
+    /// What rays from the camera see: all of `samples` except the radiance, with the same means.
     /// Only of integrators that follow paths; the others set nothing. `workspace`: as of `samples`.
     virtual void look(const CameraRun& /*run*/, float /*pixel_spread*/, RadianceSample* /*results*/,
                       Workspace* /*workspace*/) const {}

@@ -1,16 +1,15 @@
 #include "render/integrator/path_integrator.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
-#include <optional>
 
 #include "core/assert.h"
 #include "core/colour.h"
 #include "render/geometry/validity.h"
-#include "render/integrator/scalar_kernels.h"
+#include "render/integrator/branch_sums.h"
+#include "render/integrator/wave/hit_surfaces.h"
 
 namespace carom::render {
 namespace {
@@ -18,250 +17,331 @@ namespace {
 // Probability of continuing a path within glass after its last bounce.
 constexpr float kSurvivalInGlass = 0.95f;
 
-/// Caustics are sampled for paths of a broad lobe followed by one specular reflection on a ball, or
-/// by the two refractions of a path through it. `index`: of the vertex.
-void set_connected_ball(const ShadingVertex& vertex, const BsdfSample& sample, int index,
-                        LastScattering& last) {
-    const std::int64_t connected = last.connected_ball;
-    const std::int64_t entered = last.entered_ball;
-    last.connected_ball = last.entered_ball = -1;
-    last.passed_ball = false;
-    if (!sample.is_delta) {
-        return;
+/// Checks the output of the kernels: the continuing paths and the light of the shadow rays.
+[[maybe_unused]] bool is_valid(const PathWave& paths) {
+    for (int i = 0; i < paths.count; ++i) {
+        if (!is_unit(paths.direction.get(i)) || !is_light(paths.throughput.get(i)) ||
+            !is_finite(paths.origin.get(i)) || !(paths.pdf.at[i] >= 0)) {
+            return false;
+        }
     }
-    if (vertex.surface.geometric_normal.dot(sample.direction) >= 0) {
-        last.connected_ball = connected;
-    } else if (vertex.surface.is_inside) {
-        last.connected_ball = entered;
-        last.passed_ball = true;
-    } else if (index > 0) {
-        last.entered_ball = connected;
+    return true;
+}
+
+[[maybe_unused]] bool is_valid(const ShadowWave& shadows) {
+    for (int vertex = shadows.first; vertex < shadows.last; ++vertex) {
+        if (!is_light(shadows.sum.get(vertex))) {
+            return false;
+        }
     }
+    return true;
 }
 
 }  // namespace
 
-// With expensive checks on, an invalid radiance stops the program where it first appears.
-void PathWork::validate([[maybe_unused]] const V3f& radiance) const {
-#ifdef CAROM_VALIDATION
-    if (!is_light(radiance)) {
-        std::fprintf(stderr, "radiance (%g, %g, %g) in sample %d of pixel (%d, %d)\n",
-                     static_cast<double>(radiance.x), static_cast<double>(radiance.y),
-                     static_cast<double>(radiance.z), index.sample, index.x, index.y);
-        std::abort();
+/// A camera sample of a wave.
+struct PathIntegrator::Sample {
+    PathDimensions dimensions;
+    SampleIndex index;
+    RadianceSample result{};
+};
+
+struct PathIntegrator::Wave final : Integrator::Workspace {
+    PathWave of_even_vertices, of_odd_vertices;
+    PathWave& paths() { return vertex % 2 == 0 ? of_even_vertices : of_odd_vertices; }
+    PathWave& next() { return vertex % 2 == 0 ? of_odd_vertices : of_even_vertices; }
+    PathWave scattered;  // to be appended to `next`
+    int vertex = 0;
+    VertexWave vertices;
+    ShadowWave shadows;
+    SampleWave samples;
+    WaveList near_balls;
+    MissWave missed;
+    HitSurfaces surfaces;
+    WaveList hit_paths;  // that become vertices
+    std::vector<Sample> from_camera;
+    BranchSums sums;
+    Floats3 mirrored;  // by path
+
+    explicit Wave(const PathIntegrator& integrator)
+        : surfaces(integrator.scene_, integrator.wave_scene_, *integrator.kernels_, kWavePaths),
+          sums(integrator.wave_scene_.glossy_samples) {
+        const auto reserve = [](auto&... parts) { (parts.reserve(kWavePaths), ...); };
+        reserve(of_even_vertices, of_odd_vertices, scattered, vertices, shadows, near_balls, missed,
+                hit_paths, mirrored);
+        samples.reserve(kWaveSamples);
     }
+
+    [[nodiscard]] Sample& sample_of(int path) {
+        return from_camera[static_cast<std::size_t>(paths().slot.at[path])];
+    }
+    /// Adds light that a path found.
+    void add(int path, const V3f& radiance, int scatterings) {
+        validate(path, radiance);
+        sums.add(paths().slot.at[path], vertex, static_cast<std::uint32_t>(paths().branch.at[path]),
+                 radiance, scatterings);
+    }
+    /// Adds the light of a lamp or the room that a path reached, reduced by its throughput.
+    void add_light(int path, const V3f& radiance) {
+        add(path, radiance, vertex);
+        if (is_imaged(vertex, static_cast<std::uint32_t>(paths().branch.at[path]),
+                      paths().is_delta.at[path] != 0)) {
+            sample_of(path).result.light += radiance;
+        }
+    }
+
+  private:
+    // With expensive checks on, an invalid radiance stops the program where it first appears.
+    void validate([[maybe_unused]] int path, [[maybe_unused]] const V3f& radiance) {
+#ifdef CAROM_VALIDATION
+        if (!is_light(radiance)) {
+            const SampleIndex& index = sample_of(path).index;
+            std::fprintf(stderr, "radiance (%g, %g, %g) in sample %d of pixel (%d, %d)\n",
+                         static_cast<double>(radiance.x), static_cast<double>(radiance.y),
+                         static_cast<double>(radiance.z), index.sample, index.x, index.y);
+            std::abort();
+        }
 #endif
+    }
+};
+
+WaveStep PathIntegrator::step_of(Wave& wave, int first, int last) const {
+    return {wave_scene_,     wave.samples, wave.paths(),   wave.vertices, wave.shadows,
+            wave.near_balls, wave.next(),  wave.scattered, first,         last};
 }
 
 PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& settings,
                                const LightTracer* light_tracer)
     : scene_(scene),
-      direct_(scene_, settings.strategy),
+      settings_(settings),
+      hits_(scene_, settings.strategy),
       caustics_(scene_),
       light_tracer_(light_tracer),
-      settings_(settings) {
+      kernels_(&best_wave_kernels()),
+      wave_scene_(make_wave_scene(scene)) {
+    set_up(wave_scene_, settings, caustics_);
     CAROM_ASSERT(settings.split_vertices >= 0 && settings.split_vertices <= kMostSplits);
-    has_emission_ = std::any_of(scene.materials.begin(), scene.materials.end(),
-                                [](const Material& material) { return material.is_emissive(); });
-    has_glass_ = std::any_of(scene.materials.begin(), scene.materials.end(),
-                             [](const Material& material) { return material.is_transmissive(); });
+    if (!scene.lights.environment().is_sampled()) {
+        constant_sky_ = scene.lights.environment().radiance(V3f(0, 0, 1));
+    }
+    // A first vertex continues in all directions of its coat and one of its base, each of which may
+    // split again.
+    const int paths_of_sample = 2 * (wave_scene_.glossy_samples + 1);
+    wave_samples_ = std::min(kWaveSamples, kWavePaths / paths_of_sample);
 }
 
-RadianceSample PathIntegrator::sample(const Ray& camera_ray, float pixel_spread,
-                                      const SampleStream& stream, const SampleIndex& index,
-                                      RenderStatistics& count) const {
-    PathWork work{PathDimensions(stream), index, count};
-    Path path{camera_ray};
-    path.spread = pixel_spread;
-    path.last.connects = light_tracer_ != nullptr;
-    count.camera_rays += 1;
-    follow(path, work);
-    return total(work);
+std::unique_ptr<Integrator::Workspace> PathIntegrator::make_workspace() const {
+    return std::make_unique<Wave>(*this);
+}
+
+void PathIntegrator::samples(const CameraRun& run, float pixel_spread, RadianceSample* results,
+                             Workspace* workspace, RenderStatistics& count) const {
+    Wave& wave = dynamic_cast<Wave&>(*workspace);
+    for (int from = 0; from < run.count; from += wave_samples_) {
+        begin(run.part(from, wave_samples_), pixel_spread, wave);
+        count.camera_rays += wave.from_camera.size();
+        while (wave.paths().count > 0) {
+            process_hits(wave);
+            take_step(wave, count);
+            for (int k = 0; k < wave.near_balls.count; ++k) {
+                add_caustics(wave.near_balls.at.at[k], wave, count);
+            }
+            wave.vertex += 1;
+        }
+        wave.sums.finish();
+        for (std::size_t i = 0; i < wave.from_camera.size(); ++i) {
+            *results++ = finished(wave, i);
+        }
+    }
+}
+
+// The result of a sample, with indirect light clamped.
+RadianceSample PathIntegrator::finished(const Wave& wave, std::size_t sample) const {
+    RadianceSample result = wave.from_camera[sample].result;
+    V3f indirect = wave.sums.indirect_of(static_cast<int>(sample));
+    const float brightest = largest(indirect);
+    if (settings_.clamp > 0 && brightest > settings_.clamp) {
+        indirect *= settings_.clamp / brightest;
+    }
+    result.radiance = wave.sums.direct_of(static_cast<int>(sample)) + indirect;
+    return result;
+}
+
+void PathIntegrator::take_step(Wave& wave, RenderStatistics& count) const {
+    const VertexWave& vertices = wave.vertices;
+    wave.near_balls.count = 0;
+    for (PathWave* paths : {&wave.next(), &wave.scattered}) {
+        paths->count = 0;
+        paths->vertex = wave.vertex + 1;
+    }
+    int rays = wave_scene_.light.empty() ? 0 : 1;
+    if (rays > 0 && wave.vertex == 0) {
+        rays = wave_scene_.first_rays() + (vertices.has_gloss ? wave_scene_.further_rays() : 0);
+    }
+    for (int first = 0; first < vertices.count; first = wave.shadows.last) {
+        wave.shadows.begin(first, vertices.count, rays, wave_scene_.materials.transmits);
+        kernels_->take_step(step_of(wave, first, wave.shadows.last));
+        trace_shadows(wave, count);
+    }
+    wave.next().append(wave.scattered);
+    CAROM_VALIDATE(is_valid(wave.next()));
+    count.scattered_rays += static_cast<std::uint64_t>(wave.next().count);
+}
+
+void PathIntegrator::begin(const CameraRun& run, float pixel_spread, Wave& wave) const {
+    wave.vertex = 0;
+    wave.from_camera.clear();
+    wave.sums.clear();
+    for (int i = 0; i < run.count; ++i) {
+        wave.from_camera.push_back({PathDimensions(run.stream(i)), run.index(i)});
+    }
+    PathWave& paths = wave.paths();
+    begin_wave(run, pixel_spread, wave.samples, paths);
+    const auto fill = [&](auto& field, auto value) { std::fill_n(field.at, paths.count, value); };
+    fill(paths.pdf, 0.0f);
+    fill(paths.total_importance, 0.0f);
+    fill(paths.environment_samples, 1.0f);
+    fill(paths.is_delta, 1);
+    fill(paths.connects, light_tracer_ != nullptr ? 1 : 0);
+    fill(paths.connected_ball, -1);
+    fill(paths.entered_ball, -1);
 }
 
 void PathIntegrator::look(const CameraRun& run, float pixel_spread, RadianceSample* results,
-                          Workspace* /*workspace*/) const {
-    RenderStatistics count;
-    for (int i = 0; i < run.count; ++i) {
-        PathWork work{PathDimensions(run.stream(i)), run.index(i), count};
-        Path path{run.ray(i)};
-        path.spread = pixel_spread;
-        path.last.connects = light_tracer_ != nullptr;
-        Hit hit;
-        if (scene_.frame.structure().closest_hit(path.ray, hit)) {
-            see(path, hit, work);
-        } else {
-            miss(path, work);
+                          Workspace* workspace) const {
+    Wave& wave = dynamic_cast<Wave&>(*workspace);
+    for (int from = 0; from < run.count; from += wave_samples_) {
+        begin(run.part(from, wave_samples_), pixel_spread, wave);
+        process_hits(wave);
+        wave.next().count = 0;
+        wave.next().vertex = 1;
+        kernels_->look_into_coats(step_of(wave, 0, wave.vertices.count));
+        wave.vertex = 1;
+        process_hits(wave);
+        for (const Sample& sample : wave.from_camera) {
+            *results++ = sample.result;
         }
-        results[i] = work.result;
     }
 }
 
-void PathIntegrator::see(Path path, const Hit& hit, PathWork& work) const {
-    if (scene_.is_light(hit)) {
-        add_hit_light(path, hit, work);
-        return;
+// Sorts the hits: misses and vertices are collected; hits of lights are processed at once.
+void PathIntegrator::process_hits(Wave& wave) const {
+    PathWave& paths = wave.paths();
+    const Hit* const hits = wave.surfaces.trace(paths);
+    wave.vertices.has_gloss = false;
+    wave.missed.paths.count = 0;
+    wave.hit_paths.count = 0;
+    const bool is_spent = wave.vertex > settings_.max_bounces;
+    for (int i = 0; i < paths.count; ++i) {
+        const Hit& hit = hits[i];
+        if (hit.object == kNoObject) {
+            wave.missed.paths.add(i);
+        } else if (scene_.is_light(hit)) {
+            add_hit_light(i, hit, wave);
+        } else if (const std::uint8_t traits = wave_scene_.groups.traits[hit.object];
+                   traits == 0 ? !is_spent : becomes_vertex(i, hit, traits, wave)) {
+            wave.hit_paths.add(i);
+        }
     }
+    add_misses(wave);
+    if (wave.vertex >= kRouletteVertex) {
+        kernels_->play_roulette(wave.samples, paths, wave.hit_paths);
+    }
+    wave.surfaces.find(paths, wave.hit_paths, wave.vertices);
+    end_outside_glass(wave);
+    if (wave.vertex == 0) {
+        note_first_surfaces(wave);
+    } else if (wave.vertex == 1) {
+        note_mirrored_surfaces(wave);
+    }
+}
+
+void PathIntegrator::note_first_surfaces(Wave& wave) {
+    for (int i = 0; i < wave.vertices.count; ++i) {
+        RadianceSample& result = wave.sample_of(wave.vertices.path.at[i]).result;
+        result.coverage = 1;
+        result.object = static_cast<std::uint32_t>(wave.vertices.object.at[i]);
+        result.normal = wave.vertices.normal.get(i);
+        result.albedo = wave.vertices.base.get(i);
+    }
+}
+
+// In the order of the paths, so that that of the groups does not matter.
+void PathIntegrator::note_mirrored_surfaces(Wave& wave) {
+    const PathWave& paths = wave.paths();
+    for (Floats* channel : {&wave.mirrored.x, &wave.mirrored.y, &wave.mirrored.z}) {
+        std::fill_n(channel->at, paths.count, 0.0F);
+    }
+    for (int i = 0; i < wave.vertices.count; ++i) {
+        const int path = wave.vertices.path.at[i];
+        wave.mirrored.set(path, paths.throughput.get(path) * wave.vertices.base.get(i));
+    }
+    for (int path = 0; path < paths.count; ++path) {
+        if (is_seen_in_coat(1, static_cast<std::uint32_t>(paths.branch.at[path]))) {
+            wave.sample_of(path).result.mirrored += wave.mirrored.get(path);
+        }
+    }
+}
+
+void PathIntegrator::add_misses(Wave& wave) const {
+    const PathWave& paths = wave.paths();
+    const WaveList& missed = wave.missed.paths;
+    if (wave_scene_.sky) {
+        kernels_->find_sky(wave_scene_, paths, wave.missed);
+    }
+    for (int k = 0; k < missed.count; ++k) {
+        const int path = missed.at.at[k];
+        const V3f light =
+            wave_scene_.sky ? wave.missed.light.get(k) : paths.throughput.get(path) * constant_sky_;
+        wave.add_light(path, light);
+    }
+}
+
+// Otherwise the path has ended.
+bool PathIntegrator::becomes_vertex(int path, const Hit& hit, std::uint8_t traits,
+                                    Wave& wave) const {
+    if ((traits & kShines) != 0) {
+        add_emission(path, hit, wave);
+    }
+    if (wave.vertex == 0 && (traits & kHasGloss) != 0) {
+        wave.vertices.has_gloss = true;
+    }
+    return wave.vertex <= settings_.max_bounces || (traits & kTransmits) != 0;
+}
+
+// A path that ended within glass would darken it, frosted glass most. Such a path is followed with
+// roulette until it leaves the glass, whatever its number of bounces.
+void PathIntegrator::end_outside_glass(Wave& wave) const {
+    constexpr int kLastVertex = static_cast<int>(PathDimensions::kVertices) - 1;
+    VertexWave& vertices = wave.vertices;
+    PathWave& paths = wave.paths();
+    vertices.some_end = wave.vertex > settings_.max_bounces;
+    for (int i = 0; vertices.some_end && i < vertices.count; ++i) {
+        const int path = vertices.path.at[i];
+        const PathDimensions& dimensions = wave.sample_of(path).dimensions;
+        const bool stays = vertices.from_behind.at[i] != 0 && wave.vertex < kLastVertex &&
+                           dimensions.further(paths.path(path)).y < kSurvivalInGlass;
+        vertices.ends.at[i] = stays ? 0 : 1;
+        if (stays) {
+            paths.throughput.set(path, paths.throughput.get(path) / kSurvivalInGlass);
+        }
+    }
+}
+
+void PathIntegrator::add_hit_light(int index, const Hit& hit, Wave& wave) const {
+    const Path path = wave.paths().path(index);
+    RadianceSample& result = wave.sample_of(index).result;
     if (path.vertex == 0) {
-        work.result.coverage = 1;
-        work.result.object = hit.object;
-    }
-    if (has_emission_) {
-        add_emission(path, hit, work);
-    }
-    if (path.vertex > settings_.max_bounces) {
-        return;
-    }
-    const SurfacePoint point = scene_.frame.surface_at(path.ray, hit);
-    path.width += path.spread * hit.t;
-    const Surface surface = resolve(path, point);
-    work.add_surface(path, surface);
-    const Bsdf bsdf(surface, -path.ray.direction);
-    const ShadingVertex vertex = vertex_at(path, point, surface, bsdf);
-    if (path.vertex > 0 || !vertex.splits) {
-        return;
-    }
-    path.last.connected_ball = path.last.connects ? std::int64_t{hit.object} : -1;
-    path.last.connects = false;
-    const V3f numbers = work.dimensions.further(path);
-    path.branch *= 2;
-    if (!turn(path, vertex, Layers::coat, V2f(numbers.x, numbers.y), vertex.glossy_samples)) {
-        return;
-    }
-    path.throughput *= static_cast<float>(vertex.glossy_samples);  // one stands for all
-    Hit next;
-    if (scene_.frame.structure().closest_hit(path.ray, next)) {
-        see(path, next, work);
-    } else {
-        miss(path, work);
-    }
-}
-
-RadianceSample PathIntegrator::total(PathWork& work) const {
-    if (settings_.clamp > 0) {
-        const float brightest = largest(work.indirect);
-        if (brightest > settings_.clamp) {
-            work.indirect *= settings_.clamp / brightest;
-        }
-    }
-    work.result.radiance = work.direct + work.indirect;
-    if (!is_light(work.result.radiance)) {
-        work.result.radiance = V3f(0, 0, 0);
-    }
-    return work.result;
-}
-
-void PathIntegrator::follow(Path path, PathWork& work) const {
-    Hit hit;
-    while (scene_.frame.structure().closest_hit(path.ray, hit)) {
-        if (!process_hit(path, hit, work)) {
-            return;
-        }
-    }
-    miss(path, work);
-}
-
-void PathIntegrator::follow_from(Path path, const Hit& hit, PathWork& work) const {
-    if (process_hit(path, hit, work)) {
-        follow(path, work);
-    }
-}
-
-void PathIntegrator::add_light(const Path& path, const V3f& radiance, PathWork& work) {
-    work.add_light(path.throughput * radiance, path.vertex,
-                   is_imaged(path.vertex, path.branch, path.last.is_delta));
-}
-
-void PathIntegrator::miss(const Path& path, PathWork& work) const {
-    add_light(path, direct_.environment(path), work);
-}
-
-void PathIntegrator::add_hit_light(const Path& path, const Hit& hit, PathWork& work) const {
-    if (path.vertex == 0) {
-        work.result.coverage = 1;
-        work.result.object = hit.object;
+        result.coverage = 1;
+        result.object = hit.object;
     }
     if (is_sampled_as_caustic(path, hit)) {
         return;
     }
-    add_light(path, direct_.hit_light(path, hit), work);
+    wave.add_light(index, path.throughput * hits_.of_light(path, hit));
     if (path.vertex == 0) {
-        work.result.normal = -path.ray.direction;
+        result.normal = -path.ray.direction;
     }
-}
-
-// Handles the path's hit and turns the path into its next direction; false if the path ends.
-bool PathIntegrator::process_hit(Path& path, const Hit& hit, PathWork& work) const {
-    if (scene_.is_light(hit)) {
-        add_hit_light(path, hit, work);
-        return false;
-    }
-    if (path.vertex == 0) {
-        work.result.coverage = 1;
-        work.result.object = hit.object;
-    }
-    if (has_emission_) {
-        add_emission(path, hit, work);
-    }
-    const bool is_spent = path.vertex > settings_.max_bounces;
-    if ((is_spent && !has_glass_) || !survives(path, work)) {
-        return false;
-    }
-    const V3f wo = -path.ray.direction;
-    const SurfacePoint point = scene_.frame.surface_at(path.ray, hit);
-    if (is_spent && !scene_.materials[point.material].is_transmissive()) {
-        return false;
-    }
-    path.width += path.spread * hit.t;
-    const Surface surface = resolve(path, point);
-    if (is_spent && !(surface.from_behind && survives_in_glass(path, work))) {
-        return false;
-    }
-    if (surface.is_inside) {
-        path.throughput *= surface.layers->glass->transmittance(hit.t);
-    }
-    work.add_surface(path, surface);
-    const Bsdf bsdf(surface, wo);
-    const ShadingVertex vertex = vertex_at(path, point, surface, bsdf);
-    const VertexNumbers u = work.dimensions.vertex(path);
-    const V3f direct = direct_.sample_lights(path, vertex, u.light, work.dimensions, work.count);
-    work.add(path.throughput * direct, path.vertex + 1);
-    const bool connects = settings_.caustics && path.vertex < settings_.max_bounces &&
-                          caustics_.connects(path, vertex);
-    if (connects) {
-        const V3f found = caustics_.estimate(path, vertex, hit.object, work.dimensions, work.count);
-        work.add(path.throughput * found, path.vertex + 2);
-    }
-    path.last.connected_ball = path.last.connects ? std::int64_t{hit.object} : -1;
-    path.last.connects = connects;
-    if (path.last.entered_ball != std::int64_t{hit.object}) {
-        path.last.entered_ball = -1;
-    }
-    return scatter(path, vertex, u.scattering, work);
-}
-
-ShadingVertex PathIntegrator::vertex_at(const Path& path, const SurfacePoint& point,
-                                        const Surface& surface, const Bsdf& bsdf) const {
-    const auto following = scalar::following_at<scalar::One>(
-        path.vertex, settings_.split_vertices, settings_.glossy_samples, bsdf.has_coat(),
-        bsdf.can_evaluate(Layers::coat));
-    return {point.position,   point.position + surface.geometric_normal * point.offset,
-            surface,          bsdf,
-            following.splits, following.shows_gloss ? settings_.glossy_samples : 1};
-}
-
-// `path.width` is the width at the point.
-Surface PathIntegrator::resolve(const Path& path, const SurfacePoint& point) const {
-    const V3f wo = -path.ray.direction;
-    const float cosine = std::max(std::abs(point.geometric_normal.dot(wo)), kLeastConeCosine);
-    return scene_.materials[point.material].resolve(point, wo, path.width / std::sqrt(cosine));
-}
-
-void PathIntegrator::add_caustics(const Path& path, const Arrival& at, PathWork& work) const {
-    const Bsdf bsdf(at.surface, -path.ray.direction);
-    const ShadingVertex vertex{at.position, at.origin, at.surface, bsdf};
-    const V3f found = caustics_.estimate(path, vertex, at.object, work.dimensions, work.count);
-    work.add(path.throughput * found, path.vertex + 2);
 }
 
 // Whether the light that the path hit after a specular reflection was sampled instead.
@@ -277,86 +357,47 @@ bool PathIntegrator::is_sampled_as_caustic(const Path& path, const Hit& hit) con
     return path.vertex == 1 ? light_tracer_->covers(ball, light) : caustics_.covers(ball, light);
 }
 
-void PathIntegrator::add_emission(const Path& path, const Hit& hit, PathWork& work) const {
+void PathIntegrator::add_emission(int index, const Hit& hit, Wave& wave) const {
+    const Path path = wave.paths().path(index);
     const SurfacePoint point = scene_.frame.surface_at(path.ray, hit);
     const float cosine = -point.geometric_normal.dot(path.ray.direction);
     const Material& material = scene_.materials[point.material];
     if (cosine > 0 && material.is_emissive()) {
-        const V3f light =
-            direct_.hit_emitter(path, hit, material.emission(), point.geometric_normal);
-        add_light(path, light, work);
+        const V3f light = hits_.of_object(path, hit, material.emission(), point.geometric_normal);
+        wave.add_light(index, path.throughput * light);
     }
 }
 
-bool PathIntegrator::survives(Path& path, const PathWork& work) const {
-    if (path.vertex < kRouletteVertex) {
-        return true;
-    }
-    const float survival = scalar::survival_of<scalar::One>(scalar::three(path.throughput));
-    if (work.dimensions.further(path).z >= survival) {
-        return false;
-    }
-    path.throughput /= survival;
-    return true;
+void PathIntegrator::add_caustics(int vertex, Wave& wave, RenderStatistics& count) const {
+    const VertexWave& vertices = wave.vertices;
+    const PathWave& paths = wave.paths();
+    const int index = vertices.path.at[vertex];
+    const Path path = paths.path(index);
+    const V3f position = vertices.position.get(vertex);
+    const V3f normal = vertices.geometric_normal.get(vertex);
+    const Material& material =
+        scene_.materials[static_cast<std::size_t>(vertices.material.at[vertex])];
+    const auto bsdf = scalar::bsdf_at<scalar::One>(
+        material.numbers(), scalar::three(vertices.base.get(vertex)), scalar::three(normal),
+        scalar::three(vertices.normal.get(vertex)), scalar::three(-path.ray.direction), false);
+    const V3f found =
+        caustics_.estimate(path,
+                           {position, position + normal * vertices.offset.at[vertex],
+                            static_cast<std::uint32_t>(vertices.object.at[vertex]), bsdf},
+                           wave.sample_of(index).dimensions, count);
+    wave.add(index, path.throughput * found, wave.vertex + 2);
 }
 
-// A path that ended within glass would darken it, frosted glass most. Such a path is followed with
-// roulette until it leaves the glass, whatever its number of bounces.
-bool PathIntegrator::survives_in_glass(Path& path, const PathWork& work) const {
-    constexpr int kMostVertices = static_cast<int>(PathDimensions::kVertices) - 1;
-    if (path.vertex >= kMostVertices || work.dimensions.further(path).y >= kSurvivalInGlass) {
-        return false;
+void PathIntegrator::trace_shadows(Wave& wave, RenderStatistics& count) const {
+    ShadowWave& shadows = wave.shadows;
+    count.shadow_rays += static_cast<std::uint64_t>(shadows.count);
+    shadows.trace(scene_.frame.structure());
+    kernels_->sum_light(shadows);
+    CAROM_VALIDATE(is_valid(shadows));
+    for (int vertex = shadows.first; vertex < shadows.last; ++vertex) {
+        const int path = wave.vertices.path.at[vertex];
+        wave.add(path, shadows.sum.get(vertex), wave.vertex + 1);
     }
-    path.throughput /= kSurvivalInGlass;
-    return true;
-}
-
-bool PathIntegrator::turn(Path& path, const ShadingVertex& vertex, Layers layers,
-                          const V2f& numbers, int samples) const {
-    const auto sample = vertex.bsdf.sample(layers, numbers);
-    if (!sample || largest(sample->weight) <= 0) {
-        return false;
-    }
-    path.throughput *= sample->weight / static_cast<float>(samples);
-    path.last.pdf = sample->pdf * static_cast<float>(samples);
-    path.last.is_delta = sample->is_delta;
-    // Caustics are sampled for paths of a broad lobe followed by one specular reflection, only.
-    path.last.connects = path.last.connects && !sample->is_delta;
-    set_connected_ball(vertex, *sample, path.vertex, path.last);
-    path.ray = Ray{vertex.origin_towards(sample->direction), sample->direction, 0, kInfinity,
-                   path.ray.time};
-    path.spread = sample->is_delta
-                      ? std::min(path.spread * kMirrorSpread, kWidestSpread)
-                      : std::max(path.spread,
-                                 std::min(kLobeFraction / std::sqrt(sample->pdf), kWidestSpread));
-    path.vertex += 1;
-    return true;
-}
-
-// Turns `path` into its next direction, after following its coat to the end; false if it ends here.
-bool PathIntegrator::scatter(Path& path, const ShadingVertex& vertex, const V2f& u,
-                             PathWork& work) const {
-    const auto proceed = [&](Path& next, Layers layers, const V2f& numbers, int samples = 1) {
-        const bool goes = turn(next, vertex, layers, numbers, samples);
-        work.count.scattered_rays += goes ? 1 : 0;
-        return goes;
-    };
-    if (!vertex.splits) {
-        return proceed(path, Layers::all, u);
-    }
-    // A smooth coat leaves no choice of direction.
-    const V3f numbers =
-        vertex.bsdf.can_evaluate(Layers::coat) ? work.dimensions.further(path) : V3f(0, 0, 0);
-    for (int k = 0; k < vertex.glossy_samples; ++k) {
-        Path coat = path;
-        coat.branch = 2 * path.branch + kBranchesOfOneCoat * static_cast<std::uint32_t>(k);
-        const V2f u_coat = lattice_point(V2f(numbers.x, numbers.y), k, vertex.glossy_samples);
-        if (proceed(coat, Layers::coat, u_coat, vertex.glossy_samples)) {
-            follow(coat, work);
-        }
-    }
-    path.branch = 2 * path.branch + 1;
-    return proceed(path, Layers::base, u);
 }
 
 }  // namespace carom::render

@@ -10,6 +10,7 @@
 #include <Imath/ImathVec.h>
 
 #include "core/colour.h"
+#include "core/elementary_float.h"
 #include "render/lanes/vector_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -4,6 +4,7 @@
 #include <Imath/ImathVec.h>
 
 #include "core/colour.h"
+#include "core/elementary_float.h"
 #include "render/lanes/scalar_lanes.h"
 
 namespace carom::render::scalar {

@@ -40,8 +40,15 @@ struct ScalarLanes {
     static bool fails_alone(Mask mask) { return !mask; }
 
     static Value select(Mask mask, Value yes, Value no) { return mask ? yes : no; }
+    static Mask select_mask(Mask mask, Mask yes, Mask no) { return mask ? yes : no; }
     static Int select_int(Mask mask, Int yes, Int no) { return mask ? yes : no; }
     static Word select_word(Mask mask, Word yes, Word no) { return mask ? yes : no; }
+
+    /// A function of two numbers, for formulas that are too rare for code of their own.
+    template <class Function>
+    static Value lane_by_lane(const Function& function, Value a, Value b) {
+        return function(a, b);
+    }
 
     static Value size(Value x) { return std::abs(x); }
     static Value opposite_sign(Value x) { return -x; }

@@ -47,11 +47,26 @@ struct VectorLanes {
     static HWY_INLINE Value select(Mask mask, Value yes, Value no) {
         return hn::IfThenElse(mask, yes, no);
     }
+    static HWY_INLINE Mask select_mask(Mask mask, Mask yes, Mask no) {
+        return hn::Or(hn::And(mask, yes), hn::AndNot(mask, no));
+    }
     static HWY_INLINE Int select_int(Mask mask, Int yes, Int no) {
         return hn::IfThenElse(hn::RebindMask(IntTag(), mask), yes, no);
     }
     static HWY_INLINE Word select_word(Mask mask, Word yes, Word no) {
         return hn::IfThenElse(hn::RebindMask(WordTag(), mask), yes, no);
+    }
+
+    template <class Function>
+    static HWY_INLINE Value lane_by_lane(const Function& function, Value a, Value b) {
+        HWY_ALIGN Number x[hn::MaxLanes(D())];
+        HWY_ALIGN Number y[hn::MaxLanes(D())];
+        hn::Store(a, D(), x);
+        hn::Store(b, D(), y);
+        for (std::size_t i = 0; i < hn::Lanes(D()); ++i) {
+            x[i] = function(x[i], y[i]);
+        }
+        return hn::Load(D(), x);
     }
 
     static HWY_INLINE Value size(Value x) { return hn::Abs(x); }

@@ -15,10 +15,29 @@ struct AlbedoNumbers {
     const float* sheen = nullptr;
     const float* specular = nullptr;
     const float* mirror = nullptr;
+    // Of rough glass, by the viewer's side (GlassConstants).
+    const float* reflected_outside = nullptr;
+    const float* reflected_inside = nullptr;
+    const float* kept_outside = nullptr;
+    const float* kept_inside = nullptr;
+    // Of the lobes of a phong surface.
+    const float* highlight = nullptr;
+    const float* mirrored = nullptr;
+    const float* through = nullptr;
 
     /// All of them, always in the same order.
     [[nodiscard]] static auto each(auto& numbers) {
-        return std::array{&numbers.coat, &numbers.sheen, &numbers.specular, &numbers.mirror};
+        return std::array{&numbers.coat,
+                          &numbers.sheen,
+                          &numbers.specular,
+                          &numbers.mirror,
+                          &numbers.reflected_outside,
+                          &numbers.reflected_inside,
+                          &numbers.kept_outside,
+                          &numbers.kept_inside,
+                          &numbers.highlight,
+                          &numbers.mirrored,
+                          &numbers.through};
     }
 };
 inline constexpr std::size_t kAlbedoKinds = sizeof(AlbedoNumbers) / sizeof(const float*);

@@ -17,6 +17,15 @@ inline constexpr float kSmoothAlpha = 1e-3f;
 /// From this width on a lobe is broad enough that caustics are sampled for it.
 inline constexpr float kBroadAlpha = 0.09f;
 
+/// From this exponent on a lobe of a phong surface is narrow, likewise.
+inline constexpr float kBroadestExponent = 32.0f;
+
+/// Bounds on the probability of sampling a reflection at rough glass, and on the fraction of light
+/// that single scattering keeps there.
+inline constexpr float kLeastGlassReflection = 0.08f;
+inline constexpr float kMostGlassReflection = 0.92f;
+inline constexpr float kLeastKeptInGlass = 0.1f;
+
 /// Lower bound on the cosine of view directions in the shading frame.
 inline constexpr float kLeastLocalCosine = 1e-4f;
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "render/material/fresnel.h"
-#include "render/material/microfacet.h"
 #include "render/material/scalar_kernels.h"
 
 namespace carom::render {
@@ -52,21 +51,6 @@ LayerConstants make_layers(const StandardMaterial& m, AlbedoTables& tables) {
 
 }  // namespace
 
-scalar::LayersOf<scalar::One> LayerConstants::numbers() const {
-    return {coat_weight,
-            coat_ior,
-            coat_alpha,
-            sheen,
-            scalar::three(sheen_colour),
-            metal,
-            specular,
-            alpha,
-            transmission,
-            {coat_albedo.values().data(), sheen_albedo.values().data(),
-             specular_albedo.values().data(), mirror_albedo.values().data()},
-            0};
-}
-
 Material::Material(const StandardMaterial& description, ImageCache& images, AlbedoTables& tables)
     : texture_(description.base, images),
       layers_(make_layers(description, tables)),
@@ -79,6 +63,41 @@ Material::Material(const PhongMaterial& description, ImageCache& images)
       phong_(phong_model(description)),
       is_phong_(true),
       emission_(description.emission) {}
+
+scalar::LayersOf<scalar::One> Material::numbers() const {
+    const auto numbers_of = [](const AlbedoTable& table) { return table.values().data(); };
+    scalar::LayersOf<scalar::One> numbers{};
+    numbers.coat_weight = layers_.coat_weight;
+    numbers.coat_ior = layers_.coat_ior;
+    numbers.coat_alpha = layers_.coat_alpha;
+    numbers.sheen = layers_.sheen;
+    numbers.sheen_colour = scalar::three(layers_.sheen_colour);
+    numbers.metal = layers_.metal;
+    numbers.specular = layers_.specular;
+    numbers.alpha = layers_.alpha;
+    numbers.transmission = layers_.transmission;
+    numbers.any_glass = is_glass();
+    numbers.any_phong = numbers.is_phong = is_phong_;
+    static const GlassConstants kNone;
+    const GlassConstants& glass = is_glass() ? *layers_.glass : kNone;
+    numbers.glass = {glass.ior, glass.alpha, scalar::three(glass.tint)};
+    numbers.phong = {scalar::three(phong_.specular),      scalar::three(phong_.reflectance),
+                     scalar::three(phong_.transmittance), phong_.index,
+                     phong_.highlight_lobe.exponent,      phong_.mirrored_lobe.exponent,
+                     phong_.through_lobe.exponent};
+    numbers.tables = {numbers_of(layers_.coat_albedo),
+                      numbers_of(layers_.sheen_albedo),
+                      numbers_of(layers_.specular_albedo),
+                      numbers_of(layers_.mirror_albedo),
+                      numbers_of(glass.reflected[0]),
+                      numbers_of(glass.reflected[1]),
+                      numbers_of(glass.kept[0]),
+                      numbers_of(glass.kept[1]),
+                      numbers_of(phong_.highlight_lobe.kept),
+                      numbers_of(phong_.mirrored_lobe.kept),
+                      numbers_of(phong_.through_lobe.kept)};
+    return numbers;
+}
 
 std::optional<V3f> Material::constant_base() const {
     const auto colour = texture_.constant();
@@ -122,15 +141,10 @@ Surface Material::resolve(const SurfacePoint& point, const V3f& wo, float footpr
     const auto resolved = scalar::resolve_surface<scalar::One>(texture_.data(), bump_, textured,
                                                                scalar::three(point.shading_normal),
                                                                scalar::three(wo), footprint);
-    const bool from_behind = resolved.from_behind;
     surface.geometric_normal = scalar::vector_of(resolved.geometric_normal);
     surface.base = scalar::vector_of(resolved.base);
     surface.frame = OrthonormalBasis::around(scalar::vector_of(resolved.normal));
-    surface.layers = &layers_;
-    surface.is_inside = from_behind && layers_.glass != nullptr;
-    surface.phong = is_phong_ ? &phong_ : nullptr;
-    surface.from_behind = from_behind;
-    surface.emission = from_behind ? V3f(0, 0, 0) : emission_;
+    surface.emission = resolved.from_behind ? V3f(0, 0, 0) : emission_;
     return surface;
 }
 

@@ -37,21 +37,14 @@ struct LayerConstants {
 
     float transmission = 0;                       // fraction of the base that is glass
     std::shared_ptr<const GlassConstants> glass;  // null: not transmissive
-
-    /// The same for kernels; borrows the tables.
-    [[nodiscard]] scalar::LayersOf<scalar::One> numbers() const;
 };
 
-/// Everything that scattering at one point needs, as plain data without textures or scene.
+/// The surface at one point, as plain data without textures or scene.
 struct Surface {
     V3f geometric_normal;    // unit, on the viewer's side
     OrthonormalBasis frame;  // z: the shading normal, on the viewer's side
     V3f base;                // albedo, or reflectance of the metal
-    const LayerConstants* layers = nullptr;
-    bool is_inside = false;             // the viewer is within the glass bounded by this surface
-    const PhongModel* phong = nullptr;  // for phong surfaces, instead of the layers
-    V3f emission{0, 0, 0};              // towards the viewer, W/(m^2 sr)
-    bool from_behind = false;           // the viewer is behind the surface's front
+    V3f emission{0, 0, 0};   // towards the viewer, W/(m^2 sr)
 };
 
 /// Immutable; shared by all threads.
@@ -67,6 +60,8 @@ class Material {
     [[nodiscard]] Surface resolve(const SurfacePoint& point, const V3f& wo, float footprint) const;
 
     [[nodiscard]] const LayerConstants& layers() const { return layers_; }
+    /// All numbers for kernels; borrows the tables.
+    [[nodiscard]] scalar::LayersOf<scalar::One> numbers() const;
     [[nodiscard]] const Texture& texture() const { return texture_; }
     /// Strength of the texture's relief, 0 without one.
     [[nodiscard]] float bump() const { return bump_; }
@@ -85,7 +80,7 @@ class Material {
     [[nodiscard]] bool is_mirror() const;
     /// Whether it is smooth glass and nothing else.
     [[nodiscard]] bool is_clear_glass() const;
-    /// For a mirror: the specular reflectance at an angle with this cosine, as in Bsdf.
+    /// For a mirror: the specular reflectance at an angle with this cosine.
     [[nodiscard]] V3f mirror_reflectance(float cosine) const;
 
     /// Whether it transmits light.
@@ -94,6 +89,7 @@ class Material {
     }
 
     [[nodiscard]] bool is_phong() const { return is_phong_; }
+    [[nodiscard]] bool is_glass() const { return layers_.glass != nullptr; }
 
   private:
     Texture texture_;

@@ -3,8 +3,6 @@
 // 2014, "Understanding the masking-shadowing function in microfacet-based BRDFs".
 #pragma once
 
-#include <cmath>
-
 #include "render/geometry/ray.h"
 #include "render/material/scalar_kernels.h"
 #include "render/sampling/warp.h"
@@ -57,13 +55,8 @@ class Ggx {
 /// The refracted direction on the far side of a facet `m`, with w.m > 0 and `index` of the far side
 /// over that of `w`; (0, 0, 0) at total reflection (Walter 2007, eq. 40).
 [[nodiscard]] inline V3f refracted_at(const V3f& w, const V3f& m, float index) {
-    const float cosine = w.dot(m);
-    const float inverse = 1.0f / index;
-    const float through2 = 1.0f - inverse * inverse * (1.0f - cosine * cosine);
-    if (through2 <= 0) {
-        return V3f(0, 0, 0);
-    }
-    return m * (inverse * cosine - std::sqrt(through2)) - w * inverse;
+    return scalar::vector_of(
+        scalar::refracted_at<scalar::One>(scalar::three(w), scalar::three(m), index));
 }
 
 }  // namespace carom::render

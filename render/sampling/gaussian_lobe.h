@@ -6,9 +6,12 @@
 
 namespace carom::render {
 
-/// Inverse of the error function for y in (-1, 1), to about 3e-7 of its value (Giles 2010,
-/// "Approximating the erfinv function", GPU Computing Gems, table 5, single precision).
+/// Inverse of the error function for y in (-1, 1), to about 3e-7 of its value
+/// (kernels/gaussian_lobe.h).
 [[nodiscard]] float inverse_erf(float y);
+
+/// The probability that |x| <= pi / 2 for a normally distributed x of standard deviation `spread`.
+[[nodiscard]] float gaussian_within_a_quarter_turn(float spread);
 
 /// Unit direction about +z for `u` in [0, 1)^2: the angle from the axis is |x| for a normally
 /// distributed x of standard deviation `spread` (rad, > 0), cut off at pi / 2; the azimuth is

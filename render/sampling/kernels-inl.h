@@ -18,6 +18,7 @@ namespace carom::render::HWY_NAMESPACE {
 #define CAROM_KERNEL HWY_INLINE
 #define CAROM_KERNEL_ATTRIBUTE HWY_ATTR
 #include "render/sampling/kernels/distribution_2d.h"
+#include "render/sampling/kernels/gaussian_lobe.h"
 #include "render/sampling/kernels/pixel_filter.h"
 #include "render/sampling/kernels/scrambling.h"
 #include "render/sampling/kernels/warps.h"

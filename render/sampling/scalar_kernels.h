@@ -11,6 +11,7 @@ namespace carom::render::scalar {
 #define CAROM_KERNEL [[gnu::always_inline]] inline
 #define CAROM_KERNEL_ATTRIBUTE
 #include "render/sampling/kernels/distribution_2d.h"
+#include "render/sampling/kernels/gaussian_lobe.h"
 #include "render/sampling/kernels/pixel_filter.h"
 #include "render/sampling/kernels/scrambling.h"
 #include "render/sampling/kernels/warps.h"

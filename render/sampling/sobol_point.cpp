@@ -9,9 +9,7 @@
 // Must follow foreach_target.h.
 #include <hwy/highway.h>
 
-#if HWY_TARGET != HWY_SCALAR
 #include "render/sampling/kernels-inl.h"
-#endif
 
 #ifndef CAROM_SOBOL_FUNCTIONS
 #define CAROM_SOBOL_FUNCTIONS
@@ -36,85 +34,67 @@ alignas(16) constexpr std::uint32_t kBlock[2][4] = {
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::detail::HWY_NAMESPACE {
 
-#if HWY_TARGET == HWY_SCALAR
-
-inline std::uint32_t sobol(std::uint32_t reversed_index, int d) {
-    std::uint32_t x = 0;
-    for (int nibble = 0; nibble < 8; ++nibble) {
-        x ^= kSobol.values[nibble][(reversed_index >> (4 * nibble)) & 15u][d];
-    }
-    return x;
-}
-
-inline float scrambled(std::uint32_t x, std::uint32_t set_hash, int d) {
-    using scalar::One;
-    return scalar::scrambled_coordinate<One>(
-        x, scalar::seed_of_dimension<One>(set_hash, kLaneSalts[d]));
-}
-
-inline void point(std::uint32_t reversed_index, std::uint32_t set_hash, float* coordinates) {
-    for (int d = 0; d < 4; ++d) {
-        coordinates[d] = scrambled(sobol(reversed_index, d), set_hash, d);
-    }
-}
-
-inline void block(std::uint32_t reversed_index, std::uint32_t set_hash, float* coordinates) {
-    for (int d = 0; d < 2; ++d) {
-        for (int k = 0; k < 4; ++k) {
-            coordinates[4 * d + k] =
-                scrambled(sobol(reversed_index, d) ^ kBlock[d][k], set_hash, d);
-        }
-    }
-}
-
-#else
-
 namespace hn = hwy::HWY_NAMESPACE;
-/// One point's four dimensions.
+/// The dimensions of a point, in as many lanes as there are.
 using FourTag = hn::CappedTag<float, 4>;
 using FourLanes = render::HWY_NAMESPACE::VectorLanes<FourTag>;
 using Tag = FourLanes::WordTag;
 using Four = FourLanes::Word;
 
-HWY_INLINE Four contribution(std::uint32_t reversed_index, int nibble) {
-    return hn::Load(Tag(), kSobol.values[nibble][(reversed_index >> (4 * nibble)) & 15u]);
+HWY_INLINE int four_lanes() {
+    return static_cast<int>(hn::Lanes(Tag()));
 }
 
-HWY_INLINE Four sobol4(std::uint32_t reversed_index) {
-    const Four a = hn::Xor(contribution(reversed_index, 0), contribution(reversed_index, 1));
-    const Four b = hn::Xor(contribution(reversed_index, 2), contribution(reversed_index, 3));
-    const Four c = hn::Xor(contribution(reversed_index, 4), contribution(reversed_index, 5));
-    const Four e = hn::Xor(contribution(reversed_index, 6), contribution(reversed_index, 7));
+HWY_INLINE Four contribution(std::uint32_t reversed_index, int nibble, int dimension) {
+    return hn::Load(Tag(),
+                    kSobol.values[nibble][(reversed_index >> (4 * nibble)) & 15u] + dimension);
+}
+
+/// The coordinates in the dimensions from the given one on.
+HWY_INLINE Four sobol(std::uint32_t reversed_index, int dimension) {
+    const auto part = [&](int nibble)
+                          HWY_ATTR { return contribution(reversed_index, nibble, dimension); };
+    const Four a = hn::Xor(part(0), part(1));
+    const Four b = hn::Xor(part(2), part(3));
+    const Four c = hn::Xor(part(4), part(5));
+    const Four e = hn::Xor(part(6), part(7));
     return hn::Xor(hn::Xor(a, b), hn::Xor(c, e));
 }
 
-HWY_INLINE Four seeds4(std::uint32_t set_hash) {
-    return render::HWY_NAMESPACE::seed_of_dimension<FourLanes>(hn::Set(Tag(), set_hash),
-                                                               hn::LoadU(Tag(), kLaneSalts));
+HWY_INLINE Four seeds_of(std::uint32_t set_hash, int dimension) {
+    return render::HWY_NAMESPACE::seed_of_dimension<FourLanes>(
+        hn::Set(Tag(), set_hash), hn::LoadU(Tag(), kLaneSalts + dimension));
 }
 
-HWY_INLINE void write_scrambled4(Four x, Four seeds, float* coordinates) {
+HWY_INLINE void write_scrambled(Four x, Four seeds, float* coordinates) {
     hn::StoreU(render::HWY_NAMESPACE::scrambled_coordinate<FourLanes>(x, seeds), FourTag(),
                coordinates);
 }
 
 inline HWY_ATTR void point(std::uint32_t reversed_index, std::uint32_t set_hash,
                            float* coordinates) {
-    write_scrambled4(sobol4(reversed_index), seeds4(set_hash), coordinates);
+    for (int d = 0; d < 4; d += four_lanes()) {
+        write_scrambled(sobol(reversed_index, d), seeds_of(set_hash, d), coordinates + d);
+    }
 }
 
 inline HWY_ATTR void block(std::uint32_t reversed_index, std::uint32_t set_hash,
                            float* coordinates) {
-    const Tag d;
-    const Four base = sobol4(reversed_index);
-    const Four seeds = seeds4(set_hash);
-    write_scrambled4(hn::Xor(hn::Broadcast<0>(base), hn::Load(d, kBlock[0])),
-                     hn::Broadcast<0>(seeds), coordinates);
-    write_scrambled4(hn::Xor(hn::Broadcast<1>(base), hn::Load(d, kBlock[1])),
-                     hn::Broadcast<1>(seeds), coordinates + 4);
+    const Tag words;
+    alignas(16) std::uint32_t base[4];
+    alignas(16) std::uint32_t seeds[4];
+    for (int d = 0; d < 4; d += four_lanes()) {
+        hn::Store(sobol(reversed_index, d), words, base + d);
+        hn::Store(seeds_of(set_hash, d), words, seeds + d);
+    }
+    for (int d = 0; d < 2; ++d) {
+        for (int k = 0; k < 4; k += four_lanes()) {
+            const Four of_point = hn::Xor(hn::Set(words, base[d]), hn::Load(words, kBlock[d] + k));
+            write_scrambled(of_point, hn::Set(words, seeds[d]), coordinates);
+            coordinates += four_lanes();
+        }
+    }
 }
-
-#endif
 
 inline const SobolFunctions& functions_of_target() {
     static constexpr SobolFunctions kFunctions = {point, block};

@@ -113,7 +113,7 @@ void for_rows(int count, const Work& work) {
     }
 }
 
-ImagePyramid make_weave() {
+ColourPyramid make_weave() {
     std::vector<float> heights(static_cast<std::size_t>(kSize) * kSize);
     const Relief relief;
     for_rows(kSize, [&](int y) { relief.row(y, std::span(heights).subspan(place(0, y), kSize)); });
@@ -134,7 +134,7 @@ ImagePyramid make_weave() {
                     (at(x, y + 1) - at(x, y - 1)) * 0.5f * kTexelsPerThread)));
         }
     }
-    return ImagePyramid(kSize, kSize, texels, Wrap::repeat);
+    return ColourPyramid(kSize, kSize, texels, Wrap::repeat);
 }
 
 // Noise with `cells` cells along a side, and `octaves` - 1 finer octaves of half the amplitude

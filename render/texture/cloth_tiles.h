@@ -31,7 +31,7 @@ using SignedPyramid = MipPyramid<SignedCodec>;
 struct ClothTiles {
     /// A plain weave with fuzz. Per texel (height, slope in x, slope in y): heights roughly in [-1,
     /// 1] with a mean of 0, slopes in heights per thread. From far away the weave fades.
-    ImagePyramid weave;
+    ColourPyramid weave;
     /// Gradient noise, and a sum of three octaves of it.
     SignedPyramid nap;
     SignedPyramid wear;

@@ -3,9 +3,11 @@
 
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "render/geometry/ray.h"
+#include "render/image_files/raw_picture.h"
 #include "render/texture/mip_pyramid.h"
 
 namespace carom::render {
@@ -39,9 +41,55 @@ struct HalfColourCodec {
     }
 };
 
-using ImagePyramid = MipPyramid<HalfColourCodec>;
+using ColourPyramid = MipPyramid<HalfColourCodec>;
 
-/// Of a picture that repeats.
+/// A half-float number: 2 bytes per texel.
+struct HalfNumberCodec {
+    using Texel = std::uint16_t;
+    using Value = float;
+    static Value decode(Texel texel) { return scalar::half_value<scalar::One>(texel); }
+    static Texel encode(Value value);
+    static Value look_up(const PyramidTables& pyramid, const scalar::Two<float>& uv,
+                         float footprint) {
+        return scalar::look_up_half<scalar::One>(pyramid, uv, footprint);
+    }
+};
+
+/// The levels of a picture that repeats. Grey stays grey, and opaque integers of 8 or 16 bits stay
+/// what they are in the finest level: there a table has the half-float light that each means. All
+/// else are half floats.
+class ImagePyramid {
+  public:
+    /// `picture`: of which fits() is true.
+    ImagePyramid(RawPicture picture, bool is_linear, const V3f& background);
+
+    /// Whether kernels reach all of its levels.
+    [[nodiscard]] static bool fits(const RawPicture& picture);
+
+    /// See MipPyramid::lookup.
+    [[nodiscard]] V3f lookup(float u, float v, float footprint) const {
+        return scalar::vector_of(scalar::look_up_image<scalar::One>(tables(), {u, v}, footprint));
+    }
+
+    /// For kernels; valid as long as this object is.
+    [[nodiscard]] ImageTables tables() const;
+
+  private:
+    [[nodiscard]] std::size_t place(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+               static_cast<std::size_t>(x);
+    }
+    template <class Codec>
+    [[nodiscard]] MipPyramid<Codec> levels_behind(const RawPicture& picture) const;
+
+    int width_;
+    int height_;
+    PictureValues codes_;        // numbers, of which there are none, if the finest level has none
+    std::vector<float> values_;  // of the codes
+    std::variant<ColourPyramid, MipPyramid<HalfNumberCodec>> levels_;
+};
+
+/// Throws Error if the file cannot be read or does not fit.
 [[nodiscard]] std::shared_ptr<const ImagePyramid> load_image_pyramid(
     const std::string& path, bool is_linear, const V3f& background = V3f(0));
 

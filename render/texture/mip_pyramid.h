@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/assert.h"
@@ -14,6 +15,12 @@ namespace carom::render {
 
 /// Beyond [0, 1], a picture continues its edge or repeats.
 enum class Wrap { clamp, repeat };
+
+/// What a texel of the next level shows.
+template <class Value>
+[[nodiscard]] Value mean_of_four(const Value& a, const Value& b, const Value& c, const Value& d) {
+    return (a + b + c + d) * 0.25f;
+}
 
 /// `Codec` names a stored `Texel`, the `Value` that it represents, the functions decode and encode
 /// between them, and the kernel `look_up` (kernels/mip_pyramid.h). A look-up reads four texels of
@@ -25,20 +32,34 @@ class MipPyramid {
     using Texel = typename Codec::Texel;
     using Value = typename Codec::Value;
 
-    /// Kernels count texels and words in 32 bits; all levels together have up to 4/3 of these.
-    static constexpr std::size_t kMostTexels = std::size_t{1} << 29;
-
     MipPyramid() = default;
 
-    /// `texels`: width * height, at most kMostTexels, row by row from the top left.
-    MipPyramid(int width, int height, const std::vector<Texel>& texels, Wrap wrap) : wrap_(wrap) {
-        CAROM_ASSERT(width > 0 && height > 0);
+    /// Whether kernels, which count bytes in 31 bits, reach all levels of a picture of this size.
+    [[nodiscard]] static bool fits(int width, int height) {
+        MipPyramid empty;
+        return (empty.plan(width, height) + kPadding) * sizeof(Texel) <=
+               std::numeric_limits<std::int32_t>::max();
+    }
+
+    /// `texels`: width * height, row by row from the top left.
+    MipPyramid(int width, int height, const std::vector<Texel>& texels, Wrap wrap)
+        : MipPyramid(width, height, wrap, [&](int x, int y) {
+              return texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                            static_cast<std::size_t>(x)];
+          }) {
         CAROM_ASSERT(texels.size() ==
                      static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-        CAROM_ASSERT(texels.size() <= kMostTexels);
-        plan(width, height);
+    }
+
+    /// `texel_at(x, y)`: of a picture that fits.
+    template <class TexelAt>
+    MipPyramid(int width, int height, Wrap wrap, const TexelAt& texel_at) : wrap_(wrap) {
+        CAROM_ASSERT(width > 0 && height > 0 && fits(width, height));
+        texels_.resize(plan(width, height) + kPadding);
         for (int y = 0; y < height; ++y) {
-            std::copy_n(texels.begin() + std::ptrdiff_t{y} * width, width, &texel(0, 0, y));
+            for (int x = 0; x < width; ++x) {
+                texel(0, x, y) = texel_at(x, y);
+            }
         }
         set_border(0);
         for (std::size_t level = 1; level < level_count(); ++level) {
@@ -72,8 +93,8 @@ class MipPyramid {
     /// Kernels read 32 bits at a time, which may begin at the last texel.
     static constexpr std::size_t kPadding = 4;
 
-    /// Sets the sizes and places of all levels and makes room for them.
-    void plan(int width, int height) {
+    /// Sets the sizes and places of all levels. Returns the number of their texels.
+    std::size_t plan(int width, int height) {
         std::size_t total = 0;
         for (;;) {
             const std::size_t stride = static_cast<std::size_t>(width) + 2;
@@ -82,12 +103,11 @@ class MipPyramid {
             heights_.push_back(height);
             total += stride * (static_cast<std::size_t>(height) + 2);
             if (width == 1 && height == 1) {
-                break;
+                return total;
             }
             width = (width + 1) / 2;
             height = (height + 1) / 2;
         }
-        texels_.resize(total + kPadding);
     }
 
     /// x and y may be those of the border, -1 and the size.
@@ -119,9 +139,8 @@ class MipPyramid {
             const int y1 = std::min(2 * y + 1, heights_[level - 1] - 1);
             for (int x = 0; x < widths_[level]; ++x) {
                 const int x1 = std::min(2 * x + 1, widths_[level - 1] - 1);
-                texel(level, x, y) = Codec::encode(
-                    (from(2 * x, 2 * y) + from(x1, 2 * y) + from(2 * x, y1) + from(x1, y1)) *
-                    0.25f);
+                texel(level, x, y) = Codec::encode(mean_of_four(from(2 * x, 2 * y), from(x1, 2 * y),
+                                                                from(2 * x, y1), from(x1, y1)));
             }
         }
     }

@@ -8,8 +8,8 @@
 
 namespace carom::render {
 
-/// See MipPyramid::tables. Indices count texels from `texels` on. A level is stored row by row,
-/// with a border of one texel all around.
+/// See MipPyramid::tables. Indices count texels from `texels` on, all bytes of which fit an
+/// integer. A level is stored row by row, with a border of one texel all around.
 struct PyramidTables {
     const void* texels = nullptr;         // null: no picture
     const std::int32_t* first = nullptr;  // by level: the index of its upper left texel
@@ -20,9 +20,22 @@ struct PyramidTables {
     bool repeats = false;    // beyond [0, 1] the picture repeats; otherwise its edge is continued
 };
 
-/// A picture of half-float colours laid onto a surface.
+/// See ImagePyramid.
+struct ImageTables {
+    PyramidTables levels;  // of half-float colours or numbers; with codes, without the finest one
+    bool is_grey = false;
+    /// The finest level as the file has it, row by row without a border; or null. Colours are three
+    /// codes, one after the other.
+    const void* codes = nullptr;
+    const float* values = nullptr;  // of the codes
+    bool has_16_bits = false;       // each code, instead of 8
+    int width = 0;
+    int height = 0;
+};
+
+/// A picture laid onto a surface.
 struct ImageParameters {
-    PyramidTables picture;
+    ImageTables picture;
     V2f repeats{1, 1};  // along u and v; with `by_size`: per metre
     bool by_size = false;
     V2f offset{0, 0};

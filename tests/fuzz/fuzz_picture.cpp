@@ -23,9 +23,8 @@ carom::render::RawPicture decode(std::span<const std::byte> bytes) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     try {
         const auto picture = decode(std::as_bytes(std::span(data, size)));
-        if (picture.values.size() != static_cast<std::size_t>(picture.width) *
-                                         static_cast<std::size_t>(picture.height) *
-                                         static_cast<std::size_t>(picture.channels)) {
+        if (std::visit([](const auto& values) { return values.size(); }, picture.values) !=
+            picture.value_count()) {
             std::fputs("the number of values does not fit the size\n", stderr);
             std::abort();
         }

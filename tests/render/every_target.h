@@ -9,9 +9,9 @@
 
 namespace carom::test {
 
-/// Calls `use` once for each instruction set of this machine, with HWY_DYNAMIC_DISPATCH choosing
-/// its functions.
-inline void for_each_instruction_set(const std::function<void()>& use) {
+/// Calls `use` once for each instruction set of this machine, with its name ("SSE4"), while
+/// HWY_DYNAMIC_DISPATCH chooses its functions.
+inline void for_each_instruction_set(const std::function<void(const char* name)>& use) {
     const auto choose = [](std::int64_t targets) {
         hwy::SetSupportedTargetsForTest(targets);
         hwy::GetChosenTarget().Update(hwy::SupportedTargets());
@@ -23,7 +23,7 @@ inline void for_each_instruction_set(const std::function<void()>& use) {
         const bool is_lowest = target == HWY_STATIC_TARGET;
         if ((HWY_TARGETS & target) != 0 && ((supported & target) != 0 || is_lowest)) {
             choose(target);
-            use();
+            use(hwy::TargetName(target));
         }
     }
     choose(0);

@@ -136,13 +136,19 @@ inline const std::vector<float>& plane(const render::Film& film, const std::stri
     throw std::out_of_range(name);
 }
 
-/// Mean of the red channel.
-inline double mean_red(const render::Film& film) {
-    double sum = 0;
+/// Mean of each channel.
+inline Vec3 mean_colour(const render::Film& film) {
+    Vec3 sum(0, 0, 0);
     for (std::size_t i = 0; i < film.rgba.size(); i += 4) {
-        sum += film.rgba[i];
+        sum += Vec3(film.rgba[i], film.rgba[i + 1], film.rgba[i + 2]);
     }
     return sum / (static_cast<double>(film.rgba.size()) / 4);
+}
+
+/// The smallest and the largest mean of a channel.
+inline std::pair<double, double> range_of_means(const render::Film& film) {
+    const Vec3 mean = mean_colour(film);
+    return std::minmax({mean.x, mean.y, mean.z});
 }
 
 }  // namespace carom::test

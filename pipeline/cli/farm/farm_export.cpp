@@ -45,11 +45,9 @@ std::string readme_text(const PlannedFarm& planned, const farm::EngineFiles& eng
         "renders its frames and writes the film into this folder. It may be stopped at any time "
         "and\n"
         "started again: finished frames are in store/. The folder may be moved or copied to other\n"
-        "machines; all that take part have to see it. Their processors need {} instructions, so\n"
-        "that the frames have the same bytes everywhere. {}"
+        "machines; all that take part have to see it. {}"
         "{}{}`carom farm status .` tells how far it is.\n",
-        fs::path(job.film).filename().string(), job.name, engine.sentence, job.tier, program,
-        engine.note,
+        fs::path(job.film).filename().string(), job.name, engine.sentence, program, engine.note,
         is_ocio ? "The environment variable OCIO has to name the shot's OpenColorIO "
                   "configuration.\n\n"
                 : "");

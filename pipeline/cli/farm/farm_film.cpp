@@ -251,7 +251,6 @@ FarmFilm read_film(const FarmJob& job, JobUse use, CommandContext& context) {
     if (use == JobUse::look) {
         refuse_endless(job, film);
     }
-    film.options.tier = job.tier;
     film.options.threads = static_cast<int>(job.processors);
     film.options.claim_times = pipeline::claim_times(
         std::chrono::milliseconds(static_cast<std::int64_t>(1000 * job.dead_after)));
@@ -263,7 +262,7 @@ FarmFilm read_film(const FarmJob& job, JobUse use, CommandContext& context) {
 FarmFrames::FarmFrames(const FarmFilm& film, const std::stop_token& stop)
     : folder_(pipeline::frames_folder(film.options)), frames_(film.frames()) {
     for (const pipeline::WorkerFilm& shot : film.shots()) {
-        const pipeline::FilmSource source(shot.shot, shot.bake.timeline, film.options.tier);
+        const pipeline::FilmSource source(shot.shot, shot.bake.timeline);
         const render::RenderSettings& render = shot.shot.render;
         parts_.push_back(
             {pipeline::plan_film(source, pipeline::job_frames(shot.shot, shot.options), stop),

@@ -28,7 +28,6 @@
 #include "pipeline/store/cache_maintenance.h"
 #include "pipeline/store/file_descriptor.h"
 #include "pipeline/video/video_format.h"
-#include "render/acceleration/vector_tier.h"
 
 namespace carom::cli {
 namespace {
@@ -99,12 +98,6 @@ std::int64_t time_for_film(const pipeline::FilmForecast& forecast) {
     return static_cast<std::int64_t>(std::ceil(3 * forecast.encoding_seconds / 60)) + 15;
 }
 
-/// The tier of the job's frames.
-std::string tier_of(const FarmCommand& command) {
-    return std::string(command.tier.empty() ? render::simd_tier()
-                                            : render::tier_named(command.tier));
-}
-
 /// The file of the film.
 std::string film_of(const FarmCommand& command, const FarmFilm& film) {
     if (const auto* one = std::get_if<FarmFilm::OneShot>(&film.content)) {
@@ -127,7 +120,6 @@ FarmJob job_of(const FarmCommand& command, const FarmFilm& film,
     job.store = store_of(command);
     job.root = command.input.root.empty() ? "" : absolute_path(command.input.root);
     job.frames = command.frames;
-    job.tier = tier_of(command);
     job.tasks_at_once = command.tasks_at_once;
     job.processors = command.processors;
     job.memory =
@@ -298,15 +290,7 @@ PlannedFarm plan_farm(const FarmCommand& command, CommandContext& context) {
     PlannedFarm planned;
     planned.film = read_input(command, context);
     FarmFilm& film = planned.film;
-    film.options.tier = job_of(command, film, {}).tier;  // and its problems before the simulation
-    std::optional<render::TierLimit> limit;              // the forecast measures this tier
-    if (render::machine_has_tier(film.options.tier)) {
-        limit.emplace(film.options.tier);
-    } else {
-        context.console.warning(fmt::format(
-            "this machine has only {} instructions, so the forecast may be wrong for nodes with {}",
-            render::simd_tier(), film.options.tier));
-    }
+    (void)job_of(command, film, {});  // its problems before the simulation
     bake_all(command, film, context);
     film.options.output = film_of(command, film);
     film.options.threads = command.processors;

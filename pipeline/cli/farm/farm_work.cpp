@@ -15,7 +15,6 @@
 #include "pipeline/farm/own_task.h"
 #include "pipeline/farm/worker_file.h"
 #include "pipeline/job/film_worker.h"
-#include "render/acceleration/vector_tier.h"
 
 namespace carom::cli {
 namespace {
@@ -27,15 +26,6 @@ constexpr int kAttempts = 3;  // of a worker whose store fails, or which finds f
 
 static_assert(farm::kWrongInput == kWrongUsage && farm::kOutOfTime == kOutOfTime &&
               farm::kOutOfMemory == kOutOfMemory && farm::kStopped == kInterrupted);
-
-void refuse_other_machines(const FarmJob& job) {
-    if (!render::machine_has_tier(job.tier)) {
-        throw Error(fmt::format(
-            "this machine has only {} instructions, and the frames of '{}' need {}; choose "
-            "other machines, for example with --partition",
-            render::simd_tier(), job.film, job.tier));
-    }
-}
 
 /// The note of a worker, written again when its state has changed.
 class Note {
@@ -165,8 +155,6 @@ void farm_work(const FarmCommand& command, CommandContext& context) {
     if (needs_no_worker(job, context)) {
         return;
     }
-    refuse_other_machines(job);
-    const render::TierLimit tier(job.tier);
     const farm::OwnTask task = farm::own_task();
     const TaskEnd end(job, farm::stages().front(), task);
     Note note(job, task);

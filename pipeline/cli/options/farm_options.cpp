@@ -52,10 +52,7 @@ void add_cluster(CommandDescription& submit, FarmCommand& farm) {
     submit.option("--account", &farm.account, "NAME", "The account that pays.");
     submit.option("--cpus", &farm.processors, "N", "The processors of a worker (default 1).")
         .between(1, 1024);
-    add_tier(submit, farm.tier,
-             "Render all frames with these vector instructions: avx2 (also on processors with "
-             "AVX-512, whose frames are the same), sse4, ssse3 or scalar. Machines without them "
-             "take no frame. The default is avx2, or the best that this machine has below it.");
+    add_tier(submit);
     submit
         .option("--tasks-at-once", &farm.tasks_at_once, "N",
                 "At most so many workers run at a time. The default is as many as there is room "

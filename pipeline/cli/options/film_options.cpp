@@ -10,12 +10,6 @@ constexpr const char* kFilmFile =
     "shot's "
     "name in the current folder.";
 
-constexpr const char* kRenderTier =
-    "Render with these vector instructions: avx2 (also on processors with AVX-512, whose frames "
-    "are "
-    "the same), sse4, ssse3 or scalar. The last bits of a frame depend on them. The default is the "
-    "best that the machine has.";
-
 }  // namespace
 
 void describe(RenderCommand& command, CommandDescription& description) {
@@ -32,7 +26,7 @@ void describe(RenderCommand& command, CommandDescription& description) {
                        "it to distribute a film over machines. 'carom mux' writes the film when "
                        "all parts are rendered.");
     add_dry_run(description, command.dry_run);
-    add_tier(description, command.tier, kRenderTier);
+    add_tier(description);
     add_threads(description, command.threads);
     add_cache(description, command.cache);
     add_no_store(description, command.cache);
@@ -56,7 +50,7 @@ void describe(RetimeCommand& command, CommandDescription& description) {
                "The film. The default is the shot's name and _retimed in the current folder.");
     add_frames(description, render.frames);
     add_dry_run(description, render.dry_run);
-    add_tier(description, render.tier, kRenderTier);
+    add_tier(description);
     add_threads(description, render.threads);
     add_cache(description, render.cache);
     add_no_store(description, render.cache);
@@ -117,7 +111,7 @@ void describe(FrameCommand& command, CommandDescription& description) {
     add_output(description, command.output,
                "The picture: .png, .jpg, .bmp or .tga as the film shows it, .exr as it was "
                "computed. The default is the shot's name, the frame's number and .png.");
-    add_tier(description, command.tier, kRenderTier);
+    add_tier(description);
     add_threads(description, command.threads);
     add_cache(description, command.cache);
     add_no_store(description, command.cache);
@@ -149,7 +143,7 @@ void describe(ContactSheetCommand& command, CommandDescription& description) {
     description
         .option("--width", &command.width, "N", "The width of each frame in pixels (default 320).")
         .between(32, 2000);
-    add_tier(description, command.tier, kRenderTier);
+    add_tier(description);
     add_threads(description, command.threads);
     add_cache(description, command.cache);
     add_no_store(description, command.cache);
@@ -169,10 +163,7 @@ void describe(MuxCommand& command, CommandDescription& description) {
     description.flag("--so-far", command.so_far,
                      "Write the film although frames are missing: each shows the last rendered one "
                      "before it.");
-    add_tier(description, command.tier,
-             "Use the frames that were rendered with these vector instructions: avx2, sse4, ssse3 "
-             "or scalar. The machine need not have them. The default are those of this machine, or "
-             "if frames of these are missing, those with which most frames were rendered.");
+    add_tier(description);
     add_cache(description, command.cache);
     description.examples = {
         {"carom render break.yaml --chunk 1/2 && carom render break.yaml --chunk 2/2",

@@ -145,11 +145,7 @@ CommandDescription& add_transfer(CommandDescription& description, CacheCommand& 
     add_changes(added, cache.input);
     add_camera_file(added, cache.input);
     add_frames(added, cache.frames);
-    add_tier(
-        added, cache.tier,
-        "Copy the film's frames that were rendered with these vector instructions: avx2, sse4, "
-        "ssse3 or scalar. The machine need not have them. The default are those of this "
-        "machine.");
+    add_tier(added);
     added.flag("--dry-run", cache.dry_run, "Only print what would be copied.");
     return added;
 }

@@ -1,7 +1,5 @@
 #include "pipeline/cli/options/shared_options.h"
 
-#include "render/acceleration/vector_tier.h"
-
 namespace carom::cli {
 
 void add_input(CommandDescription& description, InputOptions& input) {
@@ -74,9 +72,10 @@ void add_dry_run(CommandDescription& description, bool& dry_run) {
                      "forecast takes at most 20 s of processor time; --quiet omits it.");
 }
 
-void add_tier(CommandDescription& description, std::string& tier, const std::string& help) {
-    description.option("--tier", &tier, "NAME", help)
-        .one_of({render::kTierOptions.begin(), render::kTierOptions.end()});
+void add_tier(CommandDescription& description) {
+    description.option("--tier", static_cast<std::string*>(nullptr), "NAME",
+                       "Accepted from older scripts, does nothing: frames are the same with all "
+                       "vector instructions.");
 }
 
 void add_page(CommandDescription& description, PageOptions& page) {

@@ -19,8 +19,8 @@ void add_no_store(CommandDescription& description, CacheOptions& cache);
 void add_cache_size(CommandDescription& description, CacheOptions& cache);
 void add_frames(CommandDescription& description, std::string& frames);
 void add_dry_run(CommandDescription& description, bool& dry_run);
-/// --tier, with a sentence about the default.
-void add_tier(CommandDescription& description, std::string& tier, const std::string& help);
+/// --tier, which chose the vector instructions of frames while frames depended on them.
+void add_tier(CommandDescription& description);
 /// --port, --no-browser and --idle.
 void add_page(CommandDescription& description, PageOptions& page);
 void add_threads(CommandDescription& description, int& threads);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <span>
@@ -108,11 +109,12 @@ Orientation orientation_of(const OIIO::ImageInput& input, const std::string& pat
 }
 
 /// The values of these channels of each pixel.
-std::vector<float> chosen(std::vector<float> all, int channels, const std::vector<int>& wanted) {
+template <class Value>
+std::vector<Value> chosen(std::vector<Value> all, int channels, const std::vector<int>& wanted) {
     if (std::ssize(wanted) == channels && std::ranges::is_sorted(wanted)) {
         return all;
     }
-    std::vector<float> values;
+    std::vector<Value> values;
     values.reserve(all.size() / static_cast<std::size_t>(channels) * wanted.size());
     for (std::size_t pixel = 0; pixel < all.size(); pixel += static_cast<std::size_t>(channels)) {
         for (const int channel : wanted) {
@@ -132,6 +134,36 @@ void check_whole(const OIIO::ImageInput& input, const std::string& path) {
     }
 }
 
+template <class Value>
+PictureValues read_values(OIIO::ImageInput& input, const std::vector<int>& wanted,
+                          const std::string& path) {
+    const OIIO::ImageSpec& spec = input.spec();
+    std::vector<Value> all;
+    const std::size_t count = static_cast<std::size_t>(spec.width) *
+                              static_cast<std::size_t>(spec.height) *
+                              static_cast<std::size_t>(spec.nchannels);
+    all.reserve(count + kReadBeyond);
+    all.resize(count);
+    if (!input.read_image(0, 0, 0, spec.nchannels, OIIO::BaseTypeFromC<Value>::value, all.data())) {
+        const std::string reason = input.geterror();
+        refuse_image(path, reason.empty() ? "it is damaged or ends too early" : one_line(reason));
+    }
+    return chosen(std::move(all), spec.nchannels, wanted);
+}
+
+/// Integers of 8 and 16 bits as they are, all else as numbers.
+PictureValues read_values(OIIO::ImageInput& input, const std::vector<int>& wanted,
+                          const std::string& path) {
+    switch (input.spec().format.basetype) {
+        case OIIO::TypeDesc::UINT8:
+            return read_values<std::uint8_t>(input, wanted, path);
+        case OIIO::TypeDesc::UINT16:
+            return read_values<std::uint16_t>(input, wanted, path);
+        default:
+            return read_values<float>(input, wanted, path);
+    }
+}
+
 }  // namespace
 
 RawPicture read(const std::string& path) {
@@ -142,20 +174,13 @@ RawPicture read(const std::string& path) {
     if (spec.alpha_channel >= 0) {
         wanted.push_back(spec.alpha_channel);
     }
-    std::vector<float> all(static_cast<std::size_t>(spec.width) *
-                           static_cast<std::size_t>(spec.height) *
-                           static_cast<std::size_t>(spec.nchannels));
-    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, all.data())) {
-        const std::string reason = input->geterror();
-        refuse_image(path, reason.empty() ? "it is damaged or ends too early" : one_line(reason));
-    }
     RawPicture picture;
     picture.width = spec.width;
     picture.height = spec.height;
     picture.channels = static_cast<int>(wanted.size());
     picture.is_floating_point = spec.format.is_floating_point();
+    picture.values = read_values(*input, wanted, path);
     check_whole(*input, path);
-    picture.values = chosen(std::move(all), spec.nchannels, wanted);
     picture.is_associated = spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
     picture = within_display(std::move(picture), data_window(spec), display_window(*input));
     return turned(std::move(picture), orientation_of(*input, path));

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "render/integrator/shadow_ray_constants.h"
 #include "render/integrator/wave/wave_kernels.h"
 #include "render/integrator/wave/wave_lanes-inl.h"
 
@@ -173,9 +174,9 @@ HWY_INLINE LightLanes sample_environment(const EnvironmentPicture& sky, const V2
 }
 
 /// Not inlined: the shapes' code is long.
-HWY_NOINLINE HWY_ATTR LightLanes sample_curved_object(const WaveLight& light,
-                                                      const PlaceLanes& place, const V2& u,
-                                                      M wanted) {
+inline HWY_NOINLINE HWY_ATTR LightLanes sample_curved_object(const WaveLight& light,
+                                                             const PlaceLanes& place, const V2& u,
+                                                             M wanted) {
     const BodyLanes body = body_at(light, place.time, wanted);
     LightLanes found = sample_shape<Lanes>(light.shape, body.point(place.position), u);
     found.direction = body.to_world(found.direction);
@@ -199,6 +200,23 @@ HWY_INLINE LightLanes sample(const WaveScene& scene, std::size_t light, const Pl
             break;
     }
     return sample_one_by_one(*scene.lights, light, place, u, wanted);
+}
+
+/// Writes the `k`th shadow ray of vertices: `radiance` arrives in the lanes `is_lit` unless
+/// occluded.
+HWY_INLINE void put_rays(ShadowWave& out, int k, int first, const LightLanes& light,
+                         const F3& radiance, M is_lit) {
+    const std::size_t at = out.place(k, first);
+    const auto put = [at](F number, std::vector<float>& numbers)
+                         HWY_ATTR { hn::StoreU(number, FloatTag(), numbers.data() + at); };
+    put(light.direction.x, out.x);
+    put(light.direction.y, out.y);
+    put(light.direction.z, out.z);
+    put(select(is_lit, light.distance * all(kOneMinusShadowEpsilon), all(0.f)), out.t_max);
+    put(radiance.x, out.red);
+    put(radiance.y, out.green);
+    put(radiance.z, out.blue);
+    out.count += static_cast<int>(hn::CountTrue(FloatTag(), is_lit));
 }
 
 /// The choice of one light in every lane, as LightSet::choose.

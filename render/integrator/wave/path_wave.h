@@ -1,9 +1,15 @@
 // The state of many paths as structures of arrays, for vector code. Plain data.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <new>
+#include <tuple>
+#include <vector>
 
-#include "render/acceleration/ray_batch.h"
+#include "render/acceleration/acceleration_structure.h"
 #include "render/integrator/path_state.h"
 
 namespace carom::render {
@@ -11,18 +17,38 @@ namespace carom::render {
 /// Largest number of camera samples in a wave, and of paths: a sample may split twice.
 inline constexpr int kWaveSamples = 512;
 inline constexpr int kWavePaths = 10 * kWaveSamples;
-/// Vector code may read and write beyond the last path.
-inline constexpr int kWaveStorage = kWavePaths + 16;
 
-struct Floats {
-    alignas(64) float at[kWaveStorage];
+/// Numbers for vector code, which may read and write beyond the last one. All are 0 at first, so
+/// that what lies there is harmless.
+template <class T>
+struct WaveArray {
+    static constexpr int kBeyond = 16;
+
+    T* at = nullptr;
+
+    void reserve(int count) {
+        const auto size = static_cast<std::size_t>(count + kBeyond);
+        numbers.reset(new (kAlignment) T[size]());
+        at = numbers.get();
+    }
+
+  private:
+    static constexpr std::align_val_t kAlignment{64};
+    struct Free {
+        void operator()(T* array) const { ::operator delete[](array, kAlignment); }
+    };
+    std::unique_ptr<T[], Free> numbers;
 };
-struct Words {
-    alignas(64) std::int32_t at[kWaveStorage];
-};
+using Floats = WaveArray<float>;
+using Words = WaveArray<std::int32_t>;
 struct Floats3 {
     Floats x, y, z;
 
+    void reserve(int count) {
+        for (Floats* channel : {&x, &y, &z}) {
+            channel->reserve(count);
+        }
+    }
     [[nodiscard]] V3f get(int i) const { return {x.at[i], y.at[i], z.at[i]}; }
     void set(int i, const V3f& v) {
         x.at[i] = v.x;
@@ -46,7 +72,29 @@ struct PathWave {
     Floats pdf;
     Floats total_importance, environment_samples;
     Words is_delta, connects;  // 1 or 0
+    /// LastScattering::connected_ball, with this bit if the path passed the ball.
+    static constexpr std::int32_t kPassedBall = 1 << 30;
     Words connected_ball;
+    Words entered_ball;  // set in scenes with surfaces that transmit
+
+    /// Pointers to all arrays.
+    static constexpr auto fields() {
+        return std::tuple(&PathWave::slot, &PathWave::branch, &PathWave::origin,
+                          &PathWave::direction, &PathWave::time, &PathWave::throughput,
+                          &PathWave::width, &PathWave::spread, &PathWave::last_position,
+                          &PathWave::last_normal, &PathWave::pdf, &PathWave::total_importance,
+                          &PathWave::environment_samples, &PathWave::is_delta, &PathWave::connects,
+                          &PathWave::connected_ball, &PathWave::entered_ball);
+    }
+    void reserve(int paths) {
+        std::apply([&](auto... field) { ((this->*field).reserve(paths), ...); }, fields());
+    }
+    /// Appends other paths.
+    void append(const PathWave& more) {
+        std::apply([&](auto... field) { (copy(more.*field, more.count, this->*field), ...); },
+                   fields());
+        count += more.count;
+    }
 
     [[nodiscard]] Ray ray(int i) const {
         return {origin.get(i), direction.get(i), 0, kInfinity, time.at[i], kind()};
@@ -70,7 +118,9 @@ struct PathWave {
         path.last.pdf = pdf.at[i];
         path.last.is_delta = is_delta.at[i] != 0;
         path.last.connects = connects.at[i] != 0;
-        path.last.connected_ball = connected_ball.at[i];
+        const std::int32_t ball = connected_ball.at[i];
+        path.last.connected_ball = ball < 0 ? -1 : ball & ~kPassedBall;
+        path.last.passed_ball = ball >= 0 && (ball & kPassedBall) != 0;
         path.last.all_lights = vertex == 1;
         path.last.total_importance = total_importance.at[i];
         path.last.environment_samples = environment_samples.at[i];
@@ -80,12 +130,24 @@ struct PathWave {
         path.spread = spread.at[i];
         return path;
     }
+
+  private:
+    template <class T>
+    void copy(const WaveArray<T>& more, int number, WaveArray<T>& to) const {
+        std::copy_n(more.at, number, to.at + count);
+    }
+    void copy(const Floats3& more, int number, Floats3& to) const {
+        copy(more.x, number, to.x);
+        copy(more.y, number, to.y);
+        copy(more.z, number, to.z);
+    }
 };
 
 /// The vertices of a wave.
 struct VertexWave {
     int count = 0;
     bool has_gloss = false;  // some of them have a rough coat that is sampled several times
+    bool some_end = false;   // `ends` is set
     Words path;              // index in the PathWave
     Words object;
     Words material;
@@ -94,36 +156,85 @@ struct VertexWave {
     Floats3 geometric_normal, normal;  // on the viewer's side
     Floats offset;                     // m
     Floats3 base;
+    Words from_behind;  // 1 or 0; in scenes with surfaces that transmit
+    Words ends;         // 1: the path ends here
+
+    void reserve(int vertices) {
+        for (Words* words : {&path, &object, &material, &from_behind, &ends}) {
+            words->reserve(vertices);
+        }
+        for (Floats3* floats : {&position, &geometric_normal, &normal, &base}) {
+            floats->reserve(vertices);
+        }
+        distance.reserve(vertices);
+        offset.reserve(vertices);
+    }
 };
 
-/// Shadow rays of a wave's vertices, at most `rays` for each vertex. The first rays of all vertices
-/// are stored before the second ones.
+/// Shadow rays of the vertices [first, last) of a wave, `rays` for each vertex. The first rays of
+/// all vertices are stored before the second ones.
 struct ShadowWave {
-    static constexpr int kMostRays = 32;  // of a first vertex
-    static constexpr int kStorage = kMostRays * (kWaveSamples + 16);
-    static_assert(kStorage >= kWaveStorage);
+    /// About as many rays are traced together, but always those of one vector of vertices.
+    static constexpr int kRays = 32 * kWaveSamples;
+    static constexpr int kLanes = 16;
 
+    int first = 0, last = 0;
     int stride = 0;  // from a vertex's ray to its next one
     int rays = 0;    // of each vertex
     int count = 0;   // of rays that were asked for
     Floats3 origin;  // by vertex
     Floats time;     // by vertex
     Floats3 sum;     // by vertex: all light that arrives
-    alignas(64) float x[kStorage];
-    alignas(64) float y[kStorage];
-    alignas(64) float z[kStorage];
-    alignas(64) float t_max[kStorage];  // m; 0: no ray
-    alignas(64) float red[kStorage];    // of the light that arrives unless occluded
-    alignas(64) float green[kStorage];
-    alignas(64) float blue[kStorage];
+    std::vector<float> x, y, z;
+    std::vector<float> t_max;             // m; 0: no ray
+    std::vector<float> red, green, blue;  // of the light that arrives unless occluded
+    // Of each ray, in scenes with surfaces that transmit.
+    std::vector<float> origin_x, origin_y, origin_z;
 
-    /// The `k`th rays of `vertices` vertices.
-    [[nodiscard]] RayBatch batch(int k, int vertices) const {
-        const int first = k * stride;
-        return {vertices,
-                {origin.x.at, origin.y.at, origin.z.at},
-                {x + first, y + first, z + first},
-                time.at,
+    void reserve(int vertices) {
+        origin.reserve(vertices);
+        time.reserve(vertices);
+        sum.reserve(vertices);
+    }
+    /// Of the vertices from `from` on takes as many as fit, to whom so many `rays` will be added.
+    void begin(int from, int vertices, int rays_of_each, bool has_origins) {
+        first = from;
+        rays = rays_of_each;
+        count = 0;
+        const int most = rays > 0 ? kRays / rays / kLanes * kLanes : vertices;
+        last = std::min(vertices, from + std::max(most, kLanes));
+        stride = last - first + kLanes;
+        const std::size_t size = static_cast<std::size_t>(stride) * static_cast<std::size_t>(rays);
+        for (auto* numbers : {&x, &y, &z, &t_max, &red, &green, &blue}) {
+            numbers->resize(std::max(numbers->size(), size));
+        }
+        for (auto* numbers : {&origin_x, &origin_y, &origin_z}) {
+            numbers->resize(has_origins ? std::max(numbers->size(), size) : 0);
+        }
+    }
+    /// Where the `k`th ray of a vertex is.
+    [[nodiscard]] std::size_t place(int k, int vertex) const {
+        return static_cast<std::size_t>(k) * static_cast<std::size_t>(stride) +
+               static_cast<std::size_t>(vertex - first);
+    }
+    /// Sets `t_max` to 0 for rays that are occluded.
+    void trace(const AccelerationStructure& structure) {
+        for (int k = 0; k < rays; ++k) {
+            structure.test_occlusion(batch(k), t_max.data() + place(k, first));
+        }
+    }
+
+  private:
+    /// The `k`th rays of all vertices.
+    [[nodiscard]] RayBatch batch(int k) const {
+        const std::size_t at = place(k, first);
+        const bool has_origins = !origin_x.empty();
+        return {last - first,
+                {has_origins ? &origin_x[at] : origin.x.at + first,
+                 has_origins ? &origin_y[at] : origin.y.at + first,
+                 has_origins ? &origin_z[at] : origin.z.at + first},
+                {&x[at], &y[at], &z[at]},
+                time.at + first,
                 RayKind::shadow};
     }
 };
@@ -131,6 +242,11 @@ struct ShadowWave {
 /// What belongs to the camera samples of a wave.
 struct SampleWave {
     Words pixel_hash, reversed_sample;  // of their random numbers
+
+    void reserve(int samples) {
+        pixel_hash.reserve(samples);
+        reversed_sample.reserve(samples);
+    }
 };
 
 /// Indices of vertices or paths.
@@ -138,6 +254,7 @@ struct WaveList {
     int count = 0;
     Words at;
 
+    void reserve(int most) { at.reserve(most); }
     void add(int index) { at.at[count++] = index; }
 };
 
@@ -145,6 +262,11 @@ struct WaveList {
 struct MissWave {
     WaveList paths;
     Floats3 light;  // by the place in the list
+
+    void reserve(int most) {
+        paths.reserve(most);
+        light.reserve(most);
+    }
 };
 
 }  // namespace carom::render

@@ -1,5 +1,4 @@
-// Russian roulette of a wave's paths, as PathIntegrator::survives plays it for one path. Included
-// once per instruction set.
+// Russian roulette of a wave's paths. Included once per instruction set.
 #include "render/integrator/kernels-inl.h"
 #include "render/integrator/path_state.h"
 #include "render/integrator/wave/wave_lanes-inl.h"

@@ -1,5 +1,4 @@
-// The next directions of a wave's paths, as PathIntegrator::scatter and Bsdf::sample choose them
-// for one path. Included once per instruction set.
+// The next directions of a wave's paths. Included once per instruction set.
 #if defined(CAROM_WAVE_SCATTER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CAROM_WAVE_SCATTER_INL_H
 #undef CAROM_WAVE_SCATTER_INL_H
@@ -16,21 +15,12 @@ HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
 struct ScatterLanes {
-    F3 direction;
+    F3 origin, direction;
     F3 weight;
     F pdf, spread;
     I branch;
     I is_delta, connects, ball;
-};
-
-/// A direction of one part of the surface.
-struct DirectionLanes {
-    F3 wi;      // in the axes of the vertex' frame
-    F3 world;   // unit
-    F3 weight;  // value / pdf
-    F pdf;      // of one direction
-    M is_delta;
-    M valid;
+    I entered_ball;
 };
 
 /// What continues from the vertices whatever their directions.
@@ -47,32 +37,62 @@ HWY_INLINE void proceed(const WaveStep& step, const VertexLanes& v, const Scatte
     const int at = next.count;
     store_some(gather(step.paths.slot, v.path), goes, next.slot, at);
     store_some(ray.branch, goes, next.branch, at);
-    store_some(v.origin, goes, next.origin, at);
+    store_some(ray.origin, goes, next.origin, at);
     store_some(ray.direction, goes, next.direction, at);
     store_some(gather(step.paths.time, v.path), goes, next.time, at);
     store_some(v.throughput * ray.weight, goes, next.throughput, at);
     store_some(width, goes, next.width, at);
     store_some(ray.spread, goes, next.spread, at);
     store_some(v.position, goes, next.last_position, at);
-    store_some(v.frame.z, goes, next.last_normal, at);
+    store_some(v.bsdf.frame.z, goes, next.last_normal, at);
     store_some(ray.pdf, goes, next.pdf, at);
     store_some(v.total_importance, goes, next.total_importance, at);
     store_some(v.environment_samples, goes, next.environment_samples, at);
     store_some(ray.is_delta, goes, next.is_delta, at);
     store_some(ray.connects, goes, next.connects, at);
     store_some(ray.ball, goes, next.connected_ball, at);
+    if (step.scene.materials.transmits) {
+        store_some(ray.entered_ball, goes, next.entered_ball, at);
+    }
     next.count += goes.count();
 }
 
-/// Appends the directions that are above the surface and carry light. `samples`: the number of
-/// directions taken of the part.
+/// Caustics are sampled for paths of a broad lobe followed by one specular reflection on a ball, or
+/// by the two refractions of a path through it.
+HWY_INLINE void set_balls(const WaveStep& step, const VertexLanes& v, const DirectionOf<Lanes>& to,
+                          ScatterLanes& ray) {
+    const IntTag di;
+    const I none = hn::Set(di, -1);
+    const I object = load(step.vertices.object, v.first);
+    const M connected = is_equal(gather(step.paths.connects, v.path), hn::Set(di, 1));
+    const M reflects = hn::AndNot(to.passes, to.is_delta);
+    ray.ball = hn::IfThenElse(hn::RebindMask(di, hn::And(reflects, connected)), object, none);
+    ray.entered_ball = none;
+    if (!step.scene.materials.transmits) {
+        return;
+    }
+    const M refracts = hn::And(to.passes, to.is_delta);
+    const M is_inside =
+        hn::AndNot(is_equal(load(step.vertices.from_behind, v.first), hn::Zero(di)), refracts);
+    const M leaves = hn::And(is_inside, is_equal(gather(step.paths.entered_ball, v.path), object));
+    ray.ball = hn::IfThenElse(hn::RebindMask(di, leaves),
+                              hn::Or(object, hn::Set(di, PathWave::kPassedBall)), ray.ball);
+    const M enters =
+        step.paths.vertex > 0 ? hn::And(hn::AndNot(is_inside, refracts), connected) : no_lanes();
+    ray.entered_ball = hn::IfThenElse(hn::RebindMask(di, enters), object, none);
+}
+
+/// Appends the directions that are on the right side of the surface and carry light. `samples`: the
+/// number of directions taken of the part.
 HWY_INLINE void proceed(const WaveStep& step, const VertexLanes& v, const ContinuingLanes& from,
-                        const DirectionLanes& to, I branch, F samples, M wanted, bool connects,
+                        const DirectionOf<Lanes>& to, I branch, F samples, M wanted, bool connects,
                         PathWave& next) {
     const IntTag di;
     const I zero = hn::Zero(di);
     const I one = hn::Set(di, 1);
+    const SideOf<Lanes> side = side_of<Lanes>(v.bsdf, to.world, to.wi.z);
     ScatterLanes ray;
+    ray.origin = origin_of_rays(v, side.passes);
     ray.direction = to.world;
     ray.weight = to.weight * (all(1.f) / samples);
     ray.pdf = to.pdf * samples;
@@ -87,107 +107,13 @@ HWY_INLINE void proceed(const WaveStep& step, const VertexLanes& v, const Contin
         ray.connects =
             hn::IfThenElseZero(hn::RebindMask(di, hn::AndNot(to.is_delta, v.connects)), one);
     }
-    const I object = load(step.vertices.object, v.first);
-    const M was_sampled = hn::And(to.is_delta, is_equal(gather(step.paths.connects, v.path), one));
-    ray.ball = hn::IfThenElse(hn::RebindMask(di, was_sampled), object, hn::Set(di, -1));
-    const F side = dot(v.geometric_normal, ray.direction);
-    const M above = hn::And(hn::Gt(to.wi.z, all(0.f)), hn::Gt(side, all(0.f)));
+    set_balls(step, v, to, ray);
+    const M agrees = hn::Or(hn::AndNot(to.passes, side.is_above), hn::And(to.passes, side.passes));
     const M shines = hn::Gt(largest(ray.weight), all(0.f));
-    const M goes = hn::And(hn::And(wanted, to.valid), hn::And(above, shines));
+    const M goes = hn::And(hn::And(wanted, to.valid), hn::And(agrees, shines));
     if (!hn::AllFalse(FloatTag(), goes)) {
         proceed(step, v, ray, from.width, PackedLanes(goes), next);
     }
-}
-
-HWY_INLINE F3 mirrored(const VertexLanes& v) {
-    return {hn::Neg(v.wo.x), hn::Neg(v.wo.y), v.wo.z};
-}
-
-/// A number of this vertex, after the choice between coat and base.
-HWY_INLINE F after_choice(const VertexLanes& v, const ContinuingLanes& from, F u) {
-    const M remaps = hn::And(from.by_chance, hn::Gt(v.lobes.coat_choice, all(0.f)));
-    const M both = hn::And(remaps, hn::Lt(v.lobes.coat_choice, all(1.f)));
-    return select(both, remap_sample<Lanes>(u, v.lobes.coat_choice), u);
-}
-
-/// Replaces weight and density by those of all lobes where the part was chosen by chance. `base`
-/// and `coat`: towards the direction.
-HWY_INLINE LobeValue value_by_chance(const VertexLanes& v, const LobeValue& base,
-                                     const LobeValue& coat) {
-    const F choice = v.lobes.coat_choice;
-    return {coat.value + base.value, choice * coat.pdf + (all(1.f) - choice) * base.pdf};
-}
-
-/// The coat's direction for the numbers `u`.
-HWY_INLINE DirectionLanes sample_coat(const VertexLanes& v, const ContinuingLanes& from,
-                                      const V2& u) {
-    const FloatTag d;
-    DirectionLanes to;
-    to.wi = mirrored(v);
-    const F weight = v.lobes.coat / select(v.splits, all(1.f), v.lobes.coat_choice);
-    to.weight = {weight, weight, weight};
-    to.pdf = all(0.f);
-    to.is_delta = hn::Not(v.lobes.has_rough_coat);
-    to.valid = hn::Gt(v.lobes.coat, all(0.f));
-    if (v.lobes.any_rough_coat) {
-        const GgxOf<Lanes> ggx(select(v.lobes.has_rough_coat, v.layers.coat_alpha, all(1.f)));
-        const F3 glossy = reflect<Lanes>(v.wo, ggx.sample_visible(v.wo, u));
-        to.wi = select(v.lobes.has_rough_coat, glossy, to.wi);
-        LobeValue value = coat_towards(v, to.wi);
-        if (!hn::AllFalse(d, from.takes_coat)) {
-            const LobeValue both = value_by_chance(v, base_towards(v, to.wi), value);
-            value.value = select(v.splits, value.value, both.value);
-            value.pdf = select(v.splits, value.pdf, both.pdf);
-        }
-        const F3 of_value = value.value * (all(1.f) / value.pdf);
-        to.weight = select(v.lobes.has_rough_coat, of_value, to.weight);
-        to.pdf = select(v.lobes.has_rough_coat, value.pdf, to.pdf);
-        to.valid = hn::And(to.valid, hn::Or(to.is_delta, hn::Gt(to.pdf, all(0.f))));
-    }
-    to.world = unit(v.frame.to_world(to.wi));
-    return to;
-}
-
-/// A direction of the layers below the coat.
-HWY_INLINE DirectionLanes sample_base(const VertexLanes& v, F u_x, F u_y) {
-    const FloatTag d;
-    const Lobes& lobes = v.lobes;
-    const F one = all(1.f);
-    const BaseDirectionOf<Lanes> chosen =
-        sample_base_direction<Lanes>(v.layers, lobes, lobes.choose_facets, v.wo, {u_x, u_y});
-    DirectionLanes to;
-    to.wi = chosen.wi;
-    to.is_delta = chosen.is_delta;
-    to.valid = chosen.valid;
-    const F probability = base_probability(v);
-    const LobeValue base = base_towards(v, to.wi);
-    to.pdf = probability * base.pdf;
-    // The diffuse lobe alone is sampled in proportion to its value, so that its albedo remains.
-    to.weight = lobes.diffuse * (one / probability);
-    if (lobes.any_glossy()) {
-        F3 value = base.value;
-        F pdf = to.pdf;
-        M is_lambert = lobes.is_diffuse;
-        const M mixes = hn::AndNot(v.splits, lobes.has_rough_coat);
-        if (!hn::AllFalse(d, mixes)) {
-            const LobeValue both = value_by_chance(v, base, coat_towards(v, to.wi));
-            value = select(mixes, both.value, value);
-            pdf = select(mixes, both.pdf, pdf);
-            is_lambert = hn::AndNot(mixes, is_lambert);
-        }
-        to.weight = select(is_lambert, to.weight, value * (one / pdf));
-        to.pdf = select(is_lambert, to.pdf, pdf);
-        if (lobes.any_facets) {
-            const F3 reflectance =
-                facet_reflectance<Lanes>(v.layers, lobes.metal_scale, v.base, v.wo.z);
-            const F scale = lobes.facets / (probability * lobes.choose_facets);
-            to.weight = select(to.is_delta, reflectance * scale, to.weight);
-            to.pdf = select(to.is_delta, all(0.f), to.pdf);
-        }
-        to.valid = hn::And(to.valid, hn::Or(to.is_delta, hn::Gt(to.pdf, all(0.f))));
-    }
-    to.world = unit(v.frame.to_world(to.wi));
-    return to;
 }
 
 /// `u`: the number by which coat or base is chosen.
@@ -198,7 +124,7 @@ HWY_INLINE ContinuingLanes continuing(const WaveStep& step, const VertexLanes& v
         gather(step.paths.width, v.path) + from.spread * load(step.vertices.distance, v.first);
     from.branch = gather(step.paths.branch, v.path);
     from.by_chance = hn::AndNot(v.splits, v.valid);
-    from.takes_coat = hn::And(from.by_chance, hn::Lt(u, v.lobes.coat_choice));
+    from.takes_coat = hn::And(from.by_chance, hn::Lt(u, v.bsdf.lobes.coat_choice));
     return from;
 }
 
@@ -206,12 +132,12 @@ HWY_INLINE void follow_coats(const WaveStep& step, const VertexLanes& v,
                              const ContinuingLanes& from, const LaneSampler& sampler, const V2& u,
                              bool connects) {
     const IntTag di;
-    const M coats = hn::And(hn::Or(v.splits, from.takes_coat), hn::Gt(v.lobes.coat, all(0.f)));
+    const M coats = hn::And(hn::Or(v.splits, from.takes_coat), hn::Gt(v.bsdf.lobes.coat, all(0.f)));
     if (hn::AllFalse(FloatTag(), coats)) {
         return;
     }
-    V2 numbers{after_choice(v, from, u.x), u.y};
-    if (v.lobes.any_rough_coat) {
+    V2 numbers{after_choice<Lanes>(v.bsdf, v.splits, u.x), u.y};
+    if (v.bsdf.lobes.any_rough_coat) {
         F further[4];
         sampler.get_4d(v.vertex_index + v.vertex_index + all_words(1), further);
         numbers = {select(v.splits, further[0], numbers.x),
@@ -228,8 +154,8 @@ HWY_INLINE void follow_coats(const WaveStep& step, const VertexLanes& v,
                      select(v.shows_gloss, shifted.y, numbers.y)};
         }
         const I branch = twice + hn::Set(di, static_cast<std::int32_t>(kBranchesOfOneCoat) * k);
-        proceed(step, v, from, sample_coat(v, from, point), branch, v.coat_samples,
-                k == 0 ? coats : v.shows_gloss, connects, step.reflected);
+        proceed(step, v, from, sample_coat<Lanes>(v.bsdf, v.splits, from.takes_coat, point), branch,
+                v.coat_samples, k == 0 ? coats : v.shows_gloss, connects, step.reflected);
     }
 }
 
@@ -240,7 +166,8 @@ HWY_INLINE void scatter(const WaveStep& step, const VertexLanes& v, const LaneSa
     follow_coats(step, v, from, sampler, u, connects);
 
     const M bases = hn::AndNot(from.takes_coat, v.valid);
-    const DirectionLanes to = sample_base(v, after_choice(v, from, u.x), u.y);
+    const DirectionOf<Lanes> to =
+        sample_base<Lanes>(v.bsdf, v.splits, {after_choice<Lanes>(v.bsdf, v.splits, u.x), u.y});
     const I one = hn::Set(di, 1);
     const I branch =
         hn::IfThenElse(hn::RebindMask(di, v.splits), from.branch + from.branch + one, from.branch);

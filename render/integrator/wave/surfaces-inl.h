@@ -69,8 +69,8 @@ HWY_INLINE PointLanes on_boxes(const SurfaceTask& task, const HitLanes& hit) {
 
 /// Ray and point are in the axes of the body; for objects without a track, in the world's. Not
 /// inlined: each shape's code is long.
-HWY_NOINLINE HWY_ATTR PointLanes on_shapes(const SurfaceTask& task, const HitLanes& hit,
-                                           const RayOf<Lanes>& ray) {
+inline HWY_NOINLINE HWY_ATTR PointLanes on_shapes(const SurfaceTask& task, const HitLanes& hit,
+                                                  const RayOf<Lanes>& ray) {
     const WaveShapes& shapes = task.scene.groups.shapes;
     MappedShapeOf<Lanes> shape;
     shape.unit_from_body = gather(shapes.unit_from_world, hit.object);
@@ -125,6 +125,20 @@ HWY_INLINE PointLanes points_at(const SurfaceTask& task, const HitLanes& hit) {
     return moved<Lanes>(body, points_in_body(task, hit, body.in_body(hit.ray)));
 }
 
+/// Within glass paths lose light (Beer and Lambert).
+HWY_INLINE void absorb(const SurfaceTask& task, const HitLanes& hit, M from_behind) {
+    const V3f& rate = task.group.absorption;
+    const F3 throughput = gather(task.paths.throughput, hit.path);
+    const auto put = [&](F number, float absorption, Floats& field) HWY_ATTR {
+        const F remains = exponential_of<Lanes>(all(-absorption) * hit.distance);
+        hn::ScatterIndex(select(from_behind, number * remains, number), FloatTag(), field.at,
+                         hit.path);
+    };
+    put(throughput.x, rate.x, task.paths.throughput.x);
+    put(throughput.y, rate.y, task.paths.throughput.y);
+    put(throughput.z, rate.z, task.paths.throughput.z);
+}
+
 inline HWY_ATTR void find_surfaces(const SurfaceTask& task) {
     const WaveGroup& group = task.group;
     VertexWave& vertices = task.vertices;
@@ -148,6 +162,14 @@ inline HWY_ATTR void find_surfaces(const SurfaceTask& task) {
         store(surface.normal, vertices.normal, i);
         store(offset_at<Lanes>(point.position, radius), vertices.offset, i);
         store(surface.base, vertices.base, i);
+        if (task.scene.materials.transmits) {
+            const I one = hn::Set(IntTag(), 1);
+            hn::StoreU(hn::IfThenElseZero(hn::RebindMask(IntTag(), surface.from_behind), one),
+                       IntTag(), vertices.from_behind.at + i);
+        }
+        if (group.absorption != V3f(0, 0, 0)) {
+            absorb(task, hit, surface.from_behind);
+        }
     }
 }
 

@@ -14,7 +14,6 @@ HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
 using Layers = LayersOf<Lanes>;
-using Lobes = LobesOf<Lanes>;
 using LobeValue = LobeValueOf<Lanes>;
 
 /// Vertices in the lanes: surface, path, and sampling decisions.
@@ -22,14 +21,10 @@ struct VertexLanes {
     int first;  // of the vertices
     M valid;
     I path;
-    F3 position, geometric_normal, origin;
+    F3 position, origin;
     F time;
-    Basis frame;
     F3 throughput;
-    F3 wo;  // towards the viewer, in the axes of `frame`, z > 0
-    F3 base;
-    Layers layers;
-    Lobes lobes;
+    BsdfOf<Lanes> bsdf;
     M scatters;      // has a lobe that is not specular
     M splits;        // the coat and the base are followed separately
     M shows_gloss;   // the coat is sampled several times
@@ -40,19 +35,30 @@ struct VertexLanes {
     F total_importance, environment_samples;
 };
 
-HWY_INLINE M no_lanes() {
-    return hn::MaskFromVec(hn::Zero(FloatTag()));
-}
-
-/// `number_of` returns a number of each lane's material. Waves have no glass.
+/// `number_of` returns a number of each lane's material.
 template <class NumberOf>
 HWY_INLINE Layers layers_from(const WaveMaterials& materials, I material,
                               const NumberOf& number_of) {
     Layers layers;
-    std::size_t place = 0;
-    Layers::each_number(
-        layers, [&](F& number) HWY_ATTR { number = number_of(materials.numbers[place++]); });
-    layers.transmission = all(0.f);
+    const auto set = [&](const WaveNumberTable& table, auto& numbers) HWY_ATTR {
+        std::size_t place = 0;
+        std::decay_t<decltype(numbers)>::each_number(
+            numbers, [&](F& number) HWY_ATTR { number = number_of(table[place++]); });
+    };
+    set(materials.layers, layers);
+    const M is_glass = hn::Gt(layers.transmission, all(0.f));
+    layers.any_glass = !materials.glass.empty() && !hn::AllFalse(FloatTag(), is_glass);
+    if (layers.any_glass) {
+        set(materials.glass, layers.glass);
+    }
+    layers.is_phong = no_lanes();
+    if (!materials.phong.empty()) {
+        layers.is_phong = hn::Gt(number_of(materials.is_phong), all(0.f));
+    }
+    layers.any_phong = !hn::AllFalse(FloatTag(), layers.is_phong);
+    if (layers.any_phong) {
+        set(materials.phong, layers.phong);
+    }
     layers.tables = materials.tables();
     layers.first = Lanes::product(material, kAlbedoNodes);
     return layers;
@@ -75,13 +81,13 @@ HWY_INLINE Layers layers_of(const WaveMaterials& materials, I material) {
 
 /// Sets which lobes there are, and how they are followed.
 HWY_INLINE void decide(const WaveStep& step, VertexLanes& v) {
-    const LobeKindsOf<Lanes> kinds = kinds_of_lobes<Lanes>(v.layers, v.lobes);
+    const LobeKindsOf<Lanes> kinds = kinds_of_lobes<Lanes>(v.bsdf);
     v.scatters = hn::And(kinds.scatters(), v.valid);
-    v.connects = hn::AndNot(kinds.is_narrow, v.scatters);
-    const M has_coat = hn::And(v.valid, hn::Gt(v.lobes.coat, all(0.f)));
+    v.connects = hn::AndNot(hn::Or(kinds.is_narrow, v.bsdf.transmits), v.scatters);
+    const M has_coat = hn::And(v.valid, hn::Gt(v.bsdf.lobes.coat, all(0.f)));
     const FollowingOf<Lanes> following =
         following_at<Lanes>(step.paths.vertex, step.scene.split_vertices, step.scene.glossy_samples,
-                            has_coat, v.lobes.has_rough_coat);
+                            has_coat, v.bsdf.lobes.has_rough_coat);
     v.splits = following.splits;
     v.shows_gloss = following.shows_gloss;
     v.any_gloss = following.any_gloss;
@@ -93,25 +99,30 @@ HWY_INLINE VertexLanes vertices_at(const WaveStep& step, int first) {
     const VertexWave& in = step.vertices;
     const FloatTag d;
     const IntTag di;
+    const I zero = hn::Zero(di);
     VertexLanes v;
     v.first = first;
     v.valid = hn::FirstN(d, static_cast<std::size_t>(in.count - first));
     v.path = load(in.path, first);
     v.position = load(in.position, first);
-    v.geometric_normal = load(in.geometric_normal, first);
-    v.origin = v.position + v.geometric_normal * load(in.offset, first);
+    const F3 geometric_normal = load(in.geometric_normal, first);
+    v.origin = v.position + geometric_normal * load(in.offset, first);
     v.time = gather(step.paths.time, v.path);
-    v.frame = basis_around<Lanes>(load(in.normal, first));
     v.throughput = gather(step.paths.throughput, v.path);
-    v.wo = v.frame.from_world(-gather(step.paths.direction, v.path));
-    v.wo.z = hn::Max(v.wo.z, all(kLeastLocalCosine));
-    v.base = load(in.base, first);
     // Lanes beyond the last vertex have the material of the first one.
     const I known = load(in.material, first);
     const I material =
         hn::IfThenElse(hn::RebindMask(di, v.valid), known, hn::Set(di, hn::GetLane(known)));
-    v.layers = layers_of(step.scene.materials, material);
-    v.lobes = weigh_lobes<Lanes>(v.layers, v.base, v.wo.z, no_lanes());
+    M from_behind = no_lanes();
+    if (step.scene.materials.transmits) {
+        from_behind = hn::AndNot(is_equal(load(in.from_behind, first), zero), v.valid);
+    }
+    v.bsdf = bsdf_at<Lanes>(layers_of(step.scene.materials, material), load(in.base, first),
+                            geometric_normal, load(in.normal, first),
+                            -gather(step.paths.direction, v.path), from_behind);
+    if (in.some_end) {
+        v.valid = hn::And(v.valid, is_equal(load(in.ends, first), zero));
+    }
     decide(step, v);
     const I vertex_index =
         hn::ShiftLeft<7>(gather(step.paths.branch, v.path)) + hn::Set(di, step.paths.vertex);
@@ -122,24 +133,20 @@ HWY_INLINE VertexLanes vertices_at(const WaveStep& step, int first) {
     return v;
 }
 
-/// Probability of sampling the base.
-HWY_INLINE F base_probability(const VertexLanes& v) {
-    return select(v.splits, all(1.f), all(1.f) - v.lobes.coat_choice);
+/// Where rays in a direction start: beyond the surface in the lanes that pass through it.
+HWY_INLINE F3 origin_of_rays(const VertexLanes& v, M passes) {
+    if (!v.bsdf.any_transmits) {
+        return v.origin;
+    }
+    return select(passes, v.position * all(2.f) - v.origin, v.origin);
 }
 
 /// `wi` in the axes of the vertex' frame; only its height if that suffices for the lobes.
 HWY_INLINE F3 local_direction(const VertexLanes& v, const F3& wi, F height) {
-    if (v.lobes.any_glossy()) {
-        return {dot(wi, v.frame.x), dot(wi, v.frame.y), height};
+    if (v.bsdf.any_glossy()) {
+        return {dot(wi, v.bsdf.frame.x), dot(wi, v.bsdf.frame.y), height};
     }
     return {all(0.f), all(0.f), height};
-}
-
-HWY_INLINE LobeValue base_towards(const VertexLanes& v, const F3& wi) {
-    return base_towards<Lanes>(v.layers, v.lobes, v.base, v.wo, wi);
-}
-HWY_INLINE LobeValue coat_towards(const VertexLanes& v, const F3& wi) {
-    return coat_towards<Lanes>(v.layers, v.lobes, v.wo, wi);
 }
 
 }  // namespace carom::render::HWY_NAMESPACE

@@ -39,6 +39,9 @@ WaveGroup make_group(const TransportScene& scene, const SceneObject& object, boo
     group.material = object.material;
     group.texture = &material.texture().data();
     group.bump = material.bump();
+    if (const auto& glass = material.layers().glass) {
+        group.absorption = glass->absorption;
+    }
     group.has_texture = !std::holds_alternative<V3f>(*group.texture);
     group.needs_uv = std::holds_alternative<ImageParameters>(*group.texture);
     if (group.kind == WaveGroup::Kind::mesh) {
@@ -51,11 +54,9 @@ WaveGroup make_group(const TransportScene& scene, const SceneObject& object, boo
 
 std::uint8_t traits_of(const Material& material) {
     const LayerConstants& layers = material.layers();
-    if (material.is_phong() || layers.glass) {
-        return kLeavesWave;
-    }
     const bool has_gloss = layers.coat_weight > 0 && layers.coat_alpha > 0;
-    return static_cast<std::uint8_t>((material.is_emissive() ? kShines : 0) |
+    return static_cast<std::uint8_t>((material.is_transmissive() ? kTransmits : 0) |
+                                     (material.is_emissive() ? kShines : 0) |
                                      (has_gloss ? kHasGloss : 0));
 }
 

@@ -22,6 +22,7 @@ struct WaveGroup {
     bool moves = false;
     std::uint32_t material = 0;
     const TextureData* texture = nullptr;
+    V3f absorption{0, 0, 0};  // of the glass inside, 1/m
     float bump = 0;
     bool has_texture = false;  // otherwise the colour is constant
     bool needs_uv = false;
@@ -61,9 +62,9 @@ struct WaveShapes {
 
 /// What a hit of an object needs besides becoming a vertex, as bits.
 enum WaveTraits : std::uint8_t {
-    kLeavesWave = 1,  // glass or phong: the path is followed alone
-    kShines = 2,      // an emissive material
-    kHasGloss = 4,    // a rough coat
+    kTransmits = 1,  // glass, or a phong material that lets light through
+    kShines = 2,     // an emissive material
+    kHasGloss = 4,   // a rough coat
 };
 
 struct WaveGroups {

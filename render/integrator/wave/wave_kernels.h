@@ -11,6 +11,11 @@ namespace carom::render {
 struct TurnWave {
     Floats real;
     Floats3 vector;
+
+    void reserve(int vertices) {
+        real.reserve(vertices);
+        vector.reserve(vertices);
+    }
 };
 
 /// The vertices in [first, last) of a group. Known are path, object, material, distance and, of
@@ -18,14 +23,14 @@ struct TurnWave {
 struct SurfaceTask {
     const WaveScene& scene;
     const WaveGroup& group;
-    const PathWave& paths;
+    PathWave& paths;        // whose throughput what they pass within glass reduces
     const Hit* hits;        // by path
     const TurnWave& turns;  // of objects that move, except balls without a texture
     VertexWave& vertices;
     int first, last;
 };
 
-/// One step: samples lights and directions at the vertices `vertices` of `paths`.
+/// One step: samples lights and directions at the vertices [first, last) of `paths`.
 struct WaveStep {
     const WaveScene& scene;
     const SampleWave& samples;
@@ -37,6 +42,7 @@ struct WaveStep {
     // because the order of one list would depend on the vector width.
     PathWave& reflected;
     PathWave& scattered;
+    int first, last;
 };
 
 struct WaveKernels {
@@ -45,18 +51,18 @@ struct WaveKernels {
     void (*play_roulette)(const SampleWave& samples, PathWave& paths, WaveList& reached);
     /// Completes the vertices of a group. Overwrites what vertices after the last one will have.
     void (*find_surfaces)(const SurfaceTask& task);
-    /// Fills `shadows`, `near_balls`, `reflected` and `scattered`.
+    /// Fills `shadows`, which has begun, and appends to `near_balls`, `reflected` and `scattered`.
     void (*take_step)(const WaveStep& step);
-    /// Fills `reflected` with one direction of the coat of each first vertex that has one, which
+    /// Appends to `reflected` one direction of the coat of each first vertex that has one, which
     /// stands for all of its directions.
     void (*look_into_coats)(const WaveStep& step);
     /// Fills `light` for the paths that left the scene; it must have a picture of the sky.
     void (*find_sky)(const WaveScene& scene, const PathWave& paths, MissWave& missed);
-    /// Sums the unoccluded shadow rays for each of the first `vertices` vertices.
-    void (*sum_light)(ShadowWave& shadows, int vertices);
+    /// Sums the unoccluded shadow rays for each of their vertices.
+    void (*sum_light)(ShadowWave& shadows);
 };
 
-/// Returns null if the processor has no wide vectors.
-[[nodiscard]] const WaveKernels* best_wave_kernels();
+/// All instruction sets give the same bits.
+[[nodiscard]] const WaveKernels& best_wave_kernels();
 
 }  // namespace carom::render

@@ -19,6 +19,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
+HWY_INLINE M no_lanes() {
+    return hn::MaskFromVec(hn::Zero(FloatTag()));
+}
 HWY_INLINE F load(const Floats& field, int i) {
     return hn::LoadU(FloatTag(), field.at + i);
 }

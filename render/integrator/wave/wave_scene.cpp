@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <variant>
 
+#include "render/integrator/light_hits.h"
+
 namespace carom::render {
 namespace {
 
 WaveLight known_light(const LightSet& lights, std::size_t index) {
     WaveLight light;
+    light.is_round = lights.is_round(index);
     if (lights.is_environment(index)) {
         const bool has_light = lights.environment().picture().distribution.density != nullptr;
         light.kind = has_light ? WaveLight::Kind::environment : WaveLight::Kind::other;
@@ -37,20 +40,31 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
     return light;
 }
 
-void add_material(const Material& material, WaveMaterials& materials) {
-    const auto layers = material.layers().numbers();
-    std::size_t place = 0;
-    scalar::LayersOf<scalar::One>::each_number(layers, [&](float number) {
-        if (place == materials.numbers.size()) {
-            materials.numbers.emplace_back();
+WaveMaterials make_materials(const std::vector<Material>& all) {
+    WaveMaterials materials;
+    const auto has = [&](bool (Material::*trait)() const) {
+        return std::any_of(all.begin(), all.end(),
+                           [&](const Material& material) { return (material.*trait)(); });
+    };
+    materials.transmits = has(&Material::is_transmissive);
+    for (const Material& material : all) {
+        const auto numbers = material.numbers();
+        add_numbers(numbers, materials.layers);
+        if (has(&Material::is_glass)) {
+            add_numbers(numbers.glass, materials.glass);
         }
-        materials.numbers[place++].push_back(number);
-    });
-    const auto tables = AlbedoNumbers::each(layers.tables);
-    for (std::size_t kind = 0; kind < tables.size(); ++kind) {
-        const float* const table = *tables[kind];
-        materials.albedos[kind].insert(materials.albedos[kind].end(), table, table + kAlbedoNodes);
+        if (has(&Material::is_phong)) {
+            add_numbers(numbers.phong, materials.phong);
+        }
+        materials.is_phong.push_back(material.is_phong() ? 1.0F : 0.0F);
+        const auto tables = AlbedoNumbers::each(numbers.tables);
+        for (std::size_t kind = 0; kind < tables.size(); ++kind) {
+            const float* const table = *tables[kind];
+            materials.albedos[kind].insert(materials.albedos[kind].end(), table,
+                                           table + kAlbedoNodes);
+        }
     }
+    return materials;
 }
 
 }  // namespace
@@ -64,39 +78,43 @@ AlbedoNumbers WaveMaterials::tables() const {
     return tables;
 }
 
-WaveScene make_wave_scene(const TransportScene& scene, const PathSettings& settings,
-                          const Caustics& caustics) {
+WaveScene make_wave_scene(const TransportScene& scene) {
     WaveScene known;
     known.lights = &scene.lights;
     for (std::size_t light = 0; light < scene.lights.sampled_count(); ++light) {
         known.light.push_back(known_light(scene.lights, light));
     }
-    known.environment_importance = scene.lights.environment().importance();
-    const Caustics::BallBounds& bounds = caustics.ball_bounds();
-    known.ball_x = bounds.x;
-    known.ball_y = bounds.y;
-    known.ball_z = bounds.z;
-    known.ball_bounding_radius = bounds.bounding_radius;
-    known.ball_radius2 = bounds.radius2;
-    known.ball_gain = bounds.gain;
-    known.ball_of_object = caustics.ball_of_object();
-    known.ball_of_object.resize(scene.frame.object_count(), -1);
-    known.groups = make_wave_groups(scene);
-    for (const Material& material : scene.materials) {
-        add_material(material, known.materials);
-    }
     const Environment& environment = scene.lights.environment();
+    known.environment_importance = environment.importance();
     if (environment.is_sampled() && environment.picture().distribution.density != nullptr) {
         known.sky = environment.picture();
     }
-    known.max_bounces = settings.max_bounces;
-    const bool has_gloss =
-        std::any_of(known.groups.traits.begin(), known.groups.traits.end(),
-                    [](std::uint8_t traits) { return (traits & kHasGloss) != 0; });
-    known.glossy_samples = has_gloss ? settings.glossy_samples : 1;
-    known.split_vertices = settings.split_vertices;
-    known.caustics = settings.caustics;
+    known.groups = make_wave_groups(scene);
+    known.materials = make_materials(scene.materials);
     return known;
+}
+
+void set_up(WaveScene& wave_scene, const PathSettings& settings, const Caustics& caustics) {
+    if (settings.strategy == DirectStrategy::scattering_only) {
+        wave_scene.light.clear();
+    }
+    const Caustics::BallBounds& bounds = caustics.ball_bounds();
+    wave_scene.ball_x = bounds.x;
+    wave_scene.ball_y = bounds.y;
+    wave_scene.ball_z = bounds.z;
+    wave_scene.ball_bounding_radius = bounds.bounding_radius;
+    wave_scene.ball_radius2 = bounds.radius2;
+    wave_scene.ball_gain = bounds.gain;
+    wave_scene.ball_of_object = caustics.ball_of_object();
+    wave_scene.ball_of_object.resize(wave_scene.groups.of_object.size(), -1);
+    wave_scene.strategy = settings.strategy;
+    wave_scene.max_bounces = settings.max_bounces;
+    const auto& traits = wave_scene.groups.traits;
+    const bool has_gloss = std::any_of(traits.begin(), traits.end(),
+                                       [](std::uint8_t trait) { return (trait & kHasGloss) != 0; });
+    wave_scene.glossy_samples = has_gloss ? settings.glossy_samples : 1;
+    wave_scene.split_vertices = settings.split_vertices;
+    wave_scene.caustics = settings.caustics;
 }
 
 int WaveScene::first_rays() const {

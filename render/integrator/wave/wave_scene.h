@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render/integrator/caustics.h"
-#include "render/integrator/path_integrator.h"
+#include "render/integrator/path_settings.h"
 #include "render/integrator/transport_scene.h"
 #include "render/integrator/wave/wave_groups.h"
 #include "render/light/light_set.h"
@@ -19,6 +19,7 @@ struct WaveLight {
     enum class Kind { area, environment, delta, curved_object, flat_object, other };
     Kind kind = Kind::other;
     int samples = 1;  // at a path's first vertex
+    bool is_round = false;
     AreaLightConstants area;
     DeltaLightConstants delta;
     EmissiveShapeConstants shape;         // of a curved object
@@ -33,9 +34,27 @@ struct WaveLight {
     [[nodiscard]] bool is_environment() const { return kind == Kind::environment; }
 };
 
-/// LayerConstants of the materials, as a structure of arrays.
+/// The numbers of a kind of all materials, in the order of its each_number.
+using WaveNumberTable = std::vector<std::vector<float>>;
+
+/// Appends the numbers of one material.
+template <class Numbers>
+void add_numbers(const Numbers& numbers, WaveNumberTable& table) {
+    std::size_t place = 0;
+    Numbers::each_number(numbers, [&](float number) {
+        if (place == table.size()) {
+            table.emplace_back();
+        }
+        table[place++].push_back(number);
+    });
+}
+
+/// Materials as a structure of arrays (material/kernels/material_numbers.h).
 struct WaveMaterials {
-    std::vector<std::vector<float>> numbers;  // in the order of LayersOf::each_number
+    WaveNumberTable layers;
+    WaveNumberTable glass, phong;  // empty if no material has any
+    std::vector<float> is_phong;   // 1 or 0
+    bool transmits = false;        // some material does
     // kAlbedoNodes numbers for each material, by kind of table.
     std::array<std::vector<float>, kAlbedoKinds> albedos;
 
@@ -56,6 +75,7 @@ struct WaveScene {
 
     WaveMaterials materials;
     WaveGroups groups;
+    DirectStrategy strategy = DirectStrategy::both;
     int max_bounces = 0;
     int split_vertices = 0;
     int glossy_samples = 1;
@@ -70,7 +90,8 @@ struct WaveScene {
 };
 
 /// For one frame; everything is borrowed.
-[[nodiscard]] WaveScene make_wave_scene(const TransportScene& scene, const PathSettings& settings,
-                                        const Caustics& caustics);
+[[nodiscard]] WaveScene make_wave_scene(const TransportScene& scene);
+/// Adds what path tracing needs.
+void set_up(WaveScene& wave_scene, const PathSettings& settings, const Caustics& caustics);
 
 }  // namespace carom::render

@@ -1,6 +1,5 @@
 // One step of a wave: at each vertex lights are sampled, caustics are requested and directions are
-// sampled, as integrator/direct_light.cpp, caustics.cpp and path_integrator.cpp do for one path.
-// Included once per instruction set.
+// sampled. Included once per instruction set.
 #include "render/integrator/path_state.h"
 #include "render/integrator/shadow_ray_constants.h"
 #include "render/integrator/wave/lights-inl.h"
@@ -13,52 +12,56 @@
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
+/// The weight of light that was sampled with the density `pdf`, where another way would have found
+/// it with the density `other`.
+HWY_INLINE F weight_of(const WaveScene& scene, F pdf, F other) {
+    return scene.strategy == DirectStrategy::both ? power_heuristic<Lanes>(pdf, other) : all(1.f);
+}
+
 /// The light that a vertex scatters from a direction, per unit of radiance, weighted against the
-/// scattering that could have found the light: DirectLight::scattered.
-HWY_INLINE F3 weighted_value(const VertexLanes& v, const F3& wi, F light_pdf) {
-    const LobeValue base = base_towards(v, wi);
-    const F by_base = base_probability(v) * base.pdf;
-    if (!v.lobes.any_rough_coat) {
-        return base.value * power_heuristic<Lanes>(light_pdf, by_base);
+/// scattering that could have found the light. `passes`: it is beyond the surface.
+HWY_INLINE F3 weighted_value(const WaveScene& scene, const VertexLanes& v, const F3& wi, M passes,
+                             F light_pdf) {
+    const LobeValue base = base_towards<Lanes>(v.bsdf, wi, passes);
+    const F by_base = base_probability<Lanes>(v.bsdf, v.splits) * base.pdf;
+    if (!v.bsdf.lobes.any_rough_coat) {
+        return base.value * weight_of(scene, light_pdf, by_base);
     }
-    const LobeValue coat = coat_towards(v, wi);
-    const F by_all = by_base + v.lobes.coat_choice * coat.pdf;
-    const F weight_of_base = power_heuristic<Lanes>(light_pdf, select(v.splits, by_base, by_all));
+    const LobeValue coat = coat_towards<Lanes>(v.bsdf, wi, passes);
+    const F by_all = by_base + v.bsdf.lobes.coat_choice * coat.pdf;
+    const F weight_of_base = weight_of(scene, light_pdf, select(v.splits, by_base, by_all));
     const F weight_of_coat =
-        power_heuristic<Lanes>(light_pdf, select(v.splits, coat.pdf * v.coat_samples, by_all));
+        weight_of(scene, light_pdf, select(v.splits, coat.pdf * v.coat_samples, by_all));
     return base.value * weight_of_base + coat.value * weight_of_coat;
 }
 
 /// Writes no `k`th shadow rays for the vertices.
 HWY_INLINE void add_no_shadow_rays(const WaveStep& step, const VertexLanes& v, int k) {
-    hn::StoreU(all(0.f), FloatTag(),
-               step.shadows.t_max + std::ptrdiff_t{k} * step.shadows.stride + v.first);
+    hn::StoreU(all(0.f), FloatTag(), step.shadows.t_max.data() + step.shadows.place(k, v.first));
 }
 
 /// Writes the `k`th shadow ray of the vertices. `expected`: expected number of directions towards
 /// the light at each vertex.
 HWY_INLINE void add_shadow_rays(const WaveStep& step, const VertexLanes& v, const LightLanes& light,
                                 F expected, M wanted, int k) {
-    const F cosine = dot(v.frame.z, light.direction);
-    const F side = dot(v.geometric_normal, light.direction);
-    const F3 wi = local_direction(v, light.direction, hn::Max(cosine, all(0.f)));
+    const F cosine = dot(v.bsdf.frame.z, light.direction);
+    const SideOf<Lanes> side = side_of<Lanes>(v.bsdf, light.direction, cosine);
+    const F height = v.bsdf.any_transmits ? select(side.passes, cosine, hn::Max(cosine, all(0.f)))
+                                          : hn::Max(cosine, all(0.f));
+    const F3 wi = local_direction(v, light.direction, height);
     const F pdf = light.pdf * expected;
-    const M shines = hn::And(hn::And(wanted, light.valid),
-                             hn::And(hn::Gt(side, all(0.f)), hn::Gt(cosine, all(0.f))));
-    const F3 value = v.throughput * weighted_value(v, wi, pdf) * light.radiance * (all(1.f) / pdf);
+    const M shines = hn::And(hn::And(wanted, light.valid), hn::Or(side.is_above, side.passes));
+    const F3 value = v.throughput * weighted_value(step.scene, v, wi, side.passes, pdf) *
+                     light.radiance * (all(1.f) / pdf);
     const M is_lit = hn::And(shines, hn::Gt(largest(value), all(0.f)));
-    ShadowWave& out = step.shadows;
-    const int at = k * out.stride + v.first;
-    const FloatTag d;
-    hn::StoreU(light.direction.x, d, out.x + at);
-    hn::StoreU(light.direction.y, d, out.y + at);
-    hn::StoreU(light.direction.z, d, out.z + at);
-    hn::StoreU(select(is_lit, light.distance * all(kOneMinusShadowEpsilon), all(0.f)), d,
-               out.t_max + at);
-    hn::StoreU(value.x, d, out.red + at);
-    hn::StoreU(value.y, d, out.green + at);
-    hn::StoreU(value.z, d, out.blue + at);
-    out.count += static_cast<int>(hn::CountTrue(d, is_lit));
+    put_rays(step.shadows, k, v.first, light, value, is_lit);
+    if (step.scene.materials.transmits) {
+        const std::size_t at = step.shadows.place(k, v.first);
+        const F3 origin = origin_of_rays(v, side.passes);
+        hn::StoreU(origin.x, FloatTag(), step.shadows.origin_x.data() + at);
+        hn::StoreU(origin.y, FloatTag(), step.shadows.origin_y.data() + at);
+        hn::StoreU(origin.z, FloatTag(), step.shadows.origin_z.data() + at);
+    }
 }
 
 HWY_INLINE PlaceLanes place_of(const VertexLanes& v) {
@@ -71,7 +74,7 @@ HWY_INLINE F environment_sample_count(const WaveStep& step, const VertexLanes& v
     }
     F total = all(0.f);
     for (std::size_t light = 0; light < step.scene.light.size(); ++light) {
-        total = total + importance(step.scene, light, place_of(v), v.frame.z, v.scatters);
+        total = total + importance(step.scene, light, place_of(v), v.bsdf.frame.z, v.scatters);
     }
     const F fraction =
         all(step.scene.environment_importance) / (all(kFullSamplingFraction) * total);
@@ -145,9 +148,10 @@ HWY_INLINE void sample_all_lights(const WaveStep& step, VertexLanes& v,
 /// Samples one light, chosen by importance, at later vertices.
 HWY_INLINE void sample_one_light(const WaveStep& step, VertexLanes& v, const V2& u) {
     const FloatTag d;
-    const ChoiceLanes choice = choose_light(step.scene, place_of(v), v.frame.z, u.x, v.scatters);
+    const ChoiceLanes choice =
+        choose_light(step.scene, place_of(v), v.bsdf.frame.z, u.x, v.scatters);
     v.total_importance = select(v.scatters, choice.total, all(0.f));
-    LightLanes found{v.frame.z, all(0.f), all(1.f), all(V3f(0, 0, 0)), no_lanes()};
+    LightLanes found{v.bsdf.frame.z, all(0.f), all(1.f), all(V3f(0, 0, 0)), no_lanes()};
     for (std::size_t light = 0; light < step.scene.light.size(); ++light) {
         const M takes =
             hn::And(v.scatters,
@@ -177,7 +181,7 @@ HWY_INLINE void select_caustics(const WaveStep& step, const VertexLanes& v,
                          all(scene.ball_y[ball]) - v.position.y,
                          all(scene.ball_z[ball]) - v.position.z};
         const F share =
-            ball_share<Lanes>(to_ball, v.geometric_normal, scene.ball_bounding_radius[ball],
+            ball_share<Lanes>(to_ball, v.bsdf.geometric_normal, scene.ball_bounding_radius[ball],
                               scene.ball_radius2[ball], scene.ball_gain[ball]);
         const M is_own = is_equal(own, hn::Set(IntTag(), static_cast<std::int32_t>(ball)));
         total = total + select(is_own, all(0.f), share);
@@ -191,20 +195,11 @@ HWY_INLINE void select_caustics(const WaveStep& step, const VertexLanes& v,
 }
 
 inline HWY_ATTR void take_step(const WaveStep& step) {
-    const VertexWave& vertices = step.vertices;
     const int vertex = step.paths.vertex;
-    const bool has_lights = !step.scene.light.empty();
-    const int further = vertices.has_gloss ? step.scene.further_rays() : 0;
-    step.shadows.rays = !has_lights ? 0 : vertex == 0 ? step.scene.first_rays() + further : 1;
-    step.shadows.stride = vertex == 0 ? kWaveSamples + 16 : kWaveStorage;
-    step.shadows.count = 0;
-    step.near_balls.count = 0;
-    step.reflected.count = 0;
-    step.scattered.count = 0;
-    step.reflected.vertex = step.scattered.vertex = vertex + 1;
+    const bool has_lights = step.shadows.rays > 0;
     const bool connects = step.scene.caustics && vertex < PathDimensions::kConnectingVertices &&
                           vertex < step.scene.max_bounces && !step.scene.ball_x.empty();
-    for (int first = 0; first < vertices.count; first += lane_count()) {
+    for (int first = step.first; first < step.last; first += lane_count()) {
         VertexLanes v = vertices_at(step, first);
         const I slot = gather(step.paths.slot, v.path);
         const LaneSampler sampler(
@@ -212,7 +207,7 @@ inline HWY_ATTR void take_step(const WaveStep& step) {
             hn::BitCast(WordTag(), gather(step.samples.reversed_sample, slot)));
         F u[4];
         sampler.get_4d(v.vertex_index + v.vertex_index, u);
-        if (vertex == 0) {
+        if (has_lights && vertex == 0) {
             sample_all_lights(step, v, sampler);
         } else if (has_lights) {
             sample_one_light(step, v, {u[0], u[1]});
@@ -227,15 +222,13 @@ inline HWY_ATTR void take_step(const WaveStep& step) {
 }
 
 inline HWY_ATTR void look_into_coats(const WaveStep& step) {
-    step.reflected.count = 0;
-    step.reflected.vertex = 1;
-    for (int first = 0; first < step.vertices.count; first += lane_count()) {
+    for (int first = step.first; first < step.last; first += lane_count()) {
         const VertexLanes v = vertices_at(step, first);
         if (hn::AllFalse(FloatTag(), v.splits)) {
             continue;
         }
         V2 numbers{all(0.f), all(0.f)};
-        if (v.lobes.any_rough_coat) {
+        if (v.bsdf.lobes.any_rough_coat) {
             const I slot = gather(step.paths.slot, v.path);
             const LaneSampler sampler(
                 hn::BitCast(WordTag(), gather(step.samples.pixel_hash, slot)),
@@ -245,14 +238,14 @@ inline HWY_ATTR void look_into_coats(const WaveStep& step) {
             numbers = {further[0], further[1]};
         }
         const ContinuingLanes from = continuing(step, v, all(0.f));
-        DirectionLanes to = sample_coat(v, from, numbers);
+        DirectionOf<Lanes> to = sample_coat<Lanes>(v.bsdf, v.splits, from.takes_coat, numbers);
         to.weight = to.weight * v.coat_samples;
         proceed(step, v, from, to, from.branch + from.branch, v.coat_samples, v.splits, false,
                 step.reflected);
     }
 }
 
-/// The weight of the environment's light for paths that left the scene: DirectLight::weight_of_hit.
+/// The weight of the environment's light for paths that left the scene (light_hits.h).
 HWY_INLINE F weight_of_sky(const WaveScene& scene, const PathWave& paths, I path, F pdf) {
     const M is_delta = is_equal(gather(paths.is_delta, path), hn::Set(IntTag(), 1));
     F expected = gather(paths.environment_samples, path);
@@ -262,9 +255,15 @@ HWY_INLINE F weight_of_sky(const WaveScene& scene, const PathWave& paths, I path
         expected = select(
             exists, all(scene.environment_importance) / select(exists, total, all(1.f)), all(0.f));
     }
-    const F last = gather(paths.pdf, path);
-    return select(is_delta, all(1.f),
-                  power_heuristic<Lanes>(select(is_delta, all(1.f), last), expected * pdf));
+    const F last = select(is_delta, all(1.f), gather(paths.pdf, path));
+    const F by_light = expected * pdf;
+    F weight = all(1.f);
+    if (scene.strategy == DirectStrategy::both) {
+        weight = power_heuristic<Lanes>(last, by_light);
+    } else if (scene.strategy == DirectStrategy::lights_only) {
+        weight = select(hn::Gt(by_light, all(0.f)), all(0.f), all(1.f));
+    }
+    return select(is_delta, all(1.f), weight);
 }
 
 inline HWY_ATTR void find_sky(const WaveScene& scene, const PathWave& paths, MissWave& missed) {
@@ -279,15 +278,16 @@ inline HWY_ATTR void find_sky(const WaveScene& scene, const PathWave& paths, Mis
     }
 }
 
-inline HWY_ATTR void sum_light(ShadowWave& shadows, int vertices) {
+inline HWY_ATTR void sum_light(ShadowWave& shadows) {
     const FloatTag d;
-    for (int first = 0; first < vertices; first += lane_count()) {
+    for (int first = shadows.first; first < shadows.last; first += lane_count()) {
         F3 sum = all(V3f(0, 0, 0));
         for (int k = 0; k < shadows.rays; ++k) {
-            const int at = k * shadows.stride + first;
-            const M arrives = hn::Gt(hn::LoadU(d, shadows.t_max + at), all(0.f));
-            const F3 light{hn::LoadU(d, shadows.red + at), hn::LoadU(d, shadows.green + at),
-                           hn::LoadU(d, shadows.blue + at)};
+            const std::size_t at = shadows.place(k, first);
+            const M arrives = hn::Gt(hn::LoadU(d, shadows.t_max.data() + at), all(0.f));
+            const F3 light{hn::LoadU(d, shadows.red.data() + at),
+                           hn::LoadU(d, shadows.green.data() + at),
+                           hn::LoadU(d, shadows.blue.data() + at)};
             sum = sum + select(arrives, light, all(V3f(0, 0, 0)));
         }
         store(sum, shadows.sum, first);

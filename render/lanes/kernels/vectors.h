@@ -69,3 +69,14 @@ CAROM_KERNEL typename L::Value luminance_of(const Three<typename L::Value>& colo
     return L::all(kRedLuminance) * colour.x + L::all(kGreenLuminance) * colour.y +
            L::all(kBlueLuminance) * colour.z;
 }
+
+/// base^exponent of core/elementary_float.h.
+template <class L>
+CAROM_KERNEL typename L::Value power_of(typename L::Value base, typename L::Value exponent) {
+    return L::lane_by_lane([](float b, float e) { return power(b, e); }, base, exponent);
+}
+/// e^x of core/elementary_float.h.
+template <class L>
+CAROM_KERNEL typename L::Value exponential_of(typename L::Value x) {
+    return L::lane_by_lane([](float a, float) { return exponential(a); }, x, x);
+}

@@ -1,46 +1,24 @@
-// The lobes of a layered surface (lobe_weights.h, bsdf.h) in lanes: weights, values, densities.
+// The lobes of a layered surface in lanes: weights, values, densities.
 // Directions are in the surface's own axes, z > 0. Included as render/lanes/kernels/vectors.h is.
 
 #include "render/material/kernels/sheen.h"
 
-/// LayerConstants of the material in each lane.
-template <class L>
-struct LayersOf {
-    typename L::Value coat_weight, coat_ior, coat_alpha;
-    typename L::Value sheen;
-    Three<typename L::Value> sheen_colour;
-    typename L::Value metal, specular, alpha;
-    typename L::Value transmission;
-    AlbedoNumbers tables;
-    typename L::Int first;  // of the material's numbers in each of the tables
-
-    /// Calls `visit` with each number of the layers but glass, always in the same order.
-    template <class Layers, class Visit>
-    CAROM_KERNEL static void each_number(Layers& layers, const Visit& visit) {
-        visit(layers.coat_weight);
-        visit(layers.coat_ior);
-        visit(layers.coat_alpha);
-        visit(layers.sheen);
-        visit(layers.sheen_colour.x);
-        visit(layers.sheen_colour.y);
-        visit(layers.sheen_colour.z);
-        visit(layers.metal);
-        visit(layers.specular);
-        visit(layers.alpha);
-    }
-};
-
-/// See LobeWeights.
+/// The weights of the lobes for one viewing direction, and their sampling probabilities. Each layer
+/// takes from the layers below it the fraction that it scatters itself: with `cosine` of the
+/// viewer's direction to the normal, > 0,
+///   coat = w E(cosine) [as a lobe],  below = (1 - w E(cosine)) x the rest,
+/// where E is the coat's albedo, for a smooth coat Fresnel's F.
 template <class L>
 struct LobesOf {
-    typename L::Value coat, coat_choice;
-    Three<typename L::Value> diffuse;
-    typename L::Value facets;
+    typename L::Value coat;            // fraction that the coat reflects
+    typename L::Value coat_choice;     // probability of the coat when it or the base is chosen
+    Three<typename L::Value> diffuse;  // albedo after all layers above
+    typename L::Value facets;          // scale of metal and highlight after all layers above
     Three<typename L::Value> metal_scale;
     Three<typename L::Value> sheen;
-    typename L::Value glass;
+    typename L::Value glass;  // fraction that reaches the glass below all layers
     typename L::Value choose_glass, choose_facets, choose_sheen, choose_diffuse;
-    typename L::Mask is_diffuse;
+    typename L::Mask is_diffuse;  // the base has no other lobe
     typename L::Mask has_rough_coat;
     bool any_sheen;   // false: no lane has sheen
     bool any_facets;  // false: no lane has metal or a highlight
@@ -164,41 +142,6 @@ CAROM_KERNEL LobesOf<L> weigh_lobes(const LayersOf<L>& layers, const Three<typen
         lobes.coat_choice = L::select(is_coated, chosen, zero);
     }
     return lobes;
-}
-
-/// What kinds of lobes a surface has besides glass.
-template <class L>
-struct LobeKindsOf {
-    typename L::Mask coat_scatters, base_scatters;  // not only specularly
-    typename L::Mask is_narrow;                     // some lobe is, but not specular
-
-    [[nodiscard]] CAROM_KERNEL typename L::Mask scatters() const {
-        return L::either(coat_scatters, base_scatters);
-    }
-};
-
-template <class L>
-CAROM_KERNEL LobeKindsOf<L> kinds_of_lobes(const LayersOf<L>& layers, const LobesOf<L>& lobes) {
-    const auto zero = L::all(0);
-    const auto is_narrow = [](typename L::Value alpha) CAROM_KERNEL_ATTRIBUTE {
-        return L::is_less(alpha, L::all(kBroadAlpha));
-    };
-    LobeKindsOf<L> kinds;
-    kinds.coat_scatters = lobes.has_rough_coat;
-    kinds.base_scatters =
-        L::either(L::is_less(zero, lobes.choose_diffuse), L::is_less(zero, lobes.choose_sheen));
-    kinds.is_narrow = L::is_less(zero, zero);
-    if (lobes.any_facets) {
-        const auto has_rough_facets =
-            L::both(L::is_less(zero, lobes.facets), L::is_less(zero, layers.alpha));
-        kinds.base_scatters = L::either(kinds.base_scatters, has_rough_facets);
-        kinds.is_narrow = L::both(has_rough_facets, is_narrow(layers.alpha));
-    }
-    if (lobes.any_rough_coat) {
-        kinds.is_narrow =
-            L::either(kinds.is_narrow, L::both(lobes.has_rough_coat, is_narrow(layers.coat_alpha)));
-    }
-    return kinds;
 }
 
 /// BSDF times cosine of `wi`, and the density of sampling it.

@@ -43,6 +43,12 @@ struct TexelPlaceOf {
     typename L::Value fx, fy;      // weights of the right texels and of the lower row
 };
 
+/// Where a coordinate lies in a picture that repeats, so that far ones keep their precision.
+template <class L>
+CAROM_KERNEL typename L::Value repeated_part(typename L::Value x) {
+    return limited<L>(x - L::rounded_down(x), 0, 1);
+}
+
 /// The four texels around `uv` on the finest level whose texels are at least half as large as the
 /// footprint, in units of uv of the longer side. Any number is safe.
 template <class L>
@@ -54,9 +60,8 @@ CAROM_KERNEL TexelPlaceOf<L> texel_place(const PyramidTables& pyramid,
     const auto level = L::smaller_int(exponent, L::all_int(pyramid.level_count - 1));
     const auto width = L::gather_int(pyramid.width, level);
     const auto height = L::gather_int(pyramid.height, level);
-    // Removes repeats first, so that far coordinates keep their precision.
     const auto tile = [&](typename L::Value x) CAROM_KERNEL_ATTRIBUTE {
-        return limited<L>(pyramid.repeats ? x - L::rounded_down(x) : x, 0, 1);
+        return pyramid.repeats ? repeated_part<L>(x) : limited<L>(x, 0, 1);
     };
     const auto x = tile(uv.x) * L::to_value(width) - L::all(0.5f);
     const auto y = tile(uv.y) * L::to_value(height) - L::all(0.5f);
@@ -96,28 +101,133 @@ CAROM_KERNEL Three<typename L::Value> look_up_half_colour(const PyramidTables& p
                                                  place);
 }
 
-/// See MipPyramid::lookup. Both texels of a row are in one word.
+/// See MipPyramid::lookup, for numbers of kBits: both texels of a row are in one word. `decoded`:
+/// the value of a texel in a word's lower bits.
+template <class L, int kBits, class Decode>
+CAROM_KERNEL typename L::Value look_up_number(const PyramidTables& pyramid,
+                                              const Two<typename L::Value>& uv,
+                                              typename L::Value footprint, const Decode& decoded) {
+    const TexelPlaceOf<L> place = texel_place<L>(pyramid, uv, footprint);
+    const auto words = [&](typename L::Int index) CAROM_KERNEL_ATTRIBUTE {
+        return L::gather_bytes(pyramid.texels, L::product(index, kBits / 8));
+    };
+    const auto upper = words(place.upper);
+    const auto lower = words(place.lower);
+    return bilinear<L, typename L::Value>(
+        decoded(upper), decoded(L::template shifted_right<kBits>(upper)), decoded(lower),
+        decoded(L::template shifted_right<kBits>(lower)), place);
+}
+
 template <class L>
 CAROM_KERNEL typename L::Value look_up_signed(const PyramidTables& pyramid,
                                               const Two<typename L::Value>& uv,
                                               typename L::Value footprint) {
-    const TexelPlaceOf<L> place = texel_place<L>(pyramid, uv, footprint);
-    const auto upper = L::gather_bytes(pyramid.texels, place.upper + place.upper);
-    const auto lower = L::gather_bytes(pyramid.texels, place.lower + place.lower);
-    return bilinear<L, typename L::Value>(
-        signed_value<L>(upper), signed_value<L>(L::template shifted_right<16>(upper)),
-        signed_value<L>(lower), signed_value<L>(L::template shifted_right<16>(lower)), place);
+    return look_up_number<L, 16>(pyramid, uv, footprint,
+                                 [](typename L::Word word)
+                                     CAROM_KERNEL_ATTRIBUTE { return signed_value<L>(word); });
 }
 
-/// See MipPyramid::lookup. Both texels of a row are in one word.
 template <class L>
 CAROM_KERNEL typename L::Value look_up_coverage(const PyramidTables& pyramid,
                                                 const Two<typename L::Value>& uv,
                                                 typename L::Value footprint) {
-    const TexelPlaceOf<L> place = texel_place<L>(pyramid, uv, footprint);
-    const auto upper = L::gather_bytes(pyramid.texels, place.upper);
-    const auto lower = L::gather_bytes(pyramid.texels, place.lower);
-    return bilinear<L, typename L::Value>(
-        coverage_value<L>(upper), coverage_value<L>(L::template shifted_right<8>(upper)),
-        coverage_value<L>(lower), coverage_value<L>(L::template shifted_right<8>(lower)), place);
+    return look_up_number<L, 8>(pyramid, uv, footprint,
+                                [](typename L::Word word)
+                                    CAROM_KERNEL_ATTRIBUTE { return coverage_value<L>(word); });
+}
+
+template <class L>
+CAROM_KERNEL typename L::Value look_up_half(const PyramidTables& pyramid,
+                                            const Two<typename L::Value>& uv,
+                                            typename L::Value footprint) {
+    return look_up_number<L, 16>(pyramid, uv, footprint,
+                                 [](typename L::Word word)
+                                     CAROM_KERNEL_ATTRIBUTE { return half_value<L>(word); });
+}
+
+/// The value of a texel of the finest level.
+template <class L>
+CAROM_KERNEL Three<typename L::Value> coded_texel(const ImageTables& picture,
+                                                  typename L::Int index) {
+    const auto value = [&](typename L::Word code) CAROM_KERNEL_ATTRIBUTE {
+        return L::gather(picture.values, L::from_word(code));
+    };
+    const auto first_code = L::product(index, picture.is_grey ? 1 : 3);
+    if (picture.is_grey) {
+        const auto word = L::gather_bytes(
+            picture.codes, picture.has_16_bits ? first_code + first_code : first_code);
+        const auto grey = value(word & L::all_word(picture.has_16_bits ? 0xffffu : 0xffu));
+        return {grey, grey, grey};
+    }
+    if (picture.has_16_bits) {
+        const auto words = L::gather_bytes_pair(picture.codes, first_code + first_code);
+        const auto mask = L::all_word(0xffffu);
+        return {value(words.first & mask), value(L::template shifted_right<16>(words.first)),
+                value(words.second & mask)};
+    }
+    const auto word = L::gather_bytes(picture.codes, first_code);
+    const auto mask = L::all_word(0xffu);
+    return {value(word & mask), value(L::template shifted_right<8>(word) & mask),
+            value(L::template shifted_right<16>(word) & mask)};
+}
+
+/// The finest level around `uv`.
+template <class L>
+CAROM_KERNEL Three<typename L::Value> look_up_coded(const ImageTables& picture,
+                                                    const Two<typename L::Value>& uv) {
+    const auto width = L::all_int(picture.width);
+    const auto height = L::all_int(picture.height);
+    const auto one = L::all_int(1);
+    const auto zero = L::all_int(0);
+    const auto x = repeated_part<L>(uv.x) * L::to_value(width) - L::all(0.5f);
+    const auto y = repeated_part<L>(uv.y) * L::to_value(height) - L::all(0.5f);
+    const auto floor_x = L::rounded_down(x);
+    const auto floor_y = L::rounded_down(y);
+    // From -1 to one less than the size.
+    const auto left = L::to_int(floor_x);
+    const auto upper = L::to_int(floor_y);
+    const auto before = [&](typename L::Int i, typename L::Int size) CAROM_KERNEL_ATTRIBUTE {
+        return L::select_int(L::is_less_int(i, zero), size - one, i);
+    };
+    const auto behind = [&](typename L::Int i, typename L::Int size) CAROM_KERNEL_ATTRIBUTE {
+        return L::select_int(L::is_less_int(i + one, size), i + one, zero);
+    };
+    const auto upper_row = before(upper, height) * width;
+    const auto lower_row = behind(upper, height) * width;
+    const auto left_column = before(left, width);
+    const auto right_column = behind(left, width);
+    const TexelPlaceOf<L> place{zero, zero, x - floor_x, y - floor_y};
+    return bilinear<L, Three<typename L::Value>>(coded_texel<L>(picture, upper_row + left_column),
+                                                 coded_texel<L>(picture, upper_row + right_column),
+                                                 coded_texel<L>(picture, lower_row + left_column),
+                                                 coded_texel<L>(picture, lower_row + right_column),
+                                                 place);
+}
+
+/// See ImagePyramid::lookup.
+template <class L>
+CAROM_KERNEL_OUTLINED Three<typename L::Value> look_up_image(const ImageTables& picture,
+                                                             const Two<typename L::Value>& uv,
+                                                             typename L::Value footprint) {
+    const auto from_levels = [&]() CAROM_KERNEL_ATTRIBUTE {
+        if (!picture.is_grey) {
+            return look_up_half_colour<L>(picture.levels, uv, footprint);
+        }
+        const auto grey = look_up_half<L>(picture.levels, uv, footprint);
+        return Three<typename L::Value>{grey, grey, grey};
+    };
+    if (picture.codes == nullptr) {
+        return from_levels();
+    }
+    // The levels begin with the second one, whose longer side counts as half of the finest one's.
+    const auto is_finest = L::is_less(
+        limited<L>(footprint * L::all(picture.levels.longest_side), 0.5f, 1e9f), L::all(1));
+    if (L::none(is_finest)) {
+        return from_levels();
+    }
+    const auto finest = look_up_coded<L>(picture, uv);
+    if (L::none(L::opposite(is_finest))) {
+        return finest;
+    }
+    return select<L>(is_finest, finest, from_levels());
 }

@@ -63,7 +63,7 @@ CAROM_KERNEL Three<typename L::Value> colour_at(const ImageParameters& image,
     const auto x = (cosine * at.x + sine * at.y) * L::all(image.repeats.x) - L::all(image.offset.x);
     const auto y = (cosine * at.y - sine * at.x) * L::all(image.repeats.y) - L::all(image.offset.y);
     const auto most = L::larger(L::size(L::all(image.repeats.x)), L::size(L::all(image.repeats.y)));
-    return look_up_half_colour<L>(image.picture, {x, L::all(1) - y}, footprint * most * scale);
+    return look_up_image<L>(image.picture, {x, L::all(1) - y}, footprint * most * scale);
 }
 
 template <class L>

@@ -82,10 +82,10 @@ TEST_F(FarmWrangling, BadJobs_AreListedAndHideNoOther) {
     put("zzz-1", "{}");
     const std::string needs =
         R"("workers": 1, "processors": 1, "budget_seconds": 9, "dead_after_seconds": 9})";
-    put("yyy-1", R"({"carom_farm_job": 3, "name": "no bake", "film": "/films/lost.mp4", )" + needs);
+    put("yyy-1", R"({"carom_farm_job": 4, "name": "no bake", "film": "/films/lost.mp4", )" + needs);
     fs::create_directories(path("cache/farm/xxx-1"));
     ASSERT_EQ(::mkfifo(path("cache/farm/xxx-1/job.json").c_str(), 0600), 0);
-    put("www-1", R"({"carom_farm_job": 3, "name": "endless", "film": "/films/w.mp4", )" + needs);
+    put("www-1", R"({"carom_farm_job": 4, "name": "endless", "film": "/films/w.mp4", )" + needs);
     ASSERT_EQ(::mkfifo(path("cache/farm/www-1/endless.bake").c_str(), 0600), 0);
     put("a-very-long-name-of-somebody-s-folder-that-fills-the-line", "[1");
 

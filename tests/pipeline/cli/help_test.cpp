@@ -84,9 +84,6 @@ TEST_F(Help, Bash_CompletesOptionsOfTheTypedCommand) {
 TEST_F(Help, Bash_CompletesValuesAndFiles) {
     EXPECT_THAT(bash_offers("carom render --quality "),
                 UnorderedElementsAre("draft", "preview", "final"));
-    EXPECT_THAT(bash_offers("carom render --tier "),
-                UnorderedElementsAre("avx2", "sse4", "ssse3", "scalar"));
-    EXPECT_THAT(bash_offers("carom farm submit --tier a"), ElementsAre("avx2"));
     EXPECT_THAT(bash_offers("carom check --log j"), ElementsAre("json"));
     EXPECT_THAT(bash_offers("carom new s.yaml --template d"), ElementsAre("dominoes"));
     EXPECT_THAT(bash_offers("carom completion z"), ElementsAre("zsh"));

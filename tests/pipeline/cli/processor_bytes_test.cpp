@@ -122,7 +122,9 @@ class ProcessorBytes : public EndToEnd {
     void expect_same_bytes(const std::string& shot, const std::vector<std::string>& settings = {}) {
         write_text(path("shot.yaml"), shot);
         make_film("usual", {}, settings);
-        make_film("other", {{"GLIBC_TUNABLES", "glibc.cpu.hwcaps=-AVX2,-FMA,-AVX,-FMA4"}},
+        make_film("other",
+                  {{"GLIBC_TUNABLES", "glibc.cpu.hwcaps=-AVX2,-FMA,-AVX,-FMA4"},
+                   {"CAROM_SIMD", "scalar"}},
                   settings);
         const auto usual = files_in("usual");
         const auto other = files_in("other");

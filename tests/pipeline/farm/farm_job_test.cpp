@@ -31,7 +31,6 @@ FarmJob make_job(const std::string& folder) {
     job.name = "break";
     job.store = "/store";
     job.frames = "0-9x2";
-    job.tier = "AVX2";
     job.workers = 7;
     job.tasks_at_once = 3;
     job.processors = 2;
@@ -93,11 +92,11 @@ TEST(FarmJob, OtherFolders_AreErrorsThatSayWhy) {
         return std::string();
     };
     EXPECT_THAT(problem(), HasSubstr("is not the folder of a job: it has no job.json"));
-    write_text(folder.path("job.json"), "{\"carom_farm_job\": 1}");
+    write_text(folder.path("job.json"), "{\"carom_farm_job\": 3}");
     EXPECT_THAT(problem(), HasSubstr("was written by another version of carom"));
     write_text(folder.path("job.json"), "[1, 2");
     EXPECT_THAT(problem(), HasSubstr("is no JSON object"));
-    write_text(folder.path("job.json"), "{\"carom_farm_job\": 3, \"workers\": \"many\"}");
+    write_text(folder.path("job.json"), "{\"carom_farm_job\": 4, \"workers\": \"many\"}");
     EXPECT_THAT(problem(), HasSubstr("'workers' is no number: many"));
     write_text(folder.path("job.json"), "{\"carom_farm_job\": 2, \"workers\": [[1]]}");
     EXPECT_THAT(problem(), HasSubstr("'workers' is neither a text nor a number"));

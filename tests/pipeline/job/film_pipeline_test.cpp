@@ -244,6 +244,27 @@ TEST(FilmPipeline, CacheThatIsRemovedMidway_IsFilledAgain) {
     EXPECT_EQ(job.video(), plain.video());
 }
 
+TEST(FilmPipeline, UnusableSamples_AreReportedForTheFirstFrameThatHasSome) {
+    for (const bool no_store : {false, true}) {
+        JobFixture job;
+        const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext&,
+                                          render::FrameSums*) {
+            render::Film film = fake_picture(job.shot, inputs);
+            film.statistics.add_unusable(3, {12, 7});
+            return film;
+        };
+        std::vector<std::string> warnings;
+        job.observer.on_warning = [&](const std::string& text) { warnings.push_back(text); };
+        FilmJobOptions options = job.options();
+        options.no_store = no_store;
+        (void)job.film(render, options);
+        EXPECT_THAT(warnings,
+                    ElementsAre("frame 0: 3 of its samples, the first at pixel (12, 7), were "
+                                "negative or not finite, which is a fault of carom; they count as "
+                                "black"));
+    }
+}
+
 TEST(FilmPipeline, FrameClaimedElsewhere_IsDeferredAndThenRead) {
     JobFixture plain, job;
     (void)plain.film();

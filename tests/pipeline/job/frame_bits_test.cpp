@@ -1,16 +1,16 @@
 // Checks that the pixels of the example films do not depend on how they are computed.
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <string_view>
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
-#include "render/acceleration/vector_tier.h"
 #include "render/frame/frame.h"
 #include "render/frame/progressive_frame.h"
 #include "tests/folders.h"
 #include "tests/pipeline/job/example_frames.h"
+#include "tests/render/every_target.h"
 #include "tests/scratch_folder.h"
 
 namespace carom::pipeline {
@@ -29,33 +29,12 @@ std::vector<std::int64_t> frames_of(const ExampleFilm& film, const std::string& 
                : std::vector<std::int64_t>{film.frame_count() / 2};
 }
 
-/// While an object exists, SIMD vectors are no wider than those of AVX2.
-class NarrowVectors {
-  public:
-    static constexpr std::int64_t kWider = HWY_AVX3 | HWY_AVX3_DL;
-    NarrowVectors() { hwy::DisableTargets(kWider); }
-    ~NarrowVectors() { hwy::DisableTargets(0); }
-    NarrowVectors(const NarrowVectors&) = delete;
-    NarrowVectors& operator=(const NarrowVectors&) = delete;
-};
-
 int differing_pixels(const std::vector<float>& a, const std::vector<float>& b) {
     int count = 0;
     for (std::size_t i = 0; i < a.size(); i += 4) {
         count += std::equal(&a[i], &a[i] + 4, &b[i]) ? 0 : 1;
     }
     return count;
-}
-
-// The key of a frame does not contain the width of the vectors, so the width must not matter.
-void expect_same_bits_in_wider_vectors(const ExampleFilm& film, std::int64_t frame) {
-    if ((hwy::SupportedTargets() & NarrowVectors::kWider) == 0) {
-        return;  // this processor has none
-    }
-    const render::Film wide = film.render(frame);
-    const NarrowVectors narrow_vectors;
-    const render::Film narrow = film.render(frame);
-    EXPECT_EQ(differing_pixels(wide.rgba, narrow.rgba), 0) << "wider vectors, frame " << frame;
 }
 
 // The samples of a pixel do not depend on when they are traced and with which other samples.
@@ -73,43 +52,41 @@ void expect_same_bits_in_rounds(const ExampleFilm& film, std::int64_t frame) {
         << "rounds of 1, 1, 2 and 4 samples, frame " << frame;
 }
 
-TEST_P(ExampleBits, WiderVectorsAndSamplesInRounds_GiveTheSameBits) {
+/// Everything that a frame stores: its pixels, and for the denoiser features and variances.
+void expect_same(const render::Film& a, const render::Film& b, const std::string& what) {
+    EXPECT_EQ(differing_pixels(a.rgba, b.rgba), 0) << what;
+    ASSERT_EQ(a.aovs.size(), b.aovs.size()) << what;
+    for (std::size_t i = 0; i < a.aovs.size(); ++i) {
+        EXPECT_TRUE(a.aovs[i].values == b.aovs[i].values) << what << ", " << a.aovs[i].name;
+    }
+    EXPECT_EQ(a.statistics.camera_rays, b.statistics.camera_rays) << what;
+    EXPECT_EQ(a.statistics.scattered_rays, b.statistics.scattered_rays) << what;
+    EXPECT_EQ(a.statistics.shadow_rays, b.statistics.shadow_rays) << what;
+}
+
+class ExampleInstructions : public ::testing::TestWithParam<std::string> {};
+
+// The key of a frame does not contain the instruction set, so the set must not matter.
+TEST_P(ExampleInstructions, EverySet_GivesTheSameBits) {
+    const ScratchFolder bakes;
+    ExampleFilm film(GetParam(), bakes.path());
+    film.shot.render.for_denoiser = film.shot.render.integrator == render::IntegratorKind::path;
+    const std::int64_t frame = frames_of(film, GetParam()).front();
+    const render::Film best = film.render(frame);
+    EXPECT_NE(best.aovs.empty(), film.shot.render.for_denoiser);
+    int tried = 0;
+    test::for_each_instruction_set([&](const char* name) {
+        expect_same(film.render(frame), best, name);
+        ++tried;
+    });
+    EXPECT_GE(tried, 2);
+}
+
+TEST_P(ExampleBits, SamplesInRounds_GiveTheSameBits) {
     const ScratchFolder bakes;
     const ExampleFilm film(GetParam(), bakes.path());
     for (const std::int64_t frame : frames_of(film, GetParam())) {
-        expect_same_bits_in_wider_vectors(film, frame);
         expect_same_bits_in_rounds(film, frame);
-    }
-}
-
-/// The middle frame with a tier; empty if the machine lacks it.
-std::vector<float> pixels_with(const ExampleFilm& film, std::string_view option) {
-    const std::string_view tier = render::tier_named(option);
-    if (!render::machine_has_tier(tier)) {
-        return {};
-    }
-    const render::TierLimit limit(tier);
-    return film.render(film.frame_count() / 2).rgba;
-}
-
-// The tiers differ only in that AVX2 follows many paths of `path` in step.
-TEST(FrameBits, TiersBelowAvx2_GiveTheSameBits) {
-    const std::string examples = CAROM_SOURCE_DIR "/examples/";
-    for (const char* name : {"jump_shot.yaml", "distributed.yaml"}) {
-        const ScratchFolder bakes;
-        ExampleFilm film(examples + name, bakes.path());
-        film.shot.render.samples = 2;
-        film.shot.render.distributed.pixel_samples = 1;
-        film.shot.render.distributed.blur_samples = 1;
-        film.shot.render.distributed.lens_samples = 1;
-        const std::vector<float> expected = pixels_with(film, "scalar");
-        for (const std::string_view option : {"ssse3", "sse4", "avx2"}) {
-            const std::vector<float> pixels = pixels_with(film, option);
-            const bool is_in_step = option == "avx2" && std::string(name) == "jump_shot.yaml";
-            if (!pixels.empty() && !is_in_step) {
-                EXPECT_EQ(differing_pixels(pixels, expected), 0) << name << ", " << option;
-            }
-        }
     }
 }
 
@@ -118,7 +95,19 @@ std::string name_of(const ::testing::TestParamInfo<std::string>& tested) {
     return path.parent_path().filename().string() + "_" + path.stem().string();
 }
 
+/// Three examples; all of them if CAROM_ALL_EXAMPLES is set, since frames take several times longer
+/// without vectors.
+std::vector<std::string> examples_for_all_sets() {
+    const std::string folder = CAROM_SOURCE_DIR "/examples/";
+    return std::getenv("CAROM_ALL_EXAMPLES") != nullptr
+               ? carom::testing::example_files()
+               : std::vector<std::string>{folder + "nine_ball_break.yaml",
+                                          folder + "distributed.yaml", folder + "park.yaml"};
+}
+
 INSTANTIATE_TEST_SUITE_P(All, ExampleBits, ::testing::ValuesIn(carom::testing::example_files()),
+                         name_of);
+INSTANTIATE_TEST_SUITE_P(All, ExampleInstructions, ::testing::ValuesIn(examples_for_all_sets()),
                          name_of);
 
 }  // namespace

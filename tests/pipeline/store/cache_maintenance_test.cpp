@@ -10,6 +10,7 @@
 #include "pipeline/store/claim_note.h"
 #include "pipeline/store/frame_checksum.h"
 #include "pipeline/store/frame_store.h"
+#include "pipeline/store/own_key.h"
 #include "pipeline/store/pins.h"
 #include "sim/timeline/bake_file.h"
 #include "tests/scratch_folder.h"
@@ -37,7 +38,10 @@ struct Cache {
 
     std::string add_frame(std::uint64_t number, int age, std::size_t bytes = 1000,
                           const char* extension = ".exr") const {
-        const Hash128 key{number, 7};
+        return add_file({number, 7}, age, bytes, extension);
+    }
+    std::string add_file(const Hash128& key, int age, std::size_t bytes,
+                         const char* extension) const {
         const std::string name = key.to_string();
         const std::string parent = path() + "/frames/" + name.substr(0, 2);
         fs::create_directories(parent);
@@ -109,6 +113,24 @@ TEST(PruneCache, Limit_RemovesNoisyFramesFirst) {
     EXPECT_TRUE(fs::exists(old) && !fs::exists(young_noisy)) << "also one of a running job";
     options.limit = 0;
     EXPECT_EQ(prune_cache(cache.path(), options).kept, 0U);
+}
+
+TEST(PruneCache, Limit_RemovesFramesOfOtherVersionsBeforeAllOthers) {
+    const Cache cache;
+    const auto add = [&](Hash128 key, int age, const char* extension = ".exr") {
+        return cache.add_file(key, age, 1000, extension);
+    };
+    const std::string noisy = add(own_key({1, 1}), 9, kNoisyExtension);
+    const std::string old = add(own_key({2, 1}), 8);
+    const std::string of_other_version = add({3, 1}, 2);
+    const std::string sums_of_other_version = add({4, 1}, 1, ".sums");
+    PruneOptions options;
+    for (const std::string& next : {of_other_version, sums_of_other_version, noisy, old}) {
+        EXPECT_TRUE(fs::exists(next));
+        options.limit = prune_cache(cache.path(), {}).kept_bytes - 1;
+        EXPECT_EQ(prune_cache(cache.path(), options).removed, 1U);
+        EXPECT_FALSE(fs::exists(next));
+    }
 }
 
 TEST(PruneCache, OnlyNoisyFrames_KeepsEverythingElse) {

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "core/error.h"
+#include "pipeline/store/own_key.h"
 #include "render/frame/frame_fields.h"
 #include "render/scene/render_settings_fields.h"
 #include "tests/core/field_changes.h"
@@ -183,6 +184,7 @@ TEST(FrameKey, DenoisedPicture_HasAnotherKeyForEveryFrameAndStrength) {
                                  denoised_key(denoised_key(one, 1), 1)};
     EXPECT_EQ(keys.size(), 6U);
     EXPECT_EQ(denoised_key(one, 1), denoised_key(one, 1));
+    EXPECT_TRUE(is_own_key(one) && is_own_key(denoised_key(one, 1)));
 }
 
 TEST(FrameKey, EveryVisibleChange_ChangesIt) {

@@ -17,17 +17,24 @@ using carom::testing::make_key;
 using carom::testing::ScratchFolder;
 
 constexpr std::size_t kPixels = 20000;  // more than one piece of the file
+constexpr std::size_t kTiles = 100;
 
 render::FrameSums make_sums() {
     render::FrameSums sums;
-    sums.data().pixels.resize(kPixels);
-    for (std::size_t i = 0; i < kPixels; ++i) {
-        render::PixelSums& pixel = sums.data().pixels[i];
-        pixel.radiance = {static_cast<double>(i), 0.5, 1e300};
-        pixel.samples = static_cast<int>(i % 7);
-        if (i % 5 == 0) {
-            pixel.objects = {{3, 2}, {static_cast<std::uint32_t>(i), 1}};
+    render::FrameSums::Data& data = sums.data();
+    data.pixels = kPixels;
+    render::SumsKind kind;
+    kind.objects = true;
+    for (std::size_t n = 0; n < kTiles; ++n) {
+        render::TileSums& tile = data.tiles.emplace_back(kPixels / kTiles, kind);
+        for (std::size_t i = 0; i < tile.size(); ++i) {
+            render::RadianceSample sample;
+            sample.radiance = {static_cast<float>(n), 0.5F, 1e30F};
+            sample.object = static_cast<std::uint32_t>(i);
+            tile.add(i, sample);
+            data.statistics.camera_rays += 1;
         }
+        data.seconds.push_back(1);
     }
     sums.data().statistics.shadow_rays = 77;
     return sums;
@@ -48,8 +55,9 @@ TEST_F(SumsFile, WrittenSums_AreReadBackUntilTheyAreRemoved) {
     EXPECT_EQ(stored_samples(store, key), make_sums().samples());
     EXPECT_EQ(stored_samples(store, make_key(2)), 0U);
     EXPECT_EQ(sums.data().statistics.shadow_rays, 77U);
-    EXPECT_EQ(sums.data().pixels[19995].radiance, Vec3(19995, 0.5, 1e300));
-    EXPECT_EQ(sums.data().pixels[19995].objects[1].object, 19995U);
+    const render::TileSums& tile = sums.data().tiles.at(95);
+    EXPECT_EQ(tile.mean(7), render::V3f(95, 0.5F, 1e30F));
+    EXPECT_EQ(tile.means(7).objects[0].object, 7U);
     EXPECT_TRUE(std::filesystem::is_empty(folder.path("frames") + "/partial"));
     remove_sums(store, key);
     EXPECT_EQ(read_sums(store, key, kPixels).samples(), 0U);

@@ -1,35 +1,17 @@
 #include "render/acceleration/analytic_kernels.h"
 
-#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <hwy/highway.h>
 
 #include "render/acceleration/hybrid_structure.h"
-#include "render/acceleration/vector_tier.h"
 #include "render/geometry/intersect.h"
 #include "tests/render/acceleration/owned_batch.h"
 #include "tests/render/acceleration/random_shapes.h"
+#include "tests/render/every_target.h"
 
 namespace carom::render {
 namespace {
-
-/// best_kernels() selects the kernels at every call; here it selects a lower target than the
-/// processor has.
-class OtherTier {
-  public:
-    explicit OtherTier(std::int64_t target) { choose(target); }
-    ~OtherTier() { choose(0); }
-    OtherTier(const OtherTier&) = delete;
-    OtherTier& operator=(const OtherTier&) = delete;
-
-  private:
-    static void choose(std::int64_t target) {
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    }
-};
 
 /// The nearest hits of rays alone, under a tree and in a batch, and whether each ray hits anything.
 struct Answers {
@@ -55,7 +37,7 @@ bool is_same(const Hit& a, const Hit& b) {
            a.v == b.v;
 }
 
-TEST(AnalyticKernels, EveryTier_GivesTheSameBits) {
+TEST(AnalyticKernels, EveryInstructionSet_GivesTheSameBits) {
     test::TestRandom random(1);
     test::RandomScene scene;
     scene.add_static(random, 9);
@@ -66,25 +48,18 @@ TEST(AnalyticKernels, EveryTier_GivesTheSameBits) {
         rays.push_back(test::random_ray_toward(random, 3, 2));
     }
     const Answers best(scene.shapes, rays);
-    // The lowest target is called SCALAR by g++ and EMU128 by clang.
-    for (const std::int64_t target : {HWY_AVX2, HWY_SSE4, HWY_SSSE3, HWY_SCALAR, HWY_EMU128}) {
-        if ((HWY_TARGETS & target) == 0 || !machine_has_tier(hwy::TargetName(target))) {
-            continue;
-        }
-        const OtherTier tier(target);
-        EXPECT_EQ(simd_tier(), std::string_view(hwy::TargetName(target)));
+    test::for_each_instruction_set([&](const char* name) {
         const Answers other(scene.shapes, rays);
         int hits = 0;
         for (std::size_t i = 0; i < rays.size(); ++i) {
             hits += best.alone[i].object != kNoObject ? 1 : 0;
-            ASSERT_TRUE(is_same(best.alone[i], other.alone[i])) << simd_tier() << ", ray " << i;
-            ASSERT_TRUE(is_same(best.alone[i], other.in_tree[i])) << simd_tier() << ", ray " << i;
-            ASSERT_TRUE(is_same(best.alone[i], other.in_batch[i])) << simd_tier() << ", ray " << i;
-            ASSERT_EQ(best.any[i], other.any[i]) << simd_tier() << ", ray " << i;
+            ASSERT_TRUE(is_same(best.alone[i], other.alone[i])) << name << ", ray " << i;
+            ASSERT_TRUE(is_same(best.alone[i], other.in_tree[i])) << name << ", ray " << i;
+            ASSERT_TRUE(is_same(best.alone[i], other.in_batch[i])) << name << ", ray " << i;
+            ASSERT_EQ(best.any[i], other.any[i]) << name << ", ray " << i;
         }
         EXPECT_GT(hits, 10'000);
-    }
-    EXPECT_EQ(simd_tier(), best_kernels().tier);
+    });
 }
 
 /// Every ray must hit the shapes of a kind at the distance that a single ray's test finds.
@@ -128,10 +103,6 @@ TEST(AnalyticKernels, Lanes_GiveTheBitsOfSingleRays) {
         (compare_with_single_rays<Shapes>(scene.shapes.blocks, rays), ...);
     };
     compare_all(UnitShapes());
-}
-
-TEST(AnalyticKernels, NoTierAboveAvx2) {
-    EXPECT_EQ(simd_tier().find("AVX3"), std::string::npos);
 }
 
 TEST(Candidate, Offer_TakesNearerThenLower) {

@@ -91,61 +91,6 @@ TEST(Structures, MovingShapes_SameHits) {
     expect_same_hits(scene, 100'000, 4);
 }
 
-/// The number of rays that get another answer in a packet than alone.
-int differing_in_packets(const AccelerationStructure& structure, std::uint64_t seed) {
-    TestRandom random(seed);
-    int differing = 0;
-    for (int i = 0; i < 20'000; ++i) {
-        ShadowRayPacket packet;
-        const Ray first = test::random_ray_toward(random, 3, 2);
-        packet.origin = first.origin;
-        packet.time = first.time;
-        const int count = 1 + i % ShadowRayPacket::kMost;
-        for (int k = 0; k < count; ++k) {
-            const Ray aimed = test::random_ray_toward(random, 3, 2);
-            packet.add(k == 0 ? first.direction : aimed.direction,
-                       k % 3 == 0 ? kInfinity : random.between(0.1f, 4));
-        }
-        const PacketMask hits = structure.any_hits(packet);
-        EXPECT_EQ(hits >> count, 0u);
-        for (int k = 0; k < count; ++k) {
-            differing += structure.any_hit(packet.ray(k)) == ((hits >> k & 1u) != 0) ? 0 : 1;
-        }
-    }
-    return differing;
-}
-
-TEST(Structures, Packets_AreAnsweredAsTheirRays) {
-    TestRandom random(11);
-    RandomScene scene;
-    scene.add_moving(random, 6);
-    scene.add_static(random, 3);
-    EXPECT_EQ(differing_in_packets(Structures(scene).hybrid, 12), 0);
-    EXPECT_EQ(differing_in_packets(HybridStructure(scene.shapes, 0), 12), 0);  // under a tree
-    EXPECT_EQ(differing_in_packets(Structures(scene).embree, 12), 0);
-    scene.add_static_meshes(random, 2);
-    EXPECT_EQ(differing_in_packets(Structures(scene).hybrid, 13), 0);
-}
-
-TEST(Structures, PacketsWithBadRays_HitNothing) {
-    TestRandom random(14);
-    RandomScene scene;
-    scene.add_static(random, 9);
-    scene.add_static_meshes(random, 2);
-    const Structures structures(scene);
-    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-    ShadowRayPacket packet;
-    packet.time = 3;  // clamped to 1
-    packet.add(V3f(kNan, 0, 1), 5);
-    packet.add(V3f(0, 0, 0), 5);
-    packet.add(V3f(0, 0, 1), -1);
-    EXPECT_EQ(structures.hybrid.any_hits(packet), 0u);
-    packet.origin = V3f(kInfinity, 0, 0);
-    packet.add(V3f(0, 0, 1), 5);
-    EXPECT_EQ(structures.hybrid.any_hits(packet), 0u);
-    EXPECT_EQ(structures.hybrid.any_hits(ShadowRayPacket{}), 0u);
-}
-
 /// The number of rays that get another answer in a batch than alone.
 int differing_in_batches(const AccelerationStructure& structure, int count, std::uint64_t seed) {
     TestRandom random(seed);

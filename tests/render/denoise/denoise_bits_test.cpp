@@ -1,10 +1,10 @@
 // A denoised pixel depends on the picture around it and on nothing else.
 #include <gtest/gtest.h>
-#include <hwy/highway.h>
 
 #include "render/denoise/denoise.h"
 #include "render/threads/thread_arena.h"
 #include "tests/render/denoise/noisy_picture.h"
+#include "tests/render/every_target.h"
 
 namespace carom::render {
 namespace {
@@ -15,38 +15,16 @@ using test::NoisyPicture;
 // comparison of errors.
 constexpr int kReach = 19;
 
-/// The denoiser chooses its kernels anew for every picture; here it chooses a lower target than the
-/// processor has.
-class OtherTier {
-  public:
-    explicit OtherTier(std::int64_t target) { choose(target); }
-    ~OtherTier() { choose(0); }
-    OtherTier(const OtherTier&) = delete;
-    OtherTier& operator=(const OtherTier&) = delete;
-
-  private:
-    static void choose(std::int64_t target) {
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    }
-};
-
 TEST(DenoiseBits, EveryInstructionSet_GivesTheSame) {
     const NoisyPicture picture = test::discs(150, 70, 1);
     const DenoisedPicture best = denoise(picture.input());
-    const std::int64_t known = hwy::SupportedTargets();
     int tried = 0;
-    for (const std::int64_t target : {HWY_AVX3, HWY_AVX2, HWY_SSE4, HWY_SCALAR, HWY_EMU128}) {
-        const bool runs = target == HWY_SCALAR || target == HWY_EMU128 || (known & target) != 0;
-        if ((HWY_TARGETS & target) == 0 || !runs) {
-            continue;
-        }
-        const OtherTier tier(target);
+    carom::test::for_each_instruction_set([&](const char* name) {
         const DenoisedPicture other = denoise(picture.input());
-        EXPECT_EQ(best.rgb, other.rgb) << hwy::TargetName(target);
-        EXPECT_EQ(best.error, other.error) << hwy::TargetName(target);
+        EXPECT_EQ(best.rgb, other.rgb) << name;
+        EXPECT_EQ(best.error, other.error) << name;
         ++tried;
-    }
+    });
     EXPECT_GE(tried, 2);
 }
 

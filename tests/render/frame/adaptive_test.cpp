@@ -199,35 +199,29 @@ struct Spots {
     }
 };
 
-double mean_red(const Film& film) {
-    double sum = 0;
-    for (std::size_t i = 0; i < film.rgba.size(); i += 4) {
-        sum += static_cast<double>(film.rgba[i]);
-    }
-    return 4 * sum / static_cast<double>(film.rgba.size());
-}
-
 TEST(AdaptiveSampling, MeanIsThatOfManySamples) {
     Spots scene;
     RenderSettings settings = plan_settings(32, 24, 0.03);
     const PreparedScene prepared(scene.builder.scene, settings);
-    std::vector<double> means;
+    std::vector<Vec3> means;
     for (int seed = 1; seed <= 48; ++seed) {
         scene.frame.seed = static_cast<std::uint64_t>(seed);
-        means.push_back(mean_red(render_frame(prepared, {}, scene.frame, settings)));
+        means.push_back(test::mean_colour(render_frame(prepared, {}, scene.frame, settings)));
     }
     const double n = static_cast<double>(means.size());
-    const double mean = std::accumulate(means.begin(), means.end(), 0.0) / n;
-    double squares = 0;
-    for (const double m : means) {
+    const Vec3 mean = std::accumulate(means.begin(), means.end(), Vec3(0, 0, 0)) / n;
+    Vec3 squares(0, 0, 0);
+    for (const Vec3& m : means) {
         squares += (m - mean) * (m - mean);
     }
-    const double error = std::sqrt(squares / (n * (n - 1)));
     settings.noise = 0;
     settings.samples = 4096;
-    const double truth = mean_red(render_frame(prepared, {}, scene.frame, settings));
-    EXPECT_NEAR(mean, truth, 4 * error + 1e-4 * truth);
-    EXPECT_LT(error, 2e-3 * truth);
+    const Vec3 truth = test::mean_colour(render_frame(prepared, {}, scene.frame, settings));
+    for (int c = 0; c < 3; ++c) {
+        const double error = std::sqrt(squares[c] / (n * (n - 1)));
+        EXPECT_NEAR(mean[c], truth[c], 4 * error + 1e-4 * truth[c]) << c;
+        EXPECT_LT(error, 2e-3 * truth[c]) << c;
+    }
 }
 
 /// sqrt(mean of (x - r)^2 / (r^2 + 0.01)).

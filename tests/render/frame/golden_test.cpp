@@ -1,6 +1,6 @@
-// Noisy pictures against stored means and variances: a Z-test for each pixel, and a chi-square test
-// over all of them (Subr and Arvo 2007, "Statistical hypothesis testing for assessing Monte Carlo
-// estimators").
+// Noisy pictures against stored means and variances: a Z-test for each pixel and channel, and a
+// chi-square test over all pixels of a channel (Subr and Arvo 2007, "Statistical hypothesis testing
+// for assessing Monte Carlo estimators").
 //
 // CAROM_WRITE_GOLDEN=1 writes new references, which only a change that is meant to change pictures
 // may do.
@@ -27,7 +27,7 @@ constexpr std::uint64_t kReferenceSeed = 1'000'000;  // far from the seeds of th
 
 const fs::path kFolder = fs::path(CAROM_SOURCE_DIR) / "tests/render/golden";
 
-/// Luminance of every pixel: mean over runs, and the variance of one run.
+/// Red, green and blue of every pixel: mean over runs, and the variance of one run.
 struct Picture {
     std::vector<double> mean, variance;
 };
@@ -40,16 +40,12 @@ Picture picture_of(const test::GoldenScene& golden, int runs, std::uint64_t firs
         FrameInput frame = golden.frame;
         frame.seed = first_seed + static_cast<std::uint64_t>(run);
         const Film film = render_frame(prepared, golden.tracks, frame, golden.settings);
-        const std::size_t pixels = film.rgba.size() / 4;
-        sum.resize(pixels);
-        squares.resize(pixels);
-        for (std::size_t i = 0; i < pixels; ++i) {
-            const float* c = &film.rgba[4 * i];
-            const double y = 0.2126 * static_cast<double>(c[0]) +
-                             0.7152 * static_cast<double>(c[1]) +
-                             0.0722 * static_cast<double>(c[2]);
-            sum[i] += y;
-            squares[i] += y * y;
+        sum.resize(film.rgba.size() / 4 * 3);
+        squares.resize(sum.size());
+        for (std::size_t i = 0; i < sum.size(); ++i) {
+            const auto value = static_cast<double>(film.rgba[i / 3 * 4 + i % 3]);
+            sum[i] += value;
+            squares[i] += value * value;
         }
     }
     Picture picture;
@@ -62,11 +58,12 @@ Picture picture_of(const test::GoldenScene& golden, int runs, std::uint64_t firs
     return picture;
 }
 
+/// A line per pixel: mean and variance of each channel.
 void write(const Picture& picture, const fs::path& path) {
     std::ofstream file(path);
     file.precision(7);
     for (std::size_t i = 0; i < picture.mean.size(); ++i) {
-        file << picture.mean[i] << ' ' << picture.variance[i] << '\n';
+        file << picture.mean[i] << ' ' << picture.variance[i] << (i % 3 == 2 ? '\n' : ' ');
     }
 }
 
@@ -88,9 +85,11 @@ void save(const test::GoldenScene& golden, const std::string& what,
     Film film;
     film.width = golden.settings.width;
     film.height = golden.settings.height;
-    for (const double value : values) {
-        const auto v = static_cast<float>(value);
-        film.rgba.insert(film.rgba.end(), {v, v, v, 1});
+    for (std::size_t i = 0; i < values.size(); i += 3) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            film.rgba.push_back(static_cast<float>(values[i + c]));
+        }
+        film.rgba.push_back(1);
     }
     const fs::path folder = fs::path(CAROM_BINARY_DIR) / "golden";
     fs::create_directories(folder);
@@ -108,7 +107,7 @@ TEST_P(GoldenPicture, Pixels_HaveTheStoredMeans) {
     const Picture reference = read(path);
     const Picture found = picture_of(golden, kRuns, 1);
     ASSERT_EQ(reference.mean.size(), found.mean.size()) << path;
-    double sum = 0;
+    double sums[3] = {0, 0, 0};
     std::vector<double> z_values;
     for (std::size_t i = 0; i < found.mean.size(); ++i) {
         const double difference = found.mean[i] - reference.mean[i];
@@ -118,12 +117,14 @@ TEST_P(GoldenPicture, Pixels_HaveTheStoredMeans) {
         const double rounding = 2e-6 * (1 + std::abs(reference.mean[i]));
         const double z = difference / std::sqrt(variance + rounding * rounding);
         z_values.push_back(z);
-        sum += z * z;
+        sums[i % 3] += z * z;
     }
-    const auto pixels = static_cast<double>(z_values.size());
-    const double p = test::chi_square_tail(sum, pixels);
-    EXPECT_GT(p, 1e-4) << golden.name << ": mean square of z " << sum / pixels << " over "
-                       << z_values.size() << " pixels";
+    const auto pixels = static_cast<double>(z_values.size() / 3);
+    for (const double sum : sums) {
+        EXPECT_GT(test::chi_square_tail(sum, pixels), 1e-4)
+            << golden.name << ": mean square of z " << sum / pixels << " over " << pixels
+            << " pixels";
+    }
     for (const double z : z_values) {
         EXPECT_LT(std::abs(z), 5) << golden.name;
     }

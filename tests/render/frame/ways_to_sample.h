@@ -64,6 +64,11 @@ inline void expect_same(const Film& film, const Film& expected) {
         EXPECT_EQ(film.aovs[i].name, expected.aovs[i].name);
         EXPECT_EQ(film.aovs[i].values, expected.aovs[i].values) << film.aovs[i].name;
     }
+    ASSERT_EQ(film.half_aovs.size(), expected.half_aovs.size());
+    for (std::size_t i = 0; i < film.half_aovs.size(); ++i) {
+        EXPECT_EQ(film.half_aovs[i].name, expected.half_aovs[i].name);
+        EXPECT_EQ(film.half_aovs[i].bits, expected.half_aovs[i].bits) << film.half_aovs[i].name;
+    }
     EXPECT_EQ(film.notes, expected.notes);
     EXPECT_EQ(film.statistics.camera_rays, expected.statistics.camera_rays);
     EXPECT_EQ(film.statistics.scattered_rays, expected.statistics.scattered_rays);

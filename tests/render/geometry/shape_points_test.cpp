@@ -111,7 +111,7 @@ TEST(ShapePoints, EveryInstructionSet_SameBitsAsOneAtATime) {
             for (int lane = 0; lane < test::LaneHits::kMost; ++lane) {
                 set_random_hit(hits, lane, random);
             }
-            test::for_each_instruction_set([&] {
+            test::for_each_instruction_set([&](const char*) {
                 HWY_DYNAMIC_DISPATCH(find_points)(hits);
                 for (int lane = 0; lane < hits.lanes; ++lane) {
                     scalar::points_of_hits<scalar::One>(

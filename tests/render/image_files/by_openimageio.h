@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagecache.h>
@@ -12,6 +13,16 @@
 
 namespace carom::render {
 
+/// All values as numbers.
+inline std::vector<float> values_of(const RawPicture& picture) {
+    std::vector<float> values(
+        std::visit([](const auto& stored) { return stored.size(); }, picture.values));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = picture.value(i);
+    }
+    return values;
+}
+
 inline RawPicture by_openimageio(const std::string& path) {
     OIIO::ImageSpec wanted;
     wanted.attribute("oiio:UnassociatedAlpha", 1);
@@ -19,9 +30,9 @@ inline RawPicture by_openimageio(const std::string& path) {
     EXPECT_TRUE(buffer.read(0, 0, true, OIIO::TypeDesc::FLOAT)) << buffer.geterror();
     const OIIO::ImageSpec& spec = buffer.spec();
     RawPicture picture{spec.width, spec.height, spec.nchannels, false, {}};
-    picture.values.resize(static_cast<std::size_t>(spec.width) * spec.height * spec.nchannels);
-    EXPECT_TRUE(
-        buffer.get_pixels(OIIO::get_roi(spec), OIIO::TypeDesc::FLOAT, picture.values.data()));
+    std::vector<float> values(picture.value_count());
+    EXPECT_TRUE(buffer.get_pixels(OIIO::get_roi(spec), OIIO::TypeDesc::FLOAT, values.data()));
+    picture.values = std::move(values);
     return picture;
 }
 

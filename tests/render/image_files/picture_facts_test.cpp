@@ -64,10 +64,11 @@ std::string letters_of(const RawPicture& picture) {
     std::string text;
     for (const int y : {picture.height / 4, picture.height * 3 / 4}) {
         for (const int x : {picture.width / 4, picture.width * 3 / 4}) {
-            const float* pixel =
-                &picture.values[static_cast<std::size_t>((y * picture.width + x) * 3)];
-            const bool is_red = pixel[0] > pixel[1];
-            const bool is_bright = std::max(pixel[0], pixel[1]) > 0.75f;
+            const auto place = static_cast<std::size_t>((y * picture.width + x) * 3);
+            const float red = picture.value(place);
+            const float green = picture.value(place + 1);
+            const bool is_red = red > green;
+            const bool is_bright = std::max(red, green) > 0.75f;
             text += is_red ? (is_bright ? 'R' : 'r') : (is_bright ? 'G' : 'g');
         }
     }
@@ -226,7 +227,7 @@ RawPicture radiance(const std::string& text) {
 TEST(RadianceFacts, ExposureAndColourCorrection_AreDividedOut) {
     const std::string one_pixel = "\n-Y 1 +X 1\n" + radiance_pixels({1, 1, 1});
     const auto values = [&](const std::string& lines) {
-        return radiance(kRadiance + lines + one_pixel).values;
+        return values_of(radiance(kRadiance + lines + one_pixel));
     };
     EXPECT_THAT(values(""), ElementsAre(1, 1, 1));
     EXPECT_THAT(values("EXPOSURE=2\n"), ElementsAre(0.5f, 0.5f, 0.5f));
@@ -242,13 +243,12 @@ TEST(RadianceFacts, ExposureAndColourCorrection_AreDividedOut) {
 
 TEST(RadianceFacts, RowsWithoutCompression_AndThoseOfTheOldKind_AreRead) {
     const std::string pixel = "\x80\x40\x20\x81";  // 1, 0.5, 0.25
-    EXPECT_THAT(radiance(kRadiance + "\n-Y 2 +X 1\n" + pixel + pixel).values,
+    EXPECT_THAT(values_of(radiance(kRadiance + "\n-Y 2 +X 1\n" + pixel + pixel)),
                 ElementsAre(1, 0.5f, 0.25f, 1, 0.5f, 0.25f));
     // One pixel, and 2 + 256 more.
     const std::string run = pixel + "\x01\x01\x01\x02" + "\x01\x01\x01\x01";
-    const RawPicture picture = radiance(kRadiance + "\n-Y 1 +X 259\n" + run);
-    EXPECT_THAT(std::vector(picture.values.end() - 3, picture.values.end()),
-                ElementsAre(1, 0.5f, 0.25f));
+    const std::vector<float> values = values_of(radiance(kRadiance + "\n-Y 1 +X 259\n" + run));
+    EXPECT_THAT(std::vector(values.end() - 3, values.end()), ElementsAre(1, 0.5f, 0.25f));
     for (const std::string& wrong :
          {pixel, pixel + "\x01\x01\x01\x05", std::string("\1\1\1\2", 4)}) {
         EXPECT_THAT([&] { static_cast<void>(radiance(kRadiance + "\n-Y 1 +X 3\n" + wrong)); },
@@ -309,8 +309,8 @@ TEST_F(PictureFacts, DisplayWindowOfExr_IsWhatIsShown) {
         EXPECT_EQ(read_picture_size(path("a.exr")).height, picture.height);
         EXPECT_EQ(picture.channels, 3);
         std::vector<float> values;
-        for (std::size_t i = 0; i < picture.values.size(); i += 3) {
-            values.push_back(picture.values[i]);
+        for (std::size_t i = 0; i < picture.value_count(); i += 3) {
+            values.push_back(picture.value(i));
         }
         return values;
     };
@@ -332,7 +332,7 @@ TEST_F(PictureFacts, DisplayWindowOfExr_IsWhatIsShown) {
 TEST_F(PictureFacts, OutsideOfTheDataOfExr_IsTransparent) {
     const OIIO::ImageSpec spec = windows({"R", "G", "B", "A"}, {0, 0, 0, 0}, {0, 0, 1, 0});
     write("a.exr", spec, {1, 1, 1, 1});
-    EXPECT_THAT(read_picture(path("a.exr")).values, ElementsAre(1, 1, 1, 1, 0, 0, 0, 0));
+    EXPECT_THAT(values_of(read_picture(path("a.exr"))), ElementsAre(1, 1, 1, 1, 0, 0, 0, 0));
 }
 
 /// A colour profile whose only curve has this tag.
@@ -505,7 +505,7 @@ TEST_F(PictureFacts, ChannelsThatAreNoColours_AreNamed) {
                     "it has the channels R, G instead of grey, or of red, green and blue")));
     const OIIO::ImageSpec depth = windows({"Z"}, {0, 0, 0, 0}, {0, 0, 0, 0});
     write("a.exr", depth, {7});
-    EXPECT_THAT(read_picture(path("a.exr")).values, ElementsAre(7));
+    EXPECT_THAT(values_of(read_picture(path("a.exr"))), ElementsAre(7));
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ TEST_F(ReadPicture, OtherFormats_AreReadByOpenImageIO) {
         EXPECT_EQ(picture.height, 16) << name;
         EXPECT_EQ(picture.channels, 3) << name;
         EXPECT_EQ(picture.is_floating_point, is_float) << name;
-        EXPECT_NEAR(picture.values[100], 0.5f, 0.01f) << name;
+        EXPECT_NEAR(picture.value(100), 0.5f, 0.01f) << name;
     }
 }
 

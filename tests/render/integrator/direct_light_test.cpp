@@ -1,5 +1,3 @@
-#include "render/integrator/direct_light.h"
-
 #include <cmath>
 #include <string>
 #include <vector>
@@ -7,6 +5,7 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include "render/integrator/scalar_kernels.h"
 #include "tests/render/integrator/integrator_scene.h"
 #include "tests/scratch_folder.h"
 
@@ -147,6 +146,9 @@ TEST(DirectLight, DimSkyBesideABrightLamp_EveryStrategyHasTheSameMean) {
 }
 
 TEST(PowerHeuristic, BothWeights_AddUpToOne) {
+    const auto power_heuristic = [](float pdf, float other) {
+        return scalar::power_heuristic<scalar::One>(pdf, other);
+    };
     EXPECT_FLOAT_EQ(power_heuristic(2, 3) + power_heuristic(3, 2), 1);
     EXPECT_EQ(power_heuristic(1, 0), 1);
     EXPECT_LT(power_heuristic(1e-20f, 1e20f), 1e-6f);

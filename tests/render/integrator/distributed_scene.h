@@ -43,12 +43,16 @@ class DistributedScene {
         const auto& data = prepared_.data();
         const render::DistributedIntegrator integrator(
             {frame_, data.materials, data.lights, data.object_count}, settings);
-        render::Ray ray;
-        ray.origin = render::V3f(origin);
-        ray.direction = render::V3f(direction.normalized());
+        render::CameraBatch batch;
+        batch.add(render::SampleStream(1, 0, 0, sample), {});
+        const Vec3 towards = direction.normalized();
+        for (int axis = 0; axis < 3; ++axis) {
+            batch.origin[axis][0] = static_cast<float>(origin[axis]);
+            batch.direction[axis][0] = static_cast<float>(towards[axis]);
+        }
         Traced result;
-        result.sample =
-            integrator.sample(ray, 0.001f, render::SampleStream(1, 0, 0, sample), {}, result.count);
+        integrator.samples(render::CameraRun::all(batch), 0.001f, &result.sample,
+                           integrator.make_workspace().get(), result.count);
         return result;
     }
 

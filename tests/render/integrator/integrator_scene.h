@@ -36,6 +36,39 @@ struct Motion {
     double shutter = 0;  // s
 };
 
+/// The samples of a picture.
+struct PictureSamples {
+    int width = 0, height = 0, samples = 0;  // per pixel
+    std::uint64_t seed = 0;
+};
+
+/// Traces all samples and calls `visit` with the index and the result of each.
+template <class Visit>
+void for_each_sample(const render::Integrator& integrator, const render::ThinLensCamera& lens,
+                     const PictureSamples& picture, render::Integrator::Workspace* workspace,
+                     const Visit& visit) {
+    const int count = picture.width * picture.height * picture.samples;
+    render::RenderStatistics rays;
+    std::vector<render::RadianceSample> results(render::CameraBatch::kMost);
+    for (int i = 0; i < count;) {
+        render::CameraBatch batch;
+        for (; i < count && batch.count < render::CameraBatch::kMost; ++i) {
+            const int x = i % picture.width;
+            const int y = i / picture.width % picture.height;
+            const int sample = i / (picture.width * picture.height);
+            batch.add({picture.seed, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
+                       static_cast<std::uint32_t>(sample)},
+                      {x, y, sample});
+        }
+        render::make_rays(lens, {}, batch);
+        const auto run = render::CameraRun::all(batch);
+        integrator.samples(run, lens.frame_at(0).pixel_size, results.data(), workspace, rays);
+        for (int k = 0; k < run.count; ++k) {
+            visit(run.index(k), results[static_cast<std::size_t>(k)]);
+        }
+    }
+}
+
 /// Mean luminance of a picture over `runs` runs with different seeds, with `samples` per pixel
 /// each.
 inline Estimate picture_luminance(const render::SceneDescription& scene,
@@ -51,21 +84,14 @@ inline Estimate picture_luminance(const render::SceneDescription& scene,
                                             path);
     const render::ThinLensCamera lens(camera, camera, 16, 16, 0, render::PixelFilter::box, 1);
     std::vector<double> means;
+    const auto workspace = integrator.make_workspace();
     for (int run = 0; run < runs; ++run) {
         double sum = 0;
-        render::RenderStatistics count;
-        for (int i = 0; i < 16 * 16 * samples; ++i) {
-            const int x = i % 16;
-            const int y = i / 16 % 16;
-            const int sample = i / 256;
-            const render::SampleStream stream(
-                static_cast<std::uint64_t>(run), static_cast<std::uint32_t>(x),
-                static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(sample));
-            const auto result =
-                integrator.sample(lens.ray(x, y, stream.camera_sample()),
-                                  lens.frame_at(0).pixel_size, stream, {x, y, sample}, count);
-            sum += static_cast<double>(carom::luminance(result.radiance));
-        }
+        for_each_sample(integrator, lens, {16, 16, samples, static_cast<std::uint64_t>(run)},
+                        workspace.get(),
+                        [&](const render::SampleIndex&, const render::RadianceSample& result) {
+                            sum += static_cast<double>(carom::luminance(result.radiance));
+                        });
         means.push_back(sum / (16 * 16 * samples));
     }
     return estimate_of(means);

@@ -57,23 +57,16 @@ Estimate seen(const PreparedScene& prepared, bool splats, int runs, int samples)
     const PathIntegrator integrator(scene, path, splats ? &tracer : nullptr);
     EXPECT_EQ(tracer.pair_count(),
               2 * data.lights.area_light_count() + 2 * data.lights.is_delta(0));
+    const auto workspace = integrator.make_workspace();
     std::vector<double> means;
     for (int run = 0; run < runs; ++run) {
         const auto seed = static_cast<std::uint64_t>(run);
         RenderStatistics count;
         double sum = 0;
-        for (int i = 0; i < kSize * kSize * samples; ++i) {
-            const int x = i % kSize;
-            const int y = i / kSize % kSize;
-            const int sample = i / (kSize * kSize);
-            const SampleStream stream(seed, static_cast<std::uint32_t>(x),
-                                      static_cast<std::uint32_t>(y),
-                                      static_cast<std::uint32_t>(sample));
-            const auto result =
-                integrator.sample(lens.ray(x, y, stream.camera_sample()),
-                                  lens.frame_at(0).pixel_size, stream, {x, y, sample}, count);
-            sum += static_cast<double>(luminance(result.radiance)) / samples;
-        }
+        test::for_each_sample(integrator, lens, {kSize, kSize, samples, seed}, workspace.get(),
+                              [&](const SampleIndex&, const RadianceSample& result) {
+                                  sum += static_cast<double>(luminance(result.radiance)) / samples;
+                              });
         for (std::size_t pair = 0; splats && pair < tracer.pair_count(); ++pair) {
             for (const Splat& splat : tracer.splats(pair, samples, seed, count)) {
                 const bool inside = splat.position.x >= 0 && splat.position.x < kSize &&

@@ -44,8 +44,7 @@ TEST(BsdfSample, EveryLobeAndMixture_FollowsItsPdf) {
         SCOPED_TRACE(c.material.name + ", angle " + std::to_string(c.angle));
         const Material material = make(c.material.material);
         const V3f wo = tilted(kNormal, c.angle);
-        const Surface surface = resolve(material, kNormal, wo);
-        const Bsdf bsdf(surface, wo);
+        const Bsdf bsdf(material, kNormal, wo);
         setup.seed += 1;
         test::expect_direction_density(
             [&](V3f u) -> std::optional<V3f> {
@@ -65,8 +64,7 @@ TEST(BsdfSample, EverySample_HasTheValueAndPdfThatEvaluateGives) {
         SCOPED_TRACE(c.material.name + ", angle " + std::to_string(c.angle));
         const Material material = make(c.material.material);
         const V3f wo = tilted(kNormal, c.angle);
-        const Surface surface = resolve(material, kNormal, wo);
-        const Bsdf bsdf(surface, wo);
+        const Bsdf bsdf(material, kNormal, wo);
         for (int i = 0; i < 300; ++i) {
             const float x = random.unit();
             const float y = random.unit();
@@ -91,8 +89,7 @@ TEST(BsdfSample, CoatAndBaseFollowedApart_AddUpToTheWhole) {
         SCOPED_TRACE(named.name);
         const Material material = make(named.material);
         const V3f wo = tilted(kNormal, 0.9f);
-        const Surface surface = resolve(material, kNormal, wo);
-        const Bsdf bsdf(surface, wo);
+        const Bsdf bsdf(material, kNormal, wo);
         for (int i = 0; i < 100; ++i) {
             const float x = random.unit();
             const float y = random.unit();
@@ -110,8 +107,7 @@ TEST(BsdfEvaluate, DirectionsBelowTheSurface_AreDark) {
     for (const Named& named : all()) {
         const Material material = make(named.material);
         const V3f wo = tilted(kNormal, 0.5f);
-        const Surface surface = resolve(material, kNormal, wo);
-        const Bsdf bsdf(surface, wo);
+        const Bsdf bsdf(material, kNormal, wo);
         const BsdfValue value = bsdf.evaluate(Layers::all, -tilted(kNormal, 0.7f));
         EXPECT_EQ(value.value, V3f(0, 0, 0)) << named.name;
         EXPECT_EQ(value.pdf, 0) << named.name;
@@ -122,8 +118,7 @@ TEST(BsdfEvaluate, SeenFromBehind_ScattersAlike) {
     const Material material = make(diffuse(0.8));
     const V3f wo = -tilted(kNormal, 0.5f);
     const V3f wi = -tilted(kNormal, 0.2f);
-    const Surface surface = resolve(material, kNormal, wo);
-    EXPECT_GT(Bsdf(surface, wo).evaluate(Layers::all, wi).value.x, 0);
+    EXPECT_GT(Bsdf(material, kNormal, wo).evaluate(Layers::all, wi).value.x, 0);
 }
 
 }  // namespace

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "render/material/bsdf.h"
+#include "render/material/material.h"
 #include "render/sampling/warp.h"
+#include "tests/render/material/scalar_bsdf.h"
 
 namespace carom::render::test_materials {
 
@@ -83,13 +84,6 @@ inline Material make(const StandardMaterial& description) {
     ImageCache images;
     AlbedoTables tables;
     return Material(description, images, tables);
-}
-
-inline Surface resolve(const Material& material, const V3f& normal, const V3f& wo) {
-    SurfacePoint point;
-    point.geometric_normal = normal;
-    point.shading_normal = normal;
-    return material.resolve(point, wo, 0);
 }
 
 /// A direction at `angle` (rad) from `normal`.

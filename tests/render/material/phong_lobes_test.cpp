@@ -1,6 +1,4 @@
 // Phong surfaces in path tracing: energy, densities, directions.
-#include "render/material/phong_lobes.h"
-
 #include <cmath>
 #include <string>
 #include <vector>
@@ -12,6 +10,10 @@
 
 namespace carom::render {
 namespace {
+
+using test_materials::Bsdf;
+using test_materials::BsdfValue;
+using test_materials::Layers;
 
 struct Named {
     std::string name;
@@ -64,27 +66,35 @@ V3f direction(double angle) {
                static_cast<float>(std::cos(angle)));
 }
 
-PhongLobes lobes(const Named& named, double angle) {
-    const auto* base = std::get_if<Vec3>(&named.material.diffuse);
-    return {phong_model(named.material), V3f(*base), named.from_behind, direction(angle)};
+/// In the surface's own axes, whose z is on the viewer's side.
+Bsdf lobes(const PhongMaterial& description, bool from_behind, double angle) {
+    ImageCache images;
+    const Material material(description, images);
+    const float side = from_behind ? -1.0f : 1.0f;
+    return {material, V3f(0, 0, side), direction(angle)};
+}
+
+Bsdf lobes(const Named& named, double angle) {
+    return lobes(named.material, named.from_behind, angle);
 }
 
 TEST(PhongLobes, EverySurface_GivesOffAtMostWhatItGets) {
     for (const Named& named : materials()) {
         for (const double angle : {0.05, 0.7, 1.2, 1.5}) {
-            const PhongLobes scattering = lobes(named, angle);
+            const Bsdf scattering = lobes(named, angle);
             test::TestRandom random(7);
             constexpr int kSamples = 200'000;
             V3f sum(0, 0, 0);
             for (int i = 0; i < kSamples; ++i) {
-                const auto sample = scattering.sample(V2f{random.unit(), random.unit()});
+                const auto sample =
+                    scattering.sample(Layers::all, V2f{random.unit(), random.unit()});
                 if (!sample) {
                     continue;
                 }
                 if (sample->is_delta) {
                     sum += sample->weight;
                 } else {
-                    const PhongLobes::Value value = scattering.evaluate(sample->direction);
+                    const BsdfValue value = scattering.evaluate(Layers::all, sample->direction);
                     ASSERT_GT(value.pdf, 0) << named.name;
                     sum += value.value / value.pdf;
                 }
@@ -105,15 +115,17 @@ TEST(PhongLobes, Samples_FollowTheirDensity) {
             continue;  // single directions
         }
         for (const double angle : {0.3, 1.2}) {
-            const PhongLobes scattering = lobes(named, angle);
+            const Bsdf scattering = lobes(named, angle);
             SCOPED_TRACE(named.name);
             test::expect_direction_density(
                 [&](const V3f& u) -> std::optional<V3f> {
-                    const auto sample = scattering.sample(V2f(u.x, u.y));
+                    const auto sample = scattering.sample(Layers::all, V2f(u.x, u.y));
                     const bool is_counted = sample && !sample->is_delta;  // total reflection
                     return is_counted ? std::optional(sample->direction) : std::nullopt;
                 },
-                [&](const V3f& wi) { return static_cast<double>(scattering.evaluate(wi).pdf); },
+                [&](const V3f& wi) {
+                    return static_cast<double>(scattering.evaluate(Layers::all, wi).pdf);
+                },
                 V3f(0, 0, 1), 2, setup);
         }
     }
@@ -121,20 +133,20 @@ TEST(PhongLobes, Samples_FollowTheirDensity) {
 
 TEST(PhongLobes, DiffuseTerm_IsLamberts) {
     const Named matt = materials()[0];
-    const PhongLobes::Value value = lobes(matt, 0.4).evaluate(direction(0.9));
+    const BsdfValue value = lobes(matt, 0.4).evaluate(Layers::all, direction(0.9));
     EXPECT_NEAR(value.value.x, 0.9 * std::cos(0.9) / M_PI, 1e-6);
     EXPECT_NEAR(value.pdf, std::cos(0.9) / M_PI, 1e-6);
 }
 
 /// The light reflected in a room with radiance 1 everywhere, per channel.
-V3f albedo(const PhongLobes& scattering) {
+V3f albedo(const Bsdf& scattering) {
     test::TestRandom random(7);
     constexpr int kSamples = 200'000;
     V3f sum(0, 0, 0);
     for (int i = 0; i < kSamples; ++i) {
-        const auto sample = scattering.sample(V2f{random.unit(), random.unit()});
+        const auto sample = scattering.sample(Layers::all, V2f{random.unit(), random.unit()});
         if (sample && !sample->is_delta) {
-            const PhongLobes::Value value = scattering.evaluate(sample->direction);
+            const BsdfValue value = scattering.evaluate(Layers::all, sample->direction);
             sum += value.value / value.pdf;
         }
     }
@@ -164,7 +176,7 @@ TEST(PhongLobes, EveryLobe_KeepsItsAlbedoAtEveryAngle) {
     for (auto& [name, material] : list) {
         material.diffuse = Vec3(0, 0, 0);
         for (const double angle : {0.05, 0.7, 1.2, 1.5}) {
-            const PhongLobes scattering(phong_model(material), V3f(0), false, direction(angle));
+            const Bsdf scattering = lobes(material, false, angle);
             EXPECT_NEAR(albedo(scattering).x, 0.8, 0.006)
                 << name << " of " << material.shininess << ", "
                 << material.reflectance_spread + material.transmittance_spread << " at " << angle;
@@ -178,7 +190,7 @@ TEST(PhongLobes, HighlightSeenStraightOn_IsThatOfLafortuneAndWillems) {
         const double c = std::cos(angle);
         const double diffuse = 0.3 * c / M_PI;
         const double highlight = 0.7 * 14 / (2 * M_PI) * std::pow(c, 12) * c;
-        const PhongLobes::Value value = lobes(shiny, 0).evaluate(direction(angle));
+        const BsdfValue value = lobes(shiny, 0).evaluate(Layers::all, direction(angle));
         EXPECT_NEAR(value.value.x, diffuse + highlight, 1e-4 * (diffuse + highlight)) << angle;
     }
 }
@@ -189,12 +201,12 @@ TEST(PhongLobes, Spread_IsKeptAsMeanSquareOfTheAngle) {
     mirror.diffuse = Vec3(0, 0, 0);
     mirror.reflectance = Vec3(1, 1, 1);
     mirror.reflectance_spread = 0.1;
-    const PhongLobes scattering(phong_model(mirror), V3f(0), false, V3f(0, 0, 1));
+    const Bsdf scattering = lobes(mirror, false, 0);
     test::TestRandom random(3);
     double squares = 0;
     constexpr int kSamples = 50'000;
     for (int i = 0; i < kSamples; ++i) {
-        const auto sample = scattering.sample(V2f{random.unit(), random.unit()});
+        const auto sample = scattering.sample(Layers::all, V2f{random.unit(), random.unit()});
         ASSERT_TRUE(sample);
         const double angle = std::acos(std::min(1.0f, sample->direction.z));
         squares += angle * angle;
@@ -205,11 +217,11 @@ TEST(PhongLobes, Spread_IsKeptAsMeanSquareOfTheAngle) {
 TEST(PhongLobes, ClearGlass_BendsBySnellAndReflectsTotallyWithin) {
     const Named glass = materials()[6];
     const Named within = materials()[7];
-    const auto directions = [](const PhongLobes& scattering) {
+    const auto directions = [](const Bsdf& scattering) {
         std::vector<V3f> found;
         test::TestRandom random(5);
         for (int i = 0; i < 200; ++i) {
-            const auto sample = scattering.sample(V2f{random.unit(), random.unit()});
+            const auto sample = scattering.sample(Layers::all, V2f{random.unit(), random.unit()});
             if (sample && (found.empty() || (found.back() - sample->direction).length() > 1e-5f)) {
                 found.push_back(sample->direction);
             }
@@ -232,7 +244,7 @@ TEST(PhongLobes, ClearGlass_BendsBySnellAndReflectsTotallyWithin) {
         EXPECT_GT(wi.z, 0);  // beyond the critical angle of 0.73
     }
     EXPECT_FALSE(lobes(within, 0.9).transmits());
-    EXPECT_FALSE(lobes(glass, 0.6).can_evaluate());
+    EXPECT_FALSE(lobes(glass, 0.6).can_evaluate(Layers::all));
 }
 
 }  // namespace

@@ -108,7 +108,7 @@ TEST(LaneSampler, EveryInstructionSet_SameBitsAsOneSampleAtATime) {
             lanes.set[i] = random.next();
         }
         lanes.block_set = random.next();
-        test::for_each_instruction_set([&] {
+        test::for_each_instruction_set([&](const char*) {
             HWY_DYNAMIC_DISPATCH(fill)(lanes);
             SCOPED_TRACE(lanes.target);
             for (int i = 0; i < lanes.lanes; ++i) {

@@ -16,18 +16,24 @@
 
 namespace carom::test {
 
-/// Random colours, every eighth below the smallest normal half float. The file is to be removed.
-inline std::string write_random_picture(int width, int height) {
-    const std::string path = (std::filesystem::temp_directory_path() /
-                              ("carom_every_texture_" + std::to_string(getpid()) + ".exr"))
-                                 .string();
+/// Random values, every eighth of an EXR file below the smallest normal half float, and those of
+/// other files in [0, 1]. The file is to be removed.
+inline std::string write_random_picture(int width, int height, int channels = 3,
+                                        OIIO::TypeDesc type = OIIO::TypeDesc::FLOAT) {
+    const bool is_float = type == OIIO::TypeDesc::FLOAT;
+    const std::string path =
+        (std::filesystem::temp_directory_path() /
+         ("carom_every_texture_" + std::to_string(getpid()) + "_" + type.c_str() + "_" +
+          std::to_string(channels) + (is_float ? ".exr" : ".png")))
+            .string();
     TestRandom random(5);
-    std::vector<float> values(static_cast<std::size_t>(width * height * 3));
+    std::vector<float> values(static_cast<std::size_t>(width * height * channels));
     for (float& value : values) {
-        value = random.unit() * (random.next() % 8 == 0 ? 6e-5f : 2.0f);
+        value = random.unit();
+        value *= !is_float ? 1.0f : random.next() % 8 == 0 ? 6e-5f : 2.0f;
     }
     const auto file = OIIO::ImageOutput::create(path);
-    if (!file || !file->open(path, OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::FLOAT)) ||
+    if (!file || !file->open(path, OIIO::ImageSpec(width, height, channels, type)) ||
         !file->write_image(OIIO::TypeDesc::FLOAT, values.data()) || !file->close()) {
         throw Error("cannot write '" + path + "'");
     }
@@ -58,6 +64,18 @@ inline const std::vector<NamedTexture>& every_texture() {
         image.size = Vec2(0.4, 0.25);
         add("image by size", image);
         std::filesystem::remove(image.file);
+        // Of integers, in every way in which their finest level is kept.
+        const auto add_integers = [&](const std::string& name, int channels, OIIO::TypeDesc type) {
+            image.file = write_random_picture(37, 22, channels, type);
+            add(name, image);
+            std::filesystem::remove(image.file);
+        };
+        add_integers("grey of 8 bits", 1, OIIO::TypeDesc::UINT8);
+        add_integers("grey of 16 bits", 1, OIIO::TypeDesc::UINT16);
+        add_integers("colours of 8 bits", 3, OIIO::TypeDesc::UINT8);
+        add_integers("colours of 16 bits", 3, OIIO::TypeDesc::UINT16);
+        add_integers("transparent grey", 2, OIIO::TypeDesc::UINT8);
+        add_integers("transparent colours", 4, OIIO::TypeDesc::UINT16);
 
         render::BallTexture ball;
         ball.colour = Vec3(0.8, 0.1, 0.05);

@@ -133,6 +133,49 @@ TEST(MipPyramid, OddSizes_ShrinkToOneTexel) {
     EXPECT_NEAR(mask.lookup(0.9f, 0.1f, 2), 0.2f, 1e-6f);
 }
 
+/// No pixel is read: only sizes count.
+RawPicture empty_picture(int width, int height, int channels, PictureValues kind) {
+    RawPicture picture{width, height, channels, false, {}};
+    picture.values = std::move(kind);
+    return picture;
+}
+
+TEST(ImagePyramid, BeyondWhat31BitsReach_DoesNotFit) {
+    const std::vector<std::uint8_t> bytes;
+    const std::vector<std::uint16_t> words;
+    const std::vector<float> numbers;
+    // 14,400 x 14,400 pixels overflowed once; 2^28 are the most with CAROM_LIMITS=4.
+    for (const int side : {14'400, 16'384}) {
+        EXPECT_TRUE(ImagePyramid::fits(empty_picture(side, side, 1, bytes)));
+        EXPECT_TRUE(ImagePyramid::fits(empty_picture(side, side, 3, bytes)));
+        EXPECT_TRUE(ImagePyramid::fits(empty_picture(side, side, 1, words)));
+        EXPECT_TRUE(ImagePyramid::fits(empty_picture(side, side, 3, words)));
+        EXPECT_TRUE(ImagePyramid::fits(empty_picture(side, side, 1, numbers)));
+    }
+    EXPECT_FALSE(ImagePyramid::fits(empty_picture(14'400, 14'400, 3, numbers)));
+    EXPECT_FALSE(ImagePyramid::fits(empty_picture(14'400, 14'400, 4, bytes)));
+    // 3 bytes of each pixel, and those that may be read behind the last one.
+    EXPECT_TRUE(ImagePyramid::fits(empty_picture(26'754, 26'754, 3, bytes)));
+    EXPECT_FALSE(ImagePyramid::fits(empty_picture(26'755, 26'755, 3, bytes)));
+}
+
+TEST(ImagePyramid, IntegersOfAFile_TakeTheirOwnRoom) {
+    RawPicture picture =
+        empty_picture(3, 2, 1, std::vector<std::uint8_t>{0, 51, 102, 153, 204, 255});
+    const ImagePyramid grey(std::move(picture), true, V3f(0));
+    const ImageTables tables = grey.tables();
+    EXPECT_TRUE(tables.is_grey);
+    EXPECT_FALSE(tables.has_16_bits);
+    EXPECT_EQ(static_cast<const std::uint8_t*>(tables.codes)[5], 255);
+    // Texels' centres, around the edges too; the half float nearest to 0.2 is 0.19995.
+    EXPECT_NEAR(grey.lookup(0.5f, 0.25f, 0).x, 0.2f, 1e-4f);
+    EXPECT_EQ(grey.lookup(0.5f, 0.25f, 0).y, grey.lookup(0.5f, 0.25f, 0).z);
+    EXPECT_NEAR(grey.lookup(1.0f, 0.25f, 0).x, 0.2f, 1e-4f);  // between 0.4 and 0
+    EXPECT_NEAR(grey.lookup(-1 / 6.0f, 0.75f, 0).x, 1, 1e-4f);
+    // The whole picture in one texel: the mean of those of four, and of the last column.
+    EXPECT_NEAR(grey.lookup(0.1f, 0.1f, 10).x, 0.5f * (0.4f + 0.7f), 1e-3f);
+}
+
 /// Two by two texels: red and green above blue and white, on a surface whose uv covers 4 m by 2 m.
 class PlacedImage : public ::testing::Test {
   protected:

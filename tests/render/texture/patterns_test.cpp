@@ -65,7 +65,7 @@ TEST(ClothPattern, Variation_FadesWithDistance) {
 
 TEST(ClothTiles, EveryLevel_AveragesToNothing) {
     const auto& tiles = cloth_tiles();
-    const ImagePyramid& weave = tiles->weave;
+    const ColourPyramid& weave = tiles->weave;
     const V3f far = weave.lookup(0.3f, 0.7f, 1);
     EXPECT_LT(far.length(), 0.01f);
     for (const SignedPyramid* noise : {&tiles->nap, &tiles->wear}) {

@@ -107,7 +107,7 @@ const TextureLanes& best_texture_lanes() {
 }
 
 void for_every_target(const std::function<void(const TextureLanes& lanes)>& use) {
-    for_each_instruction_set([&] { use(best_texture_lanes()); });
+    for_each_instruction_set([&](const char*) { use(best_texture_lanes()); });
 }
 
 }  // namespace carom::test

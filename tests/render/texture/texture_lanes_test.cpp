@@ -11,6 +11,7 @@
 
 #include <Imath/half.h>
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 #include <xmmintrin.h>
 
 #include "tests/render/texture/every_texture.h"
@@ -171,6 +172,56 @@ TEST(TextureLanes, UnusableNumbers_ReadNothingOutsideAndSpareTheOtherLanes) {
                           bits_of(one.texture.colour(points.points[i], points.lists.footprint[i])))
                     << one.name << " on " << lanes.target;
             }
+        }
+    });
+}
+
+/// Zeros that take no memory before they are changed.
+class SparseBytes {
+  public:
+    explicit SparseBytes(std::size_t size)
+        : size_(size),
+          bytes_(static_cast<std::uint8_t*>(::mmap(nullptr, size, PROT_READ | PROT_WRITE,
+                                                   MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1,
+                                                   0))) {}
+    ~SparseBytes() { ::munmap(bytes_, size_); }
+    SparseBytes(const SparseBytes&) = delete;
+    SparseBytes& operator=(const SparseBytes&) = delete;
+
+    [[nodiscard]] std::uint8_t* data() const { return bytes_; }
+
+  private:
+    std::size_t size_;
+    std::uint8_t* bytes_;
+};
+
+TEST(TextureLanes, LargestPicture_IsReadUpToItsLastByte) {
+    constexpr int kSide = 26'754;  // 3 * kSide^2 is just below 2^31
+    constexpr std::size_t kBytes = std::size_t{3} * kSide * kSide;
+    const SparseBytes codes(kBytes + render::kReadBeyond);
+    ASSERT_NE(codes.data(), MAP_FAILED);
+    codes.data()[kBytes - 2] = 1;  // green of the last texel
+    std::vector<float> values(256);
+    values[1] = 1;
+    render::ImageParameters image;
+    image.picture.codes = codes.data();
+    image.picture.values = values.data();
+    image.picture.width = kSide;
+    image.picture.height = kSide;
+    image.picture.levels.longest_side = 0.5f * kSide;
+    PointLists points;
+    for (std::size_t i = 0; i < kLaneMultiple; ++i) {
+        SurfacePoint point;
+        // The centre of the last texel, and in other lanes of the one above it.
+        point.uv = render::V2f((kSide - 0.5f) / kSide, (i % 2 == 0 ? 0.5f : 1.5f) / kSide);
+        points.add(point, 0);
+    }
+    for_every_target([&](const TextureLanes& lanes) {
+        Channels colour;
+        lanes.colours(image, points, colour.pointers);
+        for (std::size_t i = 0; i < kLaneMultiple; ++i) {
+            EXPECT_NEAR(colour.at(i).y, i % 2 == 0 ? 1 : 0, 0.01f) << lanes.target;
+            EXPECT_EQ(colour.at(i).x, 0) << lanes.target;
         }
     });
 }

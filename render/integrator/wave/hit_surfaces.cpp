@@ -1,0 +1,104 @@
+#include "render/integrator/wave/hit_surfaces.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace carom::render {
+
+void begin_wave(const CameraRun& run, float pixel_spread, SampleWave& samples, PathWave& paths) {
+    paths.count = run.count;
+    paths.vertex = 0;
+    const CameraBatch& batch = *run.batch;
+    const auto copy = [&](const auto* from, auto& field) {
+        std::copy_n(from + run.first, run.count, field.at);
+    };
+    copy(batch.pixel_hash, samples.pixel_hash);
+    copy(batch.reversed_sample, samples.reversed_sample);
+    copy(batch.origin[0], paths.origin.x);
+    copy(batch.origin[1], paths.origin.y);
+    copy(batch.origin[2], paths.origin.z);
+    copy(batch.direction[0], paths.direction.x);
+    copy(batch.direction[1], paths.direction.y);
+    copy(batch.direction[2], paths.direction.z);
+    copy(batch.time, paths.time);
+    std::iota(paths.slot.at, paths.slot.at + paths.count, 0);
+    std::fill_n(paths.branch.at, paths.count, 1);
+    for (Floats* channel : {&paths.throughput.x, &paths.throughput.y, &paths.throughput.z}) {
+        std::fill_n(channel->at, paths.count, 1.0F);
+    }
+    std::fill_n(paths.width.at, paths.count, 0.0F);
+    std::fill_n(paths.spread.at, paths.count, pixel_spread);
+}
+
+HitSurfaces::HitSurfaces(const TransportScene& scene, const WaveScene& wave_scene,
+                         const WaveKernels& kernels, int most_paths)
+    : scene_(scene),
+      wave_scene_(wave_scene),
+      kernels_(kernels),
+      hits_(static_cast<std::size_t>(most_paths + Floats::kBeyond)) {
+    turns_.reserve(most_paths);
+}
+
+const Hit* HitSurfaces::trace(const PathWave& paths) {
+    scene_.frame.structure().closest_hits(paths.rays(), hits_.data());
+    return hits_.data();
+}
+
+void HitSurfaces::find(PathWave& paths, const WaveList& hit_paths, VertexWave& vertices) {
+    sort(hit_paths, vertices);
+    int first = 0;
+    for (std::size_t k = 0; k < wave_scene_.groups.groups.size(); ++k) {
+        const WaveGroup& group = wave_scene_.groups.groups[k];
+        const int last = group_ends_[k];
+        if (first < last) {
+            find_poses(group, first, last, paths, vertices);
+            kernels_.find_surfaces(
+                {wave_scene_, group, paths, hits_.data(), turns_, vertices, first, last});
+        }
+        first = last;
+    }
+}
+
+// Makes vertices of the hits, one group after the other, in each of them in the order of the paths.
+void HitSurfaces::sort(const WaveList& hit_paths, VertexWave& vertices) {
+    const WaveGroups& groups = wave_scene_.groups;
+    std::vector<int>& ends = group_ends_;
+    ends.assign(groups.groups.size() + 1, 0);
+    for (int k = 0; k < hit_paths.count; ++k) {
+        ends[groups.of_object[hits_[static_cast<std::size_t>(hit_paths.at.at[k])].object] + 1u] +=
+            1;
+    }
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    vertices.count = hit_paths.count;
+    // Each group's end grows from its beginning.
+    for (int k = 0; k < hit_paths.count; ++k) {
+        const int path = hit_paths.at.at[k];
+        const Hit& hit = hits_[static_cast<std::size_t>(path)];
+        const std::uint16_t group = groups.of_object[hit.object];
+        const int i = ends[group]++;
+        vertices.path.at[i] = path;
+        vertices.object.at[i] = static_cast<std::int32_t>(hit.object);
+        vertices.material.at[i] = static_cast<std::int32_t>(groups.groups[group].material);
+        vertices.distance.at[i] = hit.t;
+    }
+}
+
+void HitSurfaces::find_poses(const WaveGroup& group, int first, int last, const PathWave& paths,
+                             VertexWave& vertices) {
+    if (!group.moves) {
+        return;
+    }
+    const bool turns = group.kind != WaveGroup::Kind::ball || group.has_texture;
+    for (int i = first; i < last; ++i) {
+        const auto object = static_cast<std::uint32_t>(vertices.object.at[i]);
+        const float time = paths.time.at[vertices.path.at[i]];
+        vertices.position.set(i, scene_.frame.centre(object, time));
+        if (turns) {
+            const Imath::Quatf turn = scene_.frame.world_from_body(object, time);
+            turns_.real.at[i] = turn.r;
+            turns_.vector.set(i, turn.v);
+        }
+    }
+}
+
+}  // namespace carom::render

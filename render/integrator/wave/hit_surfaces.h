@@ -1,0 +1,41 @@
+// The surfaces that the rays of a wave hit.
+#pragma once
+
+#include <vector>
+
+#include "render/camera/camera_batch.h"
+#include "render/integrator/transport_scene.h"
+#include "render/integrator/wave/wave_kernels.h"
+
+namespace carom::render {
+
+/// Starts a wave with the camera rays of a run, which has at most kWaveSamples. Sets what every
+/// integrator needs: slot, branch (1), rays, throughput, width and spread.
+void begin_wave(const CameraRun& run, float pixel_spread, SampleWave& samples, PathWave& paths);
+
+/// Finds hits and makes vertices of them. For one thread.
+class HitSurfaces {
+  public:
+    /// For at most so many paths. Everything is borrowed.
+    HitSurfaces(const TransportScene& scene, const WaveScene& wave_scene,
+                const WaveKernels& kernels, int most_paths);
+
+    /// The next hits of all paths, by path.
+    const Hit* trace(const PathWave& paths);
+    /// Completes the vertices of some paths that hit a surface, in the order of their groups.
+    void find(PathWave& paths, const WaveList& hit_paths, VertexWave& vertices);
+
+  private:
+    void sort(const WaveList& hit_paths, VertexWave& vertices);
+    void find_poses(const WaveGroup& group, int first, int last, const PathWave& paths,
+                    VertexWave& vertices);
+
+    const TransportScene& scene_;
+    const WaveScene& wave_scene_;
+    const WaveKernels& kernels_;
+    std::vector<Hit> hits_;
+    TurnWave turns_;
+    std::vector<int> group_ends_;  // in the vertices
+};
+
+}  // namespace carom::render
