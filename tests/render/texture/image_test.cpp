@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "render/texture/number_mask.h"
 #include "render/texture/texture.h"
+#include "tests/render/texture/texture_values.h"
 
 namespace carom::render {
 namespace {
@@ -189,7 +190,7 @@ class PlacedImage : public ::testing::Test {
         point.uv = V2f(u, v);
         point.uv_metres = V2f(4, 2);
         point.uv_per_metre = 1 / std::sqrt(8.f);
-        return Texture(image_, images_).colour(point, 0);
+        return test::colour_of(Texture(image_, images_), point, 0);
     }
 
     const V3f kRed{1, 0, 0}, kGreen{0, 1, 0}, kBlue{0, 0, 1}, kWhite{1, 1, 1};

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/render/texture/every_texture.h"
+#include "tests/render/texture/texture_values.h"
 
 namespace carom::render {
 namespace {
@@ -55,12 +56,12 @@ TEST(Texture, EveryKind_HasThePinnedBits) {
             const SurfacePoint point = test::random_texture_point(random);
             const float footprint = test::random_footprint(random);
             if (one.texture.has_relief()) {
-                const Texture::Relief relief = one.texture.relief(point, footprint);
+                const test::Relief relief = test::relief_of(one.texture, point, footprint);
                 sum.add(relief.colour);
                 sum.add(relief.normal_shift);
-                ASSERT_EQ(one.texture.colour(point, footprint), relief.colour);
+                ASSERT_EQ(test::colour_of(one.texture, point, footprint), relief.colour);
             } else {
-                sum.add(one.texture.colour(point, footprint));
+                sum.add(test::colour_of(one.texture, point, footprint));
             }
         }
         ASSERT_TRUE(pinned.contains(one.name)) << one.name;

@@ -15,6 +15,7 @@
 #include <xmmintrin.h>
 
 #include "tests/render/texture/every_texture.h"
+#include "tests/render/texture/texture_values.h"
 
 namespace carom::test {
 namespace {
@@ -81,7 +82,7 @@ void expect_bits_of_scalar_code(const TextureLanes& lanes, const Points& points)
         for (std::size_t i = 0; i < kPoints; ++i) {
             const float footprint = points.lists.footprint[i];
             ASSERT_EQ(bits_of(colour.at(i)),
-                      bits_of(one.texture.colour(points.points[i], footprint)))
+                      bits_of(test::colour_of(one.texture, points.points[i], footprint)))
                 << one.name << " on " << lanes.target << ", point " << i << ", footprint "
                 << footprint;
         }
@@ -91,8 +92,8 @@ void expect_bits_of_scalar_code(const TextureLanes& lanes, const Points& points)
         Channels shift;
         lanes.reliefs(one.texture.data(), points.lists, colour.pointers, shift.pointers);
         for (std::size_t i = 0; i < kPoints; ++i) {
-            const Texture::Relief relief =
-                one.texture.relief(points.points[i], points.lists.footprint[i]);
+            const test::Relief relief =
+                test::relief_of(one.texture, points.points[i], points.lists.footprint[i]);
             ASSERT_EQ(bits_of(colour.at(i)), bits_of(relief.colour)) << one.name;
             ASSERT_EQ(bits_of(shift.at(i)), bits_of(relief.normal_shift))
                 << one.name << " on " << lanes.target;
@@ -169,7 +170,8 @@ TEST(TextureLanes, UnusableNumbers_ReadNothingOutsideAndSpareTheOtherLanes) {
                     continue;
                 }
                 ASSERT_EQ(bits_of(colour.at(i)),
-                          bits_of(one.texture.colour(points.points[i], points.lists.footprint[i])))
+                          bits_of(test::colour_of(one.texture, points.points[i],
+                                                  points.lists.footprint[i])))
                     << one.name << " on " << lanes.target;
             }
         }
