@@ -59,6 +59,11 @@ void expect_same(const render::Film& a, const render::Film& b, const std::string
     for (std::size_t i = 0; i < a.aovs.size(); ++i) {
         EXPECT_TRUE(a.aovs[i].values == b.aovs[i].values) << what << ", " << a.aovs[i].name;
     }
+    ASSERT_EQ(a.half_aovs.size(), b.half_aovs.size()) << what;
+    for (std::size_t i = 0; i < a.half_aovs.size(); ++i) {
+        EXPECT_TRUE(a.half_aovs[i].bits == b.half_aovs[i].bits)
+            << what << ", " << a.half_aovs[i].name;
+    }
     EXPECT_EQ(a.statistics.camera_rays, b.statistics.camera_rays) << what;
     EXPECT_EQ(a.statistics.scattered_rays, b.statistics.scattered_rays) << what;
     EXPECT_EQ(a.statistics.shadow_rays, b.statistics.shadow_rays) << what;
@@ -73,7 +78,7 @@ TEST_P(ExampleInstructions, EverySet_GivesTheSameBits) {
     film.shot.render.for_denoiser = film.shot.render.integrator == render::IntegratorKind::path;
     const std::int64_t frame = frames_of(film, GetParam()).front();
     const render::Film best = film.render(frame);
-    EXPECT_NE(best.aovs.empty(), film.shot.render.for_denoiser);
+    EXPECT_NE(best.half_aovs.empty(), film.shot.render.for_denoiser);
     int tried = 0;
     test::for_each_instruction_set([&](const char* name) {
         expect_same(film.render(frame), best, name);
