@@ -8,6 +8,7 @@
 #include "lab/comparison/comparison_text.h"
 #include "lab/comparison/growth.h"
 #include "lab/comparison/growth_text.h"
+#include "lab/comparison/kernel_names.h"
 #include "lab/comparison/lane_limit.h"
 #include "lab/comparison/motion.h"
 #include "lab/comparison/motion_text.h"
@@ -94,8 +95,13 @@ auto checked(const Work& work) {
 
 pipeline::ComparisonOptions options_of(const CompareCommand& command) {
     pipeline::ComparisonOptions options;
-    options.structures =
-        checked([&] { return pipeline::structures_from_text(command.accelerators); });
+    options.structures = checked([&] {
+        return command.kernel.empty() ? pipeline::structures_from_text(command.accelerators)
+                                      : pipeline::structures_with_kernels(command.accelerators);
+    });
+    if (!command.kernel.empty()) {
+        options.kernels = checked([&] { return pipeline::kernels_from_text(command.kernel); });
+    }
     if (command.shadow_rays == "closest") {
         options.shadow_rays = {ShadowRays::closest};
     } else if (command.shadow_rays == "both") {

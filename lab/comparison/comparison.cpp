@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "lab/comparison/frame_meter.h"
 #include "lab/structures/make_structure.h"
+#include "lab/triangle/kernel_test.h"
 
 namespace carom::pipeline {
 
@@ -52,9 +53,11 @@ RenderSettings scaled_down(RenderSettings settings, double fraction) {
 class ComparisonRun {
   public:
     ComparisonRun(const LaboratoryScene& scene, const ComparisonOptions& options,
-                  const ComparisonProgress& progress, std::stop_token stop)
+                  const ComparisonProgress& progress, std::stop_token stop,
+                  render::TriangleTestMaker triangle_test = {})
         : scene_(scene),
           options_(options),
+          triangle_test_(std::move(triangle_test)),
           progress_(progress),
           stop_(std::move(stop)),
           meter_(scene, options.threads) {
@@ -183,14 +186,16 @@ class ComparisonRun {
                                       progress_(name_of(kind), reported_);
                                   },
                                   stop_};
-        const MeasuredFrame result = meter_.measure(
-            settings, kind, {counts, shadow_rays == ShadowRays::any, options_.sizes}, context);
+        const render::StructureOptions structure{nullptr, shadow_rays == ShadowRays::any,
+                                                 options_.sizes, triangle_test_};
+        const MeasuredFrame result = meter_.measure(settings, kind, counts, structure, context);
         done_ += settings.width == 1 ? 0 : 1;
         return result;
     }
 
     const LaboratoryScene& scene_;
     const ComparisonOptions& options_;
+    render::TriangleTestMaker triangle_test_;  // empty: the renderer's
     const ComparisonProgress& progress_;
     std::stop_token stop_;
     FrameMeter meter_;
@@ -213,7 +218,26 @@ const ComparedStructure* Comparison::brute_force_row(const ComparedStructure& ro
 
 Comparison compare_structures(const LaboratoryScene& scene, const ComparisonOptions& options,
                               const ComparisonProgress& progress, const std::stop_token& stop) {
-    return ComparisonRun(scene, options, progress, stop).run();
+    if (options.kernels.empty()) {
+        return ComparisonRun(scene, options, progress, stop).run();
+    }
+    Comparison result;
+    for (std::size_t i = 0; i < options.kernels.size() && (i == 0 || result.is_whole); ++i) {
+        const render::triangle::KernelName kernel = options.kernels[i];
+        const auto part_of_all = [&](std::string_view structure, double fraction) {
+            progress(structure, (static_cast<double>(i) + fraction) /
+                                    static_cast<double>(options.kernels.size()));
+        };
+        Comparison part = ComparisonRun(scene, options, part_of_all, stop,
+                                        render::triangle::triangle_test(kernel))
+                              .run();
+        for (ComparedStructure& row : part.rows) {
+            row.name += ", " + std::string(name(kernel));
+        }
+        part.rows.insert(part.rows.begin(), result.rows.begin(), result.rows.end());
+        result = std::move(part);
+    }
+    return result;
 }
 
 bool is_linear(AccelerationKind kind) {
@@ -241,6 +265,20 @@ std::vector<AccelerationKind> structures_from_text(const std::string& text) {
     }
     if (kinds.empty()) {
         throw Error("no structure is given; use one of " + render::structure_names() + ", or all");
+    }
+    return kinds;
+}
+
+std::vector<AccelerationKind> structures_with_kernels(const std::string& text) {
+    std::vector<AccelerationKind> kinds = structures_from_text(text);
+    const auto is_without = [](AccelerationKind kind) { return !render::has_triangle_tests(kind); };
+    if (text == "all") {
+        std::erase_if(kinds, is_without);
+    }
+    const auto wrong = std::ranges::find_if(kinds, is_without);
+    if (wrong != kinds.end()) {
+        throw Error("the structure '" + std::string(name_of(*wrong)) +
+                    "' has its own triangle test");
     }
     return kinds;
 }

@@ -13,6 +13,7 @@
 #include "lab/structures/acceleration_names.h"
 #include "lab/structures/structure_options.h"
 #include "lab/structures/test_counts.h"
+#include "lab/triangle/variant.h"
 
 namespace carom::pipeline {
 
@@ -24,6 +25,9 @@ enum class ShadowRays {
 
 struct ComparisonOptions {
     std::vector<render::AccelerationKind> structures;  // at least one, in the order of the rows
+    /// Each structure is measured with each of these triangle tests; all of them have a choice
+    /// (has_triangle_tests). Empty: only with the renderer's.
+    std::vector<render::triangle::KernelName> kernels;
     std::vector<ShadowRays> shadow_rays{ShadowRays::any};
     int threads = 0;  // 0: one per processor
     /// Upper bound on the tests of structures without an order; beyond it they are computed from
@@ -36,7 +40,7 @@ struct ComparisonOptions {
 
 /// A row of the result.
 struct ComparedStructure {
-    std::string name;
+    std::string name;  // "bvh" or, of several triangle tests, "bvh, wald"
     ShadowRays shadow_rays = ShadowRays::any;
     double build_seconds = 0;  // CPU time
     std::size_t bytes = 0;     // without the shapes themselves
@@ -76,5 +80,10 @@ using ComparisonProgress = std::function<void(std::string_view structure, double
 /// "all", or a comma-separated list of names without repetition. Throws Error that names the
 /// mistake and lists the names.
 [[nodiscard]] std::vector<render::AccelerationKind> structures_from_text(const std::string& text);
+
+/// Those of the structures whose triangle tests can be chosen, if `text` is "all"; otherwise all of
+/// `text`. Throws Error if one of these has no choice.
+[[nodiscard]] std::vector<render::AccelerationKind> structures_with_kernels(
+    const std::string& text);
 
 }  // namespace carom::pipeline

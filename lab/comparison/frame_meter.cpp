@@ -12,7 +12,8 @@ bool FrameMeter::can_count(AccelerationKind kind) {
 }
 
 MeasuredFrame FrameMeter::measure(render::RenderSettings settings, AccelerationKind kind,
-                                  const MeasuredQueries& queries, const WorkContext& context) {
+                                  bool counts, const render::StructureOptions& options,
+                                  const WorkContext& context) {
     MeasuredFrame result;
     arena_.execute([&] {
         if (!structure_ || structure_->kind() != kind) {
@@ -20,7 +21,7 @@ MeasuredFrame FrameMeter::measure(render::RenderSettings settings, AccelerationK
             structure_.emplace(kind);
             prepared_.emplace(scene_.scene, settings, structure_->maker());
         }
-        structure_->set(queries.are_counted, queries.shadow_rays_stop, queries.sizes);
+        structure_->set(counts, options);
         const double start = process_cpu_seconds();
         (void)render::render_frame(*prepared_, scene_.tracks, scene_.frame, settings, context);
         result.cpu_seconds = process_cpu_seconds() - start - structure_->build_seconds();

@@ -18,13 +18,6 @@ struct MeasuredFrame {
     double cpu_seconds = 0;     // of the frame, all threads; excluding the build
 };
 
-/// How the structure of a frame answers.
-struct MeasuredQueries {
-    bool are_counted = false;
-    bool shadow_rays_stop = true;  // at the first hit
-    render::StructureSizes sizes{};
-};
-
 class FrameMeter {
   public:
     /// Refers to the scene. `threads`: 0 for one per processor.
@@ -33,10 +26,12 @@ class FrameMeter {
     /// Whether the tests of this structure can be counted.
     [[nodiscard]] static bool can_count(render::AccelerationKind kind);
 
-    /// `settings`: those of the scene, or of a part of its picture. Throws Error, Stopped.
+    /// `settings`: those of the scene, or of a part of its picture; `counts`: whether tests are
+    /// counted. Throws Error, Stopped.
     [[nodiscard]] MeasuredFrame measure(render::RenderSettings settings,
-                                        render::AccelerationKind kind,
-                                        const MeasuredQueries& queries, const WorkContext& context);
+                                        render::AccelerationKind kind, bool counts,
+                                        const render::StructureOptions& options,
+                                        const WorkContext& context);
 
   private:
     const LaboratoryScene& scene_;

@@ -107,6 +107,12 @@ const char* title_of(Technique technique) {
             return "coordinates in the order of the axis";
         case Technique::axis_fixed:
             return "the same axis for all triangles";
+        case Technique::any_hit:
+            return "whether anything is hit";
+        case Technique::common_origin:
+            return "rays from one point";
+        case Technique::parallel_rays:
+            return "parallel rays";
     }
     return "";
 }

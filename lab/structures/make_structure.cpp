@@ -46,8 +46,8 @@ ShapeSet with_meshes(ShapeSet shapes, std::span<const MeshEntry> meshes) {
 Measured make(AccelerationKind kind, const ShapeSet& shapes, std::span<const MeshEntry> meshes,
               const StructureOptions& options) {
     const auto over = [&]<class Index>() {
-        return with_bytes(
-            std::make_unique<PrimitiveStructure<Index>>(Primitives(shapes, meshes), options));
+        return with_bytes(std::make_unique<PrimitiveStructure<Index>>(
+            Primitives(shapes, meshes, options.triangle_test), options));
     };
     switch (kind) {
         case AccelerationKind::brute_force:
@@ -111,6 +111,11 @@ MadeStructure make_structure(AccelerationKind kind, const ShapeSet& shapes,
         is_embree ? with_bytes(std::make_unique<EmbreeStructure>(device, shapes, meshes))
                   : make(kind, shapes, meshes, options);
     return {std::move(structure), bytes, process_cpu_seconds() - start};
+}
+
+bool has_triangle_tests(AccelerationKind kind) {
+    return kind != AccelerationKind::hybrid && kind != AccelerationKind::embree &&
+           kind != AccelerationKind::wide_bvh;
 }
 
 AccelerationKind structure_kind(const std::string& name) {

@@ -27,6 +27,9 @@ struct MadeStructure {
                                            std::span<const MeshEntry> meshes,
                                            const StructureOptions& options = {});
 
+/// Whether its triangles are tested one by one, by StructureOptions::triangle_test.
+[[nodiscard]] bool has_triangle_tests(AccelerationKind kind);
+
 /// Throws Error that lists the names if there is none.
 [[nodiscard]] AccelerationKind structure_kind(const std::string& name);
 

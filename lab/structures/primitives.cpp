@@ -19,7 +19,8 @@ void Primitives::add(const BlockList<Shape>& list) {
     }
 }
 
-Primitives::Primitives(const ShapeSet& shapes, std::span<const MeshEntry> meshes)
+Primitives::Primitives(const ShapeSet& shapes, std::span<const MeshEntry> meshes,
+                       const TriangleTestMaker& triangle_test)
     : kernels_(&best_kernels()), blocks_(shapes.blocks), moving_(shapes.moving) {
     blocks_.each([&](const auto& list) { add(list); });
     for (std::uint32_t i = 0; i < moving_.size(); ++i) {
@@ -30,11 +31,21 @@ Primitives::Primitives(const ShapeSet& shapes, std::span<const MeshEntry> meshes
             bounded_.push_back({Primitive::kMoving, i, shape.object, 0, bounds_of(shape)});
         }
     }
+    const std::size_t first = bounded_.size();
     add_meshes(meshes);
+    if (triangle_test) {
+        std::vector<std::array<V3f, 3>> triangles;
+        for (std::size_t i = first; i < bounded_.size(); ++i) {
+            triangles.push_back(corners(bounded_[i]));
+        }
+        triangle_test_ = triangle_test(triangles);
+    }
 }
 
 void Primitives::add_meshes(std::span<const MeshEntry> meshes) {
     for (std::uint32_t mesh = 0; mesh < meshes.size(); ++mesh) {
+        first_triangle_.push_back(
+            meshes_.empty() ? 0 : first_triangle_.back() + meshes_.back()->triangles.size());
         meshes_.push_back(meshes[mesh].mesh);
         const auto count = static_cast<std::uint32_t>(meshes[mesh].mesh->triangles.size());
         for (std::uint32_t number = 0; number < count; ++number) {
@@ -55,6 +66,15 @@ std::array<V3f, 3> Primitives::corners(const Primitive& triangle) const {
 bool Primitives::closest(const Primitive& shape, const Ray& ray, Hit& hit) const {
     if (shape.shape == Primitive::kMoving) {
         return intersect_moving(moving_[shape.index], ray, hit);
+    }
+    if (shape.shape == Primitive::kMeshTriangle && triangle_test_) {
+        const bool is_hit =
+            triangle_test_->closest(first_triangle_[shape.index] + shape.number, ray, hit);
+        if (is_hit) {
+            hit.object = shape.object;
+            hit.primitive = shape.number;
+        }
+        return is_hit;
     }
     if (shape.shape == Primitive::kMeshTriangle) {
         const auto [a, b, c] = corners(shape);

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "lab/structures/triangle_test.h"
 #include "render/acceleration/analytic_kernels.h"
 #include "render/acceleration/mesh_entry.h"
 #include "render/acceleration/shape_bounds.h"
@@ -29,7 +30,9 @@ class Primitives {
   public:
     /// Infinite planes have a list of their own; the triangles of `meshes` come last. The triangles
     /// in `shapes.meshes` are left out. The meshes must outlive this object.
-    explicit Primitives(const ShapeSet& shapes, std::span<const MeshEntry> meshes = {});
+    /// `triangle_test` may be empty.
+    explicit Primitives(const ShapeSet& shapes, std::span<const MeshEntry> meshes = {},
+                        const TriangleTestMaker& triangle_test = {});
 
     [[nodiscard]] std::span<const Primitive> bounded() const { return bounded_; }
     [[nodiscard]] std::span<const Primitive> planes() const { return planes_; }
@@ -60,6 +63,8 @@ class Primitives {
     AnalyticBlocks blocks_;
     std::vector<MovingShape> moving_;
     std::vector<const TriangleMesh*> meshes_;
+    std::shared_ptr<const TriangleTest> triangle_test_;  // may be null
+    std::vector<std::size_t> first_triangle_;            // of each mesh, for it
     std::vector<Primitive> bounded_;
     std::vector<Primitive> planes_;
 };

@@ -16,9 +16,11 @@ class StructureMeter {
     StructureMeter(const StructureMeter&) = delete;
     StructureMeter& operator=(const StructureMeter&) = delete;
 
-    /// For the structures from now on. `counts`: whether tests are counted.
-    void set(bool counts, bool shadow_rays_stop = true, const StructureSizes& sizes = {}) {
-        options_ = {counts ? &counts_ : nullptr, shadow_rays_stop, sizes};
+    /// For the structures from now on. `counts`: whether tests are counted; replaces that of the
+    /// options.
+    void set(bool counts, StructureOptions options = {}) {
+        options_ = std::move(options);
+        options_.counts = counts ? &counts_ : nullptr;
     }
 
     /// Refers to this object.

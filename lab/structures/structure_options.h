@@ -1,6 +1,8 @@
 // Options of a structure and its queries.
 #pragma once
 
+#include "lab/structures/triangle_test.h"
+
 namespace carom::render {
 
 class SharedCounts;
@@ -16,6 +18,8 @@ struct StructureOptions {
     SharedCounts* counts = nullptr;  // if given, tests are counted; outlives the structure
     bool shadow_rays_stop = true;    // at the first hit; otherwise they find the nearest one
     StructureSizes sizes{};
+    /// Instead of the renderer's test; for structures that test triangles one by one.
+    TriangleTestMaker triangle_test{};
 };
 
 }  // namespace carom::render

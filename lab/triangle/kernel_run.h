@@ -32,7 +32,8 @@ class KernelRun {
     /// The packing in use.
     [[nodiscard]] virtual Packing packing() const = 0;
 
-    /// The nearest hit of every ray, after run().
+    /// The nearest hit of every ray, after run(); with Technique::any_hit the triangle of the first
+    /// one found, and no numbers.
     [[nodiscard]] virtual std::vector<NearestHit> hits() const = 0;
 };
 

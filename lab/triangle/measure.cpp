@@ -147,8 +147,8 @@ class TimedSets {
 
     void measure(const KernelLibrary& library, VariantRates& rates) const {
         const Variant& variant = rates.variant;
-        rates.random.push_back(rate_of(library, variant, random_));
-        rates.worst.push_back(rate_of(library, variant, worst_));
+        rates.random.push_back(rate_of(library, variant, set_for(variant.technique, random_)));
+        rates.worst.push_back(rate_of(library, variant, set_for(variant.technique, worst_)));
         if (has_streamed_ && has_layouts(variant)) {
             const bool is_of_rays =
                 variant.packing == Packing::four_rays || variant.packing == Packing::eight_rays;

@@ -7,6 +7,7 @@
 #define CAROM_TRIANGLE_RAYS_RUN_INL_H
 #endif
 
+#include <algorithm>
 #include <vector>
 
 #include "lab/triangle/make_variant.h"
@@ -46,6 +47,7 @@ class RaysRun final : public KernelRun {
     using Ray = TestedRay<kTechnique, L>;
     static constexpr int kLanes = static_cast<int>(hn::MaxLanes(D()));
     static constexpr int kVectors = kCount / kLanes;
+    static constexpr bool kEndsAtAnyHit = kTechnique == Technique::any_hit;
 
   public:
     explicit RaysRun(const TestSet& set)
@@ -65,10 +67,13 @@ class RaysRun final : public KernelRun {
         for (std::size_t group = 0; group < groups; ++group) {
             const Triangle* triangles =
                 &triangles_[group * static_cast<unsigned>(triangles_in_group_)];
-            for (int i = 0; i < rays_in_group_; i += kCount) {
-                intersect_all(
-                    group * static_cast<unsigned>(rays_in_group_) + static_cast<unsigned>(i),
-                    triangles);
+            const std::size_t first = group * static_cast<unsigned>(rays_in_group_);
+            if constexpr (shares_rays(kTechnique)) {
+                intersect_group(first, triangles);
+            } else {
+                for (int i = 0; i < rays_in_group_; i += kCount) {
+                    intersect_all(first + static_cast<unsigned>(i), triangles);
+                }
             }
         }
     }
@@ -103,6 +108,44 @@ class RaysRun final : public KernelRun {
         return {load_ray(first + kIndices * kLanes)...};
     }
 
+    void intersect_group(std::size_t first, const Triangle* triangles) {
+        const D d;
+        const auto count = static_cast<unsigned>(rays_in_group_);
+        std::fill_n(&t_[first], count, T(kInfinity));
+        std::fill_n(&u_[first], count, T(0));
+        std::fill_n(&v_[first], count, T(0));
+        std::fill_n(&triangle_[first], count, T(-1));
+        constexpr bool kOneOrigin = kTechnique == Technique::common_origin;
+        // Not in a loop: g++ would copy these numbers through memory, half a vector at a time.
+        const auto common_number = [&](std::size_t axis) HWY_ATTR {
+            return hn::Set(d, *rays_.place(first, axis + (kOneOrigin ? 0 : 3)));
+        };
+        const Triple<V> common{{common_number(0), common_number(1), common_number(2)}};
+        for (int i = 0; i < triangles_in_group_; ++i) {
+            const auto record = broadcast<L, typename Kernel::template Record<L>>(
+                record_of<Kernel, One>(triangles[i].input));
+            for (std::size_t at = first; at < first + count; at += kLanes) {
+                const auto own_number = [&](std::size_t axis) HWY_ATTR {
+                    return load<D>(rays_, at, axis + (kOneOrigin ? 3 : 0));
+                };
+                const Triple<V> own{{own_number(0), own_number(1), own_number(2)}};
+                const RayIn<L> ray{kOneOrigin ? common : own, kOneOrigin ? own : common,
+                                   hn::Zero(d), hn::LoadU(d, &t_[at])};
+                const auto hit = Kernel::template intersect<kForm.division>(ray, record);
+                if (!L::none(hit.valid)) {
+                    const auto keep = [&](V number, std::vector<T>& numbers) HWY_ATTR {
+                        hn::StoreU(hn::IfThenElse(hit.valid, number, hn::LoadU(d, &numbers[at])), d,
+                                   &numbers[at]);
+                    };
+                    keep(hit.t, t_);
+                    keep(hit.u, u_);
+                    keep(hit.v, v_);
+                    keep(hn::Set(d, static_cast<T>(i)), triangle_);
+                }
+            }
+        }
+    }
+
     void intersect_all(std::size_t first, const Triangle* triangles) {
         const D d;
         auto rays = load_rays(first, std::make_index_sequence<kVectors>());
@@ -117,22 +160,32 @@ class RaysRun final : public KernelRun {
         for (int i = 0; i < triangles_in_group_; ++i) {
             const auto record = broadcast<L, typename Kernel::template Record<L>>(
                 record_of<Kernel, One>(triangles[i].input));
+            int open = 0;  // vectors with rays that go on
             for (int k = 0; k < kVectors; ++k) {
                 Ray& ray = rays[static_cast<std::size_t>(k)];
                 const auto hit =
                     ray.template test<Kernel, kForm.division>(record, triangles[i].first);
                 if (!L::none(hit.valid)) {
-                    ray.set_t_max(hn::IfThenElse(hit.valid, hit.t, ray.t_max()));
-                    u[k] = hn::IfThenElse(hit.valid, hit.u, u[k]);
-                    v[k] = hn::IfThenElse(hit.valid, hit.v, v[k]);
                     triangle[k] =
                         hn::IfThenElse(hit.valid, hn::Set(d, static_cast<T>(i)), triangle[k]);
+                    const auto end = kEndsAtAnyHit ? hn::Set(d, T(-1)) : hit.t;
+                    ray.set_t_max(hn::IfThenElse(hit.valid, end, ray.t_max()));
+                    if constexpr (!kEndsAtAnyHit) {
+                        u[k] = hn::IfThenElse(hit.valid, hit.u, u[k]);
+                        v[k] = hn::IfThenElse(hit.valid, hit.v, v[k]);
+                    }
                 }
+                open += kEndsAtAnyHit && hn::AllTrue(d, hn::Lt(ray.t_max(), hn::Zero(d))) ? 0 : 1;
+            }
+            if (open == 0) {
+                break;
             }
         }
         for (int k = 0; k < kVectors; ++k) {
             const std::size_t to = first + static_cast<unsigned>(k * kLanes);
-            hn::StoreU(rays[static_cast<std::size_t>(k)].t_max(), d, &t_[to]);
+            hn::StoreU(kEndsAtAnyHit ? hn::Set(d, T(kInfinity))
+                                     : rays[static_cast<std::size_t>(k)].t_max(),
+                       d, &t_[to]);
             hn::StoreU(u[k], d, &u_[to]);
             hn::StoreU(v[k], d, &v_[to]);
             hn::StoreU(triangle[k], d, &triangle_[to]);

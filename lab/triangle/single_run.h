@@ -121,10 +121,15 @@ class SingleRun final : public KernelRun {
             const auto& triangle = triangles_.at(first_triangle + static_cast<unsigned>(i));
             const auto hit = ray.template test<Kernel, kForm.division>(
                 scalar::record_of<Kernel, L>(triangle.input), triangle.first);
-            if (hit.valid) {
-                best = {hit.t, hit.u, hit.v, i};
-                ray.set_t_max(hit.t);
+            if (!hit.valid) {
+                continue;
             }
+            if constexpr (kTechnique == Technique::any_hit) {
+                best.triangle = i;
+                return best;
+            }
+            best = {hit.t, hit.u, hit.v, i};
+            ray.set_t_max(hit.t);
         }
         return best;
     }

@@ -135,4 +135,14 @@ TestSet make_edge_set(int groups, std::uint64_t seed) {
     return set;
 }
 
+TestSet set_for(Technique technique, TestSet set) {
+    for (std::size_t i = 0; i < set.origins.size() && shares_rays(technique); ++i) {
+        const std::size_t first = i - i % static_cast<unsigned>(set.rays_in_group);
+        std::vector<V3f>& common =
+            technique == Technique::common_origin ? set.origins : set.directions;
+        common[i] = common[first];
+    }
+    return set;
+}
+
 }  // namespace carom::render::triangle

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "lab/triangle/variant.h"
 #include "render/geometry/ray.h"
 
 namespace carom::render::triangle {
@@ -47,5 +48,9 @@ struct TestSet {
 /// Groups whose triangles would lie on one side are left out, so that there are fewer than
 /// `groups`.
 [[nodiscard]] TestSet make_edge_set(int groups, std::uint64_t seed);
+
+/// The set as the technique needs it: if rays of a group have an origin or a direction in common,
+/// that of the first one is taken.
+[[nodiscard]] TestSet set_for(Technique technique, TestSet set);
 
 }  // namespace carom::render::triangle

@@ -100,10 +100,15 @@ class TrianglesRun final : public KernelRun {
         for (int i = 0; i < triangles_in_group_; i += kLanes) {
             const auto hit = Kernel::template intersect<kForm.division>(
                 ray, record_of<Kernel, L>(load_triangles(first_triangle + unsigned(i))));
-            if (!L::none(hit.valid)) {
-                keep_nearest(hit, i, best);
-                ray.t_max = hn::Set(d, best.t);
+            if (L::none(hit.valid)) {
+                continue;
             }
+            if constexpr (kTechnique == Technique::any_hit) {
+                best.triangle = i + static_cast<int>(hn::FindKnownFirstTrue(d, hit.valid));
+                return best;
+            }
+            keep_nearest(hit, i, best);
+            ray.t_max = hn::Set(d, best.t);
         }
         return best;
     }

@@ -84,6 +84,12 @@ std::string_view name(Technique technique) {
             return "axis_by_order";
         case Technique::axis_fixed:
             return "axis_fixed";
+        case Technique::any_hit:
+            return "any_hit";
+        case Technique::common_origin:
+            return "common_origin";
+        case Technique::parallel_rays:
+            return "parallel_rays";
     }
     return {};
 }

@@ -53,7 +53,10 @@ enum class Technique {
     axis_from_table,   // a record with one axis; a table has those that follow it
     axis_by_versions,  // three versions of the code, each for one axis
     axis_by_order,     // each triangle's coordinates begin with its axis; each ray in three orders
-    axis_fixed         // the same axis for all triangles
+    axis_fixed,        // the same axis for all triangles
+    any_hit,           // only whether a ray hits something: it ends at the first hit
+    common_origin,     // rays of a group begin at one point: see shares_rays()
+    parallel_rays      // rays of a group have one direction
 };
 inline constexpr std::array kTechniques = {Technique::plain,
                                            Technique::arrays,
@@ -63,7 +66,16 @@ inline constexpr std::array kTechniques = {Technique::plain,
                                            Technique::axis_from_table,
                                            Technique::axis_by_versions,
                                            Technique::axis_by_order,
-                                           Technique::axis_fixed};
+                                           Technique::axis_fixed,
+                                           Technique::any_hit,
+                                           Technique::common_origin,
+                                           Technique::parallel_rays};
+
+/// Whether the rays of a group have something in common. They are tested triangle by triangle, so
+/// that what depends on nothing else is computed once for each triangle.
+[[nodiscard]] constexpr bool shares_rays(Technique technique) {
+    return technique == Technique::common_origin || technique == Technique::parallel_rays;
+}
 
 /// A kernel with one of its inputs, and one of the two places of its division.
 struct Form {

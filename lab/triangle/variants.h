@@ -105,6 +105,12 @@ static_assert([] {
             return is_early && kernel.has_axis && !is_several_triangles(variant.packing);
         case Technique::axis_fixed:
             return is_early && kernel.has_axis;
+        case Technique::any_hit:
+            return is_early;
+        case Technique::common_origin:
+        case Technique::parallel_rays:
+            return is_early && variant.packing != Packing::single &&
+                   !is_several_triangles(variant.packing);
     }
     return false;
 }

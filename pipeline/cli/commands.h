@@ -395,6 +395,7 @@ struct CompareCommand {
     std::string leaf_capacity;           // comma-separated numbers; empty: the structures' own
     std::string node_capacity;
     std::string grid_density;
+    std::string kernel;  // comma-separated triangle tests of the structures; empty: the renderer's
     std::string accelerators = "all";   // comma-separated names
     std::string shadow_rays = "any";    // or "closest", "both"
     std::optional<std::int64_t> frame;  // of a shot

@@ -7,7 +7,7 @@
 #include <hwy/highway.h>
 
 #include "render/camera/kernels-inl.h"
-#include "render/sampling/lane_sampler-inl.h"
+#include "render/sampling/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {

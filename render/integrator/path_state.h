@@ -68,23 +68,13 @@ struct Path {
     float spread = 0;          // growth of that width per m
 };
 
-/// The random numbers of a vertex: points of the unit square, low-discrepancy over the samples of a
-/// pixel. A choice between lights or lobes remaps its number and uses it again.
-struct VertexNumbers {
-    V2f light;
-    V2f scattering;
-};
-
-/// The dimensions of every decision. They do not depend on earlier decisions, so that the samples
-/// of a pixel stay one low-discrepancy set per decision.
+/// The dimensions of every decision, which are low-discrepancy over the samples of a pixel. A
+/// choice between lights or lobes remaps its number and uses it again. They do not depend on
+/// earlier decisions, so that the samples of a pixel stay one low-discrepancy set per decision.
 class PathDimensions {
   public:
     explicit PathDimensions(const SampleStream& stream) : stream_(stream) {}
 
-    [[nodiscard]] VertexNumbers vertex(const Path& path) const {
-        const auto u = set(vertex_index(path) * 2);
-        return {V2f(u[0], u[1]), V2f(u[2], u[3])};
-    }
     /// At a split, for the coat's direction (`x`, `y`); `z` is for roulette.
     [[nodiscard]] V3f further(const Path& path) const {
         const auto u = set(vertex_index(path) * 2 + 1);
@@ -97,17 +87,6 @@ class PathDimensions {
     [[nodiscard]] std::array<float, 4> caustic(const Path& path) const {
         return set(kCaustics + 2 * vertex_index(path) + 1);
     }
-    /// For two lights that take one sample at the first vertex.
-    [[nodiscard]] std::array<V2f, 2> light_pair(std::uint32_t pair) const {
-        const auto u = set(kLightPairs + pair);
-        return {V2f(u[0], u[1]), V2f(u[2], u[3])};
-    }
-
-    /// For a light that takes four samples at the first vertex.
-    [[nodiscard]] std::array<V2f, 4> light_block(std::size_t light) const {
-        return stream_.get_2d_block(kLightBlocks + static_cast<std::uint32_t>(light));
-    }
-
     // Indices of the sets of numbers: those of all vertices first, then those of a first vertex's
     // lights.
     static constexpr std::uint32_t kVertices = 128;  // more than a path can have

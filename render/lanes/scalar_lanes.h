@@ -77,6 +77,9 @@ struct ScalarLanes {
         return x >> kBits;
     }
     static Word shifted_right(Word x, Word bits) { return x >> bits; }
+    static Word shifted_right_by(Word x, int bits) { return x >> bits; }
+    /// A number of a table, for an index in [0, 15].
+    static Word one_of_sixteen(const std::uint32_t (&table)[16], Int index) { return table[index]; }
     static constexpr Word reversed_bits(Word x) {
         x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
         x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);

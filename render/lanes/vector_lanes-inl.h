@@ -95,6 +95,24 @@ struct VectorLanes {
         return hn::ShiftRight<kBits>(x);
     }
     static HWY_INLINE Word shifted_right(Word x, Word bits) { return hn::Shr(x, bits); }
+    static HWY_INLINE Word shifted_right_by(Word x, int bits) {
+        return hn::ShiftRightSame(x, bits);
+    }
+    /// Out of registers, where these are wide enough.
+    static HWY_INLINE Word one_of_sixteen(const std::uint32_t (&table)[16], Int index) {
+        const WordTag d;
+        if constexpr (hn::MaxLanes(WordTag()) >= 16) {
+            return hn::TableLookupLanes(hn::LoadU(d, table), hn::IndicesFromVec(d, index));
+        } else if constexpr (hn::MaxLanes(WordTag()) == 8) {
+            // The two halves of the table; eight lanes take three bits of the index.
+            const auto place = hn::IndicesFromVec(d, hn::And(index, all_int(7)));
+            const Word low = hn::TableLookupLanes(hn::LoadU(d, table), place);
+            const Word high = hn::TableLookupLanes(hn::LoadU(d, table + 8), place);
+            return hn::IfThenElse(hn::RebindMask(d, hn::Gt(index, all_int(7))), high, low);
+        } else {
+            return hn::GatherIndex(d, table, index);
+        }
+    }
     template <int kBits>
     static HWY_INLINE Int shifted_right_int(Int x) {
         return hn::ShiftRight<kBits>(x);

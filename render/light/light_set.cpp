@@ -5,7 +5,6 @@
 
 #include "core/error.h"
 #include "render/geometry/validity.h"
-#include "render/sampling/remap_sample.h"
 #include "render/scene/scene_problems.h"
 
 namespace carom::render {
@@ -69,35 +68,6 @@ float LightSet::importance(std::size_t light, const V3f& point, const V3f& norma
     }
     return std::visit([&](const auto& emitter) { return emitter.importance(point, normal); },
                       area_lights_[light]);
-}
-
-// Reservoir sampling in one pass: each light replaces the choice with the probability of its weight
-// over the sum of all weights up to it (PBR, section A.2).
-std::optional<LightSet::Choice> LightSet::choose(const V3f& point, const V3f& normal, float u,
-                                                 float time) const {
-    Choice choice;
-    choice.u = u;
-    float chosen = 0;
-    for (std::size_t light = 0; light < sampled_count(); ++light) {
-        const float weight = importance(light, point, normal, time);
-        if (weight <= 0) {
-            continue;
-        }
-        choice.total += weight;
-        const float probability = weight / choice.total;
-        if (choice.u < probability) {
-            choice.light = light;
-            chosen = weight;
-        }
-        if (probability < 1) {
-            choice.u = remap_sample(choice.u, probability);
-        }
-    }
-    if (chosen <= 0) {
-        return std::nullopt;
-    }
-    choice.probability = chosen / choice.total;
-    return choice;
 }
 
 std::optional<LightSample> LightSet::sample(std::size_t light, const V3f& point, const V2f& u,

@@ -66,18 +66,6 @@ class LightSet {
     [[nodiscard]] float importance(std::size_t light, const V3f& point, const V3f& normal,
                                    float time = 0) const;
 
-    struct Choice {
-        std::size_t light = 0;
-        float probability = 0;  // importance / total
-        float total = 0;        // sum of all importances, > 0
-        float u = 0;            // the number that made the choice, remapped to [0, 1)
-    };
-
-    /// Chooses one light in proportion to importance, for `u` in [0, 1); empty if all importances
-    /// are 0.
-    [[nodiscard]] std::optional<Choice> choose(const V3f& point, const V3f& normal, float u,
-                                               float time = 0) const;
-
     /// A direction towards one light; empty if the light cannot reach the point.
     [[nodiscard]] std::optional<LightSample> sample(std::size_t light, const V3f& point,
                                                     const V2f& u, float time = 0) const;

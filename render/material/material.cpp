@@ -133,19 +133,4 @@ V3f Material::mirror_reflectance(float cosine) const {
     return V3f(coat) + (metal + V3f(highlight)) * (1.0f - coat);
 }
 
-Surface Material::resolve(const SurfacePoint& point, const V3f& wo, float footprint) const {
-    Surface surface;
-    const scalar::TexturePointOf<scalar::One> textured{
-        scalar::three(point.object_position), scalar::three(point.geometric_normal),
-        scalar::two(point.uv), point.uv_per_metre, scalar::two(point.uv_metres)};
-    const auto resolved = scalar::resolve_surface<scalar::One>(texture_.data(), bump_, textured,
-                                                               scalar::three(point.shading_normal),
-                                                               scalar::three(wo), footprint);
-    surface.geometric_normal = scalar::vector_of(resolved.geometric_normal);
-    surface.base = scalar::vector_of(resolved.base);
-    surface.frame = OrthonormalBasis::around(scalar::vector_of(resolved.normal));
-    surface.emission = resolved.from_behind ? V3f(0, 0, 0) : emission_;
-    return surface;
-}
-
 }  // namespace carom::render

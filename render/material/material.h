@@ -1,4 +1,4 @@
-// A material ready for shading, and the surface that it gives at one point.
+// A material ready for shading. Both sides of a surface scatter alike, except those of glass.
 #pragma once
 
 #include <memory>
@@ -39,25 +39,12 @@ struct LayerConstants {
     std::shared_ptr<const GlassConstants> glass;  // null: not transmissive
 };
 
-/// The surface at one point, as plain data without textures or scene.
-struct Surface {
-    V3f geometric_normal;    // unit, on the viewer's side
-    OrthonormalBasis frame;  // z: the shading normal, on the viewer's side
-    V3f base;                // albedo, or reflectance of the metal
-    V3f emission{0, 0, 0};   // towards the viewer, W/(m^2 sr)
-};
-
 /// Immutable; shared by all threads.
 class Material {
   public:
     /// Throws Error if a texture's file is missing.
     Material(const StandardMaterial& description, ImageCache& images, AlbedoTables& tables);
     Material(const PhongMaterial& description, ImageCache& images);
-
-    /// The surface at `point` seen from the unit direction `wo` (away from the surface);
-    /// `footprint`: width of a pixel there, m. Both sides of a surface scatter alike, except those
-    /// of glass.
-    [[nodiscard]] Surface resolve(const SurfacePoint& point, const V3f& wo, float footprint) const;
 
     [[nodiscard]] const LayerConstants& layers() const { return layers_; }
     /// All numbers for kernels; borrows the tables.

@@ -23,6 +23,7 @@ using M = hn::Mask<FloatTag>;
 using V2 = Two<F>;
 using F3 = Three<F>;
 using Basis = BasisOf<Lanes>;
+using LaneSampler = SamplerOf<Lanes>;
 
 HWY_INLINE int lane_count() {
     return static_cast<int>(hn::Lanes(FloatTag()));

@@ -1,6 +1,7 @@
 // The random numbers of one sample of a pixel: Owen-scrambled Sobol points (Sobol 1967; Owen 1995;
 // hash-based scrambling after Laine and Karras 2011 and Burley 2020), a pure function of (seed,
-// pixel, sample, dimension). Any aligned run of 2^k samples of a pixel is stratified.
+// pixel, sample, dimension). kernels/sampler.h has the formulas. Any aligned run of 2^k samples of
+// a pixel is stratified.
 #pragma once
 
 #include <array>
@@ -17,9 +18,6 @@ struct CameraSample {
     float time = 0;
 };
 
-/// The camera sample of the stream with this state.
-[[nodiscard]] CameraSample camera_sample(std::uint32_t pixel_hash, std::uint32_t reversed_sample);
-
 /// Returns the dimensions of one sample of one pixel, in order. Cheap to copy; no shared state.
 class SampleStream {
   public:
@@ -27,9 +25,7 @@ class SampleStream {
                  std::uint32_t sample);
 
     /// Does not advance the stream.
-    [[nodiscard]] CameraSample camera_sample() const {
-        return render::camera_sample(pixel_hash_, reversed_sample_);
-    }
+    [[nodiscard]] CameraSample camera_sample() const;
     /// The stream with this state.
     [[nodiscard]] static SampleStream of_state(std::uint32_t pixel_hash,
                                                std::uint32_t reversed_sample) {
@@ -43,11 +39,6 @@ class SampleStream {
 
     /// The next four dimensions: one shuffled, scrambled four-dimensional Sobol point.
     [[nodiscard]] std::array<float, 4> next_4d();
-
-    /// Four points of the unit square for this one sample, from the given set. The points of all
-    /// samples together form one low-discrepancy sequence of four times the length. For fewer than
-    /// 2^30 samples.
-    [[nodiscard]] std::array<V2f, 4> get_2d_block(std::uint32_t set) const;
 
     /// One number of a set, independent from sample to sample. It is for choices of very small
     /// probability, which gain nothing from stratification.

@@ -55,11 +55,10 @@ constexpr std::uint32_t reverse_bits(std::uint32_t x) {
 }
 
 /// For each nibble of the bit-reversed index, the bit-reversed coordinates that it contributes:
-/// the point of a reversed index is the exclusive or over its eight nibbles. `values[j][n][d]`:
-/// nibble j has the value n, dimension d.
-struct SobolNibbleTables {
-    alignas(16) std::uint32_t values[8][16][4];
-    std::uint32_t fifth[8][16];
+/// the point of a reversed index is the exclusive or over its eight nibbles. In the order [nibble]
+/// [dimension][value of the nibble].
+struct SobolTables {
+    alignas(64) std::uint32_t at[8][kSobolDimensions][16];
 };
 
 constexpr std::uint32_t nibble_contribution(const std::array<std::uint32_t, 32>& m, int nibble,
@@ -74,46 +73,24 @@ constexpr std::uint32_t nibble_contribution(const std::array<std::uint32_t, 32>&
     return x;
 }
 
-constexpr SobolNibbleTables make_sobol_tables() {
-    SobolNibbleTables tables{};
+constexpr SobolTables make_sobol_tables() {
+    SobolTables tables{};
     for (int d = 0; d < kSobolDimensions; ++d) {
         const std::array<std::uint32_t, 32> m = direction_numbers(kSobolPolynomials[d]);
         for (int nibble = 0; nibble < 8; ++nibble) {
             for (int value = 0; value < 16; ++value) {
-                const std::uint32_t x = nibble_contribution(m, nibble, value);
-                if (d < 4) {
-                    tables.values[nibble][value][d] = x;
-                } else {
-                    tables.fifth[nibble][value] = x;
-                }
+                tables.at[nibble][d][value] = nibble_contribution(m, nibble, value);
             }
         }
     }
     return tables;
 }
 
-inline constexpr SobolNibbleTables kSobol = make_sobol_tables();
-
-/// The same numbers of the first four dimensions in the order [nibble][dimension][digit].
-struct SobolDigitTables {
-    alignas(64) std::uint32_t at[8][4][16];
-};
-constexpr SobolDigitTables make_digit_tables() {
-    SobolDigitTables tables{};
-    for (int nibble = 0; nibble < 8; ++nibble) {
-        for (int digit = 0; digit < 16; ++digit) {
-            for (int d = 0; d < 4; ++d) {
-                tables.at[nibble][d][digit] = kSobol.values[nibble][digit][d];
-            }
-        }
-    }
-    return tables;
-}
-inline constexpr SobolDigitTables kSobolDigits = make_digit_tables();
+inline constexpr SobolTables kSobol = make_sobol_tables();
 
 /// Seeds that make the scrambling of each dimension of a set different.
-inline constexpr std::uint32_t kLaneSalts[4] = {0x3c6ef372u, 0xdaa66d2bu, 0x78dde6e4u, 0x1715609du};
-inline constexpr std::uint32_t kFifthSalt = 0xb54cda56u;
+inline constexpr std::uint32_t kDimensionSalts[kSobolDimensions] = {
+    0x3c6ef372u, 0xdaa66d2bu, 0x78dde6e4u, 0x1715609du, 0xb54cda56u};
 
 /// The set of a pixel's camera rays, apart from the numbered sets.
 inline constexpr std::uint32_t kCameraSet = 0xffffffffu;
@@ -123,7 +100,7 @@ inline constexpr std::uint32_t kCameraSet = 0xffffffffu;
 /// reversed.
 constexpr std::uint32_t block_difference(int dimension, std::uint32_t k) {
     const std::uint32_t reversed = (k & 1u) << 1 | k >> 1;
-    return kSobol.values[7][reversed << 2][dimension];
+    return kSobol.at[7][dimension][reversed << 2];
 }
 
 }  // namespace carom::render::detail

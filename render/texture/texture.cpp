@@ -2,7 +2,6 @@
 
 #include "core/elementary.h"
 #include "render/texture/cloth_tiles.h"
-#include "render/texture/scalar_kernels.h"
 
 namespace carom::render {
 namespace {
@@ -13,11 +12,6 @@ struct Overloaded : Visitors... {
 };
 template <class... Visitors>
 Overloaded(Visitors...) -> Overloaded<Visitors...>;
-
-scalar::TexturePointOf<scalar::One> texture_point(const SurfacePoint& point) {
-    return {scalar::three(point.object_position), scalar::three(point.geometric_normal),
-            scalar::two(point.uv), point.uv_per_metre, scalar::two(point.uv_metres)};
-}
 
 }  // namespace
 
@@ -65,16 +59,6 @@ Texture::Texture(const ColourSource& source, ImageCache& images) {
             [&](const CheckerTexture& checker) { data_ = CheckerPattern(checker).parameters(); },
         },
         source);
-}
-
-V3f Texture::colour(const SurfacePoint& point, float footprint) const {
-    return scalar::vector_of(
-        scalar::colour_of<scalar::One>(data_, texture_point(point), footprint));
-}
-
-Texture::Relief Texture::relief(const SurfacePoint& point, float footprint) const {
-    const auto relief = scalar::relief_of<scalar::One>(data_, texture_point(point), footprint);
-    return {scalar::vector_of(relief.colour), scalar::vector_of(relief.normal_shift)};
 }
 
 }  // namespace carom::render

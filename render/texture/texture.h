@@ -42,23 +42,11 @@ class Texture {
     /// Throws Error if a file or the font for a ball's number is missing.
     Texture(const ColourSource& source, ImageCache& images);
 
-    /// Colour at `point`, averaged over about `footprint` (width of a pixel on the surface, m; 0:
-    /// as sharp as possible). Each channel is >= 0, and <= 1 unless an image contains more.
-    [[nodiscard]] V3f colour(const SurfacePoint& point, float footprint) const;
-
     /// The colour if it is constant.
     [[nodiscard]] std::optional<V3f> constant() const {
         const auto* colour = std::get_if<V3f>(&data_);
         return colour != nullptr ? std::optional(*colour) : std::nullopt;
     }
-
-    struct Relief {
-        V3f colour;
-        V3f normal_shift;  // to add to the unit normal before normalising it; world axes
-    };
-    /// `colour`, and how the surface's relief tilts its normal; only if `has_relief`. The relief of
-    /// cloth is assumed to lie along the world's axes.
-    [[nodiscard]] Relief relief(const SurfacePoint& point, float footprint) const;
 
     [[nodiscard]] bool has_relief() const { return std::holds_alternative<ClothParameters>(data_); }
 

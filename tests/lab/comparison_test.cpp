@@ -1,5 +1,7 @@
 #include "lab/comparison/comparison.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -171,6 +173,35 @@ TEST(Comparison, WrongStructureNames_AreReported) {
     EXPECT_EQ(message_of("kdtree,kd_tree"), "unknown structure 'kd_tree'; " + all);
     EXPECT_EQ(message_of("bvh,grid,bvh"), "the structure 'bvh' is named twice");
     EXPECT_EQ(message_of(""), "no structure is given; " + all);
+}
+
+TEST(Comparison, Kernels_GiveARowForEachStructureWithEachOfThem) {
+    ComparisonOptions options = options_of("bvh,octree");
+    options.kernels = {render::triangle::KernelName::wald, render::triangle::KernelName::shevtsov};
+    const LaboratoryScene scene = small_scene("stadium");
+    std::vector<double> reported;
+    const Comparison result = compare_structures(
+        scene, options, [&](std::string_view, double fraction) { reported.push_back(fraction); },
+        {});
+    EXPECT_TRUE(result.is_whole);
+    EXPECT_THAT(names_of(result),
+                ElementsAre("bvh, wald", "octree, wald", "bvh, shevtsov", "octree, shevtsov"));
+    EXPECT_TRUE(std::ranges::is_sorted(reported));
+    EXPECT_GT(result.rows[0].tests.total().objects, 0u);
+    EXPECT_EQ(result.rows[0].tests[RayKind::primary].rays, 256u);
+}
+
+TEST(Comparison, KernelsOfStructures_AreForThoseThatTestTrianglesOneByOne) {
+    const auto all = structures_with_kernels("all");
+    EXPECT_EQ(all.size(), render::kAccelerationNames.size() - 3);
+    EXPECT_THAT(structures_with_kernels("bvh"), ElementsAre(AccelerationKind::bvh));
+    std::string message;
+    try {
+        (void)structures_with_kernels("bvh,hybrid");
+    } catch (const Error& error) {
+        message = error.what();
+    }
+    EXPECT_EQ(message, "the structure 'hybrid' has its own triangle test");
 }
 
 }  // namespace

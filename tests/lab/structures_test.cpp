@@ -2,6 +2,7 @@
 // correct counts.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <memory>
 #include <string>
@@ -13,8 +14,11 @@
 #include "lab/structures/make_structure.h"
 #include "lab/structures/primitives.h"
 #include "lab/structures/shared_counts.h"
+#include "lab/triangle/kernel_test.h"
+#include "lab/triangle/variants.h"
 #include "render/acceleration/hybrid_structure.h"
 #include "tests/render/acceleration/random_shapes.h"
+#include "tests/render/hits.h"
 
 namespace carom::render {
 
@@ -633,6 +637,34 @@ TEST(LaboratoryPeers, HybridAndEmbree_FindTheSamePrimitives) {
     }
     EXPECT_EQ(differing[0], 0);
     EXPECT_LE(differing[1], 1);
+}
+
+// A kernel's own rounding moves a hit, and decides at edges.
+TEST(LaboratoryOfKernels, EveryKernelInAStructure_FindsTheTrianglesOfTheRenderers) {
+    const RandomScene scene = everything(0, 0, 8);
+    const auto usual = make(scene, AccelerationKind::bvh);
+    for (const triangle::KernelFacts& kernel : triangle::kKernels) {
+        SCOPED_TRACE(kernel.name);
+        const auto structure = make(scene, AccelerationKind::bvh,
+                                    {.triangle_test = triangle::triangle_test(kernel.kernel)});
+        TestRandom random(13);
+        int hits = 0;
+        int differing = 0;
+        for (int i = 0; i < 20'000; ++i) {
+            const Ray ray = test::random_ray_toward(random, 3, 2);
+            Hit a;
+            Hit b;
+            const bool found = usual->closest_hit(ray, a);
+            const bool also = structure->closest_hit(ray, b);
+            const bool is_same = found == also && a.object == b.object &&
+                                 a.primitive == b.primitive &&
+                                 (!found || std::abs(a.t - b.t) < 1e-4f);
+            differing += is_same ? 0 : 1;
+            hits += found ? 1 : 0;
+        }
+        EXPECT_GT(hits, 1000);
+        EXPECT_LE(differing, hits / 100);
+    }
 }
 
 }  // namespace

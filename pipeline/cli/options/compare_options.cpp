@@ -59,13 +59,21 @@ void add_sizes(CommandDescription& description, CompareCommand& command) {
         .excludes({"--grid-density"});
     description.option("--grid-density", &command.grid_density, "X,...",
                        "Build the grid with X cells per shape, for each X of the list.");
+    description
+        .option(
+            "--kernel", &command.kernel, "NAMES",
+            "Test the triangles of meshes with these kernels instead of the renderer's, each in "
+            "turn: all, or a list such as wald,shevtsov. For structures that test triangles one "
+            "by one, which are all except hybrid, wide_bvh and embree.")
+        .excludes({"--leaf-capacity", "--node-capacity", "--grid-density"});
 }
 
 /// Adds the options for other measurements, which exclude the options about a frame.
 void add_other_measurements(CommandDescription& description, CompareCommand& command) {
     const std::vector<std::string> about_a_frame{
-        "SHOT|BAKE", "--scene",   "--shadow-rays",   "--frame",         "--size",        "--set",
-        "--quality", "--threads", "--leaf-capacity", "--node-capacity", "--grid-density"};
+        "SHOT|BAKE",       "--scene",         "--shadow-rays",  "--frame",
+        "--size",          "--set",           "--quality",      "--threads",
+        "--leaf-capacity", "--node-capacity", "--grid-density", "--kernel"};
     description
         .option("--growth", &command.growth, "NAME",
                 "Measure how the cost of a ray grows with the number of shapes: spheres, the "
@@ -106,7 +114,9 @@ void add_other_measurements(CommandDescription& description, CompareCommand& com
                 "Also measure the kernels with these techniques: all, or a list such as "
                 "arrays,structures (layouts in memory), newton (an estimated reciprocal with a "
                 "Newton step), sign_bits (integer tests), axis_from_table, axis_by_versions, "
-                "axis_by_order or axis_fixed (choices of the projection axis).")
+                "axis_by_order or axis_fixed (choices of the projection axis), any_hit (only "
+                "whether a ray hits something), common_origin or parallel_rays (packets of rays "
+                "that share one of the two).")
         .needs("--triangles");
     description
         .option("--compilers", &command.compilers, "NAME",
@@ -156,6 +166,8 @@ void describe(CompareCommand& command, CommandDescription& description) {
          "What wider vectors gain."},
         {"carom compare --motion 1000 --accelerators bvh,wide_bvh --plot motion.svg",
          "From which shutter on it pays to build several structures per frame."},
+        {"carom compare --scene smooth_mesh --accelerators octree,bvh --kernel all",
+         "Which triangle kernel is the fastest inside a structure."},
         {"carom compare --triangles all --csv kernels.csv", "All triangle kernels, as a table."},
         {"carom compare --triangles wald --techniques all",
          "All ways to choose the axis of Wald's."}};

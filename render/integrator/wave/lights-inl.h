@@ -219,7 +219,9 @@ HWY_INLINE void put_rays(ShadowWave& out, int k, int first, const LightLanes& li
     out.count += static_cast<int>(hn::CountTrue(FloatTag(), is_lit));
 }
 
-/// The choice of one light in every lane, as LightSet::choose.
+/// The choice of one light in every lane, in proportion to importance: reservoir sampling in one
+/// pass, in which each light replaces the choice with the probability of its weight over the sum of
+/// all weights up to it (PBR, section A.2).
 struct ChoiceLanes {
     I light;
     F probability;

@@ -2,7 +2,7 @@
 #include "render/integrator/kernels-inl.h"
 #include "render/integrator/path_state.h"
 #include "render/integrator/wave/wave_lanes-inl.h"
-#include "render/sampling/lane_sampler-inl.h"
+#include "render/sampling/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {

@@ -9,7 +9,7 @@
 #include "render/integrator/path_state.h"
 #include "render/integrator/wave/vertices-inl.h"
 #include "render/integrator/wave/wave_kernels.h"
-#include "render/sampling/lane_sampler-inl.h"
+#include "render/sampling/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {

@@ -3,7 +3,7 @@
 #include "render/integrator/path_state.h"
 #include "render/integrator/wave/lights-inl.h"
 #include "render/integrator/wave/tree_kernels.h"
-#include "render/sampling/lane_sampler-inl.h"
+#include "render/sampling/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {

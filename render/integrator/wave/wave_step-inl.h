@@ -6,7 +6,7 @@
 #include "render/integrator/wave/scatter-inl.h"
 #include "render/integrator/wave/vertices-inl.h"
 #include "render/integrator/wave/wave_kernels.h"
-#include "render/sampling/lane_sampler-inl.h"
+#include "render/sampling/lanes-inl.h"
 #include "render/sampling/one_minus_epsilon.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -45,7 +45,10 @@ CAROM_KERNEL Three<typename L::Value> sample_cone(const Two<typename L::Value>& 
     return {sine * angle.cosine, sine * angle.sine, L::all(1) - height};
 }
 
-/// See remap_sample.h.
+/// `u` in [0, 1) has chosen between a part of size `probability` (u < probability) and the rest:
+/// returns its position within the chosen part, remapped to [0, 1). Stratified numbers stay
+/// stratified (Shirley 1990, "Physically based lighting calculations for computer graphics"; PBR,
+/// section A.1).
 template <class L>
 CAROM_KERNEL typename L::Value remap_sample(typename L::Value u, typename L::Value probability) {
     const auto v = L::select(L::is_less(u, probability), u / probability,

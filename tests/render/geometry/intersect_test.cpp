@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/render/geometry/watertight_triangle.h"
 #include "tests/render/statistics.h"
 
 namespace carom::render {

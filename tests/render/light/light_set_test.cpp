@@ -16,37 +16,10 @@ std::vector<LightDescription> two_lights() {
     return {{"lamp", lamp}, {"sky", EnvironmentLight{}}, {"bulb", bulb}};
 }
 
-TEST(LightSet, Choice_IsInProportionToImportanceAndLeavesAnEvenNumber) {
+TEST(LightSet, ConstantEnvironment_IsNotSampled) {
     const LightSet lights(two_lights());
-    ASSERT_EQ(lights.area_light_count(), 2u);
-    ASSERT_EQ(lights.sampled_count(), 2u);  // the constant environment is not sampled
-    const V3f point(0.5f, 0, 0);
-    const V3f normal(0, 0, 1);
-    const float total = lights.importance(0, point, normal) + lights.importance(1, point, normal);
-    constexpr int kSteps = 10'000;
-    double chosen[2] = {0, 0};
-    double rest[2] = {0, 0};
-    for (int i = 0; i < kSteps; ++i) {
-        const auto choice = lights.choose(point, normal, (static_cast<float>(i) + 0.5f) / kSteps);
-        ASSERT_TRUE(choice);
-        EXPECT_FLOAT_EQ(choice->total, total);
-        EXPECT_FLOAT_EQ(choice->probability,
-                        lights.importance(choice->light, point, normal) / total);
-        ASSERT_TRUE(choice->u >= 0 && choice->u < 1);
-        chosen[choice->light] += 1;
-        rest[choice->light] += choice->u;
-    }
-    for (const std::size_t light : {0u, 1u}) {
-        EXPECT_NEAR(chosen[light] / kSteps, lights.importance(light, point, normal) / total, 2e-4);
-        EXPECT_NEAR(rest[light] / chosen[light], 0.5, 0.01);
-    }
-    EXPECT_TRUE(lights.choose(point, normal, 0));
-    EXPECT_TRUE(lights.choose(point, normal, 0x1.fffffep-1f));
-}
-
-TEST(LightSet, NothingShinesOnThePoint_NothingIsChosen) {
-    const LightSet lights({two_lights()[0]});
-    EXPECT_FALSE(lights.choose(V3f(0, 0, 3), V3f(0, 0, 1), 0.5f));
+    EXPECT_EQ(lights.area_light_count(), 2u);
+    EXPECT_EQ(lights.sampled_count(), 2u);
 }
 
 TEST(LightSet, SecondEnvironment_IsAnErrorThatNamesIt) {

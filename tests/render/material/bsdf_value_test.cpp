@@ -117,11 +117,12 @@ TEST(AlbedoTable, BetweenNodes_IsCloseToTheIntegral) {
 
 TEST(Resolve, ShadingNormalTurnedAwayFromTheViewer_FallsBackToTheGeometricOne) {
     const Material material = make(diffuse(0.5));
-    SurfacePoint point;
-    point.geometric_normal = kNormal;
-    point.shading_normal = V3f(-1, 0, 0.1f).normalized();
-    const Surface surface = material.resolve(point, V3f(0.9f, 0, 0.1f).normalized(), 0);
-    EXPECT_EQ(surface.frame.z, kNormal);
+    scalar::TexturePointOf<scalar::One> point{};
+    point.geometric_normal = scalar::three(kNormal);
+    const auto surface = scalar::resolve_surface<scalar::One>(
+        material.texture().data(), 0, point, scalar::three(V3f(-1, 0, 0.1f).normalized()),
+        scalar::three(V3f(0.9f, 0, 0.1f).normalized()), 0);
+    EXPECT_EQ(scalar::vector_of(surface.normal), kNormal);
 }
 
 }  // namespace

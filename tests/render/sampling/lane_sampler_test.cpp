@@ -1,11 +1,11 @@
-// The sampler in vector lanes returns the bits of SampleStream, on every instruction set.
+// The sampler in vector lanes returns the bits of a single lane, on every instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/render/sampling/lane_sampler_test.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once per instruction set
 // Must follow foreach_target.h.
 #include <hwy/highway.h>
 
-#include "render/sampling/lane_sampler-inl.h"
+#include "render/sampling/lanes-inl.h"
 
 #ifndef CAROM_SAMPLES_OF_LANES
 #define CAROM_SAMPLES_OF_LANES
@@ -68,6 +68,7 @@ HWY_AFTER_NAMESPACE();
 #include <gtest/gtest.h>
 
 #include "render/sampling/sampler.h"
+#include "render/sampling/scalar_kernels.h"
 #include "tests/render/every_target.h"
 #include "tests/render/statistics.h"
 
@@ -77,34 +78,32 @@ HWY_EXPORT(fill);
 
 namespace {
 
-void expect_same_numbers(const test::LaneSamples& lanes, int lane, SampleStream stream) {
-    const CameraSample camera = stream.camera_sample();
-    EXPECT_EQ(lanes.camera[0][lane], camera.pixel.x);
-    EXPECT_EQ(lanes.camera[1][lane], camera.pixel.y);
-    EXPECT_EQ(lanes.camera[2][lane], camera.lens.x);
-    EXPECT_EQ(lanes.camera[3][lane], camera.lens.y);
-    EXPECT_EQ(lanes.camera[4][lane], camera.time);
-    const std::array<V2f, 4> block = stream.get_2d_block(lanes.block_set);
-    EXPECT_EQ(lanes.one[lane], stream.get_1d(lanes.set[lane]));
-    stream.seek(lanes.set[lane]);
-    const std::array<float, 4> four = stream.next_4d();
-    for (std::size_t i = 0; i < 4; ++i) {
-        EXPECT_EQ(lanes.four[i][lane], four[i]) << i;
-        EXPECT_EQ(lanes.block[i][lane], block[i].x) << i;
-        EXPECT_EQ(lanes.block[4 + i][lane], block[i].y) << i;
+void expect_same_numbers(const test::LaneSamples& lanes, int lane) {
+    const scalar::SamplerOf<scalar::One> one(lanes.pixel_hash[lane], lanes.reversed_sample[lane]);
+    float camera[5], four[4], x[4], y[4];
+    one.get_camera_sample(camera);
+    one.get_4d(lanes.set[lane], four);
+    one.get_2d_block(lanes.block_set, x, y);
+    for (int i = 0; i < 5; ++i) {
+        EXPECT_EQ(lanes.camera[i][lane], camera[i]) << i;
     }
+    for (int i = 0; i < 4; ++i) {
+        EXPECT_EQ(lanes.four[i][lane], four[i]) << i;
+        EXPECT_EQ(lanes.block[i][lane], x[i]) << i;
+        EXPECT_EQ(lanes.block[4 + i][lane], y[i]) << i;
+    }
+    EXPECT_EQ(lanes.one[lane], one.get_1d(lanes.set[lane]));
 }
 
 TEST(LaneSampler, EveryInstructionSet_SameBitsAsOneSampleAtATime) {
     test::TestRandom random(9);
     for (int run = 0; run < 200; ++run) {
         test::LaneSamples lanes;
-        std::vector<SampleStream> streams;
         for (int i = 0; i < test::LaneSamples::kMost; ++i) {
-            streams.emplace_back(random.next(), random.next() % 5000, random.next() % 5000,
-                                 random.next() % (1u << (run % 30)));
-            lanes.pixel_hash[i] = streams.back().pixel_hash();
-            lanes.reversed_sample[i] = streams.back().reversed_sample();
+            const SampleStream stream(random.next(), random.next() % 5000, random.next() % 5000,
+                                      random.next() % (1u << (run % 30)));
+            lanes.pixel_hash[i] = stream.pixel_hash();
+            lanes.reversed_sample[i] = stream.reversed_sample();
             lanes.set[i] = random.next();
         }
         lanes.block_set = random.next();
@@ -112,7 +111,7 @@ TEST(LaneSampler, EveryInstructionSet_SameBitsAsOneSampleAtATime) {
             HWY_DYNAMIC_DISPATCH(fill)(lanes);
             SCOPED_TRACE(lanes.target);
             for (int i = 0; i < lanes.lanes; ++i) {
-                expect_same_numbers(lanes, i, streams[static_cast<std::size_t>(i)]);
+                expect_same_numbers(lanes, i);
             }
         });
     }

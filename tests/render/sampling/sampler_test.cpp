@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "render/sampling/scalar_kernels.h"
-#include "render/sampling/sobol_point.h"
+#include "render/sampling/sobol_tables.h"
 #include "tests/render/statistics.h"
 
 namespace carom::render {
@@ -215,27 +215,6 @@ TEST(SampleStream, FixedArguments_FixedBits) {
     EXPECT_EQ(bits, (std::vector<std::uint32_t>{7076218, 9500771, 5000550, 7602071}));
 }
 
-TEST(SobolPoint, BestInstructionSet_SameBitsAsScalarCode) {
-    test::TestRandom random(6);
-    constexpr detail::SobolNibbleTables kTables = detail::make_sobol_tables();
-    constexpr std::uint32_t kSalts[4] = {0x3c6ef372u, 0xdaa66d2bu, 0x78dde6e4u, 0x1715609du};
-    for (int i = 0; i < 20'000; ++i) {
-        const std::uint32_t index = random.next();
-        const std::uint32_t hash = random.next();
-        const std::array<float, 4> point = detail::sobol_point(index, hash);
-        for (std::size_t d = 0; d < 4; ++d) {
-            std::uint32_t x = 0;
-            for (std::size_t nibble = 0; nibble < 8; ++nibble) {
-                x ^= kTables.values[nibble][(index >> (4 * nibble)) & 15u][d];
-            }
-            x = scalar::scramble_reversed<scalar::One>(
-                x, scalar::hashed<scalar::One>(hash + kSalts[d]));
-            x = detail::reverse_bits(x);
-            ASSERT_EQ(point[d], scalar::in_unit_interval<scalar::One>(x));
-        }
-    }
-}
-
 TEST(SampleStream, SmoothIntegrand_ErrorFallsFasterThanByChance) {
     // Integral over [0, 1]^5 of the product of (2/3 + x): exact value (7/6)^5.
     const double exact = std::pow(7.0 / 6, 5);
@@ -264,8 +243,11 @@ TEST(SampleStream, SquareBlocks_AreOneSequenceOfFourTimesAsMany) {
         std::vector<Point> points;
         for (int i = 0; i < samples; ++i) {
             const SampleStream stream(3, 5, 7, static_cast<std::uint32_t>(i));
-            for (const V2f& u : stream.get_2d_block(9)) {
-                points.push_back({u.x, u.y});
+            float x[4], y[4];
+            scalar::SamplerOf<scalar::One>(stream.pixel_hash(), stream.reversed_sample())
+                .get_2d_block(9, x, y);
+            for (int k = 0; k < 4; ++k) {
+                points.push_back({x[k], y[k]});
             }
         }
         // All divisions of the square into as many boxes as there are points.
