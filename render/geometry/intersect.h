@@ -41,4 +41,10 @@ template <ShapeKind kKind, class T>
     return hit.valid && hit.t < ray.t_max ? std::optional<T>(hit.t) : std::nullopt;
 }
 
+template <class T>
+struct TriangleHit {
+    T t;
+    T u, v;  // barycentric weights of the second and third corner
+};
+
 }  // namespace carom::render
