@@ -52,8 +52,9 @@ struct FilmJobOptions {
     /// Frames that are not stored show the nearest stored one before them (film_so_far.h); nothing
     /// is rendered.
     bool so_far = false;
-    /// Evenly sampled pictures keep the sums of their samples in memory (256 bytes a pixel), too,
-    /// so that one that is stopped is gone on with; adaptively sampled ones do anyway.
+    /// Evenly sampled pictures keep the sums of their samples in memory, too (32 bytes a pixel, 131
+    /// for the denoiser), so that one that is stopped is resumed; adaptively sampled ones do
+    /// anyway.
     bool keeps_sums = false;
     ClaimTimes claim_times{};  // of the frames that are being rendered
     /// The cache is only read, if it exists, and nothing is written to it: what is rendered goes to

@@ -23,8 +23,11 @@ namespace {
 constexpr double kProgram = 180e6;
 /// The film of a frame, its tiles, the frame that is being stored, and its view transform.
 constexpr double kPicturePerPixel = 62;
-/// The sums of all samples of a frame that can be gone on with (render/frame/frame_sums.h).
-constexpr double kSumsPerPixel = 190;
+/// The sums of all samples of an evenly sampled frame that may be resumed, and of one that is
+/// sampled adaptively, in halves; for the denoiser (render/frame/tile_sums.h).
+constexpr double kEvenSums = 32;
+constexpr double kSumsOfHalves = 60;
+constexpr double kSumsForDenoiser = 141;
 /// One AOV, while it is rendered and while it is stored.
 constexpr double kPerPixelAndAov = 20;
 
@@ -32,7 +35,7 @@ constexpr double kPerPixelAndAov = 20;
 constexpr double kRoundsPerPixel = 60;
 
 /// What the denoiser needs: 32 channels, while they are rendered, packed and filtered.
-constexpr double kForDenoiser = 180;
+constexpr double kForDenoiser = 125;
 
 /// The memory of a mesh in multiples of its file size: arrays in double, and the tree.
 double mesh_growth(const std::string& extension) {
@@ -94,11 +97,15 @@ std::uint64_t forecast_memory(const Shot& shot, const std::string& output, bool 
     if (shot.render.for_denoiser) {
         per_pixel += kForDenoiser;
     }
-    if (keeps_sums || render::is_adaptive(shot.render)) {
-        per_pixel += kSumsPerPixel;
-    }
-    if (render::is_adaptive(shot.render)) {
-        per_pixel += kRoundsPerPixel;
+    const bool is_adaptive = render::is_adaptive(shot.render);
+    const double sums = shot.render.for_denoiser ? kSumsForDenoiser
+                        : is_adaptive            ? kSumsOfHalves
+                                                 : kEvenSums;
+    if (is_adaptive) {
+        // The film replaces the sums as it is written.
+        per_pixel = std::max(per_pixel, sums + kRoundsPerPixel);
+    } else if (keeps_sums) {
+        per_pixel += sums;
     }
     const double bytes =
         kProgram + scene_bytes(shot) + pixels * per_pixel + encoder_bytes(shot, output, pixels);

@@ -65,13 +65,13 @@ struct DenoisedFilm : ::testing::Test {
 TEST_F(DenoisedFilm, Picture_IsStoredBeforeAndAfter) {
     const render::Film film = frame(1, options());
     EXPECT_GT(film.statistics.camera_rays, 0u);
-    EXPECT_TRUE(film.aovs.empty());
+    EXPECT_TRUE(film.half_aovs.empty());
     ASSERT_NE(key(1), noisy_key(1));
     const auto before = store().read_noisy(noisy_key(1));
     EXPECT_FALSE(store().contains(noisy_key(1)));
     const auto after = store().read(key(1));
     ASSERT_TRUE(before && after);
-    EXPECT_FALSE(before->aovs.empty());
+    EXPECT_FALSE(before->half_aovs.empty());
     EXPECT_EQ(after->rgba, film.rgba);
     EXPECT_NE(before->rgba, film.rgba);
     const render::Film plain = make_frame(noisy, bake, 1, options(), {}, {});

@@ -18,7 +18,7 @@ TEST(FrameQueue, AwaitedPicture_IsHandedOver) {
         std::optional<render::Film> film;
         std::thread reader([&] { film = queue.receive(i, {}); });
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        queue.mark_ready(i, render::Film{7, 5, {}, {}, {}, {}});
+        queue.mark_ready(i, render::Film{7, 5, {}, {}, {}, {}, {}});
         reader.join();
         handed_over += film && film->width == 7 ? 1 : 0;
     }
@@ -27,7 +27,7 @@ TEST(FrameQueue, AwaitedPicture_IsHandedOver) {
 
 TEST(FrameQueue, PictureThatIsNotAwaited_IsNotKept) {
     FrameQueue queue(2);
-    queue.mark_ready(0, render::Film{7, 5, {}, {}, {}, {}});
+    queue.mark_ready(0, render::Film{7, 5, {}, {}, {}, {}, {}});
     EXPECT_FALSE(queue.receive(0, {}));
     queue.request_again(0);
     EXPECT_TRUE(queue.take_request());

@@ -42,19 +42,19 @@ TEST(ForecastMemory_OfMeasuredJobs, IsLessThanAQuarterAboveAndNeverMuchBelow) {
 TEST(ForecastMemory_OfAFilmThatKeepsSums, CountsThem) {
     Shot shot = film_of(1000, 1000);
     const std::uint64_t plain = forecast_memory(shot, "f.mp4");
-    EXPECT_EQ(forecast_memory(shot, "f.mp4", true), plain + 256'000'000);
+    EXPECT_EQ(forecast_memory(shot, "f.mp4", true), plain + 32'000'000);
     shot.render.noise = 0.05;
-    EXPECT_EQ(forecast_memory(shot, "f.mp4"), plain + 316'000'000) << "and measures between rounds";
+    EXPECT_EQ(forecast_memory(shot, "f.mp4"), plain + 58'000'000) << "and measures between rounds";
 }
 
 TEST(ForecastMemory_OfDenoisedPictures, CountsChannelsAndTheSumsOfBothHalves) {
     Shot shot = film_of(1000, 1000);
     const std::uint64_t plain = forecast_memory(shot, "f.mp4");
     shot.render.for_denoiser = true;
-    EXPECT_EQ(forecast_memory(shot, "f.mp4"), plain + 180'000'000);
-    EXPECT_EQ(forecast_memory(shot, "f.mp4", true), plain + 436'000'000);
+    EXPECT_EQ(forecast_memory(shot, "f.mp4"), plain + 125'000'000);
+    EXPECT_EQ(forecast_memory(shot, "f.mp4", true), plain + 266'000'000);
     shot.render.noise = 0.01;
-    EXPECT_EQ(forecast_memory(shot, "f.mp4"), plain + 496'000'000);
+    EXPECT_EQ(forecast_memory(shot, "f.mp4"), plain + 139'000'000);
 }
 
 TEST(ForecastMemory_OfDeepColour, IsMore) {

@@ -97,7 +97,7 @@ TEST(FrameStore, NoisyFrame_IsReadBackUnchangedAndIsNoFrame) {
     EXPECT_FALSE(store.read_noisy(key));
     EXPECT_EQ(store.noisy_size_bytes(key), 0U);
     render::Film film = make_film(1);
-    film.aovs.push_back({"half.R", std::vector<float>(32, 0.25f), true});
+    film.half_aovs.push_back({"half.R", std::vector<std::uint16_t>(32, 0x3400)});
     store.write_noisy(key, film);
     EXPECT_FALSE(store.contains(key));
     EXPECT_FALSE(store.read(key));
@@ -105,9 +105,10 @@ TEST(FrameStore, NoisyFrame_IsReadBackUnchangedAndIsNoFrame) {
     const std::optional<render::Film> back = store.read_noisy(key);
     ASSERT_TRUE(back);
     EXPECT_EQ(back->rgba, film.rgba);
-    ASSERT_EQ(back->aovs.size(), 2U);
+    ASSERT_EQ(back->aovs.size(), 1U);
     EXPECT_EQ(back->aovs[0].values, film.aovs[0].values);
-    EXPECT_EQ(back->aovs[1].values, film.aovs[1].values);
+    ASSERT_EQ(back->half_aovs.size(), 1U);
+    EXPECT_EQ(back->half_aovs[0].bits, film.half_aovs[0].bits);
     EXPECT_THAT(names_in(folder.path("partial")), IsEmpty());
     film.rgba[5] = std::numeric_limits<float>::infinity();
     EXPECT_THAT([&] { store.write_noisy(make_key(2), film); },
