@@ -81,7 +81,7 @@ DistributedIntegrator::DistributedIntegrator(const TransportScene& scene,
       settings_(settings),
       wave_scene_(make_wave_scene(scene)),
       models_(make_models(scene.materials)),
-      kernels_(&best_tree_kernels()) {
+      kernels_(&best_distributed_kernels()) {
     wave_scene_.materials.transmits = true;  // sides of surfaces matter
     for (WaveGroup& group : wave_scene_.groups.groups) {
         group.absorption = V3f(0, 0, 0);  // the model has none
@@ -113,7 +113,7 @@ void DistributedIntegrator::trace(Forest& forest, int generation) const {
     const auto of_generation = [&](int samples) {
         return samples_at(samples, generation, settings_.falloff);
     };
-    const TreeStep step{
+    const DistributedStep step{
         wave_scene_,
         models_,
         static_cast<float>(settings_.ambient_coefficient),
@@ -182,7 +182,7 @@ void DistributedIntegrator::process_hits(Forest& forest, Generation& all, int ge
     }
 }
 
-void DistributedIntegrator::shade(Forest& forest, const TreeStep& step) const {
+void DistributedIntegrator::shade(Forest& forest, const DistributedStep& step) const {
     int rays = 0;
     for (const WaveLight& light : wave_scene_.light) {
         rays += light.kind == WaveLight::Kind::delta ? 1 : step.counts.shadow;

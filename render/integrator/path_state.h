@@ -36,11 +36,8 @@ struct LastScattering {
     /// The ball that reflected the path after a vertex that connects; -1: none.
     std::int64_t connected_ball = -1;
     bool passed_ball = false;  // ... or refracted it in and out again
-    /// The ball of glass that the path entered after a vertex that connects, and is in; -1: none.
-    std::int64_t entered_ball = -1;
-    bool all_lights = false;  // every light was sampled there, rather than one
+    bool all_lights = false;   // every light was sampled there, rather than one
     float total_importance = 0;
-    float environment_samples = 1;
 };
 
 /// The most vertices of a path from which coat and base are followed separately.
@@ -64,8 +61,6 @@ struct Path {
     LastScattering last{};
     int vertex = 0;            // index of the vertex that `ray` leads to; 0 is what the camera sees
     std::uint32_t branch = 1;  // 1, and 2 n or 2 n + 1 for the coat and the base of a split n
-    float width = 0;           // of the pixel's cone at the ray's origin, m
-    float spread = 0;          // growth of that width per m
 };
 
 /// The dimensions of every decision, which are low-discrepancy over the samples of a pixel. A

@@ -123,11 +123,8 @@ struct PathWave {
         path.last.passed_ball = ball >= 0 && (ball & kPassedBall) != 0;
         path.last.all_lights = vertex == 1;
         path.last.total_importance = total_importance.at[i];
-        path.last.environment_samples = environment_samples.at[i];
         path.vertex = vertex;
         path.branch = static_cast<std::uint32_t>(branch.at[i]);
-        path.width = width.at[i];
-        path.spread = spread.at[i];
         return path;
     }
 

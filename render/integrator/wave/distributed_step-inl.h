@@ -1,8 +1,8 @@
 // One generation of rays of distributed ray tracing: the light of their vertices, and the rays that
 // these send. Included once per instruction set.
 #include "render/integrator/path_state.h"
+#include "render/integrator/wave/distributed_kernels.h"
 #include "render/integrator/wave/lights-inl.h"
-#include "render/integrator/wave/tree_kernels.h"
 #include "render/sampling/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -20,7 +20,7 @@ HWY_INLINE U child_of(U node, U child) {
 }
 
 /// Vertices of a generation in the lanes.
-struct TreeLanes {
+struct DistributedLanes {
     int first;
     M valid, from_behind;
     I ray;
@@ -41,7 +41,7 @@ HWY_INLINE Classic models_of(const WaveNumberTable& models, I material) {
     return model;
 }
 
-HWY_INLINE TreeLanes tree_vertices_at(const TreeStep& step, int first) {
+HWY_INLINE DistributedLanes distributed_vertices_at(const DistributedStep& step, int first) {
     const VertexWave& in = step.vertices;
     const IntTag di;
     const M valid = hn::FirstN(FloatTag(), static_cast<std::size_t>(in.count - first));
@@ -69,8 +69,8 @@ HWY_INLINE TreeLanes tree_vertices_at(const TreeStep& step, int first) {
 }
 
 /// The rays towards one light, which are `count`. Returns the number of the next ray.
-HWY_INLINE int shade_by_light(const TreeStep& step, const TreeLanes& v, std::size_t light,
-                              const V2& u, int count, int k) {
+HWY_INLINE int shade_by_light(const DistributedStep& step, const DistributedLanes& v,
+                              std::size_t light, const V2& u, int count, int k) {
     const PlaceLanes place{v.position, v.time};
     const F share = all(kInversePi / static_cast<float>(count));
     for (int j = 0; j < count; ++j, ++k) {
@@ -88,9 +88,9 @@ HWY_INLINE int shade_by_light(const TreeStep& step, const TreeLanes& v, std::siz
     return k;
 }
 
-inline HWY_ATTR void shade_tree(const TreeStep& step) {
+inline HWY_ATTR void shade_rays(const DistributedStep& step) {
     for (int first = step.shadows.first; first < step.shadows.last; first += lane_count()) {
-        const TreeLanes v = tree_vertices_at(step, first);
+        const DistributedLanes v = distributed_vertices_at(step, first);
         const F3 emitted = select(v.from_behind, all(V3f(0, 0, 0)), v.model.emission);
         store(v.throughput * (emitted + v.model.ambient_colour(v.base) * all(step.ambient)),
               step.own, first);
@@ -139,15 +139,15 @@ struct LobeNumbers {
     U branch;
 };
 
-HWY_INLINE LobeNumbers numbers_of_lobe(const TreeLanes& v, float side) {
+HWY_INLINE LobeNumbers numbers_of_lobe(const DistributedLanes& v, float side) {
     const U branch = child_of(v.node, all_words(side > 0 ? 0 : 1));
     F u[4];
     v.sampler.get_4d(branch, u);
     return {{u[0], u[1]}, branch};
 }
 
-HWY_INLINE void find_lobe(const TreeLanes& v, const ClassicLobeOf<Lanes>& lobe, F spread, F most,
-                          int samples, LobeWave& out) {
+HWY_INLINE void find_lobe(const DistributedLanes& v, const ClassicLobeOf<Lanes>& lobe, F spread,
+                          F most, int samples, LobeWave& out) {
     const IntTag di;
     const M exists = hn::And(hn::And(v.valid, hn::Gt(largest(lobe.colour), all(0.f))),
                              samples > 0 ? v.valid : no_lanes());
@@ -175,10 +175,10 @@ HWY_INLINE void find_lobe(const TreeLanes& v, const ClassicLobeOf<Lanes>& lobe, 
     hn::StoreU(hn::IfThenElseZero(hn::RebindMask(di, counts), number), di, out.count.at + v.first);
 }
 
-inline HWY_ATTR void find_lobes(const TreeStep& step) {
+inline HWY_ATTR void find_lobes(const DistributedStep& step) {
     step.reflection.samples = step.refraction.samples = 0;
     for (int first = 0; first < step.vertices.count; first += lane_count()) {
-        const TreeLanes v = tree_vertices_at(step, first);
+        const DistributedLanes v = distributed_vertices_at(step, first);
         const ClassicLobesOf<Lanes> lobes =
             classic_lobes<Lanes>(v.model, v.base, v.geometric_normal, v.normal, v.wo, v.from_behind,
                                  step.counts.refraction > 0);
@@ -189,7 +189,8 @@ inline HWY_ATTR void find_lobes(const TreeStep& step) {
     }
 }
 
-inline HWY_ATTR void send_rays(const TreeStep& step, const LobeWave& lobe, int k, PathWave& next) {
+inline HWY_ATTR void send_rays(const DistributedStep& step, const LobeWave& lobe, int k,
+                               PathWave& next) {
     const IntTag di;
     for (int first = 0; first < step.vertices.count; first += lane_count()) {
         const M wanted =
@@ -198,7 +199,7 @@ inline HWY_ATTR void send_rays(const TreeStep& step, const LobeWave& lobe, int k
         if (hn::AllFalse(FloatTag(), wanted)) {
             continue;
         }
-        const TreeLanes v = tree_vertices_at(step, first);
+        const DistributedLanes v = distributed_vertices_at(step, first);
         const F spread = load(lobe.spread, first);
         const M spreads = hn::Gt(spread, all(0.f));
         const LobeNumbers numbers = numbers_of_lobe(v, lobe.side);

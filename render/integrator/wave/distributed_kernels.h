@@ -29,18 +29,18 @@ struct LobeWave {
 };
 
 /// How many rays the vertices of a generation send.
-struct TreeCounts {
+struct DistributedCounts {
     int shadow = 1;        // towards each light
     bool centred = false;  // ... its centre
     int reflection = 0;    // with a spread
     int refraction = 0;
 };
 
-struct TreeStep {
+struct DistributedStep {
     const WaveScene& scene;
     const WaveNumberTable& models;  // ClassicOf, by material
     float ambient;                  // radiance
-    TreeCounts counts;
+    DistributedCounts counts;
     const SampleWave& samples;
     const PathWave& rays;  // their branch is the ray's place in the tree
     const VertexWave& vertices;
@@ -50,15 +50,15 @@ struct TreeStep {
     LobeWave& refraction;
 };
 
-struct TreeKernels {
+struct DistributedKernels {
     /// Fills `own`, and `shadows` for its vertices, both reduced by the rays' throughput.
-    void (*shade)(const TreeStep& step);
+    void (*shade)(const DistributedStep& step);
     /// Fills `reflection` and `refraction`.
-    void (*find_lobes)(const TreeStep& step);
+    void (*find_lobes)(const DistributedStep& step);
     /// Appends to `next` the `k`th rays of a lobe.
-    void (*send)(const TreeStep& step, const LobeWave& lobe, int k, PathWave& next);
+    void (*send)(const DistributedStep& step, const LobeWave& lobe, int k, PathWave& next);
 };
 
-[[nodiscard]] const TreeKernels& best_tree_kernels();
+[[nodiscard]] const DistributedKernels& best_distributed_kernels();
 
 }  // namespace carom::render
