@@ -83,8 +83,11 @@ std::error_code make_folder(const fs::path& path) {
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
-    const int reason = errno == EEXIST && fs::is_regular_file(path, ignored) ? ENOTDIR : errno;
-    return {reason == EEXIST ? 0 : reason, std::generic_category()};
+    const int reason = errno;  // the next question sets it anew
+    if (reason == EEXIST) {
+        return {fs::is_regular_file(path, ignored) ? ENOTDIR : 0, std::generic_category()};
+    }
+    return {reason, std::generic_category()};
 }
 
 }  // namespace
