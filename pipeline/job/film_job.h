@@ -52,7 +52,7 @@ struct FilmJobOptions {
     /// Frames that are not stored show the nearest stored one before them (film_so_far.h); nothing
     /// is rendered.
     bool so_far = false;
-    /// Evenly sampled pictures keep the sums of their samples in memory, too (32 bytes a pixel, 131
+    /// Evenly sampled pictures keep the sums of their samples in memory, too (32 bytes a pixel, 111
     /// for the denoiser), so that one that is stopped is resumed; adaptively sampled ones do
     /// anyway.
     bool keeps_sums = false;

@@ -26,8 +26,8 @@ constexpr double kPicturePerPixel = 62;
 /// The sums of all samples of an evenly sampled frame that may be resumed, and of one that is
 /// sampled adaptively, in halves; for the denoiser (render/frame/tile_sums.h).
 constexpr double kEvenSums = 32;
-constexpr double kSumsOfHalves = 60;
-constexpr double kSumsForDenoiser = 141;
+constexpr double kSumsOfHalves = 48;
+constexpr double kSumsForDenoiser = 121;
 /// One AOV, while it is rendered and while it is stored.
 constexpr double kPerPixelAndAov = 20;
 

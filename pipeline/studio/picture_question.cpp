@@ -14,7 +14,7 @@ namespace carom::studio {
 namespace {
 
 constexpr int kFirstPixels = 36000;  // of the first, small picture: at most about 250 x 140
-// Of a picture with all its layers: the sums take up to 210 bytes a pixel. A cross-fade at 1920 x
+// Of a picture with all its layers: the sums take up to 190 bytes a pixel. A cross-fade at 1920 x
 // 1080 fits.
 constexpr int kMostPixels = 2 * 1920 * 1080;
 constexpr int kMostSide = 16384;  // pixels

@@ -109,14 +109,22 @@ BandPlanes make_planes(const DenoiseShape& shape, const RowRange& rows) {
         make(planes.prediction[half], planes.predicted, width);
         make(planes.checked[half], planes.predicted, width);
     }
+    return planes;
+}
+
+/// Once all is predicted: in place of what predictions are made from.
+void make_error_planes(BandPlanes& planes) {
+    planes.half = {};
+    planes.variance = {};
+    planes.features = {};
+    planes.exact.clear();
     for (Plane* plane : {&planes.noisy_error, &planes.filtered_error, &planes.squared_excess,
                          &planes.shift, &planes.squared_shift}) {
-        *plane = Plane(planes.predicted, width);
+        *plane = Plane(planes.predicted, planes.width);
     }
     for (Plane* plane : {&planes.mean_noisy_error, &planes.mean_filtered_error, &planes.mask}) {
-        *plane = Plane(rows.widened(kMask, height), width);
+        *plane = Plane(planes.rows.widened(kMask, planes.height), planes.width);
     }
-    return planes;
 }
 
 }  // namespace
@@ -136,6 +144,7 @@ void Band::denoise(DenoisedPicture& result) {
         const FlushDenormals flush;
         predict_tile(tiles[i], kernels_, planes_);
     });
+    make_error_planes(planes_);
     for_rows(planes_.predicted, [&](int y) { estimate_errors(y); });
     for_rows(planes_.mask.rows(), [&](int y) { compare_errors(y); });
     for_rows(planes_.rows, [&](int y) { write(y, result); });

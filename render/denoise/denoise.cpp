@@ -12,9 +12,10 @@ namespace carom::render {
 namespace {
 
 // A band's rows and 38 around them are in memory; half of those are also computed again. Narrow
-// pictures have higher bands, which take no more memory than those of a wide one.
+// pictures have higher bands, which take no more memory than those of a wide one. If only the error
+// is wanted, the sums of all samples are in memory, too, and bands are lower.
 constexpr int kLeastBandRows = 128;
-constexpr int kBandPixels = 1920 * kLeastBandRows;
+constexpr int kLeastErrorRows = 64;
 
 /// `has_picture`: whether the result has colours.
 DenoisedPicture denoise_all(const DenoiseSource& source, bool has_picture,
@@ -27,7 +28,8 @@ DenoisedPicture denoise_all(const DenoiseSource& source, bool has_picture,
     DenoisedPicture result;
     result.rgb.resize(has_picture ? 3 * pixels : 0);
     result.error.resize(pixels);
-    const int band_rows = std::max(kLeastBandRows, kBandPixels / shape.width);
+    const int least_rows = has_picture ? kLeastBandRows : kLeastErrorRows;
+    const int band_rows = std::max(least_rows, 1920 * least_rows / shape.width);
     for (int row = 0; row < shape.height; row += band_rows) {
         if (context.stop.stop_requested()) {
             throw Stopped();

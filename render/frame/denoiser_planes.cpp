@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "render/denoise/denoise.h"
 #include "render/film/half_float.h"
+#include "render/frame/large_picture.h"
 
 namespace carom::render {
 namespace {
@@ -223,6 +224,7 @@ std::vector<float> error_after_denoising(const Film& film, const WorkContext& co
 
 Film denoised(const Film& film, const WorkContext& context) {
     const DenoisedPicture picture = denoise(input_of(film), context);
+    give_back_memory_of(picture.error.size());  // before there are more copies of the picture
     Film result;
     result.width = film.width;
     result.height = film.height;

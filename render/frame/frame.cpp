@@ -8,6 +8,7 @@
 #include "render/acceleration/flush_denormals.h"
 #include "render/frame/adaptive_progress.h"
 #include "render/frame/frame_session.h"
+#include "render/frame/large_picture.h"
 #include "render/frame/tile_loop.h"
 
 namespace carom::render {
@@ -105,6 +106,7 @@ Film render_adaptively(FrameSession& session, FrameSums::Data& sums, const WorkC
         }
     });
     planes.film.statistics = std::exchange(sums, {}).statistics;
+    give_back_memory_of(session.pixel_count());
     observer.finish();
     return session.film_of(std::move(planes), reflections);
 }

@@ -8,6 +8,7 @@
 #include "render/acceleration/flush_denormals.h"
 #include "render/denoise/denoise.h"
 #include "render/frame/check_settings.h"
+#include "render/frame/large_picture.h"
 #include "render/frame/prepared_scene.h"
 #include "render/frame/tile_loop.h"
 #include "render/threads/thread_arena.h"
@@ -176,13 +177,15 @@ void FrameSession::plan_next_round(const WorkContext& context, SessionObserver& 
     if (settings_.for_denoiser) {
         trace_features(context, observer);
     }
+    give_back_memory_of(pixel_count());  // of the tiles' samples, before the denoiser needs some
     const double begin = process_cpu_seconds();
+    const MeasuredError error = measured_error(context);
     std::vector<int> plan;
     plan.reserve(static_cast<std::size_t>(part_.width) * static_cast<std::size_t>(part_.height));
     for_each_pixel([&](int, int, int tile, std::size_t pixel) {
         plan.push_back(sums_of(tile).samples(pixel));
     });
-    SampleRound round = next_round(plan, measured_error(context), settings_);
+    SampleRound round = next_round(plan, error, settings_);
     is_planned_ = !round.is_needed;
     sums_.has_plan = true;
     expected_.assign(is_whole_ ? static_cast<std::size_t>(tiles_.tile_count()) : 0, 0);

@@ -11,7 +11,7 @@
 namespace carom::render {
 namespace {
 
-constexpr std::array<char, 8> kMagic{'c', 'a', 'r', 'o', 'm', 's', 'u', '5'};
+constexpr std::array<char, 8> kMagic{'c', 'a', 'r', 'o', 'm', 's', 'u', '6'};
 constexpr std::size_t kPiece = std::size_t{1} << 20;  // bytes
 
 template <class Kind, class Visit>

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/colour.h"
+#include "core/vectors.h"
 #include "render/light/area_light.h"
 
 namespace carom::render {
@@ -9,6 +11,12 @@ namespace {
 
 bool asks_for(const RenderSettings& settings, const char* aov) {
     return std::ranges::find(settings.aovs, aov) != settings.aovs.end();
+}
+
+/// In double, so that it is the same of a sum as the sum of the samples'.
+double luminance_of(double red, double green, double blue) {
+    return static_cast<double>(kRedLuminance) * red + static_cast<double>(kGreenLuminance) * green +
+           static_cast<double>(kBlueLuminance) * blue;
 }
 
 }  // namespace
@@ -65,8 +73,8 @@ TileSums::TileSums(std::size_t pixels, const SumsKind& kind)
       samples_(pixels),
       radiance_(3 * pixels),
       coverage_(pixels),
-      luminance_(kind.variance ? 2 * pixels : 0),
-      half_radiance_(kind.halves ? 6 * pixels : 0),
+      squares_(kind.variance ? pixels : 0),
+      differences_(kind.halves ? 3 * pixels : 0),
       surfaces_(kind.surfaces ? 6 * pixels : 0),
       objects_(kind.objects ? pixels : 0) {}
 
@@ -82,7 +90,7 @@ bool TileSums::is_valid(bool has_plan) const {
         return plane.size() == (is_kept ? numbers * pixels : 0);
     };
     return fits(radiance_, 3, true) && fits(coverage_, 1, true) &&
-           fits(luminance_, 2, kind_.variance) && fits(half_radiance_, 6, kind_.halves) &&
+           fits(squares_, 1, kind_.variance) && fits(differences_, 3, kind_.halves) &&
            fits(surfaces_, 6, kind_.surfaces) && fits(objects_, 1, kind_.objects) &&
            std::ranges::all_of(features_,
                                [&](const auto& plane) {
@@ -93,12 +101,12 @@ bool TileSums::is_valid(bool has_plan) const {
 
 void TileSums::add(std::size_t pixel, const RadianceSample& sample) {
     const std::size_t pixels = size();
-    const auto half = static_cast<std::size_t>(samples_[pixel] % 2);
+    const bool is_first_half = samples_[pixel] % 2 == 0;
     for (std::size_t c = 0; c < 3; ++c) {
         const float light = sample.radiance[static_cast<int>(c)];
         radiance_[c * pixels + pixel] += static_cast<double>(light);
         if (kind_.halves) {
-            half_radiance_[(3 * half + c) * pixels + pixel] += light;
+            differences_[c * pixels + pixel] += is_first_half ? light : -light;
         }
         if (kind_.surfaces) {
             const int axis = static_cast<int>(c);
@@ -108,9 +116,9 @@ void TileSums::add(std::size_t pixel, const RadianceSample& sample) {
     }
     coverage_[pixel] += sample.coverage;
     if (kind_.variance) {
-        const double y = static_cast<double>(carom::luminance(sample.radiance));
-        luminance_[pixel] += y;
-        luminance_[pixels + pixel] += y * y;
+        const Vec3 light(sample.radiance);
+        const double y = luminance_of(light.x, light.y, light.z);
+        squares_[pixel] += y * y;
     }
     if (kind_.features) {
         add_features(pixel, sample);
@@ -169,8 +177,12 @@ V3f TileSums::mean_of_half(std::size_t pixel, int half) const {
     if (count == 0 || !kind_.halves) {
         return V3f(0, 0, 0);
     }
-    const float* first = &half_radiance_[3 * static_cast<std::size_t>(half) * size() + pixel];
-    return V3f(first[0], first[size()], first[2 * size()]) / static_cast<float>(count);
+    const auto channel = [&](std::size_t c) {
+        const auto difference = static_cast<double>(differences_[c * size() + pixel]);
+        const double sum = radiance_[c * size() + pixel];
+        return static_cast<float>(0.5 * (half == 0 ? sum + difference : sum - difference) / count);
+    };
+    return {channel(0), channel(1), channel(2)};
 }
 
 PixelFeatures TileSums::features_of_half(std::size_t pixel, int half) const {
@@ -194,8 +206,9 @@ float TileSums::variance(std::size_t pixel) const {
     if (samples < 2 || !kind_.variance) {
         return 0;
     }
-    const double mean = luminance_[pixel] / samples;
-    return static_cast<float>(std::max(0.0, luminance_[size() + pixel] / samples - mean * mean) /
+    const double* sum = &radiance_[pixel];
+    const double mean = luminance_of(sum[0], sum[size()], sum[2 * size()]) / samples;
+    return static_cast<float>(std::max(0.0, squares_[pixel] / samples - mean * mean) /
                               (samples - 1));
 }
 

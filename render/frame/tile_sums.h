@@ -90,8 +90,8 @@ class TileSums {
         visit(self.samples_);
         visit(self.radiance_);
         visit(self.coverage_);
-        visit(self.luminance_);
-        visit(self.half_radiance_);
+        visit(self.squares_);
+        visit(self.differences_);
         visit(self.surfaces_);
         for (auto& features : self.features_) {
             visit(features);
@@ -116,11 +116,11 @@ class TileSums {
 
     SumsKind kind_;
     std::vector<int> samples_;
-    std::vector<double> radiance_;      // red of all pixels, then green, then blue
-    std::vector<float> coverage_;       // of which each sample has 0 or 1
-    std::vector<double> luminance_;     // then its square
-    std::vector<float> half_radiance_;  // the colours of the first half, then of the second
-    std::vector<double> surfaces_;      // the axes of normals, then the colours of albedos
+    std::vector<double> radiance_;    // red of all pixels, then green, then blue
+    std::vector<float> coverage_;     // of which each sample has 0 or 1
+    std::vector<double> squares_;     // of the luminance
+    std::vector<float> differences_;  // of the colours' sums: first half - second half
+    std::vector<double> surfaces_;    // the axes of normals, then the colours of albedos
     /// Albedo, normal and light of the first half, then of the second; each of three planes.
     std::array<std::vector<float>, 2 * kGroups> features_;
     std::vector<std::vector<ObjectCount>> objects_;  // by pixel

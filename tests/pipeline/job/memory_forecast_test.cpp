@@ -44,7 +44,7 @@ TEST(ForecastMemory_OfAFilmThatKeepsSums, CountsThem) {
     const std::uint64_t plain = forecast_memory(shot, "f.mp4");
     EXPECT_EQ(forecast_memory(shot, "f.mp4", true), plain + 32'000'000);
     shot.render.noise = 0.05;
-    EXPECT_EQ(forecast_memory(shot, "f.mp4"), plain + 58'000'000) << "and measures between rounds";
+    EXPECT_EQ(forecast_memory(shot, "f.mp4"), plain + 46'000'000) << "and measures between rounds";
 }
 
 TEST(ForecastMemory_OfDenoisedPictures, CountsChannelsAndTheSumsOfBothHalves) {
@@ -52,9 +52,9 @@ TEST(ForecastMemory_OfDenoisedPictures, CountsChannelsAndTheSumsOfBothHalves) {
     const std::uint64_t plain = forecast_memory(shot, "f.mp4");
     shot.render.for_denoiser = true;
     EXPECT_EQ(forecast_memory(shot, "f.mp4"), plain + 125'000'000);
-    EXPECT_EQ(forecast_memory(shot, "f.mp4", true), plain + 266'000'000);
+    EXPECT_EQ(forecast_memory(shot, "f.mp4", true), plain + 246'000'000);
     shot.render.noise = 0.01;
-    EXPECT_EQ(forecast_memory(shot, "f.mp4"), plain + 139'000'000);
+    EXPECT_EQ(forecast_memory(shot, "f.mp4"), plain + 125'000'000);
 }
 
 TEST(ForecastMemory_OfDeepColour, IsMore) {
