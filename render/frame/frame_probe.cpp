@@ -60,7 +60,7 @@ void FrameProbe::Data::add(const std::vector<ProbeBlock>& next) {
         }
         chosen.push_back(block);
     }
-    FrameSession::Part part;
+    FramePart part;
     for (const auto& [index, tile] : tiles) {
         part.tiles.push_back(index);
     }

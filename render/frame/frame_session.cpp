@@ -6,8 +6,8 @@
 #include "core/cpu_time.h"
 #include "core/error.h"
 #include "render/acceleration/flush_denormals.h"
-#include "render/denoise/denoise.h"
 #include "render/frame/check_settings.h"
+#include "render/frame/denoiser_rows.h"
 #include "render/frame/large_picture.h"
 #include "render/frame/prepared_scene.h"
 #include "render/frame/tile_loop.h"
@@ -60,7 +60,7 @@ FrameSession::FrameSession(const PreparedScene& scene, std::span<const sim::Trac
     }
 }
 
-void FrameSession::restrict_to(Part part) {
+void FrameSession::restrict_to(FramePart part) {
     part_ = std::move(part);
     is_whole_ = false;
     is_planned_ = !tiles_.is_adaptive();
@@ -219,81 +219,6 @@ double FrameSession::mean_samples() const {
     return samples / static_cast<double>(pixel_count());
 }
 
-/// What the denoiser reads of the part's pixels, and of the images of lights in balls, if any.
-class FrameSession::DenoiserRows final : public DenoiseSource {
-  public:
-    DenoiserRows(const FrameSession& session, const std::vector<SplatPicture>& pictures)
-        : session_(session), pictures_(pictures) {}
-
-    [[nodiscard]] DenoiseShape shape() const override {
-        return {session_.part_.width, session_.part_.height, PixelFeatures::kCount, true, true};
-    }
-    void colours(int y, const ColourRows& rows) const override {
-        for_pixels(y, [&](int first, std::span<const DenoiserPixel> pixels) {
-            DenoiserValues values;
-            values.set_colours(pixels);
-            for (std::size_t i = 0; i < pixels.size(); ++i) {
-                const int x = first + static_cast<int>(i);
-                write_colour(x, y, pixels[i], values, i, rows);
-            }
-        });
-    }
-    void features(int y, const FeatureRows& rows) const override {
-        for_pixels(y, [&](int first, std::span<const DenoiserPixel> pixels) {
-            DenoiserValues values;
-            values.set_features(pixels);
-            const auto copy = [&](const DenoiserValues::Values& from, float* to) {
-                std::copy_n(from.begin(), pixels.size(), to + first);
-            };
-            for (std::size_t f = 0; f < PixelFeatures::kCount; ++f) {
-                copy(values.exact(f), rows.exact[f]);
-                copy(values.error(f), rows.error[f]);
-                copy(values.difference(f), rows.difference[f]);
-            }
-            copy(values.share(), rows.share);
-        });
-    }
-
-  private:
-    template <class Use>
-    void for_pixels(int y, const Use& use) const {
-        std::vector<DenoiserPixel> pixels;
-        const int most = static_cast<int>(DenoiserValues::kMost);
-        for (int first = 0; first < session_.part_.width; first += most) {
-            pixels.clear();
-            for (int x = first; x < std::min(first + most, session_.part_.width); ++x) {
-                const auto at = session_.part_.pixel(x, y);
-                const TileSums& sums = session_.tile_at(at.first, at.second);
-                const int tile = session_.tiles_.tile_of(at.first, at.second);
-                pixels.push_back(
-                    {&sums, &sums.traced, session_.tiles_.area(tile).pixel(at.first, at.second)});
-            }
-            use(first, std::span<const DenoiserPixel>(pixels));
-        }
-    }
-    void write_colour(int x, int y, const DenoiserPixel& pixel, const DenoiserValues& values,
-                      std::size_t i, const ColourRows& rows) const {
-        V3f mean = pixel.sums->mean(pixel.pixel);
-        V3f added(0, 0, 0);
-        if (!pictures_.empty()) {
-            const V3f a = pictures_[0].at(x, y);
-            const V3f b = pictures_[1].at(x, y);
-            mean += 0.5F * a;
-            mean += 0.5F * b;
-            added = 0.5F * (a - b);
-        }
-        for (int c = 0; c < 3; ++c) {
-            rows.mean[c][x] = mean[c];
-            rows.difference[c][x] = with_added_colour(
-                values.difference_of_colour(static_cast<std::size_t>(c))[i], added[c]);
-        }
-        rows.variance[x] = values.variance()[i];
-    }
-
-    const FrameSession& session_;
-    const std::vector<SplatPicture>& pictures_;
-};
-
 /// The images of lights in balls are traced for it; these rays are not counted.
 MeasuredError FrameSession::measured_error(const WorkContext& context) const {
     std::vector<SplatPicture> pictures;
@@ -301,8 +226,8 @@ MeasuredError FrameSession::measured_error(const WorkContext& context) const {
         pictures = trace_reflections(mean_samples(), false, context).pictures;
     }
     if (settings_.for_denoiser) {
-        return render::measured_error(
-            error_after_denoising(DenoiserRows(*this, pictures), {{}, context.stop}));
+        return render::measured_error(error_after_denoising(
+            DenoiserRows(part_, tiles_, sums_.tiles, pictures), {{}, context.stop}));
     }
     std::vector<V3f> means;
     std::vector<V3f> differences;

@@ -14,6 +14,7 @@
 #include "render/frame/aov_planes.h"
 #include "render/frame/denoiser_planes.h"
 #include "render/frame/frame.h"
+#include "render/frame/frame_part.h"
 #include "render/frame/frame_sums_data.h"
 #include "render/frame/sample_plan.h"
 #include "render/frame/splat_picture.h"
@@ -83,15 +84,8 @@ class FrameSession {
                static_cast<std::size_t>(settings_.height);
     }
 
-    /// A picture of pixels that stand for the frame.
-    struct Part {
-        std::vector<int> tiles;  // that are sampled
-        int width = 0;
-        int height = 0;
-        std::function<std::pair<int, int>(int x, int y)> pixel;  // of the frame, in these tiles
-    };
     /// Samples only these tiles. Those that are sampled already keep their samples.
-    void restrict_to(Part part);
+    void restrict_to(FramePart part);
 
     /// Takes samples until each pixel has `up_to`, or all of its own if that is fewer. Throws
     /// Stopped soon after a stop is requested, at the latest after one batch of samples per thread;
@@ -133,11 +127,7 @@ class FrameSession {
         int index = 0;
         float weight = 1;  // in the picture
     };
-    class DenoiserRows;
 
-    [[nodiscard]] const TileSums& tile_at(int x, int y) const {
-        return sums_.tiles[static_cast<std::size_t>(tiles_.tile_of(x, y))];
-    }
     void take(int up_to, const SessionRound& round, const WorkContext& context,
               SessionObserver& observer);
     void trace_features(const WorkContext& context, SessionObserver& observer);
@@ -164,7 +154,7 @@ class FrameSession {
     LightSet lights_;
     TransportScene transport_;
     TileRenderer tiles_;
-    Part part_;
+    FramePart part_;
     bool is_whole_ = true;
     bool is_planned_;
     int samples_ = 0;

@@ -1,16 +1,22 @@
 #include "render/frame/sample_queue.h"
 
+#include <limits>
+#include <span>
 #include <utility>
 
 #include "core/assert.h"
-#include "render/geometry/validity.h"
 
 namespace carom::render {
 namespace {
 
+/// Whether all light is finite and not negative, and the normal finite. Without branches, since it
+/// asks of every sample.
 bool is_usable(const RadianceSample& sample) {
-    return is_light(sample.radiance) && is_light(sample.light) && is_light(sample.albedo) &&
-           is_light(sample.mirrored) && is_finite(sample.normal);
+    const auto is_positive = [](const V3f& v) { return (v.x >= 0) & (v.y >= 0) & (v.z >= 0); };
+    const V3f sum = sample.radiance + sample.light + sample.albedo + sample.mirrored;
+    const float size = sum.x + sum.y + sum.z + sample.normal.length2();
+    return is_positive(sample.radiance) & is_positive(sample.light) & is_positive(sample.albedo) &
+           is_positive(sample.mirrored) & (size < std::numeric_limits<float>::infinity());
 }
 
 }  // namespace
@@ -59,7 +65,13 @@ void SampleQueue::flush() {
             count_.add_unusable(1, {index.x, index.y});
             results_[i] = {};
         }
-        pixels_[i].first->add(pixels_[i].second, results_[i]);
+    }
+    for (std::size_t first = 0, last = 0; first < traced; first = last) {
+        while (last < traced && pixels_[last] == pixels_[first]) {
+            ++last;
+        }
+        pixels_[first].first->add(pixels_[first].second,
+                                  std::span(results_).subspan(first, last - first));
     }
     batch_->count = 0;
     pixels_.clear();

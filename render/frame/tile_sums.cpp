@@ -99,22 +99,46 @@ bool TileSums::is_valid(bool has_plan) const {
            fits(planned, 1, has_plan) && (pixels > 0 || !has_plan) && traced.is_valid(pixels);
 }
 
-void TileSums::add(std::size_t pixel, const RadianceSample& sample) {
+void TileSums::add(std::size_t pixel, std::span<const RadianceSample> samples) {
+    double light[3] = {};
+    for (std::size_t c = 0; c < 3; ++c) {
+        light[c] = radiance_[c * size() + pixel];
+    }
+    float coverage = coverage_[pixel];
+    for (const RadianceSample& sample : samples) {
+        for (int c = 0; c < 3; ++c) {
+            light[c] += static_cast<double>(sample.radiance[c]);
+        }
+        coverage += sample.coverage;
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+        radiance_[c * size() + pixel] = light[c];
+    }
+    coverage_[pixel] = coverage;
+    if (kind_ == SumsKind()) {
+        samples_[pixel] += static_cast<int>(samples.size());
+        return;
+    }
+    for (const RadianceSample& sample : samples) {
+        add_details(pixel, sample);
+    }
+}
+
+/// Adds what the frame needs to know besides light and coverage, and counts the sample.
+void TileSums::add_details(std::size_t pixel, const RadianceSample& sample) {
     const std::size_t pixels = size();
     const bool is_first_half = samples_[pixel] % 2 == 0;
     for (std::size_t c = 0; c < 3; ++c) {
-        const float light = sample.radiance[static_cast<int>(c)];
-        radiance_[c * pixels + pixel] += static_cast<double>(light);
+        const int axis = static_cast<int>(c);
         if (kind_.halves) {
+            const float light = sample.radiance[axis];
             differences_[c * pixels + pixel] += is_first_half ? light : -light;
         }
         if (kind_.surfaces) {
-            const int axis = static_cast<int>(c);
             surfaces_[c * pixels + pixel] += static_cast<double>(sample.normal[axis]);
             surfaces_[(3 + c) * pixels + pixel] += static_cast<double>(sample.albedo[axis]);
         }
     }
-    coverage_[pixel] += sample.coverage;
     if (kind_.variance) {
         const Vec3 light(sample.radiance);
         const double y = luminance_of(light.x, light.y, light.z);

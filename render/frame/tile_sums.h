@@ -66,8 +66,8 @@ class TileSums {
     [[nodiscard]] const SumsKind& kind() const { return kind_; }
     [[nodiscard]] std::size_t bytes() const;
 
-    /// Adds the sample with the index samples(pixel).
-    void add(std::size_t pixel, const RadianceSample& sample);
+    /// Adds the samples of a pixel from the index samples(pixel) on.
+    void add(std::size_t pixel, std::span<const RadianceSample> samples);
 
     [[nodiscard]] int samples(std::size_t pixel) const { return samples_[pixel]; }
     /// Of each pixel after the current round of adaptive sampling (sample_plan.h); empty before.
@@ -111,6 +111,7 @@ class TileSums {
     [[nodiscard]] int samples_of_half(std::size_t pixel, int half) const {
         return (samples_[pixel] + 1 - half) / 2;
     }
+    void add_details(std::size_t pixel, const RadianceSample& sample);
     void add_features(std::size_t pixel, const RadianceSample& sample);
     void count_object(std::size_t pixel, std::uint32_t object);
 

@@ -377,9 +377,11 @@ void PathIntegrator::add_caustics(int vertex, Wave& wave, RenderStatistics& coun
     const V3f normal = vertices.geometric_normal.get(vertex);
     const Material& material =
         scene_.materials[static_cast<std::size_t>(vertices.material.at[vertex])];
-    const auto bsdf = scalar::bsdf_at<scalar::One>(
-        material.numbers(), scalar::three(vertices.base.get(vertex)), scalar::three(normal),
-        scalar::three(vertices.normal.get(vertex)), scalar::three(-path.ray.direction), false);
+    scalar::BsdfOf<scalar::One> bsdf{};
+    bsdf.layers = material.numbers();
+    scalar::complete<scalar::One>(bsdf, scalar::three(vertices.base.get(vertex)),
+                                  scalar::three(normal), scalar::three(vertices.normal.get(vertex)),
+                                  scalar::three(-path.ray.direction), false);
     const V3f found =
         caustics_.estimate(path,
                            {position, position + normal * vertices.offset.at[vertex],

@@ -37,9 +37,8 @@ struct VertexLanes {
 
 /// `number_of` returns a number of each lane's material.
 template <class NumberOf>
-HWY_INLINE Layers layers_from(const WaveMaterials& materials, I material,
-                              const NumberOf& number_of) {
-    Layers layers;
+HWY_INLINE void set_layers(const WaveMaterials& materials, I material, const NumberOf& number_of,
+                           Layers& layers) {
     const auto set = [&](const WaveNumberTable& table, auto& numbers) HWY_ATTR {
         std::size_t place = 0;
         std::decay_t<decltype(numbers)>::each_number(
@@ -61,22 +60,22 @@ HWY_INLINE Layers layers_from(const WaveMaterials& materials, I material,
     }
     layers.tables = materials.tables();
     layers.first = Lanes::product(material, kAlbedoNodes);
-    return layers;
 }
 
 /// Vertices are sorted, so that mostly all lanes have the same material.
-HWY_INLINE Layers layers_of(const WaveMaterials& materials, I material) {
+HWY_INLINE void set_layers(const WaveMaterials& materials, I material, Layers& layers) {
     const IntTag di;
     const std::int32_t first = hn::GetLane(material);
     if (hn::AllTrue(di, hn::Eq(material, hn::Set(di, first)))) {
         const auto index = static_cast<std::size_t>(first);
-        return layers_from(materials, material, [&](const std::vector<float>& numbers) HWY_ATTR {
-            return all(numbers[index]);
-        });
+        const auto of_all = [&](const std::vector<float>& numbers)
+                                HWY_ATTR { return all(numbers[index]); };
+        set_layers(materials, material, of_all, layers);
+    } else {
+        const auto of_each = [&](const std::vector<float>& numbers)
+                                 HWY_ATTR { return gather(numbers, material); };
+        set_layers(materials, material, of_each, layers);
     }
-    return layers_from(materials, material, [&](const std::vector<float>& numbers) HWY_ATTR {
-        return gather(numbers, material);
-    });
 }
 
 /// Sets which lobes there are, and how they are followed.
@@ -117,9 +116,9 @@ HWY_INLINE VertexLanes vertices_at(const WaveStep& step, int first) {
     if (step.scene.materials.transmits) {
         from_behind = hn::AndNot(is_equal(load(in.from_behind, first), zero), v.valid);
     }
-    v.bsdf = bsdf_at<Lanes>(layers_of(step.scene.materials, material), load(in.base, first),
-                            geometric_normal, load(in.normal, first),
-                            -gather(step.paths.direction, v.path), from_behind);
+    set_layers(step.scene.materials, material, v.bsdf.layers);
+    complete<Lanes>(v.bsdf, load(in.base, first), geometric_normal, load(in.normal, first),
+                    -gather(step.paths.direction, v.path), from_behind);
     if (in.some_end) {
         v.valid = hn::And(v.valid, is_equal(load(in.ends, first), zero));
     }

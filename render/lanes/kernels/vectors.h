@@ -38,6 +38,14 @@ CAROM_KERNEL Three<V> cross(const Three<V>& a, const Three<V>& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// Calls `visit` with the numbers of a vector.
+template <class Vector, class Visit>
+CAROM_KERNEL void each_number_of(Vector& v, const Visit& visit) {
+    visit(v.x);
+    visit(v.y);
+    visit(v.z);
+}
+
 template <class L>
 CAROM_KERNEL Three<typename L::Value> all_of(const Imath::V3f& v) {
     return {L::all(v.x), L::all(v.y), L::all(v.z)};

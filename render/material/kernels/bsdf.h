@@ -25,23 +25,22 @@ struct BsdfOf {
     }
 };
 
-/// `normal`: the shading normal; `viewer`: in the world's axes. Both normals are on the viewer's
-/// side, which is behind the surface in the lanes `from_behind`.
+/// Completes a BSDF whose `layers` are set. `normal`: the shading normal; `viewer`: in the world's
+/// axes. Both normals are on the viewer's side, which is behind the surface in the lanes
+/// `from_behind`.
 template <class L>
-CAROM_KERNEL BsdfOf<L> bsdf_at(const LayersOf<L>& layers, const Three<typename L::Value>& base,
-                               const Three<typename L::Value>& geometric_normal,
-                               const Three<typename L::Value>& normal,
-                               const Three<typename L::Value>& viewer,
-                               typename L::Mask from_behind) {
+CAROM_KERNEL void complete(BsdfOf<L>& bsdf, const Three<typename L::Value>& base,
+                           const Three<typename L::Value>& geometric_normal,
+                           const Three<typename L::Value>& normal,
+                           const Three<typename L::Value>& viewer, typename L::Mask from_behind) {
+    const LayersOf<L>& layers = bsdf.layers;
     const auto zero = L::all(0);
     const auto none = L::is_less(zero, zero);
-    BsdfOf<L> bsdf;
     bsdf.geometric_normal = geometric_normal;
     bsdf.frame = basis_around<L>(normal);
     bsdf.wo = bsdf.frame.from_world(viewer);
     bsdf.wo.z = L::larger(bsdf.wo.z, L::all(kLeastLocalCosine));
     bsdf.base = base;
-    bsdf.layers = layers;
     bsdf.transmits = none;
     auto is_inside = none;
     if (layers.any_glass) {
@@ -58,7 +57,6 @@ CAROM_KERNEL BsdfOf<L> bsdf_at(const LayersOf<L>& layers, const Three<typename L
         bsdf.transmits = L::either(bsdf.transmits, bsdf.phong.transmits());
     }
     bsdf.any_transmits = !L::none(bsdf.transmits);
-    return bsdf;
 }
 
 /// What kinds of lobes a surface has.

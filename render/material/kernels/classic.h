@@ -22,9 +22,7 @@ struct ClassicOf {
     CAROM_KERNEL static void each_number(Classic& model, const Visit& visit) {
         for (auto* colour : {&model.emission, &model.ambient, &model.specular, &model.reflectance,
                              &model.transmittance}) {
-            visit(colour->x);
-            visit(colour->y);
-            visit(colour->z);
+            each_number_of(*colour, visit);
         }
         visit(model.has_ambient);
         visit(model.diffuse_fraction);

@@ -12,9 +12,7 @@ struct GlassOf {
     CAROM_KERNEL static void each_number(Glass& glass, const Visit& visit) {
         visit(glass.ior);
         visit(glass.alpha);
-        visit(glass.tint.x);
-        visit(glass.tint.y);
-        visit(glass.tint.z);
+        each_number_of(glass.tint, visit);
     }
 };
 
@@ -29,9 +27,7 @@ struct PhongOf {
     template <class Phong, class Visit>
     CAROM_KERNEL static void each_number(Phong& phong, const Visit& visit) {
         for (auto* colour : {&phong.specular, &phong.reflectance, &phong.transmittance}) {
-            visit(colour->x);
-            visit(colour->y);
-            visit(colour->z);
+            each_number_of(*colour, visit);
         }
         visit(phong.index);
         visit(phong.highlight_exponent);
@@ -62,9 +58,7 @@ struct LayersOf {
         visit(layers.coat_ior);
         visit(layers.coat_alpha);
         visit(layers.sheen);
-        visit(layers.sheen_colour.x);
-        visit(layers.sheen_colour.y);
-        visit(layers.sheen_colour.z);
+        each_number_of(layers.sheen_colour, visit);
         visit(layers.metal);
         visit(layers.specular);
         visit(layers.alpha);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <span>
 
 #include <gtest/gtest.h>
 
@@ -31,7 +32,7 @@ render::FrameSums make_sums() {
             render::RadianceSample sample;
             sample.radiance = {static_cast<float>(n), 0.5F, 1e30F};
             sample.object = static_cast<std::uint32_t>(i);
-            tile.add(i, sample);
+            tile.add(i, std::span(&sample, 1));
             data.statistics.camera_rays += 1;
         }
         data.seconds.push_back(1);

@@ -35,9 +35,9 @@ class Bsdf {
         : material_(std::make_shared<const Material>(material)) {
         const bool from_behind = normal.dot(wo) < 0;
         const auto front = scalar::three(from_behind ? -normal : normal);
-        bsdf_ =
-            scalar::bsdf_at<One>(material_->numbers(), scalar::three(*material_->constant_base()),
-                                 front, front, scalar::three(wo), from_behind);
+        bsdf_.layers = material_->numbers();
+        scalar::complete<One>(bsdf_, scalar::three(*material_->constant_base()), front, front,
+                              scalar::three(wo), from_behind);
     }
 
     [[nodiscard]] bool can_evaluate(Layers layers) const {
@@ -83,7 +83,7 @@ class Bsdf {
 
   private:
     std::shared_ptr<const Material> material_;  // has the tables
-    scalar::BsdfOf<One> bsdf_;
+    scalar::BsdfOf<One> bsdf_{};
 };
 
 }  // namespace carom::render::test_materials
