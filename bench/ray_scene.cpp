@@ -8,14 +8,14 @@
 #include <fmt/core.h>
 
 #include "render/camera/thin_lens_camera.h"
-#include "render/geometry/orthonormal_basis.h"
 #include "render/sampling/sampler.h"
-#include "render/sampling/warp.h"
+#include "render/sampling/scalar_kernels.h"
 
 namespace carom::bench {
 namespace {
 
 using namespace render;
+using scalar::One;
 
 constexpr double kBallRadius = 0.028575;
 constexpr int kWidth = 640;
@@ -167,8 +167,8 @@ RaySets make_ray_sets(const FrameScene& frame) {
             Ray next;
             next.origin = point.position + point.offset * point.geometric_normal;
             next.time = ray.time;
-            next.direction = OrthonormalBasis::around(point.geometric_normal)
-                                 .to_world(sample_cosine_hemisphere(V2f(u[0], u[1])));
+            next.direction = scalar::basis_around<One>(point.geometric_normal)
+                                 .to_world(scalar::sample_cosine_hemisphere<One>({u[0], u[1]}));
             sets.secondary.push_back(next);
             const V3f on_lamp(0.1f + 1.2f * (u[2] - 0.5f), 0.4f * (u[3] - 0.5f), 1.3f);
             const V3f to_lamp = on_lamp - next.origin;

@@ -17,7 +17,7 @@ inline constexpr float kBlueLuminance = 0.0722f;
 }
 
 [[nodiscard]] inline float largest(const Imath::V3f& c) {
-    return std::max({c.x, c.y, c.z});
+    return std::max(std::max(c.x, c.y), c.z);
 }
 
 }  // namespace carom

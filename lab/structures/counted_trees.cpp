@@ -59,10 +59,9 @@ bool test_leaf(const TriangleTree& tree, std::uint32_t leaf, const Ray& ray, flo
     const TriangleBlock& block = tree.blocks[leaf];
     const TriangleNames& names = tree.names[leaf];
     const auto at = [](const FloatLanes(&lanes)[3], std::size_t k) {
-        return kernels::Triple<float>{{lanes[0].values[k], lanes[1].values[k], lanes[2].values[k]}};
+        return V3f(lanes[0].values[k], lanes[1].values[k], lanes[2].values[k]);
     };
-    const auto triple = [](const V3f& v) { return kernels::Triple<float>{{v.x, v.y, v.z}}; };
-    const kernels::RayIn<L> ray_in{triple(ray.origin), triple(ray.direction), ray.t_min, kInfinity};
+    const kernels::RayIn<L> ray_in{ray.origin, ray.direction, ray.t_min, kInfinity};
     for (std::size_t k = 0; k < kBlockLanes && names.object.values[k] >= 0; ++k) {
         const auto hit = kernels::MollerTrumbore::intersect<triangle::Division::early>(
             ray_in, kernels::MollerTrumbore::Record<L>{at(block.corner, k), at(block.edge_b, k),

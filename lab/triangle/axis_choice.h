@@ -1,5 +1,6 @@
 // How a test finds the coordinates along a triangle's projection axis w and along the two axes that
-// follow it (x, y, z, x).
+// follow it (x, y, z, x). Without a call of the vectors' operators, whose code may be for one
+// instruction set only.
 #pragma once
 
 #include <cstdint>
@@ -16,17 +17,17 @@ struct StoredAxes {
     static constexpr Axis kOrders[3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}};
 
     [[nodiscard]] static constexpr Axis axis(unsigned w) { return kOrders[w]; }
-    template <class V>
-    [[gnu::always_inline]] static const V& along(const V (&x)[3], const Axis& axis) {
-        return x[axis.w];
+    template <class Vector>
+    [[gnu::always_inline]] static const auto& along(const Vector& x, const Axis& axis) {
+        return (&x.x)[axis.w];
     }
-    template <class V>
-    [[gnu::always_inline]] static const V& after(const V (&x)[3], const Axis& axis) {
-        return x[axis.u];
+    template <class Vector>
+    [[gnu::always_inline]] static const auto& after(const Vector& x, const Axis& axis) {
+        return (&x.x)[axis.u];
     }
-    template <class V>
-    [[gnu::always_inline]] static const V& before(const V (&x)[3], const Axis& axis) {
-        return x[axis.v];
+    template <class Vector>
+    [[gnu::always_inline]] static const auto& before(const Vector& x, const Axis& axis) {
+        return (&x.x)[axis.v];
     }
 };
 
@@ -39,17 +40,17 @@ struct AxisFromTable {
     static constexpr std::uint32_t kBefore[3] = {2, 0, 1};
 
     [[nodiscard]] static constexpr Axis axis(unsigned w) { return {w}; }
-    template <class V>
-    [[gnu::always_inline]] static const V& along(const V (&x)[3], const Axis& axis) {
-        return x[axis.w];
+    template <class Vector>
+    [[gnu::always_inline]] static const auto& along(const Vector& x, const Axis& axis) {
+        return (&x.x)[axis.w];
     }
-    template <class V>
-    [[gnu::always_inline]] static const V& after(const V (&x)[3], const Axis& axis) {
-        return x[kAfter[axis.w]];
+    template <class Vector>
+    [[gnu::always_inline]] static const auto& after(const Vector& x, const Axis& axis) {
+        return (&x.x)[kAfter[axis.w]];
     }
-    template <class V>
-    [[gnu::always_inline]] static const V& before(const V (&x)[3], const Axis& axis) {
-        return x[kBefore[axis.w]];
+    template <class Vector>
+    [[gnu::always_inline]] static const auto& before(const Vector& x, const Axis& axis) {
+        return (&x.x)[kBefore[axis.w]];
     }
 };
 
@@ -59,17 +60,17 @@ struct FixedAxis {
     struct Axis {};
 
     [[nodiscard]] static constexpr Axis axis(unsigned) { return {}; }
-    template <class V>
-    [[gnu::always_inline]] static const V& along(const V (&x)[3], const Axis&) {
-        return x[kW];
+    template <class Vector>
+    [[gnu::always_inline]] static const auto& along(const Vector& x, const Axis&) {
+        return (&x.x)[kW];
     }
-    template <class V>
-    [[gnu::always_inline]] static const V& after(const V (&x)[3], const Axis&) {
-        return x[(kW + 1) % 3];
+    template <class Vector>
+    [[gnu::always_inline]] static const auto& after(const Vector& x, const Axis&) {
+        return (&x.x)[(kW + 1) % 3];
     }
-    template <class V>
-    [[gnu::always_inline]] static const V& before(const V (&x)[3], const Axis&) {
-        return x[(kW + 2) % 3];
+    template <class Vector>
+    [[gnu::always_inline]] static const auto& before(const Vector& x, const Axis&) {
+        return (&x.x)[(kW + 2) % 3];
     }
 };
 

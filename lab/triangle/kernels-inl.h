@@ -11,18 +11,21 @@
 #include <cstdint>
 #include <numbers>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include "lab/triangle/estimated_inverse.h"
 #include "lab/triangle/scalar_lanes.h"
 #include "lab/triangle/test_set.h"
 #include "lab/triangle/variants.h"
-#include "render/lanes/vector_lanes-inl.h"
+#include "render/lanes/kernels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::triangle::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
+
+using render::HWY_NAMESPACE::Vec3;
 
 template <class D>
 using VectorLanes = render::HWY_NAMESPACE::VectorLanes<D>;
@@ -50,10 +53,10 @@ struct TrianglesInLanes<D, StoredAxes> : VectorLanes<D> {
         Mask is_y;
     };
 
-    static HWY_INLINE Axis longest_axis(const Value (&v)[3]) {
-        const Value x = hn::Abs(v[0]);
-        const Value y = hn::Abs(v[1]);
-        const Value z = hn::Abs(v[2]);
+    static HWY_INLINE Axis longest_axis(const Vec3<Value>& v) {
+        const Value x = hn::Abs(v.x);
+        const Value y = hn::Abs(v.y);
+        const Value z = hn::Abs(v.z);
         const Mask x_first = hn::Ge(x, y);
         return {hn::And(x_first, hn::Ge(x, z)), hn::AndNot(x_first, hn::Ge(y, z))};
     }
@@ -62,14 +65,10 @@ struct TrianglesInLanes<D, StoredAxes> : VectorLanes<D> {
         const D d;
         return {hn::Eq(w, hn::Zero(d)), hn::Eq(w, hn::Set(d, 1))};
     }
-    static HWY_INLINE Value along(const Value (&v)[3], Axis w) {
-        return choose(w, v[0], v[1], v[2]);
-    }
-    static HWY_INLINE Value after(const Value (&v)[3], Axis w) {
-        return choose(w, v[1], v[2], v[0]);
-    }
-    static HWY_INLINE Value before(const Value (&v)[3], Axis w) {
-        return choose(w, v[2], v[0], v[1]);
+    static HWY_INLINE Value along(const Vec3<Value>& v, Axis w) { return choose(w, v.x, v.y, v.z); }
+    static HWY_INLINE Value after(const Vec3<Value>& v, Axis w) { return choose(w, v.y, v.z, v.x); }
+    static HWY_INLINE Value before(const Vec3<Value>& v, Axis w) {
+        return choose(w, v.z, v.x, v.y);
     }
 
   private:

@@ -94,8 +94,8 @@ class RaysRun final : public KernelRun {
         const D d;
         RayIn<L> ray;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            ray.origin.at[axis] = load<D>(rays_, item, axis);
-            ray.direction.at[axis] = load<D>(rays_, item, axis + 3);
+            ray.origin[axis] = load<D>(rays_, item, axis);
+            ray.direction[axis] = load<D>(rays_, item, axis + 3);
         }
         ray.t_min = hn::Zero(d);
         ray.t_max = hn::Set(d, T(kInfinity));
@@ -120,7 +120,7 @@ class RaysRun final : public KernelRun {
         const auto common_number = [&](std::size_t axis) HWY_ATTR {
             return hn::Set(d, *rays_.place(first, axis + (kOneOrigin ? 0 : 3)));
         };
-        const Triple<V> common{{common_number(0), common_number(1), common_number(2)}};
+        const Vec3<V> common{common_number(0), common_number(1), common_number(2)};
         for (int i = 0; i < triangles_in_group_; ++i) {
             const auto record = broadcast<L, typename Kernel::template Record<L>>(
                 record_of<Kernel, One>(triangles[i].input));
@@ -128,7 +128,7 @@ class RaysRun final : public KernelRun {
                 const auto own_number = [&](std::size_t axis) HWY_ATTR {
                     return load<D>(rays_, at, axis + (kOneOrigin ? 3 : 0));
                 };
-                const Triple<V> own{{own_number(0), own_number(1), own_number(2)}};
+                const Vec3<V> own{own_number(0), own_number(1), own_number(2)};
                 const RayIn<L> ray{kOneOrigin ? common : own, kOneOrigin ? own : common,
                                    hn::Zero(d), hn::LoadU(d, &t_[at])};
                 const auto hit = Kernel::template intersect<kForm.division>(ray, record);

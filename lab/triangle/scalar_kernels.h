@@ -5,17 +5,23 @@
 #include <cstddef>
 #include <numbers>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include "lab/triangle/estimated_inverse.h"
 #include "lab/triangle/scalar_lanes.h"
 #include "lab/triangle/test_set.h"
 #include "lab/triangle/variants.h"
+#include "render/lanes/scalar_kernels.h"
 #include "render/triangle/division.h"
 
 #define CAROM_KERNEL [[gnu::always_inline]] inline
 
 namespace carom::render::triangle::scalar {
+
+using Imath::Vec3;
+using render::scalar::cross;
+using render::scalar::dot;
 
 // The order of these matters.
 // clang-format off

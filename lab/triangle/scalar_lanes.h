@@ -16,13 +16,15 @@ struct ScalarLanes : render::ScalarLanes<T>, Choice {
     using With = ScalarLanes<T, Other>;
 
     /// The axis of a vector's largest component.
-    static typename Choice::Axis longest_axis(const Value (&v)[3]) {
+    template <class Vector>
+    static typename Choice::Axis longest_axis(const Vector& v) {
         return Choice::axis(longest(v));
     }
-    static unsigned longest(const Value (&v)[3]) {
-        const T x = std::abs(v[0]);
-        const T y = std::abs(v[1]);
-        const T z = std::abs(v[2]);
+    template <class Vector>
+    static unsigned longest(const Vector& v) {
+        const T x = std::abs(v.x);
+        const T y = std::abs(v.y);
+        const T z = std::abs(v.z);
         return x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
     }
 };

@@ -91,8 +91,8 @@ class TrianglesRun final : public KernelRun {
         const D d;
         RayIn<L> ray;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            ray.origin.at[axis] = hn::Set(d, *rays_.place(ray_index, axis));
-            ray.direction.at[axis] = hn::Set(d, *rays_.place(ray_index, axis + 3));
+            ray.origin[axis] = hn::Set(d, *rays_.place(ray_index, axis));
+            ray.direction[axis] = hn::Set(d, *rays_.place(ray_index, axis + 3));
         }
         ray.t_min = hn::Zero(d);
         ray.t_max = hn::Set(d, T(kInfinity));

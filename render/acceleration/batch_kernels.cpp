@@ -19,9 +19,9 @@ HWY_INLINE RayLanes<BatchTag> rays_from(const RayBatch& rays, int first) {
     const BatchTag d;
     RayLanes<BatchTag> lanes;
     const auto three = [&](const std::array<const float*, 3>& numbers) HWY_ATTR {
-        return Three<hn::Vec<BatchTag>>{hn::LoadU(d, numbers[0] + first),
-                                        hn::LoadU(d, numbers[1] + first),
-                                        hn::LoadU(d, numbers[2] + first)};
+        return Vec3<hn::Vec<BatchTag>>{hn::LoadU(d, numbers[0] + first),
+                                       hn::LoadU(d, numbers[1] + first),
+                                       hn::LoadU(d, numbers[2] + first)};
     };
     lanes.line = {three(rays.origin), three(rays.direction)};
     lanes.t_min = hn::Zero(d);
@@ -32,13 +32,13 @@ HWY_INLINE RayLanes<BatchTag> rays_from(const RayBatch& rays, int first) {
 /// Rays with finite numbers only, as in safe_ray.h; other rays hit nothing.
 HWY_INLINE hn::Mask<BatchTag> finite_rays(const RayLanes<BatchTag>& rays) {
     const BatchTag d;
-    const Three<hn::Vec<BatchTag>> probe = rays.line.origin + rays.line.direction;
+    const Vec3<hn::Vec<BatchTag>> probe = rays.line.origin + rays.line.direction;
     const hn::Vec<BatchTag> sum = rays.time + probe.x + probe.y + probe.z;
     return hn::Eq(hn::Mul(sum, hn::Zero(d)), hn::Zero(d));
 }
 
 /// The reciprocals of rays' directions, which tests with boxes need.
-using Reciprocals = Three<hn::Vec<BatchTag>>;
+using Reciprocals = Vec3<hn::Vec<BatchTag>>;
 
 HWY_INLINE Reciprocals reciprocals_of(const RayLanes<BatchTag>& rays) {
     return finite_reciprocals<VectorLanes<BatchTag>>(rays.line.direction);
@@ -181,8 +181,8 @@ HWY_ATTR void hit_moving_shape(const MovingShape& shape, const RayBatch& rays,
     for (int first = 0; first < count; first += static_cast<int>(hn::Lanes(d))) {
         const L::Int number = hn::LoadU(L::IntTag(), numbers + first);
         const auto three = [&](const std::array<const float*, 3>& from) HWY_ATTR {
-            return Three<L::Value>{L::gather(from[0], number), L::gather(from[1], number),
-                                   L::gather(from[2], number)};
+            return Vec3<L::Value>{L::gather(from[0], number), L::gather(from[1], number),
+                                  L::gather(from[2], number)};
         };
         const PoseOf<L> pose = pose_at<L>(motion, L::gather(rays.time, number));
         const RayOf<L> ray = pose.in_body({three(rays.origin), three(rays.direction)});

@@ -3,10 +3,12 @@
 #include <algorithm>
 
 #include "render/acceleration/triangle_scene.h"
-#include "render/geometry/intersect.h"
+#include "render/geometry/scalar_kernels.h"
 
 namespace carom::render {
 namespace {
+
+using scalar::One;
 
 constexpr float kWidening = 1.00002f;  // of bounds, for rounding
 
@@ -14,17 +16,10 @@ bool may_hit(const MovingShape& shape, const Ray& ray) {
     if (shape.is_infinite()) {
         return true;
     }
-    using scalar::One;
-    using scalar::three;
-    const auto crossing = scalar::cross_box<One>(
-        three(ray.origin), scalar::finite_reciprocals<One>(three(ray.direction)),
-        three(shape.bounds.min), three(shape.bounds.max));
+    const auto crossing =
+        scalar::cross_box<One>(ray.origin, scalar::finite_reciprocals<One>(ray.direction),
+                               shape.bounds.min, shape.bounds.max);
     return crossing.meets && crossing.leave * kWidening >= ray.t_min && crossing.enter <= ray.t_max;
-}
-
-UnitRay in_unit_axes(const MovingShape& shape, const Ray& local) {
-    return {shape.unit_from_body.point(local.origin), shape.unit_from_body.vector(local.direction),
-            local.t_min, local.t_max};
 }
 
 Ray in_body_axes(const MovingShape& shape, const Ray& ray) {
@@ -43,9 +38,12 @@ V3f corner_of(int number) {
 
 std::optional<float> intersect_analytic(const MovingShape& shape, const Ray& local) {
     using Distance = std::optional<float>;
-    const UnitRay ray = in_unit_axes(shape, local);
+    const scalar::RayOf<One> line{shape.unit_from_body.point(local.origin),
+                                  shape.unit_from_body.vector(local.direction)};
     return visit_shape<Distance>(shape.kind, std::nullopt, [&](auto unit_shape) {
-        return intersect_unit_shape<decltype(unit_shape)::kKind>(ray, shape.profile);
+        constexpr ShapeKind kKind = decltype(unit_shape)::kKind;
+        const auto hit = scalar::hit_unit_shape<kKind, One>(line, local.t_min, {shape.profile, 0});
+        return hit.valid && hit.t < local.t_max ? Distance(hit.t) : std::nullopt;
     });
 }
 

@@ -20,12 +20,12 @@ HWY_INLINE AlignedBoxTest<D> test_for_ray(AlignedBox /*shape*/, D d, const V3f& 
 /// The test of a shape for rays that differ from lane to lane; `inverse`: finite_reciprocals of
 /// their directions.
 template <class Shape, class V>
-HWY_INLINE LaneTest<Shape> test_for_rays(Shape /*shape*/, const Three<V>& /*inverse*/) {
+HWY_INLINE LaneTest<Shape> test_for_rays(Shape /*shape*/, const Vec3<V>& /*inverse*/) {
     return {};
 }
 template <class V>
 HWY_INLINE AlignedBoxRays<hn::DFromV<V>> test_for_rays(AlignedBox /*shape*/,
-                                                       const Three<V>& inverse) {
+                                                       const Vec3<V>& inverse) {
     return {inverse};
 }
 

@@ -15,7 +15,7 @@ namespace carom::render::HWY_NAMESPACE {
 /// Rays of a batch, one in each lane, before they are asked.
 struct CandidateRays {
     using Vector = hn::Vec<PacketTag>;
-    kernels::Triple<Vector> origin, direction;
+    Vec3<Vector> origin, direction;
     Vector limit;
     BoxLines<PacketLanes> lines;
 
@@ -54,12 +54,13 @@ class WaitingRays {
         hn::Vec<PacketTag> sum = hn::LoadU(d, batch.time + first);
         CandidateRays rays;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            rays.origin.at[axis] = hn::LoadU(d, batch.origin[axis] + first);
-            rays.direction.at[axis] = hn::LoadU(d, batch.direction[axis] + first);
-            sum = hn::Add(sum, hn::Add(rays.origin.at[axis], rays.direction.at[axis]));
+            rays.origin[axis] = hn::LoadU(d, batch.origin[axis] + first);
+            rays.direction[axis] = hn::LoadU(d, batch.direction[axis] + first);
+            sum = hn::Add(sum, hn::Add(rays.origin[axis], rays.direction[axis]));
         }
         rays.limit = hn::Min(t, hn::Set(d, kLargest));
-        rays.lines = box_lines<PacketLanes>(rays.origin.at, rays.direction.at);
+        rays.lines = box_lines<PacketLanes>({rays.origin.x, rays.origin.y, rays.origin.z},
+                                            {rays.direction.x, rays.direction.y, rays.direction.z});
         const auto is_finite = hn::Eq(hn::Mul(sum, zero), zero);
         const auto is_asked = hn::And(hn::And(is_finite, hn::Gt(t, zero)),
                                       hn::FirstN(d, static_cast<std::size_t>(batch.count - first)));
@@ -76,8 +77,8 @@ class WaitingRays {
         }
         const PackedLanes goes(may_hit);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            hn::StoreU(goes.pack(rays.origin.at[axis]), d, origin_[axis] + count_);
-            hn::StoreU(goes.pack(rays.direction.at[axis]), d, direction_[axis] + count_);
+            hn::StoreU(goes.pack(rays.origin[axis]), d, origin_[axis] + count_);
+            hn::StoreU(goes.pack(rays.direction[axis]), d, direction_[axis] + count_);
         }
         hn::StoreU(goes.pack(rays.limit), d, limit_ + count_);
         const hn::RebindToSigned<PacketTag> di;
@@ -184,7 +185,7 @@ HWY_INLINE bool may_hit(const TriangleTree& tree, const Ray& ray) {
     using L = ScalarLanes<float>;
     const Horizon& map = tree.horizon;
     const bool is_above = map.width > 0 && ray.t_min >= 0 &&
-                          pass_above<L>(map, triple_of<L>(ray.origin), triple_of<L>(ray.direction));
+                          pass_above<L>(map, all_of<L>(ray.origin), all_of<L>(ray.direction));
     return !tree.blocks.empty() && !is_above;
 }
 

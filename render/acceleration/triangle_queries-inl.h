@@ -18,14 +18,9 @@ namespace kernels = triangle::HWY_NAMESPACE;
 
 using PacketLanes = VectorLanes<PacketTag>;
 
-template <class L>
-HWY_INLINE kernels::Triple<typename L::Value> triple_of(const V3f& v) {
-    return {{L::all(v.x), L::all(v.y), L::all(v.z)}};
-}
-
 template <class D>
 HWY_INLINE kernels::HitIn<VectorLanes<D>> test(
-    const kernels::Triple<hn::Vec<D>>& origin, const kernels::Triple<hn::Vec<D>>& direction,
+    const Vec3<hn::Vec<D>>& origin, const Vec3<hn::Vec<D>>& direction,
     const kernels::MollerTrumbore::Record<VectorLanes<D>>& triangles, float t_min) {
     const D d;
     return kernels::MollerTrumbore::intersect<triangle::Division::early>(
@@ -39,18 +34,18 @@ HWY_INLINE kernels::HitIn<VectorLanes<ChildTag>> test_block(const TriangleBlock&
     using L = VectorLanes<ChildTag>;
     const auto load = [&](const FloatLanes(&numbers)[3]) HWY_ATTR {
         const ChildTag d;
-        return kernels::Triple<L::Value>{{hn::Load(d, numbers[0].values + lane),
-                                          hn::Load(d, numbers[1].values + lane),
-                                          hn::Load(d, numbers[2].values + lane)}};
+        return Vec3<L::Value>{hn::Load(d, numbers[0].values + lane),
+                              hn::Load(d, numbers[1].values + lane),
+                              hn::Load(d, numbers[2].values + lane)};
     };
-    return test<ChildTag>(triple_of<L>(ray.origin), triple_of<L>(ray.direction),
+    return test<ChildTag>(all_of<L>(ray.origin), all_of<L>(ray.direction),
                           {load(block.corner), load(block.edge_b), load(block.edge_c)}, ray.t_min);
 }
 
 /// Whether no triangle of a leaf can be hit before `limit`.
 HWY_INLINE bool stays_beyond(const LeafSlab& slab, const Ray& ray, float limit) {
     using L = ScalarLanes<float>;
-    return stay_beyond<L>(slab, triple_of<L>(ray.origin), triple_of<L>(ray.direction), limit);
+    return stay_beyond<L>(slab, all_of<L>(ray.origin), all_of<L>(ray.direction), limit);
 }
 
 /// The nearest hit of one ray, whose distance is `limit`. Of the ray, t_max is not used.
@@ -147,14 +142,14 @@ struct PacketQuery {
     template <class Offer>
     HWY_INLINE void test_leaf(std::uint32_t leaf, const PacketRays::Entry& entry,
                               const Offer& offer) const {
-        using Triple = kernels::Triple<hn::Vec<PacketTag>>;
+        using Vector = Vec3<hn::Vec<PacketTag>>;
         const PacketTag d;
         const auto load = [&](const float(&numbers)[3][kPacketLanes]) HWY_ATTR {
-            return Triple{
-                {hn::Load(d, numbers[0]), hn::Load(d, numbers[1]), hn::Load(d, numbers[2])}};
+            return Vector{hn::Load(d, numbers[0]), hn::Load(d, numbers[1]),
+                          hn::Load(d, numbers[2])};
         };
-        const Triple origin = load(rays.origin);
-        const Triple direction = load(rays.direction);
+        const Vector origin = load(rays.origin);
+        const Vector direction = load(rays.direction);
         const auto gone =
             stay_beyond<PacketLanes>(tree.slabs[leaf], origin, direction, hn::Load(d, rays.limit));
         const auto meets = hn::AndNot(gone, rays.active(entry));
@@ -165,8 +160,8 @@ struct PacketQuery {
         const TriangleBlock& block = tree.blocks[leaf];
         for (int k = 0; k < kBlockLanes && tree.names[leaf].object.values[k] >= 0; ++k) {
             const auto in_all = [&](const FloatLanes(&numbers)[3]) HWY_ATTR {
-                return Triple{{hn::Set(d, numbers[0].values[k]), hn::Set(d, numbers[1].values[k]),
-                               hn::Set(d, numbers[2].values[k])}};
+                return Vector{hn::Set(d, numbers[0].values[k]), hn::Set(d, numbers[1].values[k]),
+                              hn::Set(d, numbers[2].values[k])};
             };
             auto hit = test<PacketTag>(
                 origin, direction,

@@ -27,7 +27,7 @@ HWY_INLINE F as_floats(const std::int32_t* words, int first) {
     return hn::ConvertTo(FloatTag(), hn::LoadU(IntTag(), words + first));
 }
 
-inline HWY_ATTR void make_rays_in_lanes(const ThinLensCamera& camera, const CameraFixings& fixings,
+inline HWY_ATTR void make_rays_in_lanes(const CameraConstants& camera, const CameraFixings& fixings,
                                         CameraBatch& batch) {
     const IntTag di;
     for (int first = 0; first < batch.count; first += lane_count()) {
@@ -58,7 +58,7 @@ namespace carom::render {
 HWY_EXPORT(make_rays_in_lanes);
 
 void make_rays(const ThinLensCamera& camera, const CameraFixings& fixings, CameraBatch& batch) {
-    HWY_DYNAMIC_DISPATCH(make_rays_in_lanes)(camera, fixings, batch);
+    HWY_DYNAMIC_DISPATCH(make_rays_in_lanes)(camera.constants(), fixings, batch);
 }
 
 }  // namespace carom::render

@@ -7,19 +7,10 @@
 #define CAROM_CAMERA_KERNELS_INL_H
 #endif
 
-#include "render/camera/thin_lens_camera.h"
+#include "render/camera/scalar_kernels.h"  // what the kernels read
 #include "render/sampling/kernels-inl.h"
 
-HWY_BEFORE_NAMESPACE();
-namespace carom::render::HWY_NAMESPACE {
-
-#define CAROM_KERNEL HWY_INLINE
-#define CAROM_KERNEL_ATTRIBUTE HWY_ATTR
-#include "render/camera/kernels/thin_lens.h"
-#undef CAROM_KERNEL_ATTRIBUTE
-#undef CAROM_KERNEL
-
-}  // namespace carom::render::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();
+#define CAROM_KERNELS "render/camera/kernels/thin_lens.h"
+#include "render/lanes/include_vector-inl.h"
 
 #endif  // once per instruction set

@@ -8,7 +8,6 @@
 #include "core/error.h"
 #include "core/finite.h"
 #include "render/camera/scalar_kernels.h"
-#include "render/sampling/warp.h"
 
 namespace carom::render {
 namespace {
@@ -47,14 +46,14 @@ void check(const CameraState& state) {
     }
 }
 
-CameraFrame make_frame(const CameraState& state, int height) {
+CameraAtTime make_frame(const CameraState& state, int height) {
     const Vec3 forward = (state.target - state.position).normalized();
     const Vec3 level = forward.cross(state.up).normalized();
     const Vec3 upright = level.cross(forward);
     // A camera rotated by +roll about its axis shows the picture rotated the other way.
     const double c = cosine(state.roll);
     const double s = sine(state.roll);
-    CameraFrame frame;
+    CameraAtTime frame;
     frame.position = V3f(state.position);
     frame.forward = V3f(forward);
     frame.right = V3f(c * level + s * upright);
@@ -63,18 +62,11 @@ CameraFrame make_frame(const CameraState& state, int height) {
     frame.focus_distance = static_cast<float>(state.focus_distance);
     frame.lens_radius = static_cast<float>(state.lens_radius);
     frame.blade_turns = static_cast<float>(state.blade_rotation / (2 * std::numbers::pi));
+    frame.axis = V3f(state.target - state.position);
+    frame.upright = V3f(state.up);
+    frame.roll = static_cast<float>(state.roll);
+    frame.blade_rotation = static_cast<float>(state.blade_rotation);
     return frame;
-}
-
-CameraFrame frame_of(const scalar::CameraFrameOf<One>& frame) {
-    return {scalar::vector_of(frame.position),
-            scalar::vector_of(frame.forward),
-            scalar::vector_of(frame.right),
-            scalar::vector_of(frame.up),
-            frame.pixel_size,
-            frame.focus_distance,
-            frame.lens_radius,
-            frame.blade_turns};
 }
 
 }  // namespace
@@ -82,52 +74,38 @@ CameraFrame frame_of(const scalar::CameraFrameOf<One>& frame) {
 ThinLensCamera::ThinLensCamera(const CameraState& open, const CameraState& close, int width,
                                int height, double switch_ratio, PixelFilter filter,
                                double filter_width)
-    : filter_(filter, filter_width),
-      half_width_(0.5f * static_cast<float>(width)),
-      half_height_(0.5f * static_cast<float>(height)),
-      switch_ratio_(static_cast<float>(switch_ratio)),
-      blades_(open.blades),
-      moves_(!(open == close)),
-      has_lens_(open.lens_radius > 0 || close.lens_radius > 0) {
+    : filter_(filter, filter_width) {
     check(open);
     check(close);
     if (!(switch_ratio >= 0 && switch_ratio <= 1)) {
         refuse("the shutter's switch ratio must lie between 0 and 1");
     }
-    open_ = make_moving(open, height);
-    close_ = make_moving(close, height);
-}
-
-ThinLensCamera::Moving ThinLensCamera::make_moving(const CameraState& state, int height) {
-    return {make_frame(state, height), V3f(state.target - state.position), V3f(state.up),
-            static_cast<float>(state.roll), static_cast<float>(state.blade_rotation)};
+    constants_.open = make_frame(open, height);
+    constants_.close = make_frame(close, height);
+    constants_.centre = {0.5f * static_cast<float>(width), 0.5f * static_cast<float>(height)};
+    constants_.switch_ratio = static_cast<float>(switch_ratio);
+    constants_.blades = open.blades;
+    constants_.moves = !(open == close);
+    constants_.has_lens = open.lens_radius > 0 || close.lens_radius > 0;
 }
 
 CameraFrame ThinLensCamera::frame_at(float time) const {
-    return frame_of(scalar::frame_at<One>(*this, time));
+    return scalar::frame_at<One>(constants_, time);
 }
 
 Ray ThinLensCamera::ray(int pixel_x, int pixel_y, const CameraSample& sample) const {
-    const scalar::CameraRayOf<One> made =
-        scalar::camera_ray<One>(*this, {static_cast<float>(pixel_x), static_cast<float>(pixel_y)},
-                                {scalar::two(sample.pixel), scalar::two(sample.lens), sample.time});
-    Ray ray;
-    ray.origin = scalar::vector_of(made.origin);
-    ray.direction = scalar::vector_of(made.direction);
-    ray.time = made.time;
-    ray.kind = RayKind::primary;
-    return ray;
+    const auto made = scalar::camera_ray<One>(
+        constants(), {static_cast<float>(pixel_x), static_cast<float>(pixel_y)},
+        {sample.pixel, sample.lens, sample.time});
+    return {made.origin, made.direction, 0, kInfinity, made.time, RayKind::primary};
 }
 
 ThinLensCamera::Aperture ThinLensCamera::aperture(const CameraSample& sample) const {
-    Aperture result;
-    result.time = sample_trapezoid(sample.time, switch_ratio_);
-    const scalar::CameraFrameOf<One> frame = scalar::frame_at<One>(*this, result.time);
-    result.frame = frame_of(frame);
+    const float time = scalar::sample_trapezoid<One>(sample.time, constants_.switch_ratio);
+    Aperture result{frame_at(time), {}, time};
     result.position = result.frame.position;
-    if (has_lens_) {
-        result.position +=
-            scalar::vector_of(scalar::point_on_lens<One>(frame, blades_, scalar::two(sample.lens)));
+    if (constants_.has_lens) {
+        result.position += scalar::point_on_lens<One>(result.frame, constants_.blades, sample.lens);
     }
     return result;
 }
@@ -145,11 +123,12 @@ std::optional<ThinLensCamera::ImagePoint> ThinLensCamera::image_point(const Aper
     const V3f in_focus =
         (aperture.position - frame.position) / frame.focus_distance + direction / cosine;
     const float scale = 1 / frame.pixel_size;
-    const V2f place(half_width_ + in_focus.dot(frame.right) * scale,
-                    half_height_ - in_focus.dot(frame.up) * scale);
+    const V2f place(constants_.centre.x + in_focus.dot(frame.right) * scale,
+                    constants_.centre.y - in_focus.dot(frame.up) * scale);
     const auto filter_radius = static_cast<float>(0.5 * filter_.width());
     if (place.x < -filter_radius || place.y < -filter_radius ||
-        place.x > 2 * half_width_ + filter_radius || place.y > 2 * half_height_ + filter_radius) {
+        place.x > 2 * constants_.centre.x + filter_radius ||
+        place.y > 2 * constants_.centre.y + filter_radius) {
         return std::nullopt;
     }
     return ImagePoint{place, frame.pixel_size * frame.pixel_size * cosine * cosine * cosine};
@@ -163,12 +142,12 @@ std::optional<V2f> ThinLensCamera::project(const V3f& point, float time) const {
         return std::nullopt;
     }
     const float scale = 1 / (depth * frame.pixel_size);
-    return V2f(half_width_ + relative.dot(frame.right) * scale,
-               half_height_ - relative.dot(frame.up) * scale);
+    return V2f(constants_.centre.x + relative.dot(frame.right) * scale,
+               constants_.centre.y - relative.dot(frame.up) * scale);
 }
 
 float ThinLensCamera::pixel_solid_angle() const {
-    return open_.frame.pixel_size * open_.frame.pixel_size;
+    return constants_.open.pixel_size * constants_.open.pixel_size;
 }
 
 }  // namespace carom::render

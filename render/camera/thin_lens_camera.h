@@ -3,25 +3,16 @@
 
 #include <optional>
 
+#include "render/camera/camera_constants.h"
 #include "render/camera/camera_state.h"
+#include "render/camera/scalar_kernels.h"
 #include "render/geometry/ray.h"
 #include "render/sampling/pixel_filter.h"
 #include "render/sampling/sampler.h"
 
 namespace carom::render {
 
-/// The camera's parameters in the form that ray generation needs: axes scaled so that the image
-/// plane is at distance 1. World axes, metres.
-struct CameraFrame {
-    V3f position;
-    V3f forward;               // unit, along the optical axis
-    V3f right;                 // unit, to the right in the picture
-    V3f up;                    // unit, upwards in the picture
-    float pixel_size = 0;      // of a pixel on the plane at distance 1
-    float focus_distance = 1;  // m
-    float lens_radius = 0;     // m
-    float blade_turns = 0;     // rotation of the blades, turns
-};
+using CameraFrame = scalar::CameraFrameOf<scalar::One>;
 
 /// The camera of one frame, which moves from `open` to `close` during the shutter: position,
 /// target, up, roll, focus, lens and the tangent of half the field of view change linearly.
@@ -70,38 +61,19 @@ class ThinLensCamera {
     /// `time`; empty for points behind the camera.
     [[nodiscard]] std::optional<V2f> project(const V3f& point, float time) const;
 
-    /// A frame, and the parameters that change linearly where those of the frame do not.
-    struct Moving {
-        CameraFrame frame;
-        V3f axis;  // from position to target
-        V3f up;
-        float roll = 0;
-        float blade_rotation = 0;
-    };
-    // For code that makes many rays at once.
-    [[nodiscard]] const Moving& open() const { return open_; }
-    [[nodiscard]] const Moving& close() const { return close_; }
-    [[nodiscard]] V2f centre() const { return {half_width_, half_height_}; }  // pixels
-    [[nodiscard]] float switch_ratio() const { return switch_ratio_; }
-    [[nodiscard]] int blades() const { return blades_; }
-    [[nodiscard]] bool moves() const { return moves_; }
-    [[nodiscard]] bool has_lens() const { return has_lens_; }
+    /// For kernels/thin_lens.h; valid as long as this object is.
+    [[nodiscard]] CameraConstants constants() const {
+        CameraConstants constants = constants_;
+        constants.filter = filter_.tables();
+        return constants;
+    }
 
     /// Solid angle (sr) of a pixel in the centre of the picture when the shutter opens.
     [[nodiscard]] float pixel_solid_angle() const;
 
   private:
-    [[nodiscard]] static Moving make_moving(const CameraState& state, int height);
-
-    Moving open_;
-    Moving close_;
+    CameraConstants constants_;  // without the filter
     PixelFilterSampler filter_;
-    float half_width_ = 0;  // pixels
-    float half_height_ = 0;
-    float switch_ratio_ = 0;
-    int blades_ = 0;
-    bool moves_ = false;
-    bool has_lens_ = false;
 };
 
 }  // namespace carom::render

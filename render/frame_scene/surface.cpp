@@ -14,7 +14,7 @@ scalar::TextureNeeds needs_of(const SceneObject& object) {
 }
 
 scalar::PoseOf<One> pose_at(const RigidMotion& motion, float time) {
-    return {scalar::three(motion.position(time)), scalar::turn_of(motion.world_from_body(time))};
+    return {motion.position(time), scalar::turn_of(motion.world_from_body(time))};
 }
 
 Point point_of_ball(const SceneObject& object, const RigidMotion* motion, const LocalRay& ray,
@@ -22,7 +22,7 @@ Point point_of_ball(const SceneObject& object, const RigidMotion* motion, const 
     const V3f centre =
         motion != nullptr ? motion->position(time) : object.frame.world_from_unit.translation;
     const float radius = object.half_size.x;
-    Point point = scalar::point_on_ball<One>(ray, t, scalar::three(centre), radius);
+    Point point = scalar::point_on_ball<One>(ray, t, centre, radius);
     if (object.has_texture) {
         auto arm = point.geometric_normal * radius;
         if (motion != nullptr) {
@@ -53,14 +53,13 @@ Point point_in_body(const SceneObject& object, const LocalRay& ray, const Hit& h
     const scalar::MappedShapeOf<One> shape{scalar::affine_of<One>(object.frame.unit_from_world),
                                            scalar::affine_of<One>(object.frame.world_from_unit),
                                            scalar::affine_of<One>(object.metres_from_world),
-                                           scalar::three(object.half_size),
-                                           scalar::three(object.profile)};
+                                           object.half_size, object.profile};
     return scalar::point_on_shape<One>(object.kind, shape, ray, hit.t, needs_of(object));
 }
 
 Point point_of(const SceneObject& object, const RigidMotion* motion, const Ray& ray,
                const Hit& hit) {
-    const LocalRay in_world{scalar::three(ray.origin), scalar::three(ray.direction)};
+    const LocalRay in_world{ray.origin, ray.direction};
     if (object.is_round) {
         return point_of_ball(object, motion, in_world, ray.time, hit.t);
     }
@@ -69,9 +68,9 @@ Point point_of(const SceneObject& object, const RigidMotion* motion, const Ray& 
         return scalar::moved<One>(body, point_in_body(object, body.in_body(in_world), hit));
     }
     if (object.is_upright_box) {
-        return scalar::point_on_upright_box<One>(
-            in_world, hit.t, scalar::three(object.frame.world_from_unit.translation),
-            scalar::three(object.half_size), needs_of(object));
+        return scalar::point_on_upright_box<One>(in_world, hit.t,
+                                                 object.frame.world_from_unit.translation,
+                                                 object.half_size, needs_of(object));
     }
     return point_in_body(object, in_world, hit);
 }
@@ -82,13 +81,13 @@ SurfacePoint surface_of(const SceneObject& object, const RigidMotion* motion, co
                         const Hit& hit) {
     const Point found = point_of(object, motion, ray, hit);
     SurfacePoint point;
-    point.position = scalar::vector_of(found.position);
-    point.geometric_normal = scalar::vector_of(found.geometric_normal);
-    point.shading_normal = scalar::vector_of(found.shading_normal);
-    point.object_position = scalar::vector_of(found.object_position);
-    point.uv = scalar::vector_of(found.uv);
+    point.position = found.position;
+    point.geometric_normal = found.geometric_normal;
+    point.shading_normal = found.shading_normal;
+    point.object_position = found.object_position;
+    point.uv = found.uv;
     point.uv_per_metre = found.uv_per_metre;
-    point.uv_metres = scalar::vector_of(found.uv_metres);
+    point.uv_metres = found.uv_metres;
     point.offset = scalar::offset_at<One>(found.position, object.bounding_radius);
     point.object = hit.object;
     point.material = object.material;

@@ -1,7 +1,7 @@
 // Affine maps in float, converted from the scene's doubles.
 #pragma once
 
-#include "core/pose.h"
+#include "core/vectors.h"
 #include "render/geometry/ray.h"
 
 namespace carom::render {
@@ -39,20 +39,6 @@ struct Affine {
 
 [[nodiscard]] inline V3f narrowed(const Vec3& v) {
     return V3f(v);
-}
-
-/// A unit quaternion's rotation as a row-vector matrix.
-[[nodiscard]] inline Mat44 rotation_matrix(const Quat& q) {
-    return q.toMatrix44();
-}
-
-/// World from body axes: first the rotation, then the position.
-[[nodiscard]] inline Mat44 pose_matrix(const Pose& pose) {
-    Mat44 m = rotation_matrix(pose.orientation);
-    m[3][0] = pose.position.x;
-    m[3][1] = pose.position.y;
-    m[3][2] = pose.position.z;
-    return m;
 }
 
 /// The scale factors of the three object axes: the lengths of the rows.

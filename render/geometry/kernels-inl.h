@@ -7,24 +7,10 @@
 #define CAROM_GEOMETRY_KERNELS_INL_H
 #endif
 
-#include "render/geometry/affine.h"
-#include "render/geometry/constants.h"
-#include "render/geometry/margins.h"
-#include "render/geometry/mesh_arrays.h"
-#include "render/geometry/motion_pieces.h"
-#include "render/geometry/shape_kind.h"
+#include "render/geometry/scalar_kernels.h"  // what the kernels read
 #include "render/lanes/kernels-inl.h"
 
-HWY_BEFORE_NAMESPACE();
-namespace carom::render::HWY_NAMESPACE {
-
-#define CAROM_KERNEL HWY_INLINE
-#define CAROM_KERNEL_ATTRIBUTE HWY_ATTR
-#include "render/geometry/kernels/all.h"
-#undef CAROM_KERNEL_ATTRIBUTE
-#undef CAROM_KERNEL
-
-}  // namespace carom::render::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();
+#define CAROM_KERNELS "render/geometry/kernels/all.h"
+#include "render/lanes/include_vector-inl.h"
 
 #endif  // once per instruction set

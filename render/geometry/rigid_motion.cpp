@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/assert.h"
-#include "render/geometry/trigonometry.h"
 #include "sim/timeline/rotation.h"
 
 namespace carom::render {
@@ -55,7 +54,7 @@ Imath::Quatf turned(const TurnPiece& piece, float fraction) {
     if (piece.half_angle == 0) {
         return piece.world_from_body;
     }
-    const SinCos turn = sin_cos(fraction * piece.half_angle);
+    const auto turn = scalar::sin_cos<scalar::One>(fraction * piece.half_angle);
     return Imath::Quatf(turn.cosine, turn.sine * piece.axis) * piece.world_from_body;
 }
 
@@ -135,12 +134,12 @@ void RigidMotion::add_turns(const sim::Track& track, double scene_open, double s
 }
 
 V3f RigidMotion::position(float time) const {
-    return scalar::vector_of(scalar::position_at<scalar::One>(pieces(), time));
+    return scalar::position_at<scalar::One>(pieces(), time);
 }
 
 Imath::Quatf RigidMotion::world_from_body(float time) const {
     const auto turn = scalar::turn_at<scalar::One>(pieces(), time);
-    return {turn.real, scalar::vector_of(turn.vector)};
+    return {turn.real, turn.vector};
 }
 
 RigidMotion::Orientations RigidMotion::orientations() const {

@@ -7,6 +7,7 @@
 
 #include <Imath/ImathBox.h>
 
+#include "core/pose.h"
 #include "render/geometry/affine.h"
 #include "render/geometry/motion_pieces.h"
 #include "render/geometry/ray.h"
@@ -17,10 +18,8 @@ namespace carom::render {
 
 /// The position at a time, on the piece's curve.
 [[nodiscard]] inline V3f position_on(const PathPiece& piece, float time) {
-    using scalar::three;
-    return scalar::vector_of(
-        scalar::point_on_path<scalar::One>(three(piece.c[0]), three(piece.c[1]), three(piece.c[2]),
-                                           three(piece.c[3]), time - piece.start));
+    return scalar::point_on_path<scalar::One>(piece.c[0], piece.c[1], piece.c[2], piece.c[3],
+                                              time - piece.start);
 }
 
 /// Pose of an object during one shutter. The position is the timeline's own piecewise cubic curve,
@@ -72,10 +71,10 @@ class RigidMotion {
 
 /// Rotates v by the unit quaternion q, and back.
 [[nodiscard]] inline V3f rotate(const Imath::Quatf& q, const V3f& v) {
-    return scalar::vector_of(scalar::turn_of(q).apply(scalar::three(v)));
+    return scalar::turn_of(q).apply(v);
 }
 [[nodiscard]] inline V3f rotate_back(const Imath::Quatf& q, const V3f& v) {
-    return scalar::vector_of(scalar::turn_of(q).undo(scalar::three(v)));
+    return scalar::turn_of(q).undo(v);
 }
 
 }  // namespace carom::render

@@ -11,16 +11,13 @@
 #include "render/geometry/shape_kind.h"
 #include "render/lanes/scalar_kernels.h"
 
+#define CAROM_KERNELS "render/geometry/kernels/all.h"
+#include "render/lanes/include_scalar.h"
+
 namespace carom::render::scalar {
 
-#define CAROM_KERNEL [[gnu::always_inline]] inline
-#define CAROM_KERNEL_ATTRIBUTE
-#include "render/geometry/kernels/all.h"
-#undef CAROM_KERNEL_ATTRIBUTE
-#undef CAROM_KERNEL
-
 [[nodiscard]] inline TurnOf<One> turn_of(const Imath::Quatf& rotation) {
-    return {rotation.r, three(rotation.v)};
+    return {rotation.r, rotation.v};
 }
 
 }  // namespace carom::render::scalar

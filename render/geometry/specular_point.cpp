@@ -4,11 +4,14 @@
 #include <cmath>
 
 #include "core/elementary_float.h"
-#include "render/geometry/orthonormal_basis.h"
-#include "render/geometry/trigonometry.h"
+#include "render/geometry/scalar_kernels.h"
 
 namespace carom::render {
 namespace {
+
+using scalar::One;
+using scalar::sin_cos;
+using SinCos = scalar::SinCosOf<One>;
 
 constexpr int kMostSteps = 12;
 constexpr float kTolerance = 1e-7f;  // rad
@@ -20,9 +23,9 @@ float mirror_angle(float between, float radius_over_a, float radius_over_b) {
     float high = between;
     float angle = between * (1 - radius_over_a) / (2 - radius_over_a - radius_over_b);
     for (int step = 0; step < kMostSteps; ++step) {
-        const SinCos both = sin_cos(2 * angle - between);
-        const SinCos from_a = sin_cos(angle);
-        const SinCos from_b = sin_cos(between - angle);
+        const SinCos both = sin_cos<One>(2 * angle - between);
+        const SinCos from_a = sin_cos<One>(angle);
+        const SinCos from_b = sin_cos<One>(between - angle);
         const float value = both.sine - radius_over_b * from_a.sine + radius_over_a * from_b.sine;
         (value < 0 ? low : high) = angle;
         const float slope =
@@ -44,7 +47,7 @@ float mirror_angle(float between, float radius_over_a, float radius_over_b) {
 V3f across(const V3f& axis, const V3f& other) {
     const V3f side = other - axis * axis.dot(other);
     const float length2 = side.length2();
-    return length2 > 1e-14f ? side / std::sqrt(length2) : OrthonormalBasis::around(axis).x;
+    return length2 > 1e-14f ? side / std::sqrt(length2) : scalar::basis_around<One>(axis).x;
 }
 
 }  // namespace
@@ -65,8 +68,8 @@ std::optional<SpecularPoint> specular_point(const V3f& a, const V3f& b, const V3
     const float radius_over_a = radius / distance_a;
     const float radius_over_b = radius / distance_b;
     const float angle = mirror_angle(between, radius_over_a, radius_over_b);
-    const SinCos from_a = sin_cos(angle);
-    if (from_a.cosine <= radius_over_a || sin_cos(between - angle).cosine <= radius_over_b) {
+    const SinCos from_a = sin_cos<One>(angle);
+    if (from_a.cosine <= radius_over_a || sin_cos<One>(between - angle).cosine <= radius_over_b) {
         return std::nullopt;
     }
     SpecularPoint point;

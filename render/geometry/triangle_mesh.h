@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/geometry/mesh_arrays.h"
 #include "render/geometry/ray.h"
 #include "render/scene/scene_description.h"
 
@@ -18,6 +19,17 @@ struct TriangleMesh {
     std::vector<V2f> uv;
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
+
+/// Valid as long as the mesh is.
+[[nodiscard]] inline MeshArrays arrays_of(const TriangleMesh& mesh) {
+    static_assert(sizeof(V3f) == 3 * sizeof(float) && sizeof(V2f) == 2 * sizeof(float));
+    static_assert(sizeof(mesh.triangles[0]) == 3 * sizeof(std::int32_t));
+    return {mesh.vertices.data()->getValue(),
+            mesh.normals.empty() ? nullptr : mesh.normals.data()->getValue(),
+            mesh.uv.empty() ? nullptr : mesh.uv.data()->getValue(),
+            // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the signed type
+            reinterpret_cast<const std::int32_t*>(mesh.triangles.data()->data())};
+}
 
 /// Upper bounds for a mesh; larger ones are rejected with an Error.
 inline constexpr std::size_t kMaxMeshTriangles = 64'000'000;

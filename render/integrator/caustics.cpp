@@ -11,14 +11,14 @@ constexpr float kCoatReflectance = 0.04f;  // of index 1.5, straight on
 
 /// The BSDF times the cosine, for light from a direction on the viewer's side.
 V3f scattered(const scalar::BsdfOf<scalar::One>& bsdf, const V3f& direction) {
-    const auto world = scalar::three(direction);
+    const auto world = direction;
     const auto wi = bsdf.frame.from_world(world);
     if (!scalar::side_of<scalar::One>(bsdf, world, wi.z).is_above) {
         return {0, 0, 0};
     }
     const auto base = scalar::base_towards<scalar::One>(bsdf, wi, false);
     const auto coat = scalar::coat_towards<scalar::One>(bsdf, wi, false);
-    return scalar::vector_of(base.value + coat.value);
+    return base.value + coat.value;
 }
 
 }  // namespace
@@ -62,8 +62,7 @@ void Caustics::add(const SpecularBall& ball) {
 inline float Caustics::weight(std::size_t ball, const V3f& position, const V3f& normal) const {
     const V3f to_ball =
         V3f(ball_bounds_.x[ball], ball_bounds_.y[ball], ball_bounds_.z[ball]) - position;
-    return scalar::ball_share<scalar::One>(scalar::three(to_ball), scalar::three(normal),
-                                           ball_bounds_.bounding_radius[ball],
+    return scalar::ball_share<scalar::One>(to_ball, normal, ball_bounds_.bounding_radius[ball],
                                            ball_bounds_.radius2[ball], ball_bounds_.gain[ball]);
 }
 
@@ -84,7 +83,7 @@ V3f Caustics::estimate(const Path& path, const Receiver& vertex, const PathDimen
     const std::size_t own = object < index_.size() && index_[object] >= 0
                                 ? static_cast<std::size_t>(index_[object])
                                 : balls_.size();
-    const V3f normal = scalar::vector_of(vertex.bsdf.geometric_normal);
+    const V3f normal = vertex.bsdf.geometric_normal;
     const float total = total_weight(vertex.position, normal, own);
     const float survival = std::min(1.0f, total);
     if (!(dimensions.caustic_roulette(path) < survival)) {

@@ -13,15 +13,15 @@ WaveNumberTable make_models(const std::vector<Material>& materials) {
     for (const Material& material : materials) {
         const PhongModel& phong = material.phong();
         scalar::ClassicOf<scalar::One> model{};
-        model.emission = scalar::three(material.emission());
-        model.ambient = scalar::three(phong.ambient);
+        model.emission = material.emission();
+        model.ambient = phong.ambient;
         model.has_ambient = phong.has_ambient ? 1.0F : 0.0F;
         model.diffuse_fraction = phong.diffuse_fraction;
-        model.specular = scalar::three(phong.specular);
+        model.specular = phong.specular;
         model.shininess = phong.shininess;
-        model.reflectance = scalar::three(phong.reflectance);
+        model.reflectance = phong.reflectance;
         model.metal = phong.metal;
-        model.transmittance = scalar::three(phong.transmittance);
+        model.transmittance = phong.transmittance;
         model.index = phong.index;
         const auto within = [](float spread) {
             return spread > 0 ? gaussian_within_a_quarter_turn(spread) : 1.0F;

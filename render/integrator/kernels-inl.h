@@ -7,21 +7,10 @@
 #define CAROM_INTEGRATOR_KERNELS_INL_H
 #endif
 
-#include "render/integrator/path_state.h"
+#include "render/integrator/scalar_kernels.h"  // what the kernels read
 #include "render/lanes/kernels-inl.h"
 
-HWY_BEFORE_NAMESPACE();
-namespace carom::render::HWY_NAMESPACE {
-
-#define CAROM_KERNEL HWY_INLINE
-#include "render/integrator/kernels/ball_share.h"
-#include "render/integrator/kernels/following.h"
-#include "render/integrator/kernels/lattice.h"
-#include "render/integrator/kernels/power_heuristic.h"
-#include "render/integrator/kernels/roulette.h"
-#undef CAROM_KERNEL
-
-}  // namespace carom::render::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();
+#define CAROM_KERNELS "render/integrator/kernels/all.h"
+#include "render/lanes/include_vector-inl.h"
 
 #endif  // once per instruction set

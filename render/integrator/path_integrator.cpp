@@ -379,9 +379,8 @@ void PathIntegrator::add_caustics(int vertex, Wave& wave, RenderStatistics& coun
         scene_.materials[static_cast<std::size_t>(vertices.material.at[vertex])];
     scalar::BsdfOf<scalar::One> bsdf{};
     bsdf.layers = material.numbers();
-    scalar::complete<scalar::One>(bsdf, scalar::three(vertices.base.get(vertex)),
-                                  scalar::three(normal), scalar::three(vertices.normal.get(vertex)),
-                                  scalar::three(-path.ray.direction), false);
+    scalar::complete<scalar::One>(bsdf, vertices.base.get(vertex), normal,
+                                  vertices.normal.get(vertex), -path.ray.direction, false);
     const V3f found =
         caustics_.estimate(path,
                            {position, position + normal * vertices.offset.at[vertex],

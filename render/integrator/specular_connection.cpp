@@ -5,7 +5,7 @@
 
 #include "render/geometry/specular_point.h"
 #include "render/integrator/shadow_ray_constants.h"
-#include "render/material/fresnel.h"
+#include "render/material/scalar_kernels.h"
 
 namespace carom::render {
 namespace {
@@ -171,7 +171,7 @@ RefractedConnections connect_through(const TransportScene& scene, const Specular
             std::max({std::abs(path.exit.x), std::abs(path.exit.y), std::abs(path.exit.z)});
         const V3f normal = (path.exit - centre) / ball.radius;
         outside.origin = path.exit + normal * (kOffsetFraction * (size + ball.radius));
-        const float passes = 1 - fresnel_dielectric(path.cosine, glass.ior);
+        const float passes = 1 - scalar::fresnel_dielectric<scalar::One>(path.cosine, glass.ior);
         outside.radiance =
             glass.tint * glass.tint * glass.transmittance(path.inside) * (passes * passes);
         if (arrives(scene, light, {path.to, path.spread}, target, outside)) {

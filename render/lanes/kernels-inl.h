@@ -7,18 +7,15 @@
 #define CAROM_LANES_KERNELS_INL_H
 #endif
 
-#include <Imath/ImathVec.h>
-
 #include "core/colour.h"
 #include "core/elementary_float.h"
 #include "render/lanes/vector_lanes-inl.h"
 
+#define CAROM_KERNELS "render/lanes/kernels/all.h"
+#include "render/lanes/include_vector-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
-
-#define CAROM_KERNEL HWY_INLINE
-#include "render/lanes/kernels/vectors.h"
-#undef CAROM_KERNEL
 
 /// As many lanes as the instruction set has, at most 16.
 using Lanes = VectorLanes<hn::CappedTag<float, 16>>;

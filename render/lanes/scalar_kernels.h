@@ -12,22 +12,10 @@ namespace carom::render::scalar {
 /// One number where vectors have several.
 using One = ScalarLanes<float>;
 
-#define CAROM_KERNEL [[gnu::always_inline]] inline
-#include "render/lanes/kernels/vectors.h"
-#undef CAROM_KERNEL
-
-[[nodiscard]] inline Two<float> two(const Imath::V2f& v) {
-    return {v.x, v.y};
-}
-template <class T>
-[[nodiscard]] Three<T> three(const Imath::Vec3<T>& v) {
-    return {v.x, v.y, v.z};
-}
-[[nodiscard]] inline Imath::V2f vector_of(const Two<float>& v) {
-    return {v.x, v.y};
-}
-[[nodiscard]] inline Imath::V3f vector_of(const Three<float>& v) {
-    return {v.x, v.y, v.z};
-}
+using Imath::Vec2;
+using Imath::Vec3;
 
 }  // namespace carom::render::scalar
+
+#define CAROM_KERNELS "render/lanes/kernels/vector_functions.h"
+#include "render/lanes/include_scalar.h"

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 
 namespace carom::render {
@@ -20,6 +21,7 @@ struct ScalarLanes {
     using Mask = bool;
     using Int = std::int32_t;
     using Word = std::uint32_t;
+    static constexpr Number kLargest = std::numeric_limits<T>::max();  // that is finite
 
     static Value all(Number x) { return x; }
     static Int all_int(std::int32_t x) { return x; }

@@ -25,6 +25,7 @@ struct VectorLanes {
     using WordTag = hn::RebindToUnsigned<D>;
     using Int = hn::Vec<IntTag>;
     using Word = hn::Vec<WordTag>;
+    static constexpr Number kLargest = ScalarLanes<Number>::kLargest;
 
     static HWY_INLINE Value all(Number x) { return hn::Set(D(), x); }
     static HWY_INLINE Int all_int(std::int32_t x) { return hn::Set(IntTag(), x); }

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/geometry/orthonormal_basis.h"
 #include "render/light/scalar_kernels.h"
-#include "render/sampling/warp.h"
 
 namespace carom::render {
 namespace {
@@ -14,13 +12,6 @@ using scalar::One;
 
 // The bound keeps the disk that stands for a sphere light from growing without limit.
 constexpr float kWidestSine = 0.9f;
-
-template <class Sample>
-std::optional<LightSample> found(const Sample& sample) {
-    return sample.valid ? std::optional(LightSample{scalar::vector_of(sample.direction),
-                                                    sample.distance, sample.pdf, V2f(0, 0)})
-                        : std::nullopt;
-}
 
 }  // namespace
 
@@ -35,10 +26,6 @@ RectangleEmitter::RectangleEmitter(const RectangleLight& light) {
     light_.half_diagonal = (light_.edge_u + light_.edge_v).length();
 }
 
-std::optional<LightSample> RectangleEmitter::sample(const V3f& point, const V2f& u) const {
-    return found(scalar::sample_rectangle<One>(light_, scalar::three(point), scalar::two(u)));
-}
-
 float RectangleEmitter::pdf(const V3f& /*point*/, const V3f& direction, float distance) const {
     const float cosine = -direction.dot(light_.normal);
     return cosine > 0 ? distance * distance / (cosine * light_.area) : 0.0f;
@@ -46,11 +33,6 @@ float RectangleEmitter::pdf(const V3f& /*point*/, const V3f& direction, float di
 
 V3f RectangleEmitter::emitted(const V3f& direction) const {
     return direction.dot(light_.normal) > 0 ? light_.radiance : V3f(0, 0, 0);
-}
-
-float RectangleEmitter::importance(const V3f& point, const V3f& normal) const {
-    return scalar::importance_of_rectangle<One>(light_, scalar::three(point),
-                                                scalar::three(normal));
 }
 
 EmitterPoint RectangleEmitter::sample_area(const V3f& /*receiver*/, float /*receiver_radius*/,
@@ -73,24 +55,16 @@ SphereEmitter::SphereEmitter(const SphereLight& light) {
     light_.radius = static_cast<float>(light.radius);
 }
 
-std::optional<LightSample> SphereEmitter::sample(const V3f& point, const V2f& u) const {
-    return found(scalar::sample_sphere_light<One>(light_, scalar::three(point), scalar::two(u)));
-}
-
 float SphereEmitter::pdf(const V3f& point, const V3f& /*direction*/, float /*distance*/) const {
     const float distance2 = (light_.centre - point).length2();
     if (distance2 <= light_.radius * light_.radius) {
         return 0;
     }
-    return pdf_cone(one_minus_cos_of_sphere(light_.radius, std::sqrt(distance2)));
+    return 1 / (kTurn * scalar::one_minus_cos_of_sphere<One>(light_.radius, std::sqrt(distance2)));
 }
 
 V3f SphereEmitter::emitted(const V3f& /*direction*/) const {
     return light_.radiance;
-}
-
-float SphereEmitter::importance(const V3f& point, const V3f& normal) const {
-    return scalar::importance_of_sphere<One>(light_, scalar::three(point), scalar::three(normal));
 }
 
 // A ray that hits the light passes its centre within the radius. It crosses the disk at an angle to
@@ -101,9 +75,9 @@ EmitterPoint SphereEmitter::sample_area(const V3f& receiver, float receiver_radi
     const V3f to_receiver = receiver - light_.centre;
     const float distance = to_receiver.length();
     const float sine = (receiver_radius + light_.radius) / distance;
-    const OrthonormalBasis basis = OrthonormalBasis::around(to_receiver / distance);
+    const auto basis = scalar::basis_around<One>(to_receiver / distance);
     const float disk = light_.radius / std::sqrt(1 - sine * sine);
-    const V2f place = sample_disk(u) * disk;
+    const V2f place = scalar::sample_disk<One>(u) * disk;
     return {light_.centre + basis.x * place.x + basis.y * place.y, basis.z,
             1 / (kPi * disk * disk)};
 }

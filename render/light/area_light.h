@@ -1,56 +1,18 @@
-// Lights with a surface that rays can hit: their radiance and the sampling of directions towards
-// them.
+// Lights with a surface that rays can hit. Directions towards them are sampled by
+// kernels/area_light.h.
 #pragma once
 
 #include <optional>
 #include <variant>
 
 #include "core/colour.h"
+#include "render/geometry/constants.h"
 #include "render/geometry/ray.h"
 #include "render/geometry/shape_kind.h"
-#include "render/geometry/trigonometry.h"
+#include "render/light/light_constants.h"
 #include "render/scene/scene_description.h"
 
 namespace carom::render {
-
-/// A RectangleEmitter as plain data, for kernels.
-struct RectangleConstants {
-    V3f centre{0, 0, 0};
-    V3f edge_u{1, 0, 0}, edge_v{0, 1, 0};  // half sides
-    V3f normal{0, 0, 1};
-    V3f radiance{0, 0, 0};
-    bool has_falloff = true;
-    float area = 4;
-    float half_diagonal = 0;
-};
-
-/// A SphereEmitter as plain data, for kernels.
-struct SphereConstants {
-    V3f centre{0, 0, 0};
-    V3f radiance{0, 0, 0};
-    bool has_falloff = true;
-    float radius = 1;
-};
-
-/// Lower bound on the cosine at the surface in importance estimates of a light that crosses the
-/// surface's horizon, so that such a light is still chosen sometimes.
-inline constexpr float kLeastHorizonCosine = 0.1f;
-
-/// An AreaLight as plain data, for kernels.
-struct AreaLightConstants {
-    enum class Kind { rectangle, sphere };
-    Kind kind = Kind::rectangle;
-    RectangleConstants rectangle;
-    SphereConstants sphere;
-};
-
-/// A sampled direction towards a light. The light's own surface lies at `distance`.
-struct LightSample {
-    V3f direction;       // unit, from the point
-    float distance = 0;  // m, infinite for the environment
-    float pdf = 0;       // 1/sr of `direction`, > 0
-    V2f place{0, 0};     // in the environment's picture
-};
 
 /// A point on a light, sampled by area, for connections that are reflected on the way.
 struct EmitterPoint {
@@ -66,28 +28,20 @@ class RectangleEmitter {
   public:
     explicit RectangleEmitter(const RectangleLight& light);
 
-    /// Empty if the point lies behind the light.
-    [[nodiscard]] std::optional<LightSample> sample(const V3f& point, const V2f& u) const;
-    /// Density of `sample` (1/sr) for a direction that hits the light at `distance`.
+    /// Density of the samples (1/sr) for a direction that hits the light at `distance`.
     [[nodiscard]] float pdf(const V3f& point, const V3f& direction, float distance) const;
     /// W/(m^2 sr), on the side that shines.
     [[nodiscard]] const V3f& radiance() const { return light_.radiance; }
     [[nodiscard]] bool has_falloff() const { return light_.has_falloff; }
     /// The factor by which the light on a surface is brighter than the light looks, for a direction
-    /// with the density `pdf` of `sample`. It differs from 1 only for a light without falloff,
+    /// with the density `pdf`. It differs from 1 only for a light without falloff,
     /// which gives every point the irradiance pi x radiance x the mean cosine towards the light.
     [[nodiscard]] float gain(float pdf) const { return light_.has_falloff ? 1.0f : kPi * pdf; }
     /// Radiance towards `direction`, which points away from the light.
     [[nodiscard]] V3f emitted(const V3f& direction) const;
-    [[nodiscard]] float importance(const V3f& point, const V3f& normal) const;
     /// Luminous power per steradian straight ahead: radiance times area.
     [[nodiscard]] float intensity() const { return luminance(light_.radiance) * light_.area; }
     [[nodiscard]] const V3f& centre() const { return light_.centre; }
-    // Half sides.
-    [[nodiscard]] const V3f& edge_u() const { return light_.edge_u; }
-    [[nodiscard]] const V3f& edge_v() const { return light_.edge_v; }
-    [[nodiscard]] const V3f& normal() const { return light_.normal; }
-
     [[nodiscard]] AreaLightConstants constants() const {
         return {AreaLightConstants::Kind::rectangle, light_, {}};
     }
@@ -115,11 +69,8 @@ class SphereEmitter {
   public:
     explicit SphereEmitter(const SphereLight& light);
 
-    /// Empty if the point is inside the sphere.
-    [[nodiscard]] std::optional<LightSample> sample(const V3f& point, const V2f& u) const;
     [[nodiscard]] float pdf(const V3f& point, const V3f& direction, float distance) const;
     [[nodiscard]] V3f emitted(const V3f& direction) const;
-    [[nodiscard]] float importance(const V3f& point, const V3f& normal) const;
     [[nodiscard]] float intensity() const {
         return luminance(light_.radiance) * kPi * light_.radius * light_.radius;
     }

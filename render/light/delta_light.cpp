@@ -36,22 +36,6 @@ float DeltaLight::cone_fraction(float cosine) const {
     return scalar::cone_fraction<scalar::One>(light_, cosine);
 }
 
-std::optional<LightSample> DeltaLight::sample(const V3f& point) const {
-    const auto found = scalar::sample_delta_light<scalar::One>(light_, scalar::three(point));
-    return found.valid ? std::optional(LightSample{scalar::vector_of(found.direction),
-                                                   found.distance, found.pdf, V2f(0, 0)})
-                       : std::nullopt;
-}
-
-V3f DeltaLight::radiance(const LightSample& sample) const {
-    if (light_.is_parallel) {
-        return light_.power * kDeltaPdf;
-    }
-    const float fraction = cone_fraction(-sample.direction.dot(light_.direction));
-    const float distance2 = light_.has_falloff ? sample.distance * sample.distance : 1.0f;
-    return light_.power * (fraction / distance2) * kDeltaPdf;
-}
-
 V3f DeltaLight::source(const V3f& centre, float radius) const {
     constexpr float kFar = 1e5f;
     return light_.is_parallel ? centre - light_.direction * (kFar * radius) : light_.position;
@@ -79,11 +63,6 @@ float DeltaLight::irradiance_within(const V3f& centre, float radius) const {
                                         from_axis(light_.outer_cosine) + arcsine(radius / distance);
     return is_dark ? 0.0f
                    : luminance(light_.power) / (light_.has_falloff ? distance * distance : 1.0f);
-}
-
-float DeltaLight::importance(const V3f& point, const V3f& normal) const {
-    return scalar::importance_of_delta_light<scalar::One>(light_, scalar::three(point),
-                                                          scalar::three(normal));
 }
 
 std::optional<DeltaLight> delta_light_of(const LightDescription& description) {

@@ -4,38 +4,21 @@
 #include <optional>
 #include <string>
 
-#include "render/light/area_light.h"
+#include "render/light/light_constants.h"
 #include "render/scene/scene_description.h"
 
 namespace carom::render {
 
-/// A DeltaLight as plain data, for kernels.
-struct DeltaLightConstants {
-    bool is_parallel = false;
-    bool has_falloff = true;  // inverse square; never for directional lights
-    V3f position{0, 0, 0};
-    V3f direction{0, 0, -1};     // in which the light shines
-    V3f power{0, 0, 0};          // W/sr, or W/m^2 for a light without falloff
-    float inner_cosine = -2.0f;  // a point light shines everywhere
-    float outer_cosine = -2.0f;
-};
-
-/// 1/sr; a power of two, so that multiplying and dividing by it is exact.
-inline constexpr float kDeltaPdf = 0x1p60f;
-
 /// A point light, spot light or directional light. Exactly one direction leads to it from any
-/// point. Its sample has the density kDeltaPdf, and `radiance` is the irradiance perpendicular to
-/// that direction times kDeltaPdf: value x radiance / pdf is what arrives, and multiple importance
-/// sampling gives every other strategy a weight of zero.
+/// point. Its sample (kernels/delta_light.h) has the density kDeltaPdf, and its radiance is the
+/// irradiance perpendicular to that direction times kDeltaPdf: value x radiance / pdf is what
+/// arrives, and multiple importance sampling gives every other strategy a weight of zero.
 class DeltaLight {
   public:
     explicit DeltaLight(const PointLight& light);
     explicit DeltaLight(const SpotLight& light);
     explicit DeltaLight(const DirectionalLight& light);
 
-    /// Empty at the light's own position and outside a spot's cone.
-    [[nodiscard]] std::optional<LightSample> sample(const V3f& point) const;
-    [[nodiscard]] V3f radiance(const LightSample& sample) const;
     /// For kernels.
     [[nodiscard]] const DeltaLightConstants& constants() const { return light_; }
     /// A point that lights everything within `radius` of `centre` as the light does: the light's
@@ -49,8 +32,6 @@ class DeltaLight {
     /// Estimate of the most luminous irradiance within `radius` of `centre`; 0 if that region is
     /// dark or contains the light.
     [[nodiscard]] float irradiance_within(const V3f& centre, float radius) const;
-    /// Irradiance of a surface at `point`, including the cosine.
-    [[nodiscard]] float importance(const V3f& point, const V3f& normal) const;
 
     /// The fraction of a spot's intensity in a direction with this cosine to its axis: 1 within the
     /// inner angle, 0 outside the outer angle, and a cubic in the cosine between them.

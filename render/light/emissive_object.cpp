@@ -26,9 +26,6 @@ class BodyAxes {
     [[nodiscard]] V3f vector(const V3f& world) const {
         return turns_ ? rotate_back(turn_, world) : world;
     }
-    [[nodiscard]] V3f to_world(const V3f& vector) const {
-        return turns_ ? rotate(turn_, vector) : vector;
-    }
 
   private:
     bool moves_ = false;
@@ -57,21 +54,6 @@ bool EmissiveObject::is_dark() const {
 bool EmissiveObject::is_round() const {
     const EmissiveShape* shape = curved();
     return shape != nullptr && shape->is_round();
-}
-
-const V3f& EmissiveObject::radiance() const {
-    const EmissiveSurface* surface = flat();
-    return surface != nullptr ? surface->radiance() : curved()->radiance();
-}
-
-std::optional<LightSample> EmissiveObject::sample(const V3f& point, const V2f& u,
-                                                  float time) const {
-    const BodyAxes body(motion_.get(), is_round(), time);
-    auto result = visit([&](const auto& shape) { return shape.sample(body.point(point), u); });
-    if (result) {
-        result->direction = body.to_world(result->direction);
-    }
-    return result;
 }
 
 float EmissiveObject::pdf(const V3f& point, const V3f& direction, float distance, const V3f& normal,

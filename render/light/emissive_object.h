@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <variant>
 
 #include "render/geometry/rigid_motion.h"
@@ -26,11 +25,7 @@ class EmissiveObject {
     [[nodiscard]] bool is_dark() const;
     /// A ball with three equal radii.
     [[nodiscard]] bool is_round() const;
-    [[nodiscard]] const V3f& radiance() const;
 
-    /// As EmissiveShape::sample; world axes.
-    [[nodiscard]] std::optional<LightSample> sample(const V3f& point, const V2f& u,
-                                                    float time) const;
     /// As EmissiveShape::pdf; world axes.
     [[nodiscard]] float pdf(const V3f& point, const V3f& direction, float distance,
                             const V3f& normal, float time) const;

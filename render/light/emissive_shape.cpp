@@ -151,21 +151,13 @@ bool EmissiveShape::is_dark() const {
     return !(shape_.importance.strength > 0);
 }
 
-std::optional<LightSample> EmissiveShape::sample(const V3f& point, const V2f& u) const {
-    const auto found = scalar::sample_shape<One>(shape_, scalar::three(point), scalar::two(u));
-    return found.valid ? std::optional(LightSample{scalar::vector_of(found.direction),
-                                                   found.distance, found.pdf, V2f(0, 0)})
-                       : std::nullopt;
-}
-
 float EmissiveShape::pdf(const V3f& point, const V3f& direction, float distance,
                          const V3f& normal) const {
-    return scalar::pdf_of_shape<One>(shape_, scalar::three(point), scalar::three(direction),
-                                     distance, scalar::three(normal));
+    return scalar::pdf_of_shape<One>(shape_, point, direction, distance, normal);
 }
 
 float EmissiveShape::importance(const V3f& point, const V3f& normal) const {
-    return scalar::importance_of_shape<One>(shape_, scalar::three(point), scalar::three(normal));
+    return scalar::importance_of_shape<One>(shape_, point, normal);
 }
 
 }  // namespace carom::render

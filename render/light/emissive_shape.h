@@ -4,8 +4,7 @@
 #include <optional>
 
 #include "render/geometry/shape_kind.h"
-#include "render/light/area_light.h"
-#include "render/light/emissive_shape_constants.h"
+#include "render/light/light_constants.h"
 
 namespace carom::render {
 
@@ -37,10 +36,8 @@ class EmissiveShape {
         return shape_.kind == EmissiveShapeConstants::Kind::sphere;
     }
 
-    /// Empty if the sampled point faces away, and within the shape.
-    [[nodiscard]] std::optional<LightSample> sample(const V3f& point, const V2f& u) const;
-    /// Density of `sample` (1/sr) for a ray from `point` that hits the shape's front at `distance`,
-    /// where the unit `normal` points outward.
+    /// Density of the samples (1/sr) for a ray from `point` that hits the shape's front at
+    /// `distance`, where the unit `normal` points outward.
     [[nodiscard]] float pdf(const V3f& point, const V3f& direction, float distance,
                             const V3f& normal) const;
     [[nodiscard]] const V3f& radiance() const { return shape_.radiance; }

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
-#include "render/light/area_light.h"
-#include "render/light/emissive_shape_constants.h"
+#include "core/colour.h"
+#include "render/light/light_constants.h"
 
 namespace carom::render {
 
@@ -22,18 +21,16 @@ class EmissiveSurface {
 
     [[nodiscard]] bool is_dark() const { return area_ <= 0 || luminance(radiance_) <= 0; }
 
-    /// Empty if the sampled point faces away.
-    [[nodiscard]] std::optional<LightSample> sample(const V3f& point, const V2f& u) const;
-    /// Density of `sample` (1/sr) for a ray that hits the surface at `distance` with this cosine to
-    /// the triangle's own normal.
+    /// Density of the samples (1/sr) for a ray that hits the surface at `distance` with this cosine
+    /// to the triangle's own normal.
     [[nodiscard]] float pdf(float distance, float cosine) const {
         return cosine > 0 ? distance * distance / (cosine * area_) : 0.0f;
     }
     [[nodiscard]] const V3f& radiance() const { return radiance_; }
     /// As for area lights, with the orientation unknown.
     [[nodiscard]] float importance(const V3f& point, const V3f& normal) const;
-    /// For kernels.
-    [[nodiscard]] const ObjectImportance& importance_constants() const { return importance_; }
+    /// For kernels/emissive_object.h; valid as long as this object is, which must not be dark.
+    [[nodiscard]] EmissiveSurfaceConstants constants() const;
 
   private:
     std::vector<Triangle> triangles_;

@@ -4,11 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "render/geometry/trigonometry.h"
 #include "render/light/scalar_kernels.h"
 #include "render/light/shared_exponent.h"
 #include "render/light/sky.h"
-#include "render/sampling/warp.h"
 
 namespace carom::render {
 namespace {
@@ -35,7 +33,7 @@ Environment::Environment(const EnvironmentLight& light)
     double area = 0;
     for (int y = 0; y < height_; ++y) {
         const float latitude = (static_cast<float>(y) + 0.5f) / static_cast<float>(height_);
-        const float sine = sin_cos(kPi * latitude).sine;
+        const float sine = scalar::sin_cos<scalar::One>(kPi * latitude).sine;
         for (int x = 0; x < width_; ++x) {
             const float weight = cell_brightness(x, y) * sine;
             // The cell of the table that contains the pixel's centre.
@@ -55,7 +53,7 @@ V3f Environment::pixel(int x, int y) const {
     const std::uint32_t bits =
         padded_[static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(width_ + 2) +
                 static_cast<std::size_t>(x + 1)];
-    return scalar::vector_of(scalar::shared_exponent_value<scalar::One>(bits));
+    return scalar::shared_exponent_value<scalar::One>(bits);
 }
 
 void Environment::pad(const LinearImage& image) {
@@ -97,40 +95,13 @@ EnvironmentPicture Environment::picture() const {
     return {width_, height_, padded_.data(), scale_ * unit_, turns_, distribution_.tables()};
 }
 
-V3f Environment::picture_radiance(const V2f& uv) const {
-    return scalar::vector_of(scalar::sky_radiance<scalar::One>(picture(), scalar::two(uv)));
-}
-
 V3f Environment::radiance(const V3f& direction) const {
-    return evaluate(direction).radiance;
-}
-
-std::optional<LightSample> Environment::sample(const V2f& u) const {
-    const EnvironmentPicture known = picture();
-    if (known.distribution.density == nullptr) {
-        return std::nullopt;
-    }
-    const auto sample = scalar::sample_sky<scalar::One>(known, scalar::two(u));
-    return sample.valid ? std::optional(LightSample{scalar::vector_of(sample.direction), kInfinity,
-                                                    sample.pdf, scalar::vector_of(sample.uv)})
-                        : std::nullopt;
-}
-
-float Environment::pdf(const V3f& direction) const {
-    return evaluate(direction).pdf;
-}
-
-Environment::Value Environment::evaluate(const V3f& direction) const {
     if (!is_sampled()) {
-        return {scale_, 0};
+        return scale_;
     }
     const EnvironmentPicture known = picture();
-    const auto towards = scalar::three(direction);
-    const auto uv = scalar::sky_place<scalar::One>(known, towards);
-    const float pdf = known.distribution.density != nullptr
-                          ? scalar::sky_density<scalar::One>(known, towards, uv)
-                          : 0;
-    return {scalar::vector_of(scalar::sky_radiance<scalar::One>(known, uv)), pdf};
+    return scalar::sky_radiance<scalar::One>(known,
+                                             scalar::sky_place<scalar::One>(known, direction));
 }
 
 float Environment::importance() const {

@@ -2,11 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "render/geometry/ray.h"
-#include "render/light/area_light.h"
 #include "render/light/environment_picture.h"
 #include "render/sampling/distribution_2d.h"
 #include "render/scene/scene_description.h"
@@ -30,25 +28,6 @@ class Environment {
     /// for a constant environment, which cosine-distributed directions sample perfectly.
     [[nodiscard]] bool is_sampled() const { return !padded_.empty(); }
 
-    /// Samples in proportion to brightness and solid angle. Requires `is_sampled`.
-    [[nodiscard]] std::optional<LightSample> sample(const V2f& u) const;
-
-    /// Radiance along a sampled direction.
-    [[nodiscard]] V3f radiance(const LightSample& sample) const {
-        return picture_radiance(sample.place);
-    }
-
-    /// The environment in one direction.
-    struct Value {
-        V3f radiance;
-        float pdf = 0;  // of `sample`, 1/sr
-    };
-    /// Computes `radiance` and `pdf` together.
-    [[nodiscard]] Value evaluate(const V3f& direction) const;
-
-    /// Density of `sample`, 1/sr; 0 if not `is_sampled`.
-    [[nodiscard]] float pdf(const V3f& direction) const;
-
     /// Estimate of the irradiance that it gives, in the unit of the area lights' importance.
     [[nodiscard]] float importance() const;
 
@@ -57,7 +36,6 @@ class Environment {
     [[nodiscard]] EnvironmentPicture picture() const;
 
   private:
-    [[nodiscard]] V3f picture_radiance(const V2f& uv) const;
     /// x in [-1, width], y in [-1, height]: the border repeats the pixels beyond it.
     [[nodiscard]] V3f pixel(int x, int y) const;
     void pad(const LinearImage& image);

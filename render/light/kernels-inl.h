@@ -7,22 +7,10 @@
 #define CAROM_LIGHT_KERNELS_INL_H
 #endif
 
-#include "render/light/area_light.h"
-#include "render/light/delta_light.h"
-#include "render/light/emissive_shape_constants.h"
-#include "render/light/environment_picture.h"
+#include "render/light/scalar_kernels.h"  // what the kernels read
 #include "render/sampling/kernels-inl.h"
 
-HWY_BEFORE_NAMESPACE();
-namespace carom::render::HWY_NAMESPACE {
-
-#define CAROM_KERNEL HWY_INLINE
-#define CAROM_KERNEL_ATTRIBUTE HWY_ATTR
-#include "render/light/kernels/all.h"
-#undef CAROM_KERNEL_ATTRIBUTE
-#undef CAROM_KERNEL
-
-}  // namespace carom::render::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();
+#define CAROM_KERNELS "render/light/kernels/all.h"
+#include "render/lanes/include_vector-inl.h"
 
 #endif  // once per instruction set

@@ -4,10 +4,12 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "render/geometry/validity.h"
+#include "render/light/scalar_kernels.h"
 #include "render/scene/scene_problems.h"
 
 namespace carom::render {
+
+using scalar::One;
 
 LightSet::LightSet(const std::vector<LightDescription>& lights) {
     if (const std::vector<Diagnostic> problems = find_problems(lights); !problems.empty()) {
@@ -61,51 +63,15 @@ float LightSet::importance(std::size_t light, const V3f& point, const V3f& norma
         return emissive_[light - first_emissive()].importance(point, normal, time);
     }
     if (is_delta(light)) {
-        return delta_lights_[light - first_delta()].importance(point, normal);
+        return scalar::importance_of_delta_light<One>(delta_light(light).constants(), point,
+                                                      normal);
     }
     if (is_environment(light)) {
         return environment_->importance();
     }
-    return std::visit([&](const auto& emitter) { return emitter.importance(point, normal); },
-                      area_lights_[light]);
-}
-
-std::optional<LightSample> LightSet::sample(std::size_t light, const V3f& point, const V2f& u,
-                                            float time) const {
-    std::optional<LightSample> result = sample_any(light, point, u, time);
-    CAROM_VALIDATE(!result ||
-                   (is_unit(result->direction) && result->distance > 0 && result->pdf > 0));
-    return result;
-}
-
-std::optional<LightSample> LightSet::sample_any(std::size_t light, const V3f& point, const V2f& u,
-                                                float time) const {
-    if (light >= first_emissive()) {
-        return emissive_[light - first_emissive()].sample(point, u, time);
-    }
-    if (is_delta(light)) {
-        return delta_lights_[light - first_delta()].sample(point);
-    }
-    if (is_environment(light)) {
-        return environment_->sample(u);
-    }
-    return std::visit([&](const auto& emitter) { return emitter.sample(point, u); },
-                      area_lights_[light]);
-}
-
-V3f LightSet::radiance(std::size_t light, const LightSample& sample) const {
-    if (light >= first_emissive()) {
-        return emissive_[light - first_emissive()].radiance();
-    }
-    if (is_delta(light)) {
-        return delta_lights_[light - first_delta()].radiance(sample);
-    }
-    if (is_environment(light)) {
-        return environment_->radiance(sample);
-    }
     return std::visit(
         [&](const auto& emitter) {
-            return emitter.emitted(-sample.direction) * emitter.gain(sample.pdf);
+            return scalar::importance_of_area_light<One>(emitter.constants(), point, normal);
         },
         area_lights_[light]);
 }
@@ -127,9 +93,6 @@ float LightSet::pdf_of_object(std::size_t light, const V3f& point, const V3f& di
 
 float LightSet::pdf(std::size_t light, const V3f& point, const V3f& direction,
                     float distance) const {
-    if (is_environment(light)) {
-        return environment_->pdf(direction);
-    }
     return std::visit([&](const auto& emitter) { return emitter.pdf(point, direction, distance); },
                       area_lights_[light]);
 }

@@ -66,15 +66,8 @@ class LightSet {
     [[nodiscard]] float importance(std::size_t light, const V3f& point, const V3f& normal,
                                    float time = 0) const;
 
-    /// A direction towards one light; empty if the light cannot reach the point.
-    [[nodiscard]] std::optional<LightSample> sample(std::size_t light, const V3f& point,
-                                                    const V2f& u, float time = 0) const;
-
-    /// Radiance that arrives along a sample of that light if nothing occludes it.
-    [[nodiscard]] V3f radiance(std::size_t light, const LightSample& sample) const;
-
-    /// Density of `sample` (1/sr, given that light) for a direction from `point` that hits the
-    /// light at `distance`, for an area light or the environment.
+    /// Density of the samples (1/sr, given that light) for a direction from `point` that hits the
+    /// light at `distance`, for an area light.
     [[nodiscard]] float pdf(std::size_t light, const V3f& point, const V3f& direction,
                             float distance) const;
     /// Likewise for an emissive object, whose front has this unit `normal` there.
@@ -101,8 +94,6 @@ class LightSet {
     }
 
   private:
-    [[nodiscard]] std::optional<LightSample> sample_any(std::size_t light, const V3f& point,
-                                                        const V2f& u, float time) const;
     [[nodiscard]] std::size_t first_delta() const {
         return area_lights_.size() + (environment_->is_sampled() ? 1 : 0);
     }

@@ -42,9 +42,7 @@ class SharedExponent {
                 static_cast<std::uint32_t>(exponent) << 27;
     }
 
-    [[nodiscard]] V3f value() const {
-        return scalar::vector_of(scalar::shared_exponent_value<scalar::One>(bits_));
-    }
+    [[nodiscard]] V3f value() const { return scalar::shared_exponent_value<scalar::One>(bits_); }
     [[nodiscard]] std::uint32_t bits() const { return bits_; }
 
   private:

@@ -26,7 +26,8 @@ struct AlbedoNumbers {
     const float* through = nullptr;
 
     /// All of them, always in the same order.
-    [[nodiscard]] static auto each(auto& numbers) {
+    template <class Numbers>
+    [[nodiscard]] static auto each(Numbers& numbers) {
         return std::array{&numbers.coat,
                           &numbers.sheen,
                           &numbers.specular,

@@ -5,12 +5,14 @@
 #include <cstdint>
 
 #include "core/elementary.h"
-#include "render/material/fresnel.h"
-#include "render/material/microfacet.h"
-#include "render/material/sheen.h"
+#include "render/material/scalar_kernels.h"
 
 namespace carom::render {
 namespace {
+
+using scalar::fresnel_dielectric;
+using scalar::One;
+using Ggx = scalar::GgxOf<One>;
 
 // Points of the quadrature: a Fibonacci lattice (Zaremba 1966, "Good lattice points, discrepancy,
 // and numerical integration") of F(18) points. The integrands jump where reflected directions pass
@@ -39,7 +41,7 @@ float microfacet_albedo(float alpha, float cosine, const Reflectance& reflectanc
     const V3f wo = direction_at(cosine);
     return mean_over_square([&](const V2f& u) {
         const V3f m = ggx.sample_visible(wo, u);
-        const V3f wi = reflect(wo, m);
+        const V3f wi = scalar::reflect<One>(wo, m);
         return wi.z <= 0 ? 0.0f : reflectance(wo.dot(m)) * ggx.sample_weight(wo, wi);
     });
 }
@@ -72,7 +74,7 @@ AlbedoTable AlbedoTable::build(const Albedo& albedo_at) {
 AlbedoTable AlbedoTable::of_dielectric(float alpha, float ior) {
     return build([&](float cosine) {
         return microfacet_albedo(alpha, cosine,
-                                 [&](float c) { return fresnel_dielectric(c, ior); });
+                                 [&](float c) { return fresnel_dielectric<One>(c, ior); });
     });
 }
 
@@ -88,9 +90,9 @@ AlbedoTable AlbedoTable::of_glass(float alpha, float index) {
         const V3f wo = direction_at(cosine);
         return reflected.at(cosine) + mean_over_square([&](const V2f& u) {
                    const V3f m = ggx.sample_visible(wo, u);
-                   const V3f wi = refracted_at(wo, m, index);
+                   const V3f wi = scalar::refracted_at<One>(wo, m, index);
                    return wi.z >= 0 ? 0.0f
-                                    : (1.0f - fresnel_dielectric(wo.dot(m), index)) /
+                                    : (1.0f - fresnel_dielectric<One>(wo.dot(m), index)) /
                                           (1.0f + ggx.lambda(V3f(wi.x, wi.y, -wi.z)));
                });
     });
@@ -102,9 +104,9 @@ AlbedoTable AlbedoTable::of_sheen() {
         // Uniform over the hemisphere; u.x is the cosine.
         return mean_over_square([&](const V2f& u) {
             const float sine = std::sqrt(1.0f - u.x * u.x);
-            const SinCos angle = sin_cos_turn(u.y);
+            const auto angle = scalar::sin_cos_turn<One>(u.y);
             const V3f wi(sine * angle.cosine, sine * angle.sine, u.x);
-            return 2.0f * kPi * sheen_reflection(wo, wi);
+            return 2.0f * kPi * scalar::sheen_reflection<One>(wo.z, wi.z, (wo + wi).length2());
         });
     });
 }

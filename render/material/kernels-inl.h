@@ -7,21 +7,11 @@
 #define CAROM_MATERIAL_KERNELS_INL_H
 #endif
 
-#include "render/material/albedo_numbers.h"
-#include "render/material/lobe_constants.h"
+#include "render/material/scalar_kernels.h"  // what the kernels read
 #include "render/sampling/kernels-inl.h"
 #include "render/texture/kernels-inl.h"
 
-HWY_BEFORE_NAMESPACE();
-namespace carom::render::HWY_NAMESPACE {
-
-#define CAROM_KERNEL HWY_INLINE
-#define CAROM_KERNEL_ATTRIBUTE HWY_ATTR
-#include "render/material/kernels/all.h"
-#undef CAROM_KERNEL_ATTRIBUTE
-#undef CAROM_KERNEL
-
-}  // namespace carom::render::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();
+#define CAROM_KERNELS "render/material/kernels/all.h"
+#include "render/lanes/include_vector-inl.h"
 
 #endif  // once per instruction set

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
-#include "render/material/fresnel.h"
 #include "render/material/scalar_kernels.h"
 
 namespace carom::render {
 namespace {
+
+using scalar::fresnel_dielectric;
+using scalar::One;
 
 float fraction(double value) {
     return static_cast<float>(std::clamp(value, 0.0, 1.0));
@@ -71,7 +73,7 @@ scalar::LayersOf<scalar::One> Material::numbers() const {
     numbers.coat_ior = layers_.coat_ior;
     numbers.coat_alpha = layers_.coat_alpha;
     numbers.sheen = layers_.sheen;
-    numbers.sheen_colour = scalar::three(layers_.sheen_colour);
+    numbers.sheen_colour = layers_.sheen_colour;
     numbers.metal = layers_.metal;
     numbers.specular = layers_.specular;
     numbers.alpha = layers_.alpha;
@@ -80,10 +82,13 @@ scalar::LayersOf<scalar::One> Material::numbers() const {
     numbers.any_phong = numbers.is_phong = is_phong_;
     static const GlassConstants kNone;
     const GlassConstants& glass = is_glass() ? *layers_.glass : kNone;
-    numbers.glass = {glass.ior, glass.alpha, scalar::three(glass.tint)};
-    numbers.phong = {scalar::three(phong_.specular),      scalar::three(phong_.reflectance),
-                     scalar::three(phong_.transmittance), phong_.index,
-                     phong_.highlight_lobe.exponent,      phong_.mirrored_lobe.exponent,
+    numbers.glass = {glass.ior, glass.alpha, glass.tint};
+    numbers.phong = {phong_.specular,
+                     phong_.reflectance,
+                     phong_.transmittance,
+                     phong_.index,
+                     phong_.highlight_lobe.exponent,
+                     phong_.mirrored_lobe.exponent,
                      phong_.through_lobe.exponent};
     numbers.tables = {numbers_of(layers_.coat_albedo),
                       numbers_of(layers_.sheen_albedo),
@@ -122,14 +127,14 @@ bool Material::is_clear_glass() const {
 
 V3f Material::mirror_reflectance(float cosine) const {
     const float coat = layers_.coat_weight > 0
-                           ? layers_.coat_weight * fresnel_dielectric(cosine, layers_.coat_ior)
+                           ? layers_.coat_weight * fresnel_dielectric<One>(cosine, layers_.coat_ior)
                            : 0.0f;
     if (layers_.alpha > 0 || (layers_.metal <= 0 && layers_.specular <= 0)) {
         return V3f(coat);
     }
-    const V3f metal = fresnel_schlick(cosine, *constant_base()) * layers_.metal;
+    const V3f metal = scalar::fresnel_schlick<One>(cosine, *constant_base()) * layers_.metal;
     const float highlight =
-        (1.0f - layers_.metal) * layers_.specular * fresnel_dielectric(cosine, kSpecularIor);
+        (1.0f - layers_.metal) * layers_.specular * fresnel_dielectric<One>(cosine, kSpecularIor);
     return V3f(coat) + (metal + V3f(highlight)) * (1.0f - coat);
 }
 

@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 
-#include "render/geometry/orthonormal_basis.h"
 #include "render/geometry/ray.h"
 #include "render/material/albedo_tables.h"
 #include "render/material/glass.h"

@@ -6,12 +6,5 @@
 #include "render/sampling/scalar_kernels.h"
 #include "render/texture/scalar_kernels.h"
 
-namespace carom::render::scalar {
-
-#define CAROM_KERNEL [[gnu::always_inline]] inline
-#define CAROM_KERNEL_ATTRIBUTE
-#include "render/material/kernels/all.h"
-#undef CAROM_KERNEL_ATTRIBUTE
-#undef CAROM_KERNEL
-
-}  // namespace carom::render::scalar
+#define CAROM_KERNELS "render/material/kernels/all.h"
+#include "render/lanes/include_scalar.h"

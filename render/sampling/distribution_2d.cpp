@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "core/assert.h"
-#include "render/sampling/scalar_kernels.h"
 
 namespace carom::render {
 namespace {
@@ -79,22 +78,6 @@ Distribution2D::Distribution2D(std::span<const float> weights, int width, int he
     for (std::size_t i = 0; i < weights.size(); ++i) {
         density_[i] = mean_ > 0 ? static_cast<float>(usable(weights[i]) / mean_) : 0.f;
     }
-}
-
-Distribution2D::Sample Distribution2D::sample(const V2f& u) const {
-    const DistributionTables cells = tables();
-    if (cells.density == nullptr) {
-        return {V2f(0, 0), 0};
-    }
-    const auto place = scalar::sample_cells<scalar::One>(cells, scalar::two(u));
-    return {scalar::vector_of(place.uv), place.pdf};
-}
-
-float Distribution2D::pdf(const V2f& uv) const {
-    if (!(uv.x >= 0 && uv.x < 1 && uv.y >= 0 && uv.y < 1) || density_.empty()) {
-        return 0;
-    }
-    return mean_ > 0 ? scalar::density_of_cells<scalar::One>(tables(), scalar::two(uv)) : 0;
 }
 
 }  // namespace carom::render

@@ -5,30 +5,19 @@
 #include <span>
 #include <vector>
 
-#include "render/geometry/ray.h"
 #include "render/sampling/distribution_tables.h"
 
 namespace carom::render {
 
-/// A density over the unit square that is constant in each cell of a grid. Immutable.
+/// A density over the unit square that is constant in each cell of a grid;
+/// kernels/distribution_2d.h samples it. Immutable.
 class Distribution2D {
   public:
-    struct Sample {
-        V2f uv;         // [0, 1)^2: u along a row, v from the first row to the last
-        float pdf = 0;  // per area of the unit square
-    };
-
     Distribution2D() = default;
 
     /// `weights`: width * height values (at most 65535 each), row by row, finite and >= 0 (others
     /// count as 0).
     Distribution2D(std::span<const float> weights, int width, int height);
-
-    /// If all weights are zero, the returned pdf is 0 and the point has no meaning.
-    [[nodiscard]] Sample sample(const V2f& u) const;
-
-    /// Density per area of the unit square; 0 outside the square and where the weight is 0.
-    [[nodiscard]] float pdf(const V2f& uv) const;
 
     /// For kernels; valid as long as this object is.
     [[nodiscard]] DistributionTables tables() const {

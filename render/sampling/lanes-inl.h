@@ -20,8 +20,8 @@ using F = hn::Vec<FloatTag>;
 using I = hn::Vec<IntTag>;
 using U = hn::Vec<WordTag>;
 using M = hn::Mask<FloatTag>;
-using V2 = Two<F>;
-using F3 = Three<F>;
+using V2 = Vec2<F>;
+using F3 = Vec3<F>;
 using Basis = BasisOf<Lanes>;
 using LaneSampler = SamplerOf<Lanes>;
 

@@ -6,9 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/geometry/ray.h"
 #include "render/sampling/pixel_filter_tables.h"
-#include "render/sampling/scalar_kernels.h"
 #include "render/scene/render_settings.h"
 
 namespace carom::render {
@@ -19,15 +17,12 @@ class PixelFilterSampler {
     /// `width`: the full width of the profile in pixels, > 0, also for the box.
     PixelFilterSampler(PixelFilter filter, double width);
 
-    /// Offset from the pixel's centre, pixels; at most half the width.
-    [[nodiscard]] V2f sample(const V2f& u) const { return V2f(offset(u.x), offset(u.y)); }
-
     [[nodiscard]] double width() const { return width_; }  // pixels
 
-    /// For code that makes many samples at once.
+    /// For kernels/pixel_filter.h; valid as long as this object is.
     [[nodiscard]] PixelFilterTables tables() const;
 
-    /// Density of `sample` along one axis, per pixel; 0 beyond half the width.
+    /// Density of the samples along one axis, per pixel; 0 beyond half the width.
     [[nodiscard]] double pdf_1d(double offset_pixels) const;
 
   private:
@@ -35,10 +30,6 @@ class PixelFilterSampler {
     struct Cell {
         float cdf, start, slope;
     };
-
-    [[nodiscard]] float offset(float u) const {
-        return scalar::filter_offset<scalar::One>(tables(), u);
-    }
 
     PixelFilter filter_;
     double width_;

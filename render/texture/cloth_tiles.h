@@ -20,10 +20,6 @@ struct SignedCodec {
     static Texel encode(float value) {
         return static_cast<Texel>(std::lrint(std::clamp(value, -1.0f, 1.0f) * 32767.0f));
     }
-    static Value look_up(const PyramidTables& pyramid, const scalar::Two<float>& uv,
-                         float footprint) {
-        return scalar::look_up_signed<scalar::One>(pyramid, uv, footprint);
-    }
 };
 using SignedPyramid = MipPyramid<SignedCodec>;
 

@@ -81,7 +81,7 @@ LinearImage read_linear_image(const std::string& path, bool is_linear, const V3f
 
 V3f HalfColourCodec::decode(const Texel& texel) {
     const auto both = std::uint32_t{texel.r} | std::uint32_t{texel.g} << 16;
-    return scalar::vector_of(scalar::half_colour<scalar::One>(both, texel.b));
+    return scalar::half_colour<scalar::One>(both, texel.b);
 }
 
 HalfColourCodec::Texel HalfColourCodec::encode(const V3f& value) {

@@ -35,10 +35,6 @@ struct HalfColourCodec {
     using Value = V3f;
     static Value decode(const Texel& texel);
     static Texel encode(const Value& value);
-    static Value look_up(const PyramidTables& pyramid, const scalar::Two<float>& uv,
-                         float footprint) {
-        return scalar::vector_of(scalar::look_up_half_colour<scalar::One>(pyramid, uv, footprint));
-    }
 };
 
 using ColourPyramid = MipPyramid<HalfColourCodec>;
@@ -49,10 +45,6 @@ struct HalfNumberCodec {
     using Value = float;
     static Value decode(Texel texel) { return scalar::half_value<scalar::One>(texel); }
     static Texel encode(Value value);
-    static Value look_up(const PyramidTables& pyramid, const scalar::Two<float>& uv,
-                         float footprint) {
-        return scalar::look_up_half<scalar::One>(pyramid, uv, footprint);
-    }
 };
 
 /// The levels of a picture that repeats. Grey stays grey, and opaque integers of 8 or 16 bits stay
@@ -65,11 +57,6 @@ class ImagePyramid {
 
     /// Whether kernels reach all of its levels.
     [[nodiscard]] static bool fits(const RawPicture& picture);
-
-    /// See MipPyramid::lookup.
-    [[nodiscard]] V3f lookup(float u, float v, float footprint) const {
-        return scalar::vector_of(scalar::look_up_image<scalar::One>(tables(), {u, v}, footprint));
-    }
 
     /// For kernels; valid as long as this object is.
     [[nodiscard]] ImageTables tables() const;

@@ -7,34 +7,10 @@
 #define CAROM_TEXTURE_KERNELS_INL_H
 #endif
 
-#include <cstddef>
-#include <cstdint>
-
-#include "core/assert.h"
 #include "render/geometry/kernels-inl.h"
-#include "render/texture/texture_data.h"
+#include "render/texture/scalar_kernels.h"  // what the kernels read
 
-HWY_BEFORE_NAMESPACE();
-namespace carom::render::HWY_NAMESPACE {
-
-#define CAROM_KERNEL HWY_INLINE
-#define CAROM_KERNEL_OUTLINED HWY_NOINLINE HWY_ATTR
-#define CAROM_KERNEL_ATTRIBUTE HWY_ATTR
-// The order of these matters.
-// clang-format off
-#include "render/texture/kernels/noise.h"
-#include "render/texture/kernels/mip_pyramid.h"
-#include "render/texture/kernels/cloth.h"
-#include "render/texture/kernels/wood.h"
-#include "render/texture/kernels/checker.h"
-#include "render/texture/kernels/ball_paint.h"
-#include "render/texture/kernels/texture.h"
-// clang-format on
-#undef CAROM_KERNEL_ATTRIBUTE
-#undef CAROM_KERNEL_OUTLINED
-#undef CAROM_KERNEL
-
-}  // namespace carom::render::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();
+#define CAROM_KERNELS "render/texture/kernels/all.h"
+#include "render/lanes/include_vector-inl.h"
 
 #endif  // once per instruction set

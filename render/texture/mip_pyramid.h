@@ -22,8 +22,8 @@ template <class Value>
     return (a + b + c + d) * 0.25f;
 }
 
-/// `Codec` names a stored `Texel`, the `Value` that it represents, the functions decode and encode
-/// between them, and the kernel `look_up` (kernels/mip_pyramid.h). A look-up reads four texels of
+/// `Codec` names a stored `Texel`, the `Value` that it represents, and the functions decode and
+/// encode between them. kernels/mip_pyramid.h looks values up. A look-up reads four texels of
 /// one level: 35 ns for colours where OpenImageIO's TextureSystem, which can page pictures larger
 /// than the memory, takes 290 (bench/frame_bench.cpp).
 template <class Codec>
@@ -71,12 +71,6 @@ class MipPyramid {
     [[nodiscard]] int width() const { return widths_.front(); }
     [[nodiscard]] int height() const { return heights_.front(); }
     [[nodiscard]] std::size_t level_count() const { return widths_.size(); }
-
-    /// The value at (u, v), v = 0 at the top, averaged over about `footprint` (in the same unit, of
-    /// the larger side), from the finest level whose texels are at least half as large.
-    [[nodiscard]] Value lookup(float u, float v, float footprint) const {
-        return Codec::look_up(tables(), {u, v}, footprint);
-    }
 
     /// For kernels; valid as long as this object is.
     [[nodiscard]] PyramidTables tables() const {

@@ -4,9 +4,22 @@
 #include <cmath>
 
 #include "core/assert.h"
-#include "render/texture/noise.h"
+#include "render/texture/scalar_kernels.h"
 
 namespace carom::render {
+
+using scalar::One;
+
+V2f lattice_gradient(std::uint32_t column, std::uint32_t row, std::uint32_t seed) {
+    const std::uint32_t hash = scalar::mix_bits<One>(column + scalar::mix_bits<One>(row + seed));
+    const std::uint32_t h = hash >> 29;
+    const float sx = (h & 1u) != 0 ? -1.0f : 1.0f;
+    const float sy = (h & 2u) != 0 ? -1.0f : 1.0f;
+    if ((h & 4u) != 0) {
+        return {sx, sy};
+    }
+    return (h & 1u) != 0 ? V2f(1.3f * sy, 0.0f) : V2f(0.0f, 1.3f * sy);
+}
 
 NoiseGrid::NoiseGrid(int size, int cells_x, int cells_y, std::uint32_t seed)
     : columns_(places(size, cells_x)),
@@ -29,7 +42,7 @@ std::vector<NoiseGrid::Place> NoiseGrid::places(int size, int cells) {
         const float cell = std::floor(at);
         const std::size_t index = static_cast<std::size_t>(cell);
         const std::size_t next = index + 1 == static_cast<std::size_t>(cells) ? 0 : index + 1;
-        places.push_back({index, next, at - cell, noise_fade(at - cell)});
+        places.push_back({index, next, at - cell, scalar::noise_fade<One>(at - cell)});
     }
     return places;
 }

@@ -9,10 +9,14 @@
 
 namespace carom::render {
 
-/// periodic_noise at the texels' centres of a picture that shows one period: at texel (x, y) of
-/// `size` along a side, the noise at ((x + 1/2) cells_x, (y + 1/2) cells_y) / size. The gradients
-/// and what the texels of a column share are computed once. Has the same bits as periodic_noise if
-/// `size` is a power of two. Immutable.
+/// The gradient at a corner of the plane's lattice: one of eight directions, of length sqrt(2)
+/// or 1.3 for evenness.
+[[nodiscard]] V2f lattice_gradient(std::uint32_t column, std::uint32_t row, std::uint32_t seed);
+
+/// Gradient noise as in kernels/noise.h, but in the plane and without a seam where it repeats, at
+/// the texels' centres of a picture that shows one period: at texel (x, y) of `size` along a side,
+/// the noise at ((x + 1/2) cells_x, (y + 1/2) cells_y) / size. The gradients and what the texels of
+/// a column share are computed once. Immutable.
 class NoiseGrid {
   public:
     NoiseGrid(int size, int cells_x, int cells_y, std::uint32_t seed);

@@ -16,10 +16,6 @@ struct CoverageCodec {
     static Texel encode(float value) {
         return static_cast<Texel>(std::lrint(std::clamp(value, 0.0f, 1.0f) * 255.0f));
     }
-    static Value look_up(const PyramidTables& pyramid, const scalar::Two<float>& uv,
-                         float footprint) {
-        return scalar::look_up_coverage<scalar::One>(pyramid, uv, footprint);
-    }
 };
 
 using CoverageMask = MipPyramid<CoverageCodec>;

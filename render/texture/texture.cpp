@@ -1,7 +1,7 @@
 #include "render/texture/texture.h"
 
 #include "core/elementary.h"
-#include "render/texture/cloth_tiles.h"
+#include "render/texture/patterns.h"
 
 namespace carom::render {
 namespace {
@@ -33,32 +33,36 @@ std::shared_ptr<const ClothTiles> ImageCache::cloth_tiles() {
 Texture::Texture(const ColourSource& source, ImageCache& images) {
     const auto set_cloth = [&](const ClothTexture& cloth) {
         const auto tiles = images.cloth_tiles();
-        data_ = ClothPattern(cloth, tiles).parameters();
+        data_.kind = TextureKind::cloth;
+        data_.cloth = cloth_parameters(cloth, *tiles);
         pictures_ = tiles;
     };
     const auto set_ball = [&](const BallTexture& ball) {
         const auto number = ball.number > 0 ? images.number(ball.number) : nullptr;
-        data_ = BallPaint(ball, number).parameters();
+        data_.kind = TextureKind::ball;
+        data_.ball = ball_parameters(ball, number.get());
         pictures_ = number;
     };
     const auto set_image = [&](const ImageTexture& image) {
         const auto picture = images.file(image);
         const Vec2 repeats = image.size ? Vec2(1, 1) / *image.size : image.scale;
         const Vec2 turn(cosine(image.rotation), sine(image.rotation));
-        data_ = ImageParameters{picture->tables(), V2f(repeats), image.size.has_value(),
-                                V2f(image.offset), V2f(turn)};
+        data_.kind = TextureKind::image;
+        data_.image = {picture->tables(), V2f(repeats), image.size.has_value(), V2f(image.offset),
+                       V2f(turn)};
         pictures_ = picture;
     };
-    std::visit(
-        Overloaded{
-            [&](const Vec3& colour) { data_ = V3f(colour); },
-            set_image,
-            set_ball,
-            set_cloth,
-            [&](const WoodTexture& wood) { data_ = WoodPattern(wood).parameters(); },
-            [&](const CheckerTexture& checker) { data_ = CheckerPattern(checker).parameters(); },
-        },
-        source);
+    const auto set_wood = [&](const WoodTexture& wood) {
+        data_.kind = TextureKind::wood;
+        data_.wood = wood_parameters(wood);
+    };
+    const auto set_checker = [&](const CheckerTexture& checker) {
+        data_.kind = TextureKind::checker;
+        data_.checker = checker_parameters(checker);
+    };
+    std::visit(Overloaded{[&](const Vec3& colour) { data_.plain = V3f(colour); }, set_image,
+                          set_ball, set_cloth, set_wood, set_checker},
+               source);
 }
 
 }  // namespace carom::render

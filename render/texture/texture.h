@@ -11,9 +11,9 @@
 #include "core/memo_table.h"
 #include "render/geometry/ray.h"
 #include "render/scene/material_description.h"
-#include "render/texture/ball_paint.h"
+#include "render/texture/cloth_tiles.h"
 #include "render/texture/image.h"
-#include "render/texture/patterns.h"
+#include "render/texture/number_mask.h"
 #include "render/texture/texture_data.h"
 
 namespace carom::render {
@@ -44,11 +44,10 @@ class Texture {
 
     /// The colour if it is constant.
     [[nodiscard]] std::optional<V3f> constant() const {
-        const auto* colour = std::get_if<V3f>(&data_);
-        return colour != nullptr ? std::optional(*colour) : std::nullopt;
+        return data_.kind == TextureKind::plain ? std::optional(data_.plain) : std::nullopt;
     }
 
-    [[nodiscard]] bool has_relief() const { return std::holds_alternative<ClothParameters>(data_); }
+    [[nodiscard]] bool has_relief() const { return data_.kind == TextureKind::cloth; }
 
     /// For `colour_of` and, if `has_relief`, `relief_of` in lanes (kernels/texture.h); valid as
     /// long as this object or a copy of it is.

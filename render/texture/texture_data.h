@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <variant>
 
 #include "render/geometry/ray.h"
 
@@ -42,7 +41,10 @@ struct ImageParameters {
     V2f turn{1, 0};  // cosine and sine of the rotation
 };
 
-/// See BallPaint.
+/// The paint of a billiard ball. Solid: one colour; striped: white with a band of the colour around
+/// the z axis. A number stands in a white disc at both ends of the x axis, upright (z up) as seen
+/// from that side. Edges are computed, and are as sharp as the pixel allows at any distance; only
+/// the digits are looked up.
 struct BallParameters {
     V3f colour{0, 0, 0};
     V3f white{0, 0, 0};
@@ -52,7 +54,7 @@ struct BallParameters {
     PyramidTables number;   // of coverage; without texels: no number
 };
 
-/// See ClothPattern and ClothTiles.
+/// Plain weave under a brushed nap, with faint broad variations from wear. See ClothTiles.
 struct ClothParameters {
     V3f colour{0, 0, 0};
     float thread = 0;  // m
@@ -61,22 +63,33 @@ struct ClothParameters {
     PyramidTables nap, wear;  // of signed numbers
 };
 
-/// See WoodPattern.
+/// Growth rings of a tree whose trunk is along the grain, cut by the surface, with fibres and
+/// pores.
 struct WoodParameters {
     V3f light{0, 0, 0}, dark{0, 0, 0};
     float ring = 0;                                    // m
     V3f along{1, 0, 0}, across{0, 1, 0}, up{0, 0, 1};  // orthonormal
 };
 
-/// See CheckerPattern.
+/// Cubes of two colours, box-filtered exactly along each axis.
 struct CheckerParameters {
     V3f even{0, 0, 0}, odd{0, 0, 0};
     float size = 0;  // m
 };
 
-/// All kinds of textures. A kind needs a function `colour_at` in kernels/texture.h.
-using TextureData = std::variant<V3f, ImageParameters, BallParameters, ClothParameters,
-                                 WoodParameters, CheckerParameters>;
+enum class TextureKind : std::uint8_t { plain, image, ball, cloth, wood, checker };
+
+/// A texture of any kind. Only the numbers of that kind count; they lie side by side, since a
+/// device has no std::variant. A kind needs a case in `colour_of` (kernels/texture.h).
+struct TextureData {
+    TextureKind kind = TextureKind::plain;
+    V3f plain{0, 0, 0};
+    ImageParameters image;
+    BallParameters ball;
+    ClothParameters cloth;
+    WoodParameters wood;
+    CheckerParameters checker;
+};
 
 /// Cells along the sides of ClothTiles: threads of the weave, cells of the nap's noise, and the
 /// coarsest cells of the noise of wear.

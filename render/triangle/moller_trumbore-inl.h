@@ -8,12 +8,15 @@
 #endif
 
 #include <tuple>
+#include <type_traits>
 
-#include "render/lanes/vector_lanes-inl.h"
+#include "render/lanes/kernels-inl.h"
 #include "render/triangle/division.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::triangle::HWY_NAMESPACE {
+
+using render::HWY_NAMESPACE::Vec3;
 
 #define CAROM_KERNEL HWY_INLINE
 

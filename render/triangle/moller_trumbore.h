@@ -3,13 +3,17 @@
 
 #include <optional>
 #include <tuple>
+#include <type_traits>
 
-#include "render/geometry/intersect.h"
 #include "render/geometry/ray.h"
-#include "render/lanes/scalar_lanes.h"
+#include "render/lanes/scalar_kernels.h"
 #include "render/triangle/division.h"
 
 namespace carom::render::triangle::scalar {
+
+using Imath::Vec3;
+using render::scalar::cross;
+using render::scalar::dot;
 
 #define CAROM_KERNEL [[gnu::always_inline]] inline
 
@@ -26,22 +30,14 @@ namespace carom::render::triangle::scalar {
 namespace carom::render {
 
 /// Tests both sides, in (ray.t_min, ray.t_max). The vectorised test gives the same bits.
-[[nodiscard]] inline std::optional<TriangleHit<float>> moller_trumbore(const Ray& ray, const V3f& a,
-                                                                       const V3f& b, const V3f& c) {
+[[nodiscard]] inline std::optional<triangle::scalar::HitIn<ScalarLanes<float>>> moller_trumbore(
+    const Ray& ray, const V3f& a, const V3f& b, const V3f& c) {
     using Kernel = triangle::scalar::MollerTrumbore;
     using L = ScalarLanes<float>;
-    const auto triple = [](const V3f& v) {
-        return triangle::scalar::Triple<float>{{v.x, v.y, v.z}};
-    };
-    const auto record =
-        Kernel::prepare(triangle::scalar::Corners<L>{triple(a), triple(b), triple(c)});
     const auto hit = Kernel::intersect<triangle::Division::early>(
-        triangle::scalar::RayIn<L>{triple(ray.origin), triple(ray.direction), ray.t_min, ray.t_max},
-        record);
-    if (!hit.valid) {
-        return std::nullopt;
-    }
-    return TriangleHit<float>{hit.t, hit.u, hit.v};
+        triangle::scalar::RayIn<L>{ray.origin, ray.direction, ray.t_min, ray.t_max},
+        Kernel::prepare(triangle::scalar::Corners<L>{a, b, c}));
+    return hit.valid ? std::optional(hit) : std::nullopt;
 }
 
 }  // namespace carom::render

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/geometry/orthonormal_basis.h"
+#include "render/geometry/scalar_kernels.h"
 #include "tests/render/statistics.h"
 
 namespace carom::test {
@@ -73,7 +73,7 @@ inline void expect_direction_density(
     const std::function<std::optional<render::V3f>(render::V3f)>& sample,
     const std::function<double(const render::V3f&)>& pdf, const render::V3f& axis, double height,
     const DensityTest& setup) {
-    const auto basis = render::OrthonormalBasis::around(axis);
+    const auto basis = render::scalar::basis_around<render::scalar::One>(axis);
     expect_square_density(
         [&](const render::V3f& u) -> std::optional<Imath::V2d> {
             const std::optional<render::V3f> direction = sample(u);

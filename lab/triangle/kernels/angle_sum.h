@@ -6,14 +6,13 @@ struct AngleSum {
     template <class L>
     struct Record {
         static constexpr bool kHasAxis = false;
-        Triple<typename L::Value> a, edge_b, edge_c, normal;
+        Vec3<typename L::Value> a, edge_b, edge_c, normal;
 
         template <class Self>
         [[nodiscard]] static auto numbers(Self& self) {
-            return std::tie(self.a.at[0], self.a.at[1], self.a.at[2], self.edge_b.at[0],
-                            self.edge_b.at[1], self.edge_b.at[2], self.edge_c.at[0],
-                            self.edge_c.at[1], self.edge_c.at[2], self.normal.at[0],
-                            self.normal.at[1], self.normal.at[2]);
+            return std::tie(self.a.x, self.a.y, self.a.z, self.edge_b.x, self.edge_b.y,
+                            self.edge_b.z, self.edge_c.x, self.edge_c.y, self.edge_c.z,
+                            self.normal.x, self.normal.y, self.normal.z);
         }
     };
 
@@ -62,14 +61,14 @@ struct AngleSum {
 
     /// At a corner, a half turn.
     template <class L>
-    CAROM_KERNEL static typename L::Value angle(const Triple<typename L::Value>& a,
-                                                const Triple<typename L::Value>& b) {
+    CAROM_KERNEL static typename L::Value angle(const Vec3<typename L::Value>& a,
+                                                const Vec3<typename L::Value>& b) {
         const auto lengths = L::root(dot(a, a) * dot(b, b));
         const auto is_corner = L::is_equal(lengths, L::all(0));
         return arc_cosine<L>(L::select(is_corner, L::all(-1), dot(a, b) / lengths));
     }
     template <class L>
-    CAROM_KERNEL static typename L::Value length(const Triple<typename L::Value>& v) {
+    CAROM_KERNEL static typename L::Value length(const Vec3<typename L::Value>& v) {
         return L::root(dot(v, v));
     }
 };

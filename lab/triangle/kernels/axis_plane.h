@@ -4,12 +4,12 @@
 template <class L, class Record>
 CAROM_KERNEL typename L::Value set_axis_and_plane(const Corners<L>& corners, Record& record) {
     const auto normal = normal_of(corners);
-    const auto& a = corners.a.at;
-    const auto w = L::longest_axis(normal.at);
-    const auto scale = L::all(1) / L::along(normal.at, w);
+    const auto& a = corners.a;
+    const auto w = L::longest_axis(normal);
+    const auto scale = L::all(1) / L::along(normal, w);
     record.axis = w;
-    record.normal_u = L::after(normal.at, w) * scale;
-    record.normal_v = L::before(normal.at, w) * scale;
+    record.normal_u = L::after(normal, w) * scale;
+    record.normal_v = L::before(normal, w) * scale;
     record.plane =
         record.normal_u * L::after(a, w) + record.normal_v * L::before(a, w) + L::along(a, w);
     return scale;

@@ -7,7 +7,7 @@ struct Badouel {
     struct Record {
         using V = typename L::Value;
         static constexpr bool kHasAxis = true;
-        Triple<V> normal;
+        Vec3<V> normal;
         V plane;  // normal times a point on it
         V a_u, a_v;
         V edge_b_u, edge_b_v, edge_c_u, edge_c_v;
@@ -15,18 +15,17 @@ struct Badouel {
 
         template <class Self>
         [[nodiscard]] static auto numbers(Self& self) {
-            return std::tie(self.normal.at[0], self.normal.at[1], self.normal.at[2], self.plane,
-                            self.a_u, self.a_v, self.edge_b_u, self.edge_b_v, self.edge_c_u,
-                            self.edge_c_v);
+            return std::tie(self.normal.x, self.normal.y, self.normal.z, self.plane, self.a_u,
+                            self.a_v, self.edge_b_u, self.edge_b_v, self.edge_c_u, self.edge_c_v);
         }
     };
 
     template <class L>
     CAROM_KERNEL static Record<L> prepare(const CornersAndNormal<L>& input) {
-        const auto& a = input.corners.a.at;
-        const auto& b = input.corners.b.at;
-        const auto& c = input.corners.c.at;
-        const auto w = L::longest_axis(input.normal.at);
+        const auto& a = input.corners.a;
+        const auto& b = input.corners.b;
+        const auto& c = input.corners.c;
+        const auto w = L::longest_axis(input.normal);
         Record<L> record;
         record.axis = w;
         record.normal = input.normal;
@@ -53,10 +52,10 @@ struct Badouel {
             return missed<L>();
         }
         const auto& w = triangle.axis;
-        const auto p_u = plane.coordinate(L::after(ray.origin.at, w) - triangle.a_u,
-                                          L::after(ray.direction.at, w));
-        const auto p_v = plane.coordinate(L::before(ray.origin.at, w) - triangle.a_v,
-                                          L::before(ray.direction.at, w));
+        const auto p_u =
+            plane.coordinate(L::after(ray.origin, w) - triangle.a_u, L::after(ray.direction, w));
+        const auto p_v =
+            plane.coordinate(L::before(ray.origin, w) - triangle.a_v, L::before(ray.direction, w));
         const auto area =
             triangle.edge_b_u * triangle.edge_c_v - triangle.edge_c_u * triangle.edge_b_v;
         const auto u = L::flip_sign(p_u * triangle.edge_c_v - triangle.edge_c_u * p_v, area);

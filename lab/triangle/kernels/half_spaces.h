@@ -6,22 +6,21 @@ struct HalfSpaces {
     struct Record {
         using V = typename L::Value;
         static constexpr bool kHasAxis = false;
-        Triple<V> normal;
+        Vec3<V> normal;
         V plane;  // normal times a point on it
-        Triple<V> normal_a;
+        Vec3<V> normal_a;
         V a_d;  // side of a: normal_a.p + a_d >= 0
-        Triple<V> normal_b;
+        Vec3<V> normal_b;
         V b_d;
-        Triple<V> normal_c;
+        Vec3<V> normal_c;
         V c_d;
 
         template <class Self>
         [[nodiscard]] static auto numbers(Self& self) {
-            return std::tie(self.normal.at[0], self.normal.at[1], self.normal.at[2], self.plane,
-                            self.normal_a.at[0], self.normal_a.at[1], self.normal_a.at[2], self.a_d,
-                            self.normal_b.at[0], self.normal_b.at[1], self.normal_b.at[2], self.b_d,
-                            self.normal_c.at[0], self.normal_c.at[1], self.normal_c.at[2],
-                            self.c_d);
+            return std::tie(self.normal.x, self.normal.y, self.normal.z, self.plane,
+                            self.normal_a.x, self.normal_a.y, self.normal_a.z, self.a_d,
+                            self.normal_b.x, self.normal_b.y, self.normal_b.z, self.b_d,
+                            self.normal_c.x, self.normal_c.y, self.normal_c.z, self.c_d);
         }
     };
 

@@ -42,8 +42,8 @@ using NumberIndices =
     std::make_index_sequence<std::tuple_size_v<decltype(Input::numbers(std::declval<Input&>()))>>;
 
 template <class T>
-Triple<T> triple(const V3f& v) {
-    return {{v.x, v.y, v.z}};
+Vec3<T> triple(const V3f& v) {
+    return {v.x, v.y, v.z};
 }
 
 /// A triangle of a set as an input, computed in the lane type L.

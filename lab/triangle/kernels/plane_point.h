@@ -14,11 +14,10 @@ struct PlanePoint {
     [[nodiscard]] CAROM_KERNEL V coordinate(V origin, V direction) const {
         return below.times(origin) + direction * t;
     }
-    [[nodiscard]] CAROM_KERNEL Triple<V> point(const Triple<V>& origin,
-                                               const Triple<V>& direction) const {
-        return {{coordinate(origin.at[0], direction.at[0]),
-                 coordinate(origin.at[1], direction.at[1]),
-                 coordinate(origin.at[2], direction.at[2])}};
+    [[nodiscard]] CAROM_KERNEL Vec3<V> point(const Vec3<V>& origin,
+                                             const Vec3<V>& direction) const {
+        return {coordinate(origin.x, direction.x), coordinate(origin.y, direction.y),
+                coordinate(origin.z, direction.z)};
     }
 };
 

@@ -26,27 +26,27 @@ struct ShevtsovSoupikovKapustin {
         const auto w = record.axis;
         const auto edge_b = corners.b - corners.a;
         const auto edge_c = corners.c - corners.a;
-        record.a_u = L::after(corners.a.at, w);
-        record.a_v = L::before(corners.a.at, w);
-        record.edge_b_u = L::after(edge_b.at, w) * scale;
-        record.edge_b_v = L::before(edge_b.at, w) * scale;
-        record.edge_c_u = L::after(edge_c.at, w) * scale;
-        record.edge_c_v = L::before(edge_c.at, w) * scale;
+        record.a_u = L::after(corners.a, w);
+        record.a_v = L::before(corners.a, w);
+        record.edge_b_u = L::after(edge_b, w) * scale;
+        record.edge_b_v = L::before(edge_b, w) * scale;
+        record.edge_c_u = L::after(edge_c, w) * scale;
+        record.edge_c_v = L::before(edge_c, w) * scale;
         return record;
     }
 
     template <Division kDivision, class L>
     CAROM_KERNEL static HitIn<L> intersect(const RayIn<L>& ray, const Record<L>& triangle) {
         const auto& w = triangle.axis;
-        const auto d_u = L::after(ray.direction.at, w);
-        const auto d_v = L::before(ray.direction.at, w);
-        const auto o_u = L::after(ray.origin.at, w);
-        const auto o_v = L::before(ray.origin.at, w);
+        const auto d_u = L::after(ray.direction, w);
+        const auto d_v = L::before(ray.direction, w);
+        const auto o_u = L::after(ray.origin, w);
+        const auto o_v = L::before(ray.origin, w);
         const auto determinant =
-            d_u * triangle.normal_u + d_v * triangle.normal_v + L::along(ray.direction.at, w);
+            d_u * triangle.normal_u + d_v * triangle.normal_v + L::along(ray.direction, w);
         const Denominator<kDivision, L> below(determinant);
         const auto height = triangle.plane - (o_u * triangle.normal_u + o_v * triangle.normal_v +
-                                              L::along(ray.origin.at, w));
+                                              L::along(ray.origin, w));
         const auto t = below.quotient(height);
         auto valid = is_within(ray, below, t);
         if (L::none(valid)) {

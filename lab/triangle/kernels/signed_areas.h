@@ -5,14 +5,13 @@ struct SignedAreas {
     template <class L>
     struct Record {
         static constexpr bool kHasAxis = false;
-        Triple<typename L::Value> a, edge_b, edge_c, normal;
+        Vec3<typename L::Value> a, edge_b, edge_c, normal;
 
         template <class Self>
         [[nodiscard]] static auto numbers(Self& self) {
-            return std::tie(self.a.at[0], self.a.at[1], self.a.at[2], self.edge_b.at[0],
-                            self.edge_b.at[1], self.edge_b.at[2], self.edge_c.at[0],
-                            self.edge_c.at[1], self.edge_c.at[2], self.normal.at[0],
-                            self.normal.at[1], self.normal.at[2]);
+            return std::tie(self.a.x, self.a.y, self.a.z, self.edge_b.x, self.edge_b.y,
+                            self.edge_b.z, self.edge_c.x, self.edge_c.y, self.edge_c.z,
+                            self.normal.x, self.normal.y, self.normal.z);
         }
     };
 

@@ -28,8 +28,8 @@ struct StoredTriangle<Technique::axis_by_order, Stored> {
 
 /// Coordinates from `first` on.
 template <class V>
-CAROM_KERNEL Triple<V> in_order(const Triple<V>& v, unsigned first) {
-    return {{v.at[first], v.at[(first + 1) % 3], v.at[(first + 2) % 3]}};
+CAROM_KERNEL Vec3<V> in_order(const Vec3<V>& v, unsigned first) {
+    return {v[first], v[(first + 1) % 3], v[(first + 2) % 3]};
 }
 inline V3f in_order(const V3f& v, unsigned first) {
     return {v[static_cast<int>(first)], v[static_cast<int>((first + 1) % 3)],
@@ -41,7 +41,7 @@ StoredTriangle<kTechnique, InputOf<Kernel, kInput, L>> stored_triangle(const Tri
     if constexpr (kTechnique == Technique::axis_by_order) {
         using T = typename L::Number;
         const Corners<L> corners{triple<T>(t.a), triple<T>(t.b), triple<T>(t.c)};
-        const unsigned first = L::longest(normal_of(corners).at);
+        const unsigned first = L::longest(normal_of(corners));
         return {make_input<Kernel, kInput, L>(
                     {in_order(t.a, first), in_order(t.b, first), in_order(t.c, first)}),
                 first};

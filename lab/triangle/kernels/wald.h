@@ -26,14 +26,14 @@ struct Wald {
         const auto w = record.axis;
         const auto edge_b = corners.b - corners.a;
         const auto edge_c = corners.c - corners.a;
-        const auto a_u = L::after(corners.a.at, w);
-        const auto a_v = L::before(corners.a.at, w);
+        const auto a_u = L::after(corners.a, w);
+        const auto a_v = L::before(corners.a, w);
         const auto zero = L::all(0);
-        record.b_u = L::before(edge_c.at, w) * scale;
-        record.b_v = (zero - L::after(edge_c.at, w)) * scale;
+        record.b_u = L::before(edge_c, w) * scale;
+        record.b_v = (zero - L::after(edge_c, w)) * scale;
         record.b_d = zero - (record.b_u * a_u + record.b_v * a_v);
-        record.c_u = (zero - L::before(edge_b.at, w)) * scale;
-        record.c_v = L::after(edge_b.at, w) * scale;
+        record.c_u = (zero - L::before(edge_b, w)) * scale;
+        record.c_v = L::after(edge_b, w) * scale;
         record.c_d = zero - (record.c_u * a_u + record.c_v * a_v);
         return record;
     }
@@ -41,15 +41,14 @@ struct Wald {
     template <Division kDivision, class L>
     CAROM_KERNEL static HitIn<L> intersect(const RayIn<L>& ray, const Record<L>& triangle) {
         const auto& w = triangle.axis;
-        const auto d_u = L::after(ray.direction.at, w);
-        const auto d_v = L::before(ray.direction.at, w);
-        const auto o_u = L::after(ray.origin.at, w);
-        const auto o_v = L::before(ray.origin.at, w);
-        const auto height = triangle.plane - L::along(ray.origin.at, w) - triangle.normal_u * o_u -
+        const auto d_u = L::after(ray.direction, w);
+        const auto d_v = L::before(ray.direction, w);
+        const auto o_u = L::after(ray.origin, w);
+        const auto o_v = L::before(ray.origin, w);
+        const auto height = triangle.plane - L::along(ray.origin, w) - triangle.normal_u * o_u -
                             triangle.normal_v * o_v;
         const PlanePoint<kDivision, L> plane(
-            height,
-            L::along(ray.direction.at, w) + triangle.normal_u * d_u + triangle.normal_v * d_v);
+            height, L::along(ray.direction, w) + triangle.normal_u * d_u + triangle.normal_v * d_v);
         auto valid = is_within(ray, plane.below, plane.t);
         if (L::none(valid)) {
             return missed<L>();

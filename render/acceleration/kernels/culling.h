@@ -5,11 +5,10 @@
 /// reach it. `end` is finite.
 template <class L>
 CAROM_KERNEL typename L::Mask stay_beyond(const LeafSlab& slab,
-                                          const kernels::Triple<typename L::Value>& origin,
-                                          const kernels::Triple<typename L::Value>& direction,
+                                          const Vec3<typename L::Value>& origin,
+                                          const Vec3<typename L::Value>& direction,
                                           typename L::Value end) {
-    const kernels::Triple<typename L::Value> normal{
-        {L::all(slab.normal.x), L::all(slab.normal.y), L::all(slab.normal.z)}};
+    const Vec3<typename L::Value> normal = all_of<L>(slab.normal);
     const auto height = dot(normal, origin);
     const auto rise = dot(normal, direction);
     const auto zero = L::all(0);
@@ -17,7 +16,7 @@ CAROM_KERNEL typename L::Mask stay_beyond(const LeafSlab& slab,
     const auto high = L::all(slab.high);
     // For the rounding of a hit's distance, which may pass for one before the end.
     const auto reach =
-        L::size(origin.at[0]) + L::size(origin.at[1]) + L::size(origin.at[2]) + L::all(slab.size);
+        L::size(origin.x) + L::size(origin.y) + L::size(origin.z) + L::all(slab.size);
     const auto margin = reach * L::all(slab.rounding);
     const auto height_of_end = height + rise * end;
     const auto stays_above =
@@ -30,13 +29,12 @@ CAROM_KERNEL typename L::Mask stay_beyond(const LeafSlab& slab,
 
 /// Whether rays pass above everything that the map shows. It must not be empty.
 template <class L>
-CAROM_KERNEL typename L::Mask pass_above(const Horizon& map,
-                                         const kernels::Triple<typename L::Value>& origin,
-                                         const kernels::Triple<typename L::Value>& direction) {
+CAROM_KERNEL typename L::Mask pass_above(const Horizon& map, const Vec3<typename L::Value>& origin,
+                                         const Vec3<typename L::Value>& direction) {
     const auto zero = L::all(0);
     const auto scale = L::all(map.cells_per_metre);
-    const auto x = (origin.at[0] - L::all(map.x)) * scale;
-    const auto y = (origin.at[1] - L::all(map.y)) * scale;
+    const auto x = (origin.x - L::all(map.x)) * scale;
+    const auto y = (origin.y - L::all(map.y)) * scale;
     const auto is_within = [&](typename L::Value place, int count) CAROM_KERNEL_ATTRIBUTE {
         return L::both(L::is_at_most(zero, place),
                        L::is_less(place, L::all(static_cast<float>(count))));
@@ -45,9 +43,9 @@ CAROM_KERNEL typename L::Mask pass_above(const Horizon& map,
     const auto column = L::to_int(L::select(is_inside, x, zero));
     const auto row = L::to_int(L::select(is_inside, y, zero));
     const auto cell = L::product(row, map.width) + column;
-    const auto rise = direction.at[2];
-    const auto way2 = direction.at[0] * direction.at[0] + direction.at[1] * direction.at[1];
+    const auto rise = direction.z;
+    const auto way2 = direction.x * direction.x + direction.y * direction.y;
     const auto is_steep = L::is_at_most(L::gather(map.slope2.data(), cell) * way2, rise * rise);
-    const auto is_above = L::is_less(L::gather(map.top.data(), cell), origin.at[2]);
+    const auto is_above = L::is_less(L::gather(map.top.data(), cell), origin.z);
     return L::both(L::both(is_inside, is_above), L::both(L::is_at_most(zero, rise), is_steep));
 }

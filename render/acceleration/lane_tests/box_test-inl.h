@@ -18,7 +18,7 @@ template <class D>
 struct AlignedBoxTest {
     using L = VectorLanes<D>;
 
-    Three<hn::Vec<D>> inverse;
+    Vec3<hn::Vec<D>> inverse;
     int first[3];  // which of the two planes the ray hits first
 
     HWY_INLINE AlignedBoxTest(D /*d*/, const V3f& direction)
@@ -33,7 +33,7 @@ struct AlignedBoxTest {
                                         load(d, block.planes[axis][first[axis]], lane),
                                         load(d, block.planes[axis][1 - first[axis]], lane));
         };
-        const Three<hn::Vec<D>>& o = ray.line.origin;
+        const Vec3<hn::Vec<D>>& o = ray.line.origin;
         return cross_slabs<L>(slab(o.x, inverse.x, 0), slab(o.y, inverse.y, 1),
                               slab(o.z, inverse.z, 2))
             .first_hit(ray.t_min);
@@ -45,14 +45,14 @@ template <class D>
 struct AlignedBoxRays {
     using L = VectorLanes<D>;
 
-    Three<hn::Vec<D>> inverse;
+    Vec3<hn::Vec<D>> inverse;
 
     HWY_INLINE LaneHits<D> operator()(D d, const RayLanes<D>& ray, const AlignedBoxBlock& block,
                                       InAll shape) const {
         const auto corner = [&](int side) HWY_ATTR {
-            return Three<hn::Vec<D>>{load(d, block.planes[0][side], shape),
-                                     load(d, block.planes[1][side], shape),
-                                     load(d, block.planes[2][side], shape)};
+            return Vec3<hn::Vec<D>>{load(d, block.planes[0][side], shape),
+                                    load(d, block.planes[1][side], shape),
+                                    load(d, block.planes[2][side], shape)};
         };
         return cross_box<L>(ray.line.origin, inverse, corner(0), corner(1)).first_hit(ray.t_min);
     }

@@ -56,16 +56,16 @@ HWY_INLINE hn::Vec<D> load(D d, const FloatLanes& lanes, InAll shape) {
 }
 
 template <class D, class At>
-HWY_INLINE Three<hn::Vec<D>> load(D d, const FloatLanes (&lanes)[3], At at) {
+HWY_INLINE Vec3<hn::Vec<D>> load(D d, const FloatLanes (&lanes)[3], At at) {
     return {load(d, lanes[0], at), load(d, lanes[1], at), load(d, lanes[2], at)};
 }
 
 template <class D, class At>
-HWY_INLINE Three<hn::Vec<D>> load_profile(D d, const MappedBlock& /*block*/, At /*at*/) {
+HWY_INLINE Vec3<hn::Vec<D>> load_profile(D d, const MappedBlock& /*block*/, At /*at*/) {
     return {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
 }
 template <class D, class At>
-HWY_INLINE Three<hn::Vec<D>> load_profile(D d, const ProfiledBlock& block, At at) {
+HWY_INLINE Vec3<hn::Vec<D>> load_profile(D d, const ProfiledBlock& block, At at) {
     return load(d, block.profile, at);
 }
 

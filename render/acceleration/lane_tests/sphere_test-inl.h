@@ -14,7 +14,7 @@ namespace carom::render::HWY_NAMESPACE {
 /// Spheres as seen from the origin of a ray.
 template <class D>
 struct SphereLanes {
-    Three<hn::Vec<D>> to_centre;
+    Vec3<hn::Vec<D>> to_centre;
     hn::Vec<D> radius2;
 
     [[nodiscard]] HWY_INLINE LaneHits<D> hit(const RayLanes<D>& ray) const {

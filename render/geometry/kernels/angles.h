@@ -38,6 +38,12 @@ CAROM_KERNEL SinCosOf<L> sin_cos_turn(typename L::Value turns) {
             L::flip_sign(L::select(swaps, r.sine, r.cosine), sign_from((quarter + one) & two))};
 }
 
+/// Sine and cosine of an angle in rad, of a few turns at most.
+template <class L>
+CAROM_KERNEL SinCosOf<L> sin_cos(typename L::Value angle) {
+    return sin_cos_turn<L>(angle * L::all(0.5f * kInversePi));
+}
+
 /// The angle in [-pi, pi] of the finite point (x, y), rad, within 3e-7; 0 at the origin. It is the
 /// Taylor series of the arc tangent after a rotation by 0, pi/8 or pi/4, which leaves at most
 /// pi/16.

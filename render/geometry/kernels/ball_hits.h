@@ -7,8 +7,8 @@
 /// A ball with its centre at `to_centre` from the ray's origin; the direction has unit length. No
 /// ray hits a ball with a negative squared radius.
 template <class L>
-CAROM_KERNEL DistanceOf<L> hit_ball(const Three<typename L::Value>& to_centre,
-                                    const Three<typename L::Value>& direction,
+CAROM_KERNEL DistanceOf<L> hit_ball(const Vec3<typename L::Value>& to_centre,
+                                    const Vec3<typename L::Value>& direction,
                                     typename L::Value radius2, typename L::Value t_min) {
     const auto along = dot(to_centre, direction);
     const auto beside = to_centre - direction * along;

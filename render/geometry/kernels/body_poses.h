@@ -22,7 +22,8 @@ struct PieceAt {
         }
     }
 
-    [[nodiscard]] CAROM_KERNEL Three<typename L::Value> vector(const Imath::V3f& of_first) const {
+    template <class Vector>
+    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> vector(const Vector& of_first) const {
         return {place(of_first.x), place(of_first.y), place(of_first.z)};
     }
     [[nodiscard]] CAROM_KERNEL typename L::Value place(const float& of_first) const {
@@ -38,8 +39,8 @@ struct PieceAt {
 
 /// Where the body's origin is.
 template <class L>
-CAROM_KERNEL Three<typename L::Value> position_at(const MotionPieces& motion,
-                                                  typename L::Value time) {
+CAROM_KERNEL Vec3<typename L::Value> position_at(const MotionPieces& motion,
+                                                 typename L::Value time) {
     const PieceAt<L, PathPiece> at(motion.path, motion.path_count, time);
     const PathPiece& first = *motion.path;
     return point_on_path<L>(at.vector(first.c[0]), at.vector(first.c[1]), at.vector(first.c[2]),

@@ -43,16 +43,16 @@ CAROM_KERNEL BoxCrossingOf<L> cross_slabs(const SlabOf<L>& x, const SlabOf<L>& y
 }
 
 template <class L>
-CAROM_KERNEL Three<typename L::Value> finite_reciprocals(const Three<typename L::Value>& v) {
+CAROM_KERNEL Vec3<typename L::Value> finite_reciprocals(const Vec3<typename L::Value>& v) {
     return {finite_reciprocal<L>(v.x), finite_reciprocal<L>(v.y), finite_reciprocal<L>(v.z)};
 }
 
 /// A box along the axes. `inverse`: finite_reciprocals of the direction.
 template <class L>
-CAROM_KERNEL BoxCrossingOf<L> cross_box(const Three<typename L::Value>& origin,
-                                        const Three<typename L::Value>& inverse,
-                                        const Three<typename L::Value>& low,
-                                        const Three<typename L::Value>& high) {
+CAROM_KERNEL BoxCrossingOf<L> cross_box(const Vec3<typename L::Value>& origin,
+                                        const Vec3<typename L::Value>& inverse,
+                                        const Vec3<typename L::Value>& low,
+                                        const Vec3<typename L::Value>& high) {
     return cross_slabs<L>(cross_slab<L>(origin.x, inverse.x, low.x, high.x),
                           cross_slab<L>(origin.y, inverse.y, low.y, high.y),
                           cross_slab<L>(origin.z, inverse.z, low.z, high.z));

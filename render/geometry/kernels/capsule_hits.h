@@ -11,10 +11,10 @@ CAROM_KERNEL DistanceOf<L> hit_unit_capsule(const RayOf<L>& ray, typename L::Val
                                             typename L::Value half_length) {
     using V = typename L::Value;
     const V zero = L::all(0);
-    const Three<V>& d = ray.direction;
+    const Vec3<V>& d = ray.direction;
     const V length2 = dot(d, d);
     const V shift = nearest_to_centre<L>(ray, length2);
-    const Three<V> p = ray.at(shift);
+    const Vec3<V> p = ray.at(shift);
     const V a = L::larger(d.x * d.x + d.y * d.y, L::all(kMinSquaredSine) * length2);
     const V b = p.x * d.x + p.y * d.y;
     const V moment = p.x * d.y - p.y * d.x;
@@ -31,7 +31,7 @@ CAROM_KERNEL DistanceOf<L> hit_unit_capsule(const RayOf<L>& ray, typename L::Val
         const V z = p.z + d.z * on_side;
         const RayOf<L> from_end{{p.x, p.y, p.z - L::flip_sign(half_length, z)}, d};
         const V along = nearest_to_centre<L>(from_end, length2);
-        const Three<V> beside = from_end.at(along);
+        const Vec3<V> beside = from_end.at(along);
         const V in_ball = L::all(1) - dot(beside, beside);
         const V half_chord = L::root(L::larger(in_ball, zero) / length2);
         const V on_ball = along + L::flip_sign(half_chord, signed_root);

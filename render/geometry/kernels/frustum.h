@@ -20,9 +20,9 @@ CAROM_KERNEL FrustumCrossingsOf<L> cross_frustum(const RayOf<L>& ray, typename L
     const V zero = L::all(0);
     const V one = L::all(1);
     const V margin = L::all(kFrustumMargin);
-    const Three<V>& d = ray.direction;
+    const Vec3<V>& d = ray.direction;
     const V shift = nearest_to_centre<L>(ray, dot(d, d));
-    const Three<V> p = ray.at(shift);
+    const Vec3<V> p = ray.at(shift);
     const V radius = middle + slope * p.z;
     const V a = d.x * d.x + d.y * d.y - (slope * d.z) * (slope * d.z);
     const V b = p.x * d.x + p.y * d.y - slope * d.z * radius;

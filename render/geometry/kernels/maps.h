@@ -4,9 +4,9 @@
 /// Part of a ray. The direction has any length except zero, and distances are in units of it.
 template <class L>
 struct RayOf {
-    Three<typename L::Value> origin, direction;
+    Vec3<typename L::Value> origin, direction;
 
-    [[nodiscard]] CAROM_KERNEL Three<typename L::Value> at(typename L::Value t) const {
+    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> at(typename L::Value t) const {
         return origin + direction * t;
     }
 };
@@ -14,23 +14,23 @@ struct RayOf {
 /// See Affine.
 template <class L>
 struct AffineOf {
-    Three<typename L::Value> rows[3];
-    Three<typename L::Value> translation;
+    Vec3<typename L::Value> rows[3];
+    Vec3<typename L::Value> translation;
 
-    [[nodiscard]] CAROM_KERNEL Three<typename L::Value> vector(
-        const Three<typename L::Value>& v) const {
+    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> vector(
+        const Vec3<typename L::Value>& v) const {
         return rows[0] * v.x + rows[1] * v.y + rows[2] * v.z;
     }
-    [[nodiscard]] CAROM_KERNEL Three<typename L::Value> point(
-        const Three<typename L::Value>& p) const {
+    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> point(
+        const Vec3<typename L::Value>& p) const {
         return vector(p) + translation;
     }
     [[nodiscard]] CAROM_KERNEL RayOf<L> ray(const RayOf<L>& from) const {
         return {point(from.origin), vector(from.direction)};
     }
     /// What the inverse of this map does to a normal. The result has any length.
-    [[nodiscard]] CAROM_KERNEL Three<typename L::Value> inverse_normal(
-        const Three<typename L::Value>& n) const {
+    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> inverse_normal(
+        const Vec3<typename L::Value>& n) const {
         return {dot(n, rows[0]), dot(n, rows[1]), dot(n, rows[2])};
     }
 };
@@ -38,8 +38,8 @@ struct AffineOf {
 template <class L>
 CAROM_KERNEL AffineOf<L> affine_of(const Affine& map) {
     const auto row = [&](int i) CAROM_KERNEL_ATTRIBUTE {
-        return Three<typename L::Value>{L::all(map.linear[i][0]), L::all(map.linear[i][1]),
-                                        L::all(map.linear[i][2])};
+        return Vec3<typename L::Value>{L::all(map.linear[i][0]), L::all(map.linear[i][1]),
+                                       L::all(map.linear[i][2])};
     };
     return {{row(0), row(1), row(2)}, all_of<L>(map.translation)};
 }
@@ -48,16 +48,16 @@ CAROM_KERNEL AffineOf<L> affine_of(const Affine& map) {
 template <class L>
 struct TurnOf {
     typename L::Value real;
-    Three<typename L::Value> vector;
+    Vec3<typename L::Value> vector;
 
-    [[nodiscard]] CAROM_KERNEL Three<typename L::Value> apply(
-        const Three<typename L::Value>& v) const {
-        const Three<typename L::Value> t = cross(vector, v) * L::all(2);
+    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> apply(
+        const Vec3<typename L::Value>& v) const {
+        const Vec3<typename L::Value> t = cross(vector, v) * L::all(2);
         return v + t * real + cross(vector, t);
     }
-    [[nodiscard]] CAROM_KERNEL Three<typename L::Value> undo(
-        const Three<typename L::Value>& v) const {
-        const Three<typename L::Value> t = cross(v, vector) * L::all(2);
+    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> undo(
+        const Vec3<typename L::Value>& v) const {
+        const Vec3<typename L::Value> t = cross(v, vector) * L::all(2);
         return v + t * real + cross(t, vector);
     }
 };
@@ -72,7 +72,7 @@ CAROM_KERNEL TurnOf<L> operator*(const TurnOf<L>& a, const TurnOf<L>& b) {
 /// Where a body is: world from body axes.
 template <class L>
 struct PoseOf {
-    Three<typename L::Value> position;
+    Vec3<typename L::Value> position;
     TurnOf<L> turn;
 
     /// A ray of the world in the axes of the body.
@@ -83,10 +83,10 @@ struct PoseOf {
 
 /// A point on a cubic piece of a path, at the time d after its start; see PathPiece.
 template <class L>
-CAROM_KERNEL Three<typename L::Value> point_on_path(const Three<typename L::Value>& c0,
-                                                    const Three<typename L::Value>& c1,
-                                                    const Three<typename L::Value>& c2,
-                                                    const Three<typename L::Value>& c3,
-                                                    typename L::Value d) {
+CAROM_KERNEL Vec3<typename L::Value> point_on_path(const Vec3<typename L::Value>& c0,
+                                                   const Vec3<typename L::Value>& c1,
+                                                   const Vec3<typename L::Value>& c2,
+                                                   const Vec3<typename L::Value>& c3,
+                                                   typename L::Value d) {
     return c0 + (c1 + (c2 + c3 * d) * d) * d;
 }

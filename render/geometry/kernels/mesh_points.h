@@ -1,13 +1,13 @@
 // Points on triangle meshes in lanes. Included as render/lanes/kernels/vectors.h is.
 
 template <class L>
-CAROM_KERNEL Three<typename L::Value> three_at(const float* numbers, typename L::Int index) {
+CAROM_KERNEL Vec3<typename L::Value> three_at(const float* numbers, typename L::Int index) {
     const auto first = index + index + index;
     const auto x_and_y = L::gather_pair(numbers, first);
     return {x_and_y.first, x_and_y.second, L::gather(numbers, first + L::all_int(2))};
 }
 template <class L>
-CAROM_KERNEL Two<typename L::Value> two_at(const float* numbers, typename L::Int index) {
+CAROM_KERNEL Vec2<typename L::Value> two_at(const float* numbers, typename L::Int index) {
     const auto both = L::gather_pair(numbers, index + index);
     return {both.first, both.second};
 }
@@ -28,19 +28,19 @@ CAROM_KERNEL SurfacePointOf<L> point_on_mesh(const MeshArrays& mesh, typename L:
     const auto index_a = L::from_word(corners.first);
     const auto index_b = L::from_word(corners.second);
     const auto index_c = L::gather_int(mesh.triangles, first + L::all_int(2));
-    const Three<V> a = three_at<L>(mesh.vertices, index_a);
-    const Three<V> edge_b = three_at<L>(mesh.vertices, index_b) - a;
-    const Three<V> edge_c = three_at<L>(mesh.vertices, index_c) - a;
+    const Vec3<V> a = three_at<L>(mesh.vertices, index_a);
+    const Vec3<V> edge_b = three_at<L>(mesh.vertices, index_b) - a;
+    const Vec3<V> edge_c = three_at<L>(mesh.vertices, index_c) - a;
     const V w = one - u - v;
     SurfacePointOf<L> point;
     point.position = a + edge_b * u + edge_c * v;
-    const Three<V> across = cross(edge_b, edge_c);
+    const Vec3<V> across = cross(edge_b, edge_c);
     point.geometric_normal = unit<L>(across);
     point.shading_normal = point.geometric_normal;
     if (mesh.normals != nullptr) {
-        const Three<V> mixed = three_at<L>(mesh.normals, index_a) * w +
-                               three_at<L>(mesh.normals, index_b) * u +
-                               three_at<L>(mesh.normals, index_c) * v;
+        const Vec3<V> mixed = three_at<L>(mesh.normals, index_a) * w +
+                              three_at<L>(mesh.normals, index_b) * u +
+                              three_at<L>(mesh.normals, index_c) * v;
         const V length2 = dot(mixed, mixed);
         const V cosine = dot(mixed, point.geometric_normal);
         const auto exists =
@@ -54,11 +54,11 @@ CAROM_KERNEL SurfacePointOf<L> point_on_mesh(const MeshArrays& mesh, typename L:
     }
     point.uv = {u, v};
     if (mesh.uv != nullptr) {
-        const Two<V> uv_a = two_at<L>(mesh.uv, index_a);
-        const Two<V> corner_b = two_at<L>(mesh.uv, index_b);
-        const Two<V> corner_c = two_at<L>(mesh.uv, index_c);
-        const Two<V> uv_b{corner_b.x - uv_a.x, corner_b.y - uv_a.y};
-        const Two<V> uv_c{corner_c.x - uv_a.x, corner_c.y - uv_a.y};
+        const Vec2<V> uv_a = two_at<L>(mesh.uv, index_a);
+        const Vec2<V> corner_b = two_at<L>(mesh.uv, index_b);
+        const Vec2<V> corner_c = two_at<L>(mesh.uv, index_c);
+        const Vec2<V> uv_b{corner_b.x - uv_a.x, corner_b.y - uv_a.y};
+        const Vec2<V> uv_c{corner_c.x - uv_a.x, corner_c.y - uv_a.y};
         point.uv = {uv_a.x + u * uv_b.x + v * uv_c.x, uv_a.y + u * uv_b.y + v * uv_c.y};
         const V area = L::root(dot(across, across));
         const auto has_area = L::is_less(zero, area);

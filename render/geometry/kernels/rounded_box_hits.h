@@ -14,14 +14,14 @@ class RoundedBoxLineOf {
 
   public:
     /// The line begins near the centre.
-    CAROM_KERNEL RoundedBoxLineOf(const RayOf<L>& line, const Three<V>& core)
+    CAROM_KERNEL RoundedBoxLineOf(const RayOf<L>& line, const Vec3<V>& core)
         : line_(line),
           core_(core),
           x_(slab(line.origin.x, line.direction.x, core.x)),
           y_(slab(line.origin.y, line.direction.y, core.y)),
           z_(slab(line.origin.z, line.direction.z, core.z)),
-          before_(L::all(std::numeric_limits<typename L::Number>::lowest())),
-          behind_(L::all(std::numeric_limits<typename L::Number>::max())) {
+          before_(L::all(-L::kLargest)),
+          behind_(L::all(L::kLargest)) {
         pass(x_.near);
         pass(x_.far);
         pass(y_.near);
@@ -59,8 +59,8 @@ class RoundedBoxLineOf {
         const auto beyond = [](V x, V core) CAROM_KERNEL_ATTRIBUTE {
             return x - L::smaller(L::larger(x, L::opposite_sign(core)), core);
         };
-        const Three<V> p = line_.at(t);
-        const Three<V> out{beyond(p.x, core_.x), beyond(p.y, core_.y), beyond(p.z, core_.z)};
+        const Vec3<V> p = line_.at(t);
+        const Vec3<V> out{beyond(p.x, core_.x), beyond(p.y, core_.y), beyond(p.z, core_.z)};
         const V slope = dot(out, line_.direction);
         const Mask is_outside = L::is_less(L::all(1), dot(out, out));
         before_ = L::select(L::both(is_outside, L::is_less(slope, L::all(0))),
@@ -81,14 +81,14 @@ class RoundedBoxLineOf {
         const auto along = [&](const Side& side, V direction) CAROM_KERNEL_ATTRIBUTE {
             return L::select(L::either(side.is_before, side.is_behind), direction, zero);
         };
-        const Three<V>& p = line_.origin;
-        const Three<V>& d = line_.direction;
+        const Vec3<V>& p = line_.origin;
+        const Vec3<V>& d = line_.direction;
         const RayOf<L> counted{
             {from(x, p.x, d.x, core_.x), from(y, p.y, d.y, core_.y), from(z, p.z, d.z, core_.z)},
             {along(x, d.x), along(y, d.y), along(z, d.z)}};
         const V length2 = dot(counted.direction, counted.direction);
         const V middle = nearest_to_centre<L>(counted, length2);
-        const Three<V> beside = counted.at(middle);
+        const Vec3<V> beside = counted.at(middle);
         const V in_ball = L::all(1) - dot(beside, beside);
         const V half_chord = L::root(L::larger(in_ball, zero) / length2);
         return L::select(L::is_at_most(zero, in_ball), middle + in_or_out * half_chord,
@@ -96,14 +96,14 @@ class RoundedBoxLineOf {
     }
 
     RayOf<L> line_;
-    Three<V> core_;
+    Vec3<V> core_;
     SlabOf<L> x_, y_, z_;  // where the line crosses the planes of the core's faces
     V before_, behind_;
 };
 
 template <class L>
 CAROM_KERNEL DistanceOf<L> hit_unit_rounded_box(const RayOf<L>& ray, typename L::Value t_min,
-                                                const Three<typename L::Value>& core) {
+                                                const Vec3<typename L::Value>& core) {
     const auto shift = nearest_to_centre<L>(ray, dot(ray.direction, ray.direction));
     const RoundedBoxLineOf<L> line({ray.at(shift), ray.direction}, core);
     const auto near = shift + line.enter();

@@ -12,9 +12,9 @@ struct TextureNeeds {
 /// texture.
 template <class L>
 CAROM_KERNEL SurfacePointOf<L> point_on_ball(const RayOf<L>& ray, typename L::Value t,
-                                             const Three<typename L::Value>& centre,
+                                             const Vec3<typename L::Value>& centre,
                                              typename L::Value radius) {
-    const Three<typename L::Value> normal = unit<L>((ray.origin - centre) + ray.direction * t);
+    const Vec3<typename L::Value> normal = unit<L>((ray.origin - centre) + ray.direction * t);
     SurfacePointOf<L> point;
     point.position = centre + normal * radius;
     point.geometric_normal = normal;
@@ -26,7 +26,7 @@ CAROM_KERNEL SurfacePointOf<L> point_on_ball(const RayOf<L>& ray, typename L::Va
 /// Sets the place on a ball's texture. `arm`: from the centre to the point, in the body's axes.
 template <class L>
 CAROM_KERNEL void set_place_on_ball(const AffineOf<L>& metres_from_body,
-                                    const Three<typename L::Value>& arm, typename L::Value radius,
+                                    const Vec3<typename L::Value>& arm, typename L::Value radius,
                                     TextureNeeds needs, SurfacePointOf<L>& point) {
     if (needs.position) {
         point.object_position = metres_from_body.vector(arm);
@@ -39,7 +39,7 @@ CAROM_KERNEL void set_place_on_ball(const AffineOf<L>& metres_from_body,
 }
 
 template <class L>
-CAROM_KERNEL void set_uv(const Two<typename L::Value>& uv, const Two<typename L::Value>& metres,
+CAROM_KERNEL void set_uv(const Vec2<typename L::Value>& uv, const Vec2<typename L::Value>& metres,
                          SurfacePointOf<L>& point) {
     point.uv = uv;
     point.uv_metres = metres;
@@ -49,8 +49,8 @@ CAROM_KERNEL void set_uv(const Two<typename L::Value>& uv, const Two<typename L:
 /// The point of a box at rest along the world's axes.
 template <class L>
 CAROM_KERNEL SurfacePointOf<L> point_on_upright_box(const RayOf<L>& ray, typename L::Value t,
-                                                    const Three<typename L::Value>& centre,
-                                                    const Three<typename L::Value>& half_size,
+                                                    const Vec3<typename L::Value>& centre,
+                                                    const Vec3<typename L::Value>& half_size,
                                                     TextureNeeds needs) {
     const FacePointOf<L> face = point_on_box<L>({ray.origin - centre, ray.direction}, t, half_size);
     SurfacePointOf<L> point;
@@ -60,10 +60,10 @@ CAROM_KERNEL SurfacePointOf<L> point_on_upright_box(const RayOf<L>& ray, typenam
     clear_texture_place<L>(point);
     point.object_position = face.position;
     if (needs.uv) {
-        const Two<typename L::Value> place = along_face<L>(face, face.position);
-        const Two<typename L::Value> half = along_face<L>(face, half_size);
-        set_uv<L>(across_square<L>(place.x / half.x, place.y / half.y),
-                  {L::all(2) * half.x, L::all(2) * half.y}, point);
+        const Vec2<typename L::Value> place = along_face<L>(face, face.position);
+        const Vec2<typename L::Value> sides = along_face<L>(face, half_size);
+        set_uv<L>(across_square<L>(place.x / sides.x, place.y / sides.y),
+                  {L::all(2) * sides.x, L::all(2) * sides.y}, point);
     }
     return point;
 }
@@ -72,9 +72,9 @@ CAROM_KERNEL SurfacePointOf<L> point_on_upright_box(const RayOf<L>& ray, typenam
 template <class L>
 struct MappedShapeOf {
     AffineOf<L> unit_from_body, body_from_unit;
-    AffineOf<L> metres_from_body;        // only for textures
-    Three<typename L::Value> half_size;  // lengths of the unit shape's axes, m; only for uv
-    Three<typename L::Value> profile;    // see UnitHitOf
+    AffineOf<L> metres_from_body;       // only for textures
+    Vec3<typename L::Value> half_size;  // lengths of the unit shape's axes, m; only for uv
+    Vec3<typename L::Value> profile;    // see UnitHitOf
 };
 
 /// The point of a unit shape that a ray hits; ray and point in the axes of the body.

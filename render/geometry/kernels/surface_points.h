@@ -4,11 +4,11 @@
 /// See SurfacePoint.
 template <class L>
 struct SurfacePointOf {
-    Three<typename L::Value> position, geometric_normal, shading_normal;
-    Three<typename L::Value> object_position;
-    Two<typename L::Value> uv;
+    Vec3<typename L::Value> position, geometric_normal, shading_normal;
+    Vec3<typename L::Value> object_position;
+    Vec2<typename L::Value> uv;
     typename L::Value uv_per_metre;
-    Two<typename L::Value> uv_metres;
+    Vec2<typename L::Value> uv_metres;
 };
 
 /// Of a surface without a texture.
@@ -23,7 +23,7 @@ CAROM_KERNEL void clear_texture_place(SurfacePointOf<L>& point) {
 
 /// u is the longitude from +x over +y, v the latitude from -z to +z; both run from 0 to 1.
 template <class L>
-CAROM_KERNEL Two<typename L::Value> longitude_latitude(const Three<typename L::Value>& p) {
+CAROM_KERNEL Vec2<typename L::Value> longitude_latitude(const Vec3<typename L::Value>& p) {
     const auto zero = L::all(0);
     const auto turns = quick_angle<L>(p.x, p.y) * L::all(1 / kTurn);
     const auto cosine = limited<L>(p.z / L::root(dot(p, p)), -1, 1);
@@ -34,8 +34,8 @@ CAROM_KERNEL Two<typename L::Value> longitude_latitude(const Three<typename L::V
 
 template <class L>
 struct FacePointOf {
-    Three<typename L::Value> position;
-    Three<typename L::Value> normal;
+    Vec3<typename L::Value> position;
+    Vec3<typename L::Value> normal;
     typename L::Mask is_x, is_z;  // the face's axis, otherwise y
 };
 
@@ -44,12 +44,12 @@ struct FacePointOf {
 /// farthest beyond.
 template <class L>
 CAROM_KERNEL FacePointOf<L> point_on_box(const RayOf<L>& ray, typename L::Value t,
-                                         const Three<typename L::Value>& half_size) {
+                                         const Vec3<typename L::Value>& half_size) {
     using V = typename L::Value;
     const V zero = L::all(0);
-    const Three<V>& origin = ray.origin;
-    const Three<V>& direction = ray.direction;
-    const Three<V> p = ray.at(t);
+    const Vec3<V>& origin = ray.origin;
+    const Vec3<V>& direction = ray.direction;
+    const Vec3<V> p = ray.at(t);
     const auto leaves = L::both(L::is_less(L::size(origin.x), half_size.x),
                                 L::both(L::is_less(L::size(origin.y), half_size.y),
                                         L::is_less(L::size(origin.z), half_size.z)));
@@ -58,8 +58,8 @@ CAROM_KERNEL FacePointOf<L> point_on_box(const RayOf<L>& ray, typename L::Value 
     const auto side_of = [&](V along) CAROM_KERNEL_ATTRIBUTE {
         return L::select(L::is_less(zero, along), turn, L::opposite_sign(turn));
     };
-    const Three<V> side{side_of(direction.x), side_of(direction.y), side_of(direction.z)};
-    const Three<V> out = side * p - half_size;
+    const Vec3<V> side{side_of(direction.x), side_of(direction.y), side_of(direction.z)};
+    const Vec3<V> out = side * p - half_size;
     const auto is_x = L::both(L::is_at_most(out.y, out.x), L::is_at_most(out.z, out.x));
     const auto is_z = L::both(L::opposite(is_x), L::is_less(out.y, out.z));
     const auto is_y = L::opposite(L::either(is_x, is_z));
@@ -78,15 +78,15 @@ CAROM_KERNEL FacePointOf<L> point_on_box(const RayOf<L>& ray, typename L::Value 
 /// Of a vector in the box's axes, the two parts along a face: after x come y and z, after y z and
 /// x, after z x and y.
 template <class L>
-CAROM_KERNEL Two<typename L::Value> along_face(const FacePointOf<L>& face,
-                                               const Three<typename L::Value>& v) {
+CAROM_KERNEL Vec2<typename L::Value> along_face(const FacePointOf<L>& face,
+                                                const Vec3<typename L::Value>& v) {
     return {L::select(face.is_x, v.y, L::select(face.is_z, v.x, v.z)),
             L::select(face.is_x, v.z, L::select(face.is_z, v.y, v.x))};
 }
 
 /// Distance by which the next ray must start off the surface, m.
 template <class L>
-CAROM_KERNEL typename L::Value offset_at(const Three<typename L::Value>& position,
+CAROM_KERNEL typename L::Value offset_at(const Vec3<typename L::Value>& position,
                                          typename L::Value bounding_radius) {
     const auto size =
         L::larger(L::larger(L::size(position.x), L::size(position.y)), L::size(position.z));

@@ -6,28 +6,28 @@ template <class L>
 struct UnitHitOf {
     RayOf<L> ray;  // in the axes of the unit shape
     typename L::Value t;
-    Three<typename L::Value> profile;    // what an affine map cannot produce (shape_list.h)
-    Three<typename L::Value> half_size;  // lengths of the unit shape's axes, m; only for uv
+    Vec3<typename L::Value> profile;    // what an affine map cannot produce (shape_list.h)
+    Vec3<typename L::Value> half_size;  // lengths of the unit shape's axes, m; only for uv
     bool needs_uv;
 };
 
 /// A point on a unit shape. Without `needs_uv`, uv and its lengths are 0.
 template <class L>
 struct UnitPointOf {
-    Three<typename L::Value> position;
-    Three<typename L::Value> normal;  // outwards, of any length
-    Two<typename L::Value> uv;
-    Two<typename L::Value> uv_metres;  // lengths over which u and v grow by 1, m
+    Vec3<typename L::Value> position;
+    Vec3<typename L::Value> normal;  // outwards, of any length
+    Vec2<typename L::Value> uv;
+    Vec2<typename L::Value> uv_metres;  // lengths over which u and v grow by 1, m
 };
 
 template <class L>
-CAROM_KERNEL Two<typename L::Value> no_uv() {
+CAROM_KERNEL Vec2<typename L::Value> no_uv() {
     return {L::all(0), L::all(0)};
 }
 
 template <class L>
 CAROM_KERNEL UnitPointOf<L> on_unit_ball(const UnitHitOf<L>& hit) {
-    const Three<typename L::Value> n = unit<L>(hit.ray.at(hit.t));
+    const Vec3<typename L::Value> n = unit<L>(hit.ray.at(hit.t));
     UnitPointOf<L> point{n, n, no_uv<L>(), no_uv<L>()};
     if (hit.needs_uv) {
         point.uv = longitude_latitude<L>(n);
@@ -42,10 +42,10 @@ CAROM_KERNEL UnitPointOf<L> on_unit_box(const UnitHitOf<L>& hit) {
     const FacePointOf<L> face = point_on_box<L>(hit.ray, hit.t, {one, one, one});
     UnitPointOf<L> point{face.position, face.normal, no_uv<L>(), no_uv<L>()};
     if (hit.needs_uv) {
-        const Two<typename L::Value> place = along_face<L>(face, face.position);
-        const Two<typename L::Value> half = along_face<L>(face, hit.half_size);
+        const Vec2<typename L::Value> place = along_face<L>(face, face.position);
+        const Vec2<typename L::Value> sides = along_face<L>(face, hit.half_size);
         point.uv = {L::all(0.5f) * (place.x + one), L::all(0.5f) * (place.y + one)};
-        point.uv_metres = {half.x * L::all(2), half.y * L::all(2)};
+        point.uv_metres = {sides.x * L::all(2), sides.y * L::all(2)};
     }
     return point;
 }
@@ -53,7 +53,7 @@ CAROM_KERNEL UnitPointOf<L> on_unit_box(const UnitHitOf<L>& hit) {
 /// A point of the plane z = 0. `uv_length`: over which u and v grow by 1, in units of the shape.
 template <class L>
 CAROM_KERNEL UnitPointOf<L> on_flat_shape(const UnitHitOf<L>& hit, typename L::Value x,
-                                          typename L::Value y, const Two<typename L::Value>& uv,
+                                          typename L::Value y, const Vec2<typename L::Value>& uv,
                                           float uv_length) {
     const auto zero = L::all(0);
     return {{x, y, zero},
@@ -64,19 +64,19 @@ CAROM_KERNEL UnitPointOf<L> on_flat_shape(const UnitHitOf<L>& hit, typename L::V
 
 /// uv across the square |x|, |y| <= 1.
 template <class L>
-CAROM_KERNEL Two<typename L::Value> across_square(typename L::Value x, typename L::Value y) {
+CAROM_KERNEL Vec2<typename L::Value> across_square(typename L::Value x, typename L::Value y) {
     return {L::all(0.5f) * (x + L::all(1)), L::all(0.5f) * (y + L::all(1))};
 }
 
 template <class L>
 CAROM_KERNEL UnitPointOf<L> on_unit_plane(const UnitHitOf<L>& hit) {
-    const Three<typename L::Value> p = hit.ray.at(hit.t);
+    const Vec3<typename L::Value> p = hit.ray.at(hit.t);
     return on_flat_shape<L>(hit, p.x, p.y, {p.x, p.y}, 1);
 }
 
 template <class L>
 CAROM_KERNEL UnitPointOf<L> on_unit_rectangle(const UnitHitOf<L>& hit) {
-    const Three<typename L::Value> p = hit.ray.at(hit.t);
+    const Vec3<typename L::Value> p = hit.ray.at(hit.t);
     const auto x = limited<L>(p.x, -1, 1);
     const auto y = limited<L>(p.y, -1, 1);
     return on_flat_shape<L>(hit, x, y, across_square<L>(x, y), 2);
@@ -84,7 +84,7 @@ CAROM_KERNEL UnitPointOf<L> on_unit_rectangle(const UnitHitOf<L>& hit) {
 
 template <class L>
 CAROM_KERNEL UnitPointOf<L> on_unit_triangle(const UnitHitOf<L>& hit) {
-    const Three<typename L::Value> p = hit.ray.at(hit.t);
+    const Vec3<typename L::Value> p = hit.ray.at(hit.t);
     const auto x = limited<L>(p.x, 0, 1);
     const auto y = L::smaller(L::larger(p.y, L::all(0)), L::all(1) - x);
     return on_flat_shape<L>(hit, x, y, {x, y}, 1);
@@ -92,7 +92,7 @@ CAROM_KERNEL UnitPointOf<L> on_unit_triangle(const UnitHitOf<L>& hit) {
 
 template <class L>
 CAROM_KERNEL UnitPointOf<L> on_unit_disk(const UnitHitOf<L>& hit) {
-    const Three<typename L::Value> p = hit.ray.at(hit.t);
+    const Vec3<typename L::Value> p = hit.ray.at(hit.t);
     const auto from_centre = L::larger(L::all(1), L::root(p.x * p.x + p.y * p.y));
     const auto x = p.x / from_centre;
     const auto y = p.y / from_centre;
@@ -130,7 +130,7 @@ CAROM_KERNEL UnitPointOf<L> on_unit_frustum(const UnitHitOf<L>& hit) {
     const V one = L::all(1);
     const V slope = hit.profile.y;
     const FrustumFaceOf<L> face(hit);
-    const Three<V> p = hit.ray.at(hit.t);
+    const Vec3<V> p = hit.ray.at(hit.t);
     const V from_axis = L::root(p.x * p.x + p.y * p.y);
     const auto off_axis = L::is_less(zero, from_axis);
     const V divisor = L::select(off_axis, from_axis, one);
@@ -147,7 +147,7 @@ CAROM_KERNEL UnitPointOf<L> on_unit_frustum(const UnitHitOf<L>& hit) {
         select<L>(face.is_cap, {zero, zero, end}, {out_x, out_y, L::opposite_sign(slope)});
     point.uv = point.uv_metres = no_uv<L>();
     if (hit.needs_uv) {
-        const Two<V> on_cap = across_square<L>(point.position.x, point.position.y);
+        const Vec2<V> on_cap = across_square<L>(point.position.x, point.position.y);
         const V turns = quick_angle<L>(out_x, out_y) * L::all(0.5f * kInversePi);
         const V longitude = L::select(L::is_less(turns, zero), turns + one, turns);
         const V height = L::all(0.5f) * (z + one);
@@ -166,14 +166,14 @@ CAROM_KERNEL UnitPointOf<L> on_unit_capsule(const UnitHitOf<L>& hit) {
     using V = typename L::Value;
     const V zero = L::all(0);
     const V half_length = hit.profile.x;
-    const Three<V> p = hit.ray.at(hit.t);
+    const Vec3<V> p = hit.ray.at(hit.t);
     const V height = L::smaller(L::larger(p.z, L::opposite_sign(half_length)), half_length);
-    const Three<V> on_axis{zero, zero, height};
-    const Three<V> normal = unit<L>(p - on_axis);
+    const Vec3<V> on_axis{zero, zero, height};
+    const Vec3<V> normal = unit<L>(p - on_axis);
     UnitPointOf<L> point{on_axis + normal, normal, no_uv<L>(), no_uv<L>()};
     if (hit.needs_uv) {
         const V pole_to_pole = L::all(2) * half_length + L::all(0.5f * kTurn);
-        const Two<V> turns = longitude_latitude<L>(normal);
+        const Vec2<V> turns = longitude_latitude<L>(normal);
         const V from_pole = height + half_length + L::all(0.5f * kTurn) * turns.y;
         point.uv = {turns.x, from_pole / pole_to_pole};
         point.uv_metres = {hit.half_size.x * L::all(kTurn), hit.half_size.z * pole_to_pole};
@@ -187,24 +187,24 @@ template <class L>
 CAROM_KERNEL UnitPointOf<L> on_unit_rounded_box(const UnitHitOf<L>& hit) {
     using V = typename L::Value;
     const V one = L::all(1);
-    const Three<V>& core = hit.profile;
-    const Three<V> p = hit.ray.at(hit.t);
+    const Vec3<V>& core = hit.profile;
+    const Vec3<V> p = hit.ray.at(hit.t);
     const auto within = [](V x, V limit) CAROM_KERNEL_ATTRIBUTE {
         return L::smaller(L::larger(x, L::opposite_sign(limit)), limit);
     };
-    const Three<V> on_core{within(p.x, core.x), within(p.y, core.y), within(p.z, core.z)};
-    const Three<V> normal = unit<L>(p - on_core);
+    const Vec3<V> on_core{within(p.x, core.x), within(p.y, core.y), within(p.z, core.z)};
+    const Vec3<V> normal = unit<L>(p - on_core);
     UnitPointOf<L> point{on_core + normal, normal, no_uv<L>(), no_uv<L>()};
     if (hit.needs_uv) {
-        const Three<V> size{L::size(normal.x), L::size(normal.y), L::size(normal.z)};
+        const Vec3<V> size{L::size(normal.x), L::size(normal.y), L::size(normal.z)};
         FacePointOf<L> face;
         face.is_x = L::both(L::is_at_most(size.y, size.x), L::is_at_most(size.z, size.x));
         face.is_z = L::both(L::opposite(face.is_x), L::is_less(size.y, size.z));
-        const Two<V> side = along_face<L>(face, core + Three<V>{one, one, one});
-        const Two<V> place = along_face<L>(face, point.position);
-        const Two<V> half = along_face<L>(face, hit.half_size);
+        const Vec2<V> side = along_face<L>(face, core + Vec3<V>{one, one, one});
+        const Vec2<V> place = along_face<L>(face, point.position);
+        const Vec2<V> sides = along_face<L>(face, hit.half_size);
         point.uv = across_square<L>(place.x / side.x, place.y / side.y);
-        point.uv_metres = {half.x * (L::all(2) * side.x), half.y * (L::all(2) * side.y)};
+        point.uv_metres = {sides.x * (L::all(2) * side.x), sides.y * (L::all(2) * side.y)};
     }
     return point;
 }

@@ -4,8 +4,8 @@
 /// What distinguishes unit shapes of the same kind.
 template <class L>
 struct UnitFormOf {
-    Three<typename L::Value> profile;  // what an affine map cannot produce (shape_list.h)
-    typename L::Value one_sided;       // rectangles: not 0 if rays from below pass
+    Vec3<typename L::Value> profile;  // what an affine map cannot produce (shape_list.h)
+    typename L::Value one_sided;      // rectangles: not 0 if rays from below pass
 };
 
 /// The first hit beyond t_min >= 0 of a ray in the axes of the unit shape.

@@ -3,8 +3,8 @@
 /// Estimate of the fraction of all directions that a ball fills (a quarter of the squared ratio of
 /// radius and distance), times its gain; 0 if the whole ball lies below the horizon of `normal`.
 template <class L>
-CAROM_KERNEL typename L::Value ball_share(const Three<typename L::Value>& to_ball,
-                                          const Three<typename L::Value>& normal,
+CAROM_KERNEL typename L::Value ball_share(const Vec3<typename L::Value>& to_ball,
+                                          const Vec3<typename L::Value>& normal,
                                           typename L::Number bounding_radius,
                                           typename L::Number radius2, typename L::Number gain) {
     const auto height = dot(to_ball, normal) + L::all(bounding_radius);

@@ -75,7 +75,7 @@ HWY_INLINE int shade_by_light(const DistributedStep& step, const DistributedLane
     const F share = all(kInversePi / static_cast<float>(count));
     for (int j = 0; j < count; ++j, ++k) {
         const LightLanes found =
-            sample(step.scene, light, place, lattice_point<Lanes>(u, j, count), v.valid);
+            sample(step.scene, light, place, lattice_point<Lanes>(u, j, count));
         const M is_above = hn::And(hn::Gt(dot(v.normal, found.direction), all(0.f)),
                                    hn::Gt(dot(v.geometric_normal, found.direction), all(0.f)));
         const M shines = hn::And(hn::And(v.valid, found.valid), is_above);

@@ -18,84 +18,11 @@ namespace carom::render::HWY_NAMESPACE {
 
 using LightLanes = LightSampleOf<Lanes>;
 
-/// The lanes of a vector one by one, for lights without vector code.
-struct LanesAtOnce {
-    alignas(64) float x[16], y[16], z[16];
-
-    HWY_INLINE explicit LanesAtOnce(const F3& v) {
-        hn::Store(v.x, FloatTag(), x);
-        hn::Store(v.y, FloatTag(), y);
-        hn::Store(v.z, FloatTag(), z);
-    }
-    LanesAtOnce() = default;
-    [[nodiscard]] V3f get(int i) const { return {x[i], y[i], z[i]}; }
-    void set(int i, const V3f& v) {
-        x[i] = v.x;
-        y[i] = v.y;
-        z[i] = v.z;
-    }
-    HWY_INLINE F3 lanes() const {
-        return {hn::Load(FloatTag(), x), hn::Load(FloatTag(), y), hn::Load(FloatTag(), z)};
-    }
-};
-
 /// Where light is gathered.
 struct PlaceLanes {
     F3 position;
     F time;
 };
-
-/// A list of lanes, as one number each: above 0 where `mask` holds.
-HWY_INLINE void list_lanes(M mask, float* is_wanted) {
-    hn::Store(select(mask, all(1.f), all(0.f)), FloatTag(), is_wanted);
-}
-
-inline HWY_ATTR F importance_one_by_one(const LightSet& lights, std::size_t light,
-                                        const PlaceLanes& place, const F3& normal, M wanted) {
-    const LanesAtOnce points(place.position);
-    const LanesAtOnce normals(normal);
-    alignas(64) float values[16] = {};
-    alignas(64) float is_wanted[16], times[16];
-    list_lanes(wanted, is_wanted);
-    hn::Store(place.time, FloatTag(), times);
-    for (int i = 0; i < lane_count(); ++i) {
-        if (is_wanted[i] > 0) {
-            values[i] = lights.importance(light, points.get(i), normals.get(i), times[i]);
-        }
-    }
-    return hn::Load(FloatTag(), values);
-}
-
-inline HWY_ATTR LightLanes sample_one_by_one(const LightSet& lights, std::size_t light,
-                                             const PlaceLanes& place, const V2& u, M wanted) {
-    const LanesAtOnce points(place.position);
-    alignas(64) float u_x[16], u_y[16], is_wanted[16], times[16];
-    hn::Store(u.x, FloatTag(), u_x);
-    hn::Store(u.y, FloatTag(), u_y);
-    hn::Store(place.time, FloatTag(), times);
-    list_lanes(wanted, is_wanted);
-    LanesAtOnce directions, radiances;
-    alignas(64) float distances[16], pdfs[16], valid[16];
-    for (int i = 0; i < lane_count(); ++i) {
-        directions.set(i, V3f(0, 0, 1));
-        radiances.set(i, V3f(0, 0, 0));
-        distances[i] = pdfs[i] = 1;
-        valid[i] = 0;
-        if (is_wanted[i] <= 0) {
-            continue;
-        }
-        if (const auto sample =
-                lights.sample(light, points.get(i), V2f(u_x[i], u_y[i]), times[i])) {
-            directions.set(i, sample->direction);
-            radiances.set(i, lights.radiance(light, *sample));
-            distances[i] = sample->distance;
-            pdfs[i] = sample->pdf;
-            valid[i] = 1;
-        }
-    }
-    return {directions.lanes(), hn::Load(FloatTag(), distances), hn::Load(FloatTag(), pdfs),
-            radiances.lanes(), hn::Gt(hn::Load(FloatTag(), valid), all(0.f))};
-}
 
 /// The body of an emissive object at each path's time.
 struct BodyLanes {
@@ -127,12 +54,13 @@ HWY_INLINE BodyLanes body_at(const WaveLight& light, F time) {
 }
 
 HWY_INLINE F importance(const WaveScene& scene, std::size_t light, const PlaceLanes& place,
-                        const F3& normal, M wanted) {
+                        const F3& normal) {
     const WaveLight& known = scene.light[light];
     switch (known.kind) {
         case WaveLight::Kind::area:
             return importance_of_area_light<Lanes>(known.area, place.position, normal);
         case WaveLight::Kind::environment:
+        case WaveLight::Kind::dark_environment:
             return all(scene.environment_importance);
         case WaveLight::Kind::delta:
             return importance_of_delta_light<Lanes>(known.delta, place.position, normal);
@@ -143,13 +71,11 @@ HWY_INLINE F importance(const WaveScene& scene, std::size_t light, const PlaceLa
         }
         case WaveLight::Kind::flat_object: {
             const BodyLanes body = body_at(known, place.time);
-            return importance_of_object<Lanes>(known.importance, body.point(place.position),
+            return importance_of_object<Lanes>(known.surface.importance, body.point(place.position),
                                                body.vector(normal));
         }
-        case WaveLight::Kind::other:
-            break;
     }
-    return importance_one_by_one(*scene.lights, light, place, normal, wanted);
+    return all(0.f);
 }
 
 HWY_INLINE LightLanes sample_environment(const EnvironmentPicture& sky, const V2& u) {
@@ -159,16 +85,19 @@ HWY_INLINE LightLanes sample_environment(const EnvironmentPicture& sky, const V2
 }
 
 /// Not inlined: the shapes' code is long.
-inline HWY_NOINLINE HWY_ATTR LightLanes sample_curved_object(const WaveLight& light,
-                                                             const PlaceLanes& place, const V2& u) {
+inline HWY_NOINLINE HWY_ATTR LightLanes sample_object(const WaveLight& light,
+                                                      const PlaceLanes& place, const V2& u) {
     const BodyLanes body = body_at(light, place.time);
-    LightLanes found = sample_shape<Lanes>(light.shape, body.point(place.position), u);
+    const F3 point = body.point(place.position);
+    LightLanes found = light.kind == WaveLight::Kind::flat_object
+                           ? sample_surface<Lanes>(light.surface, point, u)
+                           : sample_shape<Lanes>(light.shape, point, u);
     found.direction = body.to_world(found.direction);
     return found;
 }
 
 HWY_INLINE LightLanes sample(const WaveScene& scene, std::size_t light, const PlaceLanes& place,
-                             const V2& u, M wanted) {
+                             const V2& u) {
     const WaveLight& known = scene.light[light];
     switch (known.kind) {
         case WaveLight::Kind::area:
@@ -178,12 +107,16 @@ HWY_INLINE LightLanes sample(const WaveScene& scene, std::size_t light, const Pl
         case WaveLight::Kind::delta:
             return sample_delta_light<Lanes>(known.delta, place.position);
         case WaveLight::Kind::curved_object:
-            return sample_curved_object(known, place, u);
         case WaveLight::Kind::flat_object:
-        case WaveLight::Kind::other:
+            return sample_object(known, place, u);
+        case WaveLight::Kind::dark_environment:
             break;
     }
-    return sample_one_by_one(*scene.lights, light, place, u, wanted);
+    LightLanes none;
+    none.valid = hn::MaskFromVec(hn::Zero(FloatTag()));
+    none.direction = none.radiance = all(V3f(0, 0, 0));
+    none.distance = none.pdf = all(1.f);
+    return none;
 }
 
 /// Writes the `k`th shadow ray of vertices: `radiance` arrives in the lanes `is_lit` unless
@@ -214,12 +147,12 @@ struct ChoiceLanes {
 };
 
 HWY_INLINE ChoiceLanes choose_light(const WaveScene& scene, const PlaceLanes& place,
-                                    const F3& normal, F u, M wanted) {
+                                    const F3& normal, F u) {
     const IntTag di;
     ChoiceLanes choice{hn::Set(di, -1), all(0.f), all(0.f), u};
     F chosen = all(0.f);
     for (std::size_t light = 0; light < scene.light.size(); ++light) {
-        const F weight = importance(scene, light, place, normal, wanted);
+        const F weight = importance(scene, light, place, normal);
         const M counts = hn::Gt(weight, all(0.f));
         choice.total = select(counts, choice.total + weight, choice.total);
         const F probability = weight / choice.total;

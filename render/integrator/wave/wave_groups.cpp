@@ -42,8 +42,8 @@ WaveGroup make_group(const TransportScene& scene, const SceneObject& object, boo
     if (const auto& glass = material.layers().glass) {
         group.absorption = glass->absorption;
     }
-    group.has_texture = !std::holds_alternative<V3f>(*group.texture);
-    group.needs_uv = std::holds_alternative<ImageParameters>(*group.texture);
+    group.has_texture = group.texture->kind != TextureKind::plain;
+    group.needs_uv = group.texture->kind == TextureKind::image;
     if (group.kind == WaveGroup::Kind::mesh) {
         group.mesh = arrays_of(*object.mesh);
         group.metres_from_world = object.metres_from_world;

@@ -13,7 +13,7 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
     light.is_round = lights.is_round(index);
     if (lights.is_environment(index)) {
         const bool has_light = lights.environment().picture().distribution.density != nullptr;
-        light.kind = has_light ? WaveLight::Kind::environment : WaveLight::Kind::other;
+        light.kind = has_light ? WaveLight::Kind::environment : WaveLight::Kind::dark_environment;
         return light;
     }
     if (lights.is_delta(index)) {
@@ -29,7 +29,7 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
             light.shape = shape->constants();
         } else {
             light.kind = WaveLight::Kind::flat_object;
-            light.importance = object.flat()->importance_constants();
+            light.surface = object.flat()->constants();
         }
         return light;
     }
@@ -80,7 +80,6 @@ AlbedoNumbers WaveMaterials::tables() const {
 
 WaveScene make_wave_scene(const TransportScene& scene) {
     WaveScene known;
-    known.lights = &scene.lights;
     for (std::size_t light = 0; light < scene.lights.sampled_count(); ++light) {
         known.light.push_back(known_light(scene.lights, light));
     }

@@ -16,14 +16,14 @@ namespace carom::render {
 
 /// A light for the kernels.
 struct WaveLight {
-    enum class Kind { area, environment, delta, curved_object, flat_object, other };
-    Kind kind = Kind::other;
+    enum class Kind { area, environment, delta, curved_object, flat_object, dark_environment };
+    Kind kind = Kind::dark_environment;
     int samples = 1;  // at a path's first vertex
     bool is_round = false;
     AreaLightConstants area;
     DeltaLightConstants delta;
     EmissiveShapeConstants shape;         // of a curved object
-    ObjectImportance importance;          // of a flat object
+    EmissiveSurfaceConstants surface;     // of a flat object
     const RigidMotion* motion = nullptr;  // of an object that moves
 
     /// Whether the orientation of its body matters.
@@ -63,7 +63,6 @@ struct WaveMaterials {
 
 /// What the kernels need to know about a scene.
 struct WaveScene {
-    const LightSet* lights = nullptr;
     std::vector<WaveLight> light;  // by the light's number in LightSet
     float environment_importance = 0;
     std::optional<EnvironmentPicture> sky;  // of a sampled environment

@@ -74,7 +74,7 @@ HWY_INLINE F environment_sample_count(const WaveStep& step, const VertexLanes& v
     }
     F total = all(0.f);
     for (std::size_t light = 0; light < step.scene.light.size(); ++light) {
-        total = total + importance(step.scene, light, place_of(v), v.bsdf.frame.z, v.scatters);
+        total = total + importance(step.scene, light, place_of(v), v.bsdf.frame.z);
     }
     const F fraction =
         all(step.scene.environment_importance) / (all(kFullSamplingFraction) * total);
@@ -104,8 +104,7 @@ HWY_INLINE int sample_environment(const WaveStep& step, const VertexLanes& v, st
             point = {select(v.shows_gloss, shifted.x, rest), select(v.shows_gloss, shifted.y, u.y)};
         }
         const M now = j == 0 ? wanted : v.shows_gloss;
-        add_shadow_rays(step, v, sample(step.scene, light, place_of(v), point, now), expected, now,
-                        k);
+        add_shadow_rays(step, v, sample(step.scene, light, place_of(v), point), expected, now, k);
     }
     return k;
 }
@@ -139,8 +138,8 @@ HWY_INLINE void sample_all_lights(const WaveStep& step, VertexLanes& v,
         if (known.is_environment()) {
             k = sample_environment(step, v, light, u, k);
         } else {
-            add_shadow_rays(step, v, sample(step.scene, light, place_of(v), u, v.scatters),
-                            all(1.f), v.scatters, k++);
+            add_shadow_rays(step, v, sample(step.scene, light, place_of(v), u), all(1.f),
+                            v.scatters, k++);
         }
     }
 }
@@ -148,8 +147,7 @@ HWY_INLINE void sample_all_lights(const WaveStep& step, VertexLanes& v,
 /// Samples one light, chosen by importance, at later vertices.
 HWY_INLINE void sample_one_light(const WaveStep& step, VertexLanes& v, const V2& u) {
     const FloatTag d;
-    const ChoiceLanes choice =
-        choose_light(step.scene, place_of(v), v.bsdf.frame.z, u.x, v.scatters);
+    const ChoiceLanes choice = choose_light(step.scene, place_of(v), v.bsdf.frame.z, u.x);
     v.total_importance = select(v.scatters, choice.total, all(0.f));
     LightLanes found{v.bsdf.frame.z, all(0.f), all(1.f), all(V3f(0, 0, 0)), no_lanes()};
     for (std::size_t light = 0; light < step.scene.light.size(); ++light) {
@@ -159,7 +157,7 @@ HWY_INLINE void sample_one_light(const WaveStep& step, VertexLanes& v, const V2&
         if (hn::AllFalse(d, takes)) {
             continue;
         }
-        const LightLanes one = sample(step.scene, light, place_of(v), {choice.u, u.y}, takes);
+        const LightLanes one = sample(step.scene, light, place_of(v), {choice.u, u.y});
         found.direction = select(takes, one.direction, found.direction);
         found.distance = select(takes, one.distance, found.distance);
         found.pdf = select(takes, one.pdf, found.pdf);

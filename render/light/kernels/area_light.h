@@ -2,9 +2,12 @@
 
 /// Radiance on a surface for a direction with this density of `sample`: RectangleEmitter::gain.
 template <class L, class Light>
-CAROM_KERNEL Three<typename L::Value> radiance_of(const Light& light, typename L::Value pdf) {
-    const Three<typename L::Value> radiance = all_of<L>(light.radiance);
-    return light.has_falloff ? radiance : radiance * (L::all(kPi) * pdf);
+CAROM_KERNEL Vec3<typename L::Value> radiance_of(const Light& light, typename L::Value pdf) {
+    const Vec3<typename L::Value> radiance = all_of<L>(light.radiance);
+    if (light.has_falloff) {
+        return radiance;
+    }
+    return radiance * (L::all(kPi) * pdf);
 }
 
 /// Cosine towards a light's centre for an importance estimate; 0 if the whole light lies below the
@@ -18,11 +21,11 @@ CAROM_KERNEL typename L::Value surface_cosine(typename L::Value cosine, typename
 /// Not valid behind the light.
 template <class L>
 CAROM_KERNEL LightSampleOf<L> sample_rectangle(const RectangleConstants& light,
-                                               const Three<typename L::Value>& point,
-                                               const Two<typename L::Value>& u) {
+                                               const Vec3<typename L::Value>& point,
+                                               const Vec2<typename L::Value>& u) {
     const auto a = L::all(2) * u.x - L::all(1);
     const auto b = L::all(2) * u.y - L::all(1);
-    const Three<typename L::Value> to_light =
+    const Vec3<typename L::Value> to_light =
         all_of<L>(light.centre) + all_of<L>(light.edge_u) * a + all_of<L>(light.edge_v) * b - point;
     const auto height = L::opposite_sign(dot(to_light, all_of<L>(light.normal)));
     const auto valid = L::is_less(L::all(0), height);
@@ -35,9 +38,9 @@ CAROM_KERNEL LightSampleOf<L> sample_rectangle(const RectangleConstants& light,
 
 template <class L>
 CAROM_KERNEL typename L::Value importance_of_rectangle(const RectangleConstants& light,
-                                                       const Three<typename L::Value>& point,
-                                                       const Three<typename L::Value>& normal) {
-    const Three<typename L::Value> to_light = all_of<L>(light.centre) - point;
+                                                       const Vec3<typename L::Value>& point,
+                                                       const Vec3<typename L::Value>& normal) {
+    const Vec3<typename L::Value> to_light = all_of<L>(light.centre) - point;
     const auto distance2 = L::larger(dot(to_light, to_light), L::all(1e-12f));
     const auto distance = L::root(distance2);
     const auto height = L::opposite_sign(dot(to_light, all_of<L>(light.normal)));
@@ -57,28 +60,28 @@ CAROM_KERNEL typename L::Value importance_of_rectangle(const RectangleConstants&
 /// Not valid within the sphere.
 template <class L>
 CAROM_KERNEL LightSampleOf<L> sample_sphere_light(const SphereConstants& light,
-                                                  const Three<typename L::Value>& point,
-                                                  const Two<typename L::Value>& u) {
-    const Three<typename L::Value> to_light = all_of<L>(light.centre) - point;
+                                                  const Vec3<typename L::Value>& point,
+                                                  const Vec2<typename L::Value>& u) {
+    const Vec3<typename L::Value> to_light = all_of<L>(light.centre) - point;
     const auto radius = L::all(light.radius);
     const auto distance2 = dot(to_light, to_light);
     const auto distance = L::root(distance2);
     const auto one_minus_cos = one_minus_cos_of_sphere<L>(radius, distance);
-    const Three<typename L::Value> local = sample_cone<L>(u, one_minus_cos);
-    const auto sine2 = local.x * local.x + local.y * local.y;
+    const Vec3<typename L::Value> in_cone = sample_cone<L>(u, one_minus_cos);
+    const auto sine2 = in_cone.x * in_cone.x + in_cone.y * in_cone.y;
     // Distance along the direction from the sphere's near side to the point closest to its centre.
     const auto inside = L::root(L::larger(L::all(0), radius * radius - distance2 * sine2));
     const BasisOf<L> basis = basis_around<L>(to_light * (L::all(1) / distance));
     const auto pdf = L::all(1) / (L::all(kTurn) * one_minus_cos);
-    return {unit<L>(basis.to_world(local)), L::larger(L::all(0), distance * local.z - inside), pdf,
-            radiance_of<L>(light, pdf), L::is_less(radius * radius, distance2)};
+    return {unit<L>(basis.to_world(in_cone)), L::larger(L::all(0), distance * in_cone.z - inside),
+            pdf, radiance_of<L>(light, pdf), L::is_less(radius * radius, distance2)};
 }
 
 template <class L>
 CAROM_KERNEL typename L::Value importance_of_sphere(const SphereConstants& light,
-                                                    const Three<typename L::Value>& point,
-                                                    const Three<typename L::Value>& normal) {
-    const Three<typename L::Value> to_light = all_of<L>(light.centre) - point;
+                                                    const Vec3<typename L::Value>& point,
+                                                    const Vec3<typename L::Value>& normal) {
+    const Vec3<typename L::Value> to_light = all_of<L>(light.centre) - point;
     const auto distance = L::larger(L::root(dot(to_light, to_light)), L::all(1e-6f));
     const auto radius = L::all(light.radius);
     const auto solid_angle = light.has_falloff
@@ -91,8 +94,8 @@ CAROM_KERNEL typename L::Value importance_of_sphere(const SphereConstants& light
 
 template <class L>
 CAROM_KERNEL LightSampleOf<L> sample_area_light(const AreaLightConstants& light,
-                                                const Three<typename L::Value>& point,
-                                                const Two<typename L::Value>& u) {
+                                                const Vec3<typename L::Value>& point,
+                                                const Vec2<typename L::Value>& u) {
     switch (light.kind) {
         case AreaLightConstants::Kind::rectangle:
             return sample_rectangle<L>(light.rectangle, point, u);
@@ -104,8 +107,8 @@ CAROM_KERNEL LightSampleOf<L> sample_area_light(const AreaLightConstants& light,
 
 template <class L>
 CAROM_KERNEL typename L::Value importance_of_area_light(const AreaLightConstants& light,
-                                                        const Three<typename L::Value>& point,
-                                                        const Three<typename L::Value>& normal) {
+                                                        const Vec3<typename L::Value>& point,
+                                                        const Vec3<typename L::Value>& normal) {
     switch (light.kind) {
         case AreaLightConstants::Kind::rectangle:
             return importance_of_rectangle<L>(light.rectangle, point, normal);

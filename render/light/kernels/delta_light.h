@@ -15,18 +15,18 @@ CAROM_KERNEL typename L::Value cone_fraction(const DeltaLightConstants& light,
 
 template <class L>
 CAROM_KERNEL LightSampleOf<L> sample_delta_light(const DeltaLightConstants& light,
-                                                 const Three<typename L::Value>& point) {
+                                                 const Vec3<typename L::Value>& point) {
     const auto pdf = L::all(kDeltaPdf);
     if (light.is_parallel) {
         const auto zero = L::all(0);
-        return {all_of<L>(-light.direction), L::all(kInfinity), pdf,
-                all_of<L>(light.power * kDeltaPdf), L::is_equal(zero, zero)};
+        return {all_of<L>(light.direction) * L::all(-1), L::all(kInfinity), pdf,
+                all_of<L>(light.power) * pdf, L::is_equal(zero, zero)};
     }
-    const Three<typename L::Value> to_light = all_of<L>(light.position) - point;
+    const Vec3<typename L::Value> to_light = all_of<L>(light.position) - point;
     const auto distance2 = dot(to_light, to_light);
     const auto distance = L::root(distance2);
     const auto exists = L::is_less(L::all(1e-9f), distance);
-    const Three<typename L::Value> towards =
+    const Vec3<typename L::Value> towards =
         to_light * (L::all(1) / L::select(exists, distance, L::all(1)));
     const auto fraction =
         cone_fraction<L>(light, L::opposite_sign(dot(towards, all_of<L>(light.direction))));
@@ -36,11 +36,11 @@ CAROM_KERNEL LightSampleOf<L> sample_delta_light(const DeltaLightConstants& ligh
             L::both(exists, L::is_less(L::all(0), fraction))};
 }
 
-/// See DeltaLight::importance.
+/// Luminous irradiance of a surface, including the cosine.
 template <class L>
 CAROM_KERNEL typename L::Value importance_of_delta_light(const DeltaLightConstants& light,
-                                                         const Three<typename L::Value>& point,
-                                                         const Three<typename L::Value>& normal) {
+                                                         const Vec3<typename L::Value>& point,
+                                                         const Vec3<typename L::Value>& normal) {
     const LightSampleOf<L> found = sample_delta_light<L>(light, point);
     // A light at the horizon's edge keeps a small importance, because normals are interpolated.
     const auto cosine = dot(found.direction, normal);

@@ -5,9 +5,9 @@
 /// 0 only where the whole object lies below the horizon. The orientation of its faces is left out.
 template <class L>
 CAROM_KERNEL typename L::Value importance_of_object(const ObjectImportance& object,
-                                                    const Three<typename L::Value>& point,
-                                                    const Three<typename L::Value>& normal) {
-    const Three<typename L::Value> to_light = all_of<L>(object.centre) - point;
+                                                    const Vec3<typename L::Value>& point,
+                                                    const Vec3<typename L::Value>& normal) {
+    const Vec3<typename L::Value> to_light = all_of<L>(object.centre) - point;
     const auto distance2 = L::larger(dot(to_light, to_light), L::all(1e-12f));
     const auto distance = L::root(distance2);
     const auto cosine = dot(to_light, normal) / distance;
@@ -21,8 +21,8 @@ CAROM_KERNEL typename L::Value importance_of_object(const ObjectImportance& obje
 
 template <class L>
 CAROM_KERNEL typename L::Value importance_of_shape(const EmissiveShapeConstants& shape,
-                                                   const Three<typename L::Value>& point,
-                                                   const Three<typename L::Value>& normal) {
+                                                   const Vec3<typename L::Value>& point,
+                                                   const Vec3<typename L::Value>& normal) {
     return shape.kind == EmissiveShapeConstants::Kind::sphere
                ? importance_of_sphere<L>(shape.sphere, point, normal)
                : importance_of_object<L>(shape.importance, point, normal);
@@ -31,9 +31,9 @@ CAROM_KERNEL typename L::Value importance_of_shape(const EmissiveShapeConstants&
 /// A point of a unit shape's surface.
 template <class L>
 struct UnitSampleOf {
-    Three<typename L::Value> position;
-    Three<typename L::Value> normal;  // unit, outward
-    typename L::Value density;        // per area of the unit shape, if the point faces the receiver
+    Vec3<typename L::Value> position;
+    Vec3<typename L::Value> normal;  // unit, outward
+    typename L::Value density;       // per area of the unit shape, if the point faces the receiver
 };
 
 /// A part of the surface in each lane, and the number that chose it, used again.
@@ -69,7 +69,7 @@ CAROM_KERNEL PartOf<L> choose_part(const EmissiveShapeConstants& shape, int coun
 /// The parts of a frustum: side, top, bottom.
 template <class L>
 CAROM_KERNEL UnitSampleOf<L> sample_unit_frustum(const EmissiveShapeConstants& shape,
-                                                 const Two<typename L::Value>& u) {
+                                                 const Vec2<typename L::Value>& u) {
     using V = typename L::Value;
     const float middle = shape.profile.x;
     const float slope = shape.profile.y;
@@ -85,11 +85,11 @@ CAROM_KERNEL UnitSampleOf<L> sample_unit_frustum(const EmissiveShapeConstants& s
     const auto is_side = part.is_part[0];
     const V r = L::select(is_side, radius, cap);
     const V end = L::select(part.is_part[1], L::all(1), L::all(-1));
-    const float across = 1 / std::sqrt(1 + slope * slope);
-    const V level = L::select(is_side, L::all(across), L::all(0));
+    const V across = L::all(1) / L::root(L::all(1 + slope * slope));
+    const V level = L::select(is_side, across, L::all(0));
     return {{r * angle.cosine, r * angle.sine, L::select(is_side, z, end)},
             {level * angle.cosine, level * angle.sine,
-             L::select(is_side, L::all(-slope * across), end)},
+             L::select(is_side, L::all(-slope) * across, end)},
             part.density};
 }
 
@@ -97,7 +97,7 @@ CAROM_KERNEL UnitSampleOf<L> sample_unit_frustum(const EmissiveShapeConstants& s
 /// y and z (cylinders), faces across x, y and z.
 template <class L>
 CAROM_KERNEL UnitSampleOf<L> sample_unit_rounded(const EmissiveShapeConstants& shape,
-                                                 const Two<typename L::Value>& u) {
+                                                 const Vec2<typename L::Value>& u) {
     using V = typename L::Value;
     const PartOf<L> part = choose_part<L>(shape, 7, u.x);
     const SinCosOf<L> angle = sin_cos_turn<L>(u.y);
@@ -110,51 +110,48 @@ CAROM_KERNEL UnitSampleOf<L> sample_unit_rounded(const EmissiveShapeConstants& s
     const V place =
         L::all(2) * (along - L::select(L::is_less(zero, side), L::all(-0.5f), L::all(0.5f)));
     const auto is_corner = part.is_part[0];
-    Three<V> normal{L::select(is_corner, level * angle.cosine, zero),
-                    L::select(is_corner, level * angle.sine, zero),
-                    L::select(is_corner, along, zero)};
-    Three<V> core{zero, zero, zero};
-    const auto towards = [&](V direction, float half) CAROM_KERNEL_ATTRIBUTE {
-        return L::flip_sign(L::all(half), direction);
-    };
-    const Three<V> corner{towards(normal.x, shape.profile.x), towards(normal.y, shape.profile.y),
-                          towards(normal.z, shape.profile.z)};
+    Vec3<V> normal{L::select(is_corner, level * angle.cosine, zero),
+                   L::select(is_corner, level * angle.sine, zero),
+                   L::select(is_corner, along, zero)};
+    Vec3<V> core{zero, zero, zero};
+    const Vec3<V> limits = all_of<L>(shape.profile);
+    const auto towards = [](V direction, V limit)
+                             CAROM_KERNEL_ATTRIBUTE { return L::flip_sign(limit, direction); };
+    const Vec3<V> corner{towards(normal.x, limits.x), towards(normal.y, limits.y),
+                         towards(normal.z, limits.z)};
     core = select<L>(is_corner, corner, core);
     // `a` is the edge's or the face's axis; b and c follow it.
-    const auto put = [&](int axis, V Three<V>::*a, V Three<V>::*b, V Three<V>::*c)
-                         CAROM_KERNEL_ATTRIBUTE {
-                             const float half_a = shape.profile[axis];
-                             const float half_b = shape.profile[(axis + 1) % 3];
-                             const float half_c = shape.profile[(axis + 2) % 3];
-                             const auto is_edge = part.is_part[1 + axis];
-                             normal.*b = L::select(is_edge, angle.cosine, normal.*b);
-                             normal.*c = L::select(is_edge, angle.sine, normal.*c);
-                             core.*a = L::select(is_edge, along * L::all(half_a), core.*a);
-                             core.*b = L::select(is_edge, towards(angle.cosine, half_b), core.*b);
-                             core.*c = L::select(is_edge, towards(angle.sine, half_c), core.*c);
-                             const auto is_face = part.is_part[4 + axis];
-                             normal.*a = L::select(is_face, side, normal.*a);
-                             core.*a = L::select(is_face, towards(side, half_a), core.*a);
-                             core.*b = L::select(is_face, place * L::all(half_b), core.*b);
-                             core.*c = L::select(is_face, across * L::all(half_c), core.*c);
-                         };
-    put(0, &Three<V>::x, &Three<V>::y, &Three<V>::z);
-    put(1, &Three<V>::y, &Three<V>::z, &Three<V>::x);
-    put(2, &Three<V>::z, &Three<V>::x, &Three<V>::y);
+    using Number = V Vec3<V>::*;
+    const auto put = [&](int axis, Number a, Number b, Number c) CAROM_KERNEL_ATTRIBUTE {
+        const auto is_edge = part.is_part[1 + axis];
+        normal.*b = L::select(is_edge, angle.cosine, normal.*b);
+        normal.*c = L::select(is_edge, angle.sine, normal.*c);
+        core.*a = L::select(is_edge, along * limits.*a, core.*a);
+        core.*b = L::select(is_edge, towards(angle.cosine, limits.*b), core.*b);
+        core.*c = L::select(is_edge, towards(angle.sine, limits.*c), core.*c);
+        const auto is_face = part.is_part[4 + axis];
+        normal.*a = L::select(is_face, side, normal.*a);
+        core.*a = L::select(is_face, towards(side, limits.*a), core.*a);
+        core.*b = L::select(is_face, place * limits.*b, core.*b);
+        core.*c = L::select(is_face, across * limits.*c, core.*c);
+    };
+    put(0, &Vec3<V>::x, &Vec3<V>::y, &Vec3<V>::z);
+    put(1, &Vec3<V>::y, &Vec3<V>::z, &Vec3<V>::x);
+    put(2, &Vec3<V>::z, &Vec3<V>::x, &Vec3<V>::y);
     return {normal + core, normal, part.density};
 }
 
 /// A direction towards a point of the surface: uniform by area in each part.
 template <class L>
 CAROM_KERNEL LightSampleOf<L> sample_shape_by_area(const EmissiveShapeConstants& shape,
-                                                   const Three<typename L::Value>& point,
-                                                   const Two<typename L::Value>& u) {
+                                                   const Vec3<typename L::Value>& point,
+                                                   const Vec2<typename L::Value>& u) {
     using V = typename L::Value;
     using Kind = EmissiveShapeConstants::Kind;
     const AffineOf<L> unit_from_body = affine_of<L>(shape.unit_from_body);
     UnitSampleOf<L> found;
     if (shape.kind == Kind::disk) {
-        const Two<V> place = sample_disk<L>(u);
+        const Vec2<V> place = sample_disk<L>(u);
         found = {{place.x, place.y, L::all(0)},
                  {L::all(0), L::all(0), L::all(1)},
                  L::all(shape.part_density[0])};
@@ -169,9 +166,9 @@ CAROM_KERNEL LightSampleOf<L> sample_shape_by_area(const EmissiveShapeConstants&
         found.position = found.position * sign;
         found.normal = found.normal * sign;
     }
-    const Three<V> to_light = affine_of<L>(shape.body_from_unit).point(found.position) - point;
+    const Vec3<V> to_light = affine_of<L>(shape.body_from_unit).point(found.position) - point;
     // The unit shape's area grows by the length of this normal times `volume_scale`.
-    const Three<V> normal = unit_from_body.inverse_normal(found.normal);
+    const Vec3<V> normal = unit_from_body.inverse_normal(found.normal);
     const V height = L::opposite_sign(dot(to_light, normal));
     const V distance2 = dot(to_light, to_light);
     const auto valid =
@@ -184,7 +181,7 @@ CAROM_KERNEL LightSampleOf<L> sample_shape_by_area(const EmissiveShapeConstants&
 
 /// 1 / sr in the axes of the unit ball, for a point outside.
 template <class L>
-CAROM_KERNEL typename L::Value unit_cone(const Three<typename L::Value>& point) {
+CAROM_KERNEL typename L::Value unit_cone(const Vec3<typename L::Value>& point) {
     return one_minus_cos_of_sphere<L>(L::all(1), L::root(dot(point, point)));
 }
 
@@ -192,14 +189,14 @@ CAROM_KERNEL typename L::Value unit_cone(const Three<typename L::Value>& point) 
 /// grow by the determinant over the cube of the length to which the map stretches the direction.
 template <class L>
 CAROM_KERNEL LightSampleOf<L> sample_ellipsoid(const EmissiveShapeConstants& shape,
-                                               const Three<typename L::Value>& point,
-                                               const Two<typename L::Value>& u) {
+                                               const Vec3<typename L::Value>& point,
+                                               const Vec2<typename L::Value>& u) {
     using V = typename L::Value;
     SphereConstants ball;
     ball.radius = 1;
     const LightSampleOf<L> found =
         sample_sphere_light<L>(ball, affine_of<L>(shape.unit_from_body).point(point), u);
-    const Three<V> direction = affine_of<L>(shape.body_from_unit).vector(found.direction);
+    const Vec3<V> direction = affine_of<L>(shape.body_from_unit).vector(found.direction);
     const V stretch = L::root(dot(direction, direction));
     return {direction * (L::all(1) / stretch), found.distance * stretch,
             found.pdf * stretch * stretch * stretch / L::all(shape.volume_scale),
@@ -209,8 +206,8 @@ CAROM_KERNEL LightSampleOf<L> sample_ellipsoid(const EmissiveShapeConstants& sha
 /// Not valid within the shape, on its surface, and where the sampled point faces away.
 template <class L>
 CAROM_KERNEL LightSampleOf<L> sample_shape(const EmissiveShapeConstants& shape,
-                                           const Three<typename L::Value>& point,
-                                           const Two<typename L::Value>& u) {
+                                           const Vec3<typename L::Value>& point,
+                                           const Vec2<typename L::Value>& u) {
     using Kind = EmissiveShapeConstants::Kind;
     LightSampleOf<L> found;
     if (shape.kind == Kind::sphere) {
@@ -228,23 +225,23 @@ CAROM_KERNEL LightSampleOf<L> sample_shape(const EmissiveShapeConstants& shape,
 /// the front, where the unit `normal` points outward.
 template <class L>
 CAROM_KERNEL typename L::Value pdf_of_shape(const EmissiveShapeConstants& shape,
-                                            const Three<typename L::Value>& point,
-                                            const Three<typename L::Value>& direction,
+                                            const Vec3<typename L::Value>& point,
+                                            const Vec3<typename L::Value>& direction,
                                             typename L::Value distance,
-                                            const Three<typename L::Value>& normal) {
+                                            const Vec3<typename L::Value>& normal) {
     using V = typename L::Value;
     using Kind = EmissiveShapeConstants::Kind;
     const V one = L::all(1);
     if (shape.kind == Kind::sphere || shape.kind == Kind::ellipsoid) {
         const bool is_round = shape.kind == Kind::sphere;
-        const Three<V> centre = all_of<L>(shape.sphere.centre);
-        const Three<V> from_centre = is_round ? (point - centre) * L::all(1 / shape.sphere.radius)
-                                              : affine_of<L>(shape.unit_from_body).point(point);
+        const Vec3<V> centre = all_of<L>(shape.sphere.centre);
+        const Vec3<V> from_centre = is_round ? (point - centre) * L::all(1 / shape.sphere.radius)
+                                             : affine_of<L>(shape.unit_from_body).point(point);
         const auto is_outside = L::is_less(one, dot(from_centre, from_centre));
         const V pdf = one / (L::all(kTurn) * unit_cone<L>(from_centre));
         V scale = one;
         if (!is_round) {
-            const Three<V> along = affine_of<L>(shape.unit_from_body).vector(direction);
+            const Vec3<V> along = affine_of<L>(shape.unit_from_body).vector(direction);
             const V shrink = L::root(dot(along, along));
             scale = one / (shrink * shrink * shrink * L::all(shape.volume_scale));
         }
@@ -252,7 +249,7 @@ CAROM_KERNEL typename L::Value pdf_of_shape(const EmissiveShapeConstants& shape,
     }
     const V cosine = L::opposite_sign(dot(direction, normal));
     const auto faces = L::is_less(L::all(0), cosine);
-    const Three<V> on_unit = affine_of<L>(shape.body_from_unit).inverse_normal(normal);
+    const Vec3<V> on_unit = affine_of<L>(shape.body_from_unit).inverse_normal(normal);
     const V size = L::root(dot(on_unit, on_unit));
     V density = L::all(shape.part_density[0]);
     if (shape.kind == Kind::frustum) {
@@ -266,4 +263,64 @@ CAROM_KERNEL typename L::Value pdf_of_shape(const EmissiveShapeConstants& shape,
     const V pdf = density * size * distance * distance /
                   (L::select(faces, cosine, one) * L::all(shape.volume_scale));
     return L::select(faces, pdf, L::all(0));
+}
+
+/// A direction towards a point of flat faces, uniform by area. Not valid where the point faces
+/// away.
+template <class L>
+CAROM_KERNEL LightSampleOf<L> sample_surface(const EmissiveSurfaceConstants& surface,
+                                             const Vec3<typename L::Value>& point,
+                                             const Vec2<typename L::Value>& u) {
+    using V = typename L::Value;
+    const V zero = L::all(0);
+    const V one = L::all(1);
+    // The triangle within whose part of the area u.x lies, by bisection.
+    auto index = L::all_int(0);
+    auto last = L::all_int(surface.count - 1);
+    for (;;) {
+        const auto is_open = L::is_less_int(index, last);
+        if (L::none(is_open)) {
+            break;
+        }
+        const auto middle = index + L::template shifted_right_int<1>(last - index);
+        const auto ends_above = L::is_less(u.x, L::gather(surface.area_cdf, middle));
+        last = L::select_int(L::both(is_open, ends_above), middle, last);
+        index =
+            L::select_int(L::both(is_open, L::opposite(ends_above)), middle + L::all_int(1), index);
+    }
+    const auto previous = L::larger_int(index - L::all_int(1), L::all_int(0));
+    const V before = L::select(L::is_less_int(L::all_int(0), index),
+                               L::gather(surface.area_cdf, previous), zero);
+    const V fraction = L::gather(surface.area_cdf, index) - before;
+    const auto has_area = L::is_less(zero, fraction);
+    const V rest = L::select(
+        has_area,
+        limited<L>((u.x - before) / L::select(has_area, fraction, one), 0, kOneMinusEpsilon),
+        L::all(0.5f));
+    const auto number = L::product(index, 9);
+    const auto corner = [&](int first) CAROM_KERNEL_ATTRIBUTE {
+        return Vec3<V>{L::gather(surface.corners + first, number),
+                       L::gather(surface.corners + first + 1, number),
+                       L::gather(surface.corners + first + 2, number)};
+    };
+    const Vec3<V> a = corner(0);
+    const Vec3<V> b = corner(3);
+    const Vec3<V> c = corner(6);
+    // Uniform over the triangle (Turk 1990, "Generating random points in triangles").
+    const V root = L::root(rest);
+    const Vec3<V> to_light = a * (one - root) + b * (root * (one - u.y)) + c * (root * u.y) - point;
+    const auto over = [](const Vec3<V>& v, V length) CAROM_KERNEL_ATTRIBUTE {
+        return Vec3<V>{v.x / length, v.y / length, v.z / length};
+    };
+    const Vec3<V> normal = cross(b - a, c - a);
+    const V size = L::root(dot(normal, normal));
+    const V distance = L::root(dot(to_light, to_light));
+    const auto is_apart = L::is_less(L::all(1e-9f), distance);
+    const V divisor = L::select(is_apart, distance, one);
+    const V height = dot(to_light, over(normal, L::select(L::is_less(zero, size), size, one)));
+    const V cosine = L::opposite_sign(height) / divisor;
+    const auto valid = L::both(is_apart, L::is_less(zero, cosine));
+    return {over(to_light, divisor), divisor,
+            divisor * divisor / (L::select(valid, cosine, one) * L::all(surface.area)),
+            all_of<L>(surface.radiance), valid};
 }

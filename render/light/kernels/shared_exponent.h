@@ -2,7 +2,7 @@
 // render/lanes/kernels/vectors.h is.
 
 template <class L>
-CAROM_KERNEL Three<typename L::Value> shared_exponent_value(typename L::Word bits) {
+CAROM_KERNEL Vec3<typename L::Value> shared_exponent_value(typename L::Word bits) {
     const auto mask = L::all_word(511);
     const auto exponent = L::template shifted_right<27>(bits) + L::all_word(127 - 24);
     const auto scale = L::from_bits(L::from_word(L::template shifted_left<23>(exponent)));

@@ -3,9 +3,9 @@
 
 template <class L>
 struct BaseDirectionOf {
-    Three<typename L::Value> wi;  // may be below the surface
-    typename L::Mask is_delta;    // by a specular lobe
-    typename L::Mask valid;       // there is a lobe
+    Vec3<typename L::Value> wi;  // may be below the surface
+    typename L::Mask is_delta;   // by a specular lobe
+    typename L::Mask valid;      // there is a lobe
 };
 
 /// Chooses a lobe but glass and a direction of it by the numbers `u`. `choose_facets`: the
@@ -14,8 +14,8 @@ template <class L>
 CAROM_KERNEL BaseDirectionOf<L> sample_base_direction(const LayersOf<L>& layers,
                                                       const LobesOf<L>& lobes,
                                                       typename L::Value choose_facets,
-                                                      const Three<typename L::Value>& wo,
-                                                      Two<typename L::Value> u) {
+                                                      const Vec3<typename L::Value>& wo,
+                                                      Vec2<typename L::Value> u) {
     using V = typename L::Value;
     const V zero = L::all(0);
     const V one = L::all(1);
@@ -31,7 +31,7 @@ CAROM_KERNEL BaseDirectionOf<L> sample_base_direction(const LayersOf<L>& layers,
     to.is_delta = none;
     to.valid = L::is_less(zero, lobes.choose_diffuse);
     auto by_facets = none;
-    Three<V> of_facets{L::opposite_sign(wo.x), L::opposite_sign(wo.y), wo.z};  // mirrored
+    Vec3<V> of_facets{L::opposite_sign(wo.x), L::opposite_sign(wo.y), wo.z};  // mirrored
     if (lobes.any_facets) {
         by_facets = takes(choose_facets);
         const auto is_rough = L::is_less(zero, layers.alpha);

@@ -5,10 +5,10 @@
 /// Directions in "local" axes are in those of `frame`.
 template <class L>
 struct BsdfOf {
-    Three<typename L::Value> geometric_normal;  // on the viewer's side
-    BasisOf<L> frame;                           // around the shading normal, likewise
-    Three<typename L::Value> wo;                // local, towards the viewer, z > 0
-    Three<typename L::Value> base;              // albedo, or reflectance of the metal
+    Vec3<typename L::Value> geometric_normal;  // on the viewer's side
+    BasisOf<L> frame;                          // around the shading normal, likewise
+    Vec3<typename L::Value> wo;                // local, towards the viewer, z > 0
+    Vec3<typename L::Value> base;              // albedo, or reflectance of the metal
     LayersOf<L> layers;
     LobesOf<L> lobes;
     GlassLobeOf<L> glass;   // set if layers.any_glass
@@ -29,10 +29,10 @@ struct BsdfOf {
 /// axes. Both normals are on the viewer's side, which is behind the surface in the lanes
 /// `from_behind`.
 template <class L>
-CAROM_KERNEL void complete(BsdfOf<L>& bsdf, const Three<typename L::Value>& base,
-                           const Three<typename L::Value>& geometric_normal,
-                           const Three<typename L::Value>& normal,
-                           const Three<typename L::Value>& viewer, typename L::Mask from_behind) {
+CAROM_KERNEL void complete(BsdfOf<L>& bsdf, const Vec3<typename L::Value>& base,
+                           const Vec3<typename L::Value>& geometric_normal,
+                           const Vec3<typename L::Value>& normal,
+                           const Vec3<typename L::Value>& viewer, typename L::Mask from_behind) {
     const LayersOf<L>& layers = bsdf.layers;
     const auto zero = L::all(0);
     const auto none = L::is_less(zero, zero);
@@ -107,15 +107,15 @@ CAROM_KERNEL LobeKindsOf<L> kinds_of_lobes(const BsdfOf<L>& bsdf) {
     return kinds;
 }
 
-/// `local`, with a height at which the lobes of the viewer's side have values, in the lanes
-/// `passes`.
+/// The local direction `wi`, with a height at which the lobes of the viewer's side have values, in
+/// the lanes `passes`.
 template <class L>
-CAROM_KERNEL Three<typename L::Value> on_viewers_side(const BsdfOf<L>& bsdf,
-                                                      const Three<typename L::Value>& local,
-                                                      typename L::Mask passes) {
+CAROM_KERNEL Vec3<typename L::Value> on_viewers_side(const BsdfOf<L>& bsdf,
+                                                     const Vec3<typename L::Value>& wi,
+                                                     typename L::Mask passes) {
     return bsdf.any_transmits
-               ? Three<typename L::Value>{local.x, local.y, L::select(passes, L::all(1), local.z)}
-               : local;
+               ? Vec3<typename L::Value>{wi.x, wi.y, L::select(passes, L::all(1), wi.z)}
+               : wi;
 }
 
 template <class L>
@@ -127,16 +127,19 @@ CAROM_KERNEL LobeValueOf<L> without(typename L::Mask mask, const LobeValueOf<L>&
 /// The coat's value for the local direction `wi`, which is beyond the surface in the lanes
 /// `passes`.
 template <class L>
-CAROM_KERNEL LobeValueOf<L> coat_towards(const BsdfOf<L>& bsdf, const Three<typename L::Value>& wi,
+CAROM_KERNEL LobeValueOf<L> coat_towards(const BsdfOf<L>& bsdf, const Vec3<typename L::Value>& wi,
                                          typename L::Mask passes) {
     const LobeValueOf<L> value =
         coat_towards<L>(bsdf.layers, bsdf.lobes, bsdf.wo, on_viewers_side<L>(bsdf, wi, passes));
-    return bsdf.any_transmits ? without<L>(passes, value) : value;
+    if (bsdf.any_transmits) {
+        return without<L>(passes, value);
+    }
+    return value;
 }
 
 /// Likewise of the layers below the coat, or of a phong surface.
 template <class L>
-CAROM_KERNEL LobeValueOf<L> base_towards(const BsdfOf<L>& bsdf, const Three<typename L::Value>& wi,
+CAROM_KERNEL LobeValueOf<L> base_towards(const BsdfOf<L>& bsdf, const Vec3<typename L::Value>& wi,
                                          typename L::Mask passes) {
     const LobesOf<L>& lobes = bsdf.lobes;
     LobeValueOf<L> sum = base_towards<L>(bsdf.layers, lobes, bsdf.base, bsdf.wo,
@@ -147,7 +150,7 @@ CAROM_KERNEL LobeValueOf<L> base_towards(const BsdfOf<L>& bsdf, const Three<type
     if (bsdf.layers.any_glass) {
         const auto one = L::all(1);
         const GlassValueOf<L> glass = glass_towards<L>(bsdf.glass, bsdf.wo, wi, passes);
-        const Three<typename L::Value> tint =
+        const Vec3<typename L::Value> tint =
             select<L>(passes, bsdf.layers.glass.tint, {one, one, one});
         sum.value = sum.value + tint * (lobes.glass * glass.value);
         sum.pdf = sum.pdf + lobes.choose_glass * glass.pdf;
@@ -178,7 +181,7 @@ struct SideOf {
 /// A direction counts only if the geometric and the shading normal agree on its side; `height` is
 /// its cosine to the latter.
 template <class L>
-CAROM_KERNEL SideOf<L> side_of(const BsdfOf<L>& bsdf, const Three<typename L::Value>& world,
+CAROM_KERNEL SideOf<L> side_of(const BsdfOf<L>& bsdf, const Vec3<typename L::Value>& world,
                                typename L::Value height) {
     const auto zero = L::all(0);
     const auto side = dot(bsdf.geometric_normal, world);
@@ -194,18 +197,18 @@ CAROM_KERNEL SideOf<L> side_of(const BsdfOf<L>& bsdf, const Three<typename L::Va
 /// A direction of one part of the surface.
 template <class L>
 struct DirectionOf {
-    Three<typename L::Value> wi;      // local
-    Three<typename L::Value> world;   // unit
-    Three<typename L::Value> weight;  // value / pdf; of a delta lobe its reflectance over its
-                                      // probability
-    typename L::Value pdf;            // of one direction
+    Vec3<typename L::Value> wi;      // local
+    Vec3<typename L::Value> world;   // unit
+    Vec3<typename L::Value> weight;  // value / pdf; of a delta lobe its reflectance over its
+                                     // probability
+    typename L::Value pdf;           // of one direction
     typename L::Mask is_delta;
     typename L::Mask passes;  // through the surface
     typename L::Mask valid;
 };
 
 template <class L>
-CAROM_KERNEL Three<typename L::Value> mirrored(const BsdfOf<L>& bsdf) {
+CAROM_KERNEL Vec3<typename L::Value> mirrored(const BsdfOf<L>& bsdf) {
     return {L::opposite_sign(bsdf.wo.x), L::opposite_sign(bsdf.wo.y), bsdf.wo.z};
 }
 
@@ -225,7 +228,7 @@ CAROM_KERNEL typename L::Value after_choice(const BsdfOf<L>& bsdf, typename L::M
 template <class L>
 CAROM_KERNEL DirectionOf<L> sample_coat(const BsdfOf<L>& bsdf, typename L::Mask splits,
                                         typename L::Mask takes_coat,
-                                        const Two<typename L::Value>& u) {
+                                        const Vec2<typename L::Value>& u) {
     const auto zero = L::all(0);
     const LobesOf<L>& lobes = bsdf.lobes;
     DirectionOf<L> to;
@@ -267,7 +270,7 @@ CAROM_KERNEL typename L::Value base_probability(const BsdfOf<L>& bsdf, typename 
 template <class L>
 CAROM_KERNEL DirectionOf<L> choose_base_direction(const BsdfOf<L>& bsdf,
                                                   typename L::Value probability,
-                                                  Two<typename L::Value> u) {
+                                                  Vec2<typename L::Value> u) {
     const auto zero = L::all(0);
     const auto one = L::all(1);
     const LobesOf<L>& lobes = bsdf.lobes;
@@ -283,8 +286,8 @@ CAROM_KERNEL DirectionOf<L> choose_base_direction(const BsdfOf<L>& bsdf,
         u.x = L::select(remaps, remap_sample<L>(u.x, lobes.choose_glass), u.x);
         choose_facets = choose_facets / L::select(remaps, one - lobes.choose_glass, one);
     }
-    const Two<typename L::Value> of_glass = u;
-    PhongDirectionOf<L> phong;
+    const Vec2<typename L::Value> of_glass = u;
+    PhongDirectionOf<L> phong{to.weight, to.weight, to.passes, to.passes, to.passes};
     if (bsdf.layers.any_phong) {
         phong = sample_phong<L>(bsdf.phong, u);
     }
@@ -299,7 +302,7 @@ CAROM_KERNEL DirectionOf<L> choose_base_direction(const BsdfOf<L>& bsdf,
         to.is_delta = L::select_mask(by_glass, L::opposite(bsdf.glass.is_rough), to.is_delta);
         to.valid = L::select_mask(by_glass, glass.valid, to.valid);
         to.passes = L::both(by_glass, L::is_less(glass.wi.z, zero));
-        const Three<typename L::Value> tint =
+        const Vec3<typename L::Value> tint =
             select<L>(to.passes, bsdf.layers.glass.tint, {one, one, one});
         const auto weight = lobes.glass / (probability * lobes.choose_glass);
         to.weight = select<L>(by_glass, tint * weight, to.weight);
@@ -317,19 +320,19 @@ CAROM_KERNEL DirectionOf<L> choose_base_direction(const BsdfOf<L>& bsdf,
 /// A direction of the layers below the coat, or of a phong surface.
 template <class L>
 CAROM_KERNEL DirectionOf<L> sample_base(const BsdfOf<L>& bsdf, typename L::Mask splits,
-                                        const Two<typename L::Value>& u) {
+                                        const Vec2<typename L::Value>& u) {
     const auto zero = L::all(0);
     const auto one = L::all(1);
     const LobesOf<L>& lobes = bsdf.lobes;
     const auto probability = base_probability<L>(bsdf, splits);
     DirectionOf<L> to = choose_base_direction<L>(bsdf, probability, u);
-    const Three<typename L::Value> of_delta = to.weight;
+    const Vec3<typename L::Value> of_delta = to.weight;
     const LobeValueOf<L> base = base_towards<L>(bsdf, to.wi, to.passes);
     to.pdf = probability * base.pdf;
     // The diffuse lobe alone is sampled in proportion to its value, so that its albedo remains.
     to.weight = lobes.diffuse * (one / probability);
     if (bsdf.any_glossy()) {
-        Three<typename L::Value> value = base.value;
+        Vec3<typename L::Value> value = base.value;
         auto pdf = to.pdf;
         auto is_lambert = lobes.is_diffuse;
         const auto mixes = L::both(L::opposite(splits), lobes.has_rough_coat);

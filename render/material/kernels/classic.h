@@ -4,13 +4,13 @@
 /// PhongModel of the material in each lane, and its emission.
 template <class L>
 struct ClassicOf {
-    Three<typename L::Value> emission, ambient;
+    Vec3<typename L::Value> emission, ambient;
     typename L::Value has_ambient, diffuse_fraction;
-    Three<typename L::Value> specular;
+    Vec3<typename L::Value> specular;
     typename L::Value shininess;
-    Three<typename L::Value> reflectance;
+    Vec3<typename L::Value> reflectance;
     typename L::Value metal;
-    Three<typename L::Value> transmittance;
+    Vec3<typename L::Value> transmittance;
     typename L::Value index;
     // Of reflection and transmission: standard deviation of the angle, and
     // gaussian_within_a_quarter_turn of it.
@@ -20,10 +20,11 @@ struct ClassicOf {
     /// Calls `visit` with each number, always in the same order.
     template <class Classic, class Visit>
     CAROM_KERNEL static void each_number(Classic& model, const Visit& visit) {
-        for (auto* colour : {&model.emission, &model.ambient, &model.specular, &model.reflectance,
-                             &model.transmittance}) {
-            each_number_of(*colour, visit);
-        }
+        each_number_of(model.emission, visit);
+        each_number_of(model.ambient, visit);
+        each_number_of(model.specular, visit);
+        each_number_of(model.reflectance, visit);
+        each_number_of(model.transmittance, visit);
         visit(model.has_ambient);
         visit(model.diffuse_fraction);
         visit(model.shininess);
@@ -35,29 +36,29 @@ struct ClassicOf {
         visit(model.transmittance_most);
     }
 
-    [[nodiscard]] CAROM_KERNEL Three<typename L::Value> diffuse_colour(
-        const Three<typename L::Value>& base) const {
+    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> diffuse_colour(
+        const Vec3<typename L::Value>& base) const {
         return base * diffuse_fraction;
     }
-    [[nodiscard]] CAROM_KERNEL Three<typename L::Value> ambient_colour(
-        const Three<typename L::Value>& base) const {
+    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> ambient_colour(
+        const Vec3<typename L::Value>& base) const {
         return select<L>(L::is_less(L::all(0), has_ambient), ambient, diffuse_colour(base));
     }
-    [[nodiscard]] CAROM_KERNEL Three<typename L::Value> reflectance_colour(
-        const Three<typename L::Value>& base) const {
+    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> reflectance_colour(
+        const Vec3<typename L::Value>& base) const {
         return reflectance + base * metal;
     }
 };
 
 /// The part of the irradiance over pi that goes from the unit direction `wi` to `wo`; world axes.
 template <class L>
-CAROM_KERNEL Three<typename L::Value> classic_towards(const ClassicOf<L>& model,
-                                                      const Three<typename L::Value>& base,
-                                                      const Three<typename L::Value>& normal,
-                                                      const Three<typename L::Value>& wo,
-                                                      const Three<typename L::Value>& wi) {
+CAROM_KERNEL Vec3<typename L::Value> classic_towards(const ClassicOf<L>& model,
+                                                     const Vec3<typename L::Value>& base,
+                                                     const Vec3<typename L::Value>& normal,
+                                                     const Vec3<typename L::Value>& wo,
+                                                     const Vec3<typename L::Value>& wi) {
     const auto zero = L::all(0);
-    Three<typename L::Value> sum = model.diffuse_colour(base) * dot(normal, wi);
+    Vec3<typename L::Value> sum = model.diffuse_colour(base) * dot(normal, wi);
     const auto highlight = dot(reflect<L>(wi, normal), wo);
     const auto shines =
         L::both(L::is_less(zero, highlight), L::is_less(zero, largest<L>(model.specular)));
@@ -72,8 +73,8 @@ CAROM_KERNEL Three<typename L::Value> classic_towards(const ClassicOf<L>& model,
 /// Rays of one kind that leave a surface around one direction.
 template <class L>
 struct ClassicLobeOf {
-    Three<typename L::Value> axis;    // unit, world
-    Three<typename L::Value> colour;  // factor on the light that they bring
+    Vec3<typename L::Value> axis;    // unit, world
+    Vec3<typename L::Value> colour;  // factor on the light that they bring
 };
 
 /// Reflection, and refraction by Snell's law: at total reflection what would pass is reflected.
@@ -86,25 +87,24 @@ struct ClassicLobesOf {
 /// `refracts`: whether refracted rays are sent at all.
 template <class L>
 CAROM_KERNEL ClassicLobesOf<L> classic_lobes(const ClassicOf<L>& model,
-                                             const Three<typename L::Value>& base,
-                                             const Three<typename L::Value>& geometric_normal,
-                                             const Three<typename L::Value>& normal,
-                                             const Three<typename L::Value>& wo,
+                                             const Vec3<typename L::Value>& base,
+                                             const Vec3<typename L::Value>& geometric_normal,
+                                             const Vec3<typename L::Value>& normal,
+                                             const Vec3<typename L::Value>& wo,
                                              typename L::Mask from_behind, bool refracts) {
     using V = typename L::Value;
     const V zero = L::all(0);
     const V one = L::all(1);
-    const Three<V> black{zero, zero, zero};
+    const Vec3<V> black{zero, zero, zero};
     ClassicLobesOf<L> lobes;
     lobes.reflection = {reflect<L>(wo, normal), model.reflectance_colour(base)};
-    lobes.refraction = {Three<V>{zero, zero, zero} - wo, black};
+    lobes.refraction = {Vec3<V>{zero, zero, zero} - wo, black};
     if (refracts) {
         const V eta = L::select(from_behind, model.index, one / model.index);
         const V cosine = dot(normal, wo);
         const V cosine2 = one - eta * eta * (one - cosine * cosine);
         const auto passes = L::is_less(zero, cosine2);
-        const Three<V> bent =
-            normal * (eta * cosine - L::root(L::larger(cosine2, zero))) - wo * eta;
+        const Vec3<V> bent = normal * (eta * cosine - L::root(L::larger(cosine2, zero))) - wo * eta;
         lobes.refraction.axis = select<L>(passes, unit<L>(bent), lobes.refraction.axis);
         lobes.refraction.colour = select<L>(passes, model.transmittance, black);
         lobes.reflection.colour =

@@ -18,9 +18,10 @@ CAROM_KERNEL typename L::Value fresnel_dielectric(typename L::Value cosine, type
 /// Reflectance of a metal with the reflectance `f0` at normal incidence (Schlick 1994, "An
 /// inexpensive BRDF model for physically-based rendering", eq. 15).
 template <class L>
-CAROM_KERNEL Three<typename L::Value> fresnel_schlick(typename L::Value cosine,
-                                                      const Three<typename L::Value>& f0) {
+CAROM_KERNEL Vec3<typename L::Value> fresnel_schlick(typename L::Value cosine,
+                                                     const Vec3<typename L::Value>& f0) {
     const auto rest = limited<L>(L::all(1) - cosine, 0, 1);
     const auto rest2 = rest * rest;
-    return f0 + (all_of<L>(V3f(1, 1, 1)) - f0) * (rest2 * rest2 * rest);
+    const auto one = L::all(1);
+    return f0 + (Vec3<typename L::Value>{one, one, one} - f0) * (rest2 * rest2 * rest);
 }

@@ -5,14 +5,14 @@
 /// The refracted direction on the far side of a facet `m`, with w.m > 0 and `index` of the far side
 /// over that of `w`; (0, 0, 0) at total reflection (Walter 2007, eq. 40).
 template <class L>
-CAROM_KERNEL Three<typename L::Value> refracted_at(const Three<typename L::Value>& w,
-                                                   const Three<typename L::Value>& m,
-                                                   typename L::Value index) {
+CAROM_KERNEL Vec3<typename L::Value> refracted_at(const Vec3<typename L::Value>& w,
+                                                  const Vec3<typename L::Value>& m,
+                                                  typename L::Value index) {
     const auto zero = L::all(0);
     const auto cosine = dot(w, m);
     const auto inverse = L::all(1) / index;
     const auto through2 = L::all(1) - inverse * inverse * (L::all(1) - cosine * cosine);
-    const Three<typename L::Value> bent =
+    const Vec3<typename L::Value> bent =
         m * (inverse * cosine - L::root(L::larger(through2, zero))) - w * inverse;
     return select<L>(L::is_less(zero, through2), bent, {zero, zero, zero});
 }
@@ -40,7 +40,7 @@ struct GlassLobeOf {
 template <class L>
 CAROM_KERNEL GlassLobeOf<L> glass_lobe(const GlassOf<L>& glass, const AlbedoNumbers& tables,
                                        typename L::Int first, typename L::Mask is_inside,
-                                       const Three<typename L::Value>& wo) {
+                                       const Vec3<typename L::Value>& wo) {
     const auto one = L::all(1);
     GlassLobeOf<L> lobe;
     lobe.is_rough = L::is_less(L::all(0), glass.alpha);
@@ -75,8 +75,8 @@ struct GlassValueOf {
 /// For light from `wi`, beyond the surface in the lanes `passes`. Both are 0 for a smooth surface.
 template <class L>
 CAROM_KERNEL GlassValueOf<L> glass_towards(const GlassLobeOf<L>& lobe,
-                                           const Three<typename L::Value>& wo,
-                                           const Three<typename L::Value>& wi,
+                                           const Vec3<typename L::Value>& wo,
+                                           const Vec3<typename L::Value>& wi,
                                            typename L::Mask passes) {
     const auto zero = L::all(0);
     const auto one = L::all(1);
@@ -84,9 +84,9 @@ CAROM_KERNEL GlassValueOf<L> glass_towards(const GlassLobeOf<L>& lobe,
         return {zero, zero};
     }
     const GgxOf<L> ggx(lobe.alpha);
-    const Three<typename L::Value> half = wo + wi;
-    const Three<typename L::Value> bent = wo + wi * lobe.index;
-    Three<typename L::Value> m = select<L>(passes, bent, half);
+    const Vec3<typename L::Value> between = wo + wi;
+    const Vec3<typename L::Value> bent = wo + wi * lobe.index;
+    Vec3<typename L::Value> m = select<L>(passes, bent, between);
     const auto length = L::root(dot(m, m));
     const auto exists = L::is_at_most(L::all(1e-6f), length);
     m = m * (L::flip_sign(one, m.z) / L::select(exists, length, one));
@@ -112,7 +112,7 @@ CAROM_KERNEL GlassValueOf<L> glass_towards(const GlassLobeOf<L>& lobe,
 
 template <class L>
 struct GlassDirectionOf {
-    Three<typename L::Value> wi;
+    Vec3<typename L::Value> wi;
     typename L::Mask valid;
 };
 
@@ -120,17 +120,17 @@ struct GlassDirectionOf {
 /// with the probability `reflectance`, otherwise refracted.
 template <class L>
 CAROM_KERNEL GlassDirectionOf<L> sample_glass(const GlassLobeOf<L>& lobe,
-                                              const Three<typename L::Value>& wo,
-                                              const Two<typename L::Value>& u) {
+                                              const Vec3<typename L::Value>& wo,
+                                              const Vec2<typename L::Value>& u) {
     const auto zero = L::all(0);
     const auto reflects = L::is_less(u.x, lobe.reflectance);
-    Three<typename L::Value> m{zero, zero, L::all(1)};
+    Vec3<typename L::Value> m{zero, zero, L::all(1)};
     if (lobe.any_rough) {
         const GgxOf<L> ggx(lobe.alpha);
         const auto facet = ggx.sample_visible(wo, {remap_sample<L>(u.x, lobe.reflectance), u.y});
         m = select<L>(lobe.is_rough, facet, m);
     }
-    const Three<typename L::Value> wi =
+    const Vec3<typename L::Value> wi =
         select<L>(reflects, reflect<L>(wo, m), refracted_at<L>(wo, m, lobe.index));
     return {wi, L::either(L::both(reflects, L::is_less(zero, wi.z)),
                           L::both(L::opposite(reflects), L::is_less(wi.z, zero)))};

@@ -10,12 +10,12 @@
 /// where E is the coat's albedo, for a smooth coat Fresnel's F.
 template <class L>
 struct LobesOf {
-    typename L::Value coat;            // fraction that the coat reflects
-    typename L::Value coat_choice;     // probability of the coat when it or the base is chosen
-    Three<typename L::Value> diffuse;  // albedo after all layers above
-    typename L::Value facets;          // scale of metal and highlight after all layers above
-    Three<typename L::Value> metal_scale;
-    Three<typename L::Value> sheen;
+    typename L::Value coat;           // fraction that the coat reflects
+    typename L::Value coat_choice;    // probability of the coat when it or the base is chosen
+    Vec3<typename L::Value> diffuse;  // albedo after all layers above
+    typename L::Value facets;         // scale of metal and highlight after all layers above
+    Vec3<typename L::Value> metal_scale;
+    Vec3<typename L::Value> sheen;
     typename L::Value glass;  // fraction that reaches the glass below all layers
     typename L::Value choose_glass, choose_facets, choose_sheen, choose_diffuse;
     typename L::Mask is_diffuse;  // the base has no other lobe
@@ -32,19 +32,19 @@ struct LobesOf {
 
 /// Reflectance of a facet at `cosine`, metal and highlight together.
 template <class L>
-CAROM_KERNEL Three<typename L::Value> facet_reflectance(const LayersOf<L>& layers,
-                                                        const Three<typename L::Value>& metal_scale,
-                                                        const Three<typename L::Value>& base,
-                                                        typename L::Value cosine) {
+CAROM_KERNEL Vec3<typename L::Value> facet_reflectance(const LayersOf<L>& layers,
+                                                       const Vec3<typename L::Value>& metal_scale,
+                                                       const Vec3<typename L::Value>& base,
+                                                       typename L::Value cosine) {
     const auto highlight = (L::all(1) - layers.metal) * layers.specular *
                            fresnel_dielectric<L>(cosine, L::all(kSpecularIor));
     return metal_scale * fresnel_schlick<L>(cosine, base) +
-           Three<typename L::Value>{highlight, highlight, highlight};
+           Vec3<typename L::Value>{highlight, highlight, highlight};
 }
 
 /// Sets the weights of the base's lobes; `rest`: of the light, that the coat leaves.
 template <class L>
-CAROM_KERNEL void weigh_base(const LayersOf<L>& layers, const Three<typename L::Value>& base,
+CAROM_KERNEL void weigh_base(const LayersOf<L>& layers, const Vec3<typename L::Value>& base,
                              typename L::Value cosine, typename L::Mask is_inside,
                              typename L::Value rest, LobesOf<L>& lobes) {
     const auto zero = L::all(0);
@@ -108,7 +108,7 @@ CAROM_KERNEL void weigh_base(const LayersOf<L>& layers, const Three<typename L::
 
 /// `cosine`: of the viewer's direction to the normal, > 0.
 template <class L>
-CAROM_KERNEL LobesOf<L> weigh_lobes(const LayersOf<L>& layers, const Three<typename L::Value>& base,
+CAROM_KERNEL LobesOf<L> weigh_lobes(const LayersOf<L>& layers, const Vec3<typename L::Value>& base,
                                     typename L::Value cosine, typename L::Mask is_inside) {
     const auto zero = L::all(0);
     const auto one = L::all(1);
@@ -147,19 +147,19 @@ CAROM_KERNEL LobesOf<L> weigh_lobes(const LayersOf<L>& layers, const Three<typen
 /// BSDF times cosine of `wi`, and the density of sampling it.
 template <class L>
 struct LobeValueOf {
-    Three<typename L::Value> value;
+    Vec3<typename L::Value> value;
     typename L::Value pdf;
 };
 
 /// The coat's part; 0 without a rough coat.
 template <class L>
 CAROM_KERNEL LobeValueOf<L> coat_towards(const LayersOf<L>& layers, const LobesOf<L>& lobes,
-                                         const Three<typename L::Value>& wo,
-                                         const Three<typename L::Value>& wi) {
+                                         const Vec3<typename L::Value>& wo,
+                                         const Vec3<typename L::Value>& wi) {
     const auto zero = L::all(0);
     const auto alpha = L::select(lobes.has_rough_coat, layers.coat_alpha, L::all(1));
     const GgxOf<L> ggx(alpha);
-    const Three<typename L::Value> m = unit<L>(wo + wi);
+    const Vec3<typename L::Value> m = unit<L>(wo + wi);
     const auto reflected = fresnel_dielectric<L>(dot(wo, m), layers.coat_ior);
     const auto value = L::select(lobes.has_rough_coat,
                                  layers.coat_weight * reflected * ggx.reflection(wo, wi, m), zero);
@@ -170,13 +170,13 @@ CAROM_KERNEL LobeValueOf<L> coat_towards(const LayersOf<L>& layers, const LobesO
 /// The part of the layers below the coat, without glass.
 template <class L>
 CAROM_KERNEL LobeValueOf<L> base_towards(const LayersOf<L>& layers, const LobesOf<L>& lobes,
-                                         const Three<typename L::Value>& base,
-                                         const Three<typename L::Value>& wo,
-                                         const Three<typename L::Value>& wi) {
+                                         const Vec3<typename L::Value>& base,
+                                         const Vec3<typename L::Value>& wo,
+                                         const Vec3<typename L::Value>& wi) {
     const auto zero = L::all(0);
     const auto cosine = wi.z * L::all(kInversePi);
     LobeValueOf<L> result{lobes.diffuse * cosine, lobes.choose_diffuse * cosine};
-    const Three<typename L::Value> sum = wo + wi;
+    const Vec3<typename L::Value> sum = wo + wi;
     if (lobes.any_sheen) {
         const auto has_sheen = L::is_less(zero, lobes.choose_sheen);
         const auto density = sheen_reflection<L>(wo.z, wi.z, dot(sum, sum));
@@ -187,7 +187,7 @@ CAROM_KERNEL LobeValueOf<L> base_towards(const LayersOf<L>& layers, const LobesO
         const auto is_rough =
             L::both(L::is_less(zero, lobes.facets), L::is_less(zero, layers.alpha));
         const GgxOf<L> ggx(L::select(is_rough, layers.alpha, L::all(1)));
-        const Three<typename L::Value> m = unit<L>(sum);
+        const Vec3<typename L::Value> m = unit<L>(sum);
         const auto scale = L::select(is_rough, lobes.facets * ggx.reflection(wo, wi, m), zero);
         result.value = result.value +
                        facet_reflectance<L>(layers, lobes.metal_scale, base, dot(wo, m)) * scale;

@@ -5,7 +5,7 @@
 template <class L>
 struct GlassOf {
     typename L::Value ior, alpha;
-    Three<typename L::Value> tint;
+    Vec3<typename L::Value> tint;
 
     /// Calls `visit` with each number, always in the same order.
     template <class Glass, class Visit>
@@ -19,16 +19,16 @@ struct GlassOf {
 /// PhongModel of the material in each lane, as far as path tracing needs it.
 template <class L>
 struct PhongOf {
-    Three<typename L::Value> specular, reflectance, transmittance;
+    Vec3<typename L::Value> specular, reflectance, transmittance;
     typename L::Value index;  // inside over outside
     typename L::Value highlight_exponent, mirrored_exponent, through_exponent;
 
     /// Calls `visit` with each number, always in the same order.
     template <class Phong, class Visit>
     CAROM_KERNEL static void each_number(Phong& phong, const Visit& visit) {
-        for (auto* colour : {&phong.specular, &phong.reflectance, &phong.transmittance}) {
-            each_number_of(*colour, visit);
-        }
+        each_number_of(phong.specular, visit);
+        each_number_of(phong.reflectance, visit);
+        each_number_of(phong.transmittance, visit);
         visit(phong.index);
         visit(phong.highlight_exponent);
         visit(phong.mirrored_exponent);
@@ -41,7 +41,7 @@ template <class L>
 struct LayersOf {
     typename L::Value coat_weight, coat_ior, coat_alpha;
     typename L::Value sheen;
-    Three<typename L::Value> sheen_colour;
+    Vec3<typename L::Value> sheen_colour;
     typename L::Value metal, specular, alpha;
     typename L::Value transmission;  // fraction of the base that is glass
     bool any_glass, any_phong;       // false: in no lane, and these numbers are not set

@@ -4,7 +4,7 @@
 /// A lobe cos^n around an axis, on the axis' side of the surface.
 template <class L>
 struct CosineLobeOf {
-    Three<typename L::Value> albedo, axis;
+    Vec3<typename L::Value> albedo, axis;
     typename L::Value exponent;  // below 0: the axis alone
     typename L::Value kept;      // fraction of the lobe on its side of the surface
     typename L::Value probability;
@@ -21,27 +21,27 @@ struct CosineLobeOf {
     }
     /// Whether a direction is on the side of the surface towards which the lobe scatters.
     [[nodiscard]] CAROM_KERNEL typename L::Mask has_on_its_side(
-        const Three<typename L::Value>& wi) const {
+        const Vec3<typename L::Value>& wi) const {
         const auto zero = L::all(0);
         const auto is_up = L::is_less(zero, wi.z);
         const auto points_up = L::is_less(zero, axis.z);
         return L::either(L::both(is_up, points_up), L::opposite(L::either(is_up, points_up)));
     }
     /// `w` turned by half a turn about the axis.
-    [[nodiscard]] CAROM_KERNEL Three<typename L::Value> turned(
-        const Three<typename L::Value>& w) const {
+    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> turned(
+        const Vec3<typename L::Value>& w) const {
         return axis * (L::all(2) * dot(axis, w)) - w;
     }
     /// A direction. One that would be on the wrong side is turned to the opposite azimuth around
     /// the axis.
-    [[nodiscard]] CAROM_KERNEL Three<typename L::Value> sampled(
-        const Two<typename L::Value>& u) const {
+    [[nodiscard]] CAROM_KERNEL Vec3<typename L::Value> sampled(
+        const Vec2<typename L::Value>& u) const {
         const auto one = L::all(1);
         const auto cosine = power_of<L>(one - u.x, one / (exponent + one));
         const auto sine = L::root(L::larger(L::all(0), one - cosine * cosine));
         const SinCosOf<L> azimuth = sin_cos_turn<L>(u.y);
-        const Three<typename L::Value> local{sine * azimuth.cosine, sine * azimuth.sine, cosine};
-        const Three<typename L::Value> wi = unit<L>(basis_around<L>(axis).to_world(local));
+        const Vec3<typename L::Value> around_z{sine * azimuth.cosine, sine * azimuth.sine, cosine};
+        const Vec3<typename L::Value> wi = unit<L>(basis_around<L>(axis).to_world(around_z));
         const auto stays = has_on_its_side(wi);
         return select<L>(L::either(stays, is_delta()), wi, unit<L>(turned(wi)));
     }
@@ -81,20 +81,19 @@ struct PhongLobesOf {
 /// viewer is on the inside; `first`: of the material's numbers in the tables.
 template <class L>
 CAROM_KERNEL PhongLobesOf<L> weigh_phong(const PhongOf<L>& model, const AlbedoNumbers& tables,
-                                         typename L::Int first,
-                                         const Three<typename L::Value>& base,
-                                         const Three<typename L::Value>& viewer,
+                                         typename L::Int first, const Vec3<typename L::Value>& base,
+                                         const Vec3<typename L::Value>& viewer,
                                          typename L::Mask from_behind, typename L::Mask is_phong,
                                          LobesOf<L>& lobes) {
     using V = typename L::Value;
     const V zero = L::all(0);
     const V one = L::all(1);
-    const Three<V> wo = unit<L>(viewer);
-    const Three<V> mirror{L::opposite_sign(wo.x), L::opposite_sign(wo.y), wo.z};
+    const Vec3<V> wo = unit<L>(viewer);
+    const Vec3<V> mirror{L::opposite_sign(wo.x), L::opposite_sign(wo.y), wo.z};
     const V index = L::select(from_behind, one / model.index, model.index);
     const V sine2 = (one - wo.z * wo.z) / (index * index);
-    const Three<V> bent{mirror.x / index, mirror.y / index,
-                        L::opposite_sign(L::root(L::larger(zero, one - sine2)))};
+    const Vec3<V> bent{mirror.x / index, mirror.y / index,
+                       L::opposite_sign(L::root(L::larger(zero, one - sine2)))};
     PhongLobesOf<L> phong;
     phong.through.axis = select<L>(L::is_less(sine2, one), bent, mirror);
     phong.through.albedo = model.transmittance;
@@ -107,7 +106,7 @@ CAROM_KERNEL PhongLobesOf<L> weigh_phong(const PhongOf<L>& model, const AlbedoNu
     const V total =
         largest<L>(base + phong.highlight.albedo + phong.mirrored.albedo + phong.through.albedo);
     const V scale = L::select(L::is_less(one, total), one / total, one);
-    const Three<V> diffuse = base * scale;
+    const Vec3<V> diffuse = base * scale;
     V sum = largest<L>(diffuse);
     PhongLobesOf<L>::each(phong, [&](CosineLobeOf<L>& lobe) CAROM_KERNEL_ATTRIBUTE {
         lobe.albedo = lobe.albedo * scale;
@@ -134,7 +133,7 @@ CAROM_KERNEL PhongLobesOf<L> weigh_phong(const PhongOf<L>& model, const AlbedoNu
 /// directions.
 template <class L>
 CAROM_KERNEL LobeValueOf<L> phong_towards(const PhongLobesOf<L>& phong,
-                                          const Three<typename L::Value>& wi) {
+                                          const Vec3<typename L::Value>& wi) {
     const auto zero = L::all(0);
     LobeValueOf<L> result{{zero, zero, zero}, zero};
     PhongLobesOf<L>::each(phong, [&](const CosineLobeOf<L>& lobe) CAROM_KERNEL_ATTRIBUTE {
@@ -157,16 +156,16 @@ CAROM_KERNEL LobeValueOf<L> phong_towards(const PhongLobesOf<L>& phong,
 
 template <class L>
 struct PhongDirectionOf {
-    Three<typename L::Value> wi;
-    Three<typename L::Value> weight;  // of a single direction: albedo over probability
-    typename L::Mask is_taken;        // otherwise the diffuse lobe is
+    Vec3<typename L::Value> wi;
+    Vec3<typename L::Value> weight;  // of a single direction: albedo over probability
+    typename L::Mask is_taken;       // otherwise the diffuse lobe is
     typename L::Mask is_delta, valid;
 };
 
 /// Chooses one of the lobes, and otherwise remaps `u` for the diffuse one.
 template <class L>
 CAROM_KERNEL PhongDirectionOf<L> sample_phong(const PhongLobesOf<L>& phong,
-                                              Two<typename L::Value>& u) {
+                                              Vec2<typename L::Value>& u) {
     const auto zero = L::all(0);
     const auto one = L::all(1);
     const auto none = L::is_less(zero, zero);
@@ -183,7 +182,7 @@ CAROM_KERNEL PhongDirectionOf<L> sample_phong(const PhongLobesOf<L>& phong,
         u.x = L::select(L::both(exists, L::opposite(is_last)), remap_sample<L>(u.x, probability),
                         u.x);
         left = left - lobe.probability;
-        const Three<typename L::Value> wi = select<L>(lobe.is_delta(), lobe.axis, lobe.sampled(u));
+        const Vec3<typename L::Value> wi = select<L>(lobe.is_delta(), lobe.axis, lobe.sampled(u));
         to.wi = select<L>(takes, wi, to.wi);
         to.weight = select<L>(takes, lobe.albedo * (one / lobe.probability), to.weight);
         to.is_delta = L::either(to.is_delta, L::both(takes, lobe.is_delta()));

@@ -4,14 +4,14 @@
 template <class L>
 struct ResolvedOf {
     // On the viewer's side.
-    Three<typename L::Value> geometric_normal, normal;
-    Three<typename L::Value> base;
+    Vec3<typename L::Value> geometric_normal, normal;
+    Vec3<typename L::Value> base;
     typename L::Mask from_behind;
 };
 
 template <class L>
-CAROM_KERNEL Three<typename L::Value> flipped(typename L::Mask flips,
-                                              const Three<typename L::Value>& v) {
+CAROM_KERNEL Vec3<typename L::Value> flipped(typename L::Mask flips,
+                                             const Vec3<typename L::Value>& v) {
     return {L::select(flips, L::opposite_sign(v.x), v.x),
             L::select(flips, L::opposite_sign(v.y), v.y),
             L::select(flips, L::opposite_sign(v.z), v.z)};
@@ -21,17 +21,17 @@ CAROM_KERNEL Three<typename L::Value> flipped(typename L::Mask flips,
 template <class L>
 CAROM_KERNEL ResolvedOf<L> resolve_surface(const TextureData& texture, float bump,
                                            const TexturePointOf<L>& point,
-                                           const Three<typename L::Value>& shading_normal,
-                                           const Three<typename L::Value>& wo,
+                                           const Vec3<typename L::Value>& shading_normal,
+                                           const Vec3<typename L::Value>& wo,
                                            typename L::Value footprint) {
     ResolvedOf<L> surface;
     surface.from_behind = L::is_less(dot(point.geometric_normal, wo), L::all(0));
     surface.geometric_normal = flipped<L>(surface.from_behind, point.geometric_normal);
-    Three<typename L::Value> normal = flipped<L>(surface.from_behind, shading_normal);
-    Three<typename L::Value> colour;
+    Vec3<typename L::Value> normal = flipped<L>(surface.from_behind, shading_normal);
+    Vec3<typename L::Value> colour;
     if (bump > 0) {
         const TextureReliefOf<L> relief = relief_of<L>(texture, point, footprint);
-        const Three<typename L::Value> shift = relief.normal_shift * L::all(bump);
+        const Vec3<typename L::Value> shift = relief.normal_shift * L::all(bump);
         colour = relief.colour;
         normal = unit<L>(normal + shift - normal * dot(normal, shift));
     } else {

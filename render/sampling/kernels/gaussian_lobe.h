@@ -40,11 +40,13 @@ CAROM_KERNEL typename L::Value inverse_erf(typename L::Value y) {
     return y * sum;
 }
 
-/// See sample_gaussian_lobe. `most`: gaussian_within_a_quarter_turn of the spread.
+/// Unit direction about +z: the angle from the axis is |x| for a normally distributed x of standard
+/// deviation `spread` (rad, > 0), cut off at pi / 2; the azimuth is uniform. `most`:
+/// gaussian_within_a_quarter_turn of the spread.
 template <class L>
-CAROM_KERNEL Three<typename L::Value> sample_gaussian_lobe(const Two<typename L::Value>& u,
-                                                           typename L::Value spread,
-                                                           typename L::Value most) {
+CAROM_KERNEL Vec3<typename L::Value> sample_gaussian_lobe(const Vec2<typename L::Value>& u,
+                                                          typename L::Value spread,
+                                                          typename L::Value most) {
     const auto fraction = L::smaller(u.x * most, L::all(kOneMinusEpsilon));
     const auto angle =
         L::smaller(L::all(1.41421356f) * spread * inverse_erf<L>(fraction), L::all(0.5f * kPi));

@@ -1,6 +1,6 @@
 // Pixel filters in lanes. Included as render/lanes/kernels/vectors.h is.
 
-/// See PixelFilterSampler::sample: the offset along one axis, pixels.
+/// Offset from the pixel's centre along one axis, pixels; at most half the filter's width.
 template <class L>
 CAROM_KERNEL typename L::Value filter_offset(const PixelFilterTables& filter, typename L::Value u) {
     if (filter.cells == nullptr) {

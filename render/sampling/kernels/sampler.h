@@ -15,7 +15,7 @@ class SamplerOf {
     CAROM_KERNEL void get_4d(Word set, V (&u)[4]) const {
         const Word hash = hash_of_set<L>(pixel_hash_, set);
         Word coordinates[4];
-        sobol(shuffled_index<L>(reversed_sample_, hash), coordinates);
+        sobol<4>(shuffled_index<L>(reversed_sample_, hash), coordinates);
         for (int d = 0; d < 4; ++d) {
             u[d] = scrambled_coordinate<L>(coordinates[d], seed(hash, d));
         }
@@ -29,8 +29,8 @@ class SamplerOf {
         const Word shuffled = shuffled_index<L>(reversed_sample_, hash);
         // The index is 4 i: all four points are taken, so their order within the block does not
         // matter.
-        Word coordinates[4];
-        sobol(L::template shifted_right<2>(shuffled), coordinates);
+        Word coordinates[2];
+        sobol<2>(L::template shifted_right<2>(shuffled), coordinates);
         const Word seed_x = seed(hash, 0);
         const Word seed_y = seed(hash, 1);
         for (std::uint32_t k = 0; k < 4; ++k) {
@@ -46,7 +46,7 @@ class SamplerOf {
     CAROM_KERNEL void get_camera_sample(V (&u)[5]) const {
         const Word hash = hash_of_set<L>(pixel_hash_, L::all_word(detail::kCameraSet));
         Word coordinates[5];
-        sobol(reversed_sample_, coordinates);
+        sobol<5>(reversed_sample_, coordinates);
         for (int d = 0; d < 5; ++d) {
             u[d] = scrambled_coordinate<L>(coordinates[d], seed(hash, d));
         }
@@ -63,7 +63,7 @@ class SamplerOf {
     }
     /// The exclusive or over the eight nibbles of the index.
     template <int kDimensions>
-    CAROM_KERNEL static void sobol(Word reversed_index, Word (&coordinates)[kDimensions]) {
+    CAROM_KERNEL static void sobol(Word reversed_index, Word* coordinates) {
         for (int nibble = 0; nibble < 8; ++nibble) {
             const auto digit =
                 L::from_word(L::shifted_right_by(reversed_index, 4 * nibble) & L::all_word(15));

@@ -3,7 +3,7 @@
 
 /// Concentric map (Shirley and Chiu 1997, "A low distortion map between disk and square").
 template <class L>
-CAROM_KERNEL Two<typename L::Value> sample_disk(const Two<typename L::Value>& u) {
+CAROM_KERNEL Vec2<typename L::Value> sample_disk(const Vec2<typename L::Value>& u) {
     const auto a = L::all(2) * u.x - L::all(1);
     const auto b = L::all(2) * u.y - L::all(1);
     const auto is_wide = L::is_less(L::size(b), L::size(a));
@@ -19,8 +19,8 @@ CAROM_KERNEL Two<typename L::Value> sample_disk(const Two<typename L::Value>& u)
 
 /// Density cos(theta) / pi (Malley's method over the concentric disk).
 template <class L>
-CAROM_KERNEL Three<typename L::Value> sample_cosine_hemisphere(const Two<typename L::Value>& u) {
-    const Two<typename L::Value> p = sample_disk<L>(u);
+CAROM_KERNEL Vec3<typename L::Value> sample_cosine_hemisphere(const Vec2<typename L::Value>& u) {
+    const Vec2<typename L::Value> p = sample_disk<L>(u);
     const auto height2 = L::all(1) - (p.x * p.x + p.y * p.y);
     return {p.x, p.y, L::root(L::larger(L::all(0), height2))};
 }
@@ -37,8 +37,8 @@ CAROM_KERNEL typename L::Value one_minus_cos_of_sphere(typename L::Value radius,
 
 /// Uniform within the cone 1 - cos(theta) <= one_minus_cos, one_minus_cos in (0, 2].
 template <class L>
-CAROM_KERNEL Three<typename L::Value> sample_cone(const Two<typename L::Value>& u,
-                                                  typename L::Value one_minus_cos) {
+CAROM_KERNEL Vec3<typename L::Value> sample_cone(const Vec2<typename L::Value>& u,
+                                                 typename L::Value one_minus_cos) {
     const auto height = u.x * one_minus_cos;  // 1 - cos(theta)
     const auto sine = L::root(L::larger(L::all(0), height * (L::all(2) - height)));
     const SinCosOf<L> angle = sin_cos_turn<L>(u.y);
@@ -77,8 +77,8 @@ CAROM_KERNEL typename L::Value sample_trapezoid(typename L::Value u, float switc
 
 /// See warp.h.
 template <class L>
-CAROM_KERNEL Two<typename L::Value> sample_polygon(const Two<typename L::Value>& u, int blades,
-                                                   typename L::Value rotation_turns) {
+CAROM_KERNEL Vec2<typename L::Value> sample_polygon(const Vec2<typename L::Value>& u, int blades,
+                                                    typename L::Value rotation_turns) {
     const auto count = static_cast<float>(blades);
     const auto scaled = u.x * L::all(count);
     const auto blade = L::smaller(L::rounded_down(scaled), L::all(count - 1));

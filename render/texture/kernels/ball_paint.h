@@ -9,7 +9,8 @@ struct BallLook {
 
 /// a where t is 0, b where it is 1.
 template <class V>
-CAROM_KERNEL Three<V> mixed(const Three<V>& a, const Three<V>& b, const V& t) {
+CAROM_KERNEL Vec3<V> mixed(const Vec3<V>& a, const Vec3<V>& b,
+                           const typename Vec3<V>::BaseType& t) {
     return a + (b - a) * t;
 }
 
@@ -24,10 +25,10 @@ CAROM_KERNEL typename L::Value inside_circle(typename L::Value distance, float r
 }
 
 template <class L>
-CAROM_KERNEL Three<typename L::Value> with_number(const BallParameters& ball,
-                                                  const Three<typename L::Value>& below,
-                                                  const Three<typename L::Value>& direction,
-                                                  typename L::Value width) {
+CAROM_KERNEL Vec3<typename L::Value> with_number(const BallParameters& ball,
+                                                 const Vec3<typename L::Value>& below,
+                                                 const Vec3<typename L::Value>& direction,
+                                                 typename L::Value width) {
     const auto zero = L::all(0);
     const auto distance = L::root(direction.y * direction.y + direction.z * direction.z);
     const auto disc = inside_circle<L>(distance, ball.disc_radius, width);
@@ -42,32 +43,32 @@ CAROM_KERNEL Three<typename L::Value> with_number(const BallParameters& ball,
     const auto middle = L::all(0.5f);
     const auto coverage = look_up_coverage<L>(
         ball.number, {middle + right * scale, middle - direction.z * scale}, width * scale);
-    const auto ink = all_of<L>(Imath::V3f(0.012f, 0.012f, 0.013f));
+    const Vec3<typename L::Value> ink{L::all(0.012f), L::all(0.012f), L::all(0.013f)};
     const auto painted = mixed(below, mixed(all_of<L>(ball.white), ink, coverage), disc);
     return select<L>(is_on_disc, painted, below);
 }
 
 template <class L>
-CAROM_KERNEL Three<typename L::Value> with_spots(const Three<typename L::Value>& below,
-                                                 const Three<typename L::Value>& direction,
-                                                 typename L::Value width) {
+CAROM_KERNEL Vec3<typename L::Value> with_spots(const Vec3<typename L::Value>& below,
+                                                const Vec3<typename L::Value>& direction,
+                                                typename L::Value width) {
     const auto along =
         largest<L>({L::size(direction.x), L::size(direction.y), L::size(direction.z)});
     const auto distance = L::root(L::larger(L::all(1) - along * along, L::all(0)));
-    const auto spot = all_of<L>(Imath::V3f(0.52f, 0.02f, 0.018f));
+    const Vec3<typename L::Value> spot{L::all(0.52f), L::all(0.02f), L::all(0.018f)};
     return mixed(below, spot, inside_circle<L>(distance, BallLook::kSpotRadius, width));
 }
 
-/// See BallPaint::colour.
+/// `position`: in the ball's own axes, not 0; `footprint`: width of a pixel there, m.
 template <class L>
-CAROM_KERNEL Three<typename L::Value> ball_colour(const BallParameters& ball,
-                                                  const Three<typename L::Value>& position,
-                                                  typename L::Value footprint) {
+CAROM_KERNEL Vec3<typename L::Value> ball_colour(const BallParameters& ball,
+                                                 const Vec3<typename L::Value>& position,
+                                                 typename L::Value footprint) {
     const auto radius = L::root(dot(position, position));
-    const Three<typename L::Value> direction{position.x / radius, position.y / radius,
-                                             position.z / radius};
+    const Vec3<typename L::Value> direction{position.x / radius, position.y / radius,
+                                            position.z / radius};
     const auto width = limited<L>(footprint / radius, BallLook::kFinest, 2);
-    Three<typename L::Value> result = all_of<L>(ball.colour);
+    Vec3<typename L::Value> result = all_of<L>(ball.colour);
     if (ball.is_striped) {
         const auto band = inside_circle<L>(L::size(direction.z), BallLook::kBandHalfWidth, width);
         result = mixed(all_of<L>(ball.white), result, band);

@@ -16,16 +16,16 @@ CAROM_KERNEL typename L::Value wave_integral(typename L::Value x) {
 /// The mean of the square wave over `width` around x.
 template <class L>
 CAROM_KERNEL typename L::Value filtered_wave(typename L::Value x, typename L::Value width) {
-    const auto half = L::all(0.5f) * width;
-    return (wave_integral<L>(x + half) - wave_integral<L>(x - half)) / width;
+    const auto radius = L::all(0.5f) * width;
+    return (wave_integral<L>(x + radius) - wave_integral<L>(x - radius)) / width;
 }
 
-/// See CheckerPattern::colour.
+/// `normal`: of the surface, in the axes of `position`; a pixel has no width along it.
 template <class L>
-CAROM_KERNEL Three<typename L::Value> checker_colour(const CheckerParameters& checker,
-                                                     const Three<typename L::Value>& position,
-                                                     const Three<typename L::Value>& normal,
-                                                     typename L::Value footprint) {
+CAROM_KERNEL Vec3<typename L::Value> checker_colour(const CheckerParameters& checker,
+                                                    const Vec3<typename L::Value>& position,
+                                                    const Vec3<typename L::Value>& normal,
+                                                    typename L::Value footprint) {
     const auto size = L::all(checker.size);
     const auto along = [&](typename L::Value x, typename L::Value cosine) CAROM_KERNEL_ATTRIBUTE {
         const auto extent = footprint * L::root(L::larger(L::all(1) - cosine * cosine, L::all(0)));

@@ -16,19 +16,19 @@ struct ClothLook {
 
 template <class L>
 struct ClothValueOf {
-    Three<typename L::Value> colour;
-    Two<typename L::Value> slope;
+    Vec3<typename L::Value> colour;
+    Vec2<typename L::Value> slope;
 };
 
 template <class L>
 struct TilePlaceOf {
-    Two<typename L::Value> uv;
+    Vec2<typename L::Value> uv;
     typename L::Value footprint;  // in units of uv of the longer side
 };
 
 /// Where a place (m) is on a repeating tile of `width` by `height` m.
 template <class L>
-CAROM_KERNEL TilePlaceOf<L> place_on_tile(const Two<typename L::Value>& place, float width,
+CAROM_KERNEL TilePlaceOf<L> place_on_tile(const Vec2<typename L::Value>& place, float width,
                                           float height, typename L::Value footprint) {
     const float shorter = width < height ? width : height;
     return {{place.x / L::all(width), place.y / L::all(height)}, footprint / L::all(shorter)};
@@ -36,12 +36,12 @@ CAROM_KERNEL TilePlaceOf<L> place_on_tile(const Two<typename L::Value>& place, f
 
 /// The brightness of the weave, and its slope in x and in y; 0 where it is not resolved.
 template <class L>
-CAROM_KERNEL Three<typename L::Value> cloth_weave(const ClothParameters& cloth,
-                                                  const Two<typename L::Value>& place,
-                                                  typename L::Value footprint) {
+CAROM_KERNEL Vec3<typename L::Value> cloth_weave(const ClothParameters& cloth,
+                                                 const Vec2<typename L::Value>& place,
+                                                 typename L::Value footprint) {
     using Look = ClothLook;
     const auto zero = L::all(0);
-    const Three<typename L::Value> nothing{zero, zero, zero};
+    const Vec3<typename L::Value> nothing{zero, zero, zero};
     const auto weight = band_weight<L>(footprint, 1.5f * Look::kFarthest * cloth.thread);
     const auto is_seen = L::is_less(zero, weight);
     if (L::none(is_seen)) {
@@ -69,14 +69,15 @@ CAROM_KERNEL typename L::Value with_noise(typename L::Value brightness, typename
     return L::select(is_seen, brightness + part, brightness);
 }
 
-/// See ClothPattern::evaluate. What no lane can resolve is not looked up.
+/// `place`: position on the cloth, m. The mean of the colour over the whole cloth is the texture's.
+/// What no lane can resolve is not looked up.
 template <class L>
 CAROM_KERNEL_OUTLINED ClothValueOf<L> cloth_value(const ClothParameters& cloth,
-                                                  const Two<typename L::Value>& place,
+                                                  const Vec2<typename L::Value>& place,
                                                   typename L::Value footprint) {
     using Look = ClothLook;
     const auto zero = L::all(0);
-    const Three<typename L::Value> weave = cloth_weave<L>(cloth, place, footprint);
+    const Vec3<typename L::Value> weave = cloth_weave<L>(cloth, place, footprint);
     const auto nap = band_weight<L>(footprint, Look::kNapWidth);
     auto brightness =
         with_noise<L>(weave.x, L::is_less(zero, nap), L::all(Look::kNapStrength) * nap, cloth.nap,

@@ -19,7 +19,7 @@ CAROM_KERNEL typename L::Value half_value(typename L::Word bits) {
 
 /// HalfColourCodec's texel, two words long.
 template <class L>
-CAROM_KERNEL Three<typename L::Value> half_colour(typename L::Word first, typename L::Word second) {
+CAROM_KERNEL Vec3<typename L::Value> half_colour(typename L::Word first, typename L::Word second) {
     return {half_value<L>(first), half_value<L>(L::template shifted_right<16>(first)),
             half_value<L>(second)};
 }
@@ -53,7 +53,7 @@ CAROM_KERNEL typename L::Value repeated_part(typename L::Value x) {
 /// footprint, in units of uv of the longer side. Any number is safe.
 template <class L>
 CAROM_KERNEL TexelPlaceOf<L> texel_place(const PyramidTables& pyramid,
-                                         const Two<typename L::Value>& uv,
+                                         const Vec2<typename L::Value>& uv,
                                          typename L::Value footprint) {
     const auto texels = limited<L>(footprint * L::all(pyramid.longest_side), 1, 1e9f);
     const auto exponent = L::template shifted_right_int<23>(L::bits_of(texels)) - L::all_int(127);
@@ -83,11 +83,12 @@ CAROM_KERNEL T bilinear(const T& upper_left, const T& upper_right, const T& lowe
     return upper * (L::all(1) - place.fy) + lower * place.fy;
 }
 
-/// See MipPyramid::lookup.
+/// The value at `uv`, v = 0 at the top, averaged over about `footprint` (in the same unit, of the
+/// larger side), from the finest level whose texels are at least half as large.
 template <class L>
-CAROM_KERNEL Three<typename L::Value> look_up_half_colour(const PyramidTables& pyramid,
-                                                          const Two<typename L::Value>& uv,
-                                                          typename L::Value footprint) {
+CAROM_KERNEL Vec3<typename L::Value> look_up_half_colour(const PyramidTables& pyramid,
+                                                         const Vec2<typename L::Value>& uv,
+                                                         typename L::Value footprint) {
     const TexelPlaceOf<L> place = texel_place<L>(pyramid, uv, footprint);
     const auto texel = [&](typename L::Int index) CAROM_KERNEL_ATTRIBUTE {
         const auto twofold = index + index;
@@ -96,16 +97,16 @@ CAROM_KERNEL Three<typename L::Value> look_up_half_colour(const PyramidTables& p
         return half_colour<L>(words.first, words.second);
     };
     const auto one = L::all_int(1);
-    return bilinear<L, Three<typename L::Value>>(texel(place.upper), texel(place.upper + one),
-                                                 texel(place.lower), texel(place.lower + one),
-                                                 place);
+    return bilinear<L, Vec3<typename L::Value>>(texel(place.upper), texel(place.upper + one),
+                                                texel(place.lower), texel(place.lower + one),
+                                                place);
 }
 
-/// See MipPyramid::lookup, for numbers of kBits: both texels of a row are in one word. `decoded`:
+/// Likewise of numbers of kBits: both texels of a row are in one word. `decoded`:
 /// the value of a texel in a word's lower bits.
 template <class L, int kBits, class Decode>
 CAROM_KERNEL typename L::Value look_up_number(const PyramidTables& pyramid,
-                                              const Two<typename L::Value>& uv,
+                                              const Vec2<typename L::Value>& uv,
                                               typename L::Value footprint, const Decode& decoded) {
     const TexelPlaceOf<L> place = texel_place<L>(pyramid, uv, footprint);
     const auto words = [&](typename L::Int index) CAROM_KERNEL_ATTRIBUTE {
@@ -120,7 +121,7 @@ CAROM_KERNEL typename L::Value look_up_number(const PyramidTables& pyramid,
 
 template <class L>
 CAROM_KERNEL typename L::Value look_up_signed(const PyramidTables& pyramid,
-                                              const Two<typename L::Value>& uv,
+                                              const Vec2<typename L::Value>& uv,
                                               typename L::Value footprint) {
     return look_up_number<L, 16>(pyramid, uv, footprint,
                                  [](typename L::Word word)
@@ -129,7 +130,7 @@ CAROM_KERNEL typename L::Value look_up_signed(const PyramidTables& pyramid,
 
 template <class L>
 CAROM_KERNEL typename L::Value look_up_coverage(const PyramidTables& pyramid,
-                                                const Two<typename L::Value>& uv,
+                                                const Vec2<typename L::Value>& uv,
                                                 typename L::Value footprint) {
     return look_up_number<L, 8>(pyramid, uv, footprint,
                                 [](typename L::Word word)
@@ -138,7 +139,7 @@ CAROM_KERNEL typename L::Value look_up_coverage(const PyramidTables& pyramid,
 
 template <class L>
 CAROM_KERNEL typename L::Value look_up_half(const PyramidTables& pyramid,
-                                            const Two<typename L::Value>& uv,
+                                            const Vec2<typename L::Value>& uv,
                                             typename L::Value footprint) {
     return look_up_number<L, 16>(pyramid, uv, footprint,
                                  [](typename L::Word word)
@@ -147,8 +148,8 @@ CAROM_KERNEL typename L::Value look_up_half(const PyramidTables& pyramid,
 
 /// The value of a texel of the finest level.
 template <class L>
-CAROM_KERNEL Three<typename L::Value> coded_texel(const ImageTables& picture,
-                                                  typename L::Int index) {
+CAROM_KERNEL Vec3<typename L::Value> coded_texel(const ImageTables& picture,
+                                                 typename L::Int index) {
     const auto value = [&](typename L::Word code) CAROM_KERNEL_ATTRIBUTE {
         return L::gather(picture.values, L::from_word(code));
     };
@@ -173,8 +174,8 @@ CAROM_KERNEL Three<typename L::Value> coded_texel(const ImageTables& picture,
 
 /// The finest level around `uv`.
 template <class L>
-CAROM_KERNEL Three<typename L::Value> look_up_coded(const ImageTables& picture,
-                                                    const Two<typename L::Value>& uv) {
+CAROM_KERNEL Vec3<typename L::Value> look_up_coded(const ImageTables& picture,
+                                                   const Vec2<typename L::Value>& uv) {
     const auto width = L::all_int(picture.width);
     const auto height = L::all_int(picture.height);
     const auto one = L::all_int(1);
@@ -197,24 +198,24 @@ CAROM_KERNEL Three<typename L::Value> look_up_coded(const ImageTables& picture,
     const auto left_column = before(left, width);
     const auto right_column = behind(left, width);
     const TexelPlaceOf<L> place{zero, zero, x - floor_x, y - floor_y};
-    return bilinear<L, Three<typename L::Value>>(coded_texel<L>(picture, upper_row + left_column),
-                                                 coded_texel<L>(picture, upper_row + right_column),
-                                                 coded_texel<L>(picture, lower_row + left_column),
-                                                 coded_texel<L>(picture, lower_row + right_column),
-                                                 place);
+    return bilinear<L, Vec3<typename L::Value>>(coded_texel<L>(picture, upper_row + left_column),
+                                                coded_texel<L>(picture, upper_row + right_column),
+                                                coded_texel<L>(picture, lower_row + left_column),
+                                                coded_texel<L>(picture, lower_row + right_column),
+                                                place);
 }
 
-/// See ImagePyramid::lookup.
+/// See look_up_half_colour.
 template <class L>
-CAROM_KERNEL_OUTLINED Three<typename L::Value> look_up_image(const ImageTables& picture,
-                                                             const Two<typename L::Value>& uv,
-                                                             typename L::Value footprint) {
+CAROM_KERNEL_OUTLINED Vec3<typename L::Value> look_up_image(const ImageTables& picture,
+                                                            const Vec2<typename L::Value>& uv,
+                                                            typename L::Value footprint) {
     const auto from_levels = [&]() CAROM_KERNEL_ATTRIBUTE {
         if (!picture.is_grey) {
             return look_up_half_colour<L>(picture.levels, uv, footprint);
         }
         const auto grey = look_up_half<L>(picture.levels, uv, footprint);
-        return Three<typename L::Value>{grey, grey, grey};
+        return Vec3<typename L::Value>{grey, grey, grey};
     };
     if (picture.codes == nullptr) {
         return from_levels();

@@ -1,4 +1,4 @@
-// Noise of noise.h in lanes. Included as render/lanes/kernels/vectors.h is.
+// Reproducible noise from an integer hash, in lanes. Included as render/lanes/kernels/vectors.h is.
 
 /// A well-mixed permutation of 32-bit integers (C. Wellons, "Prospecting for Hash Functions", 2018:
 /// the two-round xorshift-multiply function of least bias, "lowbias32").
@@ -17,7 +17,8 @@ CAROM_KERNEL typename L::Value unit_float(typename L::Word bits) {
     return L::to_value(L::from_word(L::template shifted_right<8>(bits))) * L::all(0x1p-24f);
 }
 
-/// See noise.h.
+/// Weight of a pattern of the given period after averaging over `footprint` (same unit): 1 while
+/// the period is well resolved, 0 from two periods per three footprints on.
 template <class L>
 CAROM_KERNEL typename L::Value band_weight(typename L::Value footprint, float period) {
     // 1 up to three footprints per period, 0 from one and a half on.
@@ -26,7 +27,7 @@ CAROM_KERNEL typename L::Value band_weight(typename L::Value footprint, float pe
     return t * t * (L::all(3) - L::all(2) * t);
 }
 
-/// See noise.h.
+/// The fraction of [x - width/2, x + width/2] above 0, smoothed: an anti-aliased step.
 template <class L>
 CAROM_KERNEL typename L::Value smooth_step(typename L::Value x, typename L::Value width) {
     const auto t = limited<L>(x / width + L::all(0.5f), 0, 1);
@@ -61,7 +62,7 @@ CAROM_KERNEL typename L::Value between(typename L::Value a, typename L::Value b,
 /// twice, so that the four highest bits of the hash choose).
 template <class L>
 CAROM_KERNEL typename L::Value edge_gradient(typename L::Word hash,
-                                             const Three<typename L::Value>& offset) {
+                                             const Vec3<typename L::Value>& offset) {
     const auto zero = L::all_int(0);
     const auto bits = [&](std::uint32_t mask)
                           CAROM_KERNEL_ATTRIBUTE { return L::from_word(hash & L::all_word(mask)); };
@@ -76,9 +77,11 @@ CAROM_KERNEL typename L::Value edge_gradient(typename L::Word hash,
     return L::flip_sign(u, sign_u) + L::flip_sign(v, sign_v);
 }
 
-/// See noise.h.
+/// Gradient noise after Perlin, "Improving Noise", 2002 (quintic fade, eq. 1; gradients towards the
+/// edges of a cube), on a lattice that is hashed instead of tabulated. Mean 0, range within [-1,
+/// 1], one feature per unit length. Coordinates beyond +-2^30 repeat.
 template <class L>
-CAROM_KERNEL_OUTLINED typename L::Value gradient_noise(const Three<typename L::Value>& position,
+CAROM_KERNEL_OUTLINED typename L::Value gradient_noise(const Vec3<typename L::Value>& position,
                                                        std::uint32_t seed) {
     const NoiseCellOf<L> x = noise_cell<L>(position.x);
     const NoiseCellOf<L> y = noise_cell<L>(position.y);
@@ -110,7 +113,9 @@ CAROM_KERNEL std::uint32_t octave_seed(std::uint32_t seed, int octave) {
     return seed + static_cast<std::uint32_t>(octave) * 0x9e3779b9u;
 }
 
-/// See noise.h. `noise(position, seed)`: a gradient noise.
+/// Sum of `octaves` gradient noises `noise(position, seed)`, each of twice the frequency and half
+/// the amplitude of the previous one; the first has amplitude 1. Octaves finer than `footprint` (in
+/// units of `position`) fade out, so that the sum is band-limited to what a pixel can show.
 template <class L, class Vector, class Noise>
 CAROM_KERNEL typename L::Value sum_octaves(Vector position, int octaves,
                                            typename L::Value footprint, std::uint32_t seed,
@@ -134,9 +139,9 @@ CAROM_KERNEL typename L::Value sum_octaves(Vector position, int octaves,
 }
 
 template <class L>
-CAROM_KERNEL typename L::Value fractal_noise(const Three<typename L::Value>& position, int octaves,
+CAROM_KERNEL typename L::Value fractal_noise(const Vec3<typename L::Value>& position, int octaves,
                                              typename L::Value footprint, std::uint32_t seed) {
     return sum_octaves<L>(position, octaves, footprint, seed,
-                          [](const Three<typename L::Value>& at, std::uint32_t salt)
+                          [](const Vec3<typename L::Value>& at, std::uint32_t salt)
                               CAROM_KERNEL_ATTRIBUTE { return gradient_noise<L>(at, salt); });
 }

@@ -1,41 +1,14 @@
-// The types that all kernels use. Like the other kernel files, this file is included inside a
-// namespace: by scalar_kernels.h once, by kernels-inl.h once per instruction set. L is a lane type:
-// ScalarLanes, or vectors whose lanes hold several rays or several triangles.
-
-template <class V>
-struct Triple {
-    V at[3];
-};
-
-template <class V>
-CAROM_KERNEL Triple<V> operator-(const Triple<V>& a, const Triple<V>& b) {
-    return {{a.at[0] - b.at[0], a.at[1] - b.at[1], a.at[2] - b.at[2]}};
-}
-template <class V>
-CAROM_KERNEL Triple<V> operator+(const Triple<V>& a, const Triple<V>& b) {
-    return {{a.at[0] + b.at[0], a.at[1] + b.at[1], a.at[2] + b.at[2]}};
-}
-template <class V>
-CAROM_KERNEL Triple<V> operator*(const Triple<V>& a, const V& s) {
-    return {{a.at[0] * s, a.at[1] * s, a.at[2] * s}};
-}
-// Products and sums are in the order of Imath's, so that every lane type gives the same bits.
-template <class V>
-CAROM_KERNEL V dot(const Triple<V>& a, const Triple<V>& b) {
-    return a.at[0] * b.at[0] + a.at[1] * b.at[1] + a.at[2] * b.at[2];
-}
-template <class V>
-CAROM_KERNEL Triple<V> cross(const Triple<V>& a, const Triple<V>& b) {
-    return {{a.at[1] * b.at[2] - a.at[2] * b.at[1], a.at[2] * b.at[0] - a.at[0] * b.at[2],
-             a.at[0] * b.at[1] - a.at[1] * b.at[0]}};
-}
+// The types that all kernels use besides Vec3, dot and cross (render/lanes/kernels). Like the other
+// kernel files, this file is included inside a namespace: by scalar_kernels.h once, by
+// kernels-inl.h once per instruction set. L is a lane type: ScalarLanes, or vectors whose lanes
+// hold several rays or several triangles.
 
 /// Hits count in (t_min, t_max), t_min >= 0. The direction need not have unit length: t is in units
 /// of it.
 template <class L>
 struct RayIn {
-    Triple<typename L::Value> origin;
-    Triple<typename L::Value> direction;
+    Vec3<typename L::Value> origin;
+    Vec3<typename L::Value> direction;
     typename L::Value t_min;
     typename L::Value t_max;
 };
@@ -60,12 +33,12 @@ CAROM_KERNEL HitIn<L> missed() {
 template <class L>
 struct Corners {
     static constexpr bool kHasAxis = false;
-    Triple<typename L::Value> a, b, c;
+    Vec3<typename L::Value> a, b, c;
 
     template <class Self>
     [[nodiscard]] static auto numbers(Self& self) {
-        return std::tie(self.a.at[0], self.a.at[1], self.a.at[2], self.b.at[0], self.b.at[1],
-                        self.b.at[2], self.c.at[0], self.c.at[1], self.c.at[2]);
+        return std::tie(self.a.x, self.a.y, self.a.z, self.b.x, self.b.y, self.b.z, self.c.x,
+                        self.c.y, self.c.z);
     }
 };
 
@@ -73,17 +46,17 @@ template <class L>
 struct CornersAndNormal {
     static constexpr bool kHasAxis = false;
     Corners<L> corners;
-    Triple<typename L::Value> normal;  // (b - a) x (c - a), of any length but zero
+    Vec3<typename L::Value> normal;  // (b - a) x (c - a), of any length but zero
 
     template <class Self>
     [[nodiscard]] static auto numbers(Self& self) {
         return std::tuple_cat(Corners<L>::numbers(self.corners),
-                              std::tie(self.normal.at[0], self.normal.at[1], self.normal.at[2]));
+                              std::tie(self.normal.x, self.normal.y, self.normal.z));
     }
 };
 
 template <class L>
-CAROM_KERNEL Triple<typename L::Value> normal_of(const Corners<L>& corners) {
+CAROM_KERNEL Vec3<typename L::Value> normal_of(const Corners<L>& corners) {
     return cross(corners.b - corners.a, corners.c - corners.a);
 }
 
@@ -129,18 +102,18 @@ CAROM_KERNEL typename L::Mask is_within(const RayIn<L>& ray, const Denominator<k
     return L::both(L::is_less(below.times(ray.t_min), t), L::is_less(t, below.times(ray.t_max)));
 }
 
-/// The laboratory has lane types with tests of their own.
+/// The laboratory has lane types with tests of their own. (Devices have no concepts.)
+template <class L, class = void>
+inline constexpr bool kComparesNumbers = true;
 template <class L>
-concept ComparesNumbers = !requires {
-    L::kTestsSignBits;
-};
+inline constexpr bool kComparesNumbers<L, std::void_t<decltype(L::kTestsSignBits)>> = false;
 
-template <ComparesNumbers L>
+template <class L, std::enable_if_t<kComparesNumbers<L>, int> = 0>
 CAROM_KERNEL typename L::Mask is_weight(typename L::Value u, typename L::Value whole) {
     return L::both(L::is_at_most(L::all(0), u), L::is_at_most(u, whole));
 }
 /// v, where u is already a weight.
-template <ComparesNumbers L>
+template <class L, std::enable_if_t<kComparesNumbers<L>, int> = 0>
 CAROM_KERNEL typename L::Mask is_second_weight(typename L::Value u, typename L::Value v,
                                                typename L::Value whole) {
     return L::both(L::is_at_most(L::all(0), v), L::is_at_most(u + v, whole));

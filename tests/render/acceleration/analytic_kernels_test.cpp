@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "render/acceleration/hybrid_structure.h"
-#include "render/geometry/intersect.h"
 #include "tests/render/acceleration/owned_batch.h"
 #include "tests/render/acceleration/random_shapes.h"
 #include "tests/render/every_target.h"
+#include "tests/render/geometry/intersect.h"
 
 namespace carom::render {
 namespace {

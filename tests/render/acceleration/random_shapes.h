@@ -9,6 +9,7 @@
 #include "render/acceleration/moving_shape.h"
 #include "render/acceleration/shapes.h"
 #include "render/acceleration/triangle_scene.h"
+#include "tests/render/pose_matrix.h"
 #include "tests/render/statistics.h"
 
 namespace carom::test {

@@ -8,9 +8,9 @@
 
 #include "lab/structures/embree_structure.h"
 #include "render/acceleration/hybrid_structure.h"
-#include "render/geometry/intersect.h"
 #include "tests/render/acceleration/owned_batch.h"
 #include "tests/render/acceleration/random_shapes.h"
+#include "tests/render/geometry/intersect.h"
 #include "tests/render/hits.h"
 
 namespace carom::render {

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "render/acceleration/triangle_tree.h"
-#include "render/geometry/intersect.h"
 #include "tests/render/acceleration/random_shapes.h"
+#include "tests/render/geometry/intersect.h"
 #include "tests/render/geometry/watertight_triangle.h"
 
 namespace carom::render {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
-#include "render/sampling/warp.h"
+#include "tests/render/sampling/warp_densities.h"
 #include "tests/render/statistics.h"
 
 namespace carom::render {

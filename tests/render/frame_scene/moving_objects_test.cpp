@@ -7,10 +7,10 @@
 
 #include "lab/structures/make_structure.h"
 #include "render/acceleration/moving_shape.h"
-#include "render/geometry/intersect.h"
 #include "render/geometry/rigid_motion.h"
 #include "sim/timeline/rotation.h"
 #include "tests/render/frame_scene/scene_helpers.h"
+#include "tests/render/geometry/intersect.h"
 #include "tests/render/hits.h"
 
 namespace carom::test {

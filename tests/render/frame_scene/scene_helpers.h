@@ -10,6 +10,7 @@
 #include "render/frame_scene/frame_scene.h"
 #include "render/frame_scene/static_geometry.h"
 #include "render/geometry/affine.h"
+#include "tests/render/pose_matrix.h"
 #include "tests/render/statistics.h"
 
 namespace carom::test {

@@ -4,8 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "render/geometry/orthonormal_basis.h"
 #include "render/geometry/rigid_motion.h"
+#include "render/geometry/scalar_kernels.h"
+#include "tests/render/pose_matrix.h"
 #include "tests/render/statistics.h"
 
 namespace carom::render {
@@ -47,7 +48,7 @@ TEST(OrthonormalBasis, AnyDirection_IsRightHandedAndOrthonormal) {
         const float z = random.between(-1, 1);
         // Some close to the poles, where older constructions fail.
         const V3f d = (i % 4 == 0 ? V3f(1e-4f * x, 1e-4f * y, z) : V3f(x, y, z)).normalized();
-        const OrthonormalBasis basis = OrthonormalBasis::around(d);
+        const auto basis = scalar::basis_around<scalar::One>(d);
         ASSERT_NEAR(basis.x.length(), 1, 1e-6);
         ASSERT_NEAR(basis.y.length(), 1, 1e-6);
         ASSERT_NEAR(basis.x.dot(basis.y), 0, 1e-6);

@@ -1,4 +1,4 @@
-#include "render/geometry/intersect.h"
+#include "tests/render/geometry/intersect.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 template <class L, class Read, class Write>
 CAROM_KERNEL void points_of_hits(render::ShapeKind kind, const Read& read, const Write& write) {
     const auto three = [&](int i) CAROM_KERNEL_ATTRIBUTE {
-        return Three<typename L::Value>{read(i), read(i + 1), read(i + 2)};
+        return Vec3<typename L::Value>{read(i), read(i + 1), read(i + 2)};
     };
     const auto map = [&](int i) CAROM_KERNEL_ATTRIBUTE {
         return AffineOf<L>{{three(i), three(i + 3), three(i + 6)}, three(i + 9)};
@@ -15,8 +15,8 @@ CAROM_KERNEL void points_of_hits(render::ShapeKind kind, const Read& read, const
     const MappedShapeOf<L> shape{map(14), map(26), map(38), three(50), three(53)};
     const SurfacePointOf<L> point =
         moved<L>(body, point_on_shape<L>(kind, shape, body.in_body(ray), read(13), {true, true}));
-    const Three<typename L::Value> vectors[4] = {point.position, point.geometric_normal,
-                                                 point.shading_normal, point.object_position};
+    const Vec3<typename L::Value> vectors[4] = {point.position, point.geometric_normal,
+                                                point.shading_normal, point.object_position};
     for (int i = 0; i < 4; ++i) {
         write(3 * i, vectors[i].x);
         write(3 * i + 1, vectors[i].y);

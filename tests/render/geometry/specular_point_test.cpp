@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/geometry/orthonormal_basis.h"
+#include "render/geometry/scalar_kernels.h"
 
 namespace carom::render {
 namespace {
@@ -74,7 +74,7 @@ TEST(SpecularPoint, Spread_IsThatOfNeighbouringRays) {
             return where + out * (V3d(b) - where).dot(axis) / out.dot(axis);
         };
         const V3d direction = V3d(point->position - a).normalized();
-        const OrthonormalBasis basis = OrthonormalBasis::around(V3f(direction));
+        const auto basis = scalar::basis_around<scalar::One>(V3f(direction));
         const double step = 1e-4;
         const V3d du = point_in_plane((direction + V3d(basis.x) * step).normalized()) -
                        point_in_plane((direction - V3d(basis.x) * step).normalized());

@@ -5,9 +5,15 @@
 #include <cmath>
 #include <optional>
 
-#include "render/geometry/intersect.h"
+#include "tests/render/geometry/intersect.h"
 
 namespace carom::render {
+
+template <class T>
+struct TriangleHit {
+    T t;
+    T u, v;  // barycentric weights of the second and third corner
+};
 
 /// Watertight test (Woop, Benthin and Wald 2013, "Watertight ray/triangle intersection"): no ray
 /// passes between two triangles with a common edge, because both compute the same edge function for

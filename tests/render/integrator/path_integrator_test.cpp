@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include "render/material/fresnel.h"
+#include "render/material/scalar_kernels.h"
 #include "tests/render/integrator/integrator_scene.h"
 
 namespace carom::render {
 namespace {
+
+using scalar::One;
 
 using test::Estimate;
 using test::SceneBuilder;
@@ -50,7 +52,7 @@ TEST(PathIntegrator, LampInASmoothCoat_IsSeenWithFresnelsReflectance) {
     builder.lamp(Vec3(0, 1, 1), 0.5, 0.5, 10);
     const CameraState state = test::camera(Vec3(0, -1, 1), Vec3(0, 0, 0), 0.01);
     const Estimate seen = test::picture_luminance(builder.scene, state, bounces(0), 4, 2);
-    EXPECT_NEAR(seen.mean, 10 * fresnel_dielectric(std::sqrt(0.5f), 1.5f), 0.01);
+    EXPECT_NEAR(seen.mean, 10 * scalar::fresnel_dielectric<One>(std::sqrt(0.5f), 1.5f), 0.01);
 }
 
 TEST(PathIntegrator, LampFromBehind_IsInvisible) {

@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "render/sampling/warp.h"
+#include "render/sampling/scalar_kernels.h"
 #include "tests/render/direction_density.h"
+#include "tests/render/light/light_samples.h"
 
 namespace carom::render {
 namespace {
+
+using scalar::One;
 
 RectangleLight lamp() {
     RectangleLight light;
@@ -52,7 +55,7 @@ double polygon_irradiance(const std::vector<Vec3>& corners, const Vec3& point, c
 }
 
 TEST(RectangleEmitter, FromBehind_GivesNothing) {
-    EXPECT_FALSE(RectangleEmitter(lamp()).sample(V3f(0, 0, 2), V2f(0.5f, 0.5f)));
+    EXPECT_FALSE(light_sample(RectangleEmitter(lamp()), V3f(0, 0, 2), V2f(0.5f, 0.5f)));
 }
 
 TEST(RectangleEmitter, Samples_FollowPdf) {
@@ -65,7 +68,7 @@ TEST(RectangleEmitter, Samples_FollowPdf) {
         // per position.
         test::expect_square_density(
             [&](V3f u) -> std::optional<Vec2> {
-                const auto sample = emitter.sample(point, V2f(u.x, u.y));
+                const auto sample = light_sample(emitter, point, V2f(u.x, u.y));
                 EXPECT_TRUE(sample.has_value());
                 const Vec3 place =
                     Vec3(point) + Vec3(sample->direction) * sample->distance - light.centre;
@@ -94,12 +97,13 @@ TEST(SphereEmitter, Samples_FollowPdf) {
         const float distance = (centre - point).length();
         test::expect_direction_density(
             [&](V3f u) -> std::optional<V3f> {
-                const auto sample = emitter.sample(point, V2f(u.x, u.y));
+                const auto sample = light_sample(emitter, point, V2f(u.x, u.y));
                 EXPECT_TRUE(sample.has_value());
                 return sample->direction;
             },
             [&](const V3f& direction) { return emitter.pdf(point, direction, 1); },
-            (centre - point) / distance, one_minus_cos_of_sphere(0.3f, distance), setup);
+            (centre - point) / distance, scalar::one_minus_cos_of_sphere<One>(0.3f, distance),
+            setup);
     }
 }
 
@@ -111,14 +115,14 @@ TEST(AreaLights, EverySample_LiesOnTheLightAndHasItsPdf) {
     for (int i = 0; i < 500; ++i) {
         const float x = random.unit();
         const float y = random.unit();
-        const auto on_rectangle = rectangle.sample(point, V2f(x, y));
+        const auto on_rectangle = light_sample(rectangle, point, V2f(x, y));
         ASSERT_TRUE(on_rectangle);
         EXPECT_NEAR(distance_to(lamp(), point, on_rectangle->direction), on_rectangle->distance,
                     1e-5);
         EXPECT_NEAR(rectangle.pdf(point, on_rectangle->direction, on_rectangle->distance) /
                         on_rectangle->pdf,
                     1, 1e-5);
-        const auto on_sphere = sphere.sample(point, V2f(x, y));
+        const auto on_sphere = light_sample(sphere, point, V2f(x, y));
         ASSERT_TRUE(on_sphere);
         const V3f place = point + on_sphere->direction * on_sphere->distance;
         EXPECT_NEAR((place - V3f(bulb().centre)).length(), 0.3f, 1e-3f);
@@ -138,7 +142,7 @@ TEST(RectangleEmitter, Irradiance_IsLambertsFormula) {
     for (int i = 0; i < kSamples; ++i) {
         const float x = random.unit();
         const float y = random.unit();
-        const auto sample = emitter.sample(point, V2f(x, y));
+        const auto sample = light_sample(emitter, point, V2f(x, y));
         const double value =
             sample->direction.dot(normal) * emitter.emitted(-sample->direction).x / sample->pdf;
         sum += value;
@@ -166,7 +170,7 @@ TEST(SphereEmitter, Irradiance_IsPiTimesSquareOfTheRatio) {
     for (int i = 0; i < kSamples; ++i) {
         const float x = random.unit();
         const float y = random.unit();
-        const auto sample = emitter.sample(point, V2f(x, y));
+        const auto sample = light_sample(emitter, point, V2f(x, y));
         const double value =
             sample->direction.dot(normal) * emitter.emitted(-sample->direction).x / sample->pdf;
         sum += value;
@@ -184,8 +188,8 @@ TEST(SphereEmitter, Irradiance_IsPiTimesSquareOfTheRatio) {
 TEST(RectangleEmitter, PointBehindIt_GetsNothing) {
     const RectangleEmitter emitter(lamp());
     const V3f above(0, 0, 2);
-    EXPECT_FALSE(emitter.sample(above, V2f(0.5f, 0.5f)));
-    EXPECT_EQ(emitter.importance(above, V3f(0, 0, -1)), 0);
+    EXPECT_FALSE(light_sample(emitter, above, V2f(0.5f, 0.5f)));
+    EXPECT_EQ(scalar::importance_of_area_light<One>(emitter.constants(), above, V3f(0, 0, -1)), 0);
     EXPECT_EQ(emitter.pdf(above, V3f(0, 0, -1), 0.6f), 0);
     EXPECT_EQ(emitter.emitted(V3f(0, 0, 1)), V3f(0, 0, 0));
     EXPECT_EQ(emitter.emitted(V3f(0, 0, -1)), V3f(20, 18, 15));
@@ -193,7 +197,7 @@ TEST(RectangleEmitter, PointBehindIt_GetsNothing) {
 
 TEST(SphereEmitter, PointInsideIt_IsNotSampled) {
     const SphereEmitter emitter(bulb());
-    EXPECT_FALSE(emitter.sample(V3f(-0.5f, 0.4f, 1.0f), V2f(0.5f, 0.5f)));
+    EXPECT_FALSE(light_sample(emitter, V3f(-0.5f, 0.4f, 1.0f), V2f(0.5f, 0.5f)));
     EXPECT_EQ(emitter.pdf(V3f(-0.5f, 0.4f, 1.0f), V3f(0, 0, 1), 1), 0);
 }
 
@@ -202,8 +206,10 @@ TEST(AreaLights, PartlyAboveTheHorizon_AreStillChosen) {
     const V3f point(0, 0, 0);
     const V3f towards = (V3f(bulb().centre) - point).normalized();
     const V3f sideways = towards.cross(V3f(0, 0, 1)).normalized();
-    EXPECT_GT(sphere.importance(point, (sideways - towards * 0.1f).normalized()), 0);
-    EXPECT_EQ(sphere.importance(point, -towards), 0);
+    EXPECT_GT(scalar::importance_of_area_light<One>(sphere.constants(), point,
+                                                    (sideways - towards * 0.1f).normalized()),
+              0);
+    EXPECT_EQ(scalar::importance_of_area_light<One>(sphere.constants(), point, -towards), 0);
 }
 
 }  // namespace

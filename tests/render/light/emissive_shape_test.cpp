@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/render/direction_density.h"
+#include "tests/render/light/light_samples.h"
 
 namespace carom::render {
 namespace {
@@ -71,7 +72,8 @@ TEST(EmissiveShape, Samples_LieOnTheShapeAndCoverItsProjection) {
             const V3f receiver =
                 1e3f * V3f(level * std::cos(angle), level * std::sin(angle), height);
             for (int k = 0; k < 10; ++k) {
-                const auto sample = emitter.sample(receiver, V2f{random.unit(), random.unit()});
+                const auto sample =
+                    light_sample(emitter, receiver, V2f{random.unit(), random.unit()});
                 if (!sample) {
                     continue;
                 }
@@ -110,7 +112,7 @@ TEST(EmissiveShape, DensityOfAHit_IsThatOfTheSample) {
         double solid_angle = 0;
         int checked = 0;
         for (int i = 0; i < 4000; ++i) {
-            const auto sample = emitter.sample(point, V2f{random.unit(), random.unit()});
+            const auto sample = light_sample(emitter, point, V2f{random.unit(), random.unit()});
             if (!sample) {
                 continue;
             }
@@ -155,7 +157,8 @@ TEST(EmissiveShape, WithinOrBehind_NothingArrives) {
         const V3f point =
             shape.kind == ShapeKind::disk ? V3f(0.2f, 0, -2) : V3f(0.05f, 0.1f, -0.1f);
         for (int i = 0; i < 200; ++i) {
-            EXPECT_FALSE(emitter.sample(point, V2f{random.unit(), random.unit()})) << shape.name;
+            EXPECT_FALSE(light_sample(emitter, point, V2f{random.unit(), random.unit()}))
+                << shape.name;
         }
     }
 }

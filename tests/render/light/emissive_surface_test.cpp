@@ -6,6 +6,7 @@
 
 #include "render/light/light_set.h"
 #include "tests/render/direction_density.h"
+#include "tests/render/light/light_samples.h"
 
 namespace carom::render {
 namespace {
@@ -36,7 +37,7 @@ TEST(EmissiveSurface, ARectangleOfTriangles_IsSampledLikeTheLamp) {
     test::TestRandom random(11);
     double left = 0;
     for (int i = 0; i < 20'000; ++i) {
-        const auto sample = surface.sample(point, V2f{random.unit(), random.unit()});
+        const auto sample = light_sample(surface, point, V2f{random.unit(), random.unit()});
         ASSERT_TRUE(sample);
         const V3f place = point + sample->direction * sample->distance;
         ASSERT_NEAR(place.z, 1, 1e-5);
@@ -63,7 +64,7 @@ TEST(EmissiveSurface, Places_AreEvenByArea) {
     std::vector<double> expected(8, 0.0);
     constexpr int kSamples = 100'000;
     for (int i = 0; i < kSamples; ++i) {
-        const auto sample = surface.sample(point, V2f{random.unit(), random.unit()});
+        const auto sample = light_sample(surface, point, V2f{random.unit(), random.unit()});
         ASSERT_TRUE(sample);
         const V3f place = point + sample->direction * sample->distance;
         if (place.x <= 0.4f) {
@@ -90,7 +91,7 @@ TEST(EmissiveSurface, FromBehind_NothingArrives) {
     const EmissiveSurface surface(triangles(), V3f(1, 1, 1));
     test::TestRandom random(17);
     for (int i = 0; i < 100; ++i) {
-        EXPECT_FALSE(surface.sample(V3f(0, 0, 5), V2f{random.unit(), random.unit()}));
+        EXPECT_FALSE(light_sample(surface, V3f(0, 0, 5), V2f{random.unit(), random.unit()}));
     }
     EXPECT_EQ(surface.pdf(1, -0.5f), 0);
 }

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "render/light/environment.h"
 #include "tests/render/direction_density.h"
+#include "tests/render/light/light_samples.h"
 
 namespace carom::render {
 namespace {
@@ -60,10 +61,10 @@ TEST(Sky, AsEnvironment_ShinesFromItsSunAndIsSampledByItsDensity) {
     setup.tests = 1;
     test::expect_direction_density(
         [&](const V3f& u) -> std::optional<V3f> {
-            const auto sample = environment.sample(V2f(u.x, u.y));
+            const auto sample = light_sample(environment, V2f(u.x, u.y));
             return sample ? std::optional(sample->direction) : std::nullopt;
         },
-        [&](const V3f& direction) { return environment.pdf(direction); }, V3f(0, 0, 1), 2, setup);
+        [&](const V3f& direction) { return pdf(environment, direction); }, V3f(0, 0, 1), 2, setup);
 }
 
 TEST(Sky, Ground_IsADiffuseSurfaceUnderTheSky) {

@@ -1,12 +1,14 @@
 // No material scatters more light than it receives.
 #include <gtest/gtest.h>
 
-#include "render/sampling/warp.h"
+#include "render/sampling/scalar_kernels.h"
 #include "tests/render/material/material_samples.h"
 #include "tests/render/statistics.h"
 
 namespace carom::render {
 namespace {
+
+using scalar::One;
 
 using namespace test_materials;
 
@@ -40,7 +42,7 @@ V3f integrated_albedo(const Bsdf& bsdf, Layers layers) {
             const V2f u((static_cast<float>(i) + 0.5f) / kSectors,
                         (static_cast<float>(j) + 0.5f) / kRings);
             // Uniform in the cosine.
-            const V3f wi = sample_cone(V2f(u.y, u.x), 1.0f);
+            const V3f wi = scalar::sample_cone<One>(V2f(u.y, u.x), 1.0f);
             sum += Vec3(bsdf.evaluate(layers, wi).value);
         }
     }

@@ -1,12 +1,14 @@
 // `sample` against `evaluate` and `pdf`, for every lobe and mixture.
 #include <gtest/gtest.h>
 
-#include "render/sampling/warp.h"
+#include "render/sampling/scalar_kernels.h"
 #include "tests/render/direction_density.h"
 #include "tests/render/material/material_samples.h"
 
 namespace carom::render {
 namespace {
+
+using scalar::One;
 
 using namespace test_materials;
 
@@ -93,8 +95,8 @@ TEST(BsdfSample, CoatAndBaseFollowedApart_AddUpToTheWhole) {
         for (int i = 0; i < 100; ++i) {
             const float x = random.unit();
             const float y = random.unit();
-            const auto basis = OrthonormalBasis::around(kNormal);
-            const V3f wi = basis.to_world(sample_cosine_hemisphere(V2f(x, y)));
+            const auto basis = scalar::basis_around<One>(kNormal);
+            const V3f wi = basis.to_world(scalar::sample_cosine_hemisphere<One>(V2f(x, y)));
             const V3f whole = bsdf.evaluate(Layers::all, wi).value;
             const V3f parts =
                 bsdf.evaluate(Layers::coat, wi).value + bsdf.evaluate(Layers::base, wi).value;

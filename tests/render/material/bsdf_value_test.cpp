@@ -1,27 +1,27 @@
 // Values with closed forms.
 #include <gtest/gtest.h>
 
-#include "render/material/fresnel.h"
-#include "render/material/microfacet.h"
-#include "render/material/sheen.h"
-#include "render/sampling/warp.h"
+#include "render/material/scalar_kernels.h"
 #include "tests/render/material/material_samples.h"
 #include "tests/render/statistics.h"
 
 namespace carom::render {
 namespace {
 
+using scalar::One;
+
 using namespace test_materials;
 
 const V3f kNormal{0, 0, 1};
 
 TEST(Fresnel, StraightOnAndGrazing_IsKnown) {
-    EXPECT_NEAR(fresnel_dielectric(1, 1.5f), 0.04f, 1e-7f);
-    EXPECT_NEAR(fresnel_dielectric(0, 1.5f), 1.0f, 1e-6f);
-    EXPECT_NEAR(fresnel_dielectric(0.3f, 1.0f), 0.0f, 1e-12f);
+    EXPECT_NEAR(scalar::fresnel_dielectric<One>(1, 1.5f), 0.04f, 1e-7f);
+    EXPECT_NEAR(scalar::fresnel_dielectric<One>(0, 1.5f), 1.0f, 1e-6f);
+    EXPECT_NEAR(scalar::fresnel_dielectric<One>(0.3f, 1.0f), 0.0f, 1e-12f);
     // At Brewster's angle, tan = n, only the perpendicular part remains: ((n^2-1)/(n^2+1))^2 / 2.
     const float brewster = 1.0f / std::sqrt(1.0f + 2.25f);
-    EXPECT_NEAR(fresnel_dielectric(brewster, 1.5f), 0.5f * std::pow(1.25f / 3.25f, 2.0f), 1e-6f);
+    EXPECT_NEAR(scalar::fresnel_dielectric<One>(brewster, 1.5f),
+                0.5f * std::pow(1.25f / 3.25f, 2.0f), 1e-6f);
 }
 
 TEST(SmoothCoat, BallOfThePeers_IsMirrorTimesFPlusBaseTimesOneMinusF) {
@@ -32,7 +32,7 @@ TEST(SmoothCoat, BallOfThePeers_IsMirrorTimesFPlusBaseTimesOneMinusF) {
     for (const float angle : {0.0f, 0.6f, 1.2f, 1.5f}) {
         const V3f wo = tilted(kNormal, angle);
         const Bsdf bsdf(material, kNormal, wo);
-        const float fresnel = fresnel_dielectric(wo.z, 1.5f);
+        const float fresnel = scalar::fresnel_dielectric<One>(wo.z, 1.5f);
         const auto coat = bsdf.sample(Layers::coat, V2f(0.5f, 0.5f));
         ASSERT_TRUE(coat && coat->is_delta);
         EXPECT_NEAR(coat->weight.x, fresnel, 1e-6f);
@@ -56,25 +56,26 @@ TEST(SmoothMetal, Mirror_ReflectsBySchlick) {
     const V3f wo = tilted(kNormal, 1.0f);
     const auto sample = Bsdf(material, kNormal, wo).sample(Layers::all, V2f(0.5f, 0.5f));
     ASSERT_TRUE(sample && sample->is_delta);
-    EXPECT_NEAR(sample->weight.x, fresnel_schlick(wo.z, V3f(0.6f)).x, 1e-6f);
+    EXPECT_NEAR(sample->weight.x, scalar::fresnel_schlick<One>(wo.z, V3f(0.6f)).x, 1e-6f);
     EXPECT_FALSE(Bsdf(material, kNormal, wo).can_evaluate(Layers::all));
 }
 
 TEST(Lobes, GgxSheenAndDiffuse_AreReciprocal) {
     test::TestRandom random(5);
-    const Ggx ggx(0.3f);
+    const scalar::GgxOf<One> ggx(0.3f);
     for (int i = 0; i < 200; ++i) {
         float u[4];
         for (float& x : u) {
             x = random.unit();
         }
-        const V3f a = sample_cosine_hemisphere(V2f(u[0], u[1]));
-        const V3f b = sample_cosine_hemisphere(V2f(u[2], u[3]));
+        const V3f a = scalar::sample_cosine_hemisphere<One>(V2f(u[0], u[1]));
+        const V3f b = scalar::sample_cosine_hemisphere<One>(V2f(u[2], u[3]));
         const V3f m = (a + b).normalized();
         const float forth = ggx.reflection(a, b, m) / b.z;
         EXPECT_NEAR(forth, ggx.reflection(b, a, m) / a.z, 2e-4f * forth);
-        const float shine = sheen_reflection(a, b) / b.z;
-        EXPECT_NEAR(shine, sheen_reflection(b, a) / a.z, 2e-4f * shine);
+        const float shine = scalar::sheen_reflection<One>(a.z, b.z, (a + b).length2()) / b.z;
+        EXPECT_NEAR(shine, scalar::sheen_reflection<One>(b.z, a.z, (a + b).length2()) / a.z,
+                    2e-4f * shine);
     }
     const Material material = make(diffuse(0.7));
     const V3f a = tilted(kNormal, 0.3f);
@@ -86,7 +87,7 @@ TEST(Lobes, GgxSheenAndDiffuse_AreReciprocal) {
 TEST(Ggx, Density_ProjectedOnTheSurface_IsOne) {
     // Integral of D(m) cos(m) over the hemisphere (Walter 2007, eq. 4).
     for (const float alpha : {0.05f, 0.3f, 1.0f}) {
-        const Ggx ggx(alpha);
+        const scalar::GgxOf<One> ggx(alpha);
         double sum = 0;
         constexpr int kSteps = 20000;
         for (int i = 0; i < kSteps; ++i) {
@@ -100,7 +101,7 @@ TEST(Ggx, Density_ProjectedOnTheSurface_IsOne) {
 
 TEST(AlbedoTable, BetweenNodes_IsCloseToTheIntegral) {
     const AlbedoTable table = AlbedoTable::of_mirrors(0.5f);
-    const Ggx ggx(0.5f);
+    const scalar::GgxOf<One> ggx(0.5f);
     for (const float cosine : {0.03f, 0.2f, 0.55f, 0.97f}) {
         const V3f wo(std::sqrt(1 - cosine * cosine), 0, cosine);
         double sum = 0;
@@ -108,7 +109,7 @@ TEST(AlbedoTable, BetweenNodes_IsCloseToTheIntegral) {
         for (int i = 0; i < kSteps * kSteps; ++i) {
             const V2f u((static_cast<float>(i % kSteps) + 0.5f) / kSteps,
                         (static_cast<float>(i / kSteps) + 0.5f) / kSteps);
-            const V3f wi = reflect(wo, ggx.sample_visible(wo, u));
+            const V3f wi = scalar::reflect<One>(wo, ggx.sample_visible(wo, u));
             sum += wi.z > 0 ? static_cast<double>(ggx.sample_weight(wo, wi)) : 0.0;
         }
         EXPECT_NEAR(table.at(cosine), sum / (kSteps * kSteps), 2e-3) << cosine;
@@ -118,11 +119,11 @@ TEST(AlbedoTable, BetweenNodes_IsCloseToTheIntegral) {
 TEST(Resolve, ShadingNormalTurnedAwayFromTheViewer_FallsBackToTheGeometricOne) {
     const Material material = make(diffuse(0.5));
     scalar::TexturePointOf<scalar::One> point{};
-    point.geometric_normal = scalar::three(kNormal);
-    const auto surface = scalar::resolve_surface<scalar::One>(
-        material.texture().data(), 0, point, scalar::three(V3f(-1, 0, 0.1f).normalized()),
-        scalar::three(V3f(0.9f, 0, 0.1f).normalized()), 0);
-    EXPECT_EQ(scalar::vector_of(surface.normal), kNormal);
+    point.geometric_normal = kNormal;
+    const auto surface = scalar::resolve_surface<scalar::One>(material.texture().data(), 0, point,
+                                                              V3f(-1, 0, 0.1f).normalized(),
+                                                              V3f(0.9f, 0, 0.1f).normalized(), 0);
+    EXPECT_EQ(surface.normal, kNormal);
 }
 
 }  // namespace

@@ -1,13 +1,15 @@
 // Transmission: Snell, Fresnel, total reflection, rough boundaries.
 #include <gtest/gtest.h>
 
-#include "render/material/fresnel.h"
+#include "render/material/scalar_kernels.h"
 #include "tests/render/direction_density.h"
 #include "tests/render/material/material_samples.h"
 #include "tests/render/statistics.h"
 
 namespace carom::render {
 namespace {
+
+using scalar::One;
 
 using namespace test_materials;
 
@@ -58,7 +60,7 @@ TEST(ClearGlass, BothSides_DivideLightByFresnelAndBendItBySnell) {
             const Bsdf bsdf(material, kNormal, wo);
             EXPECT_FALSE(bsdf.can_evaluate(Layers::all));
             const float index = side > 0 ? 1.5f : 1 / 1.5f;
-            const float fresnel = fresnel_dielectric(std::cos(angle), index);
+            const float fresnel = scalar::fresnel_dielectric<One>(std::cos(angle), index);
             const auto mirrored = bsdf.sample(Layers::all, V2f(0.99f * fresnel, 0.5f));
             const auto bent = bsdf.sample(Layers::all, V2f(1.01f * fresnel, 0.5f));
             ASSERT_TRUE(mirrored && mirrored->is_delta && bent && bent->is_delta);
@@ -133,8 +135,8 @@ TEST(FrostedGlass, SmootherFacets_ApproachClearGlass) {
     for (const float side : {1.0f, -1.0f}) {
         const V3f wo = viewer(0.4f, side);
         const Energy energy = sampled_energy(Bsdf(material, kNormal, wo), wo);
-        const double fresnel =
-            static_cast<double>(fresnel_dielectric(std::cos(0.4f), side > 0 ? 1.5f : 1 / 1.5f));
+        const double fresnel = static_cast<double>(
+            scalar::fresnel_dielectric<One>(std::cos(0.4f), side > 0 ? 1.5f : 1 / 1.5f));
         EXPECT_NEAR(energy.reflected, fresnel, 2e-3);
         EXPECT_NEAR(energy.passed, 1 - fresnel, 4e-3);
     }
@@ -186,16 +188,13 @@ TEST(FrostedGlass, BasicRadiance_IsReciprocal) {
     const Material material = make(frosted);
     const auto numbers = material.numbers();
     for (const float angle : {0.1f, 0.5f, 0.9f}) {
-        const SinCos out = sin_cos(angle);
+        const auto out = scalar::sin_cos<One>(angle);
         const V3f wo(out.sine, 0, out.cosine);
         const V3f wi = V3f(-0.2f, 0.3f, -0.8f).normalized();
         const auto unscaled = [&](bool is_inside, const V3f& viewer_side, const V3f& far_side) {
-            const auto lobe =
-                scalar::glass_lobe<scalar::One>(numbers.glass, numbers.tables, numbers.first,
-                                                is_inside, scalar::three(viewer_side));
-            return scalar::glass_towards<scalar::One>(lobe, scalar::three(viewer_side),
-                                                      scalar::three(far_side), true)
-                       .value /
+            const auto lobe = scalar::glass_lobe<scalar::One>(
+                numbers.glass, numbers.tables, numbers.first, is_inside, viewer_side);
+            return scalar::glass_towards<scalar::One>(lobe, viewer_side, far_side, true).value /
                    (lobe.scale * std::abs(far_side.z));
         };
         const float inward = unscaled(false, wo, wi);

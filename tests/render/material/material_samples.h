@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/material/material.h"
-#include "render/sampling/warp.h"
+#include "render/sampling/scalar_kernels.h"
 #include "tests/render/material/scalar_bsdf.h"
 
 namespace carom::render::test_materials {
@@ -88,8 +88,8 @@ inline Material make(const StandardMaterial& description) {
 
 /// A direction at `angle` (rad) from `normal`.
 inline V3f tilted(const V3f& normal, float angle) {
-    const auto basis = OrthonormalBasis::around(normal);
-    const SinCos s = sin_cos(angle);
+    const auto basis = scalar::basis_around<scalar::One>(normal);
+    const auto s = scalar::sin_cos<scalar::One>(angle);
     return basis.to_world(V3f(s.sine * 0.6f, s.sine * 0.8f, s.cosine));
 }
 

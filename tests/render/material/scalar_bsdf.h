@@ -34,10 +34,9 @@ class Bsdf {
     Bsdf(const Material& material, const V3f& normal, const V3f& wo)
         : material_(std::make_shared<const Material>(material)) {
         const bool from_behind = normal.dot(wo) < 0;
-        const auto front = scalar::three(from_behind ? -normal : normal);
+        const auto front = from_behind ? -normal : normal;
         bsdf_.layers = material_->numbers();
-        scalar::complete<One>(bsdf_, scalar::three(*material_->constant_base()), front, front,
-                              scalar::three(wo), from_behind);
+        scalar::complete<One>(bsdf_, *material_->constant_base(), front, front, wo, from_behind);
     }
 
     [[nodiscard]] bool can_evaluate(Layers layers) const {
@@ -48,8 +47,8 @@ class Bsdf {
     [[nodiscard]] bool transmits() const { return bsdf_.transmits; }
 
     [[nodiscard]] BsdfValue evaluate(Layers layers, const V3f& wi) const {
-        const auto local = bsdf_.frame.from_world(scalar::three(wi));
-        const auto side = scalar::side_of<One>(bsdf_, scalar::three(wi), local.z);
+        const auto local = bsdf_.frame.from_world(wi);
+        const auto side = scalar::side_of<One>(bsdf_, wi, local.z);
         BsdfValue result;
         if (!side.is_above && !side.passes) {
             return result;
@@ -59,7 +58,7 @@ class Bsdf {
         const auto found = layers == Layers::all    ? scalar::of_all_lobes<One>(bsdf_, base, coat)
                            : layers == Layers::coat ? coat
                                                     : base;
-        return {scalar::vector_of(found.value), found.pdf};
+        return {found.value, found.pdf};
     }
     [[nodiscard]] float pdf(Layers layers, const V3f& wi) const { return evaluate(layers, wi).pdf; }
 
@@ -67,7 +66,7 @@ class Bsdf {
     [[nodiscard]] std::optional<BsdfSample> sample(Layers layers, const V2f& u) const {
         const bool splits = layers != Layers::all;
         const bool takes_coat = splits ? layers == Layers::coat : u.x < bsdf_.lobes.coat_choice;
-        const scalar::Two<float> rest{scalar::after_choice<One>(bsdf_, splits, u.x), u.y};
+        const scalar::Vec2<float> rest{scalar::after_choice<One>(bsdf_, splits, u.x), u.y};
         const auto to = takes_coat ? scalar::sample_coat<One>(bsdf_, splits, !splits, rest)
                                    : scalar::sample_base<One>(bsdf_, splits, rest);
         const auto side = scalar::side_of<One>(bsdf_, to.world, to.wi.z);
@@ -75,8 +74,7 @@ class Bsdf {
         if (!to.valid || !agrees) {
             return std::nullopt;
         }
-        BsdfSample sample{scalar::vector_of(to.world), scalar::vector_of(to.weight), to.pdf,
-                          to.is_delta};
+        BsdfSample sample{to.world, to.weight, to.pdf, to.is_delta};
         CAROM_VALIDATE(is_unit(sample.direction) && is_light(sample.weight));
         return sample;
     }

@@ -1,15 +1,16 @@
-#include "render/sampling/warp.h"
-
 #include <functional>
 #include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "tests/render/sampling/warp_densities.h"
 #include "tests/render/statistics.h"
 
 namespace carom::render {
 namespace {
+
+using scalar::One;
 
 constexpr int kWarpTests = 24;  // chi-square tests in this file, for the correction
 constexpr double kLevel = 0.01;
@@ -79,16 +80,16 @@ constexpr double kTurn = 2 * std::numbers::pi;
 
 TEST(SampleDisk, Samples_FollowPdf) {
     expect_density(
-        {0, 1.0000002, 0, kTurn + 1e-6}, [](V2f u) { return polar(sample_disk(u)); },
+        {0, 1.0000002, 0, kTurn + 1e-6}, [](V2f u) { return polar(scalar::sample_disk<One>(u)); },
         [](double r, double) { return r * static_cast<double>(pdf_disk(V2f(0.5f, 0))); }, 1);
 }
 
 TEST(SampleDisk, Corners_StayOnTheDisk) {
     const float last = 0x1.fffffep-1f;
     for (const V2f& u : {V2f(0, 0), V2f(last, 0), V2f(0, last), V2f(last, last), V2f(0.5f, 0.5f)}) {
-        EXPECT_LE(sample_disk(u).length(), 1.0000002f);
+        EXPECT_LE(scalar::sample_disk<One>(u).length(), 1.0000002f);
     }
-    EXPECT_EQ(sample_disk(V2f(0.5f, 0.5f)), V2f(0, 0));
+    EXPECT_EQ(scalar::sample_disk<One>(V2f(0.5f, 0.5f)), V2f(0, 0));
     EXPECT_EQ(pdf_disk(V2f(1.1f, 0)), 0);
 }
 
@@ -107,7 +108,7 @@ TEST_P(PolygonTest, Samples_FollowPdf) {
     expect_density(
         {0, 1.000001, 0, kTurn + 1e-6},
         [&](V2f u) {
-            const V2f p = polar(sample_polygon(u, blades, rotation));
+            const V2f p = polar(scalar::sample_polygon<One>(u, blades, rotation));
             return V2f(p.x / static_cast<float>(edge(static_cast<double>(p.y))), p.y);
         },
         [&](double r, double angle) {
@@ -120,7 +121,8 @@ INSTANTIATE_TEST_SUITE_P(Blades, PolygonTest, testing::Values(3, 5, 6, 9));
 
 TEST(SampleCosineHemisphere, Samples_FollowPdf) {
     expect_density(
-        {0, 1, 0, kTurn + 1e-6}, [](V2f u) { return spherical(sample_cosine_hemisphere(u)); },
+        {0, 1, 0, kTurn + 1e-6},
+        [](V2f u) { return spherical(scalar::sample_cosine_hemisphere<One>(u)); },
         [](double z, double) {
             return static_cast<double>(pdf_cosine_hemisphere(static_cast<float>(1 - z)));
         },
@@ -136,7 +138,7 @@ TEST_P(ConeTest, Samples_FollowPdf) {
     expect_density(
         {0, 1.00001, 0, kTurn + 1e-6},
         [&](V2f u) {
-            const V3f d = sample_cone(u, one_minus_cos);
+            const V3f d = scalar::sample_cone<One>(u, one_minus_cos);
             const double sine2 =
                 std::min(1.0, static_cast<double>(d.x) * static_cast<double>(d.x) +
                                   static_cast<double>(d.y) * static_cast<double>(d.y));
@@ -158,29 +160,17 @@ TEST(OneMinusCosOfSphere, FarAway_KeepsItsDigits) {
     for (const double distance : {1.0001, 1.5, 10.0, 1e3, 1e6}) {
         const double sine = 1 / distance;
         const double exact = sine * sine / (1 + std::sqrt(1 - sine * sine));
-        const float value = one_minus_cos_of_sphere(1, static_cast<float>(distance));
+        const float value = scalar::one_minus_cos_of_sphere<One>(1, static_cast<float>(distance));
         EXPECT_NEAR(static_cast<double>(value) / exact, 1, distance < 1.1 ? 1e-4 : 1e-6)
             << distance;
     }
-    EXPECT_EQ(one_minus_cos_of_sphere(2, 1), 1);
+    EXPECT_EQ(scalar::one_minus_cos_of_sphere<One>(2, 1), 1);
 }
 
 TEST(SampleSphere, Samples_FollowPdf) {
     expect_density(
-        {0, 2, 0, kTurn + 1e-6}, [](V2f u) { return spherical(sample_sphere(u)); },
-        [](double, double) { return static_cast<double>(pdf_sphere()); }, 5);
-}
-
-TEST(SampleTriangle, Samples_AreUniform) {
-    // In coordinates (b1 + b2, b2 / (b1 + b2)) the uniform density is 2 (b1 + b2).
-    expect_density(
-        {0, 1, 0, 1},
-        [](V2f u) {
-            const V2f b = sample_triangle(u);
-            const float sum = b.x + b.y;
-            return V2f(sum, sum > 0 ? b.y / sum : 0);
-        },
-        [](double sum, double) { return 2 * sum; }, 6);
+        {0, 2, 0, kTurn + 1e-6}, [](V2f u) { return spherical(scalar::sample_cone<One>(u, 2)); },
+        [](double, double) { return 0.25 * static_cast<double>(kInversePi); }, 5);
 }
 
 class TrapezoidTest : public testing::TestWithParam<float> {};
@@ -188,7 +178,7 @@ class TrapezoidTest : public testing::TestWithParam<float> {};
 TEST_P(TrapezoidTest, Samples_FollowPdf) {
     const float ratio = GetParam();
     expect_density(
-        {0, 1, 0, 1}, [&](V2f u) { return V2f(sample_trapezoid(u.x, ratio), u.y); },
+        {0, 1, 0, 1}, [&](V2f u) { return V2f(scalar::sample_trapezoid<One>(u.x, ratio), u.y); },
         [&](double x, double) {
             return static_cast<double>(pdf_trapezoid(static_cast<float>(x), ratio));
         },
@@ -200,11 +190,11 @@ INSTANTIATE_TEST_SUITE_P(SwitchRatios, TrapezoidTest, testing::Values(0.f, 0.2f,
 TEST(SampleTrapezoid, Ends_StayInHalfOpenInterval) {
     const float last = 0x1.fffffep-1f;
     for (const float ratio : {0.f, 1e-4f, 0.2f, 1.f}) {
-        EXPECT_EQ(sample_trapezoid(0, ratio), 0);
-        EXPECT_LT(sample_trapezoid(last, ratio), 1);
-        EXPECT_NEAR(sample_trapezoid(0.5f, ratio), 0.5f, 1e-6f);
+        EXPECT_EQ(scalar::sample_trapezoid<One>(0, ratio), 0);
+        EXPECT_LT(scalar::sample_trapezoid<One>(last, ratio), 1);
+        EXPECT_NEAR(scalar::sample_trapezoid<One>(0.5f, ratio), 0.5f, 1e-6f);
     }
-    EXPECT_EQ(sample_trapezoid(0.3f, 0), 0.3f);
+    EXPECT_EQ(scalar::sample_trapezoid<One>(0.3f, 0), 0.3f);
     EXPECT_EQ(pdf_trapezoid(-0.1f, 0.2f), 0);
     EXPECT_EQ(pdf_trapezoid(1.1f, 0.2f), 0);
 }

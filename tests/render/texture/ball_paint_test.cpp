@@ -1,8 +1,9 @@
-#include "render/texture/ball_paint.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "render/texture/patterns.h"
+#include "render/texture/scalar_kernels.h"
 
 namespace carom::render {
 namespace {
@@ -18,9 +19,20 @@ BallTexture painted(int number, bool striped = false) {
     return texture;
 }
 
-BallPaint paint_of(const BallTexture& texture) {
-    return BallPaint(texture, texture.number > 0 ? draw_number(texture.number) : nullptr);
-}
+class BallPaint {
+  public:
+    explicit BallPaint(const BallTexture& texture)
+        : number_(texture.number > 0 ? draw_number(texture.number) : nullptr),
+          parameters_(ball_parameters(texture, number_.get())) {}
+
+    [[nodiscard]] V3f colour(const V3f& position, float footprint) const {
+        return scalar::ball_colour<scalar::One>(parameters_, position, footprint);
+    }
+
+  private:
+    std::shared_ptr<const CoverageMask> number_;
+    BallParameters parameters_;
+};
 
 /// Colour seen from `side` (+1: from +x, -1: from -x), `right` and `up` in ball radii.
 V3f seen(const BallPaint& paint, float side, float right, float up) {
@@ -42,7 +54,7 @@ float ink(const BallPaint& paint, float side, float right0, float right1, float 
 }
 
 TEST(BallPaint, Seven_IsUprightFromBothSides) {
-    const BallPaint paint = paint_of(painted(7));
+    const BallPaint paint(painted(7));
     for (const float side : {1.0f, -1.0f}) {
         EXPECT_GT(ink(paint, side, -0.2f, 0.2f, 0.05f, 0.24f), 0.2f) << "the bar on top";
         // The stem leans to the lower left.
@@ -54,7 +66,7 @@ TEST(BallPaint, Seven_IsUprightFromBothSides) {
 TEST(BallPaint, SixAndNine_AreUnderlinedAndThereforeNotTheSameUpsideDown) {
     // The number of separate bands of ink from the top down: the digits, and the line below them.
     const auto bands = [](int number) {
-        const BallPaint paint = paint_of(painted(number));
+        const BallPaint paint(painted(number));
         int count = 0;
         bool in_ink = false;
         for (float up = 0.45f; up > -0.45f; up -= 0.01f) {
@@ -72,7 +84,7 @@ TEST(BallPaint, SixAndNine_AreUnderlinedAndThereforeNotTheSameUpsideDown) {
 
 TEST(BallPaint, EveryNumber_StaysInsideItsDisc) {
     for (const int number : {1, 4, 8, 10, 15, 66, 100}) {
-        const BallPaint paint = paint_of(painted(number));
+        const BallPaint paint(painted(number));
         for (float angle = 0; angle < 6.28f; angle += 0.05f) {
             const float r = 0.97f * 0.48f;
             EXPECT_GT(seen(paint, 1, r * std::cos(angle), r * std::sin(angle)).y, 0.89f) << number;
@@ -84,20 +96,20 @@ TEST(BallPaint, EveryNumber_StaysInsideItsDisc) {
 TEST(BallPaint, SolidAndStriped_DifferAtThePoles) {
     const V3f pole(0, 0, kRadius);
     const V3f equator(0, kRadius, 0);
-    const BallPaint solid = paint_of(painted(3));
-    const BallPaint striped = paint_of(painted(11, true));
+    const BallPaint solid(painted(3));
+    const BallPaint striped(painted(11, true));
     EXPECT_EQ(solid.colour(pole, 1e-6f), V3f(0.8f, 0.1f, 0.1f));
     EXPECT_EQ(striped.colour(pole, 1e-6f), V3f(0.9f, 0.9f, 0.9f));
     EXPECT_NEAR((striped.colour(equator, 1e-6f) - V3f(0.8f, 0.1f, 0.1f)).length(), 0, 1e-6f);
 }
 
 TEST(BallPaint, NoNumber_HasNoDisc) {
-    const BallPaint paint = paint_of(painted(0));
+    const BallPaint paint(painted(0));
     EXPECT_EQ(seen(paint, 1, 0, 0), V3f(0.8f, 0.1f, 0.1f));
 }
 
 TEST(BallPaint, EdgeOfTheDisc_IsAsWideAsThePixel) {
-    const BallPaint paint = paint_of(painted(8));
+    const BallPaint paint(painted(8));
     const auto at = [&](float radius, float footprint) {
         return paint
             .colour(V3f(std::sqrt(1 - radius * radius), radius, 0) * kRadius, footprint * kRadius)
@@ -114,7 +126,7 @@ TEST(BallPaint, Spots_SitOnTheSixAxes) {
     BallTexture cue = painted(0);
     cue.colour = cue.white;
     cue.spots = 6;
-    const BallPaint paint = paint_of(cue);
+    const BallPaint paint(cue);
     for (const V3f& axis :
          {V3f(1, 0, 0), V3f(-1, 0, 0), V3f(0, 1, 0), V3f(0, -1, 0), V3f(0, 0, 1), V3f(0, 0, -1)}) {
         EXPECT_LT(paint.colour(axis * kRadius, 1e-6f).y, 0.1f);

@@ -15,6 +15,8 @@
 namespace carom::render {
 namespace {
 
+using scalar::One;
+
 /// A temporary file that is removed with the object.
 class TemporaryFile {
   public:
@@ -101,20 +103,20 @@ TEST(ReadLinearImage, TransparentPixels_ShowTheBackground) {
 
 TEST(MipPyramid, AtTexelCentres_GivesTheTexels) {
     const CoverageMask mask(2, 2, {0, 255, 255, 0}, Wrap::clamp);
-    EXPECT_EQ(mask.lookup(0.25f, 0.25f, 0), 0);
-    EXPECT_EQ(mask.lookup(0.75f, 0.25f, 0), 1);
-    EXPECT_EQ(mask.lookup(0.5f, 0.5f, 0), 0.5f);
+    EXPECT_EQ(scalar::look_up_coverage<One>(mask.tables(), {0.25f, 0.25f}, 0), 0);
+    EXPECT_EQ(scalar::look_up_coverage<One>(mask.tables(), {0.75f, 0.25f}, 0), 1);
+    EXPECT_EQ(scalar::look_up_coverage<One>(mask.tables(), {0.5f, 0.5f}, 0), 0.5f);
 }
 
 TEST(MipPyramid, OutsideTheSquare_WrapsAsTold) {
     const CoverageMask once(4, 1, {0, 0, 0, 255}, Wrap::clamp);
-    EXPECT_EQ(once.lookup(7.0f, 0.5f, 0), 1);
-    EXPECT_EQ(once.lookup(-0.125f, 0.5f, 0), 0);
+    EXPECT_EQ(scalar::look_up_coverage<One>(once.tables(), {7.0f, 0.5f}, 0), 1);
+    EXPECT_EQ(scalar::look_up_coverage<One>(once.tables(), {-0.125f, 0.5f}, 0), 0);
     const CoverageMask tile(4, 1, {0, 0, 0, 255}, Wrap::repeat);
-    EXPECT_EQ(tile.lookup(-0.125f, 0.5f, 0), 1);
-    EXPECT_EQ(tile.lookup(3.125f, 0.5f, 0), 0);
+    EXPECT_EQ(scalar::look_up_coverage<One>(tile.tables(), {-0.125f, 0.5f}, 0), 1);
+    EXPECT_EQ(scalar::look_up_coverage<One>(tile.tables(), {3.125f, 0.5f}, 0), 0);
     // Half-way between the last texel and the first.
-    EXPECT_EQ(tile.lookup(1.0f, 0.5f, 0), 0.5f);
+    EXPECT_EQ(scalar::look_up_coverage<One>(tile.tables(), {1.0f, 0.5f}, 0), 0.5f);
 }
 
 TEST(MipPyramid, WideFootprint_GivesTheMean) {
@@ -124,14 +126,14 @@ TEST(MipPyramid, WideFootprint_GivesTheMean) {
     }
     const CoverageMask mask(64, 64, texels, Wrap::repeat);
     EXPECT_EQ(mask.level_count(), 7u);
-    EXPECT_NEAR(mask.lookup(0.3f, 0.6f, 1.0f), 0.5f, 0.01f);
-    EXPECT_NEAR(mask.lookup(0.3f, 0.6f, 100.0f), 0.5f, 0.01f);
+    EXPECT_NEAR(scalar::look_up_coverage<One>(mask.tables(), {0.3f, 0.6f}, 1.0f), 0.5f, 0.01f);
+    EXPECT_NEAR(scalar::look_up_coverage<One>(mask.tables(), {0.3f, 0.6f}, 100.0f), 0.5f, 0.01f);
 }
 
 TEST(MipPyramid, OddSizes_ShrinkToOneTexel) {
     const CoverageMask mask(5, 3, std::vector<std::uint8_t>(15, 51), Wrap::clamp);
     EXPECT_EQ(mask.level_count(), 4u);
-    EXPECT_NEAR(mask.lookup(0.9f, 0.1f, 2), 0.2f, 1e-6f);
+    EXPECT_NEAR(scalar::look_up_coverage<One>(mask.tables(), {0.9f, 0.1f}, 2), 0.2f, 1e-6f);
 }
 
 /// No pixel is read: only sizes count.
@@ -169,12 +171,15 @@ TEST(ImagePyramid, IntegersOfAFile_TakeTheirOwnRoom) {
     EXPECT_FALSE(tables.has_16_bits);
     EXPECT_EQ(static_cast<const std::uint8_t*>(tables.codes)[5], 255);
     // Texels' centres, around the edges too; the half float nearest to 0.2 is 0.19995.
-    EXPECT_NEAR(grey.lookup(0.5f, 0.25f, 0).x, 0.2f, 1e-4f);
-    EXPECT_EQ(grey.lookup(0.5f, 0.25f, 0).y, grey.lookup(0.5f, 0.25f, 0).z);
-    EXPECT_NEAR(grey.lookup(1.0f, 0.25f, 0).x, 0.2f, 1e-4f);  // between 0.4 and 0
-    EXPECT_NEAR(grey.lookup(-1 / 6.0f, 0.75f, 0).x, 1, 1e-4f);
+    EXPECT_NEAR(scalar::look_up_image<One>(grey.tables(), {0.5f, 0.25f}, 0).x, 0.2f, 1e-4f);
+    EXPECT_EQ(scalar::look_up_image<One>(grey.tables(), {0.5f, 0.25f}, 0).y,
+              scalar::look_up_image<One>(grey.tables(), {0.5f, 0.25f}, 0).z);
+    EXPECT_NEAR(scalar::look_up_image<One>(grey.tables(), {1.0f, 0.25f}, 0).x, 0.2f,
+                1e-4f);  // between 0.4 and 0
+    EXPECT_NEAR(scalar::look_up_image<One>(grey.tables(), {-1 / 6.0f, 0.75f}, 0).x, 1, 1e-4f);
     // The whole picture in one texel: the mean of those of four, and of the last column.
-    EXPECT_NEAR(grey.lookup(0.1f, 0.1f, 10).x, 0.5f * (0.4f + 0.7f), 1e-3f);
+    EXPECT_NEAR(scalar::look_up_image<One>(grey.tables(), {0.1f, 0.1f}, 10).x, 0.5f * (0.4f + 0.7f),
+                1e-3f);
 }
 
 /// Two by two texels: red and green above blue and white, on a surface whose uv covers 4 m by 2 m.

@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include "render/texture/cloth_tiles.h"
+#include "render/texture/scalar_kernels.h"
 #include "tests/render/statistics.h"
 
 namespace carom::render {
 namespace {
+
+using scalar::One;
 
 /// Made once, because it takes long.
 const std::shared_ptr<const ClothTiles>& cloth_tiles() {
@@ -36,11 +38,11 @@ Moments moments(int samples, const Value& value) {
 }
 
 Moments cloth_green(const ClothTexture& texture, float footprint) {
-    const ClothPattern cloth(texture, cloth_tiles());
+    const ClothParameters cloth = cloth_parameters(texture, *cloth_tiles());
     return moments(40'000, [&](test::TestRandom& random) {
         const float x = random.between(-2, 2);
         const float y = random.between(-2, 2);
-        return static_cast<double>(cloth.evaluate(V2f(x, y), footprint).colour.y);
+        return static_cast<double>(scalar::cloth_value<One>(cloth, V2f(x, y), footprint).colour.y);
     });
 }
 
@@ -65,36 +67,36 @@ TEST(ClothPattern, Variation_FadesWithDistance) {
 
 TEST(ClothTiles, EveryLevel_AveragesToNothing) {
     const auto& tiles = cloth_tiles();
-    const ColourPyramid& weave = tiles->weave;
-    const V3f far = weave.lookup(0.3f, 0.7f, 1);
+    const PyramidTables weave = tiles->weave.tables();
+    const V3f far = scalar::look_up_half_colour<One>(weave, {0.3f, 0.7f}, 1);
     EXPECT_LT(far.length(), 0.01f);
     for (const SignedPyramid* noise : {&tiles->nap, &tiles->wear}) {
-        EXPECT_NEAR(noise->lookup(0.3f, 0.7f, 1), 0, 0.02f);
+        EXPECT_NEAR(scalar::look_up_signed<One>(noise->tables(), {0.3f, 0.7f}, 1), 0, 0.02f);
     }
     // The texture has no seam where it repeats.
-    const V3f before = weave.lookup(0.999999f, 0.37f, 0);
-    const V3f after = weave.lookup(1.000001f, 0.37f, 0);
+    const V3f before = scalar::look_up_half_colour<One>(weave, {0.999999f, 0.37f}, 0);
+    const V3f after = scalar::look_up_half_colour<One>(weave, {1.000001f, 0.37f}, 0);
     EXPECT_LT((before - after).length(), 0.01f);
 }
 
 TEST(ClothPattern, NoVariation_IsOneColourWithRelief) {
     ClothTexture texture;
     texture.variation = 0;
-    const ClothPattern cloth(texture, cloth_tiles());
-    EXPECT_EQ(cloth.evaluate(V2f(0.123f, 0.456f), 0).colour, V3f(texture.colour));
-    EXPECT_GT(cloth.evaluate(V2f(0.1231f, 0.4563f), 0).slope.length(), 0.01f);
-    EXPECT_EQ(cloth.evaluate(V2f(0.1231f, 0.4563f), 0.01f).slope, V2f(0, 0));
+    const ClothParameters cloth = cloth_parameters(texture, *cloth_tiles());
+    EXPECT_EQ(scalar::cloth_value<One>(cloth, V2f(0.123f, 0.456f), 0).colour, V3f(texture.colour));
+    EXPECT_GT(scalar::cloth_value<One>(cloth, V2f(0.1231f, 0.4563f), 0).slope.length(), 0.01f);
+    EXPECT_EQ(scalar::cloth_value<One>(cloth, V2f(0.1231f, 0.4563f), 0.01f).slope, V2f(0, 0));
 }
 
 TEST(WoodPattern, EveryColour_LiesBetweenDarkAndLight) {
     const WoodTexture texture;
-    const WoodPattern wood(texture);
+    const WoodParameters wood = wood_parameters(texture);
     const auto red = [&](float footprint) {
         return moments(20'000, [&](test::TestRandom& random) {
             const float x = random.between(-1, 1);
             const float y = random.between(-1, 1);
             const float z = random.between(-0.1f, 0.1f);
-            const V3f c = wood.colour(V3f(x, y, z), footprint);
+            const V3f c = scalar::wood_colour<One>(wood, V3f(x, y, z), footprint);
             EXPECT_GE(c.x, static_cast<float>(texture.dark.x) - 1e-6f);
             EXPECT_LE(c.x, static_cast<float>(texture.light.x) + 1e-6f);
             return static_cast<double>(c.x);
@@ -110,7 +112,7 @@ TEST(WoodPattern, EveryColour_LiesBetweenDarkAndLight) {
 TEST(WoodPattern, AlongTheGrain_ChangesSlowerThanAcross) {
     WoodTexture texture;
     texture.grain = Vec3(0, 1, 0);
-    const WoodPattern wood(texture);
+    const WoodParameters wood = wood_parameters(texture);
     const auto change = [&](const V3f& step) {
         return moments(5'000,
                        [&](test::TestRandom& random) {
@@ -118,7 +120,8 @@ TEST(WoodPattern, AlongTheGrain_ChangesSlowerThanAcross) {
                            const float y = random.between(-1, 1);
                            const V3f place(x, y, 0);
                            return static_cast<double>(
-                               std::abs(wood.colour(place + step, 0).x - wood.colour(place, 0).x));
+                               std::abs(scalar::wood_colour<One>(wood, place + step, 0).x -
+                                        scalar::wood_colour<One>(wood, place, 0).x));
                        })
             .mean;
     };
@@ -126,21 +129,27 @@ TEST(WoodPattern, AlongTheGrain_ChangesSlowerThanAcross) {
 }
 
 TEST(CheckerPattern, Squares_AlternateInAllDirections) {
-    const CheckerPattern checker(CheckerTexture{});
+    const CheckerParameters checker = checker_parameters(CheckerTexture{});
     const V3f up(0, 0, 1);
     const V3f even(0.8f, 0.8f, 0.8f);
     const V3f odd(0.2f, 0.2f, 0.2f);
-    EXPECT_NEAR((checker.colour(V3f(0.05f, 0.05f, 0), up, 0) - even).length(), 0, 1e-4f);
-    EXPECT_NEAR((checker.colour(V3f(0.15f, 0.05f, 0), up, 0) - odd).length(), 0, 1e-4f);
-    EXPECT_NEAR((checker.colour(V3f(0.15f, 0.15f, 0), up, 0) - even).length(), 0, 1e-4f);
-    EXPECT_NEAR((checker.colour(V3f(-0.05f, 0.05f, 0), up, 0) - odd).length(), 0, 1e-4f);
+    EXPECT_NEAR((scalar::checker_colour<One>(checker, V3f(0.05f, 0.05f, 0), up, 0) - even).length(),
+                0, 1e-4f);
+    EXPECT_NEAR((scalar::checker_colour<One>(checker, V3f(0.15f, 0.05f, 0), up, 0) - odd).length(),
+                0, 1e-4f);
+    EXPECT_NEAR((scalar::checker_colour<One>(checker, V3f(0.15f, 0.15f, 0), up, 0) - even).length(),
+                0, 1e-4f);
+    EXPECT_NEAR((scalar::checker_colour<One>(checker, V3f(-0.05f, 0.05f, 0), up, 0) - odd).length(),
+                0, 1e-4f);
 }
 
 TEST(CheckerPattern, WidePixel_GivesTheMeanAndOnlyAlongTheSurface) {
-    const CheckerPattern checker(CheckerTexture{});
+    const CheckerParameters checker = checker_parameters(CheckerTexture{});
     const V3f up(0, 0, 1);
-    EXPECT_NEAR(checker.colour(V3f(0.05f, 0.05f, 0), up, 0.2f).x, 0.5f, 1e-3f);
-    EXPECT_NEAR(checker.colour(V3f(0.05f, 0.05f, 0), up, 0.05f).x, 0.8f, 1e-2f);
+    EXPECT_NEAR(scalar::checker_colour<One>(checker, V3f(0.05f, 0.05f, 0), up, 0.2f).x, 0.5f,
+                1e-3f);
+    EXPECT_NEAR(scalar::checker_colour<One>(checker, V3f(0.05f, 0.05f, 0), up, 0.05f).x, 0.8f,
+                1e-2f);
 }
 
 }  // namespace

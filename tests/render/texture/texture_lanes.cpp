@@ -15,16 +15,16 @@ namespace carom::render::HWY_NAMESPACE {
 using Numbers = hn::CappedTag<float, 16>;
 using Value = hn::Vec<Numbers>;
 
-HWY_INLINE Three<Value> load_three(const std::vector<float> (&from)[3], std::size_t first) {
+HWY_INLINE Vec3<Value> load_three(const std::vector<float> (&from)[3], std::size_t first) {
     const Numbers d;
     return {hn::LoadU(d, &from[0][first]), hn::LoadU(d, &from[1][first]),
             hn::LoadU(d, &from[2][first])};
 }
-HWY_INLINE Two<Value> load_two(const std::vector<float> (&from)[2], std::size_t first) {
+HWY_INLINE Vec2<Value> load_two(const std::vector<float> (&from)[2], std::size_t first) {
     const Numbers d;
     return {hn::LoadU(d, &from[0][first]), hn::LoadU(d, &from[1][first])};
 }
-HWY_INLINE void store_three(const Three<Value>& v, float* const (&to)[3], std::size_t first) {
+HWY_INLINE void store_three(const Vec3<Value>& v, float* const (&to)[3], std::size_t first) {
     const Numbers d;
     hn::StoreU(v.x, d, to[0] + first);
     hn::StoreU(v.y, d, to[1] + first);

@@ -205,7 +205,9 @@ TEST(TextureLanes, LargestPicture_IsReadUpToItsLastByte) {
     codes.data()[kBytes - 2] = 1;  // green of the last texel
     std::vector<float> values(256);
     values[1] = 1;
-    render::ImageParameters image;
+    render::TextureData texture;
+    texture.kind = render::TextureKind::image;
+    render::ImageParameters& image = texture.image;
     image.picture.codes = codes.data();
     image.picture.values = values.data();
     image.picture.width = kSide;
@@ -220,7 +222,7 @@ TEST(TextureLanes, LargestPicture_IsReadUpToItsLastByte) {
     }
     for_every_target([&](const TextureLanes& lanes) {
         Channels colour;
-        lanes.colours(image, points, colour.pointers);
+        lanes.colours(texture, points, colour.pointers);
         for (std::size_t i = 0; i < kLaneMultiple; ++i) {
             EXPECT_NEAR(colour.at(i).y, i % 2 == 0 ? 1 : 0, 0.01f) << lanes.target;
             EXPECT_EQ(colour.at(i).x, 0) << lanes.target;

@@ -10,15 +10,15 @@ namespace detail {
 inline render::scalar::TexturePointOf<render::scalar::One> texture_point(
     const render::SurfacePoint& point) {
     using namespace render::scalar;  // three, two
-    return {three(point.object_position), three(point.geometric_normal), two(point.uv),
-            point.uv_per_metre, two(point.uv_metres)};
+    return {point.object_position, point.geometric_normal, point.uv, point.uv_per_metre,
+            point.uv_metres};
 }
 }  // namespace detail
 
 inline render::V3f colour_of(const render::Texture& texture, const render::SurfacePoint& point,
                              float footprint) {
-    return render::scalar::vector_of(render::scalar::colour_of<render::scalar::One>(
-        texture.data(), detail::texture_point(point), footprint));
+    return render::scalar::colour_of<render::scalar::One>(texture.data(),
+                                                          detail::texture_point(point), footprint);
 }
 
 struct Relief {
@@ -29,8 +29,7 @@ inline Relief relief_of(const render::Texture& texture, const render::SurfacePoi
                         float footprint) {
     const auto relief = render::scalar::relief_of<render::scalar::One>(
         texture.data(), detail::texture_point(point), footprint);
-    return {render::scalar::vector_of(relief.colour),
-            render::scalar::vector_of(relief.normal_shift)};
+    return {relief.colour, relief.normal_shift};
 }
 
 }  // namespace carom::test

@@ -35,16 +35,9 @@ template <ShapeKind kKind, class T>
 [[nodiscard]] std::optional<T> intersect_unit_shape(const RaySegment<T>& ray,
                                                     const V3<T>& profile = V3<T>(0)) {
     using L = ScalarLanes<T>;
-    const scalar::RayOf<L> line{scalar::three(ray.origin), scalar::three(ray.direction)};
-    const auto hit =
-        scalar::hit_unit_shape<kKind, L>(line, ray.t_min, {scalar::three(profile), T(0)});
+    const scalar::RayOf<L> line{ray.origin, ray.direction};
+    const auto hit = scalar::hit_unit_shape<kKind, L>(line, ray.t_min, {profile, T(0)});
     return hit.valid && hit.t < ray.t_max ? std::optional<T>(hit.t) : std::nullopt;
 }
-
-template <class T>
-struct TriangleHit {
-    T t;
-    T u, v;  // barycentric weights of the second and third corner
-};
 
 }  // namespace carom::render

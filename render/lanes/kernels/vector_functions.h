@@ -1,0 +1,62 @@
+// Functions of vectors and numbers in lanes. Included as vectors.h is, in scalar code too.
+
+template <class V>
+CAROM_KERNEL V dot(const Vec3<V>& a, const Vec3<V>& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class V>
+CAROM_KERNEL Vec3<V> cross(const Vec3<V>& a, const Vec3<V>& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// Calls `visit` with the numbers of a vector.
+template <class Vector, class Visit>
+CAROM_KERNEL void each_number_of(Vector& v, const Visit& visit) {
+    visit(v.x);
+    visit(v.y);
+    visit(v.z);
+}
+
+/// `v`: three numbers x, y and z.
+template <class L, class Vector>
+CAROM_KERNEL Vec3<typename L::Value> all_of(const Vector& v) {
+    return {L::all(v.x), L::all(v.y), L::all(v.z)};
+}
+template <class L>
+CAROM_KERNEL Vec3<typename L::Value> select(typename L::Mask mask,
+                                            const Vec3<typename L::Value>& yes,
+                                            const Vec3<typename L::Value>& no) {
+    return {L::select(mask, yes.x, no.x), L::select(mask, yes.y, no.y),
+            L::select(mask, yes.z, no.z)};
+}
+/// `v` of length 1, if it is not 0.
+template <class L>
+CAROM_KERNEL Vec3<typename L::Value> unit(const Vec3<typename L::Value>& v) {
+    return v * (L::all(1) / L::root(dot(v, v)));
+}
+template <class L>
+CAROM_KERNEL typename L::Value largest(const Vec3<typename L::Value>& v) {
+    return L::larger(L::larger(v.x, v.y), v.z);
+}
+/// x, but not below `low` or above `high`.
+template <class L>
+CAROM_KERNEL typename L::Value limited(typename L::Value x, float low, float high) {
+    return L::smaller(L::larger(x, L::all(low)), L::all(high));
+}
+/// See core/colour.h.
+template <class L>
+CAROM_KERNEL typename L::Value luminance_of(const Vec3<typename L::Value>& colour) {
+    return L::all(kRedLuminance) * colour.x + L::all(kGreenLuminance) * colour.y +
+           L::all(kBlueLuminance) * colour.z;
+}
+
+/// base^exponent of core/elementary_float.h.
+template <class L>
+CAROM_KERNEL typename L::Value power_of(typename L::Value base, typename L::Value exponent) {
+    return L::lane_by_lane([](float b, float e) { return power(b, e); }, base, exponent);
+}
+/// e^x of core/elementary_float.h.
+template <class L>
+CAROM_KERNEL typename L::Value exponential_of(typename L::Value x) {
+    return L::lane_by_lane([](float a, float) { return exponential(a); }, x, x);
+}

@@ -1,0 +1,96 @@
+// Lights as plain data, for kernels.
+#pragma once
+
+#include <cstdint>
+
+#include "render/geometry/affine.h"
+#include "render/light/environment_picture.h"
+
+namespace carom::render {
+
+/// A RectangleEmitter as plain data, for kernels.
+struct RectangleConstants {
+    V3f centre{0, 0, 0};
+    V3f edge_u{1, 0, 0}, edge_v{0, 1, 0};  // half sides
+    V3f normal{0, 0, 1};
+    V3f radiance{0, 0, 0};
+    bool has_falloff = true;
+    float area = 4;
+    float half_diagonal = 0;
+};
+
+/// A SphereEmitter as plain data, for kernels.
+struct SphereConstants {
+    V3f centre{0, 0, 0};
+    V3f radiance{0, 0, 0};
+    bool has_falloff = true;
+    float radius = 1;
+};
+
+/// Lower bound on the cosine at the surface in importance estimates of a light that crosses the
+/// surface's horizon, so that such a light is still chosen sometimes.
+inline constexpr float kLeastHorizonCosine = 0.1f;
+
+/// An AreaLight as plain data, for kernels.
+struct AreaLightConstants {
+    enum class Kind { rectangle, sphere };
+    Kind kind = Kind::rectangle;
+    RectangleConstants rectangle;
+    SphereConstants sphere;
+};
+
+/// A DeltaLight as plain data, for kernels.
+struct DeltaLightConstants {
+    bool is_parallel = false;
+    bool has_falloff = true;  // inverse square; never for directional lights
+    V3f position{0, 0, 0};
+    V3f direction{0, 0, -1};     // in which the light shines
+    V3f power{0, 0, 0};          // W/sr, or W/m^2 for a light without falloff
+    float inner_cosine = -2.0f;  // a point light shines everywhere
+    float outer_cosine = -2.0f;
+};
+
+/// 1/sr; a power of two, so that multiplying and dividing by it is exact.
+inline constexpr float kDeltaPdf = 0x1p60f;
+
+/// What is needed to choose among emissive objects by importance.
+struct ObjectImportance {
+    V3f centre{0, 0, 0};  // of its bounds, body axes
+    float bounding_radius = 0;
+    float strength = 0;  // luminance times mean projected area
+};
+
+/// See EmissiveShape. Lengths and directions are in the axes of the object's body, or in the
+/// world's for an object that follows no track.
+struct EmissiveShapeConstants {
+    /// A round ball, a ball under an affine map, a disk, a frustum, a rounded box or capsule.
+    enum class Kind : std::uint8_t { sphere, ellipsoid, disk, frustum, rounded };
+    static constexpr int kMostParts = 7;
+
+    Kind kind = Kind::sphere;
+    SphereConstants sphere;  // of a round ball
+    Affine unit_from_body, body_from_unit;
+    float volume_scale = 1;  // |determinant| of body_from_unit
+    V3f profile{0, 0, 0};    // of the unit shape (shape_list.h); of a capsule its core (0, 0, h)
+    V3f radiance{0, 0, 0};
+    /// Of each part of the surface: the sum of the probabilities up to it, and the density of the
+    /// samples that face the receiver, per area of the unit shape.
+    float part_end[kMostParts] = {1, 1, 1, 1, 1, 1, 1};
+    float part_density[kMostParts] = {};
+    /// Whether the shape is symmetric about its centre. A point of such a convex shape that faces
+    /// away is replaced by the opposite one, which mostly does not.
+    bool is_symmetric = false;
+    ObjectImportance importance;
+};
+
+/// An EmissiveSurface. Borrows its arrays.
+struct EmissiveSurfaceConstants {
+    const float* corners = nullptr;   // nine numbers for each triangle
+    const float* area_cdf = nullptr;  // by triangle: the areas up to its end, over that of all
+    int count = 0;                    // of triangles, >= 1
+    float area = 0;                   // m^2
+    V3f radiance{0, 0, 0};
+    ObjectImportance importance;
+};
+
+}  // namespace carom::render

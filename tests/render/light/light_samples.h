@@ -1,0 +1,50 @@
+// Samples of lights by their kernels, empty where no light arrives.
+#pragma once
+
+#include <optional>
+
+#include "render/light/delta_light.h"
+#include "render/light/emissive_shape.h"
+#include "render/light/emissive_surface.h"
+#include "render/light/environment.h"
+#include "render/light/light_set.h"
+#include "render/light/scalar_kernels.h"
+
+namespace carom::render {
+
+using LightSample = scalar::LightSampleOf<scalar::One>;
+
+[[nodiscard]] inline std::optional<LightSample> if_valid(const LightSample& sample) {
+    return sample.valid ? std::optional(sample) : std::nullopt;
+}
+template <class Emitter>
+[[nodiscard]] std::optional<LightSample> light_sample(const Emitter& light, const V3f& point,
+                                                      const V2f& u) {
+    using scalar::One;
+    if constexpr (requires { light.pdf(1.0f, 1.0f); }) {
+        return if_valid(scalar::sample_surface<One>(light.constants(), point, u));
+    } else if constexpr (requires { light.is_round(); }) {
+        return if_valid(scalar::sample_shape<One>(light.constants(), point, u));
+    } else {
+        return if_valid(scalar::sample_area_light<One>(light.constants(), point, u));
+    }
+}
+[[nodiscard]] inline std::optional<LightSample> light_sample(const DeltaLight& light,
+                                                             const V3f& point) {
+    return if_valid(scalar::sample_delta_light<scalar::One>(light.constants(), point));
+}
+[[nodiscard]] inline std::optional<LightSample> light_sample(const Environment& light,
+                                                             const V2f& u) {
+    using scalar::One;
+    const EnvironmentPicture picture = light.picture();
+    const auto found = scalar::sample_sky<One>(picture, u);
+    return if_valid({found.direction, kInfinity, found.pdf,
+                     scalar::sky_radiance<One>(picture, found.uv), found.valid});
+}
+[[nodiscard]] inline float pdf(const Environment& light, const V3f& direction) {
+    using scalar::One;
+    const EnvironmentPicture picture = light.picture();
+    return scalar::sky_density<One>(picture, direction, scalar::sky_place<One>(picture, direction));
+}
+
+}  // namespace carom::render
