@@ -1,0 +1,224 @@
+// The kernels of the renderer as code for devices: CUDA and OpenCL C++. Nothing is run; what counts
+// is that it compiles, and that its arithmetic is not contracted or approximated
+// (device_kernels_test.cpp).
+
+#ifdef __CUDA__
+#pragma clang force_cuda_host_device begin
+#define CAROM_KERNEL inline __attribute__((always_inline))
+#define CAROM_KERNEL_OUTLINED inline __attribute__((noinline))
+#define CAROM_ENTRY extern "C" __attribute__((global)) void
+#define CAROM_GLOBAL
+#else
+#define CAROM_KERNEL inline __attribute__((always_inline))
+#define CAROM_KERNEL_OUTLINED inline __attribute__((noinline))
+#define CAROM_ENTRY __kernel void
+#define CAROM_GLOBAL __global
+#endif
+#define CAROM_KERNEL_ATTRIBUTE
+
+#include "core/colour.h"
+#include "core/elementary_float.h"
+#include "render/camera/camera_constants.h"
+#include "render/geometry/affine.h"
+#include "render/geometry/constants.h"
+#include "render/geometry/margins.h"
+#include "render/geometry/mesh_arrays.h"
+#include "render/geometry/motion_pieces.h"
+#include "render/geometry/shape_kind.h"
+#include "render/lanes/scalar_lanes.h"
+#include "render/light/light_constants.h"
+#include "render/material/albedo_numbers.h"
+#include "render/material/lobe_constants.h"
+#include "render/sampling/distribution_tables.h"
+#include "render/sampling/one_minus_epsilon.h"
+#include "render/sampling/pixel_filter_tables.h"
+#include "render/sampling/sobol_tables.h"
+#include "render/texture/texture_data.h"
+#include "render/triangle/division.h"
+
+namespace carom::render::device {
+
+// The order matters.
+// clang-format off
+#include "render/lanes/kernels/all.h"
+#include "render/geometry/kernels/all.h"
+#include "render/sampling/kernels/all.h"
+#include "render/texture/kernels/all.h"
+#include "render/material/kernels/all.h"
+#include "render/light/kernels/all.h"
+#include "render/camera/kernels/thin_lens.h"
+// clang-format on
+
+namespace triangles {
+
+using triangle::Division;
+// The order matters.
+// clang-format off
+#include "render/triangle/kernels/common.h"
+#include "render/triangle/kernels/moller_trumbore.h"
+// clang-format on
+
+}  // namespace triangles
+
+/// What a device reads of a scene.
+struct Scene {
+    CameraConstants camera;
+    TextureData texture;
+    AreaLightConstants area;
+    DeltaLightConstants delta;
+    EmissiveShapeConstants shape;
+    EmissiveSurfaceConstants surface;
+    EnvironmentPicture sky;
+    MeshArrays mesh;
+    MotionPieces motion;
+    const float* materials;
+    AlbedoNumbers albedos;
+};
+
+/// Adds numbers up, so that none is left out by the compiler.
+struct Sum {
+    float* to;
+
+    CAROM_KERNEL void add(float x) const { *to = *to + x; }
+    CAROM_KERNEL void add(const Vec2<float>& v) const {
+        add(v.x);
+        add(v.y);
+    }
+    CAROM_KERNEL void add(const Vec3<float>& v) const {
+        add(v.x);
+        add(v.y);
+        add(v.z);
+    }
+};
+
+using L = ScalarLanes<float>;
+
+CAROM_KERNEL void sample_camera(const Scene& scene, const SamplerOf<L>& sampler, const Sum& sum) {
+    float u[5];
+    sampler.get_camera_sample(u);
+    const CameraRayOf<L> ray =
+        camera_ray<L>(scene.camera, {u[0], u[1]}, {{u[2], u[3]}, {u[4], u[0]}, u[1]});
+    sum.add(ray.origin);
+    sum.add(ray.direction);
+    sum.add(ray.time);
+    float x[4], y[4];
+    sampler.get_2d_block(3, x, y);
+    sum.add(x[1] + y[2]);
+    sum.add(sampler.get_1d(5));
+    sum.add(sample_gaussian_lobe<L>({u[0], u[1]}, u[2], u[3]));
+}
+
+template <ShapeKind kKind>
+CAROM_KERNEL void hit(const RayOf<L>& ray, const Vec3<float>& profile, const Sum& sum) {
+    const auto found = hit_unit_shape<kKind, L>(ray, 0, {profile, 0});
+    sum.add(found.valid ? found.t : 0);
+    const auto point = on_unit_shape<L>(kKind, {ray, found.t, profile, profile, true});
+    sum.add(point.position);
+    sum.add(point.normal);
+    sum.add(point.uv);
+}
+
+CAROM_KERNEL void hit_shapes(const Scene& scene, const RayOf<L>& ray, const Vec3<float>& profile,
+                             const Sum& sum) {
+    hit<ShapeKind::ball>(ray, profile, sum);
+    hit<ShapeKind::box>(ray, profile, sum);
+    hit<ShapeKind::rectangle>(ray, profile, sum);
+    hit<ShapeKind::triangle>(ray, profile, sum);
+    hit<ShapeKind::disk>(ray, profile, sum);
+    hit<ShapeKind::frustum>(ray, profile, sum);
+    hit<ShapeKind::capsule>(ray, profile, sum);
+    hit<ShapeKind::rounded_box>(ray, profile, sum);
+    hit<ShapeKind::plane>(ray, profile, sum);
+    const auto moving = pose_at<L>(scene.motion, profile.x).in_body(ray);
+    sum.add(moving.origin);
+    sum.add(moving.direction);
+    const auto on_mesh = point_on_mesh<L>(scene.mesh, 7, profile.x, profile.y, true);
+    sum.add(on_mesh.position);
+    sum.add(on_mesh.shading_normal);
+    sum.add(on_mesh.uv);
+    const auto on_ball = point_on_ball<L>(ray, profile.x, profile, profile.y);
+    sum.add(on_ball.position);
+    const auto on_box = point_on_upright_box<L>(ray, profile.x, profile, profile, {true, true});
+    sum.add(on_box.uv);
+    const auto record = triangles::MollerTrumbore::prepare(
+        triangles::Corners<L>{ray.origin, ray.direction, profile});
+    const auto on_triangle = triangles::MollerTrumbore::intersect<triangle::Division::early>(
+        triangles::RayIn<L>{ray.direction, profile, 0, profile.x}, record);
+    sum.add(on_triangle.valid ? on_triangle.t + on_triangle.u : 0);
+}
+
+CAROM_KERNEL void light(const Scene& scene, const Vec3<float>& point, const Vec3<float>& normal,
+                        const Vec2<float>& u, const Sum& sum) {
+    const LightSampleOf<L> samples[] = {
+        sample_area_light<L>(scene.area, point, u), sample_delta_light<L>(scene.delta, point),
+        sample_shape<L>(scene.shape, point, u), sample_surface<L>(scene.surface, point, u)};
+    for (const LightSampleOf<L>& sample : samples) {
+        if (sample.valid) {
+            sum.add(sample.direction);
+            sum.add(sample.radiance);
+            sum.add(sample.distance * sample.pdf);
+        }
+    }
+    sum.add(importance_of_area_light<L>(scene.area, point, normal));
+    sum.add(importance_of_delta_light<L>(scene.delta, point, normal));
+    sum.add(importance_of_shape<L>(scene.shape, point, normal));
+    sum.add(pdf_of_shape<L>(scene.shape, point, normal, u.x, normal));
+    const SkySampleOf<L> sky = sample_sky<L>(scene.sky, u);
+    sum.add(sky_radiance<L>(scene.sky, sky.uv));
+    sum.add(sky_density<L>(scene.sky, sky.direction, sky_place<L>(scene.sky, sky.direction)));
+}
+
+CAROM_KERNEL void scatter(const Scene& scene, const Vec3<float>& normal, const Vec3<float>& viewer,
+                          const Vec2<float>& u, const Sum& sum) {
+    TexturePointOf<L> point;
+    point.object_position = viewer;
+    point.geometric_normal = normal;
+    point.uv = point.uv_metres = u;
+    point.uv_per_metre = u.x;
+    const ResolvedOf<L> surface =
+        resolve_surface<L>(scene.texture, u.x, point, normal, viewer, u.y);
+    BsdfOf<L> bsdf;
+    const float* number = scene.materials;
+    const auto read = [&](float& x) { x = *number++; };
+    LayersOf<L>::each_number(bsdf.layers, read);
+    GlassOf<L>::each_number(bsdf.layers.glass, read);
+    PhongOf<L>::each_number(bsdf.layers.phong, read);
+    bsdf.layers.any_glass = *number++ > 0;
+    bsdf.layers.any_phong = *number++ > 0;
+    bsdf.layers.is_phong = *number++ > 0;
+    bsdf.layers.tables = scene.albedos;
+    bsdf.layers.first = 0;
+    complete<L>(bsdf, surface.base, surface.geometric_normal, surface.normal, viewer,
+                surface.from_behind);
+    const DirectionOf<L> directions[] = {sample_coat<L>(bsdf, false, true, u),
+                                         sample_base<L>(bsdf, false, u)};
+    for (const DirectionOf<L>& to : directions) {
+        sum.add(to.world);
+        sum.add(to.weight);
+        sum.add(to.pdf);
+        sum.add(of_all_lobes<L>(bsdf, base_towards<L>(bsdf, to.wi, to.passes),
+                                coat_towards<L>(bsdf, to.wi, to.passes))
+                    .value);
+    }
+}
+
+CAROM_ENTRY kernels(CAROM_GLOBAL const Scene* scenes, CAROM_GLOBAL const unsigned* numbers,
+                    CAROM_GLOBAL float* results) {
+    const Scene& scene = *scenes;
+    const Sum sum{results};
+    const SamplerOf<L> sampler(numbers[0], numbers[1]);
+    float u[4];
+    sampler.get_4d(numbers[2], u);
+    const Vec3<float> point{u[0], u[1], u[2]};
+    const Vec3<float> normal = sample_cosine_hemisphere<L>({u[2], u[3]});
+    sample_camera(scene, sampler, sum);
+    hit_shapes(scene, {point, normal}, {u[3], u[1], u[0]}, sum);
+    light(scene, point, normal, {u[1], u[3]}, sum);
+    scatter(scene, normal, unit<L>(point), {u[1], u[3]}, sum);
+}
+
+}  // namespace carom::render::device
+
+#ifdef __CUDA__
+#pragma clang force_cuda_host_device end
+#endif
